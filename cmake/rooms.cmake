@@ -1,0 +1,49 @@
+# A room is a folder that is one library: every .cpp in it but main.cpp. Rooms are named as they are
+# linked, on one line, so that CMakeLists.txt reads as the picture of who may look into whom.
+# add_room(mesh/geometry mesh/core) makes the library mesh_geometry.
+include(GoogleTest)
+
+function(room_target room out)
+  string(REPLACE "/" "_" target ${room})
+  set(${out} ${target} PARENT_SCOPE)
+endfunction()
+
+function(add_room room)
+  room_target(${room} target)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(NOT sources)
+    file(WRITE ${PROJECT_BINARY_DIR}/empty_${target}.cpp "")
+    set(sources ${PROJECT_BINARY_DIR}/empty_${target}.cpp)
+  endif()
+  add_library(${target} STATIC ${sources})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+  foreach(dependency ${ARGN})
+    room_target(${dependency} library)
+    target_link_libraries(${target} PUBLIC ${library})
+  endforeach()
+endfunction()
+
+# The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow.
+# Each room has at most two programs: ROOM_test and ROOM_slow_test.
+function(add_room_tests room)
+  room_target(${room} target)
+  file(GLOB all CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${room}/*_test.cpp)
+  set(slow ${all})
+  list(FILTER slow INCLUDE REGEX "_slow_test\\.cpp$")
+  set(fast ${all})
+  list(FILTER fast EXCLUDE REGEX "_slow_test\\.cpp$")
+  if(fast)
+    add_test_program(${target}_test "${fast}" "fast" ${target} ${ARGN})
+  endif()
+  if(slow)
+    add_test_program(${target}_slow_test "${slow}" "slow" ${target} ${ARGN})
+  endif()
+endfunction()
+
+function(add_test_program program sources label)
+  add_executable(${program} ${sources})
+  target_link_libraries(${program} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${program}:"
+                       PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "SKIPPED")
+endfunction()

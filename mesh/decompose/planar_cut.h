@@ -1,0 +1,53 @@
+/// Cuts a sub-domain in two with a nearly planar inter-domain mesh (thesis 4.3.1, fig. 48).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/spacing/spacing_field.h"
+
+namespace tetfarm {
+
+struct CutOptions {
+  /// Stop at the first candidate that passes at these angles, tried in this order over all candidates.
+  std::vector<double> smallest_angles_deg = {40, 30, 20};
+  int candidates = 36;
+  /// The work wanted on the left, as a share of the whole.
+  double left_share = 0.5;
+  /// A last check of a cut that passed all others; refused cuts are followed by the next candidate. Gets
+  /// the two halves. Empty: accept. Must be deterministic.
+  std::function<bool(const Subdomain& left, const Subdomain& right)> accept;
+  int most_accept_calls = 6;
+};
+
+struct Cut {
+  Subdomain left;
+  Subdomain right;
+  std::int32_t interdomain_triangles = 0;
+  double smallest_angle_deg = 0;
+  double left_work = 0;
+  double right_work = 0;
+  int candidates_tried = 0;
+};
+
+/// Either a cut, or why there is none: the sub-domain then stays a leaf.
+struct CutOutcome {
+  std::optional<Cut> cut;
+  std::string reason;
+};
+
+/// Each inter-domain triangle is stored once, oriented out of the left side; the right reads it reversed.
+/// Its nodes and triangles get Origin{owner = subdomain.path.heap, index}. Both halves hold validate().
+/// Deterministic. Cost: O(n log n) a candidate.
+CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
+                      const CutOptions& options = {});
+
+/// Estimated elements: ∫ elements_per_h3 / h^3 dV over the inside (thesis counts boundary faces; a
+/// departure: work is known, so it is computed). Cost: O(n log n).
+double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing);
+
+}  // namespace tetfarm

@@ -1,0 +1,49 @@
+/// The job file (TOML): geometry, spacing, sources, decomposition, quality gate, output.
+/// Every key is documented in docs/job_file.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/core/vec3.h"
+
+namespace tetfarm {
+
+struct JobSource {
+  struct Corner {
+    Vec3 at;
+    double spacing = 0;
+    double inner = 0;
+    double outer = 0;
+  };
+  std::vector<Corner> corners;  // 1: point, 2: line, 3: triangle
+  int line = 0;                 // in the job file, for messages
+};
+
+/// A job as the user wrote it, with defaults filled in. Plain data: mesh/io may not see the rooms that
+/// use it; the inspect task translates.
+struct JobFile {
+  std::string name;
+  std::string surface;             // [geometry] surface, resolved against the job file's folder
+  std::string outer_kind = "none"; // [domain] outer = "none" | "box" | "sphere"
+  double outer_factor = 0;         // [domain] factor
+  double outer_spacing = 0;        // [domain] spacing
+  double spacing_default = 0;      // [spacing] default, 0: as large as growth allows
+  double growth = 0.3;             // [spacing] growth
+  bool inherit_surface = true;     // [spacing] surface = "inherit" | "ignore"
+  std::vector<JobSource> sources;  // [[source]] kind = point | line | triangle
+  std::int64_t subdomains = 0;     // [decompose] subdomains, 0: by target_elements
+  std::int64_t target_elements = 2'000'000;  // [decompose] target_elements
+  double min_dihedral_deg = 0;     // [quality] min_dihedral, a gate; 0: none
+  std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
+};
+
+/// @throws UsageError "file:line:column: …", with "did you mean" for an unknown key.
+JobFile parse_job_file(std::string_view text, const std::string& path);
+
+/// The same job as canonical TOML with absolute paths: what the store keeps.
+std::string to_toml(const JobFile& job);
+
+}  // namespace tetfarm

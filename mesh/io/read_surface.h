@@ -1,0 +1,23 @@
+/// Reads a surface by its file's ending: .stl (binary, ASCII), .obj, .off, .msh (Gmsh 2.2 and 4.1), each
+/// also as .gz.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/core/surface_mesh.h"
+
+namespace tetfarm {
+
+/// STL vertices are welded only where bitwise equal (-0 and 0 are equal); solid names, OBJ groups and
+/// Gmsh physical groups become patches; without any, one patch "surface".
+/// @throws InvalidInput with "file:line" (or the byte of a binary file), IoError.
+SurfaceMesh read_surface(const std::string& path);
+
+/// As read_surface, from bytes already unpacked; `name` is used for its ending and in messages.
+SurfaceMesh read_surface_bytes(std::string_view bytes, const std::string& name);
+
+/// The file's bytes, unpacked when they are gzip.
+std::string read_maybe_gzip(const std::string& path);
+
+}  // namespace tetfarm

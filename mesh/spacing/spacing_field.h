@@ -1,0 +1,91 @@
+/// The spacing: target edge length as one function of position, for cuts and volumes alike.
+///
+/// Source: thesis 3.2 (sources, fig. 15), 4.3.1.9 (background mesh). Made once by `inspect`, read by
+/// every task. A 2:1-balanced octree whose cells are no larger than the spacing asks for; the value is
+/// interpolated from the corners of the cell.
+/// Units: lengths in the unit of the input.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/core/surface_mesh.h"
+#include "mesh/core/vec3.h"
+
+namespace tetfarm {
+
+/// A mesh-control source with its 1, 2 or 3 corners (thesis: point, line, triangle). Spacing is
+/// constant within the inner radius, decays exponentially to the background at the outer radius, and
+/// is interpolated linearly between corners.
+struct SourceCorner {
+  Vec3 at;
+  double spacing = 0;
+  double inner_radius = 0;
+  double outer_radius = 0;
+};
+struct Source {
+  std::vector<SourceCorner> corners;
+};
+
+struct SpacingOptions {
+  /// Spacing far from everything; 0: the largest that surface and growth allow.
+  double background = 0;
+  /// Spacing grows by at most this much per unit length (dimensionless, > 0).
+  double growth = 0.3;
+  /// The surface's own edge lengths count too.
+  bool inherit_surface = true;
+  std::vector<Source> sources;
+};
+
+/// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the edge of the
+/// smallest octree cell that the node belongs to.
+struct LatticeNode {
+  Vec3 at;
+  double cell_edge = 0;
+};
+
+class SpacingField {
+ public:
+  /// A constant field: for tests.
+  explicit SpacingField(double constant);
+  SpacingField(SpacingField&&) noexcept;
+  SpacingField& operator=(SpacingField&&) noexcept;
+  ~SpacingField();
+
+  /// The spacing at a point, also outside the octree (then: of the nearest point of its box). Always
+  /// positive and finite. Cost: well under a microsecond.
+  double at(const Vec3& point) const;
+
+  /// The nodes of the graded body-centred lattice (corners and centres of the balanced octree's leaf
+  /// cells, cell edge at most spacing / 0.92) inside the box, each once, in Hilbert or Morton order,
+  /// the same coordinates whatever the box.
+  /// Cost: O(cells that meet the box).
+  std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
+
+  /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV / h^3.
+  static constexpr double elements_per_h3 = 8.48528137423857;  // 6 sqrt(2): regular tets of edge h
+
+  std::string to_bytes() const;
+  /// @throws CorruptFile when the bytes are not what to_bytes wrote.
+  static SpacingField from_bytes(std::string_view bytes, const std::string& name);
+
+ private:
+  friend SpacingField make_spacing_field(const SurfaceMesh&, const SpacingOptions&);
+  struct Octree;
+  explicit SpacingField(std::unique_ptr<Octree> octree);
+  std::unique_ptr<Octree> octree_;
+};
+
+/// The field of a domain: the minimum of background, sources and (if asked) surface edge lengths, growing
+/// by no more than options.growth per unit length. Deterministic to the last bit on every machine (uses
+/// only + - * / sqrt).
+/// @throws InvalidInput when a source has a spacing or radius that is not positive, or outer < inner.
+/// Cost: O(n log n) for n triangles + cells.
+SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions& options);
+
+}  // namespace tetfarm

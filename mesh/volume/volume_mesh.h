@@ -1,0 +1,51 @@
+/// The volume mesh of one sub-domain, on its own (thesis 4.3.3): Delaunay of the boundary points,
+/// recovery of the boundary triangles, interior points by the spacing, cosmetics.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/core/tet_mesh.h"
+#include "mesh/spacing/spacing_field.h"
+
+namespace tetfarm {
+
+struct VolumeMeshOptions {
+  /// Off: stop after recovery, without interior points or cosmetics (for tests and trial cuts).
+  bool fill = true;
+  bool cosmetics = true;
+  /// Called now and then with the stage's name and the live tets so far.
+  std::function<void(const char* stage, std::int64_t tets)> progress;
+};
+
+struct VolumeMeshReport {
+  std::int64_t missing_edges = 0;
+  std::int64_t missing_faces = 0;
+  std::int64_t interior_steiner_points = 0;
+  double seconds_of_recovery = 0;
+};
+
+/// The surface could not be recovered: which sub-domain triangles are missing.
+class RecoveryFailure : public std::runtime_error {
+ public:
+  RecoveryFailure(const std::string& message, std::vector<std::int32_t> triangles)
+      : std::runtime_error(message), triangles_(std::move(triangles)) {}
+  const std::vector<std::int32_t>& triangles() const { return triangles_; }
+
+ private:
+  std::vector<std::int32_t> triangles_;
+};
+
+/// A mesh that holds every boundary triangle as a face and no added point on the boundary.
+/// @pre validate(subdomain) is empty. @throws InvalidInput with sub-domain triangle numbers when the
+/// surface cuts itself; RecoveryFailure when it could not be recovered.
+/// Cost: about 2 µs an element.
+TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
+                    const VolumeMeshOptions& options = {}, VolumeMeshReport* report = nullptr);
+
+}  // namespace tetfarm
