@@ -1,11 +1,11 @@
 /// Exact geometric predicates: the sign is always right, whatever the rounding.
 ///
 /// Source: J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-/// Predicates" (1997): a static error bound first, then exact expansions. Perturbation: O. Devillers
-/// and M. Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations" (2011).
-/// Orientation: as in mesh/core/tet_mesh.h. Needs IEEE doubles without contraction; coordinates must
-/// be finite and between 1e-60 and 1e60 in size, or 0.
-/// Cost: some 10 flops when the bound decides; up to a few microseconds when it does not.
+/// Predicates" (1997): a static error bound first, then exact expansions. Perturbation: O.
+/// Devillers and M. Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations"
+/// (2011). Orientation: as in mesh/core/tet_mesh.h. Needs IEEE doubles without contraction;
+/// coordinates must be finite and between 1e-60 and 1e60 in size, or 0. Cost: some 10 flops when
+/// the bound decides; up to a few microseconds when it does not.
 #pragma once
 
 #include <cstdint>
