@@ -1,0 +1,124 @@
+#include "mesh/core/subdomain.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/check.h"
+#include "mesh/core/complaints.h"
+#include "mesh/core/validate.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+std::string text_of(const Origin& origin) {
+  return "(owner " + std::to_string(origin.owner) + ", index " + std::to_string(origin.index) + ")";
+}
+
+void find_equal_lengths(const Subdomain& s, Complaints& complaints) {
+  const auto compare = [&](std::size_t items, std::size_t origins, const std::string& what) {
+    if (items != origins) {
+      complaints.add(std::to_string(items) + " " + what + " but " + std::to_string(origins) +
+                     " origins of " + what);
+    }
+  };
+  compare(s.vertices.size(), s.node_origin.size(), "vertices");
+  compare(s.triangles.size(), s.triangle_origin.size(), "triangles");
+  if (s.path.heap == 0) complaints.add("the tree path is 0, which is no place in a tree");
+}
+
+void find_bad_triangles(const Subdomain& s, Complaints& complaints) {
+  for (std::size_t i = 0; i < s.triangles.size() && !complaints.full(); ++i) {
+    const auto& [a, b, c] = s.triangles[i];
+    const bool in_range = std::min({a, b, c}) >= 0 && at(std::max({a, b, c})) < s.vertices.size();
+    if (!in_range || a == b || b == c || c == a) {
+      complaints.add("triangle " + std::to_string(i) + " (" + std::to_string(a) + ", " +
+                     std::to_string(b) + ", " + std::to_string(c) + ") " +
+                     (in_range ? "uses a vertex twice" : "has a vertex that does not exist"));
+    }
+  }
+}
+
+void find_bad_vertices(const Subdomain& s, Complaints& complaints) {
+  std::vector<bool> is_used(s.vertices.size(), false);
+  for (const Triangle& triangle : s.triangles) {
+    for (const std::int32_t v : triangle) is_used[at(v)] = true;
+  }
+  for (std::size_t v = 0; v < s.vertices.size() && !complaints.full(); ++v) {
+    const Vec3& p = s.vertices[v];
+    const std::string name = "vertex " + std::to_string(v) + " ";
+    if (!is_used[v]) complaints.add(name + text_of(p) + " is in no triangle");
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      complaints.add(name + text_of(p) + " is not finite");
+    }
+  }
+}
+
+void find_repeated_origins(std::vector<Origin> origins, const std::string& what,
+                           Complaints& complaints) {
+  std::sort(origins.begin(), origins.end());
+  for (auto it = origins.begin(); !complaints.full(); ++it) {
+    it = std::adjacent_find(it, origins.end());
+    if (it == origins.end()) return;
+    complaints.add("two " + what + " have the origin " + text_of(*it));
+  }
+}
+
+}  // namespace
+
+int TreePath::depth() const {
+  TF_CHECK(heap > 0);
+  return static_cast<int>(std::bit_width(heap)) - 1;
+}
+
+std::string TreePath::text() const {
+  if (heap == 1) return "root";
+  std::string way;
+  for (int bit = depth() - 1; bit >= 0; --bit) way += (heap >> bit & 1) != 0 ? 'R' : 'L';
+  return way;
+}
+
+Subdomain root_subdomain(const SurfaceMesh& surface) {
+  Subdomain root;
+  root.triangles = surface.triangles;
+  std::vector<std::int32_t> old2new(surface.vertices.size(), -1);
+  for (const Triangle& triangle : root.triangles) {
+    for (const std::int32_t v : triangle) {
+      TF_CHECK(v >= 0 && at(v) < surface.vertices.size());
+      old2new[at(v)] = 0;
+    }
+  }
+  for (std::size_t v = 0; v < old2new.size(); ++v) {
+    if (old2new[v] < 0) continue;
+    old2new[v] = static_cast<std::int32_t>(root.vertices.size());
+    root.vertices.push_back(surface.vertices[v]);
+    root.node_origin.push_back({0, static_cast<std::uint32_t>(v)});
+  }
+  for (Triangle& triangle : root.triangles) {
+    for (std::int32_t& v : triangle) v = old2new[at(v)];
+    root.triangle_origin.push_back({0, static_cast<std::uint32_t>(root.triangle_origin.size())});
+  }
+  return root;
+}
+
+std::vector<std::string> validate(const Subdomain& subdomain) {
+  Complaints complaints;
+  find_equal_lengths(subdomain, complaints);
+  find_bad_triangles(subdomain, complaints);
+  if (!complaints.empty()) return complaints.take();
+  find_bad_vertices(subdomain, complaints);
+  for (const auto& [a, b] : unmatched_edges(subdomain.triangles)) {
+    complaints.add("edge " + std::to_string(a) + "-" + std::to_string(b) + " from " +
+                   text_of(subdomain.vertices[at(a)]) + " to " +
+                   text_of(subdomain.vertices[at(b)]) +
+                   " is not used equally often in both directions");
+    if (complaints.full()) break;
+  }
+  find_repeated_origins(subdomain.node_origin, "vertices", complaints);
+  find_repeated_origins(subdomain.triangle_origin, "triangles", complaints);
+  return complaints.take();
+}
+
+}  // namespace tetfarm
