@@ -89,7 +89,7 @@ bool are_different_nodes(const std::array<std::int32_t, N>& nodes, std::size_t n
 }
 
 template <std::size_t N>
-std::string text_of(const std::array<std::int32_t, N>& nodes) {
+std::string nodes_text(const std::array<std::int32_t, N>& nodes) {
   std::string text = "(";
   for (std::size_t i = 0; i < N; ++i) text += (i == 0 ? "" : ", ") + to_string(nodes[i]);
   return text + ")";
@@ -104,12 +104,12 @@ void find_bad_indices(const TetMesh& mesh, const std::vector<Triangle>& triangle
   }
   for (std::size_t i = 0; i < mesh.tets.size() && !complaints.full(); ++i) {
     if (are_different_nodes(mesh.tets[i], mesh.nodes.size())) continue;
-    complaints.add("tet " + to_string(i) + " " + text_of(mesh.tets[i]) +
+    complaints.add("tet " + to_string(i) + " " + nodes_text(mesh.tets[i]) +
                    " does not have four different nodes that exist");
   }
   for (std::size_t i = 0; i < triangles.size() && !complaints.full(); ++i) {
     if (are_different_nodes(triangles[i], at(mesh.boundary_nodes))) continue;
-    complaints.add("boundary triangle " + to_string(i) + " " + text_of(triangles[i]) +
+    complaints.add("boundary triangle " + to_string(i) + " " + nodes_text(triangles[i]) +
                    " does not have three different nodes of the boundary");
   }
 }
@@ -157,7 +157,7 @@ void find_bad_faces(const TetMesh& mesh, const std::vector<Triangle>& triangles,
       const std::array<std::int32_t, 3> face = {static_cast<std::int32_t>(bucket),
                                                 static_cast<std::int32_t>(nodes >> 31),
                                                 static_cast<std::int32_t>(nodes & 0x7fffffff)};
-      complaints.add("face " + text_of(face) + " at " + text_of(mesh.nodes[bucket]) + " is " +
+      complaints.add("face " + nodes_text(face) + " at " + text_of(mesh.nodes[bucket]) + " is " +
                      use.text());
     }
   }
@@ -189,7 +189,7 @@ void find_bad_volumes(const TetMesh& mesh, const std::vector<Triangle>& triangle
     const long double volume = determinant(edge(b, from), edge(c, from), edge(d, from)) / 6;
     of_tets += volume;
     if (volume > 0) continue;
-    complaints.add("tet " + to_string(i) + " " + text_of(mesh.tets[i]) + " at " + text_of(from) +
+    complaints.add("tet " + to_string(i) + " " + nodes_text(mesh.tets[i]) + " at " + text_of(from) +
                    " has the volume " + text_of(static_cast<double>(volume)));
   }
   const Vec3 centre = bounding_box(mesh.nodes).centre();
