@@ -1,0 +1,156 @@
+/// The durable state of the service as plain data: one struct per table of the database.
+///
+/// The coordinator decides on these rows and hands back the changed ones; job_database writes and
+/// reads them. A task's inputs, outputs and values travel inside its row and lie in tables of their
+/// own. Units: times are milliseconds since 1970 (for people; no decision depends on them).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/ids.h"
+
+namespace tetfarm {
+
+enum class JobPhase { running, done, failed, cancelled };
+enum class TaskKind { inspect, decompose, mesh, number, assemble };
+/// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.
+enum class TaskState { waiting, ready, leased, done, failed };
+enum class AttemptState { running, done, failed, crashed, killed, lost, returned, revoked };
+enum class SubdomainState { open, cut, leaf };
+
+/// A file as a task knows it.
+struct ArtifactRef {
+  std::string name;  ///< its part in the task: "surface", "mesh:5"
+  std::string hash;
+  std::uint64_t size = 0;
+
+  friend bool operator==(const ArtifactRef&, const ArtifactRef&) = default;
+};
+
+struct JobRow {
+  JobId id;
+  std::string key;  ///< "" : none
+  std::string name;
+  std::string job_toml;
+  JobPhase phase = JobPhase::running;
+  int exit_code = 0;
+  std::string message;
+  std::int64_t created_ms = 0;
+  std::int64_t finished_ms = 0;
+
+  friend bool operator==(const JobRow&, const JobRow&) = default;
+};
+
+struct TaskRow {
+  TaskId id;
+  JobId job;
+  TaskKind kind = TaskKind::inspect;
+  std::uint64_t path = 0;  ///< heap number of the sub-domain, 0: none
+  TaskState state = TaskState::ready;
+  AttemptId attempt;           ///< the one that holds the lease, or that was accepted; 0: none
+  std::uint32_t crashes = 0;   ///< the child's own doing
+  std::uint32_t losses = 0;    ///< lost leases and kills from outside
+  std::int32_t exit_code = 0;  ///< of a failed task
+  std::string message;         ///< why the last attempt failed
+  double seconds = 0;          ///< of the accepted attempt
+  std::uint64_t peak_rss_bytes = 0;
+  std::vector<ArtifactRef> inputs;   ///< fixed when the task is made
+  std::vector<ArtifactRef> outputs;  ///< of a done task; of a failed one the evidence
+  std::map<std::string, std::string> parameters;
+  std::map<std::string, double> numbers;
+  std::map<std::string, std::string> texts;
+
+  friend bool operator==(const TaskRow&, const TaskRow&) = default;
+};
+
+struct SubdomainRow {
+  JobId job;
+  std::uint64_t path = 1;
+  std::uint32_t parts = 1;  ///< leaves that it was meant to become
+  SubdomainState state = SubdomainState::open;
+  std::uint64_t interdomain_nodes = 0;  ///< of its cut
+  std::uint64_t interior_nodes = 0;     ///< of its volume mesh
+  std::uint64_t tets = 0;
+  bool meshed = false;
+  std::string hash;  ///< the sub-domain's own file
+  std::uint64_t size = 0;
+
+  friend bool operator==(const SubdomainRow&, const SubdomainRow&) = default;
+};
+
+struct AttemptRow {
+  AttemptId id;
+  TaskId task;
+  WorkerId worker;
+  AttemptState state = AttemptState::running;
+  std::int64_t started_ms = 0;
+  std::int64_t ended_ms = 0;
+  std::string message;
+
+  friend bool operator==(const AttemptRow&, const AttemptRow&) = default;
+};
+
+struct WorkerRow {
+  WorkerId id;
+  std::string host;
+  std::int64_t process = 0;
+  std::uint32_t cores = 0;
+  std::uint64_t memory_bytes = 0;
+  std::string program_version;
+  std::int64_t seen_ms = 0;  ///< registration
+  bool gone = false;
+
+  friend bool operator==(const WorkerRow&, const WorkerRow&) = default;
+};
+
+/// One line of history. Ids of 0 do not apply.
+struct EventRow {
+  std::int64_t wall_ms = 0;
+  JobId job;
+  TaskId task;
+  AttemptId attempt;
+  WorkerId worker;
+  std::string what;  ///< "assigned", "done", "lost" …
+  std::string message;
+
+  friend bool operator==(const EventRow&, const EventRow&) = default;
+};
+
+using SubdomainKey = std::pair<JobId, std::uint64_t>;
+
+/// Everything that decides what happens next. Attempts: only the running ones.
+struct DurableState {
+  std::map<JobId, JobRow> jobs;
+  std::map<SubdomainKey, SubdomainRow> subdomains;
+  std::map<TaskId, TaskRow> tasks;
+  std::map<AttemptId, AttemptRow> running_attempts;
+  std::uint64_t last_attempt = 0;  ///< the highest id ever given out
+  std::uint64_t last_worker = 0;
+};
+
+/// Rows to insert or replace, in one transaction.
+struct ChangeSet {
+  std::vector<JobRow> jobs;
+  std::vector<SubdomainRow> subdomains;
+  std::vector<TaskRow> tasks;
+  std::vector<WorkerRow> workers;
+  std::vector<AttemptRow> attempts;
+  std::vector<EventRow> events;
+
+  bool empty() const {
+    return jobs.empty() && subdomains.empty() && tasks.empty() && workers.empty() &&
+           attempts.empty() && events.empty();
+  }
+};
+
+const char* name_of(JobPhase phase);
+const char* name_of(TaskKind kind);
+const char* name_of(TaskState state);
+const char* name_of(AttemptState state);
+const char* name_of(SubdomainState state);
+
+}  // namespace tetfarm
