@@ -1,0 +1,67 @@
+/// Inserts points into a TetComplex by the cavity method: the tets whose spheres hold the point are
+/// removed and their hull is joined to it.
+///
+/// Source: A. Bowyer (1981), D. F. Watson (1981); thesis 3.2 and 4.3.3. With constrained faces the
+/// cavity stops at them and shrinks until the point sees all of its hull (P. L. George, H.
+/// Borouchaki, "Delaunay Triangulation and Meshing", 1998). Cost: O(1) a point in practice; no
+/// allocation per point.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/core/tet_complex.h"
+
+namespace tetfarm {
+
+/// Where a point lies: in a tet (its closure), or on a node of it exactly.
+struct Location {
+  std::int32_t tet = -1;
+  std::int32_t node = -1;
+};
+
+class CavityInsertion {
+ public:
+  /// Keeps a reference. `constrained` has a byte for each tet whose bit i says that face i may not
+  /// be crossed (set on both sides); it may be empty: plain Delaunay. It grows with the complex.
+  explicit CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained = nullptr);
+
+  /// Walks from `start` (any live tet) to the tet that holds the point. Walks through constrained
+  /// faces. tet == -1 when the point lies outside the complex.
+  Location locate(const Vec3& point, std::int32_t start) const;
+
+  /// Gathers the cavity of complex.points[node], which lies in the closure of `tet`. False when no
+  /// cavity is left from which the node sees the whole hull; then nothing has changed.
+  bool find_cavity(std::int32_t node, std::int32_t tet);
+
+  /// The cavity's tets and the faces of its hull, as seen from inside, after find_cavity.
+  const std::vector<std::int32_t>& cavity() const { return cavity_; }
+  const std::vector<FaceHandle>& hull() const { return hull_; }
+
+  /// Replaces the cavity by the star of the node of find_cavity; returns a tet of the star.
+  std::int32_t fill();
+
+ private:
+  void grow(std::int32_t tet);
+  bool is_constrained(FaceHandle face) const;
+  bool drop_enclosed_constraints();
+  bool shrink_to_visible();
+  void rebuild_hull();
+  bool in_cavity(std::int32_t tet) const { return mark_[static_cast<std::size_t>(tet)] == round_; }
+  void glue_star(const std::vector<std::int32_t>& star);
+
+  TetComplex& complex_;
+  std::vector<std::uint8_t>* constrained_;
+  std::vector<std::int32_t> mark_;  // of a tet: the round in which it was in the cavity
+  std::vector<std::int32_t> node_round_;
+  std::vector<std::int32_t> local_;  // of a node: its number on the hull in node_round_
+  std::int32_t round_ = 0;
+  std::int32_t node_ = -1;
+  std::int32_t seed_ = -1;
+  std::vector<std::int32_t> cavity_;
+  std::vector<FaceHandle> hull_;
+  std::vector<std::int32_t> star_;
+  std::vector<FaceHandle> edge_table_;
+};
+
+}  // namespace tetfarm
