@@ -101,7 +101,6 @@ void CavityInsertion::grow(std::int32_t tet) {
 }
 
 bool CavityInsertion::drop_enclosed_constraints() {
-  if (constrained_ == nullptr) return false;
   bool changed = false;
   for (const FaceHandle face : hull_) {
     if (!is_constrained(face) || !in_cavity(tet_of(face))) continue;
@@ -161,6 +160,7 @@ bool CavityInsertion::find_cavity(std::int32_t node, std::int32_t tet) {
   mark_.resize(complex_.nodes.size(), 0);
   if (constrained_ != nullptr) constrained_->resize(complex_.nodes.size(), 0);
   grow(tet);
+  if (constrained_ == nullptr) return true;
   // Every pass removes a tet, so this ends.
   for (;;) {
     const bool dropped = drop_enclosed_constraints();
@@ -206,21 +206,15 @@ void CavityInsertion::glue_star(const std::vector<std::int32_t>& star) {
 }
 
 std::int32_t CavityInsertion::fill() {
-  struct Base {
-    std::array<std::int32_t, 3> nodes;
-    FaceHandle outside;
-    bool constrained;
-  };
-  static thread_local std::vector<Base> bases;
-  bases.clear();
+  bases_.clear();
   for (const FaceHandle face : hull_) {
-    bases.push_back({face_nodes(complex_, face),
+    bases_.push_back({face_nodes(complex_, face),
                      complex_.neighbours[at(tet_of(face))][at(face_of(face))],
                      is_constrained(face)});
   }
   for (const std::int32_t t : cavity_) complex_.kill_tet(t);
   star_.clear();
-  for (const Base& base : bases) {
+  for (const Base& base : bases_) {
     const std::int32_t t = complex_.new_tet();
     const auto& [a, b, c] = base.nodes;
     complex_.nodes[at(t)] = {a, c, b, node_};
@@ -234,10 +228,10 @@ std::int32_t CavityInsertion::fill() {
   for (std::size_t i = 0; i < star_.size(); ++i) {
     const std::int32_t t = star_[i];
     mark_[at(t)] = 0;
-    if (constrained_ != nullptr) (*constrained_)[at(t)] = bases[i].constrained ? 8 : 0;
-    complex_.neighbours[at(t)][3] = bases[i].outside;
-    if (bases[i].outside != no_face) {
-      complex_.neighbours[at(tet_of(bases[i].outside))][at(face_of(bases[i].outside))] =
+    if (constrained_ != nullptr) (*constrained_)[at(t)] = bases_[i].constrained ? 8 : 0;
+    complex_.neighbours[at(t)][3] = bases_[i].outside;
+    if (bases_[i].outside != no_face) {
+      complex_.neighbours[at(tet_of(bases_[i].outside))][at(face_of(bases_[i].outside))] =
           face_handle(t, 3);
     }
   }

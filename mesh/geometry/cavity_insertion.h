@@ -42,6 +42,13 @@ class CavityInsertion {
   std::int32_t fill();
 
  private:
+  /// A hull face as it was: its nodes, the face beyond it, and whether it is constrained.
+  struct Base {
+    std::array<std::int32_t, 3> nodes;
+    FaceHandle outside;
+    bool constrained;
+  };
+
   void grow(std::int32_t tet);
   bool is_constrained(FaceHandle face) const;
   bool drop_enclosed_constraints();
@@ -60,6 +67,7 @@ class CavityInsertion {
   std::int32_t seed_ = -1;
   std::vector<std::int32_t> cavity_;
   std::vector<FaceHandle> hull_;
+  std::vector<Base> bases_;
   std::vector<std::int32_t> star_;
   std::vector<FaceHandle> edge_table_;
 };
