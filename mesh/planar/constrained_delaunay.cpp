@@ -1,0 +1,228 @@
+#include "mesh/planar/constrained_delaunay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/check.h"
+#include "mesh/planar/edge_flips.h"
+#include "mesh/planar/edge_recovery.h"
+#include "mesh/planar/restricted_cavity.h"
+
+namespace tetfarm {
+namespace {
+
+using Edge = std::array<std::int32_t, 2>;
+
+std::size_t as_index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// The complaints so far; each kind keeps at most as many places as a reader can use.
+struct Complaints {
+  std::optional<PlanarFailure> failure;
+
+  void add(const std::string& reason, const Vec2& where) {
+    constexpr std::size_t most_places = 100;
+    if (!failure) failure = PlanarFailure{reason, {}};
+    if (failure->reason == reason && failure->where.size() < most_places)
+      failure->where.push_back(where);
+  }
+};
+
+Complaints check_edges(const PlanarRegion& region, const std::vector<Edge>& sorted) {
+  Complaints complaints;
+  const auto n = static_cast<std::int32_t>(region.points.size());
+  for (const Vec2& p : region.points)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) complaints.add("a coordinate is not finite", p);
+  if (region.edges.empty()) complaints.add("the region has no edges", {});
+  for (const auto& [a, b] : sorted)
+    if (a < 0 || b < 0 || a >= n || b >= n)
+      complaints.add("an edge names a point that does not exist", {});
+  if (complaints.failure) return complaints;
+
+  std::vector<std::int32_t> surplus(region.points.size(), 0);
+  for (const auto& [a, b] : sorted) {
+    if (a == b)
+      complaints.add("an edge begins and ends at the same point", region.points[as_index(a)]);
+    ++surplus[as_index(a)];
+    --surplus[as_index(b)];
+  }
+  for (std::size_t v = 0; v < surplus.size(); ++v)
+    if (surplus[v] != 0) complaints.add("a loop does not close", region.points[v]);
+  for (std::size_t e = 0; e < sorted.size(); ++e) {
+    const Edge back = {sorted[e][1], sorted[e][0]};
+    if ((e > 0 && sorted[e] == sorted[e - 1]) || std::ranges::binary_search(sorted, back))
+      complaints.add("an edge is used twice", region.points[as_index(sorted[e][0])]);
+  }
+  return complaints;
+}
+
+/// Place along the Hilbert curve of a 2^16 grid.
+std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t place = 0;
+  for (std::uint32_t side = 1U << 15U; side > 0; side >>= 1U) {
+    const std::uint32_t right = (x & side) != 0 ? 1 : 0;
+    const std::uint32_t up = (y & side) != 0 ? 1 : 0;
+    place = place << 2U | ((3 * right) ^ up);
+    if (up == 0) {
+      if (right == 1) {
+        x = ~x;
+        y = ~y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return place;
+}
+
+struct Box2 {
+  Vec2 low, high;
+};
+
+Box2 bounding_box(const std::vector<Vec2>& points) {
+  Box2 box{points[0], points[0]};
+  for (const Vec2& p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+std::vector<std::int32_t> insertion_order(const std::vector<Vec2>& points, const Box2& box) {
+  const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double scale = side > 0 ? 65535.0 / side : 0;
+  const auto cell = [&](double offset) {
+    return static_cast<std::uint32_t>(std::clamp(offset * scale, 0.0, 65535.0));
+  };
+  std::vector<std::pair<std::uint32_t, std::int32_t>> keyed(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    keyed[v] = {hilbert_place(cell(points[v].x - box.low.x), cell(points[v].y - box.low.y)),
+                static_cast<std::int32_t>(v)};
+  std::ranges::sort(keyed);
+  std::vector<std::int32_t> order(points.size());
+  std::ranges::transform(keyed, order.begin(), [](const auto& k) { return k.second; });
+  return order;
+}
+
+/// Delaunay triangulation of the points and of four corners round them, which come first. Node of
+/// point v: node_of[v].
+struct Boxed {
+  TriangleComplex complex;
+  std::vector<std::int32_t> node_of;
+  std::vector<std::int32_t> point_of;
+};
+inline constexpr std::int32_t corners = 4;
+
+Boxed triangulate_points(const std::vector<Vec2>& points, Complaints& complaints) {
+  const Box2 box = bounding_box(points);
+  // Generous, so that rounding leaves every point strictly inside.
+  double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  margin += 1e-3 * std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x),
+                             std::abs(box.high.y), 1e-30});
+  Boxed boxed;
+  TriangleComplex& complex = boxed.complex;
+  complex.add_point({box.low.x - margin, box.low.y - margin});
+  complex.add_point({box.high.x + margin, box.low.y - margin});
+  complex.add_point({box.high.x + margin, box.high.y + margin});
+  complex.add_point({box.low.x - margin, box.high.y + margin});
+  complex.set_triangle(complex.add_triangle(), {0, 1, 2});
+  complex.set_triangle(complex.add_triangle(), {0, 2, 3});
+  complex.glue(edge_handle(0, 1), edge_handle(1, 2));
+  for (const EdgeHandle border :
+       {edge_handle(0, 0), edge_handle(0, 2), edge_handle(1, 0), edge_handle(1, 1)})
+    complex.constrain(border, true);
+
+  boxed.node_of.assign(points.size(), -1);
+  boxed.point_of.assign(corners, -1);
+  Cavity cavity;
+  std::int32_t last = 0;
+  for (const std::int32_t v : insertion_order(points, box)) {
+    const Vec2& p = points[as_index(v)];
+    const std::optional<std::int32_t> holder = locate(complex, last, p);
+    TF_CHECK(holder);
+    if (!find_cavity(complex, *holder, p, cavity)) {
+      complaints.add("two points coincide", p);
+      continue;
+    }
+    boxed.node_of[as_index(v)] = fill_cavity(complex, p, cavity);
+    boxed.point_of.push_back(v);
+    last = cavity.triangles[0];
+  }
+  return boxed;
+}
+
+enum class Side : std::uint8_t { unknown, inside, outside };
+
+/// Spreads inside and outside from both sides of the directed edges.
+std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
+                           Complaints& complaints) {
+  const TriangleComplex& complex = boxed.complex;
+  std::vector<Side> sides(complex.triangles.size(), Side::unknown);
+  std::vector<std::int32_t> front;
+  const auto claim = [&](std::int32_t t, Side side, std::int32_t a) {
+    Side& mine = sides[as_index(t)];
+    if (mine == Side::unknown) {
+      mine = side;
+      front.push_back(t);
+    } else if (mine != side) {
+      complaints.add("loops disagree about which side is inside", complex.point(a));
+    }
+  };
+  for (const auto& [a, b] : edges) {
+    const std::int32_t from = boxed.node_of[as_index(a)];
+    const EdgeHandle edge = complex.find_edge(from, boxed.node_of[as_index(b)]);
+    const EdgeHandle other = complex.neighbour(triangle_of(edge), edge_of(edge));
+    claim(triangle_of(edge), Side::inside, from);
+    claim(triangle_of(other), Side::outside, from);
+    while (!front.empty()) {
+      const std::int32_t t = front.back();
+      front.pop_back();
+      for (int i = 0; i < 3; ++i)
+        if (!complex.is_constrained(t, i))
+          claim(triangle_of(complex.neighbour(t, i)), sides[as_index(t)], from);
+    }
+  }
+  for (std::int32_t t = 0; t < complex.size(); ++t)
+    for (const std::int32_t v : complex.nodes(t))
+      if (v < corners && sides[as_index(t)] == Side::inside && !complaints.failure)
+        complaints.add("the outermost loop runs clockwise", complex.point(complex.node(t, 0)));
+  return sides;
+}
+
+/// The inside triangles, with the region's numbers.
+TriangleComplex keep_inside(const Boxed& boxed, const std::vector<Side>& sides,
+                            const std::vector<Vec2>& points) {
+  std::vector<TriangleComplex::Nodes> triangles;
+  for (std::int32_t t = 0; t < boxed.complex.size(); ++t) {
+    if (sides[as_index(t)] != Side::inside) continue;
+    const auto& [a, b, c] = boxed.complex.nodes(t);
+    triangles.push_back(
+        {boxed.point_of[as_index(a)], boxed.point_of[as_index(b)], boxed.point_of[as_index(c)]});
+  }
+  return make_triangle_complex(points, std::move(triangles));
+}
+
+}  // namespace
+
+ConstrainedDelaunay constrained_delaunay(const PlanarRegion& region) {
+  std::vector<Edge> edges = region.edges;
+  std::ranges::sort(edges);
+  Complaints complaints = check_edges(region, edges);
+  if (complaints.failure) return {{}, std::move(complaints.failure)};
+
+  Boxed boxed = triangulate_points(region.points, complaints);
+  if (complaints.failure) return {{}, std::move(complaints.failure)};
+  for (const auto& [a, b] : edges) {
+    const auto failure =
+        recover_edge(boxed.complex, boxed.node_of[as_index(a)], boxed.node_of[as_index(b)]);
+    if (failure) complaints.add(failure->reason, failure->where[0]);
+  }
+  if (complaints.failure) return {{}, std::move(complaints.failure)};
+
+  const std::vector<Side> sides = classify(boxed, edges, complaints);
+  if (complaints.failure) return {{}, std::move(complaints.failure)};
+  ConstrainedDelaunay result{keep_inside(boxed, sides, region.points), std::nullopt};
+  flip_to_delaunay(result.complex);
+  return result;
+}
+
+}  // namespace tetfarm
