@@ -1,7 +1,9 @@
-/// The bytes of the artifacts that tasks exchange: surface, sub-domain, tet mesh. Little endian, a magic
-/// and a version first, an XXH3-128 of all before it last; the grammar is in store/formats.md.
+/// The bytes of the artifacts that tasks exchange: surface, sub-domain, tet mesh. Little endian, a
+/// magic and a version first, an XXH3-128 of all before it last; the grammar is in
+/// store/formats.md.
 ///
-/// from_bytes functions validate lengths, indices and checksum, and throw CorruptFile naming `name`.
+/// from_bytes functions validate lengths, indices and checksum, and throw CorruptFile naming
+/// `name`.
 #pragma once
 
 #include <string>
@@ -21,6 +23,7 @@ Subdomain subdomain_from_bytes(std::string_view bytes, const std::string& name);
 /// Holds the nodes after `boundary_nodes` only: the first are those of the sub-domain.
 std::string tet_mesh_to_bytes(const TetMesh& mesh);
 /// `subdomain` gives the boundary nodes.
-TetMesh tet_mesh_from_bytes(std::string_view bytes, const Subdomain& subdomain, const std::string& name);
+TetMesh tet_mesh_from_bytes(std::string_view bytes, const Subdomain& subdomain,
+                            const std::string& name);
 
 }  // namespace tetfarm

@@ -22,21 +22,21 @@ struct JobSource {
   int line = 0;                 // in the job file, for messages
 };
 
-/// A job as the user wrote it, with defaults filled in. Plain data: mesh/io may not see the rooms that
-/// use it; the inspect task translates.
+/// A job as the user wrote it, with defaults filled in. Plain data: mesh/io may not see the rooms
+/// that use it; the inspect task translates.
 struct JobFile {
   std::string name;
-  std::string surface;             // [geometry] surface, resolved against the job file's folder
-  std::string outer_kind = "none"; // [domain] outer = "none" | "box" | "sphere"
-  double outer_factor = 0;         // [domain] factor
-  double outer_spacing = 0;        // [domain] spacing
-  double spacing_default = 0;      // [spacing] default, 0: as large as growth allows
-  double growth = 0.3;             // [spacing] growth
-  bool inherit_surface = true;     // [spacing] surface = "inherit" | "ignore"
-  std::vector<JobSource> sources;  // [[source]] kind = point | line | triangle
-  std::int64_t subdomains = 0;     // [decompose] subdomains, 0: by target_elements
-  std::int64_t target_elements = 2'000'000;  // [decompose] target_elements
-  double min_dihedral_deg = 0;     // [quality] min_dihedral, a gate; 0: none
+  std::string surface;              // [geometry] surface, resolved against the job file's folder
+  std::string outer_kind = "none";  // [domain] outer = "none" | "box" | "sphere"
+  double outer_factor = 0;          // [domain] factor
+  double outer_spacing = 0;         // [domain] spacing
+  double spacing_default = 0;       // [spacing] default, 0: as large as growth allows
+  double growth = 0.3;              // [spacing] growth
+  bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
+  std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
+  std::int64_t subdomains = 0;      // [decompose] subdomains, 0: by target_elements
+  std::int64_t target_elements = 2'000'000;       // [decompose] target_elements
+  double min_dihedral_deg = 0;                    // [quality] min_dihedral, a gate; 0: none
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
 };
 

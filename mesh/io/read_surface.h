@@ -1,5 +1,5 @@
-/// Reads a surface by its file's ending: .stl (binary, ASCII), .obj, .off, .msh (Gmsh 2.2 and 4.1), each
-/// also as .gz.
+/// Reads a surface by its file's ending: .stl (binary, ASCII), .obj, .off, .msh (Gmsh 2.2 and 4.1),
+/// each also as .gz.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace tetfarm {
 
-/// STL vertices are welded only where bitwise equal (-0 and 0 are equal); solid names, OBJ groups and
-/// Gmsh physical groups become patches; without any, one patch "surface".
+/// STL vertices are welded only where bitwise equal (-0 and 0 are equal); solid names, OBJ groups
+/// and Gmsh physical groups become patches; without any, one patch "surface".
 /// @throws InvalidInput with "file:line" (or the byte of a binary file), IoError.
 SurfaceMesh read_surface(const std::string& path);
 
