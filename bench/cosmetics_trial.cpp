@@ -1,0 +1,71 @@
+/// What cosmetics does to a ball seeded by a lattice, or by random points: angles and seconds.
+/// usage: cosmetics_trial [lattice|random] [levels of the icosphere] [wanted angle, degrees]
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "mesh/core/tet_quality.h"
+#include "mesh/cosmetics/improve_mesh.h"
+#include "tests/mesh/cosmetics/trial_meshes.h"
+
+namespace {
+
+using namespace tetfarm;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// How many tets have their smallest dihedral angle below 5, 10, 15… degrees, and the mean ratios.
+void print_quality(const char* when, const TetComplex& complex, std::int32_t boundary_nodes) {
+  std::array<std::int64_t, 8> below{};
+  double sum = 0;
+  double band_sum = 0;
+  std::int64_t band = 0;
+  double least = 180;
+  double most = 0;
+  for (const Tet& tet : complex.nodes) {
+    if (tet[0] < 0) continue;
+    const auto point = [&](std::size_t i) { return complex.points[std::size_t(tet[i])]; };
+    const DihedralRange range = dihedral_range(point(0), point(1), point(2), point(3));
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] += range.min_deg < 5.0 * double(i + 1);
+    least = std::min(least, range.min_deg);
+    most = std::max(most, range.max_deg);
+    const double ratio = radius_ratio(point(0), point(1), point(2), point(3));
+    sum += ratio;
+    if (*std::min_element(tet.begin(), tet.end()) < boundary_nodes) {
+      band_sum += ratio;
+      ++band;
+    }
+  }
+  const auto tets = double(complex.live_tets());
+  std::printf("%-7s %9.0f tets, angles %.2f to %.2f, mean ratio %.4f, at the boundary %.4f; below",
+              when, tets, least, most, sum / tets, band_sum / double(band));
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    std::printf(" %zu°: %lld", 5 * (i + 1), static_cast<long long>(below[i]));
+  }
+  std::printf("\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string kind = argc > 1 ? argv[1] : "lattice";
+  const int levels = argc > 2 ? std::atoi(argv[2]) : 4;
+  CosmeticOptions options;
+  if (argc > 3) options.wanted_dihedral_deg = std::atof(argv[3]);
+  const TetMesh mesh = kind == "random" ? trial::random_ball(levels, 1 << (3 * levels), 1)
+                                        : trial::lattice_ball(levels);
+  TetComplex complex = make_tet_complex(mesh);
+  print_quality("before", complex, mesh.boundary_nodes);
+  const double start = seconds_now();
+  const CosmeticReport report = improve_mesh(complex, mesh.boundary_nodes, options);
+  const double seconds = seconds_now() - start;
+  print_quality("after", complex, mesh.boundary_nodes);
+  std::printf("%lld swaps, %lld moves, %lld collapses, %lld splits; %.3f s, %.3f us a tet\n",
+              static_cast<long long>(report.swaps), static_cast<long long>(report.moves),
+              static_cast<long long>(report.collapses), static_cast<long long>(report.splits),
+              seconds, 1e6 * seconds / double(complex.live_tets()));
+  for (const std::string& line : validate(complex)) std::printf("wrong: %s\n", line.c_str());
+}

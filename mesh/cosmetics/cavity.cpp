@@ -1,0 +1,191 @@
+#include "mesh/cosmetics/cavity.h"
+
+#include <algorithm>
+
+#include "mesh/cosmetics/quality.h"
+
+namespace tetfarm::cosmetics {
+
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// A face that needs a partner: an outer face of the cavity, or one of a new tet.
+struct OpenFace {
+  std::array<std::int32_t, 3> nodes;
+  /// Face of the tet outside, or of the new tet by its place in the list.
+  FaceHandle handle;
+  bool outer;
+  /// Outer faces run as seen from the old tet, so two faces that meet run alike when one is outer.
+  bool odd;
+
+  friend bool operator<(const OpenFace& a, const OpenFace& b) {
+    if (a.nodes != b.nodes) return a.nodes < b.nodes;
+    return a.outer != b.outer ? a.outer : a.handle < b.handle;
+  }
+};
+
+OpenFace open_face(const Tet& tet, int face, FaceHandle handle, bool outer) {
+  const auto& local = tet_face_nodes[at(face)];
+  OpenFace open{{tet[at(local[0])], tet[at(local[1])], tet[at(local[2])]}, handle, outer, false};
+  const auto sort_two = [&open](std::size_t i, std::size_t j) {
+    if (open.nodes[i] < open.nodes[j]) return;
+    std::swap(open.nodes[i], open.nodes[j]);
+    open.odd = !open.odd;
+  };
+  sort_two(0, 1);
+  sort_two(1, 2);
+  sort_two(0, 1);
+  return open;
+}
+
+std::vector<OpenFace> open_faces(WorkMesh& work, const Replacement& replacement) {
+  std::vector<OpenFace> faces;
+  faces.reserve(4 * (replacement.old_tets.size() + replacement.new_tets.size()));
+  work.clear_marks();
+  for (const std::int32_t t : replacement.old_tets) work.set_mark(t);
+  for (const std::int32_t t : replacement.old_tets) {
+    for (int face = 0; face < 4; ++face) {
+      const FaceHandle across = work.across(t, face);
+      if (across != no_face && work.is_marked(tet_of(across))) continue;
+      faces.push_back(open_face(work.tet(t), face, across, true));
+    }
+  }
+  for (std::size_t i = 0; i < replacement.new_tets.size(); ++i) {
+    for (int face = 0; face < 4; ++face) {
+      const FaceHandle handle = face_handle(static_cast<std::int32_t>(i), face);
+      faces.push_back(open_face(replacement.new_tets[i], face, handle, false));
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// True when the faces come in pairs that fit together.
+bool match(const std::vector<OpenFace>& faces) {
+  if (faces.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < faces.size(); i += 2) {
+    const OpenFace& a = faces[i];
+    const OpenFace& b = faces[i + 1];
+    if (a.nodes != b.nodes || b.outer || (a.odd == b.odd) != a.outer) return false;
+    if (i > 0 && faces[i - 1].nodes == a.nodes) return false;
+  }
+  return true;
+}
+
+void glue_pairs(TetComplex& complex, const std::vector<OpenFace>& faces,
+                const std::vector<std::int32_t>& new_tets) {
+  for (std::size_t i = 0; i < faces.size(); i += 2) {
+    const auto handle = [&](const OpenFace& face) {
+      if (face.outer) return face.handle;
+      return face_handle(new_tets[at(tet_of(face.handle))], face_of(face.handle));
+    };
+    complex.glue(handle(faces[i]), handle(faces[i + 1]));
+  }
+}
+
+void add_point(WorkMesh& work, const Vec3& point) {
+  work.complex.points.push_back(point);
+  work.complex.node2tet.push_back(-1);
+  work.node2change.push_back(0);
+}
+
+void drop_last_point(WorkMesh& work) {
+  work.complex.points.pop_back();
+  work.complex.node2tet.pop_back();
+  work.node2change.pop_back();
+}
+
+}  // namespace
+
+WorkMesh::WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_)
+    : complex(complex_),
+      fixed_nodes(fixed_nodes_),
+      node2change(complex_.points.size(), 0),
+      tet2mark(complex_.nodes.size(), 0) {}
+
+double WorkMesh::goodness_of(std::int32_t t) const { return goodness(complex, tet(t)); }
+
+double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets) {
+  double worst = 1;
+  for (const std::int32_t t : tets) worst = std::min(worst, work.goodness_of(t));
+  return worst;
+}
+
+std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node) {
+  std::vector<std::int32_t> ball = {work.complex.node2tet[at(node)]};
+  ball.reserve(32);
+  work.clear_marks();
+  work.set_mark(ball[0]);
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    const std::int32_t t = ball[i];
+    for (int face = 0; face < 4; ++face) {
+      if (work.tet(t)[at(face)] == node) continue;
+      const FaceHandle across = work.across(t, face);
+      if (across == no_face || work.is_marked(tet_of(across))) continue;
+      work.set_mark(tet_of(across));
+      ball.push_back(tet_of(across));
+    }
+  }
+  return ball;
+}
+
+std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i, int j,
+                                     std::size_t most) {
+  // The other two nodes k, l such that (i, j, k, l) is an even permutation of the tet.
+  static constexpr std::array<std::array<int, 4>, 4> third = {
+      {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}}};
+  const int k = third[at(i)][at(j)];
+  EdgeRing ring{work.tet(t)[at(i)], work.tet(t)[at(j)], {}, {}};
+  std::int32_t node = work.tet(t)[at(k)];
+  std::int32_t now = t;
+  do {
+    if (ring.tets.size() == most) return std::nullopt;
+    ring.tets.push_back(now);
+    ring.nodes.push_back(node);
+    const int leave = work.complex.local_node(now, node);
+    const FaceHandle across = work.across(now, leave);
+    if (across == no_face) return std::nullopt;
+    // The node that now and the next tet share besides the edge.
+    const Tet& tet = work.tet(now);
+    for (const std::int32_t v : tet) {
+      if (v != ring.from && v != ring.to && v != tet[at(leave)]) node = v;
+    }
+    now = tet_of(across);
+  } while (now != t);
+  return ring;
+}
+
+std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replacement) {
+  TetComplex& complex = work.complex;
+  if (replacement.new_point) add_point(work, *replacement.new_point);
+  const std::vector<OpenFace> faces = open_faces(work, replacement);
+  const bool valid =
+      match(faces) && std::all_of(replacement.new_tets.begin(), replacement.new_tets.end(),
+                                  [&](const Tet& tet) { return is_positive(complex, tet); });
+  if (!valid) {
+    if (replacement.new_point) drop_last_point(work);
+    return {};
+  }
+  ++work.changes;
+  for (const std::int32_t t : replacement.old_tets) {
+    for (const std::int32_t v : work.tet(t)) {
+      work.node2change[at(v)] = work.changes;
+      complex.node2tet[at(v)] = -1;
+    }
+    complex.kill_tet(t);
+  }
+  std::vector<std::int32_t> new_tets;
+  for (const Tet& tet : replacement.new_tets) {
+    const std::int32_t t = complex.new_tet();
+    if (at(t) >= work.tet2mark.size()) work.tet2mark.resize(complex.nodes.size(), 0);
+    complex.nodes[at(t)] = tet;
+    for (const std::int32_t v : tet) complex.node2tet[at(v)] = t;
+    new_tets.push_back(t);
+  }
+  if (replacement.new_point) work.node2change.back() = work.changes;
+  glue_pairs(complex, faces, new_tets);
+  return new_tets;
+}
+
+}  // namespace tetfarm::cosmetics

@@ -1,0 +1,73 @@
+/// The mesh as cosmetics changes it: some tets go, others that fill the same cavity come.
+///
+/// Every change of topology is a Replacement. New tets of exactly positive volume with the same
+/// outer faces as the old ones tile the same region, so no operation needs a proof of its own.
+#pragma once
+
+#include <optional>
+
+#include "mesh/core/tet_complex.h"
+
+namespace tetfarm::cosmetics {
+
+/// A complex with what cosmetics keeps about it. Nodes below fixed_nodes never move.
+struct WorkMesh {
+  TetComplex& complex;
+  std::int32_t fixed_nodes = 0;
+  /// Number of the change that last touched the tets of a node; 0: none yet.
+  std::vector<std::int64_t> node2change;
+  std::int64_t changes = 0;
+  /// Tets with the present mark are in the set that is being gathered.
+  std::vector<std::uint32_t> tet2mark;
+  std::uint32_t mark = 0;
+
+  WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_);
+  bool may_move(std::int32_t node) const { return node >= fixed_nodes; }
+  const Vec3& point(std::int32_t node) const {
+    return complex.points[static_cast<std::size_t>(node)];
+  }
+  const Tet& tet(std::int32_t t) const { return complex.nodes[static_cast<std::size_t>(t)]; }
+  FaceHandle across(std::int32_t t, int face) const {
+    return complex.neighbours[static_cast<std::size_t>(t)][static_cast<std::size_t>(face)];
+  }
+  double goodness_of(std::int32_t t) const;
+  /// Forgets the gathered set.
+  void clear_marks() { ++mark; }
+  bool is_marked(std::int32_t t) const { return tet2mark[static_cast<std::size_t>(t)] == mark; }
+  void set_mark(std::int32_t t) { tet2mark[static_cast<std::size_t>(t)] = mark; }
+};
+
+/// Tets to be replaced by new ones. `new_point`: a node that the new tets name as points.size().
+struct Replacement {
+  std::vector<std::int32_t> old_tets;
+  std::vector<Tet> new_tets;
+  double old_worst = 0;
+  double new_worst = 0;
+  std::optional<Vec3> new_point;
+};
+
+/// The smallest goodness of the tets.
+double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets);
+
+/// The tets round a node, in breadth-first order from node2tet.
+std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node);
+
+/// The tets round an edge in order: tets[i] = (from, to, nodes[i], nodes[i + 1]), positive.
+struct EdgeRing {
+  std::int32_t from = -1;
+  std::int32_t to = -1;
+  std::vector<std::int32_t> nodes;
+  std::vector<std::int32_t> tets;
+};
+
+/// The ring of edge (i, j) of tet t; empty when the edge lies on the boundary or has more than
+/// `most` tets.
+std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i, int j,
+                                     std::size_t most);
+
+/// Replaces the tets and gives the numbers of the new ones. Nothing is done, and nothing returned,
+/// when a new tet is not exactly positive or the outer faces differ.
+/// Cost: O(n log n) for n tets.
+std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replacement);
+
+}  // namespace tetfarm::cosmetics

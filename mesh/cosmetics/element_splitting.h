@@ -1,0 +1,27 @@
+/// Breaks a bad tet by a new node inside a cavity round it, for tets that nothing else can help:
+/// foremost those with four boundary nodes.
+///
+/// Source: thesis 4.3.4.1, figure 79 (elements formed wholly of boundary nodes), which passes them
+/// over; the cavity grows as in B. M. Klingner and J. R. Shewchuk, "Aggressive tetrahedral mesh
+/// improvement" (2007), but greedily.
+#pragma once
+
+#include <optional>
+
+#include "mesh/cosmetics/cavity.h"
+
+namespace tetfarm::cosmetics {
+
+struct SplitOptions {
+  /// Climbing stops at this goodness.
+  double enough = 0.5;
+  /// The new node stays at least this far from the others.
+  double least_distance = 0;
+};
+
+/// The better of: the new node on one of t's inner edges, or in a cavity grown from t where it sees
+/// the outer faces best. Nothing when the worst of the cavity does not get better.
+/// Cost: some 1000 goodnesses; for the few worst tets only.
+std::optional<Replacement> find_split(WorkMesh& work, std::int32_t t, const SplitOptions& options);
+
+}  // namespace tetfarm::cosmetics

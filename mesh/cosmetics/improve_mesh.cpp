@@ -1,0 +1,256 @@
+#include "mesh/cosmetics/improve_mesh.h"
+
+#include <algorithm>
+#include <numbers>
+#include <queue>
+
+#include "base/check.h"
+#include "mesh/core/tet_quality.h"
+#include "mesh/cosmetics/edge_removal.h"
+#include "mesh/cosmetics/element_collapse.h"
+#include "mesh/cosmetics/element_splitting.h"
+#include "mesh/cosmetics/face_swapping.h"
+#include "mesh/cosmetics/quality.h"
+#include "mesh/cosmetics/smoothing.h"
+
+namespace tetfarm {
+
+namespace {
+
+using cosmetics::Replacement;
+using cosmetics::WorkMesh;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Moves and splits are not driven beyond this: time is better spent on the next bad tet.
+constexpr double enough_deg = 40;
+/// An edge from a collapse is no longer, one from a split no shorter, than this times the spacing.
+constexpr double longest_collapse = 1.6;
+constexpr double shortest_split = 0.4;
+
+/// A tet to work on. Stale when the tet is dead or its goodness has changed: it is then queued
+/// anew.
+struct BadTet {
+  double goodness;
+  std::int32_t tet;
+
+  /// The worst comes first out of a priority queue.
+  friend bool operator<(const BadTet& a, const BadTet& b) {
+    return a.goodness != b.goodness ? a.goodness > b.goodness : a.tet > b.tet;
+  }
+};
+
+/// A bad tet that nothing helped, and the number of changes made until then.
+struct GivenUp {
+  BadTet bad;
+  std::int64_t changes;
+};
+
+struct Improver {
+  WorkMesh work;
+  const CosmeticOptions& options;
+  double wanted;
+  double enough;
+  CosmeticReport report;
+  std::priority_queue<BadTet> queue;
+  std::vector<GivenUp> given_up;
+
+  void queue_bad(const std::vector<std::int32_t>& tets) {
+    for (const std::int32_t t : tets) {
+      const double now = work.goodness_of(t);
+      if (now < wanted) queue.push({now, t});
+    }
+  }
+  bool is_current(const BadTet& bad) const {
+    return work.complex.is_live(bad.tet) && work.goodness_of(bad.tet) == bad.goodness;
+  }
+};
+
+bool apply(Improver& improver, const Replacement& replacement) {
+  const std::vector<std::int32_t> tets = cosmetics::replace_tets(improver.work, replacement);
+  improver.queue_bad(tets);
+  return !tets.empty();
+}
+
+bool swap(Improver& improver, const BadTet& bad) {
+  const WorkMesh& work = improver.work;
+  std::optional<Replacement> best;
+  double beat = bad.goodness;
+  const auto take = [&](std::optional<Replacement> found) {
+    if (!found) return;
+    beat = found->new_worst;
+    best = std::move(found);
+  };
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      take(cosmetics::find_edge_removal(work, bad.tet, i, j, beat));
+    }
+  }
+  for (int face = 0; face < 4; ++face) {
+    take(cosmetics::find_face_removal(work, bad.tet, face, beat));
+  }
+  if (!best || !apply(improver, *best)) return false;
+  ++improver.report.swaps;
+  return true;
+}
+
+/// True when no boundary face holds the node, so that it may move or go.
+bool is_inner(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node) {
+  if (!work.may_move(node)) return false;
+  for (const std::int32_t t : ball) {
+    for (int face = 0; face < 4; ++face) {
+      if (work.tet(t)[at(face)] != node && work.across(t, face) == no_face) return false;
+    }
+  }
+  return true;
+}
+
+bool smooth(Improver& improver, const BadTet& bad) {
+  WorkMesh& work = improver.work;
+  const Tet tet = work.tet(bad.tet);
+  bool moved = false;
+  for (const std::int32_t node : tet) {
+    if (!work.may_move(node)) continue;
+    const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
+    if (!is_inner(work, ball, node)) continue;
+    const auto place = cosmetics::find_move(work, ball, node, improver.enough);
+    if (!place || !cosmetics::move_node(work, ball, node, place->point)) continue;
+    improver.queue_bad(ball);
+    ++improver.report.moves;
+    moved = true;
+    if (work.goodness_of(bad.tet) >= improver.wanted) break;
+  }
+  return moved;
+}
+
+bool is_short_enough(const Improver& improver, const Replacement& collapse, std::int32_t onto) {
+  if (!improver.options.spacing) return true;
+  const Vec3& centre = improver.work.point(onto);
+  const double longest = longest_collapse * improver.options.spacing(centre);
+  for (const Tet& tet : collapse.new_tets) {
+    for (const std::int32_t v : tet) {
+      if (norm2(improver.work.point(v) - centre) > longest * longest) return false;
+    }
+  }
+  return true;
+}
+
+bool collapse(Improver& improver, const BadTet& bad) {
+  WorkMesh& work = improver.work;
+  const Tet tet = work.tet(bad.tet);
+  std::optional<Replacement> best;
+  double beat = bad.goodness;
+  for (const std::int32_t node : tet) {
+    if (!work.may_move(node)) continue;
+    const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
+    if (!is_inner(work, ball, node)) continue;
+    for (const std::int32_t onto : tet) {
+      if (onto == node) continue;
+      auto found = cosmetics::find_collapse(work, ball, node, onto, beat);
+      if (!found || !is_short_enough(improver, *found, onto)) continue;
+      beat = found->new_worst;
+      best = std::move(found);
+    }
+  }
+  if (!best || !apply(improver, *best)) return false;
+  ++improver.report.collapses;
+  return true;
+}
+
+bool split(Improver& improver, const BadTet& bad) {
+  cosmetics::SplitOptions options{improver.enough, 0};
+  if (improver.options.spacing) {
+    const Tet& tet = improver.work.tet(bad.tet);
+    Vec3 centre;
+    for (const std::int32_t v : tet) centre += 0.25 * improver.work.point(v);
+    options.least_distance = shortest_split * improver.options.spacing(centre);
+  }
+  const auto found = cosmetics::find_split(improver.work, bad.tet, options);
+  if (!found || !apply(improver, *found)) return false;
+  ++improver.report.splits;
+  return true;
+}
+
+/// Works the queue off, worst first. Collapses and splits change the number of nodes, so they wait
+/// for a `thorough` pass, when swaps and moves have done what they can.
+void run_pass(Improver& improver, bool thorough) {
+  while (!improver.queue.empty()) {
+    const BadTet bad = improver.queue.top();
+    improver.queue.pop();
+    if (!improver.is_current(bad)) continue;
+    if (swap(improver, bad) || smooth(improver, bad)) continue;
+    if (thorough && (collapse(improver, bad) || split(improver, bad))) continue;
+    improver.given_up.push_back({bad, improver.work.changes});
+  }
+}
+
+/// Queues again the tets that were given up, when something near them has changed since; or all.
+void requeue(Improver& improver, bool all) {
+  std::vector<GivenUp> kept;
+  for (const GivenUp& item : improver.given_up) {
+    if (!improver.is_current(item.bad)) continue;
+    const Tet& tet = improver.work.tet(item.bad.tet);
+    const bool changed = std::any_of(tet.begin(), tet.end(), [&](std::int32_t v) {
+      return improver.work.node2change[at(v)] > item.changes;
+    });
+    if (all || changed) {
+      improver.queue.push(item.bad);
+    } else {
+      kept.push_back(item);
+    }
+  }
+  improver.given_up = std::move(kept);
+}
+
+struct Scan {
+  double min_dihedral_deg = 0;
+  std::vector<BadTet> bad;
+};
+
+Scan scan(const TetComplex& complex, double wanted) {
+  Scan result;
+  double largest_cosine = -1;
+  double its_goodness = HUGE_VAL;
+  for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
+    if (!complex.is_live(t)) continue;
+    const Tet& tet = complex.nodes[at(t)];
+    const double now = cosmetics::goodness(complex, tet);
+    if (now < wanted) result.bad.push_back({now, t});
+    // A tet with a smaller angle than the smallest so far cannot have a larger goodness.
+    if (now > its_goodness) continue;
+    const double cosine = dihedral_cosines(complex.points[at(tet[0])], complex.points[at(tet[1])],
+                                           complex.points[at(tet[2])], complex.points[at(tet[3])])
+                              .of_smallest;
+    if (cosine <= largest_cosine) continue;
+    largest_cosine = cosine;
+    its_goodness = (1 - cosine) * (1 + cosine) * (1 + 1e-6) + 1e-12;
+  }
+  result.min_dihedral_deg = std::acos(largest_cosine) * 180 / std::numbers::pi;
+  return result;
+}
+
+}  // namespace
+
+CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
+                            const CosmeticOptions& options) {
+  const double wanted = cosmetics::goodness_of_angle(options.wanted_dihedral_deg);
+  const double enough =
+      cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg));
+  if (complex.live_tets() == 0) return {};
+  Scan before = scan(complex, wanted);
+  CosmeticReport report;
+  report.min_dihedral_before_deg = before.min_dihedral_deg;
+  report.min_dihedral_after_deg = before.min_dihedral_deg;
+  if (before.bad.empty()) return report;
+  Improver improver{WorkMesh(complex, fixed_nodes), options, wanted, enough, report, {}, {}};
+  improver.queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad));
+  for (int pass = 0; pass < options.most_passes; ++pass) {
+    run_pass(improver, pass > 0);
+    requeue(improver, pass == 0);
+    if (improver.queue.empty()) break;
+  }
+  improver.report.min_dihedral_after_deg = scan(complex, wanted).min_dihedral_deg;
+  return improver.report;
+}
+
+}  // namespace tetfarm

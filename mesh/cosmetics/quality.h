@@ -1,0 +1,30 @@
+/// The goodness of a tet, the one number that all cosmetics improve.
+///
+/// Source: the thesis (4.3.4.1) names no measure. This is the smallest sine of the six dihedral
+/// angles, squared: small and large angles count alike, the gradient is smooth, and + − × ÷
+/// suffice. J. R. Shewchuk, "What is a good linear finite element?" (2002) compares such measures.
+/// Units: none; 8/9 for the regular tet, 0 for a flat one, negative for an inverted one.
+/// Edges must be between 1e-18 and 1e18 long, or the goodness comes out as 0.
+#pragma once
+
+#include "mesh/core/tet_complex.h"
+
+namespace tetfarm::cosmetics {
+
+/// Cost: about 110 flops.
+double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+double goodness(const TetComplex& complex, const Tet& tet);
+
+/// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
+double goodness_of_angle(double degrees);
+
+/// True when replacing a worst of `before` by a worst of `after` is worth the change. The margin
+/// makes every sequence of accepted changes end.
+inline bool is_worth(double before, double after) {
+  return after > 0 && after > 1.03 * before + 1e-9;
+}
+
+/// True when the volume of the tet is exactly positive.
+bool is_positive(const TetComplex& complex, const Tet& tet);
+
+}  // namespace tetfarm::cosmetics

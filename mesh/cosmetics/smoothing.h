@@ -1,0 +1,40 @@
+/// Moves a node so that the worst tet round it gets better.
+///
+/// Source: thesis 4.3.4.1 (the springs of Laplacian smoothing), tried first; where it fails, L. A.
+/// Freitag, M. Jones and P. Plassmann, "A parallel algorithm for mesh smoothing" (1999): climb the
+/// smallest goodness along the shortest vector in the hull of the active gradients.
+#pragma once
+
+#include <optional>
+
+#include "mesh/cosmetics/cavity.h"
+
+namespace tetfarm::cosmetics {
+
+/// The faces that a node sees, each such that (face, node) is a positive tet.
+using Star = std::vector<std::array<Vec3, 3>>;
+
+/// A place for a node, and the smallest goodness of its star there.
+struct Place {
+  Vec3 point;
+  double worst = 0;
+};
+
+/// The star of a node in its ball.
+Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node);
+
+/// Climbs from `start` (which may see faces from behind) until the worst is `enough`, or no more
+/// progress is made.
+/// Cost: at most some 60 goodnesses a face.
+Place climb(const Star& star, const Vec3& start, double enough);
+
+/// A better place for an inner node: the mean of its neighbours, or else by climbing; nothing when
+/// the ball's worst does not get better by the margin.
+std::optional<Place> find_move(const WorkMesh& work, const std::vector<std::int32_t>& ball,
+                               std::int32_t node, double enough);
+
+/// Moves the node unless a tet would not be exactly positive; false then.
+bool move_node(WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node,
+               const Vec3& to);
+
+}  // namespace tetfarm::cosmetics

@@ -1,0 +1,49 @@
+#include "mesh/cosmetics/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/core/tet_quality.h"
+#include "tests/mesh/cosmetics/trial_meshes.h"
+
+namespace tetfarm::cosmetics {
+namespace {
+
+TEST(Goodness, is_eight_ninths_for_the_regular_tet) {
+  EXPECT_NEAR(goodness({1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}), 8.0 / 9, 1e-14);
+}
+
+TEST(Goodness, is_the_squared_smallest_sine_of_the_dihedral_angles) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Vec3 p[4];
+    for (std::uint64_t j = 0; j < 4; ++j) p[j] = trial::random_vector(7, 4 * i + j);
+    if (tet_volume(p[0], p[1], p[2], p[3]) < 0) std::swap(p[0], p[1]);
+    const DihedralCosines cosines = dihedral_cosines(p[0], p[1], p[2], p[3]);
+    const double cosine = std::max(cosines.of_smallest, -cosines.of_largest);
+    EXPECT_NEAR(goodness(p[0], p[1], p[2], p[3]), 1 - cosine * cosine, 1e-10);
+  }
+}
+
+TEST(Goodness, is_zero_for_flat_and_negative_for_inverted_tets) {
+  EXPECT_EQ(goodness({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0}), 0);
+  EXPECT_LT(goodness({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}), 0);
+  EXPECT_EQ(goodness({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}), 0);
+}
+
+TEST(Goodness, does_not_depend_on_size) {
+  for (const double s : {1e-15, 1e-3, 1e15}) {
+    EXPECT_NEAR(goodness({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}),
+                goodness({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1e-12);
+  }
+}
+
+TEST(Goodness, of_an_angle_is_its_squared_sine) {
+  for (const double degrees : {0.0, 1.0, 20.0, 45.0, 70.5, 90.0}) {
+    const double sine = std::sin(degrees * 3.14159265358979323846 / 180);
+    EXPECT_NEAR(goodness_of_angle(degrees), sine * sine, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm::cosmetics
