@@ -21,13 +21,18 @@ struct CoordinatorOptions {
   std::vector<std::string> endpoints;  ///< "ipc:///path", or "tcp://127.0.0.1:*" for any free port
   std::int64_t heartbeat_ms = 1000;    ///< how often workers shall speak
   std::int64_t lease_ms = 10000;       ///< how long a silent worker keeps its task
-  bool log_to_stderr = false;          ///< everything, not only warnings
-  bool handle_signals = true;          ///< SIGTERM and SIGINT stop it cleanly; off in a thread
+  bool insecure = false;       ///< also bind addresses that other hosts can reach, in plain text
+  bool log_to_stderr = false;  ///< everything, not only warnings
+  bool handle_signals = true;  ///< SIGTERM and SIGINT stop it cleanly; off in a thread
   const std::atomic<bool>* stop = nullptr;  ///< looked at every 100 ms
 
   /// Called once, when clients and workers may connect, with the endpoints as bound.
   std::function<void(const std::vector<std::string>&)> on_listening;
 };
+
+/// The bound endpoints, one a line, for workers and clients that see the store. Absent while no
+/// coordinator runs (it may be stale after a crash).
+std::filesystem::path endpoints_file(const std::filesystem::path& store);
 
 /// Runs until it is told to stop (signal or `stop`). All state lies in the store: killing it at any
 /// instant and running it again goes on where it was.

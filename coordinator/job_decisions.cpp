@@ -1,0 +1,285 @@
+/// JobState, the part about results and failures of tasks, and about the wishes of clients.
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "coordinator/job_state.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int exit_failed = static_cast<int>(ExitCode::failed);
+
+std::string place_of(const TaskRow& task) {
+  std::string place = name_of(task.kind);
+  if (task.path != 0) place += " of sub-domain " + std::to_string(task.path);
+  return place;
+}
+
+/// Where a person finds the inputs of a task, relative to the store's folder.
+std::string inputs_of(const TaskRow& task) {
+  std::string list;
+  for (const ArtifactRef& input : task.inputs) {
+    if (!list.empty()) list += ", ";
+    list += input.name + " artifacts/" + input.hash.substr(0, 2) + "/" + input.hash;
+    if (list.size() > 500) return list + ", …";
+  }
+  return list;
+}
+
+/// Whether the files of a task that is not done are the outputs of an earlier run, which other
+/// tasks build upon; otherwise they are the evidence of a failure.
+bool was_done_before(const TaskRow& task) {
+  TaskResult earlier;
+  earlier.outputs = task.outputs;
+  earlier.numbers = task.numbers;
+  return !task.outputs.empty() && task.kind != TaskKind::assemble && !problem_with(task, earlier);
+}
+
+std::int64_t delay_ms(std::int64_t first_ms, std::uint32_t count, std::int64_t longest_ms) {
+  std::int64_t delay = first_ms;
+  for (std::uint32_t i = 1; i < count && delay < longest_ms; ++i) delay *= 2;
+  return std::min(delay, longest_ms);
+}
+
+}  // namespace
+
+void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
+                    Moment now) {
+  sessions_.at(worker).heard_ms = now.steady_ms;
+  if (!is_current(id, attempt)) {
+    commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
+    return;
+  }
+  if (!std::all_of(result.outputs.begin(), result.outputs.end(), has_file_)) {
+    lose_attempt(attempt, AttemptState::lost, "its outputs are not in the store", now);
+    commands_.emplace_back(SendAccepted{worker, id, attempt, false});
+    return;
+  }
+  commands_.emplace_back(SendAccepted{worker, id, attempt, true});
+  TaskRow& task = edit(id);
+  if (const auto problem = problem_with(task, result)) {
+    end_attempt(attempt, AttemptState::failed, *problem, now);
+    fail_task(task, exit_failed, "unusable result: " + *problem, now);
+    return;
+  }
+  const bool made_before = !task.outputs.empty();
+  if (made_before && task.outputs != result.outputs) {
+    end_attempt(attempt, AttemptState::failed, "other bytes than the first time", now);
+    fail_task(task, exit_failed,
+              "run again for a lost file it made other bytes than the first time; "
+              "submit the job anew",
+              now);
+    return;
+  }
+  end_attempt(attempt, AttemptState::done, "", now);
+  task.outputs = result.outputs;
+  task.numbers = result.numbers;
+  task.texts = result.texts;
+  task.seconds = result.seconds;
+  task.peak_rss_bytes = result.peak_rss_bytes;
+  task.message.clear();
+  set_state(task, TaskState::done);
+  not_before_ms_.erase(id);
+  failed_on_.erase(id);
+  stuck_delay_ms_ = 0;
+  stuck_message_.clear();
+  if (made_before) wake_waiting(task.job, now);
+  if (!made_before || task.kind == TaskKind::assemble) advance(task, now);
+}
+
+void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
+                      Moment now) {
+  sessions_.at(worker).heard_ms = now.steady_ms;
+  if (!is_current(id, attempt)) {
+    commands_.emplace_back(SendAccepted{worker, id, attempt, false});
+    return;
+  }
+  commands_.emplace_back(SendAccepted{worker, id, attempt, true});
+  TaskRow& task = edit(id);
+  const bool for_good = !failure.may_retry && !failure.out_of_resources && !failure.killed &&
+                        failure.damaged_inputs.empty();
+  if (for_good) {
+    end_attempt(attempt, AttemptState::failed, failure.message, now);
+    if (task.outputs.empty()) {
+      std::copy_if(failure.evidence.begin(), failure.evidence.end(),
+                   std::back_inserter(task.outputs), has_file_);
+    }
+    fail_task(task, failure.exit_code, failure.message, now);
+  } else if (!failure.damaged_inputs.empty()) {
+    lose_attempt(attempt, AttemptState::returned, failure.message, now);
+    settle_waiting(id, now);
+    if (task.state == TaskState::ready) count_loss(task, failure.message, now);
+  } else if (failure.out_of_resources) {
+    lose_attempt(attempt, AttemptState::returned, failure.message, now);
+    out_of_resources(failure.message, now);
+  } else if (failure.killed) {
+    lose_attempt(attempt, AttemptState::killed, failure.message, now);
+    count_loss(task, failure.message, now);
+  } else {
+    lose_attempt(attempt, AttemptState::crashed, failure.message, now);
+    count_crash(task, failure.message, now);
+  }
+}
+
+void JobState::count_crash(TaskRow& task, const std::string& message, Moment now) {
+  ++task.crashes;
+  task.message = message;
+  not_before_ms_[task.id] =
+      now.steady_ms + delay_ms(rules_.crash_delay_ms, task.crashes, rules_.longest_delay_ms);
+  if (task.crashes < rules_.max_crashes) return;
+  fail_task(task, exit_failed,
+            "poisoned: crashed " + std::to_string(task.crashes) + " times, at last: " + message +
+                "; its inputs in the store: " + inputs_of(task),
+            now);
+}
+
+void JobState::count_loss(TaskRow& task, const std::string& message, Moment now) {
+  ++task.losses;
+  task.message = message;
+  not_before_ms_[task.id] =
+      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.losses, rules_.longest_delay_ms);
+  if (task.losses < rules_.max_losses) return;
+  fail_task(task, exit_failed,
+            "poisoned: lost or killed " + std::to_string(task.losses) +
+                " times, at last: " + message + "; its inputs in the store: " + inputs_of(task),
+            now);
+}
+
+void JobState::fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message,
+                         Moment now) {
+  task.exit_code = exit_code == 0 ? exit_failed : exit_code;
+  task.message = message;
+  task.attempt = {};
+  set_state(task, TaskState::failed);
+  fail_job(task.job, task.exit_code, place_of(task) + ": " + message, now);
+}
+
+void JobState::fail_job(JobId id, std::int32_t exit_code, const std::string& message, Moment now) {
+  JobRow& job = edit(id);
+  if (job.phase != JobPhase::running) return;
+  job.exit_code = exit_code;
+  job.message = message;
+  set_phase(job, JobPhase::failed, now);
+  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "job failed", message});
+}
+
+void JobState::advance(const TaskRow& task, Moment now) {
+  const TaskRow* inspect = find_task(task.job, TaskKind::inspect, 0);
+  TF_CHECK(inspect != nullptr);
+  switch (task.kind) {
+    case TaskKind::inspect:
+      carry_out(after_inspect(task), now);
+      break;
+    case TaskKind::decompose: {
+      const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
+      carry_out(after_decompose(*inspect, task, self), now);
+      break;
+    }
+    case TaskKind::mesh:
+      put(after_mesh(task, durable_.subdomains.at({task.job, task.path})));
+      if (unsettled_.at(task.job) == 0) finish_tree(task.job, now);
+      break;
+    case TaskKind::number:
+      finish_tree(task.job, now);
+      break;
+    case TaskKind::assemble:
+      set_phase(edit(task.job), JobPhase::done, now);
+      new_events_.push_back({now.wall_ms, task.job, {}, {}, {}, "job done", ""});
+      break;
+  }
+}
+
+void JobState::carry_out(const GraphStep& step, Moment now) {
+  for (const SubdomainRow& subdomain : step.subdomains) put(subdomain);
+  for (const TaskRow& task : step.tasks) add_task(task, now);
+}
+
+/// The whole tree is meshed: numbers the nodes, then assembles.
+void JobState::finish_tree(JobId job, Moment now) {
+  std::vector<SubdomainRow> tree;
+  for (auto node = durable_.subdomains.lower_bound({job, 0});
+       node != durable_.subdomains.end() && node->first.first == job; ++node) {
+    tree.push_back(node->second);
+  }
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* number = find_task(job, TaskKind::number, 0);
+  if (number == nullptr) {
+    add_task(number_task(*inspect, tree), now);
+    return;
+  }
+  std::map<std::uint64_t, ArtifactRef> meshes;
+  for (const SubdomainRow& node : tree) {
+    if (node.state != SubdomainState::leaf) continue;
+    const TaskRow* mesh = find_task(job, TaskKind::mesh, node.path);
+    TF_CHECK(mesh != nullptr);
+    meshes[node.path] = *find_file(mesh->outputs, "mesh");
+  }
+  add_task(assemble_task(*inspect, *number, tree, meshes), now);
+}
+
+SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
+  const auto known = submission.key.empty() ? keys_.end() : keys_.find(submission.key);
+  if (known != keys_.end()) {
+    JobRow& job = edit(known->second);
+    if (job.phase == JobPhase::failed || job.phase == JobPhase::cancelled) resume(job, now);
+    if (job.phase == JobPhase::done) remake_results(job, now);
+    return {known->second, true};
+  }
+  JobRow job;
+  job.id = JobId{durable_.jobs.empty() ? 1 : durable_.jobs.rbegin()->first.value + 1};
+  job.key = submission.key;
+  job.name = submission.name;
+  job.job_toml = submission.job_toml;
+  job.created_ms = now.wall_ms;
+  dirty_jobs_.insert(job.id);
+  if (!job.key.empty()) keys_[job.key] = job.id;
+  durable_.jobs.emplace(job.id, job);
+  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
+  add_task(inspect_task(job.id, submission.job_file, submission.inputs), now);
+  return {job.id, false};
+}
+
+/// What failed is tried again, with a clean record; what is done stays done.
+void JobState::resume(JobRow& job, Moment now) {
+  job.exit_code = 0;
+  job.message.clear();
+  set_phase(job, JobPhase::running, now);
+  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
+  for (const TaskId id : tasks_of(job.id)) {
+    TaskRow& task = durable_.tasks.at(id);
+    if (task.state != TaskState::failed && task.state != TaskState::ready) continue;
+    edit(id);
+    if (task.state == TaskState::failed && !was_done_before(task)) task.outputs.clear();
+    task.crashes = 0;
+    task.losses = 0;
+    task.exit_code = 0;
+    task.message.clear();
+    not_before_ms_.erase(id);
+    failed_on_.erase(id);
+    set_state(task, TaskState::ready);
+  }
+  wake_waiting(job.id, now);
+}
+
+bool JobState::cancel(JobId id, Moment now) {
+  const auto found = durable_.jobs.find(id);
+  if (found == durable_.jobs.end()) return false;
+  if (found->second.phase != JobPhase::running) return true;
+  set_phase(edit(id), JobPhase::cancelled, now);
+  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
+  for (const TaskId task : tasks_of(id)) {
+    const TaskRow& row = durable_.tasks.at(task);
+    if (row.state != TaskState::leased) continue;
+    const AttemptId attempt = row.attempt;
+    const WorkerId worker = durable_.running_attempts.at(attempt).worker;
+    lose_attempt(attempt, AttemptState::revoked, "the job was cancelled", now);
+    if (sessions_.contains(worker)) {
+      commands_.emplace_back(SendAccepted{worker, task, attempt, false});
+    }
+  }
+  return true;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,165 @@
+#include "coordinator/job_state.h"
+
+#include <limits>
+#include <utility>
+
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+/// Cuts go first: they make work for everybody else.
+int rank_of(TaskKind kind) { return kind == TaskKind::decompose ? 0 : 1; }
+
+}  // namespace
+
+JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now)
+    : durable_(std::move(durable)), rules_(rules), has_file_(std::move(has_file)) {
+  for (const auto& [id, job] : durable_.jobs) {
+    if (!job.key.empty()) keys_[job.key] = id;
+  }
+  for (const auto& [key, subdomain] : durable_.subdomains) index(subdomain, true);
+  for (const auto& [id, task] : durable_.tasks) {
+    places_[{task.job, task.kind, task.path}] = id;
+    index(task);
+  }
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
+  }
+  for (const auto& [id, job] : durable_.jobs) {
+    if (job.phase == JobPhase::running) wake_waiting(id, now);
+  }
+}
+
+TaskRow& JobState::edit(TaskId task) {
+  dirty_tasks_.insert(task);
+  return durable_.tasks.at(task);
+}
+
+JobRow& JobState::edit(JobId job) {
+  dirty_jobs_.insert(job);
+  return durable_.jobs.at(job);
+}
+
+void JobState::index(const TaskRow& task) {
+  const Offer offer{rank_of(task.kind), task.id};
+  if (task.state == TaskState::ready && durable_.jobs.at(task.job).phase == JobPhase::running) {
+    offers_.insert(offer);
+  } else {
+    offers_.erase(offer);
+  }
+}
+
+void JobState::index(const SubdomainRow& subdomain, bool adds) {
+  if (!is_settled(subdomain)) unsettled_[subdomain.job] += adds ? 1 : -1;
+}
+
+void JobState::set_state(TaskRow& task, TaskState state) {
+  dirty_tasks_.insert(task.id);
+  task.state = state;
+  index(task);
+}
+
+void JobState::set_phase(JobRow& job, JobPhase phase, Moment now) {
+  dirty_jobs_.insert(job.id);
+  job.phase = phase;
+  job.finished_ms = phase == JobPhase::running ? 0 : now.wall_ms;
+  for (const TaskId task : tasks_of(job.id)) index(durable_.tasks.at(task));
+}
+
+void JobState::put(const SubdomainRow& subdomain) {
+  const SubdomainKey key{subdomain.job, subdomain.path};
+  const auto [place, is_new] = durable_.subdomains.try_emplace(key, subdomain);
+  if (!is_new) {
+    index(place->second, false);
+    place->second = subdomain;
+  }
+  index(subdomain, true);
+  dirty_subdomains_.insert(key);
+}
+
+void JobState::add_task(TaskRow task, Moment now) {
+  const Place place{task.job, task.kind, task.path};
+  if (places_.contains(place)) return;
+  task.id = TaskId{durable_.tasks.empty() ? 1 : durable_.tasks.rbegin()->first.value + 1};
+  places_[place] = task.id;
+  dirty_tasks_.insert(task.id);
+  const TaskRow& added = durable_.tasks.emplace(task.id, std::move(task)).first->second;
+  index(added);
+  record(now, added, {}, {}, "ready");
+}
+
+void JobState::record(Moment now, const TaskRow& task, AttemptId attempt, WorkerId worker,
+                      const char* what, const std::string& message) {
+  std::string text = name_of(task.kind);
+  if (task.path != 0) text += " " + std::to_string(task.path);
+  if (!message.empty()) text += ": " + message;
+  new_events_.push_back({now.wall_ms, task.job, task.id, attempt, worker, what, text});
+}
+
+const TaskRow* JobState::find_task(JobId job, TaskKind kind, std::uint64_t path) const {
+  const auto found = places_.find({job, kind, path});
+  return found == places_.end() ? nullptr : &durable_.tasks.at(found->second);
+}
+
+std::vector<TaskId> JobState::tasks_of(JobId job) const {
+  std::vector<TaskId> tasks;
+  for (auto place = places_.lower_bound({job, TaskKind::inspect, 0});
+       place != places_.end() && std::get<JobId>(place->first) == job; ++place) {
+    tasks.push_back(place->second);
+  }
+  return tasks;
+}
+
+ChangeSet JobState::take_changes() {
+  ChangeSet changes;
+  for (const JobId id : dirty_jobs_) changes.jobs.push_back(durable_.jobs.at(id));
+  for (const SubdomainKey& key : dirty_subdomains_) {
+    changes.subdomains.push_back(durable_.subdomains.at(key));
+  }
+  for (const TaskId id : dirty_tasks_) changes.tasks.push_back(durable_.tasks.at(id));
+  for (auto& [id, worker] : dirty_workers_) changes.workers.push_back(std::move(worker));
+  for (auto& [id, attempt] : dirty_attempts_) changes.attempts.push_back(std::move(attempt));
+  changes.events = std::exchange(new_events_, {});
+  dirty_jobs_.clear();
+  dirty_subdomains_.clear();
+  dirty_tasks_.clear();
+  dirty_workers_.clear();
+  dirty_attempts_.clear();
+  return changes;
+}
+
+std::vector<Command> JobState::take_commands() { return std::exchange(commands_, {}); }
+
+std::vector<std::string> JobState::validate() const {
+  std::vector<std::string> broken;
+  const auto report = [&broken](TaskId task, const char* what) {
+    broken.push_back("task " + std::to_string(task.value) + ": " + what);
+  };
+  for (const auto& [id, task] : durable_.tasks) {
+    const bool runs = task.attempt && durable_.running_attempts.contains(task.attempt);
+    if ((task.state == TaskState::leased) != runs) report(id, "leased without attempt, or reverse");
+    if (task.state == TaskState::done && !task.attempt) report(id, "done by nobody");
+    const bool offered = offers_.contains(Offer{rank_of(task.kind), id});
+    const bool should =
+        task.state == TaskState::ready && durable_.jobs.at(task.job).phase == JobPhase::running;
+    if (offered != should) report(id, "wrongly on offer or not on offer");
+  }
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    if (durable_.tasks.at(attempt.task).attempt != id) report(attempt.task, "has a stray attempt");
+    if (!lease_ends_ms_.contains(id)) report(attempt.task, "runs without a lease");
+  }
+  if (lease_ends_ms_.size() != durable_.running_attempts.size()) {
+    broken.emplace_back("a lease without a running attempt");
+  }
+  for (const auto& [id, session] : sessions_) {
+    if (!session.attempt) continue;
+    const auto found = durable_.running_attempts.find(session.attempt);
+    if (found == durable_.running_attempts.end() || found->second.worker != id) {
+      broken.push_back("worker " + std::to_string(id.value) + " holds what is not its own");
+    }
+  }
+  return broken;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,84 @@
+#include "coordinator/job_status.h"
+
+#include <algorithm>
+
+namespace tetfarm {
+namespace {
+
+void count_subdomains(const DurableState& durable, JobSummary& summary) {
+  for (auto node = durable.subdomains.lower_bound({summary.job, 0});
+       node != durable.subdomains.end() && node->first.first == summary.job; ++node) {
+    if (node->second.state != SubdomainState::leaf) continue;
+    ++summary.leaves_made;
+    if (node->second.meshed) ++summary.leaves_meshed;
+    summary.elements += node->second.tets;
+  }
+}
+
+void add_estimate(const TaskRow& inspect, JobSummary& summary) {
+  for (const char* name : {"estimated_elements", "total_work"}) {
+    const auto found = inspect.numbers.find(name);
+    if (found == inspect.numbers.end()) continue;
+    summary.estimated_elements = found->second;
+    return;
+  }
+}
+
+void count_task(const TaskRow& task, JobSummary& summary) {
+  switch (task.state) {
+    case TaskState::done:
+      ++summary.tasks_done;
+      break;
+    case TaskState::leased:
+      ++summary.tasks_running;
+      break;
+    case TaskState::ready:
+    case TaskState::waiting:
+      ++summary.tasks_ready;
+      break;
+    case TaskState::failed:
+      break;
+  }
+  summary.attempts_lost += task.losses;
+  summary.crashes += task.crashes;
+  summary.peak_rss_bytes_worker = std::max(summary.peak_rss_bytes_worker, task.peak_rss_bytes);
+}
+
+}  // namespace
+
+JobSummary summary_of(const DurableState& durable, const JobRow& job,
+                      const std::string& stuck_message, std::int64_t now_wall_ms) {
+  JobSummary summary;
+  summary.job = job.id;
+  summary.name = job.name;
+  summary.state = name_of(job.phase);
+  summary.message = job.message;
+  summary.exit_code = job.exit_code;
+  if (job.phase == JobPhase::running && !stuck_message.empty()) {
+    summary.state = "stuck";
+    summary.message = stuck_message;
+  }
+  const std::int64_t end_ms = job.finished_ms != 0 ? job.finished_ms : now_wall_ms;
+  summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
+  count_subdomains(durable, summary);
+  TaskKind stage = TaskKind::assemble;
+  for (const auto& [id, task] : durable.tasks) {
+    if (task.job != job.id) continue;
+    count_task(task, summary);
+    if (task.state != TaskState::done) stage = std::min(stage, task.kind);
+    if (task.kind == TaskKind::inspect) add_estimate(task, summary);
+    if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
+      summary.numbers = task.numbers;
+      summary.texts = task.texts;
+    }
+    const bool has_files = job.phase == JobPhase::done ? task.kind == TaskKind::assemble
+                                                       : task.state == TaskState::failed;
+    if (has_files) {
+      summary.files.insert(summary.files.end(), task.outputs.begin(), task.outputs.end());
+    }
+  }
+  summary.stage = name_of(stage);
+  return summary;
+}
+
+}  // namespace tetfarm

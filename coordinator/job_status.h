@@ -1,0 +1,41 @@
+/// What a client sees of a job: counted from its rows.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "store/rows.h"
+
+namespace tetfarm {
+
+struct JobSummary {
+  JobId job;
+  std::string name;
+  std::string state;  ///< running, done, failed, cancelled, stuck
+  std::string stage;  ///< the first kind of task that is not finished; assemble when all are
+  std::uint32_t leaves_made = 0;
+  std::uint32_t leaves_meshed = 0;
+  std::uint64_t elements = 0;
+  double estimated_elements = 0;
+  std::string message;
+  int exit_code = 0;
+  std::map<std::string, double> numbers;
+  std::map<std::string, std::string> texts;
+  std::vector<ArtifactRef> files;  ///< results of a done job, evidence of a failed one
+  std::uint64_t tasks_done = 0;
+  std::uint64_t tasks_ready = 0;
+  std::uint64_t tasks_running = 0;
+  std::uint64_t attempts_lost = 0;
+  std::uint64_t crashes = 0;
+  std::uint64_t peak_rss_bytes_worker = 0;
+  double seconds = 0;
+};
+
+/// `stuck_message` is empty unless nothing is being handed out for lack of room.
+/// Cost: looks at every task.
+JobSummary summary_of(const DurableState& durable, const JobRow& job,
+                      const std::string& stuck_message, std::int64_t now_wall_ms);
+
+}  // namespace tetfarm

@@ -1,0 +1,263 @@
+#include "coordinator/server.h"
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <memory>
+#include <utility>
+#include <zmq_addon.hpp>
+
+#include "base/clock.h"
+#include "base/file_system.h"
+#include "coordinator/job_state.h"
+#include "coordinator/request_handler.h"
+#include "coordinator/store_lock.h"
+#include "proto/wire.h"
+#include "store/artifact_store.h"
+#include "store/job_database.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int turn_ms = 50;
+constexpr int messages_per_commit = 256;
+constexpr int linger_ms = 500;
+constexpr std::int64_t scratch_age_ms = std::int64_t{7} * 24 * 3600 * 1000;
+
+std::atomic<bool> stop_signal{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// While it lives, SIGTERM and SIGINT only set stop_signal.
+class SignalGuard {
+ public:
+  explicit SignalGuard(bool active) : active_(active) {
+    if (!active_) return;
+    stop_signal = false;
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop_signal = true; };
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGTERM, &action, old_.data());
+    sigaction(SIGINT, &action, &old_[1]);
+  }
+  ~SignalGuard() {
+    if (!active_) return;
+    sigaction(SIGTERM, old_.data(), nullptr);
+    sigaction(SIGINT, &old_[1], nullptr);
+  }
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+  bool stopped() const { return active_ && stop_signal; }
+
+ private:
+  bool active_;
+  std::array<struct sigaction, 2> old_{};
+};
+
+spdlog::logger make_log(const CoordinatorOptions& options) {
+  auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(
+      (options.store / "coordinator.log").string());
+  auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+  terminal->set_level(options.log_to_stderr ? spdlog::level::info : spdlog::level::warn);
+  spdlog::logger log("coordinator", {file, terminal});
+  log.flush_on(spdlog::level::info);
+  // A full disk must not flood the terminal with spdlog's own complaints.
+  log.set_error_handler([](const std::string&) {});
+  return log;
+}
+
+bool is_local(const std::string& endpoint) {
+  constexpr std::array<const char*, 5> local = {"ipc://", "inproc://", "tcp://127.",
+                                                "tcp://localhost:", "tcp://[::1]:"};
+  return std::any_of(local.begin(), local.end(),
+                     [&](const char* prefix) { return endpoint.starts_with(prefix); });
+}
+
+Moment now() { return {steady_ms(), wall_ms()}; }
+
+class Server {
+ public:
+  explicit Server(const CoordinatorOptions& options)
+      : options_(options),
+        store_(options.store),
+        lock_(options.store),
+        log_(make_log(options)),
+        database_(options.store / "tetfarm.db"),
+        socket_(context_, zmq::socket_type::router),
+        handler_(store_, {options.heartbeat_ms, options.lease_ms}) {
+    rules_.lease_ms = options.lease_ms;
+    restore();
+    bind();
+  }
+
+  void run() {
+    const SignalGuard signals(options_.handle_signals);
+    log_.info("started, protocol {}, store {}", protocol_version, options_.store.string());
+    if (options_.on_listening) options_.on_listening(endpoints_);
+    while (!signals.stopped() && !(options_.stop != nullptr && options_.stop->load())) turn();
+    remove_file(endpoints_file(options_.store));
+    log_.info("stopped");
+  }
+
+ private:
+  void restore() {
+    state_ = std::make_unique<JobState>(
+        database_.load(), rules_, [this](const ArtifactRef& file) { return has_file(file); },
+        now());
+  }
+
+  bool has_file(const ArtifactRef& file) const {
+    try {
+      return store_.has(file.hash, file.size);
+    } catch (const IoError& error) {
+      log_.warn("{}", error.what());
+      return false;
+    }
+  }
+
+  void bind() {
+    if (options_.endpoints.empty()) throw UsageError("no endpoint to listen on", "coordinator");
+    socket_.set(zmq::sockopt::router_mandatory, true);
+    socket_.set(zmq::sockopt::router_handover, true);
+    socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
+    socket_.set(zmq::sockopt::linger, linger_ms);
+    socket_.set(zmq::sockopt::rcvhwm, 0);
+    socket_.set(zmq::sockopt::heartbeat_ivl, 2000);
+    socket_.set(zmq::sockopt::heartbeat_timeout, 6000);
+    std::string list;
+    for (const std::string& endpoint : options_.endpoints) {
+      if (!options_.insecure && !is_local(endpoint)) {
+        throw UsageError("other hosts can reach it, and messages are not encrypted: --insecure",
+                         endpoint);
+      }
+      try {
+        socket_.bind(endpoint);
+      } catch (const zmq::error_t& error) {
+        throw UsageError(std::string("cannot listen: ") + error.what(), endpoint);
+      }
+      endpoints_.push_back(socket_.get(zmq::sockopt::last_endpoint));
+      list += endpoints_.back() + "\n";
+    }
+    write_file_atomically(endpoints_file(options_.store), list);
+    store_.sweep_scratch(scratch_age_ms);
+  }
+
+  void turn() {
+    receive();
+    state_->tick(now());
+    handler_.carry_out(*state_);
+    const ChangeSet changes = state_->take_changes();
+    const bool committed = commit(changes);
+    if (committed) write_log(changes);
+    for (const std::string& complaint : handler_.take_complaints()) log_.warn("{}", complaint);
+    for (Reply& reply : handler_.take_replies()) {
+      if (committed || !reply.needs_commit) send(std::move(reply));
+    }
+    if (!committed) start_over();
+  }
+
+  void receive() {
+    zmq::pollitem_t item{socket_.handle(), 0, ZMQ_POLLIN, 0};
+    try {
+      zmq::poll(&item, 1, std::chrono::milliseconds(turn_ms));
+    } catch (const zmq::error_t& error) {
+      if (error.num() != EINTR) throw;
+      return;
+    }
+    for (int i = 0; i < messages_per_commit; ++i) {
+      std::vector<zmq::message_t> parts;
+      const auto count =
+          zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait);
+      if (!count) return;
+      const std::string connection = parts.front().to_string();
+      try {
+        if (parts.size() != 2) {
+          handler_.drop(connection, std::to_string(parts.size()) + " frames");
+        } else {
+          handler_.handle(connection, parts[1].to_string_view(), *state_, now());
+        }
+      } catch (const Error& error) {
+        log_.error("while answering a message: {}", error.what());
+      }
+    }
+  }
+
+  /// False when the disk is full or the database is locked by somebody: to be tried again.
+  bool commit(const ChangeSet& changes) {
+    try {
+      database_.apply(changes);
+      return true;
+    } catch (const IoError& error) {
+      if (error.code() != ExitCode::out_of_resources && error.error_number() != EBUSY) throw;
+      commit_trouble_ = error.what();
+      log_.error("cannot commit: {}", commit_trouble_);
+      return false;
+    }
+  }
+
+  /// What was decided but not committed never happened: the same as a restart.
+  void start_over() {
+    handler_.forget_workers();
+    restore();
+    state_->out_of_resources(commit_trouble_, now());
+    state_->take_changes();
+  }
+
+  void write_log(const ChangeSet& changes) {
+    for (const EventRow& event : changes.events) {
+      const bool is_bad = event.what == "job failed" || event.what == "stuck";
+      log_.log(is_bad ? spdlog::level::warn : spdlog::level::info,
+               "job={} task={} attempt={} worker={} {} {}", event.job.value, event.task.value,
+               event.attempt.value, event.worker.value, event.what, event.message);
+    }
+  }
+
+  void send(Reply reply) {
+    const bool is_assign = reply.envelope.has_assign();
+    try {
+      const std::string bytes = encode(std::move(reply.envelope));
+      const auto head = socket_.send(zmq::buffer(reply.connection),
+                                     zmq::send_flags::sndmore | zmq::send_flags::dontwait);
+      if (head && socket_.send(zmq::buffer(bytes), zmq::send_flags::dontwait)) return;
+      log_.info("a reply was dropped: its receiver does not read");
+    } catch (const zmq::error_t& error) {
+      if (error.num() != EHOSTUNREACH) log_.warn("cannot send: {}", error.what());
+    } catch (const Error& error) {
+      log_.error("cannot send: {}", error.what());
+    }
+    // Other messages are said again when they are missed; a lost task would wait for its lease.
+    const WorkerId worker = handler_.worker_of(reply.connection);
+    if (is_assign && worker) state_->worker_left(worker, true, now());
+  }
+
+  CoordinatorOptions options_;
+  ArtifactStore store_;
+  StoreLock lock_;
+  mutable spdlog::logger log_;
+  JobDatabase database_;
+  FarmRules rules_;
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+  RequestHandler handler_;
+  std::unique_ptr<JobState> state_;
+  std::vector<std::string> endpoints_;
+  std::string commit_trouble_;
+};
+
+}  // namespace
+
+std::filesystem::path endpoints_file(const std::filesystem::path& store) {
+  return store / "endpoints";
+}
+
+ExitCode run_coordinator(const CoordinatorOptions& options) {
+  Server(options).run();
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

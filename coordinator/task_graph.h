@@ -1,0 +1,71 @@
+/// Which tasks a job is made of: what a finished task brings into being.
+///
+/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble.
+/// The graph is a pure function of results; the order in which they arrive does not matter.
+///
+/// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
+/// The files and numbers of each kind of task are listed in proto/protocol.md.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "store/rows.h"
+
+namespace tetfarm {
+
+/// Sub-domains below this heap number may still be cut: their children's numbers fit in 63 bits.
+inline constexpr std::uint64_t deepest_cut = std::uint64_t{1} << 61U;
+
+/// What a worker says about a finished task.
+struct TaskResult {
+  std::vector<ArtifactRef> outputs;
+  std::map<std::string, double> numbers;
+  std::map<std::string, std::string> texts;
+  double seconds = 0;
+  std::uint64_t peak_rss_bytes = 0;
+};
+
+/// Rows that a finished task brings into being or changes. New tasks have no id yet.
+struct GraphStep {
+  std::vector<SubdomainRow> subdomains;
+  std::vector<TaskRow> tasks;
+};
+
+/// The file called `name` in a list; nothing when there is none.
+std::optional<ArtifactRef> find_file(std::span<const ArtifactRef> files, const std::string& name);
+
+/// What is wrong with a result: a missing output, parts that do not add up. Nothing when it is
+/// usable.
+std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& result);
+
+/// The first task of a job. @pre `job_file` is published.
+TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const ArtifactRef> inputs);
+
+/// The root sub-domain and what to do with it. @pre `inspect` is done and without problem.
+GraphStep after_inspect(const TaskRow& inspect);
+
+/// The two halves of a cut, or the sub-domain as a leaf where it could not be cut.
+/// @pre `decompose` is done and without problem; `parent` is its sub-domain.
+GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
+                          const SubdomainRow& parent);
+
+/// The leaf with the figures of its volume mesh.
+SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf);
+
+/// Whether nothing more has to be found out about a sub-domain before the nodes can be numbered.
+bool is_settled(const SubdomainRow& subdomain);
+
+/// @pre `tree` is the whole tree by rising heap number, all of it settled.
+TaskRow number_task(const TaskRow& inspect, std::span<const SubdomainRow> tree);
+
+/// @pre as number_task; `meshes` has the mesh file of every leaf, by heap number.
+TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
+                      std::span<const SubdomainRow> tree,
+                      const std::map<std::uint64_t, ArtifactRef>& meshes);
+
+}  // namespace tetfarm

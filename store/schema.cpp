@@ -1,0 +1,142 @@
+#include "store/schema.h"
+
+#include <sqlite3.h>
+
+#include <array>
+#include <string>
+
+#include "base/error.h"
+#include "store/job_database.h"
+#include "store/sqlite_statement.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr const char* first_schema = R"sql(
+CREATE TABLE jobs (
+  id INTEGER PRIMARY KEY,
+  key TEXT UNIQUE,
+  name TEXT NOT NULL,
+  job_toml TEXT NOT NULL,
+  phase TEXT NOT NULL CHECK (phase IN ('running', 'done', 'failed', 'cancelled')),
+  exit_code INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  created_ms INTEGER NOT NULL,
+  finished_ms INTEGER NOT NULL
+) STRICT;
+CREATE TABLE artifacts (
+  hash TEXT PRIMARY KEY CHECK (length(hash) = 32),
+  size INTEGER NOT NULL CHECK (size >= 0)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE subdomains (
+  job INTEGER NOT NULL REFERENCES jobs (id),
+  path INTEGER NOT NULL CHECK (path >= 1),
+  parts INTEGER NOT NULL CHECK (parts >= 1),
+  state TEXT NOT NULL CHECK (state IN ('open', 'cut', 'leaf')),
+  interdomain_nodes INTEGER NOT NULL,
+  interior_nodes INTEGER NOT NULL,
+  tets INTEGER NOT NULL,
+  meshed INTEGER NOT NULL CHECK (meshed IN (0, 1)),
+  hash TEXT NOT NULL REFERENCES artifacts (hash),
+  PRIMARY KEY (job, path)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE tasks (
+  id INTEGER PRIMARY KEY,
+  job INTEGER NOT NULL REFERENCES jobs (id),
+  kind TEXT NOT NULL CHECK (kind IN ('inspect', 'decompose', 'mesh', 'number', 'assemble')),
+  path INTEGER NOT NULL CHECK (path >= 0),
+  state TEXT NOT NULL CHECK (state IN ('waiting', 'ready', 'leased', 'done', 'failed')),
+  attempt INTEGER NOT NULL CHECK (attempt > 0 OR state NOT IN ('leased', 'done')),
+  crashes INTEGER NOT NULL,
+  losses INTEGER NOT NULL,
+  exit_code INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  seconds REAL NOT NULL,
+  peak_rss_bytes INTEGER NOT NULL,
+  UNIQUE (job, kind, path)
+) STRICT;
+CREATE TABLE task_inputs (
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  place INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  hash TEXT NOT NULL REFERENCES artifacts (hash),
+  PRIMARY KEY (task, place)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE task_outputs (
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  place INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  hash TEXT NOT NULL REFERENCES artifacts (hash),
+  PRIMARY KEY (task, place)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE task_values (
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  sort TEXT NOT NULL CHECK (sort IN ('parameter', 'number', 'text')),
+  name TEXT NOT NULL,
+  number REAL,
+  text TEXT,
+  PRIMARY KEY (task, sort, name)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE workers (
+  id INTEGER PRIMARY KEY,
+  host TEXT NOT NULL,
+  process INTEGER NOT NULL,
+  cores INTEGER NOT NULL,
+  memory_bytes INTEGER NOT NULL,
+  program_version TEXT NOT NULL,
+  seen_ms INTEGER NOT NULL,
+  gone INTEGER NOT NULL CHECK (gone IN (0, 1))
+) STRICT;
+CREATE TABLE attempts (
+  id INTEGER PRIMARY KEY,
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  worker INTEGER NOT NULL REFERENCES workers (id),
+  state TEXT NOT NULL CHECK (state IN ('running', 'done', 'failed', 'crashed', 'killed', 'lost',
+                                       'returned', 'revoked')),
+  started_ms INTEGER NOT NULL,
+  ended_ms INTEGER NOT NULL,
+  message TEXT NOT NULL
+) STRICT;
+CREATE UNIQUE INDEX one_running_attempt ON attempts (task) WHERE state = 'running';
+CREATE TABLE events (
+  id INTEGER PRIMARY KEY,
+  wall_ms INTEGER NOT NULL,
+  job INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  worker INTEGER NOT NULL,
+  what TEXT NOT NULL,
+  message TEXT NOT NULL
+) STRICT;
+CREATE INDEX events_of_job ON events (job);
+)sql";
+
+constexpr std::array<const char*, database_version> migrations = {first_schema};
+
+std::int64_t pragma(sqlite3* database, const char* sql) {
+  Statement statement(database, sql);
+  statement.step();
+  return statement.integer();
+}
+
+}  // namespace
+
+void migrate(sqlite3* database) {
+  const std::int64_t version = pragma(database, "PRAGMA user_version");
+  const std::int64_t owner = pragma(database, "PRAGMA application_id");
+  const bool is_empty = pragma(database, "SELECT count(*) FROM sqlite_schema") == 0;
+  const std::string path = sqlite3_db_filename(database, "main");
+  if (!is_empty && owner != application_id) throw CorruptFile("not a tetfarm database", path);
+  if (version > database_version) {
+    throw CorruptFile(
+        "written by a newer tetfarm (database version " + std::to_string(version) + ")", path);
+  }
+  for (auto next = static_cast<std::size_t>(version); next < migrations.size(); ++next) {
+    const std::string sql = std::string("BEGIN IMMEDIATE;") + migrations[next] +
+                            "PRAGMA application_id = " + std::to_string(application_id) +
+                            ";PRAGMA user_version = " + std::to_string(next + 1) + ";COMMIT;";
+    execute(database, sql.c_str());
+  }
+}
+
+}  // namespace tetfarm
