@@ -1,0 +1,40 @@
+#include "mesh/inspect/defect_text.h"
+
+#include <algorithm>
+
+#include "mesh/core/complaints.h"
+
+namespace tetfarm {
+
+std::string count_of(std::size_t n, const std::string& singular) {
+  return std::to_string(n) + " " + singular + (n == 1 ? "" : "s");
+}
+
+std::string triangle_text(const SurfaceMesh& surface, std::int32_t triangle) {
+  std::string text = "triangle " + std::to_string(triangle);
+  for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(triangle)]) {
+    text += " " + text_of(surface.vertices[static_cast<std::size_t>(v)]);
+  }
+  return text;
+}
+
+std::string with_places(const std::string& what, const std::vector<std::string>& places,
+                        std::size_t count) {
+  std::string text = what;
+  const std::size_t named = std::min(places.size(), places_named);
+  for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? ": " : "; ") + places[i];
+  if (count > named) text += "; and " + std::to_string(count - named) + " more";
+  return text;
+}
+
+SurfaceDefect defect_of_triangles(const SurfaceMesh& surface, const std::string& kind,
+                                  const std::string& what,
+                                  const std::vector<std::int32_t>& triangles) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < std::min(triangles.size(), places_named); ++i) {
+    places.push_back(triangle_text(surface, triangles[i]));
+  }
+  return {kind, with_places(what, places, triangles.size()), {triangles.begin(), triangles.end()}};
+}
+
+}  // namespace tetfarm

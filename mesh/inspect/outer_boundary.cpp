@@ -1,0 +1,138 @@
+#include "mesh/inspect/outer_boundary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/core/complaints.h"
+#include "mesh/inspect/outer_shapes.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr double most_triangles = 200'000;
+// A side of the box is at least this many default spacings long, and so is the sphere's diameter.
+constexpr double least_spacings = 6;
+// The edge of a regular icosahedron's face, seen from the centre, in radians.
+constexpr double icosahedron_arc = 1.1071487177940904;
+
+struct Body {
+  Box3 box;
+  double longest_edge = 0;
+};
+
+Body measure(const SurfaceMesh& surface) {
+  Body body;
+  for (const Triangle& t : surface.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = surface.vertices[static_cast<std::size_t>(t[i])];
+      const Vec3& b = surface.vertices[static_cast<std::size_t>(t[(i + 1) % 3])];
+      body.box.add(a);
+      body.longest_edge = std::max(body.longest_edge, distance(a, b));
+    }
+  }
+  return body;
+}
+
+void check_numbers(const SurfaceMesh& body, const OuterBoundary& outer, double growth) {
+  if (body.triangles.empty())
+    throw UsageError("there is no body to put a boundary round", "domain.outer");
+  if (!std::isfinite(outer.factor) || outer.factor <= 1) {
+    throw UsageError("the factor must be greater than 1, or the boundary touches the body; it is " +
+                         text_of(outer.factor),
+                     "domain.factor");
+  }
+  if (!std::isfinite(outer.spacing) || outer.spacing < 0) {
+    throw UsageError(
+        "the spacing must be positive, or 0 for the default; it is " + text_of(outer.spacing),
+        "domain.spacing");
+  }
+  if (!std::isfinite(growth) || growth < 0) {
+    throw UsageError("the growth must not be negative; it is " + text_of(growth), "spacing.growth");
+  }
+}
+
+/// How many parts to divide `length` into, when `triangles_at_1` · parts² triangles come of it.
+int parts_of(double length, double triangles_at_1, int least, const OuterBoundary& outer,
+             double default_spacing) {
+  const double most = std::floor(std::sqrt(most_triangles / triangles_at_1));
+  if (outer.spacing == 0) {
+    const double parts = std::ceil(length / default_spacing);
+    return static_cast<int>(std::clamp(parts, static_cast<double>(least), most));
+  }
+  const double parts = std::ceil(length / outer.spacing);
+  if (parts > most) {
+    throw UsageError("a spacing of " + text_of(outer.spacing) + " makes more than " +
+                         std::to_string(static_cast<int>(most_triangles)) +
+                         " triangles; the least that does not is " + text_of(length / most),
+                     "domain.spacing");
+  }
+  return std::max(static_cast<int>(parts), least);
+}
+
+void check_room(bool has_room, const OuterBoundary& outer) {
+  if (has_room) return;
+  throw UsageError("with a factor of " + text_of(outer.factor) +
+                       " the boundary touches the body; give a larger one",
+                   "domain.factor");
+}
+
+SurfaceMesh make_box(const Body& body, const OuterBoundary& outer, double growth) {
+  const Vec3 size = body.box.size();
+  const double body_half = 0.5 * std::max({size.x, size.y, size.z});
+  const double half = outer.factor * body_half;
+  const double side = 2 * half;
+  const double spacing =
+      std::min(body.longest_edge + growth * (half - body_half), side / least_spacings);
+  const Vec3 centre = body.box.centre();
+  const Box3 box{centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};
+  for (int axis = 0; axis < 3; ++axis) {
+    check_room(box.low[axis] < body.box.low[axis] && box.high[axis] > body.box.high[axis], outer);
+  }
+  return outer_box(box, parts_of(side, 12, 2, outer, spacing));
+}
+
+SurfaceMesh make_sphere(const Body& body, const OuterBoundary& outer, double growth) {
+  const double half_diagonal = 0.5 * norm(body.box.size());
+  const double radius = outer.factor * half_diagonal;
+  const double spacing =
+      std::min(body.longest_edge + growth * (radius - half_diagonal), 2 * radius / least_spacings);
+  const SurfaceMesh sphere = outer_sphere(
+      body.box.centre(), radius, parts_of(icosahedron_arc * radius, 20, 2, outer, spacing));
+  // Its triangles lie inside the true sphere.
+  check_room(nearest_plane(sphere, body.box.centre()) > half_diagonal * (1 + 1e-9), outer);
+  return sphere;
+}
+
+}  // namespace
+
+SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer, double growth) {
+  if (outer.kind == OuterBoundary::Kind::none) return body;
+  check_numbers(body, outer, growth);
+  const bool is_box = outer.kind == OuterBoundary::Kind::box;
+  const Body measured = measure(body);
+  const SurfaceMesh boundary =
+      is_box ? make_box(measured, outer, growth) : make_sphere(measured, outer, growth);
+
+  SurfaceMesh result = body;
+  for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
+  if (result.patch_of_triangle.empty()) {
+    result.patch_of_triangle.assign(result.triangles.size(), 0);
+    result.patch_names = {"surface"};
+  }
+  const auto offset = static_cast<std::int32_t>(result.vertices.size());
+  result.vertices.insert(result.vertices.end(), boundary.vertices.begin(), boundary.vertices.end());
+  for (const auto& [a, b, c] : boundary.triangles) {
+    result.triangles.push_back({a + offset, b + offset, c + offset});
+  }
+  result.patch_of_triangle.resize(result.triangles.size(),
+                                  static_cast<std::int32_t>(result.patch_names.size()));
+  result.patch_names.emplace_back(is_box ? "outer_box" : "outer_sphere");
+  return result;
+}
+
+}  // namespace tetfarm

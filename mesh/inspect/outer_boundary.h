@@ -1,0 +1,28 @@
+/// An outer boundary round a body, so that the space between the two can be meshed.
+///
+/// Source: thesis 4.3.1.9 and chapter 5: bodies in the far field of a flow or a wave.
+#pragma once
+
+#include "mesh/core/surface_mesh.h"
+
+namespace tetfarm {
+
+struct OuterBoundary {
+  enum class Kind { none, box, sphere } kind = Kind::none;
+  /// Box: its half extent along each axis is `factor` times the body's largest half extent, about
+  /// the centre of the body's bounding box. Sphere: its radius is `factor` times half the diagonal
+  /// of that box.
+  double factor = 0;
+  /// Edge length of its triangles; 0: from the body's longest edges and growth over the distance.
+  double spacing = 0;
+};
+
+/// The body turned into a hole in a new outer boundary: body triangles reversed, then the
+/// boundary's, with a new patch "outer_box" or "outer_sphere". Kind none: the body as it is. The
+/// spacing is at most a sixth of the box's side, and coarser than asked where more than 200 000
+/// triangles would be needed.
+/// @pre the body is closed and oriented outward.
+/// @throws UsageError when the boundary would touch the body, or a number makes no sense.
+SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer, double growth);
+
+}  // namespace tetfarm

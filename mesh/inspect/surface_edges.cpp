@@ -1,0 +1,116 @@
+#include "mesh/inspect/surface_edges.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "mesh/core/complaints.h"
+#include "mesh/inspect/defect_text.h"
+
+namespace tetfarm {
+namespace {
+
+const Vec3& vertex(const SurfaceMesh& surface, std::int32_t v) {
+  return surface.vertices[static_cast<std::size_t>(v)];
+}
+
+/// Gathers the edges that are wrong in one way.
+struct WrongEdges {
+  std::size_t count = 0;
+  std::vector<std::string> places;
+  std::vector<std::int64_t> triangles;
+
+  void add(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
+    ++count;
+    for (const EdgeUse& use : uses) triangles.push_back(use.triangle);
+    if (places.size() == places_named) return;
+    std::string text = "edge from vertex " + std::to_string(uses[0].low) + " " +
+                       text_of(vertex(surface, uses[0].low)) + " to " +
+                       std::to_string(uses[0].high) + " " + text_of(vertex(surface, uses[0].high)) +
+                       " of triangle" + (uses.size() > 1 ? "s" : "");
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      text += (i == 0 ? " " : ", ") + std::to_string(uses[i].triangle);
+    }
+    places.push_back(text);
+  }
+
+  SurfaceDefect defect(const std::string& kind, const std::string& what) {
+    std::ranges::sort(triangles);
+    const auto rest = std::ranges::unique(triangles);
+    triangles.erase(rest.begin(), rest.end());
+    return {kind, with_places(what, places, count), triangles};
+  }
+};
+
+/// How many of the vertices on open edges lie where another of them lies.
+std::size_t coinciding_vertices(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
+  std::vector<std::int32_t> ends;
+  for_each_edge(uses, [&ends](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) ends.insert(ends.end(), {edge[0].low, edge[0].high});
+  });
+  std::ranges::sort(ends);
+  const auto repeated = std::ranges::unique(ends);
+  ends.erase(repeated.begin(), repeated.end());
+  const auto place = [&surface](std::int32_t v) {
+    const Vec3& p = vertex(surface, v);
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::ranges::sort(ends, {}, place);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const bool as_before = i > 0 && place(ends[i - 1]) == place(ends[i]);
+    const bool as_after = i + 1 < ends.size() && place(ends[i + 1]) == place(ends[i]);
+    count += as_before || as_after ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles,
+                               const std::vector<char>& sieve) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (sieve[t] == 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t from = triangles[t][i];
+      const std::int32_t to = triangles[t][(i + 1) % 3];
+      uses.push_back(
+          {std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to});
+    }
+  }
+  std::ranges::sort(uses, {},
+                    [](const EdgeUse& e) { return std::tuple(e.low, e.high, e.triangle); });
+  return uses;
+}
+
+std::vector<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
+  WrongEdges open;
+  WrongEdges crowded;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) open.add(surface, edge);
+    if (edge.size() > 2) crowded.add(surface, edge);
+  });
+  std::vector<SurfaceDefect> defects;
+  if (open.count > 0) {
+    std::string what = count_of(open.count, "open edge") + " (on one triangle only)";
+    if (const std::size_t n = coinciding_vertices(surface, uses); n > 0) {
+      what +=
+          "; " + std::to_string(n) +
+          " of their vertices lie exactly where another one does: joining equal vertices may close "
+          "the surface";
+    }
+    defects.push_back(open.defect("open edge", what));
+  }
+  if (crowded.count > 0) {
+    std::string what = count_of(crowded.count, "edge") + " on more than two triangles";
+    if (open.count == 0) {
+      what += ": the surface bounds several materials; give the surface of one of them";
+    }
+    defects.push_back(crowded.defect("non-manifold edge", what));
+  }
+  return defects;
+}
+
+}  // namespace tetfarm

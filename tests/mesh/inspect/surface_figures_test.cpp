@@ -1,0 +1,36 @@
+#include "mesh/inspect/surface_figures.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/mesh/inspect/check_support.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+SurfaceReport measure(const SurfaceMesh& mesh) {
+  SurfaceReport report;
+  measure_surface(mesh, edge_uses(mesh.triangles, std::vector<char>(mesh.triangles.size(), 1)),
+                  report);
+  return report;
+}
+
+TEST(SurfaceFigures, of_a_cube_are_known) {
+  SurfaceMesh mesh = shapes::unit_cube();
+  mesh.vertices.push_back({5, 5, 5});
+  const SurfaceReport report = measure(mesh);
+  EXPECT_DOUBLE_EQ(report.shortest_edge, 1);
+  EXPECT_DOUBLE_EQ(report.median_edge, 1);  // 12 edges and 6 diagonals
+  EXPECT_DOUBLE_EQ(report.longest_edge, std::sqrt(2.0));
+  EXPECT_NEAR(report.smallest_angle_deg, 45, 1e-9);
+  EXPECT_EQ(report.unused_vertices, 1);
+}
+
+TEST(SurfaceFigures, of_nothing_are_zero) {
+  const SurfaceReport report = measure({});
+  EXPECT_EQ(report.longest_edge, 0);
+  EXPECT_EQ(report.smallest_angle_deg, 0);
+}
+
+}  // namespace
+}  // namespace tetfarm
