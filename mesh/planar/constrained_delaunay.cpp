@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/check.h"
+#include "mesh/geometry/hilbert_order.h"
 #include "mesh/planar/edge_flips.h"
 #include "mesh/planar/edge_recovery.h"
 #include "mesh/planar/restricted_cavity.h"
@@ -56,24 +56,6 @@ Complaints check_edges(const PlanarRegion& region, const std::vector<Edge>& sort
   return complaints;
 }
 
-/// Place along the Hilbert curve of a 2^16 grid.
-std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
-  std::uint32_t place = 0;
-  for (std::uint32_t side = 1U << 15U; side > 0; side >>= 1U) {
-    const std::uint32_t right = (x & side) != 0 ? 1 : 0;
-    const std::uint32_t up = (y & side) != 0 ? 1 : 0;
-    place = place << 2U | ((3 * right) ^ up);
-    if (up == 0) {
-      if (right == 1) {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return place;
-}
-
 struct Box2 {
   Vec2 low, high;
 };
@@ -87,20 +69,11 @@ Box2 bounding_box(const std::vector<Vec2>& points) {
   return box;
 }
 
-std::vector<std::int32_t> insertion_order(const std::vector<Vec2>& points, const Box2& box) {
-  const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  const double scale = side > 0 ? 65535.0 / side : 0;
-  const auto cell = [&](double offset) {
-    return static_cast<std::uint32_t>(std::clamp(offset * scale, 0.0, 65535.0));
-  };
-  std::vector<std::pair<std::uint32_t, std::int32_t>> keyed(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    keyed[v] = {hilbert_place(cell(points[v].x - box.low.x), cell(points[v].y - box.low.y)),
-                static_cast<std::int32_t>(v)};
-  std::ranges::sort(keyed);
-  std::vector<std::int32_t> order(points.size());
-  std::ranges::transform(keyed, order.begin(), [](const auto& k) { return k.second; });
-  return order;
+std::vector<std::int32_t> insertion_order(const std::vector<Vec2>& points) {
+  std::vector<Vec3> flat;
+  flat.reserve(points.size());
+  for (const Vec2& p : points) flat.push_back({p.x, p.y, 0});
+  return brio_order(flat);
 }
 
 /// Delaunay triangulation of the points and of four corners round them, which come first. Node of
@@ -135,7 +108,7 @@ Boxed triangulate_points(const std::vector<Vec2>& points, Complaints& complaints
   boxed.point_of.assign(corners, -1);
   Cavity cavity;
   std::int32_t last = 0;
-  for (const std::int32_t v : insertion_order(points, box)) {
+  for (const std::int32_t v : insertion_order(points)) {
     const Vec2& p = points[as_index(v)];
     const std::optional<std::int32_t> holder = locate(complex, last, p);
     TF_CHECK(holder);

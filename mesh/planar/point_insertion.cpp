@@ -28,6 +28,14 @@ constexpr double largest_radius = 0.70;
 constexpr double node_clearance = 0.65;
 /// …and this much of the spacing, or of the edge, whichever is less, from boundary edges.
 constexpr double edge_clearance = 0.5;
+/// On a boundary edge much longer than the spacing no apex is lower than this much of the edge:
+/// such an edge cannot be split, and a flatter triangle would be worse than one that is too large.
+constexpr double least_height = 0.2;
+/// A boundary node's spacing is at most this much of the mean of its edges, so that short edges fan
+/// out gently to the spacing instead of ending in needles…
+constexpr double over_mean_edge = 1.2;
+/// …by this factor from layer to layer.
+constexpr double layer_growth = 1.35;
 /// The distance wanted grows by no more than this from the edge that a candidate stands on.
 constexpr double growth = 1.5;
 
@@ -36,6 +44,7 @@ class PointInsertion {
   PointInsertion(TriangleComplex& complex, const PlanarSpacing& spacing)
       : complex_(complex), spacing_(spacing) {
     for (const Vec2& p : complex.points) spacing_at_.push_back(spacing(p));
+    limit_by_edges();
   }
 
   bool run(std::int64_t max_triangles) {
@@ -60,6 +69,26 @@ class PointInsertion {
     std::int32_t triangle;
     TriangleComplex::Nodes nodes;
   };
+
+  void limit_by_edges() {
+    std::vector<double> length(complex_.points.size(), 0);
+    std::vector<int> count(complex_.points.size(), 0);
+    for (std::int32_t t = 0; t < complex_.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        if (!complex_.is_constrained(t, i)) continue;
+        const std::int32_t a = complex_.node(t, next(i));
+        const std::int32_t b = complex_.node(t, previous(i));
+        const double edge = std::sqrt(distance2(complex_.point(a), complex_.point(b)));
+        for (const std::int32_t v : {a, b}) {
+          length[as_index(v)] += edge;
+          ++count[as_index(v)];
+        }
+      }
+    }
+    for (std::size_t v = 0; v < length.size(); ++v)
+      if (count[v] > 0)
+        spacing_at_[v] = std::min(spacing_at_[v], over_mean_edge * length[v] / count[v]);
+  }
 
   State judge(std::int32_t t) const {
     const auto& [a, b, c] = complex_.nodes(t);
@@ -108,9 +137,14 @@ class PointInsertion {
             i};
     std::sort(edges.begin(), edges.begin() + count);
     for (int k = 0; k < count; ++k) {
-      const std::optional<Vec2> p = candidate(t, edges[static_cast<std::size_t>(k)].second);
-      if (p && insert(t, *p)) return;
+      const int i = edges[static_cast<std::size_t>(k)].second;
+      const std::optional<Vec2> p = candidate(t, i);
+      const double near = (spacing_at_[as_index(complex_.node(t, next(i)))] +
+                           spacing_at_[as_index(complex_.node(t, previous(i)))]) /
+                          2;
+      if (p && insert(t, *p, near)) return;
     }
+    if (insert_on_longest_edge(t)) return;
     state_[as_index(t)] = State::full;
     wake_neighbours(t, false);
   }
@@ -146,16 +180,42 @@ class PointInsertion {
       if (!edge.is_constrained) continue;
       const double length2 = distance2(from, to);
       const double height = cross(from, to, p);
-      const double wanted2 = edge_clearance * edge_clearance * std::min(h * h, length2);
+      const double wanted2 = std::max(edge_clearance * edge_clearance * std::min(h * h, length2),
+                                      least_height * least_height * length2);
       if (height * height < wanted2 * length2) return false;
     }
     return true;
   }
 
-  bool insert(std::int32_t t, const Vec2& p) {
+  /// For what no front edge can fill: large obtuse triangles on long boundary edges.
+  bool insert_on_longest_edge(std::int32_t t) {
+    double longest2 = 0;
+    int edge = -1;
+    for (int i = 0; i < 3; ++i) {
+      if (complex_.is_constrained(t, i)) continue;
+      const double length2 = distance2(complex_.point(complex_.node(t, next(i))),
+                                       complex_.point(complex_.node(t, previous(i))));
+      if (length2 > longest2) {
+        longest2 = length2;
+        edge = i;
+      }
+    }
+    if (edge < 0) return false;
+    const std::int32_t a = complex_.node(t, next(edge));
+    const std::int32_t b = complex_.node(t, previous(edge));
+    const double near = (spacing_at_[as_index(a)] + spacing_at_[as_index(b)]) / 2;
+    if (longest2 < 4 * node_clearance * node_clearance * near * near) return false;
+    const Vec2& pa = complex_.point(a);
+    const Vec2& pb = complex_.point(b);
+    return insert(t, {(pa.x + pb.x) / 2, (pa.y + pb.y) / 2}, near);
+  }
+
+  /// `near`: the spacing of the nodes that the point was placed from.
+  bool insert(std::int32_t t, const Vec2& p, double near) {
     const std::optional<std::int32_t> holder = locate(complex_, t, p);
     if (!holder || !find_cavity(complex_, *holder, p, cavity_)) return false;
-    const double h = spacing_(p);
+    const double h = std::min(spacing_(p), layer_growth * near);
+    if (!(h > 0)) return false;
     double clear = h;
     for (const std::int32_t v : complex_.nodes(t))
       clear = std::min(clear, spacing_at_[as_index(v)]);
@@ -219,9 +279,12 @@ bool insert_points(TriangleComplex& complex, const PlanarSpacing& spacing,
 
 double estimated_triangles(const TriangleComplex& complex, const PlanarSpacing& spacing) {
   constexpr double regular_area = 0.43301270189221932;
+  constexpr std::size_t samples = 8192;
+  int depth = 0;
+  while (depth < 4 && complex.triangles.size() << (2 * depth + 2) <= samples) ++depth;
   double sum = 0;
   for (const auto& [a, b, c] : complex.triangles)
-    sum += area_per_h2(complex.point(a), complex.point(b), complex.point(c), spacing, 4);
+    sum += area_per_h2(complex.point(a), complex.point(b), complex.point(c), spacing, depth);
   return sum / regular_area;
 }
 

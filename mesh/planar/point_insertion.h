@@ -21,7 +21,7 @@ bool insert_points(TriangleComplex& complex, const PlanarSpacing& spacing,
                    std::int64_t max_triangles);
 
 /// Roughly how many triangles the spacing asks for, from samples.
-/// Cost: at most some hundred calls of `spacing` a triangle of the complex.
+/// Cost: one call of `spacing` a triangle, and some ten thousand.
 double estimated_triangles(const TriangleComplex& complex, const PlanarSpacing& spacing);
 
 }  // namespace tetfarm
