@@ -1,9 +1,8 @@
 /// The spacing: target edge length as one function of position, for cuts and volumes alike.
 ///
-/// Source: thesis 3.2 (sources, fig. 15), 4.3.1.9 (background mesh). Made once by `inspect`, read by
-/// every task. A 2:1-balanced octree whose cells are no larger than the spacing asks for; the value is
-/// interpolated from the corners of the cell.
-/// Units: lengths in the unit of the input.
+/// Source: thesis 3.2 (sources, fig. 15), 4.3.1.9 (background mesh). Made once by `inspect`, read
+/// by every task. A 2:1-balanced octree whose cells are no larger than the spacing asks for; the
+/// value is interpolated from the corners of the cell. Units: lengths in the unit of the input.
 #pragma once
 
 #include <array>
@@ -20,8 +19,8 @@
 namespace tetfarm {
 
 /// A mesh-control source with its 1, 2 or 3 corners (thesis: point, line, triangle). Spacing is
-/// constant within the inner radius, decays exponentially to the background at the outer radius, and
-/// is interpolated linearly between corners.
+/// constant within the inner radius, decays exponentially to the background at the outer radius,
+/// and is interpolated linearly between corners.
 struct SourceCorner {
   Vec3 at;
   double spacing = 0;
@@ -42,8 +41,8 @@ struct SpacingOptions {
   std::vector<Source> sources;
 };
 
-/// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the edge of the
-/// smallest octree cell that the node belongs to.
+/// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the
+/// edge of the smallest octree cell that the node belongs to.
 struct LatticeNode {
   Vec3 at;
   double cell_edge = 0;
@@ -57,17 +56,17 @@ class SpacingField {
   SpacingField& operator=(SpacingField&&) noexcept;
   ~SpacingField();
 
-  /// The spacing at a point, also outside the octree (then: of the nearest point of its box). Always
-  /// positive and finite. Cost: well under a microsecond.
+  /// The spacing at a point, also outside the octree (then: of the nearest point of its box).
+  /// Always positive and finite. Cost: well under a microsecond.
   double at(const Vec3& point) const;
 
-  /// The nodes of the graded body-centred lattice (corners and centres of the balanced octree's leaf
-  /// cells, cell edge at most spacing / 0.92) inside the box, each once, in Hilbert or Morton order,
-  /// the same coordinates whatever the box.
-  /// Cost: O(cells that meet the box).
+  /// The nodes of the graded body-centred lattice (corners and centres of the balanced octree's
+  /// leaf cells, cell edge at most spacing / 0.92) inside the box, each once, in Hilbert or Morton
+  /// order, the same coordinates whatever the box. Cost: O(cells that meet the box).
   std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
 
-  /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV / h^3.
+  /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV /
+  /// h^3.
   static constexpr double elements_per_h3 = 8.48528137423857;  // 6 sqrt(2): regular tets of edge h
 
   std::string to_bytes() const;
@@ -81,11 +80,11 @@ class SpacingField {
   std::unique_ptr<Octree> octree_;
 };
 
-/// The field of a domain: the minimum of background, sources and (if asked) surface edge lengths, growing
-/// by no more than options.growth per unit length. Deterministic to the last bit on every machine (uses
-/// only + - * / sqrt).
-/// @throws InvalidInput when a source has a spacing or radius that is not positive, or outer < inner.
-/// Cost: O(n log n) for n triangles + cells.
+/// The field of a domain: the minimum of background, sources and (if asked) surface edge lengths,
+/// growing by no more than options.growth per unit length. Deterministic to the last bit on every
+/// machine (uses only + - * / sqrt).
+/// @throws InvalidInput when a source has a spacing or radius that is not positive, or outer <
+/// inner. Cost: O(n log n) for n triangles + cells.
 SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions& options);
 
 }  // namespace tetfarm

@@ -1,0 +1,195 @@
+#include "mesh/spacing/corner_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t first_table_size = 1U << 12U;
+
+std::size_t slot_of(std::uint64_t key, std::size_t table_size) {
+  std::uint64_t h = key * 0x9e3779b97f4a7c15ULL;
+  h ^= h >> 32U;
+  return static_cast<std::size_t>(h) & (table_size - 1);
+}
+
+}  // namespace
+
+CornerSpacing::CornerSpacing() : table_(first_table_size, 0) {}
+
+std::uint64_t CornerSpacing::key_of(const GridPoint& p) {
+  // Corners are even and at most 2^21: halved, they have 21 bits.
+  const auto half = [](std::int32_t i) { return static_cast<std::uint64_t>(i) >> 1U; };
+  return half(p[0]) | half(p[1]) << 21U | half(p[2]) << 42U;
+}
+
+void CornerSpacing::grow_table() {
+  table_.assign(2 * table_.size(), 0);
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    std::size_t slot = slot_of(key_of(corners_[c].at), table_.size());
+    while (table_[slot] != 0) slot = (slot + 1) & (table_.size() - 1);
+    table_[slot] = static_cast<std::uint32_t>(c + 1);
+  }
+}
+
+std::uint32_t CornerSpacing::find_or_add(const GridPoint& p,
+                                         const std::function<double(const GridPoint&)>& spacing) {
+  if (2 * corners_.size() >= table_.size()) grow_table();
+  std::size_t slot = slot_of(key_of(p), table_.size());
+  for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
+    if (corners_[table_[slot] - 1].at == p) return table_[slot] - 1;
+  }
+  corners_.push_back({p, spacing(p), 0, -1, 8});
+  table_[slot] = static_cast<std::uint32_t>(corners_.size());
+  return table_[slot] - 1;
+}
+
+void CornerSpacing::add_leaf(const LatticeCell& leaf, bool is_block,
+                             const std::function<double(const GridPoint&)>& spacing) {
+  std::array<std::uint32_t, 8> corners{};
+  for (std::size_t k = 0; k < 8; ++k) {
+    corners[k] = find_or_add(corner_of(leaf.low, size_at_level(leaf.level), k), spacing);
+    Corner& corner = corners_[corners[k]];
+    ++corner.touching_leaves;
+    if (is_block || leaf.level < corner.owner_level) continue;
+    if (leaf.level > corner.owner_level || k < corner.owner_corner) {
+      corner.owner_level = static_cast<std::int8_t>(leaf.level);
+      corner.owner_corner = static_cast<std::uint8_t>(k);
+    }
+  }
+  leaves_.push_back(leaf);
+  corners_of_leaf_.push_back(corners);
+}
+
+void CornerSpacing::limit_growth(double growth, double unit) {
+  constexpr int most_passes = 100;
+  bool changed = true;
+  for (int pass = 0; pass < most_passes && changed; ++pass) {
+    changed = false;
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+      const std::size_t leaf = pass % 2 == 0 ? i : leaves_.size() - 1 - i;
+      const double edge = size_at_level(leaves_[leaf].level) * unit;
+      for (std::size_t a = 0; a < 8; ++a) {
+        for (std::size_t b = 0; b < 8; ++b) {
+          const auto axes = static_cast<double>(__builtin_popcountll(a ^ b));
+          const double limit = corners_[corners_of_leaf_[leaf][a]].spacing +
+                               growth * edge * std::sqrt(axes) * (1 + 1e-9);
+          double& spacing = corners_[corners_of_leaf_[leaf][b]].spacing;
+          if (spacing <= limit) continue;
+          spacing = limit;
+          changed = true;
+        }
+      }
+    }
+  }
+}
+
+double CornerSpacing::interpolated(std::int32_t leaf, const GridPoint& p) const {
+  const auto l = static_cast<std::size_t>(leaf);
+  const double size = size_at_level(leaves_[l].level);
+  double sum = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    double weight = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double t = (p[axis] - leaves_[l].low[axis]) / size;
+      weight *= (k >> axis & 1U) != 0 ? t : 1 - t;
+    }
+    sum += weight * corners_[corners_of_leaf_[l][k]].spacing;
+  }
+  return sum;
+}
+
+void CornerSpacing::make_continuous(const std::vector<std::int32_t>& child_of) {
+  // By the level of the coarse leaf: its own corners may hang on coarser ones still.
+  std::array<std::vector<Hanging>, octree_max_level + 1> hanging;
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    if (corners_[c].touching_leaves == 8) continue;
+    LeafAt coarsest{-1, {octree_max_level + 1, {}}};
+    for (std::size_t k = 0; k < 8; ++k) {
+      GridPoint p = corners_[c].at;
+      for (std::size_t axis = 0; axis < 3; ++axis) p[axis] -= static_cast<int>(k >> axis & 1U);
+      if (std::ranges::any_of(p, [](auto i) { return i < 0 || i >= octree_span; })) continue;
+      const LeafAt found = leaf_at(child_of, p);
+      if (found.cell.level >= coarsest.cell.level) continue;
+      const std::int32_t size = size_at_level(found.cell.level);
+      if (corner_of(found.cell.low, size, k) != corners_[c].at) coarsest = found;
+    }
+    if (coarsest.leaf < 0) continue;
+    hanging[static_cast<std::size_t>(coarsest.cell.level)].push_back({c, coarsest.leaf});
+  }
+  for (const auto& level : hanging) {
+    for (const Hanging& h : level) {
+      corners_[h.corner].spacing = interpolated(h.leaf, corners_[h.corner].at);
+    }
+  }
+}
+
+std::vector<std::array<float, 8>> CornerSpacing::leaf_values() const {
+  std::vector<std::array<float, 8>> values(leaves_.size());
+  for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      values[leaf][k] = static_cast<float>(corners_[corners_of_leaf_[leaf][k]].spacing);
+    }
+  }
+  return values;
+}
+
+std::vector<std::uint8_t> CornerSpacing::owned_corners() const {
+  std::vector<std::uint8_t> owned(leaves_.size(), 0);
+  for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+    unsigned mask = 0;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Corner& corner = corners_[corners_of_leaf_[leaf][k]];
+      if (corner.owner_level == leaves_[leaf].level && corner.owner_corner == k) mask |= 1U << k;
+    }
+    owned[leaf] = static_cast<std::uint8_t>(mask);
+  }
+  return owned;
+}
+
+namespace {
+
+void own_beside_blocks(SpacingOctree& octree, std::size_t node, const LatticeCell& cell,
+                       int lattice_level) {
+  const std::int32_t child = octree.child_of[node];
+  if (child >= 0) {
+    const std::int32_t half = size_at_level(cell.level + 1);
+    for (std::size_t k = 0; k < 8; ++k) {
+      own_beside_blocks(octree, static_cast<std::size_t>(child) + k,
+                        {cell.level + 1, corner_of(cell.low, half, k)}, lattice_level);
+    }
+    return;
+  }
+  const auto leaf = static_cast<std::size_t>(~child);
+  if (cell.level != lattice_level || octree.lattice_level[leaf] != lattice_level) return;
+  unsigned mask = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const LatticeCell owner = owner_of(octree, corner_of(cell.low, size_at_level(cell.level), k));
+    if (owner.level == cell.level && owner.low == cell.low) mask |= 1U << k;
+  }
+  octree.owned_corners[leaf] = static_cast<std::uint8_t>(mask);
+}
+
+/// The lattice level of the blocks (they all have the background's), -1 without blocks.
+int block_level(const SpacingOctree& octree, std::size_t node, int level) {
+  const std::int32_t child = octree.child_of[node];
+  if (child < 0) {
+    const int lattice_level = octree.lattice_level[static_cast<std::size_t>(~child)];
+    return lattice_level > level ? lattice_level : -1;
+  }
+  for (std::size_t k = 0; k < 8; ++k) {
+    const int found = block_level(octree, static_cast<std::size_t>(child) + k, level + 1);
+    if (found >= 0) return found;
+  }
+  return -1;
+}
+
+}  // namespace
+
+void own_beside_blocks(SpacingOctree& octree) {
+  const int level = block_level(octree, 0, 0);
+  if (level >= 0) own_beside_blocks(octree, 0, {0, {}}, level);
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,143 @@
+#include "mesh/spacing/sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/spacing/exp_fixed.h"
+
+namespace tetfarm {
+namespace {
+
+bool positive(double x) { return x > 0 && std::isfinite(x); }
+
+NearestOnSource at_weights(const Source& source, const Vec3& point, std::array<double, 3> weight) {
+  Vec3 nearest;
+  for (std::size_t k = 0; k < source.corners.size(); ++k) {
+    nearest += weight[k] * source.corners[k].at;
+  }
+  return {weight, distance(nearest, point)};
+}
+
+NearestOnSource nearest_on_edge(const Source& source, const Vec3& point, std::size_t a,
+                                std::size_t b) {
+  const Vec3 along = source.corners[b].at - source.corners[a].at;
+  const double length2 = norm2(along);
+  double t = length2 > 0 ? dot(point - source.corners[a].at, along) / length2 : 0;
+  t = std::clamp(t, 0.0, 1.0);
+  std::array<double, 3> weight{};
+  weight[a] = 1 - t;
+  weight[b] = t;
+  return at_weights(source, point, weight);
+}
+
+NearestOnSource nearest_on_triangle(const Source& source, const Vec3& point) {
+  const Vec3& a = source.corners[0].at;
+  const Vec3& b = source.corners[1].at;
+  const Vec3& c = source.corners[2].at;
+  const Vec3 normal = cross(b - a, c - a);
+  const double area2 = norm2(normal);
+  if (area2 > 0) {
+    const double u = dot(cross(c - b, point - b), normal) / area2;
+    const double v = dot(cross(a - c, point - c), normal) / area2;
+    const double w = dot(cross(b - a, point - a), normal) / area2;
+    if (u >= 0 && v >= 0 && w >= 0) return at_weights(source, point, {u, v, w});
+  }
+  NearestOnSource best = nearest_on_edge(source, point, 0, 1);
+  for (const auto& other :
+       {nearest_on_edge(source, point, 1, 2), nearest_on_edge(source, point, 2, 0)}) {
+    if (other.distance < best.distance) best = other;
+  }
+  return best;
+}
+
+}  // namespace
+
+void check_sources(const std::vector<Source>& sources) {
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    const std::string where = "source " + std::to_string(s + 1);
+    const auto& corners = sources[s].corners;
+    if (corners.empty() || corners.size() > 3) {
+      throw InvalidInput("a source has 1, 2 or 3 corners, not " + std::to_string(corners.size()),
+                         where);
+    }
+    for (const SourceCorner& corner : corners) {
+      if (!std::isfinite(corner.at.x + corner.at.y + corner.at.z)) {
+        throw InvalidInput("the position is not finite", where);
+      }
+      if (!positive(corner.spacing)) throw InvalidInput("the spacing is not positive", where);
+      if (!positive(corner.inner_radius) || !positive(corner.outer_radius)) {
+        throw InvalidInput("a radius is not positive", where);
+      }
+      if (corner.outer_radius < corner.inner_radius) {
+        throw InvalidInput("the outer radius is smaller than the inner radius", where);
+      }
+    }
+  }
+}
+
+SourceDemand source_demand(const Source& source, double growth) {
+  SourceDemand demand;
+  demand.source = source;
+  for (SourceCorner& corner : demand.source.corners) {
+    for (const SourceCorner& other : source.corners) {
+      corner.spacing =
+          std::min(corner.spacing, other.spacing + growth * distance(corner.at, other.at));
+    }
+  }
+  demand.floor = demand.source.corners.front();
+  for (const SourceCorner& corner : demand.source.corners) {
+    const SourceCorner& first = demand.source.corners.front();
+    demand.varies = demand.varies || corner.spacing != first.spacing ||
+                    corner.inner_radius != first.inner_radius ||
+                    corner.outer_radius != first.outer_radius;
+    demand.floor.spacing = std::min(demand.floor.spacing, corner.spacing);
+    demand.floor.inner_radius = std::max(demand.floor.inner_radius, corner.inner_radius);
+    demand.floor.outer_radius = std::max(demand.floor.outer_radius, corner.outer_radius);
+  }
+  return demand;
+}
+
+NearestOnSource nearest_on_source(const Source& source, const Vec3& point) {
+  if (source.corners.size() == 1) return at_weights(source, point, {1, 0, 0});
+  if (source.corners.size() == 2) return nearest_on_edge(source, point, 0, 1);
+  return nearest_on_triangle(source, point);
+}
+
+double source_law(const SourceCorner& parameters, double r, double background, double growth) {
+  const double spacing = parameters.spacing;
+  const double inner = parameters.inner_radius;
+  const double outer = parameters.outer_radius;
+  if (r <= inner) return spacing;
+  const double target = background > 0 ? background : 2 * spacing;
+  if (target <= spacing) return spacing;
+  const double linear = spacing + growth * (r - inner);
+  if (outer <= inner) return linear;
+  const double rate = log_fixed(target / spacing) / (outer - inner);
+  if (spacing * rate >= growth) return linear;
+  double decay_end = inner + log_fixed(growth / (spacing * rate)) / rate;
+  decay_end = std::min(decay_end, outer);
+  if (r <= decay_end) return spacing * exp_fixed(rate * (r - inner));
+  return spacing * exp_fixed(rate * (decay_end - inner)) + growth * (r - decay_end);
+}
+
+SourceValue source_value(const SourceDemand& demand, const Vec3& point, double background,
+                         double growth) {
+  const NearestOnSource nearest = nearest_on_source(demand.source, point);
+  SourceValue value;
+  value.floor = source_law(demand.floor, nearest.distance, background, growth);
+  value.asked = value.floor;
+  if (!demand.varies) return value;
+  SourceCorner here;
+  for (std::size_t k = 0; k < demand.source.corners.size(); ++k) {
+    const SourceCorner& corner = demand.source.corners[k];
+    here.spacing += nearest.weight[k] * corner.spacing;
+    here.inner_radius += nearest.weight[k] * corner.inner_radius;
+    here.outer_radius += nearest.weight[k] * corner.outer_radius;
+  }
+  value.asked = std::max(value.floor, source_law(here, nearest.distance, background, growth));
+  return value;
+}
+
+}  // namespace tetfarm
