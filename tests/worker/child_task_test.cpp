@@ -1,0 +1,149 @@
+#include "worker/child_task.h"
+
+#include <gmock/gmock.h>
+#include <poll.h>
+#include <signal.h>
+
+#include <fstream>
+
+namespace tetfarm {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Runs a shell script as the task and returns its outcome; `said` collects the progress.
+wire::Envelope run_script(const std::string& script, std::vector<wire::Progress>* said = nullptr) {
+  wire::Assign assign;
+  assign.set_task(7);
+  assign.set_attempt(3);
+  ChildTask child({.command = {"/bin/sh", "-c", script}}, assign);
+  const auto note = [said](const wire::Progress& progress) {
+    if (said != nullptr) said->push_back(progress);
+  };
+  while (true) {
+    if (std::optional<wire::Envelope> outcome = child.poll(note)) return *outcome;
+    pollfd waiting{child.fd(), POLLIN, 0};
+    ::poll(&waiting, 1, 100);
+  }
+}
+
+/// A shell command that writes the envelope as a frame to the result descriptor.
+std::string say(const wire::Envelope& envelope) {
+  std::string octal;
+  for (const char c : frame_of(envelope)) {
+    char text[8];
+    std::snprintf(text, sizeof text, "\\%03o",
+                  static_cast<unsigned>(static_cast<unsigned char>(c)));
+    octal += text;
+  }
+  return "printf '" + octal + "' >&3; ";
+}
+
+wire::Envelope done_with(const std::string& key, double value) {
+  wire::Envelope envelope;
+  (*envelope.mutable_done()->mutable_numbers())[key] = value;
+  return envelope;
+}
+
+TEST(ChildTask, result_carries_task_attempt_time_and_peak_memory) {
+  const wire::Envelope outcome = run_script(say(done_with("elements", 42)));
+  ASSERT_TRUE(outcome.has_done());
+  EXPECT_EQ(outcome.done().task(), 7U);
+  EXPECT_EQ(outcome.done().attempt(), 3U);
+  EXPECT_EQ(outcome.done().numbers().at("elements"), 42);
+  EXPECT_GT(outcome.done().peak_rss_bytes(), 0U);
+}
+
+TEST(ChildTask, progress_arrives_before_the_result) {
+  wire::Envelope progress;
+  progress.mutable_progress()->set_stage("recovery");
+  progress.mutable_progress()->set_elements(11);
+  std::vector<wire::Progress> said;
+  const wire::Envelope outcome = run_script(say(progress) + say(done_with("elements", 1)), &said);
+  EXPECT_TRUE(outcome.has_done());
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].stage(), "recovery");
+  EXPECT_EQ(said[0].elements(), 11U);
+  EXPECT_EQ(said[0].attempt(), 3U);
+}
+
+TEST(ChildTask, a_killed_child_may_be_retried_and_names_the_signal) {
+  const wire::Envelope outcome = run_script("kill -SEGV $$");
+  ASSERT_TRUE(outcome.has_failed());
+  EXPECT_TRUE(outcome.failed().may_retry());
+  EXPECT_FALSE(outcome.failed().out_of_resources());
+  EXPECT_FALSE(outcome.failed().killed());
+  EXPECT_EQ(outcome.failed().attempt(), 3U);
+  EXPECT_THAT(outcome.failed().message(), HasSubstr("signal 11"));
+}
+
+TEST(ChildTask, being_killed_from_outside_is_no_crash) {
+  const wire::Envelope outcome = run_script("kill -KILL $$");
+  ASSERT_TRUE(outcome.has_failed());
+  EXPECT_TRUE(outcome.failed().killed());
+  EXPECT_TRUE(outcome.failed().may_retry());
+}
+
+TEST(ChildTask, last_words_of_a_child_that_aborts_are_in_the_message) {
+  const wire::Envelope outcome = run_script("echo 'check failed: a < b' >&2; kill -ABRT $$");
+  ASSERT_TRUE(outcome.has_failed());
+  EXPECT_THAT(outcome.failed().message(), HasSubstr("check failed: a < b"));
+}
+
+TEST(ChildTask, a_result_followed_by_a_crash_is_not_believed) {
+  const wire::Envelope outcome = run_script(say(done_with("elements", 1)) + "kill -KILL $$");
+  EXPECT_TRUE(outcome.has_failed());
+}
+
+TEST(ChildTask, ending_without_a_result_is_a_failure) {
+  const wire::Envelope outcome = run_script("exit 0");
+  ASSERT_TRUE(outcome.has_failed());
+  EXPECT_TRUE(outcome.failed().may_retry());
+  EXPECT_THAT(outcome.failed().message(), HasSubstr("no result"));
+}
+
+TEST(ChildTask, garbage_and_an_absurd_length_do_not_hurt_the_worker) {
+  EXPECT_TRUE(run_script("printf '\\377\\377\\377\\377' >&3; sleep 100").has_failed());
+  EXPECT_TRUE(run_script("printf '\\002\\000\\000\\000xx' >&3").has_failed());
+}
+
+TEST(ChildTask, a_program_that_is_not_there_is_a_failure) {
+  ChildTask child({.command = {"/nowhere/tetfarm"}}, wire::Assign());
+  std::optional<wire::Envelope> outcome;
+  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  EXPECT_TRUE(outcome->has_failed());
+}
+
+TEST(ChildTask, killing_ends_it) {
+  ChildTask child({.command = {"/bin/sh", "-c", "sleep 1000"}}, wire::Assign());
+  EXPECT_FALSE(child.poll([](const wire::Progress&) {}).has_value());
+  child.kill();
+  std::optional<wire::Envelope> outcome;
+  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  EXPECT_THAT(outcome->failed().message(), HasSubstr("signal 9"));
+}
+
+TEST(ChildTask, destruction_leaves_no_process_behind) {
+  pid_t process = 0;
+  {
+    const ChildTask child({.command = {"/bin/sh", "-c", "sleep 1000"}}, wire::Assign());
+    process = child.process();
+    EXPECT_EQ(::kill(process, 0), 0);
+  }
+  EXPECT_NE(::kill(process, 0), 0);
+}
+
+TEST(ChildTask, a_long_assignment_arrives_whole) {
+  wire::Assign assign;
+  for (int i = 0; i < 20000; ++i) assign.add_inputs()->set_name("mesh:" + std::to_string(i));
+  const std::string wanted = std::to_string(assign.ByteSizeLong());
+  ChildTask child({.command = {"/bin/sh", "-c",
+                               "test $(wc -c) -eq " + wanted + " && " + say(done_with("ok", 1))}},
+                  assign);
+  std::optional<wire::Envelope> outcome;
+  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  EXPECT_TRUE(outcome->has_done());
+}
+
+}  // namespace
+}  // namespace tetfarm

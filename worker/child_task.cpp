@@ -1,0 +1,269 @@
+#include "worker/child_task.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t kept_words = 2000;
+constexpr std::size_t largest_frame = std::size_t{64} << 20;
+
+void close_fd(int& fd) {
+  if (fd >= 0) ::close(fd);
+  fd = -1;
+}
+
+std::array<int, 2> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError("cannot make a pipe", "task", errno);
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  return ends;
+}
+
+/// The assignment as a file in memory: unlike a pipe it never blocks, however long it is.
+int assignment_fd(const wire::Assign& assign) {
+  const std::string bytes = assign.SerializeAsString();
+  const int fd = ::memfd_create("tetfarm-task", MFD_CLOEXEC);
+  if (fd < 0) throw IoError("cannot make a file in memory", "task", errno);
+  std::size_t written = 0;
+  while (written < bytes.size()) {
+    const ssize_t n = ::write(fd, bytes.data() + written, bytes.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int error = errno;
+      ::close(fd);
+      throw IoError("cannot write the task", "task", error);
+    }
+    written += static_cast<std::size_t>(n);
+  }
+  ::lseek(fd, 0, SEEK_SET);
+  return fd;
+}
+
+/// How many processes the kernel has killed for want of memory since the machine started.
+std::uint64_t kernel_oom_kills() {
+  std::ifstream file("/proc/vmstat");
+  std::string key;
+  std::uint64_t value = 0;
+  while (file >> key >> value) {
+    if (key == "oom_kill") return value;
+  }
+  return 0;
+}
+
+bool was_ended_from_outside(int status) {
+  return WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM);
+}
+
+struct ChildFds {
+  int in = -1;
+  int words = -1;
+  int frames = -1;
+};
+
+/// Between fork and exec: async-signal-safe calls only.
+[[noreturn]] void become_task(char* const* arguments, pid_t parent, ChildFds fds,
+                              std::uint64_t memory_limit) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);
+  ::setpgid(0, 0);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // Above the targets first, so that no dup2 closes what a later one needs.
+  fds = {::fcntl(fds.in, F_DUPFD, 10), ::fcntl(fds.words, F_DUPFD, 10),
+         ::fcntl(fds.frames, F_DUPFD, 10)};
+  ::dup2(fds.in, STDIN_FILENO);
+  ::dup2(fds.words, STDOUT_FILENO);
+  ::dup2(fds.words, STDERR_FILENO);
+  ::dup2(fds.frames, task_result_fd);
+  ::close_range(task_result_fd + 1, ~0U, 0);
+  if (memory_limit > 0) {
+    const rlimit limit{memory_limit, memory_limit};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  ::execv(arguments[0], arguments);
+  ::_exit(127);
+}
+
+std::uint32_t frame_length(const std::string& bytes) {
+  std::uint32_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    length |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  }
+  return length;
+}
+
+}  // namespace
+
+std::string frame_of(const wire::Envelope& envelope) {
+  const std::string body = envelope.SerializeAsString();
+  std::string frame;
+  for (std::size_t i = 0; i < 4; ++i) frame += static_cast<char>(body.size() >> (8 * i) & 0xFF);
+  return frame + body;
+}
+
+ChildTask::ChildTask(const ChildTaskOptions& options, const wire::Assign& assign)
+    : task_(assign.task()), attempt_(assign.attempt()), start_(std::chrono::steady_clock::now()) {
+  oom_kills_before_ = kernel_oom_kills();
+  std::vector<char*> arguments;
+  for (const std::string& argument : options.command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  arguments.push_back(nullptr);
+  int in = assignment_fd(assign);
+  std::array<int, 2> frames = make_pipe();
+  std::array<int, 2> words = make_pipe();
+  const pid_t parent = ::getpid();
+  process_ = ::fork();
+  if (process_ == 0) {
+    become_task(arguments.data(), parent, {in, words[1], frames[1]}, options.memory_limit_bytes);
+  }
+  const int error = errno;
+  close_fd(in);
+  close_fd(frames[1]);
+  close_fd(words[1]);
+  frames_fd_ = frames[0];
+  words_fd_ = words[0];
+  if (process_ < 0) {
+    close_fd(frames_fd_);
+    close_fd(words_fd_);
+    throw IoError("cannot start a process", options.command[0], error);
+  }
+}
+
+ChildTask::~ChildTask() {
+  if (process_ > 0) {
+    kill();
+    ::waitpid(process_, nullptr, 0);
+  }
+  close_fd(frames_fd_);
+  close_fd(words_fd_);
+}
+
+void ChildTask::kill() {
+  if (process_ > 0) ::kill(process_, SIGKILL);
+}
+
+void ChildTask::read_last_words() {
+  std::array<char, 4096> buffer;
+  while (true) {
+    const ssize_t n = ::read(words_fd_, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) break;
+    last_words_.append(buffer.data(), static_cast<std::size_t>(n));
+    if (last_words_.size() > kept_words) last_words_.erase(0, last_words_.size() - kept_words);
+  }
+}
+
+void ChildTask::read_frames(const std::function<void(const wire::Progress&)>& progress) {
+  std::array<char, 65536> buffer;
+  while (!frames_ended_) {
+    const ssize_t n = ::read(frames_fd_, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) break;
+    if (n == 0) frames_ended_ = true;
+    unread_.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+  take_frames(progress);
+}
+
+void ChildTask::take_frames(const std::function<void(const wire::Progress&)>& progress) {
+  while (unread_.size() >= 4) {
+    const std::size_t length = frame_length(unread_);
+    if (length > largest_frame) {
+      frames_ended_ = true;
+      kill();
+      return;
+    }
+    if (unread_.size() < 4 + length) return;
+    wire::Envelope envelope;
+    const bool understood = envelope.ParseFromArray(unread_.data() + 4, static_cast<int>(length));
+    unread_.erase(0, 4 + length);
+    if (!understood) continue;
+    if (envelope.has_progress()) {
+      envelope.mutable_progress()->set_task(task_);
+      envelope.mutable_progress()->set_attempt(attempt_);
+      progress(envelope.progress());
+    } else if (envelope.has_done() || envelope.has_failed()) {
+      answer_ = std::move(envelope);
+    }
+  }
+}
+
+std::optional<wire::Envelope> ChildTask::poll(
+    const std::function<void(const wire::Progress&)>& progress) {
+  if (process_ <= 0) return std::nullopt;
+  read_last_words();
+  read_frames(progress);
+  int status = 0;
+  rusage usage{};
+  pid_t ended = 0;
+  do {
+    ended = ::wait4(process_, &status, frames_ended_ ? 0 : WNOHANG, &usage);
+  } while (ended < 0 && errno == EINTR);
+  if (ended == 0) return std::nullopt;
+  read_last_words();
+  read_frames(progress);
+  process_ = -1;
+  return outcome(status, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+}
+
+std::string ChildTask::how_it_ended(int status) const {
+  std::string text = "the task's process ";
+  if (WIFSIGNALED(status)) {
+    text += "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+            ::strsignal(WTERMSIG(status)) + ")";
+  } else {
+    text += "ended with code " + std::to_string(WEXITSTATUS(status)) + " and no result";
+  }
+  std::string words = last_words_;
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  return words.empty() ? text : text + "; it said: " + words;
+}
+
+wire::Envelope ChildTask::outcome(int status, std::uint64_t peak_rss_bytes) {
+  const bool clean = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  wire::Envelope envelope;
+  if (clean && answer_) {
+    envelope = std::move(*answer_);
+  } else {
+    const bool starved = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL &&
+                         kernel_oom_kills() > oom_kills_before_;
+    wire::Failed& failed = *envelope.mutable_failed();
+    failed.set_message(how_it_ended(status) + (starved ? "; the machine is out of memory" : ""));
+    failed.set_exit_code(static_cast<int>(starved ? ExitCode::out_of_resources : ExitCode::failed));
+    failed.set_may_retry(true);
+    failed.set_out_of_resources(starved);
+    failed.set_killed(!starved && was_ended_from_outside(status));
+  }
+  if (envelope.has_done()) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+    envelope.mutable_done()->set_task(task_);
+    envelope.mutable_done()->set_attempt(attempt_);
+    envelope.mutable_done()->set_seconds(seconds.count());
+    envelope.mutable_done()->set_peak_rss_bytes(peak_rss_bytes);
+  } else {
+    envelope.mutable_failed()->set_task(task_);
+    envelope.mutable_failed()->set_attempt(attempt_);
+  }
+  return envelope;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,78 @@
+/// One task in a process of its own: a crash or an out-of-memory kill takes the task, not the
+/// worker.
+///
+/// The child is a program that reads a wire::Assign from its standard input and writes framed
+/// wire::Envelopes (Progress, then one Done or Failed) to file descriptor 3. What it says on
+/// standard error is kept for the message of a failure. It dies with the thread that started it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "proto/messages.pb.h"
+
+namespace tetfarm {
+
+/// The file descriptor that the child writes its frames to.
+inline constexpr int task_result_fd = 3;
+
+struct ChildTaskOptions {
+  /// The program and its arguments.
+  std::vector<std::string> command;
+  /// Limit of the child's address space; 0: none.
+  std::uint64_t memory_limit_bytes = 0;
+};
+
+class ChildTask {
+ public:
+  /// Starts the child. Call from the thread that outlives the task. @throws IoError.
+  ChildTask(const ChildTaskOptions& options, const wire::Assign& assign);
+  /// Kills the child if it still runs.
+  ~ChildTask();
+  ChildTask(const ChildTask&) = delete;
+  ChildTask& operator=(const ChildTask&) = delete;
+
+  /// Readable when poll() has something to do.
+  int fd() const { return frames_fd_; }
+  pid_t process() const { return process_; }
+  std::uint64_t task() const { return task_; }
+  std::uint64_t attempt() const { return attempt_; }
+
+  /// Reads what the child said. Calls `progress` for its news; when it has ended returns Done or
+  /// Failed (an Envelope without a version), with peak memory and time filled in. Does not block
+  /// while it runs.
+  std::optional<wire::Envelope> poll(const std::function<void(const wire::Progress&)>& progress);
+
+  /// Ends the child now; poll() then returns Failed.
+  void kill();
+
+ private:
+  void read_frames(const std::function<void(const wire::Progress&)>& progress);
+  void take_frames(const std::function<void(const wire::Progress&)>& progress);
+  void read_last_words();
+  wire::Envelope outcome(int status, std::uint64_t peak_rss_bytes);
+  std::string how_it_ended(int status) const;
+
+  std::uint64_t task_;
+  std::uint64_t attempt_;
+  std::chrono::steady_clock::time_point start_;
+  std::uint64_t oom_kills_before_ = 0;
+  pid_t process_ = -1;
+  int frames_fd_ = -1;
+  int words_fd_ = -1;
+  bool frames_ended_ = false;
+  std::string unread_;
+  std::string last_words_;
+  std::optional<wire::Envelope> answer_;
+};
+
+/// A frame: the length in four bytes, little endian, then the Envelope.
+std::string frame_of(const wire::Envelope& envelope);
+
+}  // namespace tetfarm

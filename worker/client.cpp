@@ -1,0 +1,331 @@
+#include "worker/client.h"
+
+#include <spdlog/spdlog.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <memory>
+#include <optional>
+#include <zmq.hpp>
+
+#include "base/clock.h"
+#include "proto/wire.h"
+#include "store/artifact_store.h"
+#include "worker/child_task.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t first_hello_again_ms = 100;
+constexpr std::int64_t slowest_hello_again_ms = 5'000;
+constexpr std::int64_t result_again_ms = 1'000;
+constexpr std::int64_t tick_ms = 100;
+constexpr int linger_ms = 500;
+
+std::uint64_t machine_memory() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE));
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// The signals that ask for a drain, as a file descriptor.
+class DrainSignals {
+ public:
+  explicit DrainSignals(bool wanted) {
+    if (!wanted) return;
+    sigset_t set;
+    ::sigemptyset(&set);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2}) ::sigaddset(&set, signal);
+    ::sigprocmask(SIG_BLOCK, &set, nullptr);
+    fd_ = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+  }
+  ~DrainSignals() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  DrainSignals(const DrainSignals&) = delete;
+  DrainSignals& operator=(const DrainSignals&) = delete;
+
+  bool take_one() const {
+    signalfd_siginfo info{};
+    return fd_ >= 0 && ::read(fd_, &info, sizeof info) == sizeof info;
+  }
+  int fd() const { return fd_; }
+
+ private:
+  int fd_ = -1;
+};
+
+class Client {
+ public:
+  explicit Client(const WorkerOptions& options)
+      : options_(options), signals_(options.handle_signals) {}
+
+  ExitCode run() {
+    connect();
+    while (!finished_) {
+      wait();
+      take_signals();
+      take_messages();
+      take_outcome();
+      keep_time();
+    }
+    return ExitCode::ok;
+  }
+
+ private:
+  bool is_idle() const { return !child_ && !unaccepted_; }
+
+  void connect() {
+    socket_ = std::make_unique<zmq::socket_t>(context_, zmq::socket_type::dealer);
+    socket_->set(zmq::sockopt::linger, linger_ms);
+    socket_->set(zmq::sockopt::immediate, 1);
+    socket_->set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
+    socket_->set(zmq::sockopt::reconnect_ivl, 100);
+    socket_->set(zmq::sockopt::reconnect_ivl_max, 2000);
+    socket_->connect(options_.endpoint);
+    registered_ = false;
+    say_hello();
+  }
+
+  void send(const wire::Envelope& envelope) {
+    const std::string bytes = encode(envelope);
+    // Whatever cannot be sent now is said again later: the protocol does not rely on arrival.
+    socket_->send(zmq::buffer(bytes), zmq::send_flags::dontwait);
+  }
+
+  void say_hello() {
+    hello_at_ = steady_ms() + hello_again_ms_;
+    hello_again_ms_ = std::min(2 * hello_again_ms_, slowest_hello_again_ms);
+    wire::Envelope envelope;
+    wire::Hello& hello = *envelope.mutable_hello();
+    try {
+      hello.set_store_probe(ArtifactStore::open_existing(options_.store).probe());
+    } catch (const IoError& error) {
+      if (!missed_store_) spdlog::warn("waiting for the store: {}", error.what());
+      missed_store_ = true;
+      return;
+    }
+    hello.set_program_version(program_version);
+    hello.set_host(host_name());
+    hello.set_process(::getpid());
+    hello.set_cores(static_cast<std::uint32_t>(::sysconf(_SC_NPROCESSORS_ONLN)));
+    hello.set_memory_bytes(machine_memory());
+    hello.set_running_task(task_);
+    hello.set_running_attempt(attempt_);
+    send(envelope);
+  }
+
+  void say_ready_or_leave() {
+    wire::Envelope envelope;
+    if (draining_) {
+      envelope.mutable_goodbye();
+      finished_ = true;
+    } else {
+      envelope.mutable_ready();
+    }
+    send(envelope);
+  }
+
+  void forget_task() {
+    child_.reset();
+    unaccepted_.reset();
+    task_ = 0;
+    attempt_ = 0;
+  }
+
+  void wait() {
+    std::vector<zmq::pollitem_t> items = {{socket_->handle(), 0, ZMQ_POLLIN, 0}};
+    if (signals_.fd() >= 0) items.push_back({nullptr, signals_.fd(), ZMQ_POLLIN, 0});
+    if (child_) items.push_back({nullptr, child_->fd(), ZMQ_POLLIN, 0});
+    try {
+      zmq::poll(items, std::chrono::milliseconds(tick_ms));
+    } catch (const zmq::error_t& error) {
+      if (error.num() != EINTR) throw;
+    }
+  }
+
+  void take_signals() {
+    if (signals_.take_one()) start_drain(draining_ ? 0 : options_.grace_ms);
+    if (!draining_ && options_.drain != nullptr && options_.drain->load()) {
+      start_drain(options_.grace_ms);
+    }
+  }
+
+  void start_drain(std::int64_t grace_ms) {
+    spdlog::info("draining{}", is_idle() ? "" : ": a task is running");
+    draining_ = true;
+    drain_until_ = steady_ms() + grace_ms;
+    if (is_idle()) say_ready_or_leave();
+  }
+
+  void take_messages() {
+    while (!finished_) {
+      zmq::message_t message;
+      if (!socket_->recv(message, zmq::recv_flags::dontwait)) return;
+      Decoded decoded = decode(message.to_string_view());
+      if (decoded.state == WireState::good || decoded.envelope.has_refused()) {
+        heard_at_ = steady_ms();
+        take(decoded.envelope);
+      }
+    }
+  }
+
+  void take(const wire::Envelope& envelope) {
+    switch (envelope.body_case()) {
+      case wire::Envelope::kWelcome:
+        return take_welcome(envelope.welcome());
+      case wire::Envelope::kRefused:
+        return take_refused(envelope.refused());
+      case wire::Envelope::kAssign:
+        return take_assign(envelope.assign());
+      case wire::Envelope::kAccepted:
+        return take_accepted(envelope.accepted());
+      case wire::Envelope::kDrain:
+        return start_drain(options_.grace_ms);
+      default:
+        return;
+    }
+  }
+
+  void take_welcome(const wire::Welcome& welcome) {
+    registered_ = true;
+    missed_store_ = false;
+    hello_again_ms_ = first_hello_again_ms;
+    heartbeat_ms_ = std::max<std::int64_t>(welcome.heartbeat_ms(), 10);
+    lease_ms_ = std::max<std::int64_t>(welcome.lease_ms(), 2 * heartbeat_ms_);
+    if (!is_idle() && !welcome.keep_running()) {
+      spdlog::info("task {} attempt {} is not wanted any more", task_, attempt_);
+      forget_task();
+    }
+    if (unaccepted_) send_result();
+    if (is_idle()) say_ready_or_leave();
+  }
+
+  void take_refused(const wire::Refused& refused) {
+    if (!refused.hello_again()) {
+      throw Error(ExitCode::failed, "the coordinator refuses this worker: " + refused.reason());
+    }
+    registered_ = false;
+    say_hello();
+  }
+
+  void take_assign(const wire::Assign& assign) {
+    if (!is_idle() || draining_) return;
+    task_ = assign.task();
+    attempt_ = assign.attempt();
+    spdlog::info("{} task {} attempt {}: {} {}", assign.job(), task_, attempt_,
+                 wire::TaskKind_Name(assign.kind()), assign.path());
+    ChildTaskOptions child{.command = options_.task_command,
+                           .memory_limit_bytes = options_.memory_limit_bytes};
+    child.command.push_back(options_.store.string());
+    try {
+      child_.emplace(child, assign);
+    } catch (const IoError& error) {
+      unaccepted_.emplace();
+      wire::Failed& failed = *unaccepted_->mutable_failed();
+      failed.set_task(task_);
+      failed.set_attempt(attempt_);
+      failed.set_message(error.what());
+      failed.set_exit_code(static_cast<int>(error.code()));
+      failed.set_may_retry(true);
+      failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
+      send_result();
+    }
+  }
+
+  void take_accepted(const wire::Accepted& accepted) {
+    if (accepted.attempt() != attempt_ || accepted.task() != task_ || is_idle()) return;
+    if (child_ && accepted.taken()) return;
+    if (!accepted.taken()) spdlog::info("task {} attempt {} is stale", task_, attempt_);
+    forget_task();
+    say_ready_or_leave();
+  }
+
+  void take_outcome() {
+    if (!child_) return;
+    const auto pass_on = [this](const wire::Progress& progress) {
+      if (!registered_) return;
+      wire::Envelope envelope;
+      *envelope.mutable_progress() = progress;
+      send(envelope);
+    };
+    std::optional<wire::Envelope> outcome = child_->poll(pass_on);
+    if (!outcome) return;
+    child_.reset();
+    unaccepted_ = std::move(outcome);
+    if (unaccepted_->has_failed()) {
+      spdlog::warn("task {} attempt {}: {}", task_, attempt_, unaccepted_->failed().message());
+    }
+    send_result();
+  }
+
+  void send_result() {
+    result_at_ = steady_ms() + result_again_ms;
+    if (registered_) send(*unaccepted_);
+  }
+
+  void keep_time() {
+    const std::int64_t now = steady_ms();
+    if (finished_) return;
+    if (draining_ && now >= drain_until_) {
+      spdlog::info("handing back task {} attempt {}", task_, attempt_);
+      forget_task();
+      return say_ready_or_leave();
+    }
+    if (!registered_) {
+      if (now >= hello_at_) say_hello();
+      return;
+    }
+    if (now - heard_at_ > lease_ms_) {
+      spdlog::warn("the coordinator is silent; connecting anew");
+      return connect();
+    }
+    if (now >= heartbeat_at_) {
+      heartbeat_at_ = now + heartbeat_ms_;
+      wire::Envelope envelope;
+      envelope.mutable_heartbeat()->set_task(task_);
+      envelope.mutable_heartbeat()->set_attempt(attempt_);
+      send(envelope);
+    }
+    if (unaccepted_ && now >= result_at_) send_result();
+  }
+
+  static constexpr const char* program_version = "0.1.0";
+
+  const WorkerOptions& options_;
+  DrainSignals signals_;
+  zmq::context_t context_{1};
+  std::unique_ptr<zmq::socket_t> socket_;
+
+  bool registered_ = false;
+  bool missed_store_ = false;
+  bool draining_ = false;
+  bool finished_ = false;
+  std::uint64_t task_ = 0;
+  std::uint64_t attempt_ = 0;
+  std::optional<ChildTask> child_;
+  std::optional<wire::Envelope> unaccepted_;
+
+  std::int64_t hello_again_ms_ = first_hello_again_ms;
+  std::int64_t hello_at_ = 0;
+  std::int64_t heard_at_ = 0;
+  std::int64_t heartbeat_ms_ = 1'000;
+  std::int64_t lease_ms_ = 10'000;
+  std::int64_t heartbeat_at_ = 0;
+  std::int64_t result_at_ = 0;
+  std::int64_t drain_until_ = 0;
+};
+
+}  // namespace
+
+ExitCode run_worker(const WorkerOptions& options) { return Client(options).run(); }
+
+}  // namespace tetfarm

@@ -1,0 +1,34 @@
+/// A worker's side of the protocol (proto/protocol.md): asks for tasks, runs one at a time in a
+/// child process, and tells the coordinator what became of it.
+///
+/// It never gives up on the coordinator: when that is silent for a lease the worker connects anew,
+/// and keeps its running task and any result that has not been accepted.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace tetfarm {
+
+struct WorkerOptions {
+  std::string endpoint;                      ///< "tcp://host:5555", "ipc:///path"
+  std::filesystem::path store;               ///< the store's folder, as this machine sees it
+  std::vector<std::string> task_command;     ///< the child's program; its store is appended
+  std::uint64_t memory_limit_bytes = 0;      ///< of a task; 0: none
+  std::int64_t grace_ms = 30'000;            ///< how long a running task may go on after SIGTERM
+  bool handle_signals = true;                ///< off in a thread
+  const std::atomic<bool>* drain = nullptr;  ///< looked at every 100 ms; as SIGTERM
+};
+
+/// Runs until it is drained: by SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2 (as batch systems send
+/// before they take a machine away) or by the coordinator. A second signal hands the task back at
+/// once.
+/// @throws Error when the coordinator refuses this worker.
+ExitCode run_worker(const WorkerOptions& options);
+
+}  // namespace tetfarm

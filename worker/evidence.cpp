@@ -1,0 +1,56 @@
+#include "worker/evidence.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/file_system.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t triangles_named = 5;
+
+std::string coordinates(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
+}  // namespace
+
+std::string defects_as_vtp(const ArtifactStore& store, const SurfaceMesh& surface,
+                           const std::vector<SurfaceDefect>& defects) {
+  const std::filesystem::path path = store.scratch_path("defects.vtp");
+  write_defects_vtp(surface, defects, path.string());
+  std::string bytes = read_file(path);
+  remove_file(path);
+  return bytes;
+}
+
+std::string describe_triangle(const Subdomain& subdomain, std::int32_t triangle) {
+  const auto t = static_cast<std::size_t>(triangle);
+  const Origin origin = subdomain.triangle_origin[t];
+  Vec3 sum;
+  for (const std::int32_t v : subdomain.triangles[t]) {
+    sum += subdomain.vertices[static_cast<std::size_t>(v)];
+  }
+  const std::string whose =
+      origin.owner == 0 ? "the input" : "the cut of sub-domain " + TreePath{origin.owner}.text();
+  return "triangle " + std::to_string(origin.index) + " of " + whose + " at " +
+         coordinates(sum / 3.0);
+}
+
+std::string subdomain_message(const Subdomain& subdomain, const std::string& reason,
+                              const std::vector<std::int32_t>& triangles) {
+  std::string message = "sub-domain " + subdomain.path.text() + ": " + reason;
+  const std::size_t named = std::min(triangles.size(), triangles_named);
+  for (std::size_t i = 0; i < named; ++i) {
+    message += "\n  " + describe_triangle(subdomain, triangles[i]);
+  }
+  if (triangles.size() > named) {
+    message += "\n  and " + std::to_string(triangles.size() - named) + " more";
+  }
+  return message;
+}
+
+}  // namespace tetfarm

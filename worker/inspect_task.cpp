@@ -1,0 +1,102 @@
+#include "worker/inspect_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "mesh/decompose/planar_cut.h"
+#include "mesh/io/artifact_file.h"
+#include "mesh/io/read_surface.h"
+#include "worker/evidence.h"
+
+namespace tetfarm {
+namespace {
+
+/// Above this the decomposition tree would be deeper than its heap numbers reach.
+constexpr double most_parts = 1e6;
+
+void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport& report) {
+  io.number("input_triangles", static_cast<double>(surface.triangles.size()));
+  io.number("shells", static_cast<double>(report.shells.size()));
+  io.number("input_smallest_angle_deg", report.smallest_angle_deg);
+  io.number("domain_volume", enclosed_volume(surface.vertices, surface.triangles));
+  std::string remarks;
+  for (const std::string& remark : report.remarks) remarks += remark + "\n";
+  if (!remarks.empty()) io.text("remarks", remarks);
+}
+
+}  // namespace
+
+OuterBoundary outer_boundary_of(const JobFile& job) {
+  OuterBoundary outer;
+  if (job.outer_kind == "box") {
+    outer.kind = OuterBoundary::Kind::box;
+  } else if (job.outer_kind == "sphere") {
+    outer.kind = OuterBoundary::Kind::sphere;
+  } else if (job.outer_kind != "none") {
+    throw UsageError("unknown outer boundary \"" + job.outer_kind + "\"", "[domain] outer");
+  }
+  outer.factor = job.outer_factor;
+  outer.spacing = job.outer_spacing;
+  return outer;
+}
+
+SpacingOptions spacing_options_of(const JobFile& job) {
+  SpacingOptions options;
+  options.background = job.spacing_default;
+  options.growth = job.growth;
+  options.inherit_surface = job.inherit_surface;
+  for (const JobSource& source : job.sources) {
+    Source& added = options.sources.emplace_back();
+    for (const JobSource::Corner& corner : source.corners) {
+      added.corners.push_back({.at = corner.at,
+                               .spacing = corner.spacing,
+                               .inner_radius = corner.inner,
+                               .outer_radius = corner.outer});
+    }
+  }
+  return options;
+}
+
+std::int64_t wanted_parts(const JobFile& job, double elements) {
+  if (job.subdomains > 0) return job.subdomains;
+  const double parts = std::ceil(elements / static_cast<double>(job.target_elements));
+  return static_cast<std::int64_t>(std::clamp(parts, 1.0, most_parts));
+}
+
+std::string defect_message(const std::vector<SurfaceDefect>& defects) {
+  std::string message = "the surface cannot be meshed";
+  for (const SurfaceDefect& defect : defects) {
+    message += "\n  " + defect.kind + ": " + defect.message;
+  }
+  return message;
+}
+
+void inspect_task(TaskIo& io) {
+  const JobFile job = parse_job_file(io.read("job"), "job.toml");
+  io.progress("read", 0);
+  SurfaceMesh surface = read_surface_bytes(io.read("input_surface"), job.surface);
+  io.progress("check", 0);
+  CheckedSurface checked = check_surface(surface);
+  if (!checked.report.defects.empty()) {
+    const std::string defects = defects_as_vtp(io.store(), surface, checked.report.defects);
+    throw RefusedInput(defect_message(checked.report.defects),
+                       {{job.name + ".defects.vtp", defects}});
+  }
+  const OuterBoundary outer = outer_boundary_of(job);
+  surface = outer.kind == OuterBoundary::Kind::none
+                ? std::move(checked.surface)
+                : add_outer_boundary(checked.surface, outer, job.growth);
+  io.progress("spacing", 0);
+  const SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
+  const Subdomain root = root_subdomain(surface);
+  const double elements = estimated_elements(root, spacing);
+  report_numbers(io, surface, checked.report);
+  io.number("total_work", elements);
+  io.number("parts", static_cast<double>(wanted_parts(job, elements)));
+  io.publish("surface", surface_to_bytes(surface));
+  io.publish("spacing", spacing.to_bytes());
+  io.publish("root", subdomain_to_bytes(root));
+}
+
+}  // namespace tetfarm

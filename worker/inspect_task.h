@@ -1,0 +1,30 @@
+/// The task `inspect`: is the input a surface that can be meshed, and how fine is its mesh to be?
+///
+/// Source: thesis 4.3.1.9 (the background mesh is made once, before any cut).
+/// Inputs: "job" (canonical TOML), "input_surface" (the file as it was, unpacked).
+/// Outputs: "surface", "spacing", "root". Numbers: parts, total_work (elements), and the report's.
+#pragma once
+
+#include "mesh/inspect/surface_check.h"
+#include "mesh/io/job_file.h"
+#include "mesh/spacing/spacing_field.h"
+#include "worker/task_io.h"
+
+namespace tetfarm {
+
+/// @throws RefusedInput with every defect and a .vtp file of them.
+void inspect_task(TaskIo& io);
+
+/// The job's words in the terms of the mesh rooms. @throws UsageError for an unknown outer
+/// boundary.
+OuterBoundary outer_boundary_of(const JobFile& job);
+SpacingOptions spacing_options_of(const JobFile& job);
+
+/// How many sub-domains the job wants: as it says, or so many that each holds at most
+/// target_elements.
+std::int64_t wanted_parts(const JobFile& job, double elements);
+
+/// All defects as the lines of one message.
+std::string defect_message(const std::vector<SurfaceDefect>& defects);
+
+}  // namespace tetfarm

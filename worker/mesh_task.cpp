@@ -1,0 +1,79 @@
+#include "worker/mesh_task.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "mesh/core/tet_quality.h"
+#include "mesh/core/validate.h"
+#include "mesh/io/artifact_file.h"
+#include "worker/decompose_task.h"
+#include "worker/evidence.h"
+#include "worker/leaf_mesh.h"
+
+namespace tetfarm {
+namespace {
+
+LeafMeshers real_meshers(TaskIo& io, const SpacingField& spacing) {
+  VolumeMeshOptions options;
+  options.progress = [&io](const char* stage, std::int64_t tets) { io.progress(stage, tets); };
+  CutOptions cutting;
+  cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
+    return halves_recover(left, right, spacing, true);
+  };
+  return {.mesh = [options,
+                   &spacing](const Subdomain& part) { return mesh_volume(part, spacing, options); },
+          .cut = [cutting,
+                  &spacing](const Subdomain& part) { return planar_cut(part, spacing, cutting); }};
+}
+
+[[noreturn]] void refuse(TaskIo& io, const Subdomain& leaf, const std::string& reason,
+                         const std::vector<std::int32_t>& triangles) {
+  const SurfaceMesh surface{leaf.vertices, leaf.triangles, {}, {}};
+  const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
+  const std::string shown =
+      defects_as_vtp(io.store(), surface, {{"not recovered", reason, numbers}});
+  throw RefusedInput(subdomain_message(leaf, reason, triangles),
+                     {{"subdomain_" + leaf.path.text() + ".defects.vtp", shown}});
+}
+
+TetMesh mesh_or_refuse(TaskIo& io, const Subdomain& leaf, const SpacingField& spacing) {
+  try {
+    return leaf_mesh(leaf, real_meshers(io, spacing));
+  } catch (const RecoveryFailure& failure) {
+    refuse(io, leaf, failure.what(), failure.triangles());
+  } catch (const InvalidInput& error) {
+    const std::vector<std::int32_t> triangles(error.triangles().begin(), error.triangles().end());
+    refuse(io, leaf, error.what(), triangles);
+  }
+}
+
+double smallest_dihedral_deg(const TetMesh& mesh) {
+  double smallest = 180;
+  const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
+  for (const Tet& t : mesh.tets) {
+    smallest = std::min(smallest, dihedral_range(at(t[0]), at(t[1]), at(t[2]), at(t[3])).min_deg);
+  }
+  return smallest;
+}
+
+}  // namespace
+
+void mesh_task(TaskIo& io) {
+  const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
+  const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
+  io.progress("recovery", 0);
+  const TetMesh mesh = mesh_or_refuse(io, leaf, spacing);
+  io.progress("validate", static_cast<std::int64_t>(mesh.tets.size()));
+  const std::vector<std::string> complaints = validate(mesh, leaf.triangles);
+  if (!complaints.empty()) {
+    throw Error(ExitCode::failed, "sub-domain " + leaf.path.text() +
+                                      ": the mesh is not valid: " + complaints.front());
+  }
+  io.number("tets", static_cast<double>(mesh.tets.size()));
+  io.number("interior_nodes",
+            static_cast<double>(mesh.nodes.size() - static_cast<std::size_t>(mesh.boundary_nodes)));
+  io.number("min_dihedral_deg", smallest_dihedral_deg(mesh));
+  io.publish("mesh", tet_mesh_to_bytes(mesh));
+}
+
+}  // namespace tetfarm

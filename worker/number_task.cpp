@@ -1,0 +1,7 @@
+#include "worker/number_task.h"
+
+namespace tetfarm {
+
+void number_task(TaskIo&) {}
+
+}  // namespace tetfarm

@@ -1,0 +1,91 @@
+#include "worker/run_task.h"
+
+#include <new>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+wire::Failed failure(const std::string& message, ExitCode code, bool may_retry) {
+  wire::Failed failed;
+  failed.set_message(message);
+  failed.set_exit_code(static_cast<int>(code));
+  failed.set_may_retry(may_retry);
+  failed.set_out_of_resources(code == ExitCode::out_of_resources);
+  return failed;
+}
+
+/// Evidence that cannot be stored must not hide the reason itself.
+void add_evidence(wire::Failed& failed, const ArtifactStore& store, const RefusedInput& refused) {
+  for (const RefusedInput::File& file : refused.evidence()) {
+    try {
+      const StoredArtifact stored = store.publish(file.bytes);
+      wire::Artifact& artifact = *failed.add_evidence();
+      artifact.set_name(file.name);
+      artifact.set_hash(stored.hash);
+      artifact.set_size(stored.size);
+    } catch (const IoError& error) {
+      failed.set_message(failed.message() + "; " + file.name +
+                         " could not be kept: " + error.what());
+    }
+  }
+}
+
+/// The failure that the exception being handled stands for.
+wire::Failed caught_failure(const ArtifactStore* store) {
+  try {
+    throw;
+  } catch (const RefusedInput& refused) {
+    wire::Failed failed = failure(refused.what(), ExitCode::bad_geometry, false);
+    if (store != nullptr) add_evidence(failed, *store, refused);
+    return failed;
+  } catch (const DamagedInput& error) {
+    wire::Failed failed = failure(error.what(), error.code(), true);
+    failed.add_damaged_inputs(error.hash());
+    return failed;
+  } catch (const InvalidInput& error) {
+    return failure(error.what(), error.code(), false);
+  } catch (const UsageError& error) {
+    return failure(error.what(), error.code(), false);
+  } catch (const Error& error) {
+    return failure(error.what(), error.code(), true);
+  } catch (const std::bad_alloc&) {
+    return failure("out of memory", ExitCode::out_of_resources, true);
+  } catch (const std::exception& error) {
+    return failure(error.what(), ExitCode::failed, true);
+  }
+}
+
+}  // namespace
+
+wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
+                        const TaskBody& body, const TaskIo::Say& say) {
+  wire::Envelope envelope;
+  try {
+    if (!body) {
+      throw Error(ExitCode::failed, "this worker does not know tasks of kind " +
+                                        std::to_string(static_cast<int>(assign.kind())));
+    }
+    TaskIo io(store, assign, say);
+    body(io);
+    *envelope.mutable_done() = io.done();
+  } catch (...) {
+    *envelope.mutable_failed() = caught_failure(&store);
+  }
+  return envelope;
+}
+
+wire::Envelope run_task_in(const std::filesystem::path& store_folder, const wire::Assign& assign,
+                           const TaskBody& body, const TaskIo::Say& say) {
+  try {
+    const ArtifactStore store = ArtifactStore::open_existing(store_folder);
+    return run_task(store, assign, body, say);
+  } catch (...) {
+    wire::Envelope envelope;
+    *envelope.mutable_failed() = caught_failure(nullptr);
+    return envelope;
+  }
+}
+
+}  // namespace tetfarm

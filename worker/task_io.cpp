@@ -1,0 +1,111 @@
+#include "worker/task_io.h"
+
+#include <charconv>
+
+namespace tetfarm {
+namespace {
+
+constexpr std::chrono::milliseconds between_progress{250};
+
+const wire::Artifact* find_input(const wire::Assign& assign, const std::string& name) {
+  for (const wire::Artifact& input : assign.inputs()) {
+    if (input.name() == name) return &input;
+  }
+  return nullptr;
+}
+
+/// What `look` returns; damage and absence of the artifact become DamagedInput.
+template <class Look>
+auto checked(const wire::Artifact& artifact, const Look& look) {
+  try {
+    return look();
+  } catch (const CorruptFile& error) {
+    throw DamagedInput(error.what(), artifact.hash());
+  } catch (const IoError& error) {
+    if (error.code() != ExitCode::not_found) throw;
+    throw DamagedInput(error.what(), artifact.hash());
+  }
+}
+
+void add_output(wire::Done& done, const std::string& name, const StoredArtifact& stored) {
+  wire::Artifact& output = *done.add_outputs();
+  output.set_name(name);
+  output.set_hash(stored.hash);
+  output.set_size(stored.size);
+}
+
+}  // namespace
+
+TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say)
+    : store_(store), assign_(assign), say_(std::move(say)) {}
+
+bool TaskIo::has_input(const std::string& name) const {
+  return find_input(assign_, name) != nullptr;
+}
+
+const wire::Artifact& TaskIo::input(const std::string& name) const {
+  const wire::Artifact* found = find_input(assign_, name);
+  if (found == nullptr) throw Error(ExitCode::failed, "the task has no input \"" + name + "\"");
+  return *found;
+}
+
+std::string TaskIo::read(const std::string& name) const {
+  const wire::Artifact& artifact = input(name);
+  return checked(artifact, [&] { return store_.read(artifact.hash(), artifact.size()); });
+}
+
+std::filesystem::path TaskIo::path(const std::string& name) const {
+  const wire::Artifact& artifact = input(name);
+  return checked(artifact, [&] {
+    store_.verify(artifact.hash(), artifact.size());
+    return store_.path_of(artifact.hash());
+  });
+}
+
+std::string TaskIo::parameter(const std::string& name) const {
+  const auto found = assign_.parameters().find(name);
+  if (found == assign_.parameters().end()) {
+    throw Error(ExitCode::failed, "the task has no parameter \"" + name + "\"");
+  }
+  return found->second;
+}
+
+std::int64_t TaskIo::whole_parameter(const std::string& name) const {
+  const std::string text = parameter(name);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw Error(ExitCode::failed,
+                "the task's parameter " + name + " = \"" + text + "\" is not a whole number");
+  }
+  return value;
+}
+
+void TaskIo::publish(const std::string& name, std::string_view bytes) {
+  add_output(done_, name, store_.publish(bytes));
+}
+
+void TaskIo::publish_file(const std::string& name, const std::filesystem::path& path) {
+  add_output(done_, name, store_.publish_file(path));
+}
+
+void TaskIo::number(const std::string& name, double value) {
+  (*done_.mutable_numbers())[name] = value;
+}
+
+void TaskIo::text(const std::string& name, const std::string& value) {
+  (*done_.mutable_texts())[name] = value;
+}
+
+void TaskIo::progress(const std::string& stage, std::int64_t elements) {
+  const auto now = std::chrono::steady_clock::now();
+  if (stage == last_stage_ && now - last_said_ < between_progress) return;
+  last_stage_ = stage;
+  last_said_ = now;
+  wire::Progress progress;
+  progress.set_stage(stage);
+  progress.set_elements(static_cast<std::uint64_t>(elements));
+  say_(progress);
+}
+
+}  // namespace tetfarm

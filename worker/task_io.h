@@ -1,0 +1,88 @@
+/// What a running task sees of the world: its inputs, its parameters, a place for its outputs.
+///
+/// Inputs are checked against their checksums when read; outputs are published at once, under the
+/// checksum of their bytes, so that a task that fails later leaves nothing but unused files.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "proto/messages.pb.h"
+#include "store/artifact_store.h"
+
+namespace tetfarm {
+
+/// Bad input together with files that show it; the runner publishes them.
+class RefusedInput : public std::runtime_error {
+ public:
+  struct File {
+    std::string name;
+    std::string bytes;
+  };
+  RefusedInput(const std::string& message, std::vector<File> evidence)
+      : std::runtime_error(message), evidence_(std::move(evidence)) {}
+  const std::vector<File>& evidence() const { return evidence_; }
+
+ private:
+  std::vector<File> evidence_;
+};
+
+/// An input that is missing or not what its checksum says: the task that made it has to run again.
+class DamagedInput : public Error {
+ public:
+  DamagedInput(const std::string& message, std::string hash)
+      : Error(ExitCode::failed, message), hash_(std::move(hash)) {}
+  const std::string& hash() const { return hash_; }
+
+ private:
+  std::string hash_;
+};
+
+class TaskIo {
+ public:
+  using Say = std::function<void(const wire::Progress&)>;
+
+  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say);
+
+  /// The checked bytes of the input of that name. @throws DamagedInput; Error when the task has no
+  /// such input.
+  std::string read(const std::string& name) const;
+  bool has_input(const std::string& name) const;
+  /// Where the checked file of that input lies, for readers of their own. @throws as read does.
+  std::filesystem::path path(const std::string& name) const;
+  const wire::Assign& assign() const { return assign_; }
+
+  /// @throws Error when the parameter is missing.
+  std::string parameter(const std::string& name) const;
+  std::int64_t whole_parameter(const std::string& name) const;
+
+  void publish(const std::string& name, std::string_view bytes);
+  /// As publish, of a finished file in the store's scratch folder, which is moved.
+  void publish_file(const std::string& name, const std::filesystem::path& path);
+  void number(const std::string& name, double value);
+  void text(const std::string& name, const std::string& value);
+
+  /// Tells the coordinator how far the task is; at most a few times a second are passed on.
+  void progress(const std::string& stage, std::int64_t elements);
+
+  const ArtifactStore& store() const { return store_; }
+  const wire::Done& done() const { return done_; }
+
+ private:
+  const wire::Artifact& input(const std::string& name) const;
+
+  const ArtifactStore& store_;
+  const wire::Assign& assign_;
+  Say say_;
+  wire::Done done_;
+  std::string last_stage_;
+  std::chrono::steady_clock::time_point last_said_;
+};
+
+}  // namespace tetfarm

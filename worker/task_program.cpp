@@ -1,0 +1,76 @@
+#include "worker/task_program.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+#include "base/error.h"
+#include "worker/assemble_task.h"
+#include "worker/child_task.h"
+#include "worker/decompose_task.h"
+#include "worker/inspect_task.h"
+#include "worker/mesh_task.h"
+#include "worker/number_task.h"
+#include "worker/run_task.h"
+
+namespace tetfarm {
+namespace {
+
+/// Kinds this program does not know have no body.
+TaskBody body_of(wire::TaskKind kind) {
+  switch (kind) {
+    case wire::INSPECT:
+      return inspect_task;
+    case wire::DECOMPOSE:
+      return decompose_task;
+    case wire::MESH:
+      return mesh_task;
+    case wire::NUMBER:
+      return number_task;
+    case wire::ASSEMBLE:
+      return assemble_task;
+    default:
+      return nullptr;
+  }
+}
+
+std::string read_all(int fd) {
+  std::string bytes;
+  std::array<char, 65536> buffer;
+  while (true) {
+    const ssize_t n = ::read(fd, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw IoError("cannot read the task", "standard input", errno);
+    if (n == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+}
+
+void write_frame(int fd, const wire::Envelope& envelope) {
+  const std::string frame = frame_of(envelope);
+  std::size_t written = 0;
+  while (written < frame.size()) {
+    const ssize_t n = ::write(fd, frame.data() + written, frame.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw IoError("cannot write to the worker", "task result", errno);
+    written += static_cast<std::size_t>(n);
+  }
+}
+
+}  // namespace
+
+void run_task_program(const std::filesystem::path& store, int in, int out) {
+  wire::Assign assign;
+  if (!assign.ParseFromString(read_all(in))) {
+    throw Error(ExitCode::failed, "the assignment cannot be read");
+  }
+  const auto say = [out](const wire::Progress& progress) {
+    wire::Envelope envelope;
+    *envelope.mutable_progress() = progress;
+    write_frame(out, envelope);
+  };
+  write_frame(out, run_task_in(store, assign, body_of(assign.kind()), say));
+}
+
+}  // namespace tetfarm
