@@ -1,1 +1,64 @@
-int main() { return 2; }
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "base/error.h"
+#include "cli/commands.h"
+
+namespace tetfarm {
+namespace {
+
+const char* help_for(ExitCode code) {
+  switch (code) {
+    case ExitCode::usage:
+      return "see `tetfarm --help` and docs/job_file.md";
+    case ExitCode::bad_geometry:
+      return "repair the surface there; `tetfarm check` shows every defect";
+    case ExitCode::not_found:
+      return "check the name, and that the coordinator runs and can be reached";
+    case ExitCode::out_of_resources:
+      return "make room; the same command goes on from here";
+    default:
+      return "the logs lie in the store; the same command tries again";
+  }
+}
+
+int complain(const std::string& message, ExitCode code) {
+  std::fprintf(stderr, "error: %s\nhelp: %s\n", message.c_str(), help_for(code));
+  return static_cast<int>(code);
+}
+
+struct Execute {
+  ExitCode operator()(const NothingToDo& nothing) const {
+    return static_cast<ExitCode>(nothing.exit_code);
+  }
+  ExitCode operator()(const RunOptions& options) const { return run_command(options); }
+  ExitCode operator()(const CheckOptions& options) const { return check_command(options); }
+  ExitCode operator()(const QualityOptions& options) const { return quality_command(options); }
+  ExitCode operator()(const StatusCommand& command) const { return status_command(command); }
+  ExitCode operator()(const WaitCommand& command) const { return wait_command(command); }
+  ExitCode operator()(const CancelCommand& command) const { return cancel_command(command); }
+  ExitCode operator()(const SubmitCommand& command) const { return submit_command(command); }
+  ExitCode operator()(const CoordinatorCommand& command) const {
+    return coordinator_command(command);
+  }
+  ExitCode operator()(const WorkerCommand& command) const { return worker_command(command); }
+  ExitCode operator()(const TaskCommand& command) const { return task_command(command); }
+};
+
+}  // namespace
+}  // namespace tetfarm
+
+int main(int argc, char** argv) {
+  using namespace tetfarm;
+  try {
+    return static_cast<int>(std::visit(Execute{}, parse_command_line(argc, argv)));
+  } catch (const Error& error) {
+    return complain(error.what(), error.code());
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", ExitCode::out_of_resources);
+  } catch (const std::exception& error) {
+    return complain(error.what(), ExitCode::failed);
+  }
+}

@@ -1,0 +1,94 @@
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/job_input.h"
+#include "mesh/decompose/planar_cut.h"
+#include "mesh/io/read_surface.h"
+#include "worker/inspect_task.h"
+
+namespace tetfarm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the job would come to; only of a surface without defects.
+struct Estimate {
+  double elements = 0;
+  std::int64_t subdomains = 0;
+};
+
+Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
+  const OuterBoundary outer = outer_boundary_of(job);
+  const SurfaceMesh domain = outer.kind == OuterBoundary::Kind::none
+                                 ? checked.surface
+                                 : add_outer_boundary(checked.surface, outer, job.growth);
+  const SpacingField spacing = make_spacing_field(domain, spacing_options_of(job));
+  const double elements = estimated_elements(root_subdomain(domain), spacing);
+  return {elements, wanted_parts(job, elements)};
+}
+
+Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
+  Json json = {{"type", "check"},
+               {"can_be_meshed", report.defects.empty()},
+               {"triangles", surface.triangles.size()},
+               {"vertices", surface.vertices.size()},
+               {"patches", surface.patch_names},
+               {"shells", report.shells.size()},
+               {"volume", report.volume},
+               {"shortest_edge", report.shortest_edge},
+               {"median_edge", report.median_edge},
+               {"longest_edge", report.longest_edge},
+               {"smallest_angle_deg", report.smallest_angle_deg},
+               {"remarks", report.remarks},
+               {"defects", Json::array()}};
+  for (const SurfaceDefect& defect : report.defects) {
+    json["defects"].push_back(
+        {{"kind", defect.kind}, {"message", defect.message}, {"triangles", defect.triangles}});
+  }
+  return json;
+}
+
+void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
+  std::printf(
+      "triangles       %zu\nvertices        %zu\npatches         %zu\nshells          %zu\n",
+      surface.triangles.size(), surface.vertices.size(), surface.patch_names.size(),
+      report.shells.size());
+  std::printf("volume          %.9g\nedges           %.4g shortest, %.4g median, %.4g longest\n",
+              report.volume, report.shortest_edge, report.median_edge, report.longest_edge);
+  std::printf("smallest angle  %.3g deg\n", report.smallest_angle_deg);
+  for (const std::string& remark : report.remarks)
+    std::printf("remark          %s\n", remark.c_str());
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckOptions& options) {
+  RunOptions job_options;
+  job_options.input = options.input;
+  const JobInput input = read_job(job_options);
+  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  const CheckedSurface checked = check_surface(surface);
+  const bool is_sound = checked.report.defects.empty();
+  Json json = report_json(surface, checked.report);
+  if (!options.json) print_report(surface, checked.report);
+  if (is_sound) {
+    const Estimate coming = estimate(input.job, checked);
+    json["estimated_elements"] = coming.elements;
+    json["subdomains"] = coming.subdomains;
+    if (!options.json) {
+      std::printf("elements        about %.3g, in %lld sub-domains\n", coming.elements,
+                  static_cast<long long>(coming.subdomains));
+    }
+  }
+  if (options.json) std::printf("%s\n", json.dump().c_str());
+  if (is_sound) return ExitCode::ok;
+  const std::string file =
+      options.defects_file.empty() ? input.job.name + ".defects.vtp" : options.defects_file;
+  write_defects_vtp(surface, checked.report.defects, file);
+  throw Error(ExitCode::bad_geometry,
+              input.path + ": " + defect_message(checked.report.defects) + "\n  see " + file);
+}
+
+}  // namespace tetfarm

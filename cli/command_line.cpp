@@ -1,0 +1,230 @@
+#include "cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done; 1 failed; 2 wrong command line or job file; 3 bad geometry;\n"
+    "4 done, but below the quality gate; 5 not found or unreachable; 6 out of disk or memory;\n"
+    "75 stopped at a checkpoint: the same command goes on.";
+
+const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
+                                                              {"plain", ProgressStyle::plain},
+                                                              {"none", ProgressStyle::none}};
+
+void add_json(CLI::App& app, bool& json) {
+  app.add_flag("--json", json, "Print one JSON object a line on standard output");
+}
+
+void add_progress(CLI::App& app, ProgressStyle& style) {
+  app.add_option("--progress", style, "auto: a bar on a terminal, else lines; plain; none")
+      ->transform(CLI::CheckedTransformer(progress_styles))
+      ->option_text("auto|plain|none");
+}
+
+void add_job(CLI::App& app, RunOptions& job) {
+  app.add_option("INPUT", job.input,
+                 "A closed surface (.stl .obj .off .msh, also .gz) or a job.toml")
+      ->required();
+  app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: by size)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+      ->option_text("N");
+  app.add_option("--size", job.size, "Target edge length away from the surface")
+      ->check(CLI::PositiveNumber)
+      ->option_text("H");
+  app.add_option("--growth", job.growth, "Growth of the edge length per unit of length (0.3)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("G");
+  app.add_option("--outer", job.outer, "Mesh the outside of the body, up to this boundary")
+      ->option_text("box[:FACTOR]|sphere[:FACTOR]");
+  app.add_option("--format", job.formats, "Files to write: vtkhdf, lb8.ugrid, ... (default vtkhdf)")
+      ->delimiter(',')
+      ->option_text("F,...");
+}
+
+void add_client(CLI::App& app, ClientOptions& client) {
+  app.add_option("--connect", client.endpoint, "The coordinator")
+      ->envname("TETFARM_COORDINATOR")
+      ->required()
+      ->option_text("tcp://HOST:PORT");
+  app.add_option("--timeout", client.timeout_s, "How long to wait for an answer (10)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("SECONDS");
+  add_json(app, client.json);
+}
+
+/// The parser with one sub-command for each Command, and room for what it reads.
+class Parser {
+ public:
+  Parser() {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "tetfarm 0.1.0");
+    app_.footer(exit_codes);
+    add_run();
+    add_check();
+    add_quality();
+    add_clients();
+    add_servers();
+  }
+
+  Command parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+      std::printf("%s", app_.help().c_str());
+      return NothingToDo{0};
+    } catch (const CLI::CallForVersion&) {
+      std::printf("tetfarm 0.1.0\n");
+      return NothingToDo{0};
+    } catch (const CLI::ParseError& error) {
+      const auto chosen = app_.get_subcommands();
+      const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+      std::fprintf(stderr, "error: %s\nhelp: see `tetfarm%s --help`\n", error.what(), name.c_str());
+      return NothingToDo{static_cast<int>(ExitCode::usage)};
+    }
+    return command_;
+  }
+
+ private:
+  /// A sub-command whose options live in `options` and become the result.
+  template <class Options>
+  CLI::App& add(const std::string& name, const std::string& what, const std::string& example,
+                Options& options) {
+    CLI::App& sub = *app_.add_subcommand(name, what);
+    sub.footer("Example: " + example);
+    sub.callback([this, &options] { command_ = options; });
+    return sub;
+  }
+
+  void add_run() {
+    CLI::App& sub = add("run", "Mesh a surface with worker processes on this machine",
+                        "tetfarm run wing.stl -o out -j 4 --outer sphere:10", run_);
+    add_job(sub, run_);
+    sub.add_option("-o,--output", run_.output, "Folder of the result; run again to go on (out)")
+        ->option_text("DIR");
+    sub.add_option("-j,--workers", run_.workers, "Worker processes (default: one a core)")
+        ->check(CLI::Range(1, 4096))
+        ->option_text("N");
+    sub.add_option("--grace", run_.grace_s, "How long running tasks may go on after Ctrl-C (5)")
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("SECONDS");
+    add_json(sub, run_.json);
+    add_progress(sub, run_.progress);
+  }
+
+  void add_check() {
+    CLI::App& sub = add("check", "Say whether a surface can be meshed, and what is wrong where",
+                        "tetfarm check wing.stl", check_);
+    sub.add_option("INPUT", check_.input, "A surface or a job.toml")->required();
+    sub.add_option("-o,--output", check_.defects_file,
+                   "Where the bad triangles go (NAME.defects.vtp)")
+        ->option_text("FILE");
+    add_json(sub, check_.json);
+  }
+
+  void add_quality() {
+    CLI::App& sub = add("quality", "Read a mesh back, check it and show its quality",
+                        "tetfarm quality out/wing.vtkhdf", quality_);
+    sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
+        ->required();
+    add_json(sub, quality_.json);
+  }
+
+  void add_clients() {
+    CLI::App& submit =
+        add("submit", "Hand a job to a coordinator",
+            "tetfarm submit wing.stl --connect tcp://head:5555 --store /shared/farm", submit_);
+    add_job(submit, submit_.job);
+    submit.add_option("--store", submit_.job.store, "The coordinator's store, as seen from here")
+        ->envname("TETFARM_STORE")
+        ->required()
+        ->option_text("DIR");
+    add_client(submit, submit_.client);
+
+    CLI::App& status = add("status", "Show the jobs of a coordinator",
+                           "tetfarm status job-7 --connect tcp://head:5555", status_);
+    status.add_option("JOB", status_.client.job, "One job (default: all)");
+    add_client(status, status_.client);
+
+    CLI::App& wait = add("wait", "Wait until a job ends; its exit code is the job's",
+                         "tetfarm wait job-7 -o out --store /shared/farm", wait_);
+    wait.add_option("JOB", wait_.client.job, "The job")->required();
+    wait.add_option("-o,--output", wait_.client.output, "Folder to bring the result to")
+        ->option_text("DIR");
+    wait.add_option("--store", wait_.store, "The coordinator's store, as seen from here")
+        ->envname("TETFARM_STORE")
+        ->option_text("DIR");
+    add_client(wait, wait_.client);
+    add_progress(wait, wait_.client.progress);
+
+    CLI::App& cancel = add("cancel", "Cancel a job", "tetfarm cancel job-7", cancel_);
+    cancel.add_option("JOB", cancel_.client.job, "The job")->required();
+    add_client(cancel, cancel_.client);
+  }
+
+  void add_servers() {
+    CLI::App& coordinator =
+        add("coordinator", "Serve jobs to workers",
+            "tetfarm coordinator --store /shared/farm --listen tcp://127.0.0.1:5555", coordinator_);
+    coordinator.add_option("--store", coordinator_.store, "Folder of everything durable")
+        ->required()
+        ->option_text("DIR");
+    coordinator.add_option("--listen", coordinator_.endpoints, "Where to listen; may be repeated")
+        ->required()
+        ->option_text("tcp://ADDRESS:PORT");
+    coordinator
+        .add_option("--heartbeat-ms", coordinator_.heartbeat_ms, "Between heartbeats (1000)")
+        ->check(CLI::Range(10, 600'000));
+    coordinator.add_option("--lease-ms", coordinator_.lease_ms, "A silent worker is lost (10000)")
+        ->check(CLI::Range(50, 86'400'000));
+    coordinator.add_flag("-q,--quiet", coordinator_.quiet, "Warnings only");
+
+    CLI::App& worker =
+        add("worker", "Work for a coordinator, one task at a time",
+            "tetfarm worker --connect tcp://head:5555 --store /shared/farm", worker_);
+    worker.add_option("--connect", worker_.endpoint, "The coordinator")
+        ->envname("TETFARM_COORDINATOR")
+        ->required()
+        ->option_text("tcp://HOST:PORT");
+    worker.add_option("--store", worker_.store, "The coordinator's store, as seen from here")
+        ->envname("TETFARM_STORE")
+        ->required()
+        ->option_text("DIR");
+    worker.add_option("--grace", worker_.grace_s, "To finish a task in after SIGTERM (30)")
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("SECONDS");
+    worker.add_option("--memory-limit", worker_.memory_limit_bytes, "Of a task (default: none)")
+        ->transform(CLI::AsSizeValue(false))
+        ->option_text("SIZE");
+    worker.add_flag("-q,--quiet", worker_.quiet, "Warnings only");
+
+    CLI::App& task = add("task", "", "", task_);
+    task.group("");
+    task.add_option("STORE", task_.store)->required();
+  }
+
+  CLI::App app_{"Tetfarm: conforming tetrahedral meshes on many machines that may fail", "tetfarm"};
+  Command command_;
+  RunOptions run_;
+  CheckOptions check_;
+  QualityOptions quality_;
+  SubmitCommand submit_;
+  StatusCommand status_;
+  WaitCommand wait_;
+  CancelCommand cancel_;
+  CoordinatorCommand coordinator_;
+  WorkerCommand worker_;
+  TaskCommand task_;
+};
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) { return Parser().parse(argc, argv); }
+
+}  // namespace tetfarm

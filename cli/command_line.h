@@ -1,0 +1,98 @@
+/// The command line: what can be asked of the program, parsed into plain options.
+///
+/// The only unit that knows CLI11. Exit codes are those of base/error.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tetfarm {
+
+enum class ProgressStyle { automatic, plain, none };
+
+struct RunOptions {
+  std::string input;  ///< a surface, or a job file (.toml)
+  std::string output = "out";
+  int workers = 0;  ///< 0: one a core
+  std::optional<std::int64_t> subdomains;
+  std::optional<double> size;
+  std::optional<double> growth;
+  std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
+  std::vector<std::string> formats;
+  bool json = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+  std::string store;  ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
+  double grace_s = 5;
+};
+
+struct CheckOptions {
+  std::string input;
+  std::string defects_file;  ///< "": NAME.defects.vtp here
+  bool json = false;
+};
+
+struct QualityOptions {
+  std::string input;
+  bool json = false;
+};
+
+/// status, wait, cancel and submit talk to a running coordinator.
+struct ClientOptions {
+  std::string endpoint;
+  std::string job;  ///< "": all
+  bool json = false;
+  double timeout_s = 10;
+  std::string output;  ///< of wait: where the files go
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+struct StatusCommand {
+  ClientOptions client;
+};
+struct WaitCommand {
+  ClientOptions client;
+  std::string store;
+};
+struct CancelCommand {
+  ClientOptions client;
+};
+struct SubmitCommand {
+  ClientOptions client;
+  RunOptions job;
+};
+
+struct CoordinatorCommand {
+  std::string store;
+  std::vector<std::string> endpoints;
+  std::int64_t heartbeat_ms = 1000;
+  std::int64_t lease_ms = 10000;
+  bool quiet = false;
+};
+
+struct WorkerCommand {
+  std::string endpoint;
+  std::string store;
+  double grace_s = 30;
+  std::uint64_t memory_limit_bytes = 0;
+  bool quiet = false;
+};
+
+/// What a worker starts for each task; not for people.
+struct TaskCommand {
+  std::string store;
+};
+
+/// Help or the version was printed, or an error was: nothing more to do.
+struct NothingToDo {
+  int exit_code = 0;
+};
+
+using Command =
+    std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, StatusCommand, WaitCommand,
+                 CancelCommand, SubmitCommand, CoordinatorCommand, WorkerCommand, TaskCommand>;
+
+Command parse_command_line(int argc, const char* const* argv);
+
+}  // namespace tetfarm

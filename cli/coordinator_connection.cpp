@@ -1,0 +1,126 @@
+#include "cli/coordinator_connection.h"
+
+#include <algorithm>
+#include <zmq.hpp>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "proto/wire.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t ask_again_ms = 1'000;
+
+wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
+  switch (question.body_case()) {
+    case wire::Envelope::kSubmit:
+      return wire::Envelope::kSubmitted;
+    case wire::Envelope::kCancel:
+      return wire::Envelope::kCancelled;
+    default:
+      return wire::Envelope::kStatusReply;
+  }
+}
+
+}  // namespace
+
+struct CoordinatorConnection::Socket {
+  zmq::context_t context{1};
+  zmq::socket_t dealer{context, zmq::socket_type::dealer};
+};
+
+CoordinatorConnection::CoordinatorConnection(const std::string& endpoint) : endpoint_(endpoint) {
+  connect();
+}
+
+CoordinatorConnection::~CoordinatorConnection() = default;
+
+void CoordinatorConnection::connect() {
+  socket_ = std::make_unique<Socket>();
+  socket_->dealer.set(zmq::sockopt::linger, 0);
+  socket_->dealer.set(zmq::sockopt::immediate, 1);
+  socket_->dealer.set(zmq::sockopt::reconnect_ivl, 20);
+  socket_->dealer.set(zmq::sockopt::reconnect_ivl_max, 1000);
+  socket_->dealer.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
+  try {
+    socket_->dealer.connect(endpoint_);
+  } catch (const zmq::error_t& error) {
+    throw UsageError(std::string("not an endpoint: ") + error.what(), endpoint_);
+  }
+}
+
+/// The answer, or an Envelope without a body when `until` comes first.
+wire::Envelope CoordinatorConnection::wait_for(wire::Envelope::BodyCase wanted,
+                                               std::int64_t until) {
+  while (true) {
+    const std::int64_t left = std::max<std::int64_t>(0, until - steady_ms());
+    socket_->dealer.set(zmq::sockopt::rcvtimeo, static_cast<int>(left));
+    zmq::message_t message;
+    try {
+      if (!socket_->dealer.recv(message)) return {};
+    } catch (const zmq::error_t& error) {
+      if (error.num() == EINTR) return {};
+      throw;
+    }
+    Decoded decoded = decode(message.to_string_view());
+    if (decoded.envelope.has_refused()) {
+      throw Error(ExitCode::failed,
+                  "the coordinator refuses: " + decoded.envelope.refused().reason());
+    }
+    if (decoded.state == WireState::good && decoded.envelope.body_case() == wanted) {
+      return std::move(decoded.envelope);
+    }
+  }
+}
+
+wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::int64_t timeout_ms) {
+  const std::int64_t until = steady_ms() + timeout_ms;
+  const std::string bytes = encode(question);
+  while (steady_ms() < until) {
+    const std::int64_t again = std::min(until, steady_ms() + ask_again_ms);
+    socket_->dealer.set(zmq::sockopt::sndtimeo, static_cast<int>(again - steady_ms()));
+    try {
+      if (!socket_->dealer.send(zmq::buffer(bytes))) continue;
+    } catch (const zmq::error_t& error) {
+      if (error.num() != EINTR) throw;
+      continue;
+    }
+    wire::Envelope answer = wait_for(answer_to(question), again);
+    if (answer.body_case() != wire::Envelope::BODY_NOT_SET) return answer;
+  }
+  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there");
+}
+
+wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  question.mutable_status_request()->set_job(job);
+  return ask(question, timeout_ms).status_reply();
+}
+
+wire::Submitted CoordinatorConnection::submit(const wire::Submit& submit, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  *question.mutable_submit() = submit;
+  return ask(question, timeout_ms).submitted();
+}
+
+wire::Cancelled CoordinatorConnection::cancel(const std::string& job, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  question.mutable_cancel()->set_job(job);
+  return ask(question, timeout_ms).cancelled();
+}
+
+wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {
+  const StoredArtifact surface = store.publish(input.surface);
+  wire::Submit submit;
+  submit.set_job_toml(to_toml(input.job));
+  submit.set_name(input.job.name);
+  submit.set_key(key_of(input));
+  wire::Artifact& artifact = *submit.add_inputs();
+  artifact.set_name("input_surface");
+  artifact.set_hash(surface.hash);
+  artifact.set_size(surface.size);
+  return submit;
+}
+
+}  // namespace tetfarm

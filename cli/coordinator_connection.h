@@ -1,0 +1,40 @@
+/// A client's connection to a coordinator: asks and waits for the answer, asking again when it was
+/// lost.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cli/job_input.h"
+#include "proto/messages.pb.h"
+#include "store/artifact_store.h"
+
+namespace tetfarm {
+
+class CoordinatorConnection {
+ public:
+  /// @throws UsageError for a malformed endpoint.
+  explicit CoordinatorConnection(const std::string& endpoint);
+  ~CoordinatorConnection();
+
+  /// The jobs, one or ("") all. @throws Error (not_found) when no answer comes within timeout_ms.
+  wire::StatusReply status(const std::string& job, std::int64_t timeout_ms);
+  wire::Submitted submit(const wire::Submit& submit, std::int64_t timeout_ms);
+  wire::Cancelled cancel(const std::string& job, std::int64_t timeout_ms);
+
+ private:
+  wire::Envelope ask(const wire::Envelope& question, std::int64_t timeout_ms);
+  void connect();
+  wire::Envelope wait_for(wire::Envelope::BodyCase wanted, std::int64_t until);
+
+  struct Socket;
+  std::string endpoint_;
+  std::unique_ptr<Socket> socket_;
+};
+
+/// Publishes the job's surface in the store, and the message that submits it.
+wire::Submit publish_job(const ArtifactStore& store, const JobInput& input);
+
+}  // namespace tetfarm

@@ -1,0 +1,71 @@
+#include "cli/job_input.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file_system.h"
+#include "base/hash.h"
+#include "mesh/io/read_surface.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr double default_box_factor = 3;
+constexpr double default_sphere_factor = 5;
+
+void set_outer(JobFile& job, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  job.outer_kind = text.substr(0, colon);
+  if (job.outer_kind == "none" && colon == std::string::npos) return;
+  if (job.outer_kind != "box" && job.outer_kind != "sphere") {
+    throw UsageError("\"" + text + "\" is not box[:FACTOR] or sphere[:FACTOR]", "--outer");
+  }
+  job.outer_factor = job.outer_kind == "box" ? default_box_factor : default_sphere_factor;
+  if (colon == std::string::npos) return;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, job.outer_factor);
+  if (error != std::errc() || stopped != end || !(job.outer_factor > 1)) {
+    throw UsageError("the factor in \"" + text + "\" must be a number above 1", "--outer");
+  }
+}
+
+std::string without_ending(const std::string& name, const std::string& ending) {
+  return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
+}
+
+JobFile base_job(const std::string& input) {
+  if (input.ends_with(".toml")) return parse_job_file(read_file(input), input);
+  JobFile job;
+  job.surface = input;
+  job.name =
+      std::filesystem::path(without_ending(input, ".gz")).filename().replace_extension("").string();
+  return job;
+}
+
+}  // namespace
+
+JobInput read_job(const RunOptions& options) {
+  JobInput input{base_job(options.input), {}, {}};
+  JobFile& job = input.job;
+  if (options.subdomains) job.subdomains = *options.subdomains;
+  if (options.size) job.spacing_default = *options.size;
+  if (options.growth) job.growth = *options.growth;
+  if (options.outer) set_outer(job, *options.outer);
+  if (!options.formats.empty()) job.formats = options.formats;
+  input.path = job.surface;
+  input.surface = read_maybe_gzip(job.surface);
+  job.surface = std::filesystem::path(without_ending(job.surface, ".gz")).filename().string();
+  return input;
+}
+
+std::string key_of(const JobInput& input) {
+  Hasher hasher;
+  const std::string toml = to_toml(input.job);
+  const std::string surface = hash128(input.surface).hex();
+  hasher.add(toml.data(), toml.size());
+  hasher.add(surface.data(), surface.size());
+  return hasher.finish().hex();
+}
+
+}  // namespace tetfarm

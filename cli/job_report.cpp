@@ -1,0 +1,121 @@
+#include "cli/job_report.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/file_system.h"
+#include "cli/progress_display.h"
+#include "store/artifact_store.h"
+
+namespace tetfarm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double number_of(const wire::JobStatus& status, const std::string& name) {
+  const auto found = status.numbers().find(name);
+  return found == status.numbers().end() ? 0 : found->second;
+}
+
+std::string text_of(const wire::JobStatus& status, const std::string& name) {
+  const auto found = status.texts().find(name);
+  return found == status.texts().end() ? "" : found->second;
+}
+
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char text[240];
+  std::snprintf(text, sizeof text, pattern, arguments...);
+  return text;
+}
+
+}  // namespace
+
+std::string result_json(const wire::JobStatus& status, double seconds,
+                        const std::vector<std::filesystem::path>& files) {
+  Json json = {{"type", "result"}, {"job", status.job()}, {"name", status.name()}};
+  for (const char* name : {"elements", "nodes", "boundary_triangles", "subdomains"}) {
+    json[name] = static_cast<std::int64_t>(number_of(status, name));
+  }
+  for (const char* name : {"min_dihedral_deg", "max_dihedral_deg", "mean_radius_ratio", "volume"}) {
+    json[name] = number_of(status, name);
+  }
+  json["seconds"] = seconds;
+  json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
+  json["attempts_lost"] = status.attempts_lost();
+  json["digest"] = text_of(status, "digest");
+  json["files"] = Json::array();
+  for (const std::filesystem::path& file : files) json["files"].push_back(file.string());
+  return line_of(json);
+}
+
+std::string status_json(const wire::JobStatus& status) {
+  const Json json = {{"type", "job"},
+                     {"job", status.job()},
+                     {"name", status.name()},
+                     {"state", status.state()},
+                     {"stage", status.stage()},
+                     {"subdomains", status.leaves_made()},
+                     {"subdomains_meshed", status.leaves_meshed()},
+                     {"elements", status.elements()},
+                     {"estimated_elements", status.estimated_elements()},
+                     {"tasks_done", status.tasks_done()},
+                     {"tasks_ready", status.tasks_ready()},
+                     {"tasks_running", status.tasks_running()},
+                     {"attempts_lost", status.attempts_lost()},
+                     {"peak_rss_bytes_worker", status.peak_rss_bytes_worker()},
+                     {"seconds", status.seconds()},
+                     {"message", status.message()},
+                     {"exit_code", status.exit_code()}};
+  return line_of(json);
+}
+
+std::string result_text(const wire::JobStatus& status, double seconds,
+                        const std::vector<std::filesystem::path>& files) {
+  std::string text = format(
+      "done       %s tets, %s nodes, %.0f sub-domains, dihedral %.2f to %.2f deg, "
+      "mean radius ratio %.3f   %s\n",
+      short_count(number_of(status, "elements")).c_str(),
+      short_count(number_of(status, "nodes")).c_str(), number_of(status, "subdomains"),
+      number_of(status, "min_dihedral_deg"), number_of(status, "max_dihedral_deg"),
+      number_of(status, "mean_radius_ratio"), clock_text(seconds).c_str());
+  for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
+  return text;
+}
+
+std::string status_text(const wire::StatusReply& reply) {
+  std::string text = format("%u workers, %d jobs\n", reply.workers(), reply.jobs_size());
+  for (const wire::JobStatus& status : reply.jobs()) {
+    text += format("%-8s %-20s %-10s ", status.job().c_str(), status.name().substr(0, 60).c_str(),
+                   status.state().c_str()) +
+            progress_text(status, 0) + "\n";
+    if (!status.message().empty()) text += "         " + status.message() + "\n";
+  }
+  return text;
+}
+
+std::string error_json(const std::string& message, int exit_code) {
+  return line_of({{"type", "error"}, {"message", message}, {"exit_code", exit_code}});
+}
+
+std::vector<std::filesystem::path> deliver_files(const wire::JobStatus& status,
+                                                 const std::filesystem::path& store_folder,
+                                                 const std::filesystem::path& folder) {
+  const ArtifactStore store = ArtifactStore::open_existing(store_folder);
+  make_folders(folder);
+  std::vector<std::filesystem::path> files;
+  for (const wire::Artifact& artifact : status.files()) {
+    const std::filesystem::path name = std::filesystem::path(artifact.name()).filename();
+    if (name.empty() || name == "." || name == "..") continue;
+    store.verify(artifact.hash(), artifact.size());
+    link_or_copy_file(store.path_of(artifact.hash()), folder / name);
+    files.push_back(folder / name);
+  }
+  return files;
+}
+
+}  // namespace tetfarm

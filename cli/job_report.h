@@ -1,0 +1,33 @@
+/// What a job came to, as JSON for programs and as text for people.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "proto/messages.pb.h"
+
+namespace tetfarm {
+
+/// {"type":"result", …}: the last line of `run --json`. One line, no end.
+std::string result_json(const wire::JobStatus& status, double seconds,
+                        const std::vector<std::filesystem::path>& files);
+
+/// {"type":"job", …} of one job of `status --json`.
+std::string status_json(const wire::JobStatus& status);
+
+/// The same for a person, with line ends.
+std::string result_text(const wire::JobStatus& status, double seconds,
+                        const std::vector<std::filesystem::path>& files);
+std::string status_text(const wire::StatusReply& reply);
+
+/// {"type":"error","message":…,"exit_code":…}.
+std::string error_json(const std::string& message, int exit_code);
+
+/// Links or copies the job's files (results, or evidence) from the store into `folder`, and says
+/// where they are. @throws IoError.
+std::vector<std::filesystem::path> deliver_files(const wire::JobStatus& status,
+                                                 const std::filesystem::path& store,
+                                                 const std::filesystem::path& folder);
+
+}  // namespace tetfarm

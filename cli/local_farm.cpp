@@ -1,0 +1,186 @@
+#include "cli/local_farm.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "base/clock.h"
+#include "base/file_system.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t short_life_ms = 2'000;
+constexpr std::int64_t first_pause_ms = 50;
+constexpr int most_short_lives = 8;
+constexpr std::int64_t coordinator_end_ms = 3'000;
+constexpr std::size_t kept_log = 4'000;
+
+std::string this_program() {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) throw IoError("cannot find this program", "/proc/self/exe", error.value());
+  return path.string();
+}
+
+/// Between fork and exec: async-signal-safe calls only.
+[[noreturn]] void become(char* const* arguments, pid_t parent, int log) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);
+  ::setpgid(0, 0);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::dup2(log, STDOUT_FILENO);
+  ::dup2(log, STDERR_FILENO);
+  ::close_range(STDERR_FILENO + 1, ~0U, 0);
+  ::execv(arguments[0], arguments);
+  ::_exit(127);
+}
+
+/// The last "error: …" line of a log, or "".
+std::string last_error(const std::filesystem::path& log) {
+  if (!file_size(log)) return {};
+  std::string text = read_file(log);
+  if (text.size() > kept_log) text.erase(0, text.size() - kept_log);
+  const std::size_t at = text.rfind("error: ");
+  if (at == std::string::npos) return {};
+  return text.substr(at + 7, text.find('\n', at) - at - 7);
+}
+
+}  // namespace
+
+LocalFarm::LocalFarm(const FarmOptions& options) : options_(options) {
+  std::string name = "/tmp/tetfarm-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw IoError("cannot make a folder for the socket", name, errno);
+  }
+  folder_ = name;
+  endpoint_ = "ipc://" + name + "/farm";
+  workers_.resize(static_cast<std::size_t>(options.workers));
+  try {
+    start(coordinator_, coordinator_command(), "coordinator.log");
+    for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
+  } catch (const IoError&) {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+    throw;
+  }
+}
+
+LocalFarm::~LocalFarm() {
+  workers_.push_back(coordinator_);
+  for (Member& member : workers_) {
+    if (member.process <= 0) continue;
+    ::kill(member.process, SIGKILL);
+    ::waitpid(member.process, nullptr, 0);
+  }
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> LocalFarm::coordinator_command() const {
+  return {this_program(), "coordinator",    "--quiet", "--store",    options_.store, "--listen",
+          endpoint_,      "--heartbeat-ms", "500",     "--lease-ms", "5000"};
+}
+
+std::vector<std::string> LocalFarm::worker_command() const {
+  return {this_program(), "worker",       "--quiet",
+          "--store",      options_.store, "--connect",
+          endpoint_,      "--grace",      std::to_string(options_.grace_s)};
+}
+
+void LocalFarm::start(Member& member, const std::vector<std::string>& command,
+                      const std::string& log) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command)
+    arguments.push_back(const_cast<char*>(argument.data()));
+  arguments.push_back(nullptr);
+  const std::filesystem::path path = options_.store / log;
+  const int log_fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (log_fd < 0) throw IoError("cannot write the log", path, errno);
+  const pid_t parent = ::getpid();
+  member.process = ::fork();
+  if (member.process == 0) become(arguments.data(), parent, log_fd);
+  const int error = errno;
+  ::close(log_fd);
+  if (member.process < 0) throw IoError("cannot start a process", command[0], error);
+  member.started_ms = steady_ms();
+}
+
+/// The status of a member that has died since the last look.
+std::optional<int> LocalFarm::reap(Member& member) {
+  int status = 0;
+  if (member.process <= 0 || ::waitpid(member.process, &status, WNOHANG) != member.process) {
+    return std::nullopt;
+  }
+  member.process = -1;
+  return status;
+}
+
+void LocalFarm::note_death(Member& member, int status) const {
+  const std::int64_t now = steady_ms();
+  const bool by_itself = WIFEXITED(status);
+  member.short_lives =
+      by_itself && now - member.started_ms < short_life_ms ? member.short_lives + 1 : 0;
+  member.start_again_ms = now + (first_pause_ms << std::min(member.short_lives, 5));
+}
+
+void LocalFarm::look_after() {
+  if (const std::optional<int> status = reap(coordinator_)) {
+    note_death(coordinator_, *status);
+    const int code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
+    const bool starved = code == static_cast<int>(ExitCode::out_of_resources);
+    if (starved || coordinator_.short_lives >= most_short_lives) {
+      throw Error(static_cast<ExitCode>(code),
+                  "the coordinator ended: " + last_error(options_.store / "coordinator.log"));
+    }
+  }
+  for (Member& worker : workers_) {
+    if (const std::optional<int> status = reap(worker)) note_death(worker, *status);
+    if (worker.short_lives >= most_short_lives) {
+      throw Error(ExitCode::failed,
+                  "a worker ended: " + last_error(options_.store / "workers.log"));
+    }
+  }
+  const std::int64_t now = steady_ms();
+  if (coordinator_.process <= 0 && now >= coordinator_.start_again_ms) {
+    start(coordinator_, coordinator_command(), "coordinator.log");
+  }
+  for (Member& worker : workers_) {
+    if (worker.process <= 0 && now >= worker.start_again_ms) {
+      start(worker, worker_command(), "workers.log");
+    }
+  }
+}
+
+bool LocalFarm::wait_for_end(Member& member, std::int64_t until_ms, bool (*hurry)()) {
+  while (member.process > 0 && !reap(member)) {
+    if (steady_ms() >= until_ms || hurry()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return true;
+}
+
+void LocalFarm::stop(bool (*hurry)()) {
+  for (const Member& worker : workers_) {
+    if (worker.process > 0) ::kill(worker.process, SIGTERM);
+  }
+  const auto grace_ms = static_cast<std::int64_t>(options_.grace_s * 1000);
+  const std::int64_t until = steady_ms() + grace_ms + 1'000;
+  for (Member& worker : workers_) {
+    if (!wait_for_end(worker, until, hurry)) break;
+  }
+  if (coordinator_.process <= 0) return;
+  ::kill(coordinator_.process, SIGTERM);
+  wait_for_end(coordinator_, steady_ms() + coordinator_end_ms, hurry);
+}
+
+}  // namespace tetfarm

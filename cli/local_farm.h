@@ -1,0 +1,67 @@
+/// A coordinator and workers as processes of this machine, kept alive while a run lasts.
+///
+/// They speak the same protocol as everywhere, over an ipc socket in a folder of its own in /tmp (a
+/// socket's path may be no longer than 107 bytes). Whoever dies is started again; when this process
+/// dies, they die.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace tetfarm {
+
+struct FarmOptions {
+  std::filesystem::path store;
+  int workers = 1;
+  double grace_s = 5;
+};
+
+class LocalFarm {
+ public:
+  /// Starts all processes. Call from the thread that outlives the farm. @throws IoError.
+  explicit LocalFarm(const FarmOptions& options);
+  /// Kills what still runs.
+  ~LocalFarm();
+  LocalFarm(const LocalFarm&) = delete;
+  LocalFarm& operator=(const LocalFarm&) = delete;
+
+  const std::string& endpoint() const { return endpoint_; }
+
+  /// Starts again what has died. @throws Error with the coordinator's own words when it cannot
+  /// start.
+  void look_after();
+
+  /// Lets running tasks finish within the grace time, then ends everything. `hurry` is asked now
+  /// and then: true ends it at once.
+  void stop(bool (*hurry)());
+
+ private:
+  struct Member {
+    pid_t process = -1;
+    std::int64_t started_ms = 0;
+    std::int64_t start_again_ms = 0;
+    int short_lives = 0;
+  };
+
+  std::vector<std::string> coordinator_command() const;
+  std::vector<std::string> worker_command() const;
+  void start(Member& member, const std::vector<std::string>& command, const std::string& log);
+  std::optional<int> reap(Member& member);
+  void note_death(Member& member, int status) const;
+  bool wait_for_end(Member& member, std::int64_t until_ms, bool (*hurry)());
+
+  FarmOptions options_;
+  std::filesystem::path folder_;
+  std::string endpoint_;
+  Member coordinator_;
+  std::vector<Member> workers_;
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,134 @@
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/coordinator_connection.h"
+#include "cli/job_outcome.h"
+#include "cli/job_report.h"
+#include "cli/progress_display.h"
+#include "coordinator/server.h"
+#include "worker/child_task.h"
+#include "worker/client.h"
+#include "worker/task_program.h"
+
+namespace tetfarm {
+namespace {
+
+std::int64_t in_ms(double seconds) { return static_cast<std::int64_t>(seconds * 1000); }
+
+wire::JobStatus status_of_job(CoordinatorConnection& connection, const ClientOptions& client) {
+  const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
+  if (reply.jobs_size() == 0) {
+    throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
+  }
+  return reply.jobs(0);
+}
+
+void log_to_stderr(bool quiet) {
+  spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
+  spdlog::set_level(quiet ? spdlog::level::warn : spdlog::level::info);
+  spdlog::flush_on(spdlog::level::info);
+}
+
+}  // namespace
+
+ExitCode status_command(const StatusCommand& command) {
+  const ClientOptions& client = command.client;
+  CoordinatorConnection connection(client.endpoint);
+  const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
+  if (!client.job.empty() && reply.jobs_size() == 0) {
+    throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
+  }
+  if (!client.json) std::printf("%s", status_text(reply).c_str());
+  for (const wire::JobStatus& status : reply.jobs()) {
+    if (client.json) std::printf("%s\n", status_json(status).c_str());
+  }
+  return ExitCode::ok;
+}
+
+ExitCode submit_command(const SubmitCommand& command) {
+  const JobInput input = read_job(command.job);
+  const ArtifactStore store = ArtifactStore::open_existing(command.job.store);
+  CoordinatorConnection connection(command.client.endpoint);
+  const wire::Submitted submitted =
+      connection.submit(publish_job(store, input), in_ms(command.client.timeout_s));
+  if (command.client.json) {
+    std::printf("{\"type\":\"submitted\",\"job\":\"%s\",\"existed\":%s}\n", submitted.job().c_str(),
+                submitted.existed() ? "true" : "false");
+  } else {
+    std::printf("%s\n", submitted.job().c_str());
+  }
+  return ExitCode::ok;
+}
+
+ExitCode wait_command(const WaitCommand& command) {
+  const ClientOptions& client = command.client;
+  if (!client.output.empty() && command.store.empty()) {
+    throw UsageError("to bring the files, say where the store is", "--output needs --store");
+  }
+  CoordinatorConnection connection(client.endpoint);
+  ProgressDisplay display(client.progress);
+  wire::JobStatus status = status_of_job(connection, client);
+  while (!has_ended(status)) {
+    display.show(status);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    status = status_of_job(connection, client);
+  }
+  display.end();
+  return report_outcome(status, {.store = command.store,
+                                 .output = client.output,
+                                 .seconds = status.seconds(),
+                                 .json = client.json});
+}
+
+ExitCode cancel_command(const CancelCommand& command) {
+  const ClientOptions& client = command.client;
+  CoordinatorConnection connection(client.endpoint);
+  const bool found = connection.cancel(client.job, in_ms(client.timeout_s)).found();
+  if (!found) throw Error(ExitCode::not_found, "no running job " + client.job);
+  if (client.json) {
+    std::printf("{\"type\":\"cancelled\",\"job\":\"%s\"}\n", client.job.c_str());
+  } else {
+    std::printf("%s cancelled\n", client.job.c_str());
+  }
+  return ExitCode::ok;
+}
+
+ExitCode coordinator_command(const CoordinatorCommand& command) {
+  log_to_stderr(command.quiet);
+  CoordinatorOptions options;
+  options.store = command.store;
+  options.endpoints = command.endpoints;
+  options.heartbeat_ms = command.heartbeat_ms;
+  options.lease_ms = command.lease_ms;
+  options.log_to_stderr = !command.quiet;
+  options.on_listening = [&command](const std::vector<std::string>& endpoints) {
+    for (const std::string& endpoint : endpoints) {
+      if (!command.quiet) std::printf("listening on %s\n", endpoint.c_str());
+    }
+    std::fflush(stdout);
+  };
+  return run_coordinator(options);
+}
+
+ExitCode worker_command(const WorkerCommand& command) {
+  log_to_stderr(command.quiet);
+  WorkerOptions options;
+  options.endpoint = command.endpoint;
+  options.store = std::filesystem::absolute(command.store);
+  options.task_command = {"/proc/self/exe", "task"};
+  options.memory_limit_bytes = command.memory_limit_bytes;
+  options.grace_ms = in_ms(command.grace_s);
+  return run_worker(options);
+}
+
+ExitCode task_command(const TaskCommand& command) {
+  run_task_program(command.store, 0, task_result_fd);
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm
