@@ -19,7 +19,7 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int64_t first_hello_again_ms = 100;
+constexpr std::int64_t first_hello_again_ms = 20;
 constexpr std::int64_t slowest_hello_again_ms = 5'000;
 constexpr std::int64_t result_again_ms = 1'000;
 constexpr std::int64_t tick_ms = 100;

@@ -1,0 +1,276 @@
+#include "worker/client.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <thread>
+#include <zmq.hpp>
+
+#include "proto/wire.h"
+#include "store/artifact_store.h"
+#include "worker/child_task.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::HasSubstr;
+using Body = wire::Envelope::BodyCase;
+
+std::string new_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "client-XXXXXX").string();
+  return ::mkdtemp(name.data());
+}
+
+/// A coordinator played by the test, and one worker in a thread. Its tasks are shell scripts.
+class WorkerClient : public ::testing::Test {
+ protected:
+  ~WorkerClient() override {
+    drain_ = true;
+    if (worker_.joinable()) {
+      hear_goodbye();
+      worker_.join();
+    }
+    std::filesystem::remove_all(folder_);
+  }
+
+  void bind() {
+    router_ = zmq::socket_t(context_, zmq::socket_type::router);
+    router_.set(zmq::sockopt::rcvtimeo, 20'000);
+    router_.set(zmq::sockopt::linger, 0);
+    router_.bind("ipc://" + folder_ + "/s");
+  }
+
+  void start(const std::string& script, std::int64_t grace_ms = 20'000) {
+    const ArtifactStore store(folder_ + "/store");
+    bind();
+    worker_ = std::thread([this, script, grace_ms] {
+      WorkerOptions options;
+      options.endpoint = "ipc://" + folder_ + "/s";
+      options.store = folder_ + "/store";
+      options.task_command = {"/bin/sh", "-c", script};
+      options.grace_ms = grace_ms;
+      options.handle_signals = false;
+      options.drain = &drain_;
+      run_worker(options);
+    });
+  }
+
+  /// The next message of that kind; others are passed over.
+  wire::Envelope hear(Body wanted) {
+    while (true) {
+      zmq::message_t peer;
+      zmq::message_t bytes;
+      if (!router_.recv(peer) || !router_.recv(bytes)) {
+        ADD_FAILURE() << "the worker does not say " << static_cast<int>(wanted);
+        return {};
+      }
+      peer_ = peer.to_string();
+      Decoded decoded = decode(bytes.to_string_view());
+      if (decoded.envelope.body_case() == wanted) return std::move(decoded.envelope);
+    }
+  }
+
+  void say(const wire::Envelope& envelope) {
+    router_.send(zmq::buffer(peer_), zmq::send_flags::sndmore);
+    router_.send(zmq::buffer(encode(envelope)), zmq::send_flags::none);
+  }
+
+  void welcome(bool keep_running = false, std::uint32_t lease_ms = 60'000) {
+    wire::Envelope envelope;
+    envelope.mutable_welcome()->set_worker(1);
+    envelope.mutable_welcome()->set_heartbeat_ms(20);
+    envelope.mutable_welcome()->set_lease_ms(lease_ms);
+    envelope.mutable_welcome()->set_keep_running(keep_running);
+    say(envelope);
+  }
+
+  void assign(std::uint64_t task, std::uint64_t attempt) {
+    wire::Envelope envelope;
+    envelope.mutable_assign()->set_task(task);
+    envelope.mutable_assign()->set_attempt(attempt);
+    say(envelope);
+  }
+
+  void accept(std::uint64_t task, std::uint64_t attempt, bool taken) {
+    wire::Envelope envelope;
+    envelope.mutable_accepted()->set_task(task);
+    envelope.mutable_accepted()->set_attempt(attempt);
+    envelope.mutable_accepted()->set_taken(taken);
+    say(envelope);
+  }
+
+  void hear_goodbye() { hear(Body::kGoodbye); }
+
+  std::string folder_ = new_folder();
+  std::atomic<bool> drain_ = false;
+  zmq::context_t context_{1};
+  zmq::socket_t router_;
+  std::string peer_;
+  std::thread worker_;
+};
+
+std::string say_done() {
+  wire::Envelope envelope;
+  (*envelope.mutable_done()->mutable_numbers())["tets"] = 1;
+  std::string octal;
+  for (const char c : frame_of(envelope)) {
+    char text[8];
+    std::snprintf(text, sizeof text, "\\%03o",
+                  static_cast<unsigned>(static_cast<unsigned char>(c)));
+    octal += text;
+  }
+  return "printf '" + octal + "' >&3";
+}
+
+TEST_F(WorkerClient, shows_the_stores_mark_and_asks_for_work) {
+  start("exit 1");
+  const wire::Envelope hello = hear(Body::kHello);
+  EXPECT_EQ(hello.hello().store_probe(), ArtifactStore(folder_ + "/store").probe());
+  EXPECT_GT(hello.hello().cores(), 0U);
+  welcome();
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, runs_a_task_and_asks_again_once_its_result_is_accepted) {
+  start(say_done());
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  const wire::Envelope done = hear(Body::kDone);
+  EXPECT_EQ(done.done().task(), 5U);
+  EXPECT_EQ(done.done().attempt(), 9U);
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, repeats_a_result_until_it_is_accepted) {
+  start(say_done());
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  hear(Body::kDone);
+  accept(5, 8, true);
+  hear(Body::kDone);
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, a_child_that_crashes_is_reported_and_the_worker_lives_on) {
+  start("kill -SEGV $$");
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  EXPECT_THAT(hear(Body::kFailed).failed().message(), HasSubstr("signal 11"));
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, heartbeats_name_the_running_task) {
+  start("sleep 1000");
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  wire::Envelope heartbeat;
+  while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
+  EXPECT_EQ(heartbeat.heartbeat().attempt(), 9U);
+  accept(5, 9, false);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, ends_a_stale_task_and_asks_for_another) {
+  start("sleep 1000");
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  assign(6, 10);
+  accept(5, 9, false);
+  hear(Body::kReady);
+  assign(6, 11);
+  wire::Envelope heartbeat;
+  while (heartbeat.heartbeat().attempt() != 11) heartbeat = hear(Body::kHeartbeat);
+  accept(6, 11, false);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, presents_its_running_attempt_to_a_coordinator_that_does_not_know_it) {
+  start("sleep 1000");
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  wire::Envelope heartbeat;
+  while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
+  wire::Envelope refused;
+  refused.mutable_refused()->set_hello_again(true);
+  say(refused);
+  const wire::Envelope hello = hear(Body::kHello);
+  EXPECT_EQ(hello.hello().running_task(), 5U);
+  EXPECT_EQ(hello.hello().running_attempt(), 9U);
+  welcome(false);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, keeps_a_result_over_a_restart_of_the_coordinator) {
+  start(say_done());
+  hear(Body::kHello);
+  welcome(false, 200);
+  hear(Body::kReady);
+  assign(5, 9);
+  hear(Body::kDone);
+  router_.close();
+  bind();
+  const wire::Envelope hello = hear(Body::kHello);
+  EXPECT_EQ(hello.hello().running_attempt(), 9U);
+  welcome(true);
+  EXPECT_EQ(hear(Body::kDone).done().attempt(), 9U);
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, a_drained_worker_finishes_its_task_and_leaves) {
+  start("sleep 0.3; " + say_done());
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  wire::Envelope heartbeat;
+  while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
+  wire::Envelope drain;
+  drain.mutable_drain();
+  say(drain);
+  hear(Body::kDone);
+  accept(5, 9, true);
+  hear(Body::kGoodbye);
+  worker_.join();
+}
+
+TEST_F(WorkerClient, a_drained_worker_hands_its_task_back_after_the_grace_time) {
+  start("sleep 1000", 50);
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  wire::Envelope heartbeat;
+  while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
+  drain_ = true;
+  hear(Body::kGoodbye);
+  worker_.join();
+}
+
+TEST_F(WorkerClient, garbage_from_the_coordinator_is_passed_over) {
+  start(say_done());
+  hear(Body::kHello);
+  router_.send(zmq::buffer(peer_), zmq::send_flags::sndmore);
+  router_.send(zmq::str_buffer("\xff\xff garbage"), zmq::send_flags::none);
+  welcome();
+  hear(Body::kReady);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,135 @@
+#include "worker/run_task.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class RunTask : public ::testing::Test {
+ protected:
+  static std::string new_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "run_task-XXXXXX").string();
+    return ::mkdtemp(name.data());
+  }
+
+  ~RunTask() override { std::filesystem::remove_all(folder_); }
+
+  wire::Envelope run(const TaskBody& body) {
+    return run_task(store_, assign_, body,
+                    [this](const wire::Progress& progress) { said_.push_back(progress.stage()); });
+  }
+
+  void give(const std::string& name, const std::string& bytes) {
+    const StoredArtifact stored = store_.publish(bytes);
+    wire::Artifact& input = *assign_.add_inputs();
+    input.set_name(name);
+    input.set_hash(stored.hash);
+    input.set_size(stored.size);
+  }
+
+  std::string folder_ = new_folder();
+  ArtifactStore store_{folder_};
+  wire::Assign assign_;
+  std::vector<std::string> said_;
+};
+
+TEST_F(RunTask, outputs_lie_in_the_store_under_their_names) {
+  give("word", "tet");
+  const wire::Envelope result = run([](TaskIo& io) {
+    io.publish("farm", io.read("word") + "farm");
+    io.number("tets", 7);
+    io.text("reason", "none");
+  });
+  ASSERT_TRUE(result.has_done());
+  ASSERT_EQ(result.done().outputs_size(), 1);
+  const wire::Artifact& output = result.done().outputs(0);
+  EXPECT_EQ(output.name(), "farm");
+  EXPECT_EQ(store_.read(output.hash(), output.size()), "tetfarm");
+  EXPECT_EQ(result.done().numbers().at("tets"), 7);
+  EXPECT_EQ(result.done().texts().at("reason"), "none");
+}
+
+TEST_F(RunTask, bad_input_ends_the_job_with_its_exit_code_and_evidence) {
+  const wire::Envelope result = run([](TaskIo&) {
+    throw RefusedInput("open edge at (1, 2, 3)", {{"wing.defects.vtp", "<VTKFile/>"}});
+  });
+  ASSERT_TRUE(result.has_failed());
+  const wire::Failed& failed = result.failed();
+  EXPECT_FALSE(failed.may_retry());
+  EXPECT_EQ(failed.exit_code(), 3);
+  EXPECT_THAT(failed.message(), HasSubstr("(1, 2, 3)"));
+  ASSERT_EQ(failed.evidence_size(), 1);
+  EXPECT_EQ(failed.evidence(0).name(), "wing.defects.vtp");
+  EXPECT_EQ(store_.read(failed.evidence(0).hash(), failed.evidence(0).size()), "<VTKFile/>");
+}
+
+TEST_F(RunTask, a_wrong_job_file_is_not_tried_again) {
+  const wire::Envelope result =
+      run([](TaskIo&) { throw UsageError("unknown key", "job.toml:3:1"); });
+  EXPECT_FALSE(result.failed().may_retry());
+  EXPECT_EQ(result.failed().exit_code(), 2);
+}
+
+TEST_F(RunTask, a_full_disk_and_lack_of_memory_are_no_crash) {
+  const wire::Envelope disk = run([](TaskIo&) { throw IoError("write", "/x", ENOSPC); });
+  EXPECT_TRUE(disk.failed().out_of_resources());
+  EXPECT_EQ(disk.failed().exit_code(), 6);
+  const wire::Envelope memory = run([](TaskIo&) { throw std::bad_alloc(); });
+  EXPECT_TRUE(memory.failed().out_of_resources());
+  EXPECT_TRUE(memory.failed().may_retry());
+}
+
+TEST_F(RunTask, any_other_exception_is_worth_another_try) {
+  const wire::Envelope result = run([](TaskIo&) { throw std::runtime_error("odd"); });
+  EXPECT_TRUE(result.failed().may_retry());
+  EXPECT_FALSE(result.failed().out_of_resources());
+  EXPECT_EQ(result.failed().message(), "odd");
+}
+
+TEST_F(RunTask, missing_and_damaged_inputs_are_named) {
+  give("missing", "one");
+  give("damaged", "two");
+  std::filesystem::remove(store_.path_of(assign_.inputs(0).hash()));
+  const std::filesystem::path damaged = store_.path_of(assign_.inputs(1).hash());
+  std::filesystem::permissions(damaged, std::filesystem::perms::owner_all);
+  std::ofstream(damaged) << "tow";
+  for (const int which : {0, 1}) {
+    const wire::Artifact& input = assign_.inputs(which);
+    const wire::Envelope result = run([&input](TaskIo& io) { io.read(input.name()); });
+    EXPECT_TRUE(result.failed().may_retry());
+    EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash()));
+  }
+}
+
+TEST_F(RunTask, an_unknown_kind_fails) { EXPECT_TRUE(run(nullptr).has_failed()); }
+
+TEST_F(RunTask, every_stage_is_told_once_however_often_it_is_said) {
+  const wire::Envelope result = run([](TaskIo& io) {
+    for (int i = 0; i < 1000; ++i) io.progress("recovery", i);
+    for (int i = 0; i < 1000; ++i) io.progress("points", i);
+  });
+  ASSERT_GE(said_.size(), 2U);
+  EXPECT_LT(said_.size(), 100U);
+  EXPECT_EQ(said_.front(), "recovery");
+  EXPECT_EQ(said_.back(), "points");
+}
+
+TEST_F(RunTask, a_missing_store_is_a_failure_not_a_crash) {
+  const wire::Envelope result = run_task_in(
+      "/nowhere/at/all", assign_, [](TaskIo&) {}, [](const wire::Progress&) {});
+  EXPECT_TRUE(result.has_failed());
+}
+
+}  // namespace
+}  // namespace tetfarm
