@@ -1,0 +1,98 @@
+#include "mesh/decompose/cut_check.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tetfarm {
+namespace {
+
+constexpr double least_clearance = 0.3;
+constexpr double least_clearance_at_rim = 0.1;
+
+std::int32_t node_off_edge(const std::array<std::int32_t, 3>& triangle,
+                           const std::array<std::int32_t, 2>& edge) {
+  for (const std::int32_t v : triangle) {
+    if (v != edge[0] && v != edge[1]) return v;
+  }
+  return triangle[0];
+}
+
+double cosine_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return dot(normalized(b - a), normalized(c - a));
+}
+
+/// The height of the cut above its plane at p, when p lies in its region.
+std::optional<double> height_of_cut(const InterdomainMesh& mesh, const Vec2& p) {
+  for (const auto& [i, j, k] : mesh.planar.triangles) {
+    const Vec2& a = mesh.planar.points[idx(i)];
+    const Vec2& b = mesh.planar.points[idx(j)];
+    const Vec2& c = mesh.planar.points[idx(k)];
+    const double at_a = (b.x - p.x) * (c.y - p.y) - (b.y - p.y) * (c.x - p.x);
+    const double at_b = (c.x - p.x) * (a.y - p.y) - (c.y - p.y) * (a.x - p.x);
+    const double at_c = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x);
+    if (at_a < 0 || at_b < 0 || at_c < 0) continue;
+    const double sum = at_a + at_b + at_c;
+    if (sum <= 0) continue;
+    return (at_a * mesh.heights[idx(i)] + at_b * mesh.heights[idx(j)] + at_c * mesh.heights[idx(k)]) /
+           sum;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double cosine_of_smallest_rim_angle(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                    const std::vector<RimCorner>& corners) {
+  double worst = -1;
+  for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
+    const std::int32_t apex =
+        node_off_edge(mesh.planar.triangles[idx(mesh.rim2triangle[i])], mesh.rim_nodes[i]);
+    const Vec3 into_cut = direction_into(subdomain.vertices[idx(mesh.rim[i].from)],
+                                         subdomain.vertices[idx(mesh.rim[i].to)],
+                                         node_position(mesh, subdomain, apex));
+    worst = std::max(worst, cosine_to_sides(corners[i], into_cut));
+  }
+  return worst;
+}
+
+double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subdomain& subdomain) {
+  double worst = -1;
+  for (const auto& [i, j, k] : mesh.planar.triangles) {
+    const Vec3 a = node_position(mesh, subdomain, i);
+    const Vec3 b = node_position(mesh, subdomain, j);
+    const Vec3 c = node_position(mesh, subdomain, k);
+    worst = std::max({worst, cosine_at(a, b, c), cosine_at(b, c, a), cosine_at(c, a, b)});
+  }
+  return worst;
+}
+
+bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                               const FaceColours& colours,
+                               const std::vector<std::int32_t>& shell_of_triangle) {
+  const std::int32_t shells =
+      1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
+  std::vector<bool> is_done(idx(shells), false);
+  for (const RimEdge& edge : mesh.rim) is_done[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
+  for (std::size_t t = 0; t < shell_of_triangle.size(); ++t) {
+    if (is_done[idx(shell_of_triangle[t])]) continue;
+    is_done[idx(shell_of_triangle[t])] = true;
+    const Vec3& p = subdomain.vertices[idx(subdomain.triangles[t][0])];
+    const auto cut_height = height_of_cut(mesh, mesh.plane.project(p));
+    if (!cut_height) continue;
+    const Side side = mesh.plane.height(p) < *cut_height ? Side::left : Side::right;
+    if (side != colours[t]) return false;
+  }
+  return true;
+}
+
+std::string judge_contacts(const std::vector<SurfaceContact>& contacts) {
+  bool is_clear = true;
+  for (const SurfaceContact& contact : contacts) {
+    if (contact.meets) return "intersection";
+    const double least = contact.is_at_rim ? least_clearance_at_rim : least_clearance;
+    if (contact.distance < least) is_clear = false;
+  }
+  return is_clear ? "" : "clearance";
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,51 @@
+/// The inter-domain mesh: the loops projected on the plane and meshed there.
+///
+/// Source: thesis 4.3.1.8 (mapping to two dimensions) and 4.3.1.9. It stays a graph over the plane: a
+/// triangulation in u, v and a height at every node, so it can never cross itself.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/decompose/cut_plane.h"
+#include "mesh/decompose/edge_loops.h"
+#include "mesh/planar/planar_mesh.h"
+#include "mesh/spacing/spacing_field.h"
+
+namespace tetfarm {
+
+/// Planar point i < rim_vertices.size() is the sub-domain's vertex rim_vertices[i]; the rest are new nodes.
+/// Triangles are anticlockwise in the plane: their normals point from left to right.
+struct InterdomainMesh {
+  CutPlane plane;
+  std::vector<RimEdge> rim;
+  std::vector<std::array<std::int32_t, 2>> rim_nodes;  // the planar points of each rim edge
+  std::vector<std::int32_t> rim_vertices;
+  PlanarMesh planar;
+  std::vector<std::int32_t> rim2triangle;  // the planar triangle on each rim edge
+  std::vector<double> heights;             // above the plane; of rim nodes as they are
+  std::vector<double> spacing;             // at each planar point
+
+  bool is_rim_node(std::int32_t node) const {
+    return static_cast<std::size_t>(node) < rim_vertices.size();
+  }
+};
+
+struct InterdomainResult {
+  InterdomainMesh mesh;
+  /// Why there is none; empty when there is one.
+  std::string problem;
+};
+
+/// Heights of new nodes are 0. No edge between rim nodes is an edge of the surface, rim edges excepted.
+/// Fails when projected loops tangle, cross, or enclose no region. Cost: O(m log m) for m cut triangles.
+InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
+                                   const EdgeLoops& loops, const CutPlane& plane,
+                                   const SpacingField& spacing);
+
+/// The place of a node in space; rim nodes bit by bit as in the sub-domain.
+Vec3 node_position(const InterdomainMesh& mesh, const Subdomain& subdomain, std::int32_t node);
+
+}  // namespace tetfarm

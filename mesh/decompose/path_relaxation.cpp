@@ -1,0 +1,67 @@
+#include "mesh/decompose/path_relaxation.h"
+
+#include <cmath>
+
+#include "mesh/decompose/maximum_flow.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr double band_in_sizes = 0.75;
+
+/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all in
+/// units of the local size, so that fine and coarse parts of a path count alike.
+double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plane) {
+  const double length = distance(a, b);
+  const double height = plane.height(0.5 * (a + b)) / size;
+  const double steepness = length > 0 ? dot(b - a, plane.normal) / length : 0;
+  return length / size * (1 + height * height + steepness * steepness);
+}
+
+std::int64_t to_capacity(double cost) {
+  constexpr double resolution = 1 << 20;
+  constexpr double largest = 1e6;
+  return static_cast<std::int64_t>(std::fmin(cost, largest) * resolution) + 1;
+}
+
+}  // namespace
+
+void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceTopology& topology,
+                const CutPlane& plane) {
+  std::vector<std::int32_t> band;
+  std::vector<std::int32_t> triangle2node(colours.size(), -1);
+  for (std::size_t t = 0; t < colours.size(); ++t) {
+    if (std::fabs(plane.height(topology.centroid[t])) > band_in_sizes * topology.size[t]) continue;
+    triangle2node[t] = static_cast<std::int32_t>(band.size());
+    band.push_back(static_cast<std::int32_t>(t));
+  }
+  const auto source = static_cast<std::int32_t>(band.size());  // left
+  const std::int32_t sink = source + 1;                        // right
+  FlowNetwork network(sink + 1);
+  for (const std::int32_t t : band) {
+    for (int e = 0; e < 3; ++e) {
+      const HalfEdge h = half_edge(t, e);
+      const std::int32_t neighbour = triangle_of(topology.twin[idx(h)]);
+      const std::int32_t other_node = triangle2node[idx(neighbour)];
+      if (other_node >= 0 && neighbour < t) continue;
+      const double size = 0.5 * (topology.size[idx(t)] + topology.size[idx(neighbour)]);
+      const std::int64_t capacity =
+          to_capacity(path_cost(subdomain.vertices[idx(start_of(subdomain.triangles, h))],
+                                subdomain.vertices[idx(end_of(subdomain.triangles, h))], size, plane));
+      const std::int32_t node = triangle2node[idx(t)];
+      if (other_node >= 0) {
+        network.add_edge(node, other_node, capacity, capacity);
+      } else if (colours[idx(neighbour)] == Side::left) {
+        network.add_edge(source, node, capacity, 0);
+      } else {
+        network.add_edge(node, sink, capacity, 0);
+      }
+    }
+  }
+  const std::vector<bool> is_left = network.source_side_of_minimum_cut(source, sink);
+  for (const std::int32_t t : band) {
+    colours[idx(t)] = is_left[idx(triangle2node[idx(t)])] ? Side::left : Side::right;
+  }
+}
+
+}  // namespace tetfarm

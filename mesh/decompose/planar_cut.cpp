@@ -1,0 +1,177 @@
+#include "mesh/decompose/planar_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "mesh/decompose/cut_check.h"
+#include "mesh/decompose/edge_path_smoothing.h"
+#include "mesh/decompose/intersection_repair.h"
+#include "mesh/decompose/lift_heights.h"
+#include "mesh/decompose/path_relaxation.h"
+#include "mesh/decompose/planar_placement.h"
+#include "mesh/decompose/split_subdomain.h"
+#include "mesh/geometry/box_tree.h"
+
+namespace tetfarm {
+namespace {
+
+/// What all candidates share.
+struct Parent {
+  const Subdomain& subdomain;
+  const SpacingField& spacing;
+  SurfaceTopology topology;
+  BoxTree tree;
+};
+
+/// How far a candidate has come. Work on it goes on where a lower angle limit asks for it again.
+enum class Stage { new_plane, has_loops, has_mesh, refused };
+
+struct Candidate {
+  PlaneCandidate place;
+  Stage stage = Stage::new_plane;
+  FaceColours colours;
+  EdgeLoops loops;
+  std::vector<RimCorner> corners;
+  InterdomainMesh mesh;
+  double cosine = -1;  // of the smallest angle that is possible (has_loops), that there is (has_mesh)
+  std::string problem;
+};
+
+void refuse(Candidate& candidate, const std::string& problem) {
+  PlaneCandidate place = candidate.place;
+  candidate = Candidate{};
+  candidate.place = place;
+  candidate.stage = Stage::refused;
+  candidate.problem = problem;
+}
+
+/// Colours, path and loops (thesis 4.3.1.5 to 4.3.1.8).
+void find_loops(Candidate& candidate, const Parent& parent) {
+  const auto& [subdomain, spacing, topology, tree] = parent;
+  candidate.colours = colour_by_centroid(topology, candidate.place.plane);
+  relax_path(candidate.colours, subdomain, topology, candidate.place.plane);
+  tidy_path(candidate.colours, topology, subdomain.triangles);
+  const auto is_left = [](Side side) { return side == Side::left; };
+  const bool has_left = std::any_of(candidate.colours.begin(), candidate.colours.end(), is_left);
+  const bool has_right = !std::all_of(candidate.colours.begin(), candidate.colours.end(), is_left);
+  if (!has_left || !has_right) return refuse(candidate, "no crossing");
+  candidate.loops = find_edge_loops(candidate.colours, topology, subdomain.triangles);
+  if (!candidate.loops.pinched_nodes.empty()) return refuse(candidate, "pinch");
+  for (const auto& loop : candidate.loops.loops) {
+    for (const RimEdge& edge : loop) {
+      candidate.corners.push_back(rim_corner(subdomain, topology, edge));
+      candidate.cosine = std::max(candidate.cosine, cosine_at_bisector(candidate.corners.back()));
+    }
+  }
+  candidate.stage = Stage::has_loops;
+}
+
+/// Lifts the cut and pushes it off the surface until there is no contact, or no push left to try.
+std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& parent) {
+  constexpr int most_pushes = 6;
+  const double reach = PushOptions{}.too_near;
+  std::vector<std::optional<double>> pushed;
+  lift_heights(candidate.mesh, candidate.corners, pushed);
+  const auto contacts = [&] {
+    return find_contacts(candidate.mesh, parent.subdomain, parent.topology, parent.tree, reach);
+  };
+  std::vector<SurfaceContact> found = contacts();
+  for (int i = 0; i < most_pushes; ++i) {
+    if (push_nodes(candidate.mesh, parent.subdomain, candidate.colours, found, pushed) == 0) break;
+    lift_heights(candidate.mesh, candidate.corners, pushed);
+    found = contacts();
+  }
+  return found;
+}
+
+/// The inter-domain mesh, lifted and checked (thesis 4.3.1.9).
+void make_mesh(Candidate& candidate, const Parent& parent) {
+  const double worst_triangle = cosine_of_degrees(8);
+  InterdomainResult made = mesh_interdomain(parent.subdomain, parent.topology, candidate.loops,
+                                            candidate.place.plane, parent.spacing);
+  if (!made.problem.empty()) return refuse(candidate, made.problem);
+  candidate.mesh = std::move(made.mesh);
+  const std::string problem = judge_contacts(lift_and_push(candidate, parent));
+  if (!problem.empty()) return refuse(candidate, problem);
+  if (!shells_are_on_their_sides(candidate.mesh, parent.subdomain, candidate.colours,
+                                 parent.topology.triangle2shell)) {
+    return refuse(candidate, "shell on the wrong side");
+  }
+  if (cosine_of_smallest_triangle_angle(candidate.mesh, parent.subdomain) > worst_triangle) {
+    return refuse(candidate, "thin triangle");
+  }
+  candidate.cosine =
+      cosine_of_smallest_rim_angle(candidate.mesh, parent.subdomain, candidate.corners);
+  candidate.stage = Stage::has_mesh;
+}
+
+/// Takes the candidate as far as this limit allows; whether it passes.
+bool passes(Candidate& candidate, const Parent& parent, double cosine_limit) {
+  if (candidate.stage == Stage::new_plane) find_loops(candidate, parent);
+  if (candidate.stage == Stage::has_loops && candidate.cosine <= cosine_limit) {
+    make_mesh(candidate, parent);
+  }
+  return candidate.stage == Stage::has_mesh && candidate.cosine <= cosine_limit;
+}
+
+std::string summary(const std::vector<Candidate>& candidates) {
+  std::map<std::string, int> problem2count;
+  for (const Candidate& c : candidates) {
+    ++problem2count[c.stage == Stage::refused ? c.problem : "angle"];
+  }
+  std::string text = std::to_string(candidates.size()) + " candidates refused";
+  for (const auto& [problem, count] : problem2count) {
+    text += (text.find(':') == std::string::npos ? ": " : ", ") + problem + " " + std::to_string(count);
+  }
+  return text;
+}
+
+Cut make_cut(const Candidate& candidate, const Parent& parent, double total_work) {
+  Cut cut;
+  cut.left = half_of(parent.subdomain, candidate.colours, candidate.mesh, Side::left);
+  cut.right = half_of(parent.subdomain, candidate.colours, candidate.mesh, Side::right);
+  cut.interdomain_triangles = static_cast<std::int32_t>(candidate.mesh.planar.triangles.size());
+  cut.smallest_angle_deg =
+      std::acos(std::clamp(candidate.cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+  cut.left_work = candidate.place.left_share * total_work;
+  cut.right_work = total_work - cut.left_work;
+  return cut;
+}
+
+}  // namespace
+
+CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
+                      const CutOptions& options) {
+  const Parent parent{subdomain, spacing, make_surface_topology(subdomain),
+                      BoxTree(triangle_boxes(subdomain.vertices, subdomain.triangles))};
+  const WorkSamples work = sample_work(subdomain, parent.tree, spacing);
+  std::vector<Candidate> candidates;
+  for (const PlaneCandidate& place :
+       place_planes(subdomain, parent.topology, work, options.left_share, options.candidates)) {
+    candidates.emplace_back().place = place;
+  }
+  int accept_calls = 0;
+  for (const double limit_deg : options.smallest_angles_deg) {
+    const double cosine_limit = cosine_of_degrees(limit_deg);
+    for (Candidate& candidate : candidates) {
+      if (!passes(candidate, parent, cosine_limit)) continue;
+      Cut cut = make_cut(candidate, parent, work.total);
+      if (options.accept) {
+        if (++accept_calls > options.most_accept_calls) return {{}, "no candidate accepted"};
+        if (!options.accept(cut.left, cut.right)) {
+          refuse(candidate, "not accepted");
+          continue;
+        }
+      }
+      cut.candidates_tried = static_cast<int>(
+          std::count_if(candidates.begin(), candidates.end(),
+                        [](const Candidate& c) { return c.stage != Stage::new_plane; }));
+      return {std::move(cut), ""};
+    }
+  }
+  return {{}, summary(candidates)};
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,30 @@
+/// Which planes to try for a cut, the most promising first.
+///
+/// Source: thesis 4.3.1.4: orthogonal to an axis, or to a principal direction of the inertia matrix.
+/// Departures: positions are quantiles of the work, not of boundary faces; several of them, along all axes,
+/// are offered, since the first plane often does not pass the checks.
+#pragma once
+
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/decompose/cut_plane.h"
+#include "mesh/decompose/surface_topology.h"
+#include "mesh/decompose/work_estimate.h"
+
+namespace tetfarm {
+
+struct PlaneCandidate {
+  CutPlane plane;
+  /// The share of the work below the plane.
+  double left_share = 0;
+  /// Smaller is better: imbalance, size of the cut in elements, invalid zones.
+  double penalty = 0;
+};
+
+/// At most `most` planes; `left_share` of the work is wanted below the plane.
+/// Deterministic. Cost: O(s log s) for s samples, and O(triangles) a direction.
+std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain, const SurfaceTopology& topology,
+                                         const WorkSamples& work, double left_share, int most);
+
+}  // namespace tetfarm

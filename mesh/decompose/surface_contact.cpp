@@ -1,0 +1,113 @@
+#include "mesh/decompose/surface_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/geometry/triangle_intersection.h"
+
+namespace tetfarm {
+namespace {
+
+Closest closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = norm2(ab);
+  const double t = length2 > 0 ? std::clamp(dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+  const Vec3 q = a + t * ab;
+  return {q, norm2(p - q)};
+}
+
+/// All points in one array, as the exact test wants them: the sub-domain's, then the new nodes.
+struct CombinedPoints {
+  std::vector<Vec3> points;
+  std::vector<std::int32_t> node2point;
+};
+
+CombinedPoints combine_points(const InterdomainMesh& mesh, const Subdomain& subdomain) {
+  CombinedPoints combined{subdomain.vertices, {}};
+  const auto nodes = static_cast<std::int32_t>(mesh.planar.points.size());
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    if (mesh.is_rim_node(i)) {
+      combined.node2point.push_back(mesh.rim_vertices[idx(i)]);
+    } else {
+      combined.node2point.push_back(static_cast<std::int32_t>(combined.points.size()));
+      combined.points.push_back(node_position(mesh, subdomain, i));
+    }
+  }
+  return combined;
+}
+
+bool share_a_node(const Triangle& a, const Triangle& b) {
+  return std::any_of(a.begin(), a.end(), [&b](std::int32_t v) {
+    return v == b[0] || v == b[1] || v == b[2];
+  });
+}
+
+double squared_distance(const std::vector<Vec3>& points, const Triangle& cut, const Triangle& surface,
+                        std::int32_t first_new, bool is_at_rim) {
+  const auto at = [&points](std::int32_t v) { return points[idx(v)]; };
+  double distance2 = HUGE_VAL;
+  for (const std::int32_t v : cut) {
+    if (v < first_new) continue;
+    distance2 = std::min(distance2, closest_in_triangle(at(v), at(surface[0]), at(surface[1]),
+                                                        at(surface[2]))
+                                        .distance2);
+  }
+  if (is_at_rim) return distance2;
+  for (const std::int32_t v : surface) {
+    distance2 = std::min(
+        distance2, closest_in_triangle(at(v), at(cut[0]), at(cut[1]), at(cut[2])).distance2);
+  }
+  return distance2;
+}
+
+}  // namespace
+
+Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = cross(b - a, c - a);
+  const bool is_above = dot(cross(b - a, p - a), normal) > 0 && dot(cross(c - b, p - b), normal) > 0 &&
+                        dot(cross(a - c, p - c), normal) > 0;
+  if (is_above) {
+    const double height = dot(p - a, normal) / norm2(normal);
+    return {p - height * normal, height * height * norm2(normal)};
+  }
+  Closest best = closest_on_segment(p, a, b);
+  for (const Closest& other : {closest_on_segment(p, b, c), closest_on_segment(p, c, a)}) {
+    if (other.distance2 < best.distance2) best = other;
+  }
+  return best;
+}
+
+std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                          const SurfaceTopology& topology, const BoxTree& tree,
+                                          double reach) {
+  const auto [points, node2point] = combine_points(mesh, subdomain);
+  std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
+  for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[idx(v)] = true;
+  const auto first_new = static_cast<std::int32_t>(subdomain.vertices.size());
+  std::vector<SurfaceContact> contacts;
+  for (std::size_t i = 0; i < mesh.planar.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.planar.triangles[i];
+    const Triangle cut = {node2point[idx(a)], node2point[idx(b)], node2point[idx(c)]};
+    const double h = std::max({mesh.spacing[idx(a)], mesh.spacing[idx(b)], mesh.spacing[idx(c)]});
+    Box3 box;
+    for (const std::int32_t v : cut) box.add(points[idx(v)]);
+    const Vec3 margin{reach * h, reach * h, reach * h};
+    tree.query({box.low - margin, box.high + margin}, [&](std::int32_t s) {
+      const Triangle& surface = subdomain.triangles[idx(s)];
+      SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL};
+      contact.is_at_rim = std::any_of(surface.begin(), surface.end(), [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
+      contact.meets = triangles_meet_beyond_shared(points, cut, surface);
+      if (contact.meets) {
+        contact.distance = 0;
+      } else if (!share_a_node(cut, surface)) {
+        const double unit = std::min(h, topology.size[idx(s)]);
+        contact.distance =
+            std::sqrt(squared_distance(points, cut, surface, first_new, contact.is_at_rim)) / unit;
+      }
+      if (contact.distance < reach) contacts.push_back(contact);
+    });
+  }
+  return contacts;
+}
+
+}  // namespace tetfarm

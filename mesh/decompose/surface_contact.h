@@ -1,0 +1,40 @@
+/// Where a cut meets, or comes close to, the surface of its sub-domain.
+///
+/// Source: thesis 4.3.1.9, figures 63 to 65 (checking the inter-domain mesh in the original sub-domain). Meeting
+/// is exact (mesh/geometry/triangle_intersection.h); distances are for judging only.
+#pragma once
+
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/decompose/interdomain_mesh.h"
+#include "mesh/decompose/surface_topology.h"
+#include "mesh/geometry/box_tree.h"
+
+namespace tetfarm {
+
+struct SurfaceContact {
+  std::int32_t cut_triangle = 0;
+  std::int32_t surface_triangle = 0;
+  /// They share a point that is no shared node and on no shared edge.
+  bool meets = false;
+  /// The surface triangle has a node on the rim.
+  bool is_at_rim = false;
+  /// From the new nodes of the cut triangle to the surface triangle, and (away from the rim) back from its
+  /// nodes, in units of the smaller of spacing and surface triangle size. Large when they share a node.
+  double distance = 0;
+};
+
+struct Closest {
+  Vec3 point;
+  double distance2 = 0;
+};
+Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// All pairs that meet or are nearer than `reach` (in the units above), by cut triangle.
+/// Cost: O(m log n) for m cut triangles.
+std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                          const SurfaceTopology& topology, const BoxTree& tree,
+                                          double reach);
+
+}  // namespace tetfarm
