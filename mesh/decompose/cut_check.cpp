@@ -33,7 +33,8 @@ std::optional<double> height_of_cut(const InterdomainMesh& mesh, const Vec2& p) 
     if (at_a < 0 || at_b < 0 || at_c < 0) continue;
     const double sum = at_a + at_b + at_c;
     if (sum <= 0) continue;
-    return (at_a * mesh.heights[idx(i)] + at_b * mesh.heights[idx(j)] + at_c * mesh.heights[idx(k)]) /
+    return (at_a * mesh.heights[idx(i)] + at_b * mesh.heights[idx(j)] +
+            at_c * mesh.heights[idx(k)]) /
            sum;
   }
   return std::nullopt;
@@ -72,7 +73,8 @@ bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& sub
   const std::int32_t shells =
       1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
   std::vector<bool> is_done(idx(shells), false);
-  for (const RimEdge& edge : mesh.rim) is_done[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
+  for (const RimEdge& edge : mesh.rim)
+    is_done[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
   for (std::size_t t = 0; t < shell_of_triangle.size(); ++t) {
     if (is_done[idx(shell_of_triangle[t])]) continue;
     is_done[idx(shell_of_triangle[t])] = true;

@@ -1,7 +1,8 @@
 /// The checks that a cut must pass before it is accepted.
 ///
-/// Source: thesis 4.3.1.9 checks for intersections only; the rest was measured to be needed: angles to the
-/// surface and clearance from it, shapes of the cut's own triangles, shells on their own sides.
+/// Source: thesis 4.3.1.9 checks for intersections only; the rest was measured to be needed: angles
+/// to the surface and clearance from it, shapes of the cut's own triangles, shells on their own
+/// sides.
 #pragma once
 
 #include <string>
@@ -22,8 +23,8 @@ double cosine_of_smallest_rim_angle(const InterdomainMesh& mesh, const Subdomain
 /// The cosine of the smallest angle of the cut's triangles in space.
 double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subdomain& subdomain);
 
-/// Whether every shell that the cut does not touch lies on the side that its colour says. Shells are told
-/// by `shell_of_triangle`. Cost: O(shells * cut triangles) + O(n).
+/// Whether every shell that the cut does not touch lies on the side that its colour says. Shells
+/// are told by `shell_of_triangle`. Cost: O(shells * cut triangles) + O(n).
 bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                const FaceColours& colours,
                                const std::vector<std::int32_t>& shell_of_triangle);

@@ -1,7 +1,7 @@
 /// A cutting plane with a frame of its own: two coordinates in it, and the height above it.
 ///
-/// Source: thesis 4.3.1.4 (rotation of the domain into the plane, eq. 18-20): here the three axes of the
-/// frame are kept instead of the matrices. Left is below (negative height), right is above.
+/// Source: thesis 4.3.1.4 (rotation of the domain into the plane, eq. 18-20): here the three axes
+/// of the frame are kept instead of the matrices. Left is below (negative height), right is above.
 #pragma once
 
 #include "mesh/core/vec3.h"
@@ -23,8 +23,8 @@ struct CutPlane {
   }
 };
 
-/// @pre `unit_normal` has length 1. An axis as normal gives axes as u and v, so that projecting rounds
-/// nothing.
+/// @pre `unit_normal` has length 1. An axis as normal gives axes as u and v, so that projecting
+/// rounds nothing.
 CutPlane make_cut_plane(const Vec3& unit_normal, double offset);
 
 }  // namespace tetfarm

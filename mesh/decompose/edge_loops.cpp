@@ -38,9 +38,9 @@ EdgeLoops find_edge_loops(const FaceColours& colours, const SurfaceTopology& top
   }
   if (!result.pinched_nodes.empty()) return result;
   const auto edge_from = [&](std::int32_t node) {
-    const auto it = std::lower_bound(
-        by_start.begin(), by_start.end(), node,
-        [&rim](std::int32_t i, std::int32_t n) { return rim[idx(i)].from < n; });
+    const auto it =
+        std::lower_bound(by_start.begin(), by_start.end(), node,
+                         [&rim](std::int32_t i, std::int32_t n) { return rim[idx(i)].from < n; });
     TF_CHECK(it != by_start.end() && rim[idx(*it)].from == node);
     return *it;
   };

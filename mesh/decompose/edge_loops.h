@@ -1,7 +1,7 @@
 /// The loops: closed chains of surface edges between the two colours, the rim of the cut.
 ///
-/// Source: thesis 4.3.1.5 to 4.3.1.7. A departure: read off the colours, so that they close and are oriented by
-/// the triangles; no ray-line intersection is needed to tell inner from outer loops.
+/// Source: thesis 4.3.1.5 to 4.3.1.7. A departure: read off the colours, so that they close and are
+/// oriented by the triangles; no ray-line intersection is needed to tell inner from outer loops.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tetfarm {
 
-/// A directed surface edge with the cut on its left, seen from the right side (against the plane's normal):
-/// as the left triangle uses it, reversed.
+/// A directed surface edge with the cut on its left, seen from the right side (against the plane's
+/// normal): as the left triangle uses it, reversed.
 struct RimEdge {
   std::int32_t from = 0;
   std::int32_t to = 0;
@@ -29,7 +29,8 @@ struct EdgeLoops {
   std::vector<std::int32_t> pinched_nodes;
 };
 
-/// Loops in the order of their first left triangle. With pinched nodes `loops` stays empty. Cost: O(n).
+/// Loops in the order of their first left triangle. With pinched nodes `loops` stays empty. Cost:
+/// O(n).
 EdgeLoops find_edge_loops(const FaceColours& colours, const SurfaceTopology& topology,
                           const std::vector<Triangle>& triangles);
 

@@ -1,8 +1,8 @@
 /// Colours: which side of the cut each surface triangle goes to.
 ///
 /// Source: thesis 4.3.1.8, figures 59 and 60. A departure, for robustness: triangles are coloured
-/// first (by the side of their centroid) and the loops are then read off as the edges between colours;
-/// such edges always close, and their orientation comes from the triangles.
+/// first (by the side of their centroid) and the loops are then read off as the edges between
+/// colours; such edges always close, and their orientation comes from the triangles.
 #pragma once
 
 #include <cstdint>

@@ -20,8 +20,7 @@ void rotate(std::array<Vec3, 3>& m, std::array<Vec3, 3>& axes, int p, int q) {
   const double off_diagonal = m[idx(p)][q];
   if (off_diagonal == 0) return;
   const double ratio = (m[idx(q)][q] - m[idx(p)][p]) / (2 * off_diagonal);
-  const double tangent =
-      (ratio >= 0 ? 1 : -1) / (std::fabs(ratio) + std::sqrt(ratio * ratio + 1));
+  const double tangent = (ratio >= 0 ? 1 : -1) / (std::fabs(ratio) + std::sqrt(ratio * ratio + 1));
   const double c = 1 / std::sqrt(tangent * tangent + 1);
   const double s = tangent * c;
   for (auto& row : m) {

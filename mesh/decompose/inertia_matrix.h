@@ -1,7 +1,8 @@
 /// The inertia of a sub-domain's work, and the directions in which the sub-domain is long.
 ///
-/// Source: thesis 4.3.1.4, eq. 17; C. Farhat and M. Lesoinne (1993). Here each point counts by its work.
-/// The thesis writes the products of inertia with a plus; eq. 17 needs a minus, and has it here.
+/// Source: thesis 4.3.1.4, eq. 17; C. Farhat and M. Lesoinne (1993). Here each point counts by its
+/// work. The thesis writes the products of inertia with a plus; eq. 17 needs a minus, and has it
+/// here.
 #pragma once
 
 #include <array>

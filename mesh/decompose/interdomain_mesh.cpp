@@ -19,7 +19,8 @@ double twice_signed_area(const PlanarRegion& region) {
   return area;
 }
 
-PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain, InterdomainMesh& mesh) {
+PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain,
+                           InterdomainMesh& mesh) {
   PlanarRegion region;
   for (const auto& loop : loops.loops) {
     const auto first = static_cast<std::int32_t>(region.points.size());
@@ -36,8 +37,8 @@ PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain, I
   return region;
 }
 
-/// Surface edges with both ends on the rim that are not on it: as a chord of the cut, such an edge would
-/// have four triangles.
+/// Surface edges with both ends on the rim that are not on it: as a chord of the cut, such an edge
+/// would have four triangles.
 std::vector<Edge> chords_of_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                     const SurfaceTopology& topology) {
   std::vector<std::int32_t> vertex2node(subdomain.vertices.size(), -1);
@@ -46,7 +47,8 @@ std::vector<Edge> chords_of_surface(const InterdomainMesh& mesh, const Subdomain
   }
   std::vector<Edge> chords;
   for (const std::int32_t vertex : mesh.rim_vertices) {
-    for (const HalfEdge h : half_edges_round_start(topology, topology.vertex2half_edge[idx(vertex)])) {
+    for (const HalfEdge h :
+         half_edges_round_start(topology, topology.vertex2half_edge[idx(vertex)])) {
       const std::int32_t end = end_of(subdomain.triangles, h);
       if (end > vertex && vertex2node[idx(end)] >= 0) {
         const auto [a, b] = std::minmax(vertex2node[idx(vertex)], vertex2node[idx(end)]);
@@ -61,7 +63,8 @@ std::vector<Edge> chords_of_surface(const InterdomainMesh& mesh, const Subdomain
   std::sort(rim.begin(), rim.end());
   std::sort(chords.begin(), chords.end());
   std::vector<Edge> inner;
-  std::set_difference(chords.begin(), chords.end(), rim.begin(), rim.end(), std::back_inserter(inner));
+  std::set_difference(chords.begin(), chords.end(), rim.begin(), rim.end(),
+                      std::back_inserter(inner));
   return inner;
 }
 
@@ -79,8 +82,8 @@ void find_rim_triangles(InterdomainMesh& mesh) {
   }
   std::sort(edges.begin(), edges.end());
   for (const auto& [from, to] : mesh.rim_nodes) {
-    const auto it = std::lower_bound(edges.begin(), edges.end(),
-                                     std::array<std::int32_t, 3>{from, to, 0});
+    const auto it =
+        std::lower_bound(edges.begin(), edges.end(), std::array<std::int32_t, 3>{from, to, 0});
     TF_CHECK(it != edges.end() && (*it)[0] == from && (*it)[1] == to);
     mesh.rim2triangle.push_back((*it)[2]);
   }

@@ -1,7 +1,7 @@
 /// The inter-domain mesh: the loops projected on the plane and meshed there.
 ///
-/// Source: thesis 4.3.1.8 (mapping to two dimensions) and 4.3.1.9. It stays a graph over the plane: a
-/// triangulation in u, v and a height at every node, so it can never cross itself.
+/// Source: thesis 4.3.1.8 (mapping to two dimensions) and 4.3.1.9. It stays a graph over the plane:
+/// a triangulation in u, v and a height at every node, so it can never cross itself.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace tetfarm {
 
-/// Planar point i < rim_vertices.size() is the sub-domain's vertex rim_vertices[i]; the rest are new nodes.
-/// Triangles are anticlockwise in the plane: their normals point from left to right.
+/// Planar point i < rim_vertices.size() is the sub-domain's vertex rim_vertices[i]; the rest are
+/// new nodes. Triangles are anticlockwise in the plane: their normals point from left to right.
 struct InterdomainMesh {
   CutPlane plane;
   std::vector<RimEdge> rim;
@@ -39,8 +39,9 @@ struct InterdomainResult {
   std::string problem;
 };
 
-/// Heights of new nodes are 0. No edge between rim nodes is an edge of the surface, rim edges excepted.
-/// Fails when projected loops tangle, cross, or enclose no region. Cost: O(m log m) for m cut triangles.
+/// Heights of new nodes are 0. No edge between rim nodes is an edge of the surface, rim edges
+/// excepted. Fails when projected loops tangle, cross, or enclose no region. Cost: O(m log m) for m
+/// cut triangles.
 InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
                                    const EdgeLoops& loops, const CutPlane& plane,
                                    const SpacingField& spacing);

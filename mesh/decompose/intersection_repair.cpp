@@ -11,15 +11,15 @@ struct Push {
   double height = 0;
 };
 
-/// The height that takes the node to `options.to` from the surface triangle, on its own side; nothing when
-/// it is there already.
+/// The height that takes the node to `options.to` from the surface triangle, on its own side;
+/// nothing when it is there already.
 std::optional<Push> push_of_node(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                 std::int32_t node, std::int32_t surface_triangle, bool surface_is_left,
-                                 bool is_forced, const PushOptions& options) {
+                                 std::int32_t node, std::int32_t surface_triangle,
+                                 bool surface_is_left, bool is_forced, const PushOptions& options) {
   const auto& [a, b, c] = subdomain.triangles[idx(surface_triangle)];
   const Vec3 p = node_position(mesh, subdomain, node);
-  const Closest closest = closest_in_triangle(p, subdomain.vertices[idx(a)], subdomain.vertices[idx(b)],
-                                              subdomain.vertices[idx(c)]);
+  const Closest closest = closest_in_triangle(
+      p, subdomain.vertices[idx(a)], subdomain.vertices[idx(b)], subdomain.vertices[idx(c)]);
   const double far = options.to * mesh.spacing[idx(node)];
   const double height = mesh.heights[idx(node)];
   const double surface_height = mesh.plane.height(closest.point);
@@ -29,7 +29,8 @@ std::optional<Push> push_of_node(const InterdomainMesh& mesh, const Subdomain& s
   const double clear = is_forced ? far : std::sqrt(far * far - aside2);
   const double wanted = surface_is_left ? surface_height + clear : surface_height - clear;
   const bool is_there = surface_is_left ? height >= wanted : height <= wanted;
-  if (is_there || std::fabs(wanted) > options.farthest * mesh.spacing[idx(node)] + std::fabs(height)) {
+  if (is_there ||
+      std::fabs(wanted) > options.farthest * mesh.spacing[idx(node)] + std::fabs(height)) {
     return std::nullopt;
   }
   return Push{node, wanted};
@@ -43,7 +44,8 @@ int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const Fa
   pushed.resize(mesh.planar.points.size());
   int moved = 0;
   for (const SurfaceContact& contact : contacts) {
-    const bool is_pushed = contact.meets || (!contact.is_at_rim && contact.distance < options.too_near);
+    const bool is_pushed =
+        contact.meets || (!contact.is_at_rim && contact.distance < options.too_near);
     if (!is_pushed) continue;
     const bool surface_is_left = colours[idx(contact.surface_triangle)] == Side::left;
     bool has_moved = false;
@@ -56,7 +58,8 @@ int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const Fa
         if (!push) continue;
         std::optional<double>& target = pushed[idx(node)];
         if (target) {
-          target = surface_is_left ? std::max(*target, push->height) : std::min(*target, push->height);
+          target =
+              surface_is_left ? std::max(*target, push->height) : std::min(*target, push->height);
         } else {
           target = push->height;
         }

@@ -1,8 +1,8 @@
 /// Pushes nodes of the cut off surface that the cut has no loop on.
 ///
-/// Source: thesis 4.3.1.9, figures 63 to 65, which splits edges of the inter-domain mesh to lift it away; a departure:
-/// the nodes that are there move, to the side that the colour of the surface demands, and the lift is
-/// solved again. Fewer planes are refused for it (measured).
+/// Source: thesis 4.3.1.9, figures 63 to 65, which splits edges of the inter-domain mesh to lift it
+/// away; a departure: the nodes that are there move, to the side that the colour of the surface
+/// demands, and the lift is solved again. Fewer planes are refused for it (measured).
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ struct PushOptions {
   double farthest = 2.5;
 };
 
-/// Sets or moves `pushed` heights of the nodes of each contact that is too near; how many moved. 0: either
-/// nothing is too near, or nothing can be done about it.
+/// Sets or moves `pushed` heights of the nodes of each contact that is too near; how many moved. 0:
+/// either nothing is too near, or nothing can be done about it.
 int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const FaceColours& colours,
                const std::vector<SurfaceContact>& contacts,
                std::vector<std::optional<double>>& pushed, const PushOptions& options = {});

@@ -4,8 +4,9 @@
 
 namespace tetfarm {
 
-std::vector<double> area_in_invalid_zones(const Subdomain& subdomain, const SurfaceTopology& topology,
-                                          const Vec3& unit_normal, const std::vector<double>& offsets) {
+std::vector<double> area_in_invalid_zones(const Subdomain& subdomain,
+                                          const SurfaceTopology& topology, const Vec3& unit_normal,
+                                          const std::vector<double>& offsets) {
   constexpr double cosine_squared = 0.75;  // 30 degrees; the thesis gives no value
   std::vector<double> area(offsets.size(), 0.0);
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {

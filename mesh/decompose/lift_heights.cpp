@@ -37,10 +37,11 @@ double bisector_height(const InterdomainMesh& mesh, const RimCorner& corner, std
   const double slope_along = (mesh.heights[idx(to)] - mesh.heights[idx(from)]) / length;
   const double rise = dot(towards, mesh.plane.normal) - slope_along * dot2(towards2, along);
   const double run = dot2(towards2, inward);
-  const double slope = std::fabs(rise) < steepest_slope * run ? rise / run
-                                                              : std::copysign(steepest_slope, rise);
+  const double slope =
+      std::fabs(rise) < steepest_slope * run ? rise / run : std::copysign(steepest_slope, rise);
   const Vec2 to_apex = from_to(a, mesh.planar.points[idx(apex)]);
-  return mesh.heights[idx(from)] + slope_along * dot2(to_apex, along) + slope * dot2(to_apex, inward);
+  return mesh.heights[idx(from)] + slope_along * dot2(to_apex, along) +
+         slope * dot2(to_apex, inward);
 }
 
 std::int32_t apex_of(const std::array<std::int32_t, 3>& triangle, std::int32_t a, std::int32_t b) {
@@ -55,8 +56,8 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
   const std::vector<Vec2>& points = mesh.planar.points;
   Quadratic q{{}, std::vector<double>(points.size(), 0.0), std::vector<double>(points.size(), 0.0)};
   for (const auto& t : mesh.planar.triangles) {
-    const double twice_area =
-        cross2(from_to(points[idx(t[0])], points[idx(t[1])]), from_to(points[idx(t[0])], points[idx(t[2])]));
+    const double twice_area = cross2(from_to(points[idx(t[0])], points[idx(t[1])]),
+                                     from_to(points[idx(t[0])], points[idx(t[2])]));
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t i = t[k];
       const std::int32_t j = t[(k + 1) % 3];
@@ -77,15 +78,15 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
     const std::int32_t to = mesh.rim_nodes[i][1];
     const std::int32_t apex = apex_of(triangle, from, to);
     if (mesh.is_rim_node(apex)) continue;
-    const double target =
-        bisector_height(mesh, corners[i], from, to, apex, options.steepest_slope);
+    const double target = bisector_height(mesh, corners[i], from, to, apex, options.steepest_slope);
     q.diagonal[idx(apex)] += options.bisector_weight;
     q.right_side[idx(apex)] += options.bisector_weight * target;
   }
   return q;
 }
 
-/// Conjugate gradients with a diagonal preconditioner for the nodes that are free; the others keep x.
+/// Conjugate gradients with a diagonal preconditioner for the nodes that are free; the others keep
+/// x.
 void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<double>& x) {
   const std::size_t n = x.size();
   std::vector<double> preconditioner = q.diagonal;
@@ -128,7 +129,8 @@ void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<
       next_energy += residual[i] * residual[i] / preconditioner[i];
     }
     for (std::size_t i = 0; i < n; ++i) {
-      if (is_free[i]) direction[i] = residual[i] / preconditioner[i] + next_energy / energy * direction[i];
+      if (is_free[i])
+        direction[i] = residual[i] / preconditioner[i] + next_energy / energy * direction[i];
     }
     energy = next_energy;
   }

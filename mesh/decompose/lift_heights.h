@@ -1,8 +1,8 @@
 /// Lifts the flat inter-domain mesh so that it meets the surface at good angles all along its rim.
 ///
-/// Source: thesis 4.3.1.9 maps the mesh back as a plane; a departure, by far the most useful one (measured): a
-/// harmonic height that decays away from the rim, pulled at the apex of every rim triangle to the bisector
-/// of the material's angle at its edge.
+/// Source: thesis 4.3.1.9 maps the mesh back as a plane; a departure, by far the most useful one
+/// (measured): a harmonic height that decays away from the rim, pulled at the apex of every rim
+/// triangle to the bisector of the material's angle at its edge.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,11 @@ struct LiftOptions {
   double steepest_slope = 2.1445069205095586;
 };
 
-/// Sets mesh.heights. `pushed` holds a height for each node that is to lie there exactly, or is empty.
-/// Conjugate gradients: + - * / sqrt in a fixed order. Cost: O(m) an iteration, some 30 iterations.
+/// Sets mesh.heights. `pushed` holds a height for each node that is to lie there exactly, or is
+/// empty. Conjugate gradients: + - * / sqrt in a fixed order. Cost: O(m) an iteration, some 30
+/// iterations.
 void lift_heights(InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
-                  const std::vector<std::optional<double>>& pushed, const LiftOptions& options = {});
+                  const std::vector<std::optional<double>>& pushed,
+                  const LiftOptions& options = {});
 
 }  // namespace tetfarm

@@ -9,7 +9,8 @@ std::size_t idx(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 FlowNetwork::FlowNetwork(std::int32_t nodes) : first_(idx(nodes), -1), level_(idx(nodes)) {}
 
-void FlowNetwork::add_edge(std::int32_t a, std::int32_t b, std::int64_t a_to_b, std::int64_t b_to_a) {
+void FlowNetwork::add_edge(std::int32_t a, std::int32_t b, std::int64_t a_to_b,
+                           std::int64_t b_to_a) {
   arcs_.push_back({b, first_[idx(a)], a_to_b});
   first_[idx(a)] = static_cast<std::int32_t>(arcs_.size()) - 1;
   arcs_.push_back({a, first_[idx(b)], b_to_a});
@@ -37,8 +38,8 @@ bool FlowNetwork::augment(std::int32_t source, std::int32_t sink) {
   std::int32_t at = source;
   while (at != sink) {
     std::int32_t& a = current_[idx(at)];
-    while (a >= 0 && (arcs_[idx(a)].capacity == 0 ||
-                      level_[idx(arcs_[idx(a)].to)] != level_[idx(at)] + 1)) {
+    while (a >= 0 &&
+           (arcs_[idx(a)].capacity == 0 || level_[idx(arcs_[idx(a)].to)] != level_[idx(at)] + 1)) {
       a = arcs_[idx(a)].next;
     }
     if (a >= 0) {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double band_in_sizes = 0.75;
 
-/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all in
-/// units of the local size, so that fine and coarse parts of a path count alike.
+/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all
+/// in units of the local size, so that fine and coarse parts of a path count alike.
 double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plane) {
   const double length = distance(a, b);
   const double height = plane.height(0.5 * (a + b)) / size;
@@ -45,9 +45,9 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
       const std::int32_t other_node = triangle2node[idx(neighbour)];
       if (other_node >= 0 && neighbour < t) continue;
       const double size = 0.5 * (topology.size[idx(t)] + topology.size[idx(neighbour)]);
-      const std::int64_t capacity =
-          to_capacity(path_cost(subdomain.vertices[idx(start_of(subdomain.triangles, h))],
-                                subdomain.vertices[idx(end_of(subdomain.triangles, h))], size, plane));
+      const std::int64_t capacity = to_capacity(
+          path_cost(subdomain.vertices[idx(start_of(subdomain.triangles, h))],
+                    subdomain.vertices[idx(end_of(subdomain.triangles, h))], size, plane));
       const std::int32_t node = triangle2node[idx(t)];
       if (other_node >= 0) {
         network.add_edge(node, other_node, capacity, capacity);

@@ -35,7 +35,8 @@ struct Candidate {
   EdgeLoops loops;
   std::vector<RimCorner> corners;
   InterdomainMesh mesh;
-  double cosine = -1;  // of the smallest angle that is possible (has_loops), that there is (has_mesh)
+  double cosine =
+      -1;  // of the smallest angle that is possible (has_loops), that there is (has_mesh)
   std::string problem;
 };
 
@@ -123,7 +124,8 @@ std::string summary(const std::vector<Candidate>& candidates) {
   }
   std::string text = std::to_string(candidates.size()) + " candidates refused";
   for (const auto& [problem, count] : problem2count) {
-    text += (text.find(':') == std::string::npos ? ": " : ", ") + problem + " " + std::to_string(count);
+    text +=
+        (text.find(':') == std::string::npos ? ": " : ", ") + problem + " " + std::to_string(count);
   }
   return text;
 }

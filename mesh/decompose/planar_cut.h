@@ -13,13 +13,14 @@
 namespace tetfarm {
 
 struct CutOptions {
-  /// Stop at the first candidate that passes at these angles, tried in this order over all candidates.
+  /// Stop at the first candidate that passes at these angles, tried in this order over all
+  /// candidates.
   std::vector<double> smallest_angles_deg = {40, 30, 20};
   int candidates = 36;
   /// The work wanted on the left, as a share of the whole.
   double left_share = 0.5;
-  /// A last check of a cut that passed all others; refused cuts are followed by the next candidate. Gets
-  /// the two halves. Empty: accept. Must be deterministic.
+  /// A last check of a cut that passed all others; refused cuts are followed by the next candidate.
+  /// Gets the two halves. Empty: accept. Must be deterministic.
   std::function<bool(const Subdomain& left, const Subdomain& right)> accept;
   int most_accept_calls = 6;
 };
@@ -40,9 +41,9 @@ struct CutOutcome {
   std::string reason;
 };
 
-/// Each inter-domain triangle is stored once, oriented out of the left side; the right reads it reversed.
-/// Its nodes and triangles get Origin{owner = subdomain.path.heap, index}. Both halves hold validate().
-/// Deterministic. Cost: O(n log n) a candidate.
+/// Each inter-domain triangle is stored once, oriented out of the left side; the right reads it
+/// reversed. Its nodes and triangles get Origin{owner = subdomain.path.heap, index}. Both halves
+/// hold validate(). Deterministic. Cost: O(n log n) a candidate.
 CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
                       const CutOptions& options = {});
 

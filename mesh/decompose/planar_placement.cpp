@@ -72,8 +72,8 @@ std::vector<Position> positions_of_shares(const std::vector<WorkStep>& steps, do
     while (positions.size() < shares.size()) {
       const double missing = shares[positions.size()] * total - work;
       if (missing > density * length) break;
-      positions.push_back({shares[positions.size()],
-                           steps[i].at + (density > 0 ? missing / density : 0), area});
+      positions.push_back(
+          {shares[positions.size()], steps[i].at + (density > 0 ? missing / density : 0), area});
     }
     work += density * length;
   }
@@ -96,8 +96,9 @@ double imbalance(double share, double wanted) {
 
 }  // namespace
 
-std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain, const SurfaceTopology& topology,
-                                         const WorkSamples& work, double left_share, int most) {
+std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
+                                         const SurfaceTopology& topology, const WorkSamples& work,
+                                         double left_share, int most) {
   const std::vector<Vec3> directions = cutting_directions(work);
   const int each_side = std::max(1, most / static_cast<int>(directions.size()) / 2);
   const std::vector<double> shares = shares_to_try(left_share, each_side);
@@ -119,9 +120,10 @@ std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain, const Surfa
       const double relative_area = positions[d][i].area / smallest_area;
       const double bounding_area = norm2(bounding_box(subdomain.vertices).size());
       candidates.push_back(
-          {plane, positions[d][i].share, imbalance_weight * imbalance(positions[d][i].share, left_share) +
-                      std::min(largest_area_penalty, area_weight * std::max(0.0, relative_area - 1)) +
-                      zone_weight * std::min(1.0, zone_area[i] / bounding_area)});
+          {plane, positions[d][i].share,
+           imbalance_weight * imbalance(positions[d][i].share, left_share) +
+               std::min(largest_area_penalty, area_weight * std::max(0.0, relative_area - 1)) +
+               zone_weight * std::min(1.0, zone_area[i] / bounding_area)});
     }
   }
   std::stable_sort(candidates.begin(), candidates.end(),

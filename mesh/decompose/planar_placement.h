@@ -1,8 +1,8 @@
 /// Which planes to try for a cut, the most promising first.
 ///
-/// Source: thesis 4.3.1.4: orthogonal to an axis, or to a principal direction of the inertia matrix.
-/// Departures: positions are quantiles of the work, not of boundary faces; several of them, along all axes,
-/// are offered, since the first plane often does not pass the checks.
+/// Source: thesis 4.3.1.4: orthogonal to an axis, or to a principal direction of the inertia
+/// matrix. Departures: positions are quantiles of the work, not of boundary faces; several of them,
+/// along all axes, are offered, since the first plane often does not pass the checks.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,8 @@ struct PlaneCandidate {
 
 /// At most `most` planes; `left_share` of the work is wanted below the plane.
 /// Deterministic. Cost: O(s log s) for s samples, and O(triangles) a direction.
-std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain, const SurfaceTopology& topology,
-                                         const WorkSamples& work, double left_share, int most);
+std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
+                                         const SurfaceTopology& topology, const WorkSamples& work,
+                                         double left_share, int most);
 
 }  // namespace tetfarm

@@ -21,7 +21,8 @@ Vec3 direction_into(const Vec3& a, const Vec3& b, const Vec3& c) {
   return normalized((c - a) - dot(c - a, along) * along);
 }
 
-RimCorner rim_corner(const Subdomain& subdomain, const SurfaceTopology& topology, const RimEdge& edge) {
+RimCorner rim_corner(const Subdomain& subdomain, const SurfaceTopology& topology,
+                     const RimEdge& edge) {
   const auto point = [&](std::int32_t v) { return subdomain.vertices[idx(v)]; };
   const Vec3 a = point(edge.from);
   const Vec3 b = point(edge.to);
@@ -51,7 +52,8 @@ double cosine_at_bisector(const RimCorner& corner) {
 
 double cosine_to_sides(const RimCorner& corner, const Vec3& into_cut) {
   const auto turns_from_to = [&](const Vec3& a, const Vec3& b) {
-    // Positive when b lies less than 180 degrees from a, turning from the left side into the material.
+    // Positive when b lies less than 180 degrees from a, turning from the left side into the
+    // material.
     const double ax = dot(a, corner.into_left);
     const double ay = dot(a, corner.left_inward);
     const double bx = dot(b, corner.into_left);
@@ -60,8 +62,8 @@ double cosine_to_sides(const RimCorner& corner, const Vec3& into_cut) {
   };
   const bool is_after_left = turns_from_to(corner.into_left, into_cut);
   const bool is_before_right = turns_from_to(into_cut, corner.into_right);
-  const bool is_inside = corner.is_convex ? is_after_left && is_before_right
-                                          : is_after_left || is_before_right;
+  const bool is_inside =
+      corner.is_convex ? is_after_left && is_before_right : is_after_left || is_before_right;
   if (!is_inside) return 1;
   return std::max(dot(into_cut, corner.into_left), dot(into_cut, corner.into_right));
 }

@@ -4,8 +4,8 @@
 
 namespace tetfarm {
 
-Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours, const InterdomainMesh& mesh,
-                  Side side) {
+Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
+                  const InterdomainMesh& mesh, Side side) {
   Subdomain half;
   half.path = side == Side::left ? subdomain.path.left() : subdomain.path.right();
   std::vector<std::int32_t> old2new(subdomain.vertices.size(), -1);
@@ -29,7 +29,8 @@ Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours, const 
   const auto rim_nodes = static_cast<std::int32_t>(mesh.rim_vertices.size());
   const auto first_new = static_cast<std::int32_t>(half.vertices.size());
   const auto node2new = [&](std::int32_t node) {
-    return node < rim_nodes ? old2new[idx(mesh.rim_vertices[idx(node)])] : first_new + node - rim_nodes;
+    return node < rim_nodes ? old2new[idx(mesh.rim_vertices[idx(node)])]
+                            : first_new + node - rim_nodes;
   };
   const auto nodes = static_cast<std::int32_t>(mesh.planar.points.size());
   for (std::int32_t i = rim_nodes; i < nodes; ++i) {

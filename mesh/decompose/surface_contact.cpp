@@ -37,25 +37,24 @@ CombinedPoints combine_points(const InterdomainMesh& mesh, const Subdomain& subd
 }
 
 bool share_a_node(const Triangle& a, const Triangle& b) {
-  return std::any_of(a.begin(), a.end(), [&b](std::int32_t v) {
-    return v == b[0] || v == b[1] || v == b[2];
-  });
+  return std::any_of(a.begin(), a.end(),
+                     [&b](std::int32_t v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
 
-double squared_distance(const std::vector<Vec3>& points, const Triangle& cut, const Triangle& surface,
-                        std::int32_t first_new, bool is_at_rim) {
+double squared_distance(const std::vector<Vec3>& points, const Triangle& cut,
+                        const Triangle& surface, std::int32_t first_new, bool is_at_rim) {
   const auto at = [&points](std::int32_t v) { return points[idx(v)]; };
   double distance2 = HUGE_VAL;
   for (const std::int32_t v : cut) {
     if (v < first_new) continue;
-    distance2 = std::min(distance2, closest_in_triangle(at(v), at(surface[0]), at(surface[1]),
-                                                        at(surface[2]))
-                                        .distance2);
+    distance2 = std::min(
+        distance2,
+        closest_in_triangle(at(v), at(surface[0]), at(surface[1]), at(surface[2])).distance2);
   }
   if (is_at_rim) return distance2;
   for (const std::int32_t v : surface) {
-    distance2 = std::min(
-        distance2, closest_in_triangle(at(v), at(cut[0]), at(cut[1]), at(cut[2])).distance2);
+    distance2 = std::min(distance2,
+                         closest_in_triangle(at(v), at(cut[0]), at(cut[1]), at(cut[2])).distance2);
   }
   return distance2;
 }
@@ -64,7 +63,8 @@ double squared_distance(const std::vector<Vec3>& points, const Triangle& cut, co
 
 Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = cross(b - a, c - a);
-  const bool is_above = dot(cross(b - a, p - a), normal) > 0 && dot(cross(c - b, p - b), normal) > 0 &&
+  const bool is_above = dot(cross(b - a, p - a), normal) > 0 &&
+                        dot(cross(c - b, p - b), normal) > 0 &&
                         dot(cross(a - c, p - c), normal) > 0;
   if (is_above) {
     const double height = dot(p - a, normal) / norm2(normal);
@@ -95,7 +95,8 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
     tree.query({box.low - margin, box.high + margin}, [&](std::int32_t s) {
       const Triangle& surface = subdomain.triangles[idx(s)];
       SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL};
-      contact.is_at_rim = std::any_of(surface.begin(), surface.end(), [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
+      contact.is_at_rim = std::any_of(surface.begin(), surface.end(),
+                                      [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
       contact.meets = triangles_meet_beyond_shared(points, cut, surface);
       if (contact.meets) {
         contact.distance = 0;

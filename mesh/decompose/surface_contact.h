@@ -1,7 +1,8 @@
 /// Where a cut meets, or comes close to, the surface of its sub-domain.
 ///
-/// Source: thesis 4.3.1.9, figures 63 to 65 (checking the inter-domain mesh in the original sub-domain). Meeting
-/// is exact (mesh/geometry/triangle_intersection.h); distances are for judging only.
+/// Source: thesis 4.3.1.9, figures 63 to 65 (checking the inter-domain mesh in the original
+/// sub-domain). Meeting is exact (mesh/geometry/triangle_intersection.h); distances are for judging
+/// only.
 #pragma once
 
 #include <vector>
@@ -20,8 +21,9 @@ struct SurfaceContact {
   bool meets = false;
   /// The surface triangle has a node on the rim.
   bool is_at_rim = false;
-  /// From the new nodes of the cut triangle to the surface triangle, and (away from the rim) back from its
-  /// nodes, in units of the smaller of spacing and surface triangle size. Large when they share a node.
+  /// From the new nodes of the cut triangle to the surface triangle, and (away from the rim) back
+  /// from its nodes, in units of the smaller of spacing and surface triangle size. Large when they
+  /// share a node.
   double distance = 0;
 };
 

@@ -16,7 +16,8 @@ struct HalfEdgesOfNode {
 
 HalfEdgesOfNode sort_by_smaller_node(const std::vector<Triangle>& triangles, std::size_t nodes) {
   const auto half_edges = static_cast<HalfEdge>(3 * triangles.size());
-  HalfEdgesOfNode sorted{std::vector<std::int32_t>(nodes + 1, 0), std::vector<HalfEdge>(idx(half_edges))};
+  HalfEdgesOfNode sorted{std::vector<std::int32_t>(nodes + 1, 0),
+                         std::vector<HalfEdge>(idx(half_edges))};
   const auto smaller_node = [&](HalfEdge h) {
     return idx(std::min(start_of(triangles, h), end_of(triangles, h)));
   };

@@ -1,7 +1,9 @@
-/// What the steps of a cut ask again and again of a sub-domain's surface: neighbours, centroids, sizes.
+/// What the steps of a cut ask again and again of a sub-domain's surface: neighbours, centroids,
+/// sizes.
 ///
 /// Source: thesis 4.3.1.5 ("the edge data structure is extracted from the surface triangulation").
-/// Units: lengths in the unit of the input. Edge i of a triangle goes from its node i to node i + 1.
+/// Units: lengths in the unit of the input. Edge i of a triangle goes from its node i to node i
+/// + 1.
 #pragma once
 
 #include <array>
@@ -22,11 +24,11 @@ constexpr int edge_of(HalfEdge h) { return h % 3; }
 constexpr HalfEdge next_in_triangle(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
 struct SurfaceTopology {
-  std::vector<HalfEdge> twin;  // the same edge, the other way, in the neighbour
-  std::vector<Vec3> centroid;  // of each triangle
-  std::vector<Vec3> normal;    // of each triangle, outward, of length twice its area
-  std::vector<double> size;    // mean edge length of each triangle
-  std::vector<HalfEdge> vertex2half_edge;  // one that starts at the vertex
+  std::vector<HalfEdge> twin;                // the same edge, the other way, in the neighbour
+  std::vector<Vec3> centroid;                // of each triangle
+  std::vector<Vec3> normal;                  // of each triangle, outward, of length twice its area
+  std::vector<double> size;                  // mean edge length of each triangle
+  std::vector<HalfEdge> vertex2half_edge;    // one that starts at the vertex
   std::vector<std::int32_t> triangle2shell;  // shells are numbered by their first triangle
 };
 

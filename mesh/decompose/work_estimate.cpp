@@ -57,8 +57,10 @@ Vec3 cell_size(const RootGrid& grid, int level) {
   return grid.cell / static_cast<double>(1U << static_cast<unsigned>(level));
 }
 
-/// The cells of an octree in which none is larger than `in_spacings` times the spacing at its centre.
-std::vector<Cell> fill_with_cells(const RootGrid& grid, const SpacingField& spacing, double in_spacings) {
+/// The cells of an octree in which none is larger than `in_spacings` times the spacing at its
+/// centre.
+std::vector<Cell> fill_with_cells(const RootGrid& grid, const SpacingField& spacing,
+                                  double in_spacings) {
   std::vector<Cell> cells;
   std::vector<PendingCell> stack;
   constexpr std::uint32_t root_key = 1U << (most_levels + 1);
@@ -117,8 +119,9 @@ struct Crossing {
   int step = 0;  // +1: the ray goes in, -1: it comes out
 };
 
-/// Whether the ray that goes up z from p, in the (y, z) projection, crosses the edge ab, and which way: the
-/// half-open rule, and the same sign for both uses of an edge, so that triangles tile the projection.
+/// Whether the ray that goes up z from p, in the (y, z) projection, crosses the edge ab, and which
+/// way: the half-open rule, and the same sign for both uses of an edge, so that triangles tile the
+/// projection.
 int upward_crossing(const Vec3& a, const Vec3& b, double y, double z) {
   const bool a_is_right = a.y > y;
   if (a_is_right == (b.y > y)) return 0;
@@ -130,16 +133,16 @@ int upward_crossing(const Vec3& a, const Vec3& b, double y, double z) {
 }
 
 /// Where the line along x through (y, z) crosses the surface, by x.
-std::vector<Crossing> cross_surface(const Subdomain& subdomain, const BoxTree& tree, const Box3& box,
-                                    double y, double z) {
+std::vector<Crossing> cross_surface(const Subdomain& subdomain, const BoxTree& tree,
+                                    const Box3& box, double y, double z) {
   std::vector<Crossing> crossings;
   tree.query({{box.low.x, y, z}, {box.high.x, y, z}}, [&](std::int32_t t) {
     const Triangle& triangle = subdomain.triangles[idx(t)];
     const Vec3& a = subdomain.vertices[idx(triangle[0])];
     const Vec3& b = subdomain.vertices[idx(triangle[1])];
     const Vec3& c = subdomain.vertices[idx(triangle[2])];
-    const int turns = upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) +
-                      upward_crossing(c, a, y, z);
+    const int turns =
+        upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) + upward_crossing(c, a, y, z);
     if (turns == 0) return;
     const Vec3 normal = cross(b - a, c - a);
     const double x = a.x - (normal.y * (y - a.y) + normal.z * (z - a.z)) / normal.x;
@@ -171,8 +174,8 @@ std::vector<Interval> inside_intervals(const std::vector<Crossing>& crossings) {
 }
 
 /// Adds the part of each cell of one row that is inside. `cells` are ordered by x.
-void sample_row(std::span<const Cell> cells, const std::vector<Interval>& inside, const RootGrid& grid,
-                WorkSamples& work) {
+void sample_row(std::span<const Cell> cells, const std::vector<Interval>& inside,
+                const RootGrid& grid, WorkSamples& work) {
   std::size_t next = 0;
   for (const Cell& cell : cells) {
     const Vec3 size = cell_size(grid, cell.level);
@@ -189,17 +192,17 @@ void sample_row(std::span<const Cell> cells, const std::vector<Interval>& inside
     }
     if (length <= 0) continue;
     const double h = cell.spacing;
-    const double elements =
-        SpacingField::elements_per_h3 * length * size.y * size.z / (h * h * h);
-    work.samples.push_back({{moment / length, cell.centre.y, cell.centre.z}, elements, h,
-                            {length, size.y, size.z}});
+    const double elements = SpacingField::elements_per_h3 * length * size.y * size.z / (h * h * h);
+    work.samples.push_back(
+        {{moment / length, cell.centre.y, cell.centre.z}, elements, h, {length, size.y, size.z}});
     work.total += elements;
   }
 }
 
 }  // namespace
 
-WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree, const SpacingField& spacing) {
+WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree,
+                        const SpacingField& spacing) {
   const RootGrid grid = make_root_grid(bounding_box(subdomain.vertices));
   std::vector<Cell> cells = fill_with_enough_cells(grid, spacing);
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {

@@ -1,8 +1,8 @@
-/// How many elements a sub-domain will get, and where they lie: sample points of the inside, each with
-/// its share of the work.
+/// How many elements a sub-domain will get, and where they lie: sample points of the inside, each
+/// with its share of the work.
 ///
-/// Source: thesis 4.3.1 and 4.3.2 balance by the number of boundary faces; a departure: the spacing h is
-/// known, so the work is computed as the integral of elements_per_h3 / h^3 over the inside.
+/// Source: thesis 4.3.1 and 4.3.2 balance by the number of boundary faces; a departure: the spacing
+/// h is known, so the work is computed as the integral of elements_per_h3 / h^3 over the inside.
 /// How: cells no larger than a few h; one ray along x through each row of cells tells which part of
 /// each is inside. Rounding can only misjudge cells that the surface passes through.
 #pragma once
@@ -27,10 +27,11 @@ struct WorkSamples {
   double total = 0;
 };
 
-/// At least some thousand samples in a compact sub-domain (the cells shrink for it), and never cells
-/// larger than 2.5 h. @pre the surface is closed and oriented outward.
-/// Cost: O(s + t log t + r log t) for s samples, t triangles, r rays; s is about elements / 130 when large.
-/// `tree` holds the boxes of the sub-domain's triangles.
-WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree, const SpacingField& spacing);
+/// At least some thousand samples in a compact sub-domain (the cells shrink for it), and never
+/// cells larger than 2.5 h. @pre the surface is closed and oriented outward. Cost: O(s + t log t +
+/// r log t) for s samples, t triangles, r rays; s is about elements / 130 when large. `tree` holds
+/// the boxes of the sub-domain's triangles.
+WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree,
+                        const SpacingField& spacing);
 
 }  // namespace tetfarm

@@ -30,9 +30,9 @@ TEST(PlanarCut, halves_a_structured_box) {
 }
 
 TEST(PlanarCut, halves_spheres) {
-  for (const Subdomain& shape : {root_subdomain(shapes::sphere({0, 0, 0}, 1, 3)),
-                                 root_subdomain(shapes::nested_spheres(3)),
-                                 root_subdomain(shapes::torus(0.4, 48, 20))}) {
+  for (const Subdomain& shape :
+       {root_subdomain(shapes::sphere({0, 0, 0}, 1, 3)), root_subdomain(shapes::nested_spheres(3)),
+        root_subdomain(shapes::torus(0.4, 48, 20))}) {
     const CutOutcome outcome = planar_cut(shape, SpacingField(0.12));
     ASSERT_TRUE(outcome.cut) << outcome.reason;
     expect_sound(shape, *outcome.cut);
