@@ -2,9 +2,9 @@
 //   decompose_trial surface N [--box] [--growth g] [--verbose]
 // --box puts the body into a box ten times its size.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -36,9 +36,8 @@ struct Totals {
   double cut_seconds = 0;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// Of this process only, so that a busy machine does not count.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Arguments parse(int count, char** words) {
   Arguments a;
@@ -65,9 +64,9 @@ void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, in
   if (parts > 1) {
     CutOptions options;
     options.left_share = static_cast<double>(parts / 2) / parts;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = cpu_seconds();
     const CutOutcome outcome = planar_cut(subdomain, spacing, options);
-    const double seconds = seconds_since(start);
+    const double seconds = cpu_seconds() - start;
     totals.cut_seconds += seconds;
     if (outcome.cut) {
       const Cut& cut = *outcome.cut;
@@ -77,10 +76,11 @@ void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, in
       totals.angles.push_back(cut.smallest_angle_deg);
       totals.interdomain += static_cast<std::size_t>(cut.interdomain_triangles);
       if (arguments.is_verbose) {
-        std::printf("%-8s %7zu triangles: cut of %5d, angle %4.1f, tried %2d, share %.3f, %.3f s\n",
-                    subdomain.path.text().c_str(), subdomain.triangles.size(),
-                    cut.interdomain_triangles, cut.smallest_angle_deg, cut.candidates_tried,
-                    cut.left_work / (cut.left_work + cut.right_work), seconds);
+        std::printf(
+            "%-8s %7zu triangles: cut of %5d, angle %4.1f, tried %2d, share %.3f, %.3f s; %s\n",
+            subdomain.path.text().c_str(), subdomain.triangles.size(), cut.interdomain_triangles,
+            cut.smallest_angle_deg, cut.candidates_tried,
+            cut.left_work / (cut.left_work + cut.right_work), seconds, cut.refused.c_str());
       }
       for (const Subdomain* half : {&cut.left, &cut.right}) {
         for (const std::string& line : validate(*half)) std::printf("BROKEN: %s\n", line.c_str());
@@ -129,9 +129,9 @@ int main(int count, char** words) {
   if (arguments.in_box) surface = in_outer_box(surface);
   SpacingOptions options;
   options.growth = arguments.growth;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = cpu_seconds();
   const SpacingField spacing = make_spacing_field(surface, options);
-  std::printf("spacing %.2f s\n", seconds_since(start));
+  std::printf("spacing %.2f s\n", cpu_seconds() - start);
   Totals totals;
   cut_recursively(root_subdomain(surface), spacing, arguments.parts, arguments, totals);
   print(arguments, surface, totals);

@@ -117,15 +117,16 @@ bool passes(Candidate& candidate, const Parent& parent, double cosine_limit) {
   return candidate.stage == Stage::has_mesh && candidate.cosine <= cosine_limit;
 }
 
-std::string summary(const std::vector<Candidate>& candidates) {
+/// Why the candidates that were tried did not pass, with counts.
+std::string refusals(const std::vector<Candidate>& candidates, const Candidate* accepted) {
   std::map<std::string, int> problem2count;
   for (const Candidate& c : candidates) {
+    if (&c == accepted || c.stage == Stage::new_plane) continue;
     ++problem2count[c.stage == Stage::refused ? c.problem : "angle"];
   }
-  std::string text = std::to_string(candidates.size()) + " candidates refused";
+  std::string text;
   for (const auto& [problem, count] : problem2count) {
-    text +=
-        (text.find(':') == std::string::npos ? ": " : ", ") + problem + " " + std::to_string(count);
+    text += (text.empty() ? "" : ", ") + problem + " " + std::to_string(count);
   }
   return text;
 }
@@ -170,10 +171,13 @@ CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
       cut.candidates_tried = static_cast<int>(
           std::count_if(candidates.begin(), candidates.end(),
                         [](const Candidate& c) { return c.stage != Stage::new_plane; }));
+      cut.refused = refusals(candidates, &candidate);
       return {std::move(cut), ""};
     }
   }
-  return {{}, summary(candidates)};
+  return {
+      {},
+      std::to_string(candidates.size()) + " candidates refused: " + refusals(candidates, nullptr)};
 }
 
 }  // namespace tetfarm

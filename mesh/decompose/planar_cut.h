@@ -33,6 +33,8 @@ struct Cut {
   double left_work = 0;
   double right_work = 0;
   int candidates_tried = 0;
+  /// Why those before it were refused, with counts; empty when it was the first.
+  std::string refused;
 };
 
 /// Either a cut, or why there is none: the sub-domain then stays a leaf.
