@@ -77,7 +77,7 @@ int parts_of(double length, double triangles_at_1, int least, const OuterBoundar
 void check_room(bool has_room, const OuterBoundary& outer) {
   if (has_room) return;
   throw UsageError("with a factor of " + text_of(outer.factor) +
-                       " the boundary touches the body; give a larger one",
+                       " the boundary touches the body; give a larger one, or a finer spacing",
                    "domain.factor");
 }
 

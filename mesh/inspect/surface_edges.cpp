@@ -5,10 +5,14 @@
 #include <tuple>
 
 #include "mesh/core/complaints.h"
+#include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/defect_text.h"
 
 namespace tetfarm {
 namespace {
+
+// Vertices nearer than this share of the surface's size were probably meant to be one.
+constexpr double close_share = 1e-9;
 
 const Vec3& vertex(const SurfaceMesh& surface, std::int32_t v) {
   return surface.vertices[static_cast<std::size_t>(v)];
@@ -42,27 +46,37 @@ struct WrongEdges {
   }
 };
 
-/// How many of the vertices on open edges lie where another of them lies.
-std::size_t coinciding_vertices(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
+/// Vertices on open edges that lie close to another one.
+struct CloseVertices {
+  std::size_t pairs = 0;
+  double farthest = 0;
+};
+
+CloseVertices close_vertices(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
   std::vector<std::int32_t> ends;
-  for_each_edge(uses, [&ends](std::span<const EdgeUse> edge) {
+  Box3 all;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    all.add(vertex(surface, edge[0].low));
     if (edge.size() == 1) ends.insert(ends.end(), {edge[0].low, edge[0].high});
   });
   std::ranges::sort(ends);
   const auto repeated = std::ranges::unique(ends);
   ends.erase(repeated.begin(), repeated.end());
-  const auto place = [&surface](std::int32_t v) {
-    const Vec3& p = vertex(surface, v);
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::ranges::sort(ends, {}, place);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const bool as_before = i > 0 && place(ends[i - 1]) == place(ends[i]);
-    const bool as_after = i + 1 < ends.size() && place(ends[i + 1]) == place(ends[i]);
-    count += as_before || as_after ? 1 : 0;
+  const double reach = close_share * norm(all.size());
+  const Vec3 half{0.5 * reach, 0.5 * reach, 0.5 * reach};
+  std::vector<Box3> boxes;
+  for (const std::int32_t v : ends) {
+    boxes.push_back({vertex(surface, v) - half, vertex(surface, v) + half});
   }
-  return count;
+  CloseVertices close;
+  BoxTree(boxes).self_pairs([&](std::int32_t i, std::int32_t j) {
+    const double apart = distance(vertex(surface, ends[static_cast<std::size_t>(i)]),
+                                  vertex(surface, ends[static_cast<std::size_t>(j)]));
+    if (apart > reach) return;
+    ++close.pairs;
+    close.farthest = std::max(close.farthest, apart);
+  });
+  return close;
 }
 
 }  // namespace
@@ -95,11 +109,10 @@ std::vector<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<con
   std::vector<SurfaceDefect> defects;
   if (open.count > 0) {
     std::string what = count_of(open.count, "open edge") + " (on one triangle only)";
-    if (const std::size_t n = coinciding_vertices(surface, uses); n > 0) {
-      what +=
-          "; " + std::to_string(n) +
-          " of their vertices lie exactly where another one does: joining equal vertices may close "
-          "the surface";
+    if (const CloseVertices close = close_vertices(surface, uses); close.pairs > 0) {
+      what += "; " + count_of(close.pairs, "pair") + " of vertices on them lie " +
+              (close.farthest > 0 ? "within " + text_of(close.farthest) : "in the same place") +
+              ": joining these may close the surface";
     }
     defects.push_back(open.defect("open edge", what));
   }

@@ -36,8 +36,9 @@ void for_each_edge(std::span<const EdgeUse> uses, Visitor&& visit) {
   }
 }
 
-/// "open edge": used by one triangle. "non-manifold edge": used by more than two; when nothing is
-/// open the surface bounds several materials, and the message says so.
+/// "open edge": used by one triangle; the message says when vertices on open edges lie so close
+/// together that they were probably meant to be one. "non-manifold edge": used by more than two;
+/// when nothing is open the surface bounds several materials, and the message says so.
 std::vector<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<const EdgeUse> uses);
 
 }  // namespace tetfarm

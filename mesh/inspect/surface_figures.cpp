@@ -7,13 +7,12 @@
 namespace tetfarm {
 namespace {
 
-/// The greatest cosine of an angle of the triangle abc.
-double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto cosine = [](const Vec3& u, const Vec3& v) {
-    const double lengths = norm(u) * norm(v);
-    return lengths > 0 ? dot(u, v) / lengths : 1.0;
+/// The smallest angle of the triangle abc in degrees; right also where its cosine rounds to 1.
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto angle = [](const Vec3& u, const Vec3& v) {
+    return std::atan2(norm(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi;
   };
-  return std::max({cosine(b - a, c - a), cosine(c - b, a - b), cosine(a - c, b - c)});
+  return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
 }  // namespace
@@ -37,7 +36,7 @@ void measure_surface(const SurfaceMesh& surface, std::span<const EdgeUse> uses,
     report.shortest_edge = *std::min_element(lengths.begin(), middle + 1);
     report.longest_edge = *std::max_element(middle, lengths.end());
   }
-  double cosine = 0;
+  double angle = 180;
   std::vector<char> is_used(surface.vertices.size(), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& nodes = surface.triangles[t];
@@ -47,11 +46,9 @@ void measure_surface(const SurfaceMesh& surface, std::span<const EdgeUse> uses,
       }
     }
     if (is_measured[t] == 0) continue;
-    cosine = std::max(cosine, largest_cosine(at(nodes[0]), at(nodes[1]), at(nodes[2])));
+    angle = std::min(angle, smallest_angle(at(nodes[0]), at(nodes[1]), at(nodes[2])));
   }
-  if (!lengths.empty()) {
-    report.smallest_angle_deg = std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi;
-  }
+  if (!lengths.empty()) report.smallest_angle_deg = angle;
   report.unused_vertices = std::count(is_used.begin(), is_used.end(), 0);
 }
 

@@ -61,7 +61,19 @@ TEST(SurfaceEdges, of_a_soup_are_open_and_the_message_says_what_would_help) {
   const auto defects = edge_defects(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_THAT(defects[0].message, HasSubstr("36 open edges"));
-  EXPECT_THAT(defects[0].message, HasSubstr("joining equal vertices"));
+  EXPECT_THAT(defects[0].message, HasSubstr("in the same place: joining these may close"));
+}
+
+TEST(SurfaceEdges, of_a_seam_that_rounding_tore_open_say_how_wide_it_is) {
+  SurfaceMesh mesh = shapes::unit_cube();
+  const std::int32_t v = mesh.triangles[0][0];
+  mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)] + Vec3{0, 0, 0x1p-40});
+  mesh.triangles[0][0] = 8;
+  const auto defects = edge_defects(mesh);
+  ASSERT_EQ(defects.size(), 1U);
+  EXPECT_THAT(defects[0].message, HasSubstr("4 open edges"));
+  EXPECT_THAT(defects[0].message,
+              HasSubstr("1 pair of vertices on them lie within 9.09494702e-13"));
 }
 
 /// Two boxes side by side with one wall between them.

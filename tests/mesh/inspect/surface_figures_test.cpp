@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/mesh/inspect/check_support.h"
 #include "tests/support/shapes.h"
 
@@ -24,6 +27,12 @@ TEST(SurfaceFigures, of_a_cube_are_known) {
   EXPECT_DOUBLE_EQ(report.longest_edge, std::sqrt(2.0));
   EXPECT_NEAR(report.smallest_angle_deg, 45, 1e-9);
   EXPECT_EQ(report.unused_vertices, 1);
+}
+
+TEST(SurfaceFigures, resolve_tiny_angles) {
+  SurfaceMesh mesh = shapes::tetrahedron();
+  mesh.vertices[3] = {0, 0, 1e-10};
+  EXPECT_NEAR(measure(mesh).smallest_angle_deg, 1e-10 * 180 / std::numbers::pi, 1e-15);
 }
 
 TEST(SurfaceFigures, of_nothing_are_zero) {
