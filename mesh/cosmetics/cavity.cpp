@@ -130,6 +130,16 @@ std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node) {
   return ball;
 }
 
+bool is_inner(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node) {
+  if (!work.may_move(node)) return false;
+  for (const std::int32_t t : ball) {
+    for (int face = 0; face < 4; ++face) {
+      if (work.tet(t)[at(face)] != node && work.across(t, face) == no_face) return false;
+    }
+  }
+  return true;
+}
+
 std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i, int j,
                                      std::size_t most) {
   // The other two nodes k, l such that (i, j, k, l) is an even permutation of the tet.

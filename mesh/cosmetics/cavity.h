@@ -52,6 +52,9 @@ double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets);
 /// The tets round a node, in breadth-first order from node2tet.
 std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node);
 
+/// True when no boundary face holds the node and it is not fixed: it may move or go.
+bool is_inner(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node);
+
 /// The tets round an edge in order: tets[i] = (from, to, nodes[i], nodes[i + 1]), positive.
 struct EdgeRing {
   std::int32_t from = -1;

@@ -11,6 +11,7 @@
 #include "mesh/cosmetics/element_splitting.h"
 #include "mesh/cosmetics/face_swapping.h"
 #include "mesh/cosmetics/quality.h"
+#include "mesh/cosmetics/relaxation.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm {
@@ -94,17 +95,6 @@ bool swap(Improver& improver, const BadTet& bad) {
   return true;
 }
 
-/// True when no boundary face holds the node, so that it may move or go.
-bool is_inner(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node) {
-  if (!work.may_move(node)) return false;
-  for (const std::int32_t t : ball) {
-    for (int face = 0; face < 4; ++face) {
-      if (work.tet(t)[at(face)] != node && work.across(t, face) == no_face) return false;
-    }
-  }
-  return true;
-}
-
 bool smooth(Improver& improver, const BadTet& bad) {
   WorkMesh& work = improver.work;
   const Tet tet = work.tet(bad.tet);
@@ -112,7 +102,7 @@ bool smooth(Improver& improver, const BadTet& bad) {
   for (const std::int32_t node : tet) {
     if (!work.may_move(node)) continue;
     const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
-    if (!is_inner(work, ball, node)) continue;
+    if (!cosmetics::is_inner(work, ball, node)) continue;
     const auto place = cosmetics::find_move(work, ball, node, improver.enough);
     if (!place || !cosmetics::move_node(work, ball, node, place->point)) continue;
     improver.queue_bad(ball);
@@ -143,7 +133,7 @@ bool collapse(Improver& improver, const BadTet& bad) {
   for (const std::int32_t node : tet) {
     if (!work.may_move(node)) continue;
     const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
-    if (!is_inner(work, ball, node)) continue;
+    if (!cosmetics::is_inner(work, ball, node)) continue;
     for (const std::int32_t onto : tet) {
       if (onto == node) continue;
       auto found = cosmetics::find_collapse(work, ball, node, onto, beat);
@@ -205,9 +195,17 @@ void requeue(Improver& improver, bool all) {
 struct Scan {
   double min_dihedral_deg = 0;
   std::vector<BadTet> bad;
+  /// Set for the nodes of tets to relax; empty when there are none.
+  std::vector<bool> to_relax;
 };
 
-Scan scan(const TetComplex& complex, double wanted) {
+/// The goodnesses below which a tet is bad, and below which its nodes are relaxed.
+struct Limits {
+  double wanted = 0;
+  double relaxed = 0;
+};
+
+Scan scan(const TetComplex& complex, const Limits& limits) {
   Scan result;
   double largest_cosine = -1;
   double its_goodness = HUGE_VAL;
@@ -215,7 +213,11 @@ Scan scan(const TetComplex& complex, double wanted) {
     if (!complex.is_live(t)) continue;
     const Tet& tet = complex.nodes[at(t)];
     const double now = cosmetics::goodness(complex, tet);
-    if (now < wanted) result.bad.push_back({now, t});
+    if (now < limits.wanted) result.bad.push_back({now, t});
+    if (now < limits.relaxed) {
+      if (result.to_relax.empty()) result.to_relax.resize(complex.points.size());
+      for (const std::int32_t v : tet) result.to_relax[at(v)] = true;
+    }
     // A tet with a smaller angle than the smallest so far cannot have a larger goodness.
     if (now > its_goodness) continue;
     const double cosine = dihedral_cosines(complex.points[at(tet[0])], complex.points[at(tet[1])],
@@ -233,23 +235,25 @@ Scan scan(const TetComplex& complex, double wanted) {
 
 CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
                             const CosmeticOptions& options) {
-  const double wanted = cosmetics::goodness_of_angle(options.wanted_dihedral_deg);
-  const double enough =
-      cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg));
   if (complex.live_tets() == 0) return {};
-  Scan before = scan(complex, wanted);
+  const Limits limits{cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
+                      cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
+  Scan before = scan(complex, limits);
   CosmeticReport report;
   report.min_dihedral_before_deg = before.min_dihedral_deg;
   report.min_dihedral_after_deg = before.min_dihedral_deg;
-  if (before.bad.empty()) return report;
-  Improver improver{WorkMesh(complex, fixed_nodes), options, wanted, enough, report, {}, {}};
+  if (before.bad.empty() && before.to_relax.empty()) return report;
+  const double enough =
+      cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg));
+  Improver improver{WorkMesh(complex, fixed_nodes), options, limits.wanted, enough, report, {}, {}};
   improver.queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad));
   for (int pass = 0; pass < options.most_passes; ++pass) {
     run_pass(improver, pass > 0);
     requeue(improver, pass == 0);
     if (improver.queue.empty()) break;
   }
-  improver.report.min_dihedral_after_deg = scan(complex, wanted).min_dihedral_deg;
+  improver.report.moves += cosmetics::relax_nodes(improver.work, before.to_relax);
+  improver.report.min_dihedral_after_deg = scan(complex, {}).min_dihedral_deg;
   return improver.report;
 }
 

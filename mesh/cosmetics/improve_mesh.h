@@ -13,6 +13,8 @@ namespace tetfarm {
 struct CosmeticOptions {
   /// Tets whose smallest dihedral angle is below this are worked on.
   double wanted_dihedral_deg = 30;
+  /// Nodes of tets below this are relaxed at the end, for rounder tets on average. 0: none.
+  double relaxed_dihedral_deg = 45;
   int most_passes = 6;
   /// Target edge length at a point: a guard for collapses and splits. Empty: no guard.
   std::function<double(const Vec3&)> spacing;

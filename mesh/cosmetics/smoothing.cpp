@@ -19,16 +19,6 @@ double goodness_at(const std::array<Vec3, 3>& face, const Vec3& p) {
   return goodness(face[0], face[1], face[2], p);
 }
 
-/// The smallest goodness of the star with its node at p; any value below `least` once it is below.
-double worst_at(const Star& star, const Vec3& p, double least) {
-  double worst = 1;
-  for (const auto& face : star) {
-    worst = std::min(worst, goodness_at(face, p));
-    if (worst < least) break;
-  }
-  return worst;
-}
-
 /// The mean of the nodes of the star; each counts as often as it has faces.
 Vec3 mean_of(const Star& star) {
   Vec3 sum;
@@ -84,6 +74,15 @@ Vec3 direction_up(const Star& star, const Vec3& p, double worst, double length) 
 }
 
 }  // namespace
+
+double worst_at(const Star& star, const Vec3& p, double least) {
+  double worst = 1;
+  for (const auto& face : star) {
+    worst = std::min(worst, goodness_at(face, p));
+    if (worst < least) break;
+  }
+  return worst;
+}
 
 Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node) {
   Star star;

@@ -20,6 +20,9 @@ struct Place {
   double worst = 0;
 };
 
+/// The smallest goodness of the star with its node at p; any value below `least` once it is below.
+double worst_at(const Star& star, const Vec3& p, double least);
+
 /// The star of a node in its ball.
 Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node);
 
