@@ -23,7 +23,7 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
 
 constexpr double inverse_sqrt3 = 0.57735026918962576;
 /// A triangle is small enough when circumradius / spacing is below this (0.577 is the regular one).
-constexpr double largest_radius = 0.70;
+constexpr double largest_radius = 0.77;
 /// New points keep this much of the spacing from all nodes…
 constexpr double node_clearance = 0.65;
 /// …and this much of the spacing, or of the edge, whichever is less, from boundary edges.

@@ -54,7 +54,7 @@ TEST(PointInsertion, keeps_points_apart_and_leaves_no_large_hole) {
       const double length = distance(complex.point(complex.node(t, next(i))),
                                      complex.point(complex.node(t, previous(i))));
       EXPECT_GT(length, 0.64 * h);
-      EXPECT_LT(length, 1.5 * h);
+      EXPECT_LT(length, 2 * 0.78 * h);
     }
 }
 
