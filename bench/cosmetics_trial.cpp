@@ -1,5 +1,6 @@
 /// What cosmetics does to a ball seeded by a lattice, or by random points: angles and seconds.
-/// usage: cosmetics_trial [lattice|random] [levels of the icosphere] [wanted angle, degrees]
+/// usage: cosmetics_trial [lattice|random|hollow|half|shell] [levels of the icosphere] [wanted
+/// angle, degrees]
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -47,6 +48,14 @@ void print_quality(const char* when, const TetComplex& complex, std::int32_t bou
   std::printf("\n");
 }
 
+TetMesh trial_mesh(const std::string& kind, int levels) {
+  if (kind == "random") return trial::random_ball(levels, 1 << (3 * levels), 1);
+  if (kind == "hollow") return trial::random_ball(levels, 0, 1);
+  if (kind == "half") return trial::lattice_half_ball(levels);
+  if (kind == "shell") return trial::lattice_shell(levels);
+  return trial::lattice_ball(levels);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,8 +63,7 @@ int main(int argc, char** argv) {
   const int levels = argc > 2 ? std::atoi(argv[2]) : 4;
   CosmeticOptions options;
   if (argc > 3) options.wanted_dihedral_deg = std::atof(argv[3]);
-  const TetMesh mesh = kind == "random" ? trial::random_ball(levels, 1 << (3 * levels), 1)
-                                        : trial::lattice_ball(levels);
+  const TetMesh mesh = trial_mesh(kind, levels);
   TetComplex complex = make_tet_complex(mesh);
   print_quality("before", complex, mesh.boundary_nodes);
   const double start = seconds_now();

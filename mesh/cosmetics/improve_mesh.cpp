@@ -51,6 +51,7 @@ struct Improver {
   WorkMesh work;
   const CosmeticOptions& options;
   double wanted;
+  double rebuilt;
   double enough;
   CosmeticReport report;
   std::priority_queue<BadTet> queue;
@@ -161,15 +162,16 @@ bool split(Improver& improver, const BadTet& bad) {
   return true;
 }
 
-/// Works the queue off, worst first. Collapses and splits change the number of nodes, so they wait
-/// for a `thorough` pass, when swaps and moves have done what they can.
+/// Works the queue off, worst first. Collapses and splits change the number of nodes and cost most,
+/// so they wait for a `thorough` pass, when swaps and moves have done what they can.
 void run_pass(Improver& improver, bool thorough) {
   while (!improver.queue.empty()) {
     const BadTet bad = improver.queue.top();
     improver.queue.pop();
     if (!improver.is_current(bad)) continue;
     if (swap(improver, bad) || smooth(improver, bad)) continue;
-    if (thorough && (collapse(improver, bad) || split(improver, bad))) continue;
+    const bool rebuild = thorough && bad.goodness < improver.rebuilt;
+    if (rebuild && (collapse(improver, bad) || split(improver, bad))) continue;
     improver.given_up.push_back({bad, improver.work.changes});
   }
 }
@@ -243,10 +245,15 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   report.min_dihedral_before_deg = before.min_dihedral_deg;
   report.min_dihedral_after_deg = before.min_dihedral_deg;
   if (before.bad.empty() && before.to_relax.empty()) return report;
-  const double enough =
-      cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg));
-  Improver improver{WorkMesh(complex, fixed_nodes), options, limits.wanted, enough, report, {}, {}};
-  improver.queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad));
+  Improver improver{
+      .work = WorkMesh(complex, fixed_nodes),
+      .options = options,
+      .wanted = limits.wanted,
+      .rebuilt = cosmetics::goodness_of_angle(options.rebuilt_dihedral_deg),
+      .enough = cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg)),
+      .report = report,
+      .queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad)),
+      .given_up = {}};
   for (int pass = 0; pass < options.most_passes; ++pass) {
     run_pass(improver, pass > 0);
     requeue(improver, pass == 0);

@@ -154,6 +154,7 @@ TEST(ImproveMesh, a_fixed_inner_node_stays) {
 TEST(ImproveMesh, asks_the_spacing_before_it_adds_or_removes_nodes) {
   CosmeticOptions options;
   options.wanted_dihedral_deg = 40;
+  options.rebuilt_dihedral_deg = 40;
   const TetMesh mesh = trial::random_ball(2, 300, 9);
   ASSERT_GT(improve_and_check(mesh, options).splits, 0);
   options.spacing = [](const Vec3&) { return 1e3; };

@@ -94,6 +94,62 @@ inline TetMesh lattice_ball(int levels, double clearance = 0.5) {
   return delaunay_mesh(points, boundary);
 }
 
+/// The half of such a ball below z = 0, cut off by a flat disc: what a planar cut leaves. The rim
+/// of the disc is as fine as the rest.
+inline TetMesh lattice_half_ball(int rings) {
+  const double edge = 1.0 / rings;
+  std::vector<Vec3> points;
+  for (const Vec3& p : shapes::sphere({0, 0, 0}, 1, 4).vertices) {
+    if (rings == 14 && p.z < -0.5 * edge) points.push_back(p);
+  }
+  for (int ring = 0; ring <= rings; ++ring) {
+    const int count = ring == 0 ? 1 : 6 * ring;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * 3.14159265358979 * (i + 0.5 * (ring % 2)) / count;
+      points.push_back({ring * edge * std::cos(angle), ring * edge * std::sin(angle), 0});
+    }
+  }
+  const auto boundary = static_cast<std::int32_t>(points.size());
+  const double cell = edge / 0.92;
+  for (int i = -rings; i <= rings; ++i) {
+    for (int j = -rings; j <= rings; ++j) {
+      for (int k = -rings; k <= rings; ++k) {
+        for (const double half : {0.0, 0.5}) {
+          const Vec3 p{(i + half) * cell, (j + half) * cell, (k + half) * cell};
+          if (norm(p) < 1 - 0.5 * edge && p.z < -0.5 * edge) points.push_back(p);
+        }
+      }
+    }
+  }
+  return delaunay_mesh(points, boundary);
+}
+
+/// A shell between spheres of radius 1 and 0.5 with edges of like length.
+inline TetMesh lattice_shell(int levels) {
+  std::vector<Vec3> points = shapes::sphere({0, 0, 0}, 1, levels).vertices;
+  const auto outer = static_cast<std::int32_t>(points.size());
+  for (const Vec3& p : shapes::sphere({0, 0, 0}, 0.5, levels - 1).vertices) points.push_back(p);
+  const auto boundary = static_cast<std::int32_t>(points.size());
+  const double edge = std::sqrt(4 * 4 * 3.14159265 / std::sqrt(3.0) / (20 << (2 * levels)));
+  const double cell = edge / 0.92;
+  const int n = static_cast<int>(1 / cell) + 1;
+  for (int i = -n; i <= n; ++i) {
+    for (int j = -n; j <= n; ++j) {
+      for (int k = -n; k <= n; ++k) {
+        for (const double half : {0.0, 0.5}) {
+          const Vec3 p{(i + half) * cell, (j + half) * cell, (k + half) * cell};
+          if (norm(p) < 1 - 0.5 * edge && norm(p) > 0.5 + 0.5 * edge) points.push_back(p);
+        }
+      }
+    }
+  }
+  TetMesh mesh = delaunay_mesh(points, boundary);
+  std::erase_if(mesh.tets, [&](const Tet& tet) {
+    return std::all_of(tet.begin(), tet.end(), [&](int v) { return v >= outer && v < boundary; });
+  });
+  return mesh;
+}
+
 /// The same ball with points thrown at random: slivers everywhere.
 inline TetMesh random_ball(int levels, int inner_points, std::uint64_t seed) {
   std::vector<Vec3> points = shapes::sphere({0, 0, 0}, 1, levels).vertices;
