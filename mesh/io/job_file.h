@@ -40,10 +40,20 @@ struct JobFile {
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
 };
 
+/// The factor of an outer boundary when none is given: 3 for a box, 5 for a sphere, 0 for "none".
+double default_outer_factor(std::string_view outer_kind);
+
+/// A relative surface path is taken from the folder of `path`; without a name, the job is named
+/// like `path` without its folder and ending.
 /// @throws UsageError "file:line:column: …", with "did you mean" for an unknown key.
 JobFile parse_job_file(std::string_view text, const std::string& path);
 
-/// The same job as canonical TOML with absolute paths: what the store keeps.
+/// The same job as canonical TOML with absolute paths: what the store keeps. Parsed again it gives
+/// the same job (but for the line numbers of the sources).
 std::string to_toml(const JobFile& job);
+
+/// Every key that the parser knows, as "spacing.growth"; for the test that docs/job_file.md has
+/// them all.
+std::vector<std::string> job_file_keys();
 
 }  // namespace tetfarm
