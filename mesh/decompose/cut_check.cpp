@@ -9,14 +9,6 @@ namespace {
 constexpr double least_clearance = 0.3;
 constexpr double least_clearance_at_rim = 0.1;
 
-std::int32_t node_off_edge(const std::array<std::int32_t, 3>& triangle,
-                           const std::array<std::int32_t, 2>& edge) {
-  for (const std::int32_t v : triangle) {
-    if (v != edge[0] && v != edge[1]) return v;
-  }
-  return triangle[0];
-}
-
 double cosine_at(const Vec3& a, const Vec3& b, const Vec3& c) {
   return dot(normalized(b - a), normalized(c - a));
 }
@@ -42,18 +34,18 @@ std::optional<double> height_of_cut(const InterdomainMesh& mesh, const Vec2& p) 
 
 }  // namespace
 
-double cosine_of_smallest_rim_angle(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                    const std::vector<RimCorner>& corners) {
-  double worst = -1;
+std::vector<double> cosines_at_rim(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                   const std::vector<RimCorner>& corners) {
+  std::vector<double> cosines;
+  cosines.reserve(mesh.rim.size());
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
-    const std::int32_t apex =
-        node_off_edge(mesh.planar.triangles[idx(mesh.rim2triangle[i])], mesh.rim_nodes[i]);
+    const std::int32_t apex = apex_of_rim_triangle(mesh, i);
     const Vec3 into_cut = direction_into(subdomain.vertices[idx(mesh.rim[i].from)],
                                          subdomain.vertices[idx(mesh.rim[i].to)],
                                          node_position(mesh, subdomain, apex));
-    worst = std::max(worst, cosine_to_sides(corners[i], into_cut));
+    cosines.push_back(cosine_to_sides(corners[i], into_cut));
   }
-  return worst;
+  return cosines;
 }
 
 double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subdomain& subdomain) {
@@ -87,12 +79,16 @@ bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& sub
   return true;
 }
 
+bool is_too_near(const SurfaceContact& contact) {
+  return contact.meets ||
+         contact.distance < (contact.is_at_rim ? least_clearance_at_rim : least_clearance);
+}
+
 std::string judge_contacts(const std::vector<SurfaceContact>& contacts) {
   bool is_clear = true;
   for (const SurfaceContact& contact : contacts) {
     if (contact.meets) return "intersection";
-    const double least = contact.is_at_rim ? least_clearance_at_rim : least_clearance;
-    if (contact.distance < least) is_clear = false;
+    if (is_too_near(contact)) is_clear = false;
   }
   return is_clear ? "" : "clearance";
 }

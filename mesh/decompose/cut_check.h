@@ -16,9 +16,9 @@
 
 namespace tetfarm {
 
-/// The cosine of the smallest angle between the cut and the surface along the rim.
-double cosine_of_smallest_rim_angle(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                    const std::vector<RimCorner>& corners);
+/// Of each rim edge, the cosine of the smaller angle between the cut and the surface there.
+std::vector<double> cosines_at_rim(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                   const std::vector<RimCorner>& corners);
 
 /// The cosine of the smallest angle of the cut's triangles in space.
 double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subdomain& subdomain);
@@ -31,5 +31,8 @@ bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& sub
 
 /// What is wrong with these contacts, or nothing: "intersection" or "clearance".
 std::string judge_contacts(const std::vector<SurfaceContact>& contacts);
+
+/// Whether this contact alone is a reason to refuse the cut.
+bool is_too_near(const SurfaceContact& contact);
 
 }  // namespace tetfarm

@@ -7,8 +7,6 @@
 namespace tetfarm {
 namespace {
 
-using Edge = std::array<std::int32_t, 2>;
-
 double twice_signed_area(const PlanarRegion& region) {
   double area = 0;
   for (const auto& [i, j] : region.edges) {
@@ -39,13 +37,13 @@ PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain,
 
 /// Surface edges with both ends on the rim that are not on it: as a chord of the cut, such an edge
 /// would have four triangles.
-std::vector<Edge> chords_of_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                    const SurfaceTopology& topology) {
+std::vector<Chord> chords_of_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                     const SurfaceTopology& topology) {
   std::vector<std::int32_t> vertex2node(subdomain.vertices.size(), -1);
   for (std::size_t i = 0; i < mesh.rim_vertices.size(); ++i) {
     vertex2node[idx(mesh.rim_vertices[i])] = static_cast<std::int32_t>(i);
   }
-  std::vector<Edge> chords;
+  std::vector<Chord> chords;
   for (const std::int32_t vertex : mesh.rim_vertices) {
     for (const HalfEdge h :
          half_edges_round_start(topology, topology.vertex2half_edge[idx(vertex)])) {
@@ -56,13 +54,13 @@ std::vector<Edge> chords_of_surface(const InterdomainMesh& mesh, const Subdomain
       }
     }
   }
-  std::vector<Edge> rim = mesh.rim_nodes;
+  std::vector<Chord> rim = mesh.rim_nodes;
   for (auto& [a, b] : rim) {
     if (a > b) std::swap(a, b);
   }
   std::sort(rim.begin(), rim.end());
   std::sort(chords.begin(), chords.end());
-  std::vector<Edge> inner;
+  std::vector<Chord> inner;
   std::set_difference(chords.begin(), chords.end(), rim.begin(), rim.end(),
                       std::back_inserter(inner));
   return inner;
@@ -93,7 +91,8 @@ void find_rim_triangles(InterdomainMesh& mesh) {
 
 InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
                                    const EdgeLoops& loops, const CutPlane& plane,
-                                   const SpacingField& spacing) {
+                                   const SpacingField& spacing,
+                                   const std::vector<Chord>& unwanted) {
   InterdomainResult result;
   InterdomainMesh& mesh = result.mesh;
   mesh.plane = plane;
@@ -102,6 +101,8 @@ InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopo
     if (twice_signed_area(region) <= 0) return {{}, "loops enclose no region"};
     PlanarOptions options;
     options.forbidden_chords = chords_of_surface(mesh, subdomain, topology);
+    options.forbidden_chords.insert(options.forbidden_chords.end(), unwanted.begin(),
+                                    unwanted.end());
     PlanarResult planar = mesh_region(
         region, [&](const Vec2& p) { return spacing.at(plane.lift(p, 0)); }, options);
     if (planar.failure) return {{}, "loops tangle in the plane"};
@@ -116,6 +117,28 @@ InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopo
     mesh.spacing.push_back(spacing.at(at));
   }
   return result;
+}
+
+std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i) {
+  const auto& triangle = mesh.planar.triangles[idx(mesh.rim2triangle[i])];
+  for (const std::int32_t v : triangle) {
+    if (v != mesh.rim_nodes[i][0] && v != mesh.rim_nodes[i][1]) return v;
+  }
+  return triangle[0];
+}
+
+std::vector<Chord> chords_of_triangle(const InterdomainMesh& mesh, std::int32_t triangle) {
+  std::vector<Chord> chords;
+  const auto& nodes = mesh.planar.triangles[idx(triangle)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int32_t a = nodes[k];
+    const std::int32_t b = nodes[(k + 1) % 3];
+    if (!mesh.is_rim_node(a) || !mesh.is_rim_node(b)) continue;
+    // Loops are numbered one after the other, so that the rim edge from a is number a.
+    if (mesh.rim_nodes[idx(a)][1] == b) continue;
+    chords.push_back({std::min(a, b), std::max(a, b)});
+  }
+  return chords;
 }
 
 Vec3 node_position(const InterdomainMesh& mesh, const Subdomain& subdomain, std::int32_t node) {

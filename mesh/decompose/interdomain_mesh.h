@@ -39,12 +39,22 @@ struct InterdomainResult {
   std::string problem;
 };
 
-/// Heights of new nodes are 0. No edge between rim nodes is an edge of the surface, rim edges
-/// excepted. Fails when projected loops tangle, cross, or enclose no region. Cost: O(m log m) for m
-/// cut triangles.
+/// Two rim nodes, as planar points in ascending order.
+using Chord = std::array<std::int32_t, 2>;
+
+/// Heights of new nodes are 0. No inner edge is an edge of the surface, or one of `unwanted`: such
+/// chords have a new node near their middle instead. Fails when projected loops tangle, cross, or
+/// enclose no region. Cost: O(m log m) for m cut triangles.
 InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
                                    const EdgeLoops& loops, const CutPlane& plane,
-                                   const SpacingField& spacing);
+                                   const SpacingField& spacing,
+                                   const std::vector<Chord>& unwanted = {});
+
+/// The node of the triangle on rim edge i that is not on the edge.
+std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i);
+
+/// The inner edges of a cut triangle that join rim nodes.
+std::vector<Chord> chords_of_triangle(const InterdomainMesh& mesh, std::int32_t triangle);
 
 /// The place of a node in space; rim nodes bit by bit as in the sub-domain.
 Vec3 node_position(const InterdomainMesh& mesh, const Subdomain& subdomain, std::int32_t node);

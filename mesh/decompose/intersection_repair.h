@@ -20,8 +20,10 @@ struct PushOptions {
   double too_near = 0.4;
   /// To this distance, in spacings.
   double to = 0.6;
-  /// Nodes do not go farther from the plane's natural height than this, in spacings.
-  double farthest = 2.5;
+  /// The height of the cut over or under a corner of the surface, in SurfaceContact::unit.
+  double corners_to = 0.5;
+  /// A node moves no farther at once than this, in spacings.
+  double farthest = 1.5;
 };
 
 /// Sets or moves `pushed` heights of the nodes of each contact that is too near; how many moved. 0:

@@ -44,15 +44,8 @@ double bisector_height(const InterdomainMesh& mesh, const RimCorner& corner, std
          slope * dot2(to_apex, inward);
 }
 
-std::int32_t apex_of(const std::array<std::int32_t, 3>& triangle, std::int32_t a, std::int32_t b) {
-  for (const std::int32_t v : triangle) {
-    if (v != a && v != b) return v;
-  }
-  return triangle[0];
-}
-
 Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
-                   const LiftOptions& options) {
+                   const std::vector<double>& bisector_weights, const LiftOptions& options) {
   const std::vector<Vec2>& points = mesh.planar.points;
   Quadratic q{{}, std::vector<double>(points.size(), 0.0), std::vector<double>(points.size(), 0.0)};
   for (const auto& t : mesh.planar.triangles) {
@@ -73,14 +66,13 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
     }
   }
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
-    const auto& triangle = mesh.planar.triangles[idx(mesh.rim2triangle[i])];
     const std::int32_t from = mesh.rim_nodes[i][0];
     const std::int32_t to = mesh.rim_nodes[i][1];
-    const std::int32_t apex = apex_of(triangle, from, to);
+    const std::int32_t apex = apex_of_rim_triangle(mesh, i);
     if (mesh.is_rim_node(apex)) continue;
     const double target = bisector_height(mesh, corners[i], from, to, apex, options.steepest_slope);
-    q.diagonal[idx(apex)] += options.bisector_weight;
-    q.right_side[idx(apex)] += options.bisector_weight * target;
+    q.diagonal[idx(apex)] += bisector_weights[i];
+    q.right_side[idx(apex)] += bisector_weights[i] * target;
   }
   return q;
 }
@@ -139,6 +131,7 @@ void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<
 }  // namespace
 
 void lift_heights(InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
+                  const std::vector<double>& bisector_weights,
                   const std::vector<std::optional<double>>& pushed, const LiftOptions& options) {
   std::vector<bool> is_free(mesh.heights.size(), true);
   for (std::size_t i = 0; i < mesh.heights.size(); ++i) {
@@ -148,7 +141,7 @@ void lift_heights(InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
       mesh.heights[i] = *pushed[i];
     }
   }
-  minimise(assemble(mesh, corners, options), is_free, mesh.heights);
+  minimise(assemble(mesh, corners, bisector_weights, options), is_free, mesh.heights);
 }
 
 }  // namespace tetfarm

@@ -17,15 +17,17 @@ namespace tetfarm {
 struct LiftOptions {
   /// The height decays over this many spacings.
   double decay = 2;
-  double bisector_weight = 4;
   /// Tangent of the steepest slope of a rim triangle against the plane: 65 degrees.
   double steepest_slope = 2.1445069205095586;
 };
 
-/// Sets mesh.heights. `pushed` holds a height for each node that is to lie there exactly, or is
-/// empty. Conjugate gradients: + - * / sqrt in a fixed order. Cost: O(m) an iteration, some 30
-/// iterations.
+inline constexpr double usual_bisector_weight = 4;
+
+/// Sets mesh.heights. `bisector_weights` tell of each rim edge how strongly it pulls. `pushed`
+/// holds a height for each node that is to lie there exactly, or is empty. Conjugate gradients: + -
+/// * / sqrt in a fixed order. Cost: O(m) an iteration, some 30 iterations.
 void lift_heights(InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
+                  const std::vector<double>& bisector_weights,
                   const std::vector<std::optional<double>>& pushed,
                   const LiftOptions& options = {});
 

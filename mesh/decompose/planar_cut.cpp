@@ -69,32 +69,86 @@ void find_loops(Candidate& candidate, const Parent& parent) {
   candidate.stage = Stage::has_loops;
 }
 
+/// The lift of a candidate, and what it has been asked for so far.
+struct Lift {
+  std::vector<double> bisector_weights;
+  std::vector<std::optional<double>> pushed;
+};
+
+/// Solves, and solves again with more weight on rim edges where the angle is still small.
+void lift(Candidate& candidate, const Parent& parent, Lift& state) {
+  constexpr int most_rounds = 4;
+  constexpr double more_weight = 5;
+  const double good_enough = cosine_of_degrees(45);
+  for (int round = 0; round < most_rounds; ++round) {
+    lift_heights(candidate.mesh, candidate.corners, state.bisector_weights, state.pushed);
+    const auto cosines = cosines_at_rim(candidate.mesh, parent.subdomain, candidate.corners);
+    bool is_good = true;
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+      if (cosines[i] <= good_enough) continue;
+      state.bisector_weights[i] *= more_weight;
+      is_good = false;
+    }
+    if (is_good) return;
+  }
+}
+
 /// Lifts the cut and pushes it off the surface until there is no contact, or no push left to try.
 std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& parent) {
   constexpr int most_pushes = 6;
   const double reach = PushOptions{}.too_near;
-  std::vector<std::optional<double>> pushed;
-  lift_heights(candidate.mesh, candidate.corners, pushed);
-  const auto contacts = [&] {
-    return find_contacts(candidate.mesh, parent.subdomain, parent.topology, parent.tree, reach);
-  };
-  std::vector<SurfaceContact> found = contacts();
-  for (int i = 0; i < most_pushes; ++i) {
-    if (push_nodes(candidate.mesh, parent.subdomain, candidate.colours, found, pushed) == 0) break;
-    lift_heights(candidate.mesh, candidate.corners, pushed);
-    found = contacts();
+  Lift state{std::vector<double>(candidate.mesh.rim.size(), usual_bisector_weight), {}};
+  for (int i = 0;; ++i) {
+    lift(candidate, parent, state);
+    auto contacts =
+        find_contacts(candidate.mesh, parent.subdomain, parent.topology, parent.tree, reach);
+    const bool is_pushed =
+        i < most_pushes &&
+        push_nodes(candidate.mesh, parent.subdomain, candidate.colours, contacts, state.pushed) > 0;
+    if (!is_pushed) return contacts;
   }
-  return found;
 }
 
-/// The inter-domain mesh, lifted and checked (thesis 4.3.1.9).
-void make_mesh(Candidate& candidate, const Parent& parent) {
+/// Chords whose ends keep a cut triangle at a small angle to the surface, or too near to it.
+std::vector<Chord> find_harmful_chords(const Candidate& candidate, const Parent& parent,
+                                       const std::vector<SurfaceContact>& contacts,
+                                       double cosine_limit) {
+  const InterdomainMesh& mesh = candidate.mesh;
+  std::vector<Chord> harmful;
+  const auto add = [&](std::int32_t triangle) {
+    const auto chords = chords_of_triangle(mesh, triangle);
+    harmful.insert(harmful.end(), chords.begin(), chords.end());
+  };
+  for (const SurfaceContact& contact : contacts) {
+    if (is_too_near(contact)) add(contact.cut_triangle);
+  }
+  const auto cosines = cosines_at_rim(mesh, parent.subdomain, candidate.corners);
+  for (std::size_t i = 0; i < cosines.size(); ++i) {
+    if (cosines[i] > cosine_limit) add(mesh.rim2triangle[i]);
+  }
+  std::sort(harmful.begin(), harmful.end());
+  harmful.erase(std::unique(harmful.begin(), harmful.end()), harmful.end());
+  return harmful;
+}
+
+/// The inter-domain mesh, lifted and checked (thesis 4.3.1.9). Chords that do harm are split (fig.
+/// 63).
+void make_mesh(Candidate& candidate, const Parent& parent, double cosine_limit) {
+  constexpr int most_rounds = 3;
   const double worst_triangle = cosine_of_degrees(8);
-  InterdomainResult made = mesh_interdomain(parent.subdomain, parent.topology, candidate.loops,
-                                            candidate.place.plane, parent.spacing);
-  if (!made.problem.empty()) return refuse(candidate, made.problem);
-  candidate.mesh = std::move(made.mesh);
-  const std::string problem = judge_contacts(lift_and_push(candidate, parent));
+  std::vector<Chord> unwanted;
+  std::vector<SurfaceContact> contacts;
+  for (int round = 0; round < most_rounds; ++round) {
+    InterdomainResult made = mesh_interdomain(parent.subdomain, parent.topology, candidate.loops,
+                                              candidate.place.plane, parent.spacing, unwanted);
+    if (!made.problem.empty()) return refuse(candidate, made.problem);
+    candidate.mesh = std::move(made.mesh);
+    contacts = lift_and_push(candidate, parent);
+    const auto harmful = find_harmful_chords(candidate, parent, contacts, cosine_limit);
+    if (harmful.empty()) break;
+    unwanted.insert(unwanted.end(), harmful.begin(), harmful.end());
+  }
+  const std::string problem = judge_contacts(contacts);
   if (!problem.empty()) return refuse(candidate, problem);
   if (!shells_are_on_their_sides(candidate.mesh, parent.subdomain, candidate.colours,
                                  parent.topology.triangle2shell)) {
@@ -103,8 +157,8 @@ void make_mesh(Candidate& candidate, const Parent& parent) {
   if (cosine_of_smallest_triangle_angle(candidate.mesh, parent.subdomain) > worst_triangle) {
     return refuse(candidate, "thin triangle");
   }
-  candidate.cosine =
-      cosine_of_smallest_rim_angle(candidate.mesh, parent.subdomain, candidate.corners);
+  const auto cosines = cosines_at_rim(candidate.mesh, parent.subdomain, candidate.corners);
+  candidate.cosine = cosines.empty() ? 0 : *std::max_element(cosines.begin(), cosines.end());
   candidate.stage = Stage::has_mesh;
 }
 
@@ -112,7 +166,7 @@ void make_mesh(Candidate& candidate, const Parent& parent) {
 bool passes(Candidate& candidate, const Parent& parent, double cosine_limit) {
   if (candidate.stage == Stage::new_plane) find_loops(candidate, parent);
   if (candidate.stage == Stage::has_loops && candidate.cosine <= cosine_limit) {
-    make_mesh(candidate, parent);
+    make_mesh(candidate, parent, cosine_limit);
   }
   return candidate.stage == Stage::has_mesh && candidate.cosine <= cosine_limit;
 }

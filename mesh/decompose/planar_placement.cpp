@@ -110,6 +110,7 @@ std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
       if (p.share == left_share) smallest_area = std::min(smallest_area, p.area);
     }
   }
+  const double bounding_area = norm2(bounding_box(subdomain.vertices).size());
   std::vector<PlaneCandidate> candidates;
   for (std::size_t d = 0; d < directions.size(); ++d) {
     std::vector<double> offsets;
@@ -118,7 +119,6 @@ std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
     for (std::size_t i = 0; i < offsets.size(); ++i) {
       const CutPlane plane = make_cut_plane(directions[d], offsets[i]);
       const double relative_area = positions[d][i].area / smallest_area;
-      const double bounding_area = norm2(bounding_box(subdomain.vertices).size());
       candidates.push_back(
           {plane, positions[d][i].share,
            imbalance_weight * imbalance(positions[d][i].share, left_share) +

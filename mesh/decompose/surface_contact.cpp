@@ -94,16 +94,17 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
     const Vec3 margin{reach * h, reach * h, reach * h};
     tree.query({box.low - margin, box.high + margin}, [&](std::int32_t s) {
       const Triangle& surface = subdomain.triangles[idx(s)];
-      SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL};
+      SurfaceContact contact{static_cast<std::int32_t>(i),      s, false, false, HUGE_VAL,
+                             std::min(h, topology.size[idx(s)])};
       contact.is_at_rim = std::any_of(surface.begin(), surface.end(),
                                       [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
       contact.meets = triangles_meet_beyond_shared(points, cut, surface);
       if (contact.meets) {
         contact.distance = 0;
       } else if (!share_a_node(cut, surface)) {
-        const double unit = std::min(h, topology.size[idx(s)]);
         contact.distance =
-            std::sqrt(squared_distance(points, cut, surface, first_new, contact.is_at_rim)) / unit;
+            std::sqrt(squared_distance(points, cut, surface, first_new, contact.is_at_rim)) /
+            contact.unit;
       }
       if (contact.distance < reach) contacts.push_back(contact);
     });

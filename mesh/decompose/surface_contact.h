@@ -22,9 +22,10 @@ struct SurfaceContact {
   /// The surface triangle has a node on the rim.
   bool is_at_rim = false;
   /// From the new nodes of the cut triangle to the surface triangle, and (away from the rim) back
-  /// from its nodes, in units of the smaller of spacing and surface triangle size. Large when they
-  /// share a node.
+  /// from its nodes, in `unit`. Large when they share a node.
   double distance = 0;
+  /// The smaller of spacing and surface triangle size.
+  double unit = 0;
 };
 
 struct Closest {
