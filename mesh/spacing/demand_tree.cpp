@@ -55,44 +55,44 @@ void DemandTree::split(std::size_t node) {
   nodes_[node] = here;
 }
 
-double DemandTree::value(const PointDemand& demand, const Vec3& point) const {
-  const double beyond = distance(demand.at, point) - demand.plateau;
+double DemandTree::value(const PointDemand& demand, const Vec3& point, double radius) const {
+  const double beyond = distance(demand.at, point) - radius - demand.plateau;
   return demand.spacing + growth_ * std::max(0.0, beyond);
 }
 
-double DemandTree::bound(const Node& node, const Vec3& point) const {
+double DemandTree::bound(const Node& node, const Vec3& point, double radius) const {
   Vec3 away;
   for (int axis = 0; axis < 3; ++axis) {
     away[axis] =
         std::max({0.0, node.box.low[axis] - point[axis], point[axis] - node.box.high[axis]});
   }
-  return std::max(node.least_spacing, node.least_apex + growth_ * norm(away));
+  return std::max(node.least_spacing, node.least_apex + growth_ * (norm(away) - radius));
 }
 
-double DemandTree::at(const Vec3& point, double limit) const {
+double DemandTree::lowest(const Vec3& point, double radius, double limit) const {
   if (demands_.empty()) return limit;
-  double best = std::min(limit, value(demands_[last_winner_], point));
+  double best = std::min(limit, value(demands_[last_winner_], point, radius));
   struct Pending {
     std::uint32_t node;
     double bound;
   };
   std::array<Pending, deepest_stack> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, bound(nodes_[0], point)};
+  stack[depth++] = {0, bound(nodes_[0], point, radius)};
   while (depth > 0) {
     const Pending pending = stack[--depth];
     if (pending.bound >= best) continue;
     const Node& node = nodes_[pending.node];
     if (node.children != 0) {
-      Pending near{node.children, bound(nodes_[node.children], point)};
-      Pending far{node.children + 1, bound(nodes_[node.children + 1], point)};
+      Pending near{node.children, bound(nodes_[node.children], point, radius)};
+      Pending far{node.children + 1, bound(nodes_[node.children + 1], point, radius)};
       if (far.bound < near.bound) std::swap(near, far);
       stack[depth++] = far;
       stack[depth++] = near;
       continue;
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      const double here = value(demands_[i], point);
+      const double here = value(demands_[i], point, radius);
       if (here >= best) continue;
       best = here;
       last_winner_ = i;

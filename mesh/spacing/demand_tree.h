@@ -19,10 +19,11 @@ class DemandTree {
   /// Cost: O(n log n).
   DemandTree(std::vector<PointDemand> demands, double growth);
 
-  /// min over the demands of spacing + growth * max(0, distance - plateau), or `limit` if less.
-  /// Remembers the winner as the first guess of the next call: ask in an order that stays near.
-  /// Cost: O(log n), some 0.3 us along a curve through space.
-  double at(const Vec3& point, double limit) const;
+  /// The least, over the demands, of spacing + growth * max(0, distance - radius - plateau), or
+  /// `limit` if less: with radius 0 the demand at the point, else a lower bound of it within the
+  /// radius. Remembers the winner as the first guess of the next call: ask in an order that stays
+  /// near. Cost: O(log n), some 0.3 us along a curve through space.
+  double lowest(const Vec3& point, double radius, double limit) const;
 
  private:
   struct Node {
@@ -36,8 +37,8 @@ class DemandTree {
     std::uint32_t children = 0;
   };
   void split(std::size_t node);
-  double value(const PointDemand& demand, const Vec3& point) const;
-  double bound(const Node& node, const Vec3& point) const;
+  double value(const PointDemand& demand, const Vec3& point, double radius) const;
+  double bound(const Node& node, const Vec3& point, double radius) const;
 
   std::vector<PointDemand> demands_;
   double growth_;

@@ -84,8 +84,7 @@ SpacingOctree build_octree(const SpacingDemand& demand, const GridFrame& frame,
   Layout layout(demand, tree, frame);
   layout.run();
   SpacingOctree octree = std::move(layout.octree_);
-  const bool varies = std::ranges::any_of(demand.sources, [](const auto& s) { return s.varies; });
-  if (varies) layout.corners_.limit_growth(demand.growth, frame.unit);
+  if (demand.grows_too_fast()) layout.corners_.limit_growth(demand.growth, frame.unit);
   layout.corners_.make_continuous(octree.child_of);
   octree.values = layout.corners_.leaf_values();
   octree.owned_corners = layout.corners_.owned_corners();

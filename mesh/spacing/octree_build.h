@@ -4,11 +4,10 @@
 ///
 /// A cell is split while its edge exceeds cell_fit * h / lattice_ratio, h being the spacing at its
 /// centre (or twice the smallest in it, if less). As edges go by powers of two, a leaf's edge then
-/// lies between 0.7 and 1.4 of the ideal h / lattice_ratio, and the elements number what the
-/// spacing asks for; with a bound of 1 on the smallest spacing they would be three to five times as
-/// many (measured, see docs/decisions/spacing-octree.md). The root's edge is a power of two times
-/// the ideal cell of the background, or else of the median surface spacing, so a uniform job gets
-/// the ideal cell itself.
+/// lies between 0.8 and 1.6 of the ideal h / lattice_ratio, and the lattice has 1.2 to 1.4 times
+/// the elements that the spacing asks for; with 1 instead of cell_fit nearly five times (measured:
+/// docs/decisions/spacing-octree.md). The root's edge is a power of two times the ideal cell of the
+/// background, or else of the median surface spacing, so a uniform job gets the ideal cell itself.
 #pragma once
 
 #include "mesh/spacing/spacing_demand.h"
@@ -18,7 +17,7 @@ namespace tetfarm {
 
 /// Spacing over cell edge of the body-centred lattice whose tets have the spacing as mean edge.
 inline constexpr double lattice_ratio = 0.92;
-inline constexpr double cell_fit = 1.4;
+inline constexpr double cell_fit = 1.6;
 /// Cells are at most 2^-3 of the root.
 inline constexpr int coarsest_level = 3;
 inline constexpr std::int32_t most_leaves = 1 << 25;

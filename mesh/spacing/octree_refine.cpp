@@ -56,7 +56,8 @@ class Refinement {
   }
 
   void visit(std::size_t node, const LatticeCell& cell) {
-    const CellDemand::Bounds bounds = inside_.enter(demand_cell(frame_, cell));
+    inside_.enter(demand_cell(frame_, cell));
+    const CellDemand::Bounds bounds = inside_.bounds();
     if (bounds.is_ceiling) {
       tree_.lattice_level[node] = static_cast<std::uint8_t>(std::max(cell.level, ceiling_level_));
     } else if (is_too_large(cell.level, std::min(bounds.at_centre, 2 * bounds.lowest)) &&

@@ -122,13 +122,12 @@ double source_law(const SourceCorner& parameters, double r, double background, d
   return spacing * exp_fixed(rate * (decay_end - inner)) + growth * (r - decay_end);
 }
 
-SourceValue source_value(const SourceDemand& demand, const Vec3& point, double background,
-                         double growth) {
+SourceValue source_value(const SourceDemand& demand, const Vec3& point, double radius,
+                         double background, double growth) {
   const NearestOnSource nearest = nearest_on_source(demand.source, point);
   SourceValue value;
-  value.floor = source_law(demand.floor, nearest.distance, background, growth);
-  value.asked = value.floor;
-  if (!demand.varies) return value;
+  value.floor =
+      source_law(demand.floor, std::max(0.0, nearest.distance - radius), background, growth);
   SourceCorner here;
   for (std::size_t k = 0; k < demand.source.corners.size(); ++k) {
     const SourceCorner& corner = demand.source.corners[k];
@@ -136,7 +135,7 @@ SourceValue source_value(const SourceDemand& demand, const Vec3& point, double b
     here.inner_radius += nearest.weight[k] * corner.inner_radius;
     here.outer_radius += nearest.weight[k] * corner.outer_radius;
   }
-  value.asked = std::max(value.floor, source_law(here, nearest.distance, background, growth));
+  value.asked = source_law(here, nearest.distance, background, growth);
   return value;
 }
 

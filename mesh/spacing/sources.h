@@ -43,14 +43,14 @@ NearestOnSource nearest_on_source(const Source& source, const Vec3& point);
 /// The radial law above. `background` 0: none. Grows by at most `growth` per unit of `r`.
 double source_law(const SourceCorner& parameters, double r, double background, double growth);
 
-/// Two values of a source at a point: what it asks for, and a lower bound of that which, as a
-/// function of position, grows by no more than `growth` even where the source's own parameters
-/// vary.
+/// `asked`: what a source asks for at a point. `floor`: a lower bound of that within `radius` of
+/// the point which, as a function of position, grows by no more than `growth` even where the
+/// source's own parameters vary.
 struct SourceValue {
   double asked = 0;
   double floor = 0;
 };
-SourceValue source_value(const SourceDemand& demand, const Vec3& point, double background,
-                         double growth);
+SourceValue source_value(const SourceDemand& demand, const Vec3& point, double radius,
+                         double background, double growth);
 
 }  // namespace tetfarm

@@ -5,50 +5,70 @@
 
 namespace tetfarm {
 
+bool SpacingDemand::grows_too_fast() const {
+  return background_mesh.has_value() ||
+         std::ranges::any_of(sources, [](const SourceDemand& s) { return s.varies; });
+}
+
 CellDemand::CellDemand(const SpacingDemand& demand) : demand_(demand), starts_{0} {
   sources_.resize(demand.sources.size());
   std::iota(sources_.begin(), sources_.end(), 0U);
 }
 
-SourceValue CellDemand::source_at(std::uint32_t source, const Vec3& point) const {
-  return source_value(demand_.sources[source], point, demand_.background, demand_.growth);
+std::span<const std::uint32_t> CellDemand::sources_here() const {
+  return std::span(sources_).subspan(starts_.back());
 }
 
-CellDemand::Bounds CellDemand::enter(const Cell& cell) {
-  const double change = demand_.growth * cell.half_diagonal;
-  const double nobody = demand_.ceiling + change;
-  const std::size_t start = starts_.back();
-  const std::size_t count = sources_.size() - start;
-  floors_.resize(count);
-  double asked = nobody;
-  double floor = nobody;
-  for (std::size_t k = 0; k < count; ++k) {
-    const SourceValue here = source_at(sources_[start + k], cell.centre);
-    floors_[k] = here.floor;
-    asked = std::min(asked, here.asked);
-    floor = std::min(floor, here.floor);
+void CellDemand::enter(const Cell& cell) {
+  const std::size_t begin = starts_.back();
+  const std::size_t end = sources_.size();
+  starts_.push_back(end);
+  cells_.push_back(cell);
+  double limit = demand_.ceiling;
+  for (std::size_t k = begin; k < end; ++k) {
+    const SourceDemand& source = demand_.sources[sources_[k]];
+    const double asked =
+        source_value(source, cell.centre, 0, demand_.background, demand_.growth).asked;
+    limit = std::min(limit, asked + demand_.growth * cell.half_diagonal);
   }
-  asked = demand_.points.at(cell.centre, asked);
-  floor = std::min(floor, asked);
-  const double limit = std::min(asked + 2 * change, nobody);
-  starts_.push_back(sources_.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    if (floors_[k] < limit) sources_.push_back(sources_[start + k]);
+  for (std::size_t k = begin; k < end; ++k) {
+    const SourceDemand& source = demand_.sources[sources_[k]];
+    const SourceValue value =
+        source_value(source, cell.centre, cell.half_diagonal, demand_.background, demand_.growth);
+    if (value.floor <= limit && value.floor < demand_.ceiling) sources_.push_back(sources_[k]);
   }
-  return {std::min(asked, demand_.ceiling), floor - change, floor >= nobody};
 }
 
 void CellDemand::leave() {
   sources_.resize(starts_.back());
   starts_.pop_back();
+  cells_.pop_back();
+}
+
+CellDemand::Bounds CellDemand::bounds() const {
+  const Cell& cell = cells_.back();
+  Bounds bounds;
+  bounds.at_centre = at(cell.centre);
+  bounds.lowest = demand_.ceiling;
+  for (const std::uint32_t source : sources_here()) {
+    const SourceValue value = source_value(demand_.sources[source], cell.centre, cell.half_diagonal,
+                                           demand_.background, demand_.growth);
+    bounds.lowest = std::min(bounds.lowest, value.floor);
+  }
+  bounds.lowest = demand_.points.lowest(cell.centre, cell.half_diagonal, bounds.lowest);
+  bounds.is_ceiling = !demand_.background_mesh && bounds.lowest >= demand_.ceiling;
+  return bounds;
 }
 
 double CellDemand::at(const Vec3& point) const {
   double spacing = demand_.ceiling;
-  for (std::size_t k = starts_.back(); k < sources_.size(); ++k) {
-    spacing = std::min(spacing, source_at(sources_[k], point).asked);
+  for (const std::uint32_t source : sources_here()) {
+    const SourceValue value =
+        source_value(demand_.sources[source], point, 0, demand_.background, demand_.growth);
+    spacing = std::min(spacing, value.asked);
   }
-  return demand_.points.at(point, spacing);
+  if (demand_.background_mesh) spacing = std::min(spacing, demand_.background_mesh->at(point));
+  return demand_.points.lowest(point, 0, spacing);
 }
 
 }  // namespace tetfarm

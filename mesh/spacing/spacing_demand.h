@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "mesh/spacing/background_mesh.h"
 #include "mesh/spacing/demand_tree.h"
 #include "mesh/spacing/sources.h"
 
@@ -19,11 +21,15 @@ namespace tetfarm {
 struct SpacingDemand {
   DemandTree points;
   std::vector<SourceDemand> sources;
+  std::optional<BackgroundMesh> background_mesh;
   /// 0: none.
   double background = 0;
   double growth = 0.3;
   /// The spacing where nobody asks for anything: the background, or the largest side of the domain.
   double ceiling = std::numeric_limits<double>::infinity();
+
+  /// Whether the minimum of the demands may grow faster than `growth`.
+  bool grows_too_fast() const;
 };
 
 /// The demand inside the cells of an octree walk. The sources that matter in a cell lie on a stack
@@ -36,27 +42,30 @@ class CellDemand {
     Vec3 centre;
     double half_diagonal = 0;
   };
+  /// Enters a cell inside the one entered last.
+  void enter(const Cell& cell);
+  void leave();
+
   /// What is known of the spacing in a cell.
   struct Bounds {
     double at_centre = 0;
-    /// No spacing in the cell is smaller.
+    /// No spacing in the cell is smaller, a background mesh apart.
     double lowest = 0;
-    /// The spacing is the ceiling everywhere in the cell.
+    /// The spacing is the ceiling everywhere in the cell; never so with a background mesh.
     bool is_ceiling = false;
   };
-  /// Enters a cell inside the one entered last.
-  Bounds enter(const Cell& cell);
-  void leave();
+  /// Of the cell last entered.
+  Bounds bounds() const;
   /// The spacing at a point of the cell last entered.
   double at(const Vec3& point) const;
 
  private:
-  SourceValue source_at(std::uint32_t source, const Vec3& point) const;
+  std::span<const std::uint32_t> sources_here() const;
 
   const SpacingDemand& demand_;
   std::vector<std::uint32_t> sources_;
   std::vector<std::size_t> starts_;
-  std::vector<double> floors_;
+  std::vector<Cell> cells_;
 };
 
 }  // namespace tetfarm

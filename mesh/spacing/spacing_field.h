@@ -1,8 +1,8 @@
 /// The spacing: target edge length as one function of position, for cuts and volumes alike.
 ///
 /// Source: thesis 3.2 (sources, fig. 15), 4.3.1.9 (background mesh). Made once by `inspect`, read
-/// by every task. A 2:1-balanced octree whose cells are no larger than the spacing asks for; the
-/// value is interpolated from the corners of the cell. Units: lengths in the unit of the input.
+/// by every task. A 2:1-balanced octree whose cells follow the spacing (octree_build.h); the value
+/// is interpolated from the corners of the cell. Units: lengths in the unit of the input.
 #pragma once
 
 #include <array>
@@ -39,6 +39,10 @@ struct SpacingOptions {
   /// The surface's own edge lengths count too.
   bool inherit_surface = true;
   std::vector<Source> sources;
+  /// Between the sources' corners and those of the domain's box the spacing is at most what is
+  /// linear in the tets that connect them (thesis 4.3.1.9). Fills the space between fine sources:
+  /// off by default.
+  bool background_mesh = false;
 };
 
 /// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the
@@ -61,8 +65,9 @@ class SpacingField {
   double at(const Vec3& point) const;
 
   /// The nodes of the graded body-centred lattice (corners and centres of the balanced octree's
-  /// leaf cells, cell edge at most spacing / 0.92) inside the box, each once, in Hilbert or Morton
-  /// order, the same coordinates whatever the box. Cost: O(cells that meet the box).
+  /// leaf cells, cell edge about spacing / 0.92) inside the closed box, each once, in the Morton
+  /// order of the cells that own them, the same coordinates whatever the box. Cost: O(cells that
+  /// meet the box).
   std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
 
   /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV /

@@ -1,0 +1,87 @@
+#include "mesh/spacing/sources.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tetfarm {
+namespace {
+
+const SourceCorner corner_at_origin{{0, 0, 0}, 0.1, 1, 3};
+
+TEST(SourceLaw, is_constant_inside_the_inner_radius) {
+  EXPECT_EQ(source_law(corner_at_origin, 0, 0.4, 10), 0.1);
+  EXPECT_EQ(source_law(corner_at_origin, 1, 0.4, 10), 0.1);
+}
+
+TEST(SourceLaw, decays_exponentially_to_the_background) {
+  EXPECT_NEAR(source_law(corner_at_origin, 2, 0.4, 10), 0.2, 1e-14);
+  EXPECT_NEAR(source_law(corner_at_origin, 3, 0.4, 10), 0.4, 1e-14);
+}
+
+TEST(SourceLaw, doubles_at_the_outer_radius_without_a_background) {
+  EXPECT_NEAR(source_law(corner_at_origin, 3, 0, 10), 0.2, 1e-14);
+}
+
+TEST(SourceLaw, does_not_shrink_to_a_finer_background) {
+  EXPECT_EQ(source_law(corner_at_origin, 2, 0.05, 10), 0.1);
+}
+
+TEST(SourceLaw, grows_no_faster_than_allowed) {
+  for (const double growth : {0.02, 0.1, 0.3}) {
+    for (const double background : {0.0, 0.4, 50.0}) {
+      double before = 0.1;
+      for (double r = 0; r < 10; r += 0.01) {
+        const double now = source_law(corner_at_origin, r, background, growth);
+        EXPECT_GE(now, before);
+        EXPECT_LE(now - before, growth * 0.01 + 1e-12);
+        before = now;
+      }
+    }
+  }
+}
+
+TEST(SourceLaw, jumps_to_growth_when_the_radii_are_equal) {
+  EXPECT_NEAR(source_law({{}, 0.1, 1, 1}, 2, 5, 0.3), 0.4, 1e-14);
+}
+
+const Source line{{{{0, 0, 0}, 1, 0.5, 2}, {{4, 0, 0}, 2, 1, 4}}};
+const Source triangle{{{{0, 0, 0}, 1, 1, 2}, {{4, 0, 0}, 1, 1, 2}, {{0, 4, 0}, 1, 1, 2}}};
+
+TEST(NearestOnSource, is_found_on_a_line_and_at_its_ends) {
+  EXPECT_DOUBLE_EQ(nearest_on_source(line, {1, 3, 4}).distance, 5);
+  EXPECT_DOUBLE_EQ(nearest_on_source(line, {1, 3, 4}).weight[1], 0.25);
+  EXPECT_DOUBLE_EQ(nearest_on_source(line, {-3, 4, 0}).distance, 5);
+  EXPECT_DOUBLE_EQ(nearest_on_source(line, {7, 4, 0}).weight[1], 1);
+}
+
+TEST(NearestOnSource, is_found_on_the_face_edges_and_corners_of_a_triangle) {
+  EXPECT_DOUBLE_EQ(nearest_on_source(triangle, {1, 1, -2}).distance, 2);
+  EXPECT_DOUBLE_EQ(nearest_on_source(triangle, {1, 1, -2}).weight[0], 0.5);
+  EXPECT_DOUBLE_EQ(nearest_on_source(triangle, {2, -3, 4}).distance, 5);
+  EXPECT_DOUBLE_EQ(nearest_on_source(triangle, {4, 4, 0}).distance, std::sqrt(8));
+  EXPECT_DOUBLE_EQ(nearest_on_source(triangle, {-3, -4, 0}).distance, 5);
+}
+
+TEST(NearestOnSource, works_on_flat_entities) {
+  const Source point_like{{{{1, 1, 1}, 1, 1, 1}, {{1, 1, 1}, 1, 1, 1}}};
+  EXPECT_DOUBLE_EQ(nearest_on_source(point_like, {1, 1, 3}).distance, 2);
+  const Source line_like{{{{0, 0, 0}, 1, 1, 1}, {{2, 0, 0}, 1, 1, 1}, {{1, 0, 0}, 1, 1, 1}}};
+  EXPECT_DOUBLE_EQ(nearest_on_source(line_like, {1.5, 2, 0}).distance, 2);
+}
+
+TEST(SourceDemand, interpolates_between_corners) {
+  const SourceDemand demand = source_demand(line, 10);
+  EXPECT_TRUE(demand.varies);
+  EXPECT_DOUBLE_EQ(source_value(demand, {2, 0, 0}, 0, 100, 10).asked, 1.5);
+  EXPECT_DOUBLE_EQ(source_value(demand, {2, 0.7, 0}, 0, 100, 10).asked, 1.5);
+  EXPECT_LE(source_value(demand, {2, 2, 0}, 0, 100, 10).floor,
+            source_value(demand, {2, 2, 0}, 0, 100, 10).asked);
+}
+
+TEST(SourceDemand, limits_corners_by_the_growth_between_them) {
+  EXPECT_DOUBLE_EQ(source_demand(line, 0.1).source.corners[1].spacing, 1.4);
+}
+
+}  // namespace
+}  // namespace tetfarm
