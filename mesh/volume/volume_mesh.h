@@ -42,9 +42,9 @@ class RecoveryFailure : public std::runtime_error {
 };
 
 /// A mesh that holds every boundary triangle as a face and no added point on the boundary.
-/// @pre validate(subdomain) is empty. @throws InvalidInput with sub-domain triangle numbers when the
-/// surface cuts itself; RecoveryFailure when it could not be recovered.
-/// Cost: about 2 µs an element.
+/// @pre validate(subdomain) is empty. @throws InvalidInput with sub-domain triangle numbers when
+/// the surface cuts itself; RecoveryFailure when it could not be recovered. Cost: about 2 µs an
+/// element.
 TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
                     const VolumeMeshOptions& options = {}, VolumeMeshReport* report = nullptr);
 

@@ -1,0 +1,146 @@
+#include "mesh/volume/edge_recovery.h"
+
+#include <algorithm>
+
+#include "mesh/geometry/predicates.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// How the ray from a through b leaves the tet of a's star: the weights of the three other nodes,
+/// of which only the signs are exact.
+struct Cone {
+  std::array<std::int32_t, 3> nodes;  // (a, nodes) is positive
+  std::array<double, 3> weight;
+};
+
+Cone cone_of(const LocalRemeshing& mesh, std::int32_t tet, std::int32_t a, std::int32_t b) {
+  const Tet& n = mesh.complex().nodes[at(tet)];
+  const auto& f = tet_face_nodes[at(mesh.complex().local_node(tet, a))];
+  // Outward from a: (f0, f1, f2, a) is negative, so is (a, f2, f1, f0) turned: (a, f0, f1, f2)
+  // positive.
+  Cone cone{{n[at(f[0])], n[at(f[1])], n[at(f[2])]}, {}};
+  const auto& [x, y, z] = cone.nodes;
+  const auto p = [&mesh](std::int32_t v) { return mesh.point(v); };
+  cone.weight = {orient3d(p(a), p(b), p(y), p(z)), orient3d(p(a), p(x), p(b), p(z)),
+                 orient3d(p(a), p(x), p(y), p(b))};
+  return cone;
+}
+
+/// The first crossing, found in the star of a; sets is_edge or node_on_it when there is none.
+Crossing first_crossing(const LocalRemeshing& mesh, std::int32_t a, std::int32_t b,
+                        SegmentWalk& walk) {
+  const auto star = mesh.star(a);
+  for (const std::int32_t t : star) {
+    if (mesh.complex().local_node(t, b) >= 0) {
+      walk.is_edge = true;
+      return {};
+    }
+  }
+  for (const std::int32_t t : star) {
+    const Cone cone = cone_of(mesh, t, a, b);
+    if (cone.weight[0] < 0 || cone.weight[1] < 0 || cone.weight[2] < 0) continue;
+    std::array<std::int32_t, 3> carrying{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cone.weight[k] > 0) carrying[count++] = cone.nodes[k];
+    }
+    if (count == 3) return {face_handle(t, mesh.complex().local_node(t, a)), {-1, -1}};
+    if (count == 2) return {no_face, {carrying[0], carrying[1]}};
+    if (count == 1) {
+      walk.node_on_it = carrying[0];
+      return {};
+    }
+  }
+  return {};
+}
+
+/// The crossing after a face: through another face of the tet beyond, or one of its edges.
+Crossing next_crossing(const LocalRemeshing& mesh, FaceHandle beyond, std::int32_t a,
+                       std::int32_t b, std::int32_t apex) {
+  const std::int32_t t = tet_of(beyond);
+  const Tet& n = mesh.complex().nodes[at(t)];
+  const auto& f = tet_face_nodes[at(face_of(beyond))];
+  // Seen from beyond, x turns anticlockwise round the line.
+  const std::array<std::int32_t, 3> x = {n[at(f[0])], n[at(f[2])], n[at(f[1])]};
+  std::array<int, 3> side{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double s = orient3d(mesh.point(a), mesh.point(b), mesh.point(x[k]), mesh.point(apex));
+    side[k] = (s > 0) - (s < 0);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (side[k] == 0 && side[(k + 1) % 3] > 0 && side[(k + 2) % 3] < 0) {
+      return {no_face, {x[k], apex}};
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    // The line passes between the edges to x[k] and x[k + 1].
+    if (side[k] < 0 && side[(k + 1) % 3] > 0) {
+      return {face_handle(t, mesh.complex().local_node(t, x[(k + 2) % 3])), {-1, -1}};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+SegmentWalk walk_segment(const LocalRemeshing& mesh, std::int32_t a, std::int32_t b) {
+  SegmentWalk walk;
+  Crossing crossing = first_crossing(mesh, a, b, walk);
+  constexpr std::size_t most_crossings = 100000;
+  while (crossing.face != no_face && walk.crossings.size() < most_crossings) {
+    walk.crossings.push_back(crossing);
+    const FaceHandle beyond =
+        mesh.complex().neighbours[at(tet_of(crossing.face))][at(face_of(crossing.face))];
+    if (beyond == no_face) return walk;
+    const std::int32_t apex = mesh.complex().nodes[at(tet_of(beyond))][at(face_of(beyond))];
+    if (apex == b) return walk;
+    crossing = next_crossing(mesh, beyond, a, b, apex);
+  }
+  if (crossing.edge[0] >= 0) walk.crossings.push_back(crossing);
+  return walk;
+}
+
+namespace {
+
+bool clear(LocalRemeshing& mesh, EdgeRemoval& removal, const Crossing& crossing,
+           const RecoveryGuard& guard, int depth) {
+  if (crossing.face == no_face) {
+    return removal.remove(crossing.edge[0], crossing.edge[1], guard, depth);
+  }
+  if (removal.remove_face(crossing.face, guard)) return true;
+  const Tet& n = mesh.complex().nodes[at(tet_of(crossing.face))];
+  const auto& f = tet_face_nodes[at(face_of(crossing.face))];
+  const std::array<std::int32_t, 3> x = {n[at(f[0])], n[at(f[1])], n[at(f[2])]};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (removal.remove(x[k], x[(k + 1) % 3], guard, depth)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool recover_edge(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::int32_t b,
+                  int depth) {
+  const RecoveryGuard guard = RecoveryGuard::of_edge(mesh.complex().points, a, b);
+  for (;;) {
+    bool is_cleared = false;
+    for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
+      const SegmentWalk walk = walk_segment(mesh, from, to);
+      if (walk.is_edge) return true;
+      if (walk.node_on_it >= 0) return false;
+      for (const Crossing& crossing : walk.crossings) {
+        if (!clear(mesh, removal, crossing, guard, depth)) continue;
+        is_cleared = true;
+        break;
+      }
+      if (is_cleared) break;
+    }
+    if (!is_cleared) return false;
+    mesh.forget_journal();
+  }
+}
+
+}  // namespace tetfarm

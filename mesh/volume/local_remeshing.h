@@ -1,0 +1,83 @@
+/// Small changes of a TetComplex that can be taken back: a set of tets is replaced by another set
+/// that fills the same space, and a journal restores the complex exactly as it was.
+///
+/// Boundary recovery tries many changes and keeps few. Constrained faces (a bit for each face of a
+/// tet, set on both sides) go over to the new tets.
+/// Cost: O(k log k) for k tets replaced; O(changes) to take back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/core/tet_complex.h"
+
+namespace tetfarm {
+
+/// The tets round an edge (a, b): tets[i] has the nodes a, b, apexes[i], apexes[i + 1] (cyclic) and
+/// is positive in that order.
+struct EdgeRing {
+  std::vector<std::int32_t> tets;
+  std::vector<std::int32_t> apexes;
+};
+
+class LocalRemeshing {
+ public:
+  /// Keeps references; `constrained` has a byte for each tet.
+  LocalRemeshing(TetComplex& complex, std::vector<std::uint8_t>& constrained);
+
+  const TetComplex& complex() const { return complex_; }
+  const Vec3& point(std::int32_t v) const { return complex_.points[static_cast<std::size_t>(v)]; }
+
+  /// Replaces `old_tets` by `new_tets`. @pre both fill the same space, the new ones are positive,
+  /// and no constrained face lies between two old ones. Returns the numbers of the new tets.
+  std::vector<std::int32_t> replace(std::span<const std::int32_t> old_tets,
+                                    std::span<const Tet> new_tets);
+
+  /// Adds a point; it belongs to no tet yet.
+  std::int32_t add_point(const Vec3& point);
+
+  std::size_t mark() const { return journal_.size(); }
+  /// Takes back every change since the mark.
+  void roll_back(std::size_t mark);
+  /// What was done stays done.
+  void forget_journal() { journal_.clear(); }
+
+  /// All tets that hold the node, from a walk over its star.
+  std::vector<std::int32_t> star(std::int32_t node) const;
+  /// A tet with both nodes, or -1.
+  std::int32_t find_edge(std::int32_t a, std::int32_t b) const;
+  /// The face with these three nodes, or no_face.
+  FaceHandle find_face(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  /// Nothing when there is no such edge, or the edge is on the outside of the complex.
+  std::optional<EdgeRing> ring(std::int32_t a, std::int32_t b) const;
+
+  bool is_constrained(FaceHandle face) const {
+    return (constrained_[static_cast<std::size_t>(tet_of(face))] >> face_of(face) & 1) != 0;
+  }
+  /// Sets or clears both sides. Not in the journal: called between searches only.
+  void constrain(FaceHandle face, bool on);
+
+ private:
+  struct Entry {
+    enum class Kind : std::uint8_t { contents, reused, appended, killed, point } kind;
+    std::uint8_t constrained;
+    std::int32_t tet;
+    Tet nodes;
+    std::array<FaceHandle, 4> neighbours;
+  };
+
+  void save(std::int32_t tet);
+  std::int32_t new_tet();
+  void kill(std::int32_t tet);
+
+  TetComplex& complex_;
+  std::vector<std::uint8_t>& constrained_;
+  std::vector<Entry> journal_;
+  mutable std::vector<std::int32_t> seen_;  // of a tet: the walk that saw it last
+  mutable std::int32_t walk_ = 0;
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,27 @@
+/// Triangulates the ring of an edge so that both ends of the edge see every triangle.
+///
+/// Source: G. T. Klincsek, "Minimal triangulations of polygonal domains" (1980), for feasibility.
+/// Cost: O(n^3) signs for n apexes, each sign once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/volume/local_remeshing.h"
+#include "mesh/volume/recovery_guard.h"
+
+namespace tetfarm {
+
+/// Longest ring that is tried.
+inline constexpr std::size_t longest_ring = 32;
+
+/// Triangles (i, j, k) of positions in ring.apexes, i < j < k; nothing when there is none with all
+/// tets exactly positive and nothing that the guard forbids. `ear` >= 0: that apex (a node) must
+/// lie in one triangle only.
+std::optional<std::vector<std::array<std::size_t, 3>>> ring_triangulation(
+    const LocalRemeshing& mesh, const EdgeRing& ring, std::int32_t a, std::int32_t b,
+    std::int32_t ear, const RecoveryGuard& guard);
+
+}  // namespace tetfarm
