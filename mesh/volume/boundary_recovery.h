@@ -1,10 +1,10 @@
-/// Makes every boundary triangle a face of the complex, with no added point left on the boundary
-/// (thesis 4.3.3).
+/// Makes every boundary triangle a face of the complex (thesis 4.3.3).
 ///
 /// Order of attack: the Delaunay tets hold nearly all; missing edges by flips, then missing faces
 /// by flips, with searches that go deeper from pass to pass; what is still missing is split by
-/// Steiner points, which are then moved off the boundary (steiner_relocation.h). Cost: about the
-/// number of tets when little is missing.
+/// Steiner points and its parts are recovered in the same way. The Steiner points are moved off the
+/// boundary once the outside is gone (steiner_relocation.h). Cost: about the number of tets when
+/// little is missing.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@
 
 #include "mesh/volume/local_remeshing.h"
 #include "mesh/volume/recovery_surface.h"
+#include "mesh/volume/surface_splitting.h"
 
 namespace tetfarm {
 
-struct RecoveryReport {
+struct RecoveredBoundary {
   std::int64_t missing_edges = 0;  // in the Delaunay tets
-  std::int64_t missing_faces = 0;  // once all edges were there
-  std::int64_t steiner_points = 0;
-  std::vector<std::array<std::int32_t, 2>> lost_edges;  // not recovered
-  std::vector<std::int32_t> lost_triangles;
+  std::int64_t missing_faces = 0;  // once the edges were done
+  SplitSurface surface;            // the boundary as it is in the complex, with its splits
+  std::vector<std::int32_t> lost;  // boundary triangles that could not be recovered even in parts
 };
 
-/// On success (nothing lost) all boundary faces are constrained on both sides.
-/// @pre the complex holds every node of the surface.
-RecoveryReport recover_boundary(LocalRemeshing& mesh, const RecoverySurface& surface);
+/// On success (nothing lost) all faces of the split surface are constrained on both sides.
+/// @pre every node of the boundary is in a tet; no face is constrained.
+RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                                   const std::vector<Triangle>& triangles);
 
 /// The surface's edges that are not in the complex, in increasing order.
 std::vector<std::array<std::int32_t, 2>> missing_edges(const TetComplex& complex,

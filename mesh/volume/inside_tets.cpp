@@ -65,4 +65,40 @@ std::vector<std::uint8_t> inside_tets(const LocalRemeshing& mesh, const Recovery
   return side;
 }
 
+InsideComplex keep_inside(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,
+                          const std::vector<std::uint8_t>& inside, std::int32_t boundary_nodes,
+                          std::int32_t dropped) {
+  InsideComplex kept;
+  kept.complex.points = complex.points;
+  const auto first = kept.complex.points.begin() + boundary_nodes;
+  kept.complex.points.erase(first, first + dropped);
+  kept.complex.node2tet.assign(kept.complex.points.size(), -1);
+  std::vector<std::int32_t> new_number(complex.nodes.size(), -1);
+  std::int32_t count = 0;
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (inside[t] != 0) new_number[t] = count++;
+  }
+  kept.complex.nodes.reserve(at(count));
+  kept.complex.neighbours.reserve(at(count));
+  kept.constrained.reserve(at(count));
+  for (std::size_t t = 0; t < inside.size(); ++t) {
+    if (inside[t] == 0) continue;
+    Tet nodes = complex.nodes[t];
+    for (std::int32_t& v : nodes) {
+      if (v >= boundary_nodes) v -= dropped;
+      kept.complex.node2tet[at(v)] = new_number[t];
+    }
+    std::array<FaceHandle, 4> neighbours = complex.neighbours[t];
+    for (FaceHandle& other : neighbours) {
+      if (other == no_face) continue;
+      const std::int32_t beyond = new_number[at(tet_of(other))];
+      other = beyond < 0 ? no_face : face_handle(beyond, face_of(other));
+    }
+    kept.complex.nodes.push_back(nodes);
+    kept.complex.neighbours.push_back(neighbours);
+    kept.constrained.push_back(constrained[t]);
+  }
+  return kept;
+}
+
 }  // namespace tetfarm

@@ -17,4 +17,14 @@ namespace tetfarm {
 /// from both sides, or the outside is.
 std::vector<std::uint8_t> inside_tets(const LocalRemeshing& mesh, const RecoverySurface& surface);
 
+/// The inside alone: points below `boundary_nodes` keep their numbers, `dropped` points after them
+/// (the enclosing ones) go, the rest move up. Boundary faces have no neighbour and are constrained.
+struct InsideComplex {
+  TetComplex complex;
+  std::vector<std::uint8_t> constrained;
+};
+InsideComplex keep_inside(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,
+                          const std::vector<std::uint8_t>& inside, std::int32_t boundary_nodes,
+                          std::int32_t dropped);
+
 }  // namespace tetfarm
