@@ -1,0 +1,159 @@
+#include "mesh/volume/volume_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/core/tet_complex.h"
+#include "mesh/cosmetics/improve_mesh.h"
+#include "mesh/geometry/bowyer_watson.h"
+#include "mesh/volume/boundary_recovery.h"
+#include "mesh/volume/inside_tets.h"
+#include "mesh/volume/point_insertion.h"
+#include "mesh/volume/steiner_relocation.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int32_t enclosing_nodes = 4;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+std::string text_of(const Vec3& p) {
+  return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
+}
+
+/// Triangles at a node of the boundary: the place of an error.
+std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t node) {
+  std::vector<std::int64_t> found;
+  for (std::size_t i = 0; i < subdomain.triangles.size(); ++i) {
+    const Triangle& t = subdomain.triangles[i];
+    if (t[0] == node || t[1] == node || t[2] == node) found.push_back(static_cast<std::int64_t>(i));
+  }
+  return found;
+}
+
+DelaunayTets boundary_delaunay(const Subdomain& subdomain) {
+  DelaunayTets tets = bowyer_watson(subdomain.vertices);
+  if (!tets.duplicates.empty()) {
+    const std::int32_t node = tets.duplicates.front()[0];
+    throw InvalidInput("two vertices have the same place " + text_of(subdomain.vertices[at(node)]),
+                       "sub-domain " + subdomain.path.text(), triangles_at(subdomain, node));
+  }
+  return tets;
+}
+
+[[noreturn]] void throw_lost(const Subdomain& subdomain, const std::vector<std::int32_t>& lost) {
+  std::string message = "sub-domain " + subdomain.path.text() + ": " + std::to_string(lost.size()) +
+                        " boundary triangles cannot be recovered";
+  if (!lost.empty()) {
+    const Triangle& t = subdomain.triangles[at(lost.front())];
+    message += ", the first at " + text_of(subdomain.vertices[at(t[0])]) + ", " +
+               text_of(subdomain.vertices[at(t[1])]) + ", " + text_of(subdomain.vertices[at(t[2])]);
+  }
+  throw RecoveryFailure(message, lost);
+}
+
+/// The split as it is numbered once the enclosing nodes are gone.
+SteinerSplit without_enclosing(SteinerSplit split, std::int32_t boundary_nodes) {
+  const auto renumber = [boundary_nodes](std::int32_t& v) {
+    if (v >= boundary_nodes) v -= enclosing_nodes;
+  };
+  renumber(split.node);
+  for (Triangle& t : split.originals) {
+    for (std::int32_t& v : t) renumber(v);
+  }
+  return split;
+}
+
+void relocate_steiner_points(InsideComplex& inside, const SplitSurface& surface,
+                             const Subdomain& subdomain) {
+  const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
+  // Last in, first out: only then are the triangles of a split those of the moment it was made.
+  for (std::size_t i = surface.splits.size(); i-- > 0;) {
+    const SteinerSplit split = without_enclosing(surface.splits[i], boundary_nodes);
+    if (relocate_steiner_point(inside.complex, inside.constrained, split)) continue;
+    std::vector<std::int32_t> lost;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const Triangle& triangle = surface.triangles[t];
+      if (std::find(triangle.begin(), triangle.end(), surface.splits[i].node) != triangle.end()) {
+        lost.push_back(surface.source[t]);
+      }
+    }
+    std::sort(lost.begin(), lost.end());
+    lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
+    throw_lost(subdomain, lost);
+  }
+}
+
+/// The complex with points that belong to a tet only; the boundary nodes stay first.
+TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
+  TetMesh mesh = to_tet_mesh(complex, boundary_nodes);
+  std::vector<std::int32_t> new_number(mesh.nodes.size(), -1);
+  for (const Tet& tet : mesh.tets) {
+    for (const std::int32_t v : tet) new_number[at(v)] = 0;
+  }
+  std::int32_t count = 0;
+  for (std::size_t v = 0; v < mesh.nodes.size(); ++v) {
+    if (new_number[v] < 0 && v >= at(boundary_nodes)) continue;
+    new_number[v] = count;
+    mesh.nodes[at(count++)] = mesh.nodes[v];
+  }
+  mesh.nodes.resize(at(count));
+  for (Tet& tet : mesh.tets) {
+    for (std::int32_t& v : tet) v = new_number[at(v)];
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
+                    const VolumeMeshOptions& options, VolumeMeshReport* report) {
+  const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
+  const auto tell = [&options](const char* stage, std::size_t tets) {
+    if (options.progress) options.progress(stage, static_cast<std::int64_t>(tets));
+  };
+  tell("boundary", 0);
+  DelaunayTets tets = boundary_delaunay(subdomain);
+  TetComplex& complex = tets.complex;
+  std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
+  const RecoveredBoundary recovered = recover_boundary(complex, constrained, subdomain.triangles);
+  if (report != nullptr) {
+    report->missing_edges = recovered.missing_edges;
+    report->missing_faces = recovered.missing_faces;
+    report->interior_steiner_points = static_cast<std::int64_t>(recovered.surface.splits.size());
+  }
+  if (!recovered.lost.empty()) throw_lost(subdomain, recovered.lost);
+  const RecoverySurface surface(recovered.surface.triangles,
+                                static_cast<std::int32_t>(complex.points.size()));
+  const auto sides = [&] {
+    auto inside = inside_tets(LocalRemeshing(complex, constrained), surface);
+    if (inside.empty()) throw_lost(subdomain, {});
+    return inside;
+  };
+  std::vector<std::uint8_t> inside = sides();
+  if (options.fill) {
+    const auto steiner_end = static_cast<std::int32_t>(complex.points.size());
+    const auto nodes = nodes_inside(complex, inside, spacing, bounding_box(subdomain.vertices));
+    PointInsertionOptions insertion;
+    insertion.progress = [&](std::int64_t live) { tell("points", static_cast<std::size_t>(live)); };
+    insert_lattice(complex, constrained, steiner_end, nodes, insertion);
+    inside = sides();
+  }
+  InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
+  complex = TetComplex{};
+  relocate_steiner_points(kept, recovered.surface, subdomain);
+  if (options.fill && options.cosmetics) {
+    tell("cosmetics", kept.complex.live_tets());
+    CosmeticOptions cosmetics;
+    cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
+    improve_mesh(kept.complex, boundary_nodes, cosmetics);
+  }
+  TetMesh mesh = compact_mesh(kept.complex, boundary_nodes);
+  tell("done", mesh.tets.size());
+  return mesh;
+}
+
+}  // namespace tetfarm
