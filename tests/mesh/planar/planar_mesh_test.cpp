@@ -288,6 +288,27 @@ TEST(PlanarMesh, splits_all_chords_of_a_strip_when_all_are_forbidden) {
   EXPECT_EQ(count_chords(mesh, region, options), 0);
 }
 
+TEST(PlanarMesh, keeps_forbidden_chords_out_of_stars_after_smoothing_too) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 40; ++round) {
+    SCOPED_TRACE(round);
+    std::vector<Vec2> loop = circle_loop({0, 0}, 1, 8 + round);
+    for (Vec2& p : loop) {
+      const double stretch = 0.02 + static_cast<double>(random()) / 4294967296.0;
+      p = {p.x * stretch, p.y * stretch};
+    }
+    PlanarRegion region;
+    add_loop(region, loop);
+    PlanarOptions options;
+    for (std::int32_t a = 0; a < 8 + round; ++a)
+      for (std::int32_t b = 0; b < a; ++b) options.forbidden_chords.push_back({a, b});
+    const PlanarResult result = mesh_region(region, uniform(0.05 * (1 + round % 6)), options);
+    ASSERT_FALSE(result.failure) << result.failure->reason;
+    EXPECT_THAT(whats_wrong(region, result.mesh), IsEmpty());
+    EXPECT_EQ(count_chords(result.mesh, region, options), 0);
+  }
+}
+
 TEST(PlanarMesh, passes_on_what_is_wrong_with_the_region) {
   PlanarRegion region = rectangle({0, 0}, {1, 1}, 2);
   region.edges.pop_back();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "mesh/planar/constrained_delaunay.h"
 #include "mesh/planar/edge_flips.h"
@@ -56,6 +57,61 @@ TEST(PointInsertion, keeps_points_apart_and_leaves_no_large_hole) {
       EXPECT_GT(length, 0.64 * h);
       EXPECT_LT(length, 2 * 0.78 * h);
     }
+}
+
+TEST(PointInsertion, keeps_points_apart_and_off_the_boundary_in_sharp_places) {
+  constexpr double h = 0.1;
+  for (int spikes = 3; spikes < 12; ++spikes) {
+    std::vector<Vec2> star = circle_loop({0, 0}, 1, 2 * spikes);
+    for (std::size_t i = 0; i < star.size(); i += 2) star[i] = {3 * star[i].x, 3 * star[i].y};
+    PlanarRegion region;
+    add_loop(region, star);
+    TriangleComplex complex = triangulated(region);
+    ASSERT_TRUE(insert_points(
+        complex, [](const Vec2&) { return h; }, plenty));
+    const auto first_inner = static_cast<std::int32_t>(region.points.size());
+    for (std::int32_t t = 0; t < complex.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        const std::int32_t a = complex.node(t, next(i));
+        const std::int32_t b = complex.node(t, previous(i));
+        const Vec2& pa = complex.point(a);
+        const Vec2& pb = complex.point(b);
+        if (std::max(a, b) >= first_inner) {
+          EXPECT_GT(distance(pa, pb), 0.64 * h);
+        } else if (complex.is_constrained(t, i) && complex.node(t, i) >= first_inner) {
+          const Vec2& apex = complex.point(complex.node(t, i));
+          const double height =
+              ((pb.x - pa.x) * (apex.y - pa.y) - (pb.y - pa.y) * (apex.x - pa.x)) /
+              distance(pa, pb);
+          EXPECT_GT(height, 0.49 * h);
+          EXPECT_GT(height, 0.19 * distance(pa, pb));
+        }
+      }
+  }
+}
+
+TEST(PointInsertion, keeps_points_half_the_spacing_off_edges_that_are_a_bit_too_long) {
+  constexpr double h = 0.1;
+  for (int sides = 4; sides < 40; ++sides) {
+    PlanarRegion region;  // edges of 1.4 to 2.2 h
+    const double edge = (1.4 + 0.02 * sides) * h;
+    add_loop(region, circle_loop({0, 0}, edge * sides / (2 * std::numbers::pi), sides));
+    TriangleComplex complex = triangulated(region);
+    ASSERT_TRUE(insert_points(
+        complex, [](const Vec2&) { return h; }, plenty));
+    for (std::int32_t v = 0; v < sides; ++v) {
+      const EdgeHandle side = complex.find_edge(v, (v + 1) % sides);
+      const std::int32_t apex = complex.node(triangle_of(side), edge_of(side));
+      const Vec2& pa = complex.point(v);
+      const Vec2& pb = complex.point((v + 1) % sides);
+      const Vec2& p = complex.point(apex);
+      const double height =
+          ((pb.x - pa.x) * (p.y - pa.y) - (pb.y - pa.y) * (p.x - pa.x)) / distance(pa, pb);
+      if (apex >= sides) {
+        EXPECT_GT(height, 0.49 * h);
+      }
+    }
+  }
 }
 
 TEST(PointInsertion, leaves_a_region_alone_that_is_smaller_than_the_spacing) {

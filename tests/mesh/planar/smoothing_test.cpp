@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
 
 namespace tetfarm {
 namespace {
@@ -47,6 +49,27 @@ TEST(Smoothing, never_makes_the_worst_triangle_worse_nor_turns_one_over) {
     EXPECT_THAT(validate(complex), IsEmpty());
     EXPECT_GE(worst(complex), before);
     before = worst(complex);
+  }
+}
+
+TEST(Smoothing, never_makes_the_worst_triangle_of_a_random_ring_worse) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 200; ++round) {
+    const std::int32_t n = 3 + round % 8;
+    std::vector<Vec2> points;
+    std::vector<TriangleComplex::Nodes> triangles;
+    for (std::int32_t i = 0; i < n; ++i) {
+      const double radius = 0.2 + static_cast<double>(random()) / 4294967296.0;
+      const double angle = 2 * std::numbers::pi * i / n;
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      triangles.push_back({i, (i + 1) % n, n});
+    }
+    points.push_back({0, 0});
+    TriangleComplex complex = make_triangle_complex(points, triangles);
+    const double before = worst(complex);
+    smooth(complex, n);
+    EXPECT_GE(worst(complex), before);
+    EXPECT_THAT(validate(complex), IsEmpty());
   }
 }
 
