@@ -147,10 +147,19 @@ TEST(SpacingField, limits_a_line_whose_spacing_changes_too_fast) {
   options.background = 1;
   options.inherit_surface = false;
   options.growth = 0.2;
-  options.sources = {{{{{0.2, 0.5, 0.5}, 0.01, 0.02, 0.1}, {{0.5, 0.5, 0.5}, 0.5, 0.2, 0.3}}}};
+  options.sources = {{{{{0.2, 0.5, 0.5}, 0.02, 0.02, 0.1}, {{0.5, 0.5, 0.5}, 0.5, 0.2, 0.3}}}};
   const SpacingField field = make_spacing_field(shapes::unit_cube(), options);
   expect_growth(field, unit_box, 0.2);
-  EXPECT_NEAR(field.at({0.2, 0.5, 0.5}), 0.01, 0.003);
+  EXPECT_NEAR(field.at({0.2, 0.5, 0.5}), 0.02, 0.004);
+}
+
+TEST(SpacingField, limits_a_line_whose_radius_changes_too_fast) {
+  SpacingOptions options;
+  options.background = 1;
+  options.inherit_surface = false;
+  options.growth = 0.2;
+  options.sources = {{{{{0.35, 0.5, 0.5}, 0.03, 0.01, 0.02}, {{0.55, 0.5, 0.5}, 0.03, 0.4, 0.41}}}};
+  expect_growth(make_spacing_field(shapes::unit_cube(), options), unit_box, 0.2);
 }
 
 TEST(SpacingField, changes_continuously_across_cells) {
