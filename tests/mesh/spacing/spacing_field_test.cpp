@@ -122,12 +122,13 @@ TEST(SpacingField, matches_the_edges_of_a_well_shaped_surface) {
   }
 }
 
+/// Along cell edges the growth is exact, between corners the interpolation may exceed it a little.
 void expect_growth(const SpacingField& field, const Box3& box, double growth) {
   Dice dice;
   for (int i = 0; i < 10000; ++i) {
     const Vec3 a = dice.in(box);
     const Vec3 b = dice.in(box);
-    EXPECT_LE(std::abs(field.at(a) - field.at(b)), 1.1 * growth * distance(a, b) + 1e-6);
+    EXPECT_LE(std::abs(field.at(a) - field.at(b)), 1.15 * growth * distance(a, b) + 1e-6);
   }
 }
 
