@@ -1,0 +1,60 @@
+// A database in memory: takes change sets as JobDatabase does, and checks what SQLite would check.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "store/rows.h"
+
+namespace tetfarm {
+
+class DurableRecord {
+ public:
+  void apply(const ChangeSet& changes) {
+    for (const JobRow& job : changes.jobs) state_.jobs[job.id] = job;
+    for (const SubdomainRow& row : changes.subdomains) {
+      state_.subdomains[{row.job, row.path}] = row;
+    }
+    for (const TaskRow& task : changes.tasks) put(task);
+    for (const WorkerRow& worker : changes.workers) {
+      state_.last_worker = std::max(state_.last_worker, worker.id.value);
+    }
+    for (const AttemptRow& attempt : changes.attempts) put(attempt);
+    events_ += changes.events.size();
+  }
+
+  const DurableState& state() const { return state_; }
+  const std::map<AttemptId, AttemptRow>& attempts() const { return attempts_; }
+  std::size_t events() const { return events_; }
+
+ private:
+  void put(const TaskRow& task) {
+    const auto old = state_.tasks.find(task.id);
+    if (old != state_.tasks.end()) {
+      EXPECT_EQ(old->second.kind, task.kind);
+      EXPECT_EQ(old->second.path, task.path);
+      EXPECT_EQ(old->second.inputs, task.inputs) << "the inputs of a task never change";
+    }
+    state_.tasks[task.id] = task;
+  }
+
+  void put(const AttemptRow& attempt) {
+    const auto old = attempts_.find(attempt.id);
+    if (old != attempts_.end()) {
+      EXPECT_EQ(old->second.state, AttemptState::running) << "an ended attempt came back";
+      EXPECT_EQ(old->second.task, attempt.task);
+    }
+    attempts_[attempt.id] = attempt;
+    state_.last_attempt = std::max(state_.last_attempt, attempt.id.value);
+    state_.running_attempts.erase(attempt.id);
+    if (attempt.state == AttemptState::running) state_.running_attempts[attempt.id] = attempt;
+  }
+
+  DurableState state_;
+  std::map<AttemptId, AttemptRow> attempts_;
+  std::size_t events_ = 0;
+};
+
+}  // namespace tetfarm
