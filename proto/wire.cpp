@@ -1,5 +1,7 @@
 #include "proto/wire.h"
 
+#include <google/protobuf/stubs/logging.h>
+
 #include <utility>
 
 #include "base/error.h"
@@ -18,6 +20,8 @@ std::string encode(wire::Envelope envelope) {
 }
 
 Decoded decode(std::string_view bytes) noexcept {
+  // What a stranger sends must not fill our stderr with protobuf's opinion of it.
+  [[maybe_unused]] static const auto talkative = google::protobuf::SetLogHandler(nullptr);
   Decoded decoded;
   if (bytes.size() > max_message_size) {
     decoded.state = WireState::too_large;

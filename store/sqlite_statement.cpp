@@ -22,7 +22,10 @@ int errno_of(sqlite3* database, int code) {
       return EACCES;
     default: {
       const int system_error = database != nullptr ? sqlite3_system_errno(database) : 0;
-      return system_error != 0 ? system_error : EIO;
+      if (system_error != 0) return system_error;
+      // SQLite tells a full disk from other failed writes, but not a quota or a limit on the file's
+      // size.
+      return code == SQLITE_IOERR_WRITE ? EFBIG : EIO;
     }
   }
 }

@@ -1,0 +1,257 @@
+#include "store/job_database.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "base/error.h"
+#include "store/schema.h"
+#include "store/sqlite_statement.h"
+#include "tests/base/temp_folder.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::string some_hash(char digit) { return std::string(32, digit); }
+
+ChangeSet some_changes() {
+  ChangeSet changes;
+  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0, "", 5, 0};
+  TaskRow task;
+  task.id = TaskId{3};
+  task.job = JobId{1};
+  task.kind = TaskKind::decompose;
+  task.path = std::uint64_t{1} << 62U;
+  task.state = TaskState::leased;
+  task.attempt = AttemptId{9};
+  task.crashes = 1;
+  task.losses = 2;
+  task.message = "it's \"quoted\"; DROP TABLE tasks";
+  task.inputs = {{"job", some_hash('a'), 10}, {"subdomain", some_hash('b'), 1ULL << 40U}};
+  task.parameters = {{"parts", "4"}};
+  task.numbers = {{"third", 1.0 / 3}, {"huge", 1e300}};
+  task.texts = {{"reason", std::string("a\0b", 3)}};
+  SubdomainRow subdomain{JobId{1}, 1, 4,     SubdomainState::cut, 7,
+                         0,        0, false, some_hash('b'),      1ULL << 40U};
+  changes.jobs = {job};
+  changes.tasks = {task};
+  changes.subdomains = {subdomain};
+  changes.workers = {{WorkerId{2}, "host", 77, 4, 1U << 30U, "0.1", 6, false}};
+  changes.attempts = {{AttemptId{9}, TaskId{3}, WorkerId{2}, AttemptState::running, 6, 0, ""}};
+  changes.events = {{6, JobId{1}, TaskId{3}, AttemptId{9}, WorkerId{2}, "assigned", "x"}};
+  return changes;
+}
+
+void expect_some_changes(const DurableState& state) {
+  const ChangeSet changes = some_changes();
+  ASSERT_THAT(state.jobs, SizeIs(1));
+  EXPECT_EQ(state.jobs.begin()->second, changes.jobs[0]);
+  ASSERT_THAT(state.tasks, SizeIs(1));
+  EXPECT_EQ(state.tasks.begin()->second, changes.tasks[0]);
+  ASSERT_THAT(state.subdomains, SizeIs(1));
+  EXPECT_EQ(state.subdomains.begin()->second, changes.subdomains[0]);
+  ASSERT_THAT(state.running_attempts, SizeIs(1));
+  EXPECT_EQ(state.running_attempts.begin()->second, changes.attempts[0]);
+  EXPECT_EQ(state.last_attempt, 9U);
+  EXPECT_EQ(state.last_worker, 2U);
+}
+
+TEST(JobDatabase, what_is_written_is_read_back_by_another_connection) {
+  const TempFolder folder;
+  JobDatabase first(folder.path() / "db");
+  first.apply(some_changes());
+  const JobDatabase second(folder.path() / "db");
+  expect_some_changes(second.load());
+  EXPECT_THAT(second.events_of(JobId{1}), testing::ElementsAre(some_changes().events[0]));
+  EXPECT_THAT(second.damage(), IsEmpty());
+}
+
+TEST(JobDatabase, rows_written_again_replace_the_older_ones) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  database.apply(some_changes());
+  ChangeSet later;
+  later.tasks = some_changes().tasks;
+  later.tasks[0].state = TaskState::done;
+  later.tasks[0].outputs = {{"left", some_hash('c'), 1}, {"right", some_hash('d'), 2}};
+  later.tasks[0].numbers = {{"left_parts", 2}};
+  later.attempts = some_changes().attempts;
+  later.attempts[0].state = AttemptState::done;
+  database.apply(later);
+  EXPECT_EQ(database.load().tasks.at(TaskId{3}), later.tasks[0]);
+  later.tasks[0].outputs.pop_back();
+  later.attempts.clear();
+  database.apply(later);
+  const DurableState state = database.load();
+  EXPECT_EQ(state.tasks.at(TaskId{3}), later.tasks[0]);
+  EXPECT_THAT(state.running_attempts, IsEmpty());
+  EXPECT_EQ(state.last_attempt, 9U);
+  EXPECT_THAT(database.damage(), IsEmpty());
+}
+
+TEST(JobDatabase, a_transaction_with_one_impossible_row_changes_nothing) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  ChangeSet changes = some_changes();
+  changes.attempts.push_back(
+      {AttemptId{10}, TaskId{3}, WorkerId{2}, AttemptState::running, 6, 0, ""});
+  EXPECT_THROW(database.apply(changes), IoError) << "two attempts of one task at a time";
+  EXPECT_THAT(database.load().jobs, IsEmpty());
+  changes.attempts.back().task = TaskId{99};
+  EXPECT_THROW(database.apply(changes), IoError) << "an attempt of no task";
+  EXPECT_THAT(database.load().jobs, IsEmpty());
+  database.apply(some_changes());
+  expect_some_changes(database.load());
+}
+
+/// Runs `action` in a child that ends without closing anything.
+template <class Action>
+int in_a_child(const Action& action) {
+  const pid_t child = fork();
+  if (child == 0) {
+    action();
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+TEST(JobDatabase, what_was_committed_survives_an_abrupt_end) {
+  const TempFolder folder;
+  in_a_child([&] {
+    JobDatabase database(folder.path() / "db");
+    database.apply(some_changes());
+    kill(getpid(), SIGKILL);
+  });
+  const JobDatabase database(folder.path() / "db");
+  expect_some_changes(database.load());
+}
+
+TEST(JobDatabase, a_process_killed_within_a_transaction_leaves_none_of_it) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  { JobDatabase(path).apply(some_changes()); }
+  in_a_child([&] {
+    sqlite3* raw = nullptr;
+    sqlite3_open(path.c_str(), &raw);
+    sqlite3_exec(raw,
+                 "PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE jobs SET phase = 'failed'; "
+                 "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 20000) "
+                 "INSERT INTO events SELECT NULL, i, 0, 0, 0, 0, 'half', 'a long text to spill "
+                 "pages' FROM n;",
+                 nullptr, nullptr, nullptr);
+    kill(getpid(), SIGKILL);
+  });
+  JobDatabase database(path);
+  expect_some_changes(database.load());
+  EXPECT_THAT(database.damage(), IsEmpty());
+}
+
+TEST(JobDatabase, killed_at_any_instant_it_holds_whole_transactions_only) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  for (int round = 0; round < 5; ++round) {
+    const pid_t child = fork();
+    if (child == 0) {
+      JobDatabase database(path);
+      ChangeSet changes = some_changes();
+      for (std::int64_t i = 0;; ++i) {
+        changes.jobs[0].finished_ms = i;
+        changes.tasks[0].numbers["step"] = static_cast<double>(i);
+        changes.events.clear();
+        database.apply(changes);
+      }
+    }
+    usleep(static_cast<useconds_t>(20000 + 7001 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const JobDatabase database(path);
+    const DurableState state = database.load();
+    if (state.jobs.empty()) continue;
+    EXPECT_EQ(static_cast<double>(state.jobs.at(JobId{1}).finished_ms),
+              state.tasks.at(TaskId{3}).numbers.at("step"));
+    EXPECT_THAT(database.damage(), IsEmpty());
+  }
+}
+
+TEST(JobDatabase, a_full_disk_is_out_of_resources_and_the_old_state_stays) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  { JobDatabase(path).apply(some_changes()); }
+  const int status = in_a_child([&] {
+    signal(SIGXFSZ, SIG_IGN);
+    JobDatabase database(path);
+    const rlimit limit{200000, 200000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    ChangeSet changes = some_changes();
+    changes.jobs[0].job_toml = std::string(1000000, 'x');
+    try {
+      database.apply(changes);
+    } catch (const IoError& error) {
+      expect_some_changes(database.load());
+      EXPECT_EQ(error.code(), ExitCode::out_of_resources) << error.what();
+      _exit(testing::Test::HasFailure() ? 1 : 42);
+    }
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 42);
+  expect_some_changes(JobDatabase(path).load());
+}
+
+TEST(JobDatabase, other_files_are_refused) {
+  const TempFolder folder;
+  std::ofstream(folder.path() / "text") << std::string(5000, 'x');
+  EXPECT_THROW(JobDatabase(folder.path() / "text"), CorruptFile);
+  sqlite3* raw = nullptr;
+  sqlite3_open((folder.path() / "theirs").c_str(), &raw);
+  sqlite3_exec(raw, "CREATE TABLE t (x)", nullptr, nullptr, nullptr);
+  sqlite3_close(raw);
+  EXPECT_THROW(JobDatabase(folder.path() / "theirs"), CorruptFile);
+  EXPECT_THROW(JobDatabase(folder.path() / "no_folder" / "db"), IoError);
+}
+
+TEST(JobDatabase, a_newer_database_is_refused) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  { const JobDatabase made(path); }
+  sqlite3* raw = nullptr;
+  sqlite3_open(path.c_str(), &raw);
+  sqlite3_exec(raw, "PRAGMA user_version = 999", nullptr, nullptr, nullptr);
+  sqlite3_close(raw);
+  EXPECT_THROW(JobDatabase{path}, CorruptFile);
+}
+
+TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  const JobDatabase made(path);
+  sqlite3* raw = nullptr;
+  sqlite3_open(path.c_str(), &raw);
+  {
+    Statement mode(raw, "PRAGMA journal_mode");
+    mode.step();
+    EXPECT_EQ(mode.text(), "wal");
+    Statement version(raw, "PRAGMA user_version");
+    version.step();
+    EXPECT_EQ(version.integer(), database_version);
+    Statement strict(raw,
+                     "SELECT count(*) FROM pragma_table_list "
+                     "WHERE schema = 'main' AND type = 'table' AND strict = 0 "
+                     "AND name NOT LIKE 'sqlite_%'");
+    strict.step();
+    EXPECT_EQ(strict.integer(), 0) << "tables that are not STRICT";
+  }
+  sqlite3_close(raw);
+}
+
+}  // namespace
+}  // namespace tetfarm
