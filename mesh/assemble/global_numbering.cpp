@@ -1,0 +1,213 @@
+#include "mesh/assemble/global_numbering.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t most_nodes = std::int64_t{1} << 60;
+
+struct Line {
+  std::string_view kind;
+  std::vector<std::uint64_t> numbers;
+};
+
+/// A word and whole numbers, one blank between them; nothing when the line is not like that.
+std::optional<Line> parse_line(std::string_view text) {
+  Line line;
+  std::size_t end = std::min(text.find(' '), text.size());
+  line.kind = text.substr(0, end);
+  while (end < text.size()) {
+    text.remove_prefix(end + 1);
+    end = std::min(text.find(' '), text.size());
+    std::uint64_t number = 0;
+    const char* last = text.data() + end;
+    const auto [stop, error] = std::from_chars(text.data(), last, number);
+    if (error != std::errc{} || stop != last) return std::nullopt;
+    line.numbers.push_back(number);
+  }
+  return line;
+}
+
+bool is_heap_number(std::uint64_t heap) { return heap >= 1 && heap < std::uint64_t{1} << 63; }
+
+/// Reads one line of cut or leaf; false when it is neither.
+bool add_line(const Line& line, Numbering& numbering) {
+  const std::vector<std::uint64_t>& n = line.numbers;
+  for (const std::uint64_t number : std::span(n).subspan(std::min<std::size_t>(1, n.size()))) {
+    if (number > static_cast<std::uint64_t>(most_nodes)) return false;
+  }
+  if (line.kind == "cut" && n.size() == 2 && is_heap_number(n[0])) {
+    numbering.cuts.push_back({{n[0]}, static_cast<std::int64_t>(n[1]), 0});
+    return true;
+  }
+  if (line.kind == "leaf" && n.size() == 3 && is_heap_number(n[0])) {
+    numbering.leaves.push_back(
+        {{n[0]}, static_cast<std::int64_t>(n[1]), static_cast<std::int64_t>(n[2]), 0, 0});
+    return true;
+  }
+  return false;
+}
+
+/// What the lines of a whole tree are: walking it depth first, each line is where the walk stands.
+bool is_whole_tree(const Numbering& numbering) {
+  std::size_t cut = 0;
+  std::size_t leaf = 0;
+  std::vector<TreePath> to_visit = {{1}};
+  while (!to_visit.empty()) {
+    const TreePath here = to_visit.back();
+    to_visit.pop_back();
+    if (cut < numbering.cuts.size() && numbering.cuts[cut].path == here) {
+      ++cut;
+      to_visit.push_back(here.right());
+      to_visit.push_back(here.left());
+    } else if (leaf < numbering.leaves.size() && numbering.leaves[leaf].path == here) {
+      ++leaf;
+    } else {
+      return false;
+    }
+  }
+  return cut == numbering.cuts.size() && leaf == numbering.leaves.size();
+}
+
+void sort_by_tree(Numbering& numbering) {
+  const auto before = [](const auto& a, const auto& b) { return comes_before(a.path, b.path); };
+  std::sort(numbering.cuts.begin(), numbering.cuts.end(), before);
+  std::sort(numbering.leaves.begin(), numbering.leaves.end(), before);
+}
+
+void give_numbers(Numbering& numbering) {
+  std::int64_t next = numbering.surface_nodes;
+  for (CutNumbers& cut : numbering.cuts) {
+    cut.first_node = next;
+    next += cut.nodes;
+  }
+  std::int64_t next_tet = 0;
+  for (LeafNumbers& leaf : numbering.leaves) {
+    leaf.first_node = next;
+    leaf.first_tet = next_tet;
+    next += leaf.interior_nodes;
+    next_tet += leaf.tets;
+  }
+  numbering.nodes = next;
+  numbering.tets = next_tet;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+}  // namespace
+
+bool comes_before(TreePath a, TreePath b) {
+  const int difference = a.depth() - b.depth();
+  const std::uint64_t a_there = difference > 0 ? a.heap >> difference : a.heap;
+  const std::uint64_t b_there = difference < 0 ? b.heap >> -difference : b.heap;
+  return a_there != b_there ? a_there < b_there : difference < 0;
+}
+
+Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
+  Numbering numbering;
+  for (const std::string_view text : lines_of(table)) {
+    const std::optional<Line> line = parse_line(text);
+    if (!line || !add_line(*line, numbering)) {
+      throw Error(ExitCode::failed,
+                  "the table of the tree has the line \"" + std::string(text) + '"');
+    }
+  }
+  sort_by_tree(numbering);
+  if (!is_whole_tree(numbering)) {
+    throw Error(ExitCode::failed, "the table of the tree has not every cut and leaf once");
+  }
+  std::vector<bool> is_used(surface.vertices.size(), false);
+  for (const Triangle& triangle : surface.triangles) {
+    for (const std::int32_t v : triangle) is_used[static_cast<std::size_t>(v)] = true;
+  }
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (!is_used[v]) numbering.unused_vertices.push_back(static_cast<std::int32_t>(v));
+  }
+  numbering.surface_nodes =
+      static_cast<std::int64_t>(is_used.size() - numbering.unused_vertices.size());
+  give_numbers(numbering);
+  return numbering;
+}
+
+std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
+  const auto refuse = [&] {
+    throw Error(ExitCode::failed,
+                "no node " + std::to_string(origin.index) + " of " +
+                    (origin.owner == 0 ? "the surface" : "cut " + TreePath{origin.owner}.text()) +
+                    " in the numbering");
+  };
+  if (origin.owner == 0) {
+    const auto& unused = numbering.unused_vertices;
+    const std::int64_t index = origin.index;
+    const auto after = std::lower_bound(unused.begin(), unused.end(), index);
+    const std::int64_t rank = index - (after - unused.begin());
+    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse();
+    return rank;
+  }
+  const TreePath path{origin.owner};
+  const auto cut =
+      std::lower_bound(numbering.cuts.begin(), numbering.cuts.end(), path,
+                       [](const CutNumbers& a, TreePath b) { return comes_before(a.path, b); });
+  if (cut == numbering.cuts.end() || cut->path != path || origin.index >= cut->nodes) refuse();
+  return cut->first_node + origin.index;
+}
+
+std::string numbering_to_text(const Numbering& numbering) {
+  std::string text = "tetfarm-numbering 1\n";
+  text += "surface " + std::to_string(numbering.surface_nodes) + '\n';
+  for (const std::int32_t v : numbering.unused_vertices) {
+    text += "unused " + std::to_string(v) + '\n';
+  }
+  for (const CutNumbers& cut : numbering.cuts) {
+    text += "cut " + std::to_string(cut.path.heap) + ' ' + std::to_string(cut.nodes) + '\n';
+  }
+  for (const LeafNumbers& leaf : numbering.leaves) {
+    text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.interior_nodes) +
+            ' ' + std::to_string(leaf.tets) + '\n';
+  }
+  return text + "end\n";
+}
+
+Numbering numbering_from_text(std::string_view text, const std::string& name) {
+  const auto refuse = [&](const std::string& what) { throw CorruptFile(what, name); };
+  const std::vector<std::string_view> lines = lines_of(text);
+  if (lines.size() < 3 || lines.front() != "tetfarm-numbering 1") refuse("not a numbering");
+  if (lines.back() != "end") refuse("the end is missing");
+  Numbering numbering;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    const std::optional<Line> line = parse_line(lines[i]);
+    if (line && line->kind == "surface" && line->numbers.size() == 1 && i == 1 &&
+        line->numbers[0] <= std::numeric_limits<std::int32_t>::max()) {
+      numbering.surface_nodes = static_cast<std::int64_t>(line->numbers[0]);
+    } else if (line && line->kind == "unused" && line->numbers.size() == 1 &&
+               line->numbers[0] <= std::numeric_limits<std::int32_t>::max()) {
+      numbering.unused_vertices.push_back(static_cast<std::int32_t>(line->numbers[0]));
+    } else if (!line || i == 1 || !add_line(*line, numbering)) {
+      refuse("line " + std::to_string(i + 1) + " is wrong");
+    }
+  }
+  sort_by_tree(numbering);
+  if (!is_whole_tree(numbering)) refuse("not every cut and leaf once");
+  if (!std::is_sorted(numbering.unused_vertices.begin(), numbering.unused_vertices.end())) {
+    refuse("unused vertices are not in order");
+  }
+  give_numbers(numbering);
+  return numbering;
+}
+
+}  // namespace tetfarm

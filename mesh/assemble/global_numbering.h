@@ -1,0 +1,67 @@
+/// Global numbers of nodes and tets, from counts alone: no mesh is read for them.
+///
+/// Source: thesis 4.3.4.1.1. First the nodes of the input surface in its order (unused vertices are
+/// passed over), then the nodes of the inter-domain meshes, cut by cut, then the interior nodes,
+/// leaf by leaf. Cuts and leaves come in *tree order*: depth first, a node before its children,
+/// left before right. So a number depends on the place in the tree only, never on who meshed when,
+/// and regions of space have consecutive numbers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/core/surface_mesh.h"
+
+namespace tetfarm {
+
+/// The nodes of one inter-domain mesh.
+struct CutNumbers {
+  TreePath path;  ///< the sub-domain that was cut
+  std::int64_t nodes = 0;
+  std::int64_t first_node = 0;
+};
+
+/// One sub-domain that was meshed.
+struct LeafNumbers {
+  TreePath path;
+  std::int64_t interior_nodes = 0;
+  std::int64_t tets = 0;
+  std::int64_t first_node = 0;
+  std::int64_t first_tet = 0;
+};
+
+/// All numbers count from 0. Cuts and leaves are in tree order.
+struct Numbering {
+  std::int64_t surface_nodes = 0;
+  std::vector<std::int32_t> unused_vertices;  ///< of the input surface, ascending
+  std::vector<CutNumbers> cuts;
+  std::vector<LeafNumbers> leaves;
+  std::int64_t nodes = 0;
+  std::int64_t tets = 0;
+
+  /// Nodes that lie on the boundary of sub-domains; the numbers from here on are interior nodes.
+  std::int64_t shared_nodes() const { return leaves.empty() ? 0 : leaves.front().first_node; }
+};
+
+/// Whether a comes before b in tree order.
+bool comes_before(TreePath a, TreePath b);
+
+/// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
+/// "cut HEAP INTERDOMAIN_NODES" or "leaf HEAP INTERIOR_NODES TETS".
+/// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
+/// Cost: O(n log n) for n lines, O(vertices) for the surface.
+Numbering number_globally(const SurfaceMesh& surface, std::string_view table);
+
+/// The global number of a boundary node by its origin. @throws Error when there is no such node.
+/// Cost: O(log n).
+std::int64_t global_number(const Numbering& numbering, const Origin& origin);
+
+/// Text, a line for each count: see store/formats.md.
+std::string numbering_to_text(const Numbering& numbering);
+/// @throws CorruptFile naming `name`.
+Numbering numbering_from_text(std::string_view text, const std::string& name);
+
+}  // namespace tetfarm

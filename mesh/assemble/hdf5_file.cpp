@@ -1,0 +1,253 @@
+#include "mesh/assemble/hdf5_file.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "base/error.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr hsize_t rows_of_chunk = 8192;
+
+/// HDF5 prints its stack of errors unless told not to.
+void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Hdf5Handle space(const std::vector<hsize_t>& size) {
+  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose};
+}
+
+std::vector<hsize_t> size_of(hid_t dataset) {
+  const Hdf5Handle here(H5Dget_space(dataset), H5Sclose);
+  const int dimensions = H5Sget_simple_extent_ndims(here.get());
+  std::vector<hsize_t> size(dimensions > 0 ? static_cast<std::size_t>(dimensions) : 0);
+  if (!size.empty()) H5Sget_simple_extent_dims(here.get(), size.data(), nullptr);
+  return size;
+}
+
+/// Text of a fixed length without an end mark.
+Hdf5Handle text_type(std::size_t length) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), std::max<std::size_t>(length, 1));
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  return type;
+}
+
+/// Rows first … first + count - 1 of the dataset's space.
+Hdf5Handle rows(hid_t dataset, hsize_t first, hsize_t count, hsize_t columns, std::size_t rank) {
+  Hdf5Handle all(H5Dget_space(dataset), H5Sclose);
+  const std::array<hsize_t, 2> start = {first, 0};
+  const std::array<hsize_t, 2> size = {count, columns};
+  if (rank > 2 || H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(),
+                                      nullptr) < 0) {
+    return {};
+  }
+  return all;
+}
+
+}  // namespace
+
+Hdf5Output::Hdf5Output(std::string path) : path_(std::move(path)) {
+  silence();
+  errno = 0;
+  file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose};
+  checked(file_.get());
+}
+
+hid_t Hdf5Output::checked(hid_t result) const {
+  if (result < 0) throw IoError("cannot write", path_, errno != 0 ? errno : EIO);
+  return result;
+}
+
+void Hdf5Output::make_group(const std::string& name) {
+  const Hdf5Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  checked(H5Pset_obj_track_times(properties.get(), false));
+  const Hdf5Handle group(
+      H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Gclose);
+  checked(group.get());
+}
+
+void Hdf5Output::add_text_attribute(const std::string& group, const std::string& name,
+                                    const std::string& text) {
+  const Hdf5Handle type = text_type(text.size());
+  const Hdf5Handle one(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(H5Acreate_by_name(file_.get(), group.c_str(), name.c_str(), type.get(),
+                                               one.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  checked(attribute.get());
+  checked(H5Awrite(attribute.get(), type.get(), text.c_str()));
+}
+
+void Hdf5Output::add_attribute(const std::string& group, const std::string& name,
+                               const std::vector<std::int64_t>& values) {
+  const Hdf5Handle size = space({values.size()});
+  const Hdf5Handle attribute(
+      H5Acreate_by_name(file_.get(), group.c_str(), name.c_str(), H5T_STD_I64LE, size.get(),
+                        H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  checked(attribute.get());
+  checked(H5Awrite(attribute.get(), H5T_STD_I64LE, values.data()));
+}
+
+void Hdf5Output::add_texts(const std::string& name, const std::vector<std::string>& texts) {
+  std::size_t length = 1;
+  for (const std::string& text : texts) length = std::max(length, text.size());
+  std::string all;
+  for (const std::string& text : texts) all += text + std::string(length - text.size(), '\0');
+  const Hdf5Handle type = text_type(length);
+  const Hdf5Handle size = space({texts.size()});
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  checked(H5Pset_obj_track_times(properties.get(), false));
+  const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type.get(), size.get(),
+                                      H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+                           H5Dclose);
+  checked(dataset.get());
+  if (texts.empty()) return;
+  checked(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
+}
+
+void Hdf5Output::make_array(const std::string& name, hid_t type, int columns) {
+  std::vector<hsize_t> size = {0};
+  std::vector<hsize_t> limit = {H5S_UNLIMITED};
+  std::vector<hsize_t> chunk = {rows_of_chunk};
+  if (columns > 1) {
+    for (auto* part : {&size, &limit, &chunk}) part->push_back(static_cast<hsize_t>(columns));
+  }
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  checked(H5Pset_obj_track_times(properties.get(), false));
+  checked(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_ALLOC));
+  checked(H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()));
+  const Hdf5Handle here(H5Screate_simple(static_cast<int>(size.size()), size.data(), limit.data()),
+                        H5Sclose);
+  const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type, here.get(), H5P_DEFAULT,
+                                      properties.get(), H5P_DEFAULT),
+                           H5Dclose);
+  checked(dataset.get());
+}
+
+void Hdf5Output::append(const std::string& name, hid_t type, const void* numbers,
+                        std::size_t count) {
+  if (count == 0) return;
+  const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  checked(dataset.get());
+  std::vector<hsize_t> size = size_of(dataset.get());
+  const hsize_t columns = size.size() > 1 ? size[1] : 1;
+  const hsize_t first = size[0];
+  const hsize_t added = count / columns;
+  size[0] += added;
+  checked(H5Dset_extent(dataset.get(), size.data()));
+  const Hdf5Handle there = rows(dataset.get(), first, added, columns, size.size());
+  checked(there.get());
+  size[0] = added;
+  const Hdf5Handle here = space(size);
+  errno = 0;
+  checked(H5Dwrite(dataset.get(), type, here.get(), there.get(), H5P_DEFAULT, numbers));
+}
+
+void Hdf5Output::close() {
+  errno = 0;
+  checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL));
+  checked(H5Fclose(file_.release()));
+}
+
+Hdf5Input::Hdf5Input(std::string path) : path_(std::move(path)) {
+  silence();
+  if (::access(path_.c_str(), R_OK) != 0) throw IoError("cannot read", path_, errno);
+  file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+  if (!file_.is_open()) fail("not an HDF5 file, or a damaged one");
+}
+
+void Hdf5Input::fail(const std::string& what) const { throw InvalidInput(what, path_); }
+
+bool Hdf5Input::has(const std::string& name) const {
+  for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1)) {
+    if (H5Lexists(file_.get(), name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+  }
+  return H5Lexists(file_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::string Hdf5Input::text_attribute(const std::string& group, const std::string& name) const {
+  const Hdf5Handle attribute(has(group) ? H5Aopen_by_name(file_.get(), group.c_str(), name.c_str(),
+                                                          H5P_DEFAULT, H5P_DEFAULT)
+                                        : -1,
+                             H5Aclose);
+  if (!attribute.is_open()) fail("no attribute " + name + " of " + group);
+  const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
+    fail("attribute " + name + " is no text of fixed length");
+  }
+  std::string text(H5Tget_size(type.get()), '\0');
+  if (H5Aread(attribute.get(), type.get(), text.data()) < 0) fail("cannot read " + name);
+  return text.substr(0, text.find('\0'));
+}
+
+Hdf5Handle Hdf5Input::open(const std::string& name) const {
+  Hdf5Handle dataset(has(name) ? H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
+  if (!dataset.is_open()) fail("no array " + name);
+  return dataset;
+}
+
+std::vector<std::string> Hdf5Input::texts(const std::string& name) const {
+  const Hdf5Handle dataset = open(name);
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  const std::vector<hsize_t> size = size_of(dataset.get());
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
+      size.size() != 1) {
+    fail(name + " is no list of texts of fixed length");
+  }
+  const std::size_t length = H5Tget_size(type.get());
+  std::string all(length * size[0], '\0');
+  if (H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0) {
+    fail("cannot read " + name);
+  }
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < size[0]; ++i) {
+    const std::string text = all.substr(i * length, length);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
+std::size_t Hdf5Input::rows_of(const std::string& name, int columns) const {
+  const std::vector<hsize_t> size = size_of(open(name).get());
+  const bool is_right = columns == 1 ? size.size() == 1
+                                     : size.size() == 2 && size[1] == static_cast<hsize_t>(columns);
+  if (!is_right) fail(name + " has not the shape of such an array");
+  return size[0];
+}
+
+void Hdf5Input::read(const std::string& name, hid_t type, void* numbers) const {
+  const Hdf5Handle dataset = open(name);
+  if (H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0) {
+    fail("cannot read " + name);
+  }
+}
+
+void Hdf5Input::check_slice(const std::string& name, std::int64_t first, std::int64_t count,
+                            int columns) const {
+  const auto rows = static_cast<std::int64_t>(rows_of(name, columns));
+  if (first < 0 || count < 0 || first > rows || count > rows - first) {
+    fail(name + " ends too early");
+  }
+}
+
+void Hdf5Input::read_slice(const std::string& name, hid_t type, std::int64_t first,
+                           std::int64_t count, int columns, void* numbers) const {
+  if (count == 0) return;
+  const Hdf5Handle dataset = open(name);
+  std::vector<hsize_t> size = size_of(dataset.get());
+  const Hdf5Handle there =
+      rows(dataset.get(), static_cast<hsize_t>(first), static_cast<hsize_t>(count),
+           static_cast<hsize_t>(columns), size.size());
+  size[0] = static_cast<hsize_t>(count);
+  const Hdf5Handle here = space(size);
+  if (!there.is_open() ||
+      H5Dread(dataset.get(), type, here.get(), there.get(), H5P_DEFAULT, numbers) < 0) {
+    fail("cannot read " + name);
+  }
+}
+
+}  // namespace tetfarm

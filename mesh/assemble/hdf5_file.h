@@ -1,0 +1,139 @@
+/// The little of HDF5's C interface that the mesh files need: handles that close themselves, and
+/// errors that throw.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetfarm {
+
+/// An HDF5 object with the function that closes it.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Hdf5Handle() = default;
+  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.release()), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    if (id_ >= 0) close_(id_);
+    close_ = other.close_;
+    id_ = other.release();
+    return *this;
+  }
+  ~Hdf5Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  hid_t get() const { return id_; }
+  bool is_open() const { return id_ >= 0; }
+  hid_t release() {
+    const hid_t id = id_;
+    id_ = -1;
+    return id;
+  }
+
+ private:
+  hid_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+/// Numbers as they lie in memory and in the file, which is little endian.
+template <class T>
+hid_t hdf5_type();
+template <>
+inline hid_t hdf5_type<double>() {
+  return H5T_IEEE_F64LE;
+}
+template <>
+inline hid_t hdf5_type<std::int64_t>() {
+  return H5T_STD_I64LE;
+}
+template <>
+inline hid_t hdf5_type<std::int32_t>() {
+  return H5T_STD_I32LE;
+}
+template <>
+inline hid_t hdf5_type<std::uint8_t>() {
+  return H5T_STD_U8LE;
+}
+
+/// A file being written. Nothing in it depends on time or on what the memory held before.
+class Hdf5Output {
+ public:
+  /// Truncates. @throws IoError
+  explicit Hdf5Output(std::string path);
+
+  void make_group(const std::string& name);
+  void add_text_attribute(const std::string& group, const std::string& name,
+                          const std::string& text);
+  void add_attribute(const std::string& group, const std::string& name,
+                     const std::vector<std::int64_t>& values);
+  void add_texts(const std::string& name, const std::vector<std::string>& texts);
+  /// An empty array that `append` makes longer; with `columns` > 1 its rows have that many numbers.
+  template <class T>
+  void make_array(const std::string& name, int columns = 1) {
+    make_array(name, hdf5_type<T>(), columns);
+  }
+  /// Whole rows.
+  template <class T>
+  void append(const std::string& name, const std::vector<T>& numbers) {
+    append(name, hdf5_type<T>(), numbers.data(), numbers.size());
+  }
+  /// Writes everything to the disk. @throws IoError
+  void close();
+
+ private:
+  void make_array(const std::string& name, hid_t type, int columns);
+  void append(const std::string& name, hid_t type, const void* numbers, std::size_t count);
+  hid_t checked(hid_t result) const;
+
+  std::string path_;
+  Hdf5Handle file_;
+};
+
+/// A file being read. Missing and unfit things throw InvalidInput naming the file.
+class Hdf5Input {
+ public:
+  /// @throws IoError when there is no such file, InvalidInput when it is not HDF5.
+  explicit Hdf5Input(std::string path);
+
+  bool has(const std::string& name) const;
+  std::string text_attribute(const std::string& group, const std::string& name) const;
+  std::vector<std::string> texts(const std::string& name) const;
+  /// All rows, one after the other. @throws InvalidInput when the array has another shape.
+  template <class T>
+  std::vector<T> array(const std::string& name, int columns = 1) const {
+    std::vector<T> numbers(rows_of(name, columns) * static_cast<std::size_t>(columns));
+    read(name, hdf5_type<T>(), numbers.data());
+    return numbers;
+  }
+  /// `count` numbers of a one-dimensional array, or rows of three, from `first` on.
+  template <class T>
+  std::vector<T> slice(const std::string& name, std::int64_t first, std::int64_t count,
+                       int columns = 1) const {
+    check_slice(name, first, count, columns);
+    std::vector<T> numbers(static_cast<std::size_t>(count * columns));
+    read_slice(name, hdf5_type<T>(), first, count, columns, numbers.data());
+    return numbers;
+  }
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  std::size_t rows_of(const std::string& name, int columns) const;
+  void read(const std::string& name, hid_t type, void* numbers) const;
+  void check_slice(const std::string& name, std::int64_t first, std::int64_t count,
+                   int columns) const;
+  void read_slice(const std::string& name, hid_t type, std::int64_t first, std::int64_t count,
+                  int columns, void* numbers) const;
+  Hdf5Handle open(const std::string& name) const;
+
+  std::string path_;
+  Hdf5Handle file_;
+};
+
+}  // namespace tetfarm

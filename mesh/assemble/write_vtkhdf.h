@@ -1,0 +1,21 @@
+/// Writes the global mesh as VTKHDF (an HDF5 file): an UnstructuredGrid with a partition for each
+/// sub-domain, which ParaView and VTK from 9.1 on read.
+///
+/// Source: VTKHDF file format of VTK's documentation. Version 1.0 is written, which all readers
+/// know. The same mesh gives the same bytes. Layout for readers of our own: docs/file_formats.md.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesh/assemble/global_mesh.h"
+
+namespace tetfarm {
+
+/// Truncates `path`. About 90 bytes a tet. @throws IoError, also later from the writer.
+std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
+                                               const std::vector<std::string>& patch_names);
+
+}  // namespace tetfarm
