@@ -32,7 +32,8 @@ constexpr std::int64_t scratch_age_ms = std::int64_t{7} * 24 * 3600 * 1000;
 std::atomic<bool> stop_signal{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// While it lives, SIGTERM and SIGINT only set stop_signal.
+/// While it lives, SIGTERM and SIGINT only set stop_signal, and a limit on the size of files
+/// (SIGXFSZ) makes writes fail instead of ending the process.
 class SignalGuard {
  public:
   explicit SignalGuard(bool active) : active_(active) {
@@ -43,11 +44,14 @@ class SignalGuard {
     sigemptyset(&action.sa_mask);
     sigaction(SIGTERM, &action, old_.data());
     sigaction(SIGINT, &action, &old_[1]);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGXFSZ, &action, &old_[2]);
   }
   ~SignalGuard() {
     if (!active_) return;
     sigaction(SIGTERM, old_.data(), nullptr);
     sigaction(SIGINT, &old_[1], nullptr);
+    sigaction(SIGXFSZ, &old_[2], nullptr);
   }
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
@@ -56,7 +60,7 @@ class SignalGuard {
 
  private:
   bool active_;
-  std::array<struct sigaction, 2> old_{};
+  std::array<struct sigaction, 3> old_{};
 };
 
 spdlog::logger make_log(const CoordinatorOptions& options) {

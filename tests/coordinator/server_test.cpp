@@ -1,0 +1,432 @@
+#include "coordinator/server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <optional>
+#include <random>
+#include <thread>
+#include <zmq.hpp>
+
+#include "base/file_system.h"
+#include "base/hash.h"
+#include "proto/wire.h"
+#include "store/artifact_store.h"
+#include "store/job_database.h"
+#include "tests/base/temp_folder.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int patience_ms = 20000;
+
+/// A coordinator in a process of its own, so that it can be killed.
+class ChildCoordinator {
+ public:
+  explicit ChildCoordinator(const std::filesystem::path& store)
+      : endpoint_("ipc://" + (store / "socket").string()) {
+    process_ = fork();
+    if (process_ != 0) return;
+    CoordinatorOptions options;
+    options.store = store;
+    options.endpoints = {endpoint_};
+    options.heartbeat_ms = 50;
+    options.lease_ms = 60000;
+    try {
+      run_coordinator(options);
+    } catch (const std::exception& error) {
+      fprintf(stderr, "%s\n", error.what());
+      _exit(1);
+    }
+    _exit(0);
+  }
+  ~ChildCoordinator() { stop(SIGKILL); }
+
+  int stop(int signal_number) {
+    if (process_ == 0) return 0;
+    kill(process_, signal_number);
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    return status;
+  }
+  /// The coordinator's files may not grow beyond this: what a full disk or quota looks like to it.
+  void limit_file_size(rlim_t bytes) const {
+    const rlimit limit{bytes, RLIM_INFINITY};
+    EXPECT_EQ(prlimit(process_, RLIMIT_FSIZE, &limit, nullptr), 0);
+  }
+  const std::string& endpoint() const { return endpoint_; }
+
+ private:
+  std::string endpoint_;
+  pid_t process_ = 0;
+};
+
+/// A hand-written worker or client.
+class Dealer {
+ public:
+  explicit Dealer(const std::string& endpoint) : socket_(context_, zmq::socket_type::dealer) {
+    socket_.set(zmq::sockopt::linger, 0);
+    socket_.set(zmq::sockopt::rcvtimeo, patience_ms);
+    socket_.set(zmq::sockopt::reconnect_ivl, 10);
+    socket_.connect(endpoint);
+  }
+  void send_bytes(const std::string& bytes) { socket_.send(zmq::buffer(bytes)); }
+  void send(const wire::Envelope& envelope) { send_bytes(encode(envelope)); }
+
+  /// The next message that is no heartbeat.
+  wire::Envelope receive() {
+    for (;;) {
+      zmq::message_t message;
+      if (!socket_.recv(message)) {
+        ADD_FAILURE() << "no answer";
+        return {};
+      }
+      Decoded decoded = decode(message.to_string_view());
+      EXPECT_EQ(decoded.state, WireState::good);
+      if (!decoded.envelope.has_heartbeat()) return decoded.envelope;
+    }
+  }
+  wire::Envelope ask(const wire::Envelope& envelope) {
+    send(envelope);
+    return receive();
+  }
+
+ private:
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+};
+
+class ServerTest : public testing::Test {
+ protected:
+  ServerTest() : store_(folder_.path()), coordinator_(folder_.path()) {}
+
+  wire::Envelope hello(std::uint64_t task = 0, std::uint64_t attempt = 0) {
+    wire::Envelope envelope;
+    envelope.mutable_hello()->set_host("here");
+    envelope.mutable_hello()->set_store_probe(store_.probe());
+    envelope.mutable_hello()->set_running_task(task);
+    envelope.mutable_hello()->set_running_attempt(attempt);
+    return envelope;
+  }
+  static wire::Envelope ready() {
+    wire::Envelope envelope;
+    envelope.mutable_ready();
+    return envelope;
+  }
+  wire::Envelope submission(const std::string& key) {
+    const StoredArtifact surface = store_.publish("solid wing");
+    wire::Envelope envelope;
+    wire::Submit& submit = *envelope.mutable_submit();
+    submit.set_job_toml("spacing = 1");
+    submit.set_name("wing");
+    submit.set_key(key);
+    add_file(*submit.add_inputs(), "input_surface", surface);
+    return envelope;
+  }
+  static void add_file(wire::Artifact& file, const std::string& name, const StoredArtifact& from) {
+    file.set_name(name);
+    file.set_hash(from.hash);
+    file.set_size(from.size);
+  }
+  /// The result of a make-believe task, its files published.
+  wire::Envelope done(const wire::Assign& assign) {
+    wire::Envelope envelope;
+    wire::Done& done = *envelope.mutable_done();
+    done.set_task(assign.task());
+    done.set_attempt(assign.attempt());
+    const auto add = [&](const std::string& name) {
+      add_file(
+          *done.add_outputs(), name,
+          store_.publish(name + std::to_string(assign.kind()) + std::to_string(assign.path())));
+    };
+    auto& numbers = *done.mutable_numbers();
+    switch (assign.kind()) {
+      case wire::INSPECT:
+        for (const char* name : {"surface", "spacing", "root"}) add(name);
+        numbers["parts"] = 3;
+        break;
+      case wire::DECOMPOSE:
+        for (const char* name : {"left", "right"}) add(name);
+        numbers["left_parts"] = 1;
+        numbers["right_parts"] = std::stod(assign.parameters().at("parts")) - 1;
+        numbers["interdomain_nodes"] = 4;
+        break;
+      case wire::MESH:
+        add("mesh");
+        numbers["interior_nodes"] = 10;
+        numbers["tets"] = 100;
+        break;
+      case wire::NUMBER:
+        add("numbering");
+        (*done.mutable_texts())["table"] = assign.parameters().at("table");
+        break;
+      default:
+        add("mesh.vtu");
+        numbers["tets"] = 300;
+    }
+    return envelope;
+  }
+  static wire::Envelope status_request() {
+    wire::Envelope envelope;
+    envelope.mutable_status_request();
+    return envelope;
+  }
+
+  TempFolder folder_;
+  ArtifactStore store_;
+  ChildCoordinator coordinator_;
+};
+
+TEST_F(ServerTest, runs_a_job_to_its_end) {
+  Dealer client(coordinator_.endpoint());
+  EXPECT_FALSE(client.ask(submission("k")).submitted().existed());
+  Dealer worker(coordinator_.endpoint());
+  ASSERT_TRUE(worker.ask(hello()).has_welcome());
+  for (int tasks = 0; tasks < 8; ++tasks) {
+    const wire::Envelope assign = worker.ask(ready());
+    ASSERT_TRUE(assign.has_assign());
+    ASSERT_TRUE(worker.ask(done(assign.assign())).accepted().taken());
+  }
+  const wire::Envelope reply = client.ask(status_request());
+  ASSERT_EQ(reply.status_reply().jobs_size(), 1);
+  const wire::JobStatus& job = reply.status_reply().jobs(0);
+  EXPECT_EQ(job.state(), "done");
+  EXPECT_EQ(job.leaves_meshed(), 3U);
+  EXPECT_EQ(job.elements(), 300U);
+  EXPECT_EQ(job.numbers().at("tets"), 300);
+  ASSERT_EQ(job.files_size(), 1);
+  EXPECT_TRUE(store_.has(job.files(0).hash(), job.files(0).size()));
+  EXPECT_TRUE(client.ask(submission("k")).submitted().existed());
+}
+
+TEST_F(ServerTest, refuses_another_version_and_goes_on) {
+  Dealer stranger(coordinator_.endpoint());
+  wire::Envelope future = hello();
+  future.set_version(protocol_version + 1);
+  stranger.send_bytes(future.SerializeAsString());
+  const wire::Envelope reply = stranger.receive();
+  EXPECT_THAT(reply.refused().reason(), HasSubstr("version"));
+  EXPECT_FALSE(reply.refused().hello_again());
+  EXPECT_TRUE(stranger.ask(hello()).has_welcome());
+}
+
+TEST_F(ServerTest, refuses_a_worker_that_sees_another_store) {
+  Dealer worker(coordinator_.endpoint());
+  wire::Envelope other = hello();
+  other.mutable_hello()->set_store_probe("other");
+  EXPECT_THAT(worker.ask(other).refused().reason(), HasSubstr("store"));
+}
+
+TEST_F(ServerTest, asks_an_unknown_worker_to_say_hello) {
+  Dealer worker(coordinator_.endpoint());
+  EXPECT_TRUE(worker.ask(ready()).refused().hello_again());
+}
+
+TEST_F(ServerTest, counts_garbage_and_lives) {
+  Dealer stranger(coordinator_.endpoint());
+  std::mt19937 random(7);
+  for (int i = 0; i < 500; ++i) {
+    std::string bytes(random() % 100, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    stranger.send_bytes(bytes);
+  }
+  wire::Envelope backwards;
+  backwards.mutable_welcome();
+  stranger.send(backwards);
+  Dealer client(coordinator_.endpoint());
+  EXPECT_TRUE(client.ask(submission("k")).has_submitted());
+  wire::Envelope reply;
+  stranger.send(status_request());
+  do {
+    reply = stranger.receive();
+  } while (reply.has_refused());
+  EXPECT_GE(reply.status_reply().dropped_messages(), 501U);
+}
+
+TEST_F(ServerTest, refuses_inputs_that_are_not_in_the_store) {
+  Dealer client(coordinator_.endpoint());
+  wire::Envelope envelope = submission("k");
+  envelope.mutable_submit()->mutable_inputs(0)->set_hash(std::string(32, '0'));
+  EXPECT_THAT(client.ask(envelope).refused().reason(), HasSubstr("input_surface"));
+}
+
+TEST_F(ServerTest, a_stale_done_is_refused_and_a_second_done_taken_only_once) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  Dealer first(coordinator_.endpoint());
+  first.ask(hello());
+  const wire::Assign assign = first.ask(ready()).assign();
+  wire::Envelope goodbye;
+  goodbye.mutable_goodbye();
+  first.send(goodbye);
+  EXPECT_TRUE(first.ask(hello()).has_welcome());
+  Dealer second(coordinator_.endpoint());
+  second.ask(hello());
+  const wire::Assign again = second.ask(ready()).assign();
+  EXPECT_EQ(again.task(), assign.task());
+  EXPECT_NE(again.attempt(), assign.attempt());
+  EXPECT_FALSE(first.ask(done(assign)).accepted().taken());
+  EXPECT_TRUE(second.ask(done(again)).accepted().taken());
+  EXPECT_TRUE(second.ask(done(again)).accepted().taken());
+  EXPECT_FALSE(first.ask(done(assign)).accepted().taken());
+  const wire::JobStatus job = client.ask(status_request()).status_reply().jobs(0);
+  EXPECT_EQ(job.tasks_done(), 1U);
+}
+
+TEST_F(ServerTest, a_damaged_input_is_put_aside_and_made_again) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  Dealer worker(coordinator_.endpoint());
+  worker.ask(hello());
+  const wire::Assign inspect = worker.ask(ready()).assign();
+  worker.ask(done(inspect));
+  const wire::Assign cut = worker.ask(ready()).assign();
+  std::string hash;
+  for (const wire::Artifact& input : cut.inputs()) {
+    if (input.name() == "subdomain") hash = input.hash();
+  }
+  std::ofstream(store_.path_of(hash), std::ios::in | std::ios::out) << "X";
+  wire::Envelope failed;
+  failed.mutable_failed()->set_task(cut.task());
+  failed.mutable_failed()->set_attempt(cut.attempt());
+  failed.mutable_failed()->set_may_retry(true);
+  failed.mutable_failed()->add_damaged_inputs(hash);
+  EXPECT_TRUE(worker.ask(failed).has_accepted());
+  const wire::Assign again = worker.ask(ready()).assign();
+  EXPECT_EQ(again.task(), inspect.task());
+  EXPECT_TRUE(worker.ask(done(again)).accepted().taken());
+  EXPECT_EQ(worker.ask(ready()).assign().task(), cut.task());
+  EXPECT_EQ(count_files(folder_.path() / "damaged"), 1U);
+}
+
+TEST_F(ServerTest, a_cancelled_job_ends_its_attempts) {
+  Dealer client(coordinator_.endpoint());
+  const std::string job = client.ask(submission("k")).submitted().job();
+  Dealer worker(coordinator_.endpoint());
+  worker.ask(hello());
+  const wire::Assign assign = worker.ask(ready()).assign();
+  wire::Envelope cancel;
+  cancel.mutable_cancel()->set_job(job);
+  EXPECT_TRUE(client.ask(cancel).cancelled().found());
+  const wire::Envelope told = worker.receive();
+  EXPECT_EQ(told.accepted().attempt(), assign.attempt());
+  EXPECT_FALSE(told.accepted().taken());
+  cancel.mutable_cancel()->set_job("job-77");
+  EXPECT_FALSE(client.ask(cancel).cancelled().found());
+}
+
+TEST_F(ServerTest, with_a_full_disk_it_is_stuck_and_goes_on_when_there_is_room) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  Dealer worker(coordinator_.endpoint());
+  worker.ask(hello());
+  const wire::Assign assign = worker.ask(ready()).assign();
+  coordinator_.limit_file_size(8192);
+  worker.send(done(assign));
+  std::string state;
+  while (state != "stuck") {
+    const wire::StatusReply status = client.ask(status_request()).status_reply();
+    ASSERT_EQ(status.jobs_size(), 1);
+    state = status.jobs(0).state();
+    ASSERT_EQ(status.jobs(0).tasks_done(), 0U) << "told before it was durable";
+  }
+  coordinator_.limit_file_size(RLIM_INFINITY);
+  worker.send(done(assign));
+  wire::Envelope answer = worker.receive();
+  while (!answer.has_accepted()) {
+    answer =
+        worker.ask(answer.has_refused() ? hello(assign.task(), assign.attempt()) : done(assign));
+  }
+  EXPECT_TRUE(answer.accepted().taken());
+  EXPECT_TRUE(worker.ask(ready()).has_assign());
+}
+
+TEST_F(ServerTest, a_second_coordinator_on_the_store_is_refused) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(status_request());
+  CoordinatorOptions options;
+  options.store = folder_.path();
+  options.endpoints = {"ipc://" + (folder_.path() / "other").string()};
+  EXPECT_THROW(run_coordinator(options), UsageError);
+}
+
+TEST_F(ServerTest, a_signal_stops_it_cleanly) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(status_request());
+  EXPECT_TRUE(size_of_file(endpoints_file(folder_.path())));
+  EXPECT_EQ(coordinator_.stop(SIGTERM), 0);
+  EXPECT_FALSE(size_of_file(endpoints_file(folder_.path())));
+}
+
+TEST_F(ServerTest, killed_before_every_result_it_goes_on_and_accepts_each_once) {
+  coordinator_.stop(SIGKILL);
+  std::string table;
+  int taken = 0;
+  std::optional<wire::Assign> running;
+  for (int restarts = 0; restarts < 20 && taken < 8; ++restarts) {
+    ChildCoordinator next(folder_.path());
+    Dealer worker(next.endpoint());
+    EXPECT_EQ(worker.ask(submission("k")).submitted().existed(), restarts > 0);
+    const wire::Envelope welcome =
+        worker.ask(running ? hello(running->task(), running->attempt()) : hello());
+    EXPECT_EQ(welcome.welcome().keep_running(), running.has_value());
+    if (running) {
+      const wire::Envelope result = done(*running);
+      if (running->kind() == wire::NUMBER) table = result.done().texts().at("table");
+      if (worker.ask(result).accepted().taken()) ++taken;
+      running.reset();
+      if (taken == 8) break;
+    }
+    running = worker.ask(ready()).assign();
+  }
+  EXPECT_EQ(taken, 8);
+  EXPECT_EQ(table, "cut 1 4\nleaf 2 10 100\ncut 3 4\nleaf 6 10 100\nleaf 7 10 100\n");
+  const JobDatabase database(folder_.path() / "tetfarm.db");
+  EXPECT_EQ(database.load().jobs.at(JobId{1}).phase, JobPhase::done);
+  for (const AttemptRow& attempt : database.all_attempts()) {
+    EXPECT_EQ(attempt.state, AttemptState::done);
+  }
+}
+
+TEST(Server, other_hosts_are_let_in_only_when_asked_for) {
+  const TempFolder folder;
+  CoordinatorOptions options;
+  options.store = folder.path();
+  options.endpoints = {"tcp://0.0.0.0:*"};
+  EXPECT_THROW(run_coordinator(options), UsageError);
+  options.endpoints = {};
+  EXPECT_THROW(run_coordinator(options), UsageError);
+  options.endpoints = {"nonsense"};
+  EXPECT_THROW(run_coordinator(options), UsageError);
+}
+
+TEST(Server, runs_in_a_thread_and_tells_the_port_it_got) {
+  const TempFolder folder;
+  std::atomic<bool> stop{false};
+  std::string endpoint;
+  CoordinatorOptions options;
+  options.store = folder.path();
+  options.endpoints = {"tcp://127.0.0.1:*"};
+  options.handle_signals = false;
+  options.stop = &stop;
+  options.on_listening = [&](const std::vector<std::string>& bound) {
+    endpoint = bound.front();
+    stop = true;
+  };
+  std::thread thread([&] { run_coordinator(options); });
+  thread.join();
+  EXPECT_THAT(endpoint, testing::StartsWith("tcp://127.0.0.1:"));
+  EXPECT_THAT(endpoint, testing::Not(HasSubstr("*")));
+}
+
+}  // namespace
+}  // namespace tetfarm
