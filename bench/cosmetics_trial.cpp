@@ -1,13 +1,18 @@
-/// What cosmetics does to a ball seeded by a lattice, or by random points: angles and seconds.
-/// usage: cosmetics_trial [lattice|random|hollow|half|shell] [levels of the icosphere] [wanted
-/// angle, degrees]
+/// What cosmetics does to a mesh: angles and seconds. The mesh is a ball, shell or half ball seeded
+/// by a lattice, a ball of random points, one without inner points, or that of a surface file.
+/// usage: cosmetics_trial [lattice|random|hollow|half|shell] [levels of the icosphere] [wanted, °]
+///        cosmetics_trial SURFACE_FILE [background spacing, 0: by the surface] [wanted, °]
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/cosmetics/improve_mesh.h"
+#include "mesh/io/read_surface.h"
+#include "mesh/volume/volume_mesh.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
 namespace {
@@ -48,26 +53,44 @@ void print_quality(const char* when, const TetComplex& complex, std::int32_t bou
   std::printf("\n");
 }
 
-TetMesh trial_mesh(const std::string& kind, int levels) {
-  if (kind == "random") return trial::random_ball(levels, 1 << (3 * levels), 1);
-  if (kind == "hollow") return trial::random_ball(levels, 0, 1);
-  if (kind == "half") return trial::lattice_half_ball(levels);
-  if (kind == "shell") return trial::lattice_shell(levels);
-  return trial::lattice_ball(levels);
+struct Trial {
+  TetMesh mesh;
+  CosmeticOptions options;
+};
+
+Trial made_trial(const std::string& kind, int levels) {
+  if (kind == "lattice") return {trial::lattice_ball(levels), {}};
+  if (kind == "random") return {trial::random_ball(levels, 1 << (3 * levels), 1), {}};
+  if (kind == "hollow") return {trial::random_ball(levels, 0, 1), {}};
+  if (kind == "half") return {trial::lattice_half_ball(levels), {}};
+  if (kind == "shell") return {trial::lattice_shell(levels), {}};
+  throw UsageError("no such trial", kind);
 }
 
-}  // namespace
+/// The volume mesh of a surface as it is before cosmetics, and the spacing as their guard.
+Trial meshed_trial(const std::string& path, double background) {
+  const SurfaceMesh surface = read_surface(path);
+  SpacingOptions spacing_options;
+  spacing_options.background = background;
+  const auto field = std::make_shared<SpacingField>(make_spacing_field(surface, spacing_options));
+  VolumeMeshOptions options;
+  options.cosmetics = false;
+  const double start = seconds_now();
+  Trial trial{mesh_volume(root_subdomain(surface), *field, options), {}};
+  std::printf("meshed in %.3f s\n", seconds_now() - start);
+  trial.options.spacing = [field](const Vec3& p) { return field->at(p); };
+  return trial;
+}
 
-int main(int argc, char** argv) {
-  const std::string kind = argc > 1 ? argv[1] : "lattice";
-  const int levels = argc > 2 ? std::atoi(argv[2]) : 4;
-  CosmeticOptions options;
-  if (argc > 3) options.wanted_dihedral_deg = std::atof(argv[3]);
-  const TetMesh mesh = trial_mesh(kind, levels);
+void run(const std::string& kind, double size, double wanted) {
+  const bool is_file = kind.find('.') != std::string::npos;
+  Trial trial = is_file ? meshed_trial(kind, size) : made_trial(kind, static_cast<int>(size));
+  if (wanted > 0) trial.options.wanted_dihedral_deg = wanted;
+  const TetMesh& mesh = trial.mesh;
   TetComplex complex = make_tet_complex(mesh);
   print_quality("before", complex, mesh.boundary_nodes);
   const double start = seconds_now();
-  const CosmeticReport report = improve_mesh(complex, mesh.boundary_nodes, options);
+  const CosmeticReport report = improve_mesh(complex, mesh.boundary_nodes, trial.options);
   const double seconds = seconds_now() - start;
   print_quality("after", complex, mesh.boundary_nodes);
   std::printf("%lld swaps, %lld moves, %lld collapses, %lld splits; %.3f s, %.3f us a tet\n",
@@ -75,4 +98,16 @@ int main(int argc, char** argv) {
               static_cast<long long>(report.collapses), static_cast<long long>(report.splits),
               seconds, 1e6 * seconds / double(complex.live_tets()));
   for (const std::string& line : validate(complex)) std::printf("wrong: %s\n", line.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(argc > 1 ? argv[1] : "lattice", argc > 2 ? std::atof(argv[2]) : 4,
+        argc > 3 ? std::atof(argv[3]) : 0);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

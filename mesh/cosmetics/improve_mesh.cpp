@@ -56,7 +56,17 @@ struct Improver {
   CosmeticReport report;
   std::priority_queue<BadTet> queue;
   std::vector<GivenUp> given_up;
+  /// Number of changes when no better place was found for a node; until its ball changes there is
+  /// none.
+  std::vector<std::int64_t> node2settled;
 
+  bool is_settled(std::int32_t node) const {
+    return at(node) < node2settled.size() && node2settled[at(node)] >= work.node2change[at(node)];
+  }
+  void settle(std::int32_t node) {
+    if (at(node) >= node2settled.size()) node2settled.resize(work.node2change.size(), -1);
+    node2settled[at(node)] = work.changes;
+  }
   void queue_bad(const std::vector<std::int32_t>& tets) {
     for (const std::int32_t t : tets) {
       const double now = work.goodness_of(t);
@@ -101,11 +111,15 @@ bool smooth(Improver& improver, const BadTet& bad) {
   const Tet tet = work.tet(bad.tet);
   bool moved = false;
   for (const std::int32_t node : tet) {
-    if (!work.may_move(node)) continue;
+    if (!work.may_move(node) || improver.is_settled(node)) continue;
     const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
-    if (!cosmetics::is_inner(work, ball, node)) continue;
-    const auto place = cosmetics::find_move(work, ball, node, improver.enough);
-    if (!place || !cosmetics::move_node(work, ball, node, place->point)) continue;
+    const auto place = cosmetics::is_inner(work, ball, node)
+                           ? cosmetics::find_move(work, ball, node, improver.enough)
+                           : std::nullopt;
+    if (!place || !cosmetics::move_node(work, ball, node, place->point)) {
+      improver.settle(node);
+      continue;
+    }
     improver.queue_bad(ball);
     ++improver.report.moves;
     moved = true;
@@ -176,8 +190,9 @@ void run_pass(Improver& improver, bool thorough) {
   }
 }
 
-/// Queues again the tets that were given up, when something near them has changed since; or all.
-void requeue(Improver& improver, bool all) {
+/// Queues again the tets that were given up, when something near them has changed since, or when
+/// the next pass is the first `thorough` one and may do more for them.
+void requeue(Improver& improver, bool thorough) {
   std::vector<GivenUp> kept;
   for (const GivenUp& item : improver.given_up) {
     if (!improver.is_current(item.bad)) continue;
@@ -185,7 +200,7 @@ void requeue(Improver& improver, bool all) {
     const bool changed = std::any_of(tet.begin(), tet.end(), [&](std::int32_t v) {
       return improver.work.node2change[at(v)] > item.changes;
     });
-    if (all || changed) {
+    if (changed || (thorough && item.bad.goodness < improver.rebuilt)) {
       improver.queue.push(item.bad);
     } else {
       kept.push_back(item);
@@ -253,7 +268,8 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
       .enough = cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg)),
       .report = report,
       .queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad)),
-      .given_up = {}};
+      .given_up = {},
+      .node2settled = {}};
   for (int pass = 0; pass < options.most_passes; ++pass) {
     run_pass(improver, pass > 0);
     requeue(improver, pass == 0);

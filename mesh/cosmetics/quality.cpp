@@ -21,9 +21,12 @@ double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double area_d = norm2(normal_d);
   // The angle at edge kl lies between faces i and j, and sin = 6 V |kl| / (|normal i| |normal j|).
   // All six over the product of the four, so that one division will do.
-  const double least = std::min({norm2(ab) * area_a * area_b, norm2(ac) * area_a * area_c,
-                                 norm2(ad) * area_a * area_d, norm2(c - b) * area_b * area_c,
-                                 norm2(d - b) * area_b * area_d, norm2(d - c) * area_c * area_d});
+  const double at_a = std::min(std::min(norm2(ab) * area_a * area_b, norm2(ac) * area_a * area_c),
+                               norm2(ad) * area_a * area_d);
+  const double opposite =
+      std::min(std::min(norm2(c - b) * area_b * area_c, norm2(d - b) * area_b * area_d),
+               norm2(d - c) * area_c * area_d);
+  const double least = std::min(at_a, opposite);
   const double product = area_a * area_b * area_c * area_d;
   if (!(product > 0) || !std::isfinite(product)) return 0;
   return volume6 * std::fabs(volume6) * least / product;
