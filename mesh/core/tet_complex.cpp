@@ -104,20 +104,25 @@ std::string wrong_nodes(const TetComplex& complex, std::int32_t t) {
   return has_positive_volume(complex, tet) ? "" : "has no positive volume";
 }
 
+/// What is wrong with the tet across a face; nullptr when nothing is.
+const char* wrong_across(const TetComplex& complex, FaceHandle face, FaceHandle across) {
+  if (across < 0 || at(tet_of(across)) >= complex.nodes.size()) return "which does not exist";
+  if (!complex.is_live(tet_of(across))) return "which is dead";
+  if (complex.neighbours[at(tet_of(across))][at(face_of(across))] != face) {
+    return "which does not point back";
+  }
+  return are_opposite(complex, face, across) ? nullptr : "with other nodes";
+}
+
 /// What is wrong with the neighbours of tet t; empty when nothing is.
 std::string wrong_neighbours(const TetComplex& complex, std::int32_t t) {
   for (int face = 0; face < 4; ++face) {
     const FaceHandle across = complex.neighbours[at(t)][at(face)];
     if (across == no_face) continue;
-    const std::string name = "has across face " + std::to_string(face) + " ";
-    if (across < 0 || at(tet_of(across)) >= complex.nodes.size()) return name + "a wrong handle";
-    if (!complex.is_live(tet_of(across)))
-      return name + "dead tet " + std::to_string(tet_of(across));
-    const std::string other = name + "tet " + std::to_string(tet_of(across));
-    if (complex.neighbours[at(tet_of(across))][at(face_of(across))] != face_handle(t, face)) {
-      return other + " that does not point back";
-    }
-    if (!are_opposite(complex, face_handle(t, face), across)) return other + " with other nodes";
+    const char* wrong = wrong_across(complex, face_handle(t, face), across);
+    if (wrong == nullptr) continue;
+    return "has across face " + std::to_string(face) + " tet " + std::to_string(tet_of(across)) +
+           " " + wrong;
   }
   return "";
 }
