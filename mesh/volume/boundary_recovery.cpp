@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "mesh/geometry/cavity_insertion.h"
-#include "mesh/geometry/predicates.h"
-#include "mesh/geometry/triangle_intersection.h"
 #include "mesh/volume/edge_recovery.h"
 #include "mesh/volume/face_recovery.h"
+#include "mesh/volume/steiner_insertion.h"
 
 namespace tetfarm {
 namespace {
@@ -52,126 +50,6 @@ void recover_faces(LocalRemeshing& mesh, EdgeRemoval& removal, const RecoverySur
   }
 }
 
-std::array<std::int32_t, 3> face_nodes(const LocalRemeshing& mesh, FaceHandle face) {
-  const Tet& n = mesh.complex().nodes[at(tet_of(face))];
-  const auto& f = tet_face_nodes[at(face_of(face))];
-  return {n[at(f[0])], n[at(f[1])], n[at(f[2])]};
-}
-
-TrianglePoints face_points(const LocalRemeshing& mesh, FaceHandle face) {
-  const auto [x, y, z] = face_nodes(mesh, face);
-  return {mesh.point(x), mesh.point(y), mesh.point(z)};
-}
-
-/// Where the crossing meets the segment, as a share of its length.
-double share_of_crossing(const LocalRemeshing& mesh, const Crossing& crossing, const Edge& edge) {
-  const Vec3& a = mesh.point(edge[0]);
-  const Vec3& b = mesh.point(edge[1]);
-  double to_a = 0;
-  double to_b = 0;
-  if (crossing.face != no_face) {
-    const auto [x, y, z] = face_points(mesh, crossing.face);
-    to_a = std::abs(tet_volume(x, y, z, a));
-    to_b = std::abs(tet_volume(x, y, z, b));
-  } else {
-    const Vec3& u = mesh.point(crossing.edge[0]);
-    const Vec3& v = mesh.point(crossing.edge[1]);
-    to_a = norm(cross(v - u, a - u));
-    to_b = norm(cross(v - u, b - u));
-  }
-  if (!(to_a + to_b > 0)) return 0.5;
-  return std::clamp(to_a / (to_a + to_b), 0.01, 0.99);
-}
-
-/// A point on the missing face: where the middle one of the piercing edges goes through it.
-Vec3 place_on_face(const LocalRemeshing& mesh, const Triangle& face) {
-  const Vec3& a = mesh.point(face[0]);
-  const Vec3& b = mesh.point(face[1]);
-  const Vec3& c = mesh.point(face[2]);
-  const Vec3 centroid = (a + b + c) / 3.0;
-  const auto edges = piercing_edges(mesh, face);
-  if (edges.empty()) return centroid;
-  const auto& [u, v] = edges[edges.size() / 2];
-  const double above = std::abs(tet_volume(a, b, c, mesh.point(u)));
-  const double below = std::abs(tet_volume(a, b, c, mesh.point(v)));
-  if (!(above + below > 0)) return centroid;
-  const Vec3 through = mesh.point(u) + (above / (above + below)) * (mesh.point(v) - mesh.point(u));
-  // Well inside the face.
-  return centroid + 0.8 * (through - centroid);
-}
-
-/// Puts the point into the complex by a constrained cavity; its number, or -1 when there is no room
-/// for it.
-std::int32_t insert_point(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                          const Vec3& point, std::int32_t near) {
-  CavityInsertion insertion(complex, &constrained);
-  const Location location = insertion.locate(point, complex.node2tet[at(near)]);
-  if (location.tet < 0 || location.node >= 0) return -1;
-  const auto node = static_cast<std::int32_t>(complex.points.size());
-  complex.points.push_back(point);
-  complex.node2tet.push_back(-1);
-  if (insertion.find_cavity(node, location.tet)) {
-    insertion.fill();
-    return node;
-  }
-  complex.points.pop_back();
-  complex.node2tet.pop_back();
-  return -1;
-}
-
-/// The tets of a crossed edge's ring, or on both sides of a crossed face; each is to be split.
-std::vector<std::int32_t> tets_at(const LocalRemeshing& mesh, const Crossing& crossing) {
-  if (crossing.face == no_face) {
-    const auto ring = mesh.ring(crossing.edge[0], crossing.edge[1]);
-    return ring ? ring->tets : std::vector<std::int32_t>{};
-  }
-  const std::int32_t t = tet_of(crossing.face);
-  const FaceHandle other = mesh.complex().neighbours[at(t)][at(face_of(crossing.face))];
-  return other == no_face ? std::vector<std::int32_t>{} : std::vector{t, tet_of(other)};
-}
-
-/// Puts the point on the crossed edge or face by splitting what lies round it; -1 when a part would
-/// not be positive or a constrained face is in the way.
-std::int32_t split_crossing(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                            const Crossing& crossing, const Vec3& point) {
-  LocalRemeshing mesh(complex, constrained);
-  const auto old_tets = tets_at(mesh, crossing);
-  std::array<std::int32_t, 3> crossed = {crossing.edge[0], crossing.edge[1], -1};
-  if (crossing.face != no_face) crossed = face_nodes(mesh, crossing.face);
-  const std::int32_t node = mesh.add_point(point);
-  std::vector<Tet> parts;
-  bool is_good = !old_tets.empty();
-  for (const std::int32_t t : old_tets) {
-    const Tet& n = complex.nodes[at(t)];
-    for (int i = 0; i < 4; ++i) {
-      // The point takes the place of a node of what is crossed, each in turn.
-      const std::int32_t v = n[at(i)];
-      if (std::find(crossed.begin(), crossed.end(), v) == crossed.end()) continue;
-      Tet part = n;
-      part[at(i)] = node;
-      const auto p = [&](std::size_t k) { return mesh.point(part[k]); };
-      is_good = is_good && orient3d(p(0), p(1), p(2), p(3)) > 0;
-      parts.push_back(part);
-    }
-    for (int i = 0; i < 4; ++i) {
-      const bool joins_old = std::find(crossed.begin(), crossed.end(), n[at(i)]) == crossed.end();
-      if (!joins_old) continue;
-      const FaceHandle here = face_handle(t, i);
-      const FaceHandle other = complex.neighbours[at(t)][at(i)];
-      const bool is_between = other != no_face && std::find(old_tets.begin(), old_tets.end(),
-                                                            tet_of(other)) != old_tets.end();
-      if (is_between && mesh.is_constrained(here)) is_good = false;
-    }
-  }
-  if (is_good) {
-    mesh.replace(old_tets, parts);
-    mesh.forget_journal();
-    return node;
-  }
-  mesh.roll_back(0);
-  return -1;
-}
-
 /// What one round of flips over the whole surface leaves missing.
 struct Missing {
   std::vector<Edge> edges;
@@ -190,27 +68,6 @@ Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface) {
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
   recover_faces(mesh, removal, surface, missing.faces);
   return missing;
-}
-
-/// A point on the missing edge where the middle one of its crossings is, else at another one.
-std::int32_t insert_on_edge(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                            const Edge& edge, const SegmentWalk& walk) {
-  const std::size_t n = walk.crossings.size();
-  const Vec3 a = complex.points[at(edge[0])];
-  const Vec3 b = complex.points[at(edge[1])];
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = (n / 2 + k) % n;
-    double share = 0.5;
-    {
-      const LocalRemeshing mesh(complex, constrained);
-      share = share_of_crossing(mesh, walk.crossings[i], edge);
-    }
-    const Vec3 place = a + share * (b - a);
-    std::int32_t node = split_crossing(complex, constrained, walk.crossings[i], place);
-    if (node < 0) node = insert_point(complex, constrained, place, edge[0]);
-    if (node >= 0) return node;
-  }
-  return -1;
 }
 
 bool holds_edge(const Triangle& t, const Edge& edge) {
@@ -242,12 +99,7 @@ bool split_missing(TetComplex& complex, std::vector<std::uint8_t>& constrained,
         std::any_of(missing.edges.begin(), missing.edges.end(),
                     [&face](const Edge& edge) { return holds_edge(face, edge); });
     if (has_missing_edge) continue;
-    Vec3 place;
-    {
-      const LocalRemeshing mesh(complex, constrained);
-      place = place_on_face(mesh, face);
-    }
-    const std::int32_t node = insert_point(complex, constrained, place, face[0]);
+    const std::int32_t node = insert_on_face(complex, constrained, face);
     if (node < 0) continue;
     split_face(surface, number, node);
     is_split = true;

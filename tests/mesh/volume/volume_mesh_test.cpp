@@ -1,0 +1,136 @@
+#include "mesh/volume/volume_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "mesh/core/tet_quality.h"
+#include "tests/mesh/volume/volume_checks.h"
+
+namespace tetfarm {
+namespace {
+
+double smallest_dihedral(const TetMesh& mesh) {
+  double smallest = 180;
+  for (const Tet& t : mesh.tets) {
+    const auto p = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(t[i])]; };
+    smallest = std::min(smallest, dihedral_range(p(0), p(1), p(2), p(3)).min_deg);
+  }
+  return smallest;
+}
+
+TEST(VolumeMesh, of_a_single_tet_is_that_tet) {
+  const Subdomain domain = root_subdomain(shapes::tetrahedron());
+  const TetMesh mesh = mesh_volume(domain, SpacingField(10));
+  expect_mesh_of(mesh, domain);
+  EXPECT_EQ(mesh.tets.size(), 1U);
+}
+
+TEST(VolumeMesh, of_simple_shapes_is_valid_and_well_shaped) {
+  const struct {
+    SurfaceMesh surface;
+    double spacing;
+    double angle;
+  } cases[] = {{shapes::unit_cube(), 10, 20},
+               {shapes::box({0, 0, 0}, {1, 1, 1}, 8), 0.14, 12},
+               {shapes::box({0, 0, 0}, {3, 1, 0.1}, 6), 0.3, 3},
+               {shapes::sphere({5, 5, 5}, 2, 3), 0.3, 12},
+               {shapes::nested_spheres(3), 0.14, 10},
+               {shapes::torus(0.4, 40, 16), 0.16, 12}};
+  for (const auto& c : cases) {
+    const Subdomain domain = root_subdomain(c.surface);
+    VolumeMeshReport report;
+    const TetMesh mesh = mesh_volume(domain, SpacingField(c.spacing), {}, &report);
+    expect_mesh_of(mesh, domain);
+    EXPECT_EQ(report.interior_steiner_points, 0);
+    EXPECT_GT(smallest_dihedral(mesh), c.angle);
+  }
+}
+
+TEST(VolumeMesh, has_about_as_many_elements_as_the_spacing_asks_for) {
+  const Subdomain domain = root_subdomain(shapes::box({0, 0, 0}, {1, 1, 1}, 16));
+  const double h = 1.0 / 16;
+  const TetMesh mesh = mesh_volume(domain, SpacingField(h));
+  const double wanted = SpacingField::elements_per_h3 / (h * h * h);
+  EXPECT_GT(static_cast<double>(mesh.tets.size()), 0.5 * wanted);
+  EXPECT_LT(static_cast<double>(mesh.tets.size()), 1.6 * wanted);
+}
+
+TEST(VolumeMesh, of_the_schoenhardt_polyhedron_has_a_point_inside) {
+  const Subdomain domain = root_subdomain(shapes::schoenhardt());
+  ASSERT_GT(enclosed_volume(domain.vertices, domain.triangles), 0);
+  VolumeMeshReport report;
+  const TetMesh mesh = mesh_volume(domain, SpacingField(10), {}, &report);
+  expect_mesh_of(mesh, domain);
+  EXPECT_GE(report.interior_steiner_points, 1);
+}
+
+TEST(VolumeMesh, of_random_stars_with_spikes_is_valid) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Subdomain domain = root_subdomain(shapes::random_star(2, 0.25, 1.5, seed));
+    const TetMesh mesh = mesh_volume(domain, SpacingField(0.3));
+    SCOPED_TRACE(seed);
+    expect_mesh_of(mesh, domain);
+  }
+}
+
+TEST(VolumeMesh, of_blocks_that_touch_along_edges_of_a_grid_is_valid) {
+  // Columns of random height: flat faces, right angles and rows of cospherical points.
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SurfaceMesh surface = shapes::box({0, 0, 0}, {1, 1, 1}, 6);
+    std::mt19937_64 random(seed);
+    for (Vec3& p : surface.vertices) {
+      if (p.z == 1) p.z = 1 + 0.25 * static_cast<double>(random() % 4);
+    }
+    const Subdomain domain = root_subdomain(surface);
+    SCOPED_TRACE(seed);
+    expect_mesh_of(mesh_volume(domain, SpacingField(0.2)), domain);
+  }
+}
+
+TEST(VolumeMesh, without_filling_has_the_boundary_nodes_only) {
+  const Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, 2));
+  VolumeMeshOptions options;
+  options.fill = false;
+  const TetMesh mesh = mesh_volume(domain, SpacingField(0.1), options);
+  expect_mesh_of(mesh, domain);
+  EXPECT_EQ(mesh.nodes.size(), domain.vertices.size());
+}
+
+TEST(VolumeMesh, is_the_same_to_the_last_bit_each_time) {
+  const Subdomain domain = root_subdomain(shapes::random_star(3, 0.7, 1.2, 5));
+  const TetMesh a = mesh_volume(domain, SpacingField(0.12));
+  const TetMesh b = mesh_volume(domain, SpacingField(0.12));
+  EXPECT_EQ(a.tets, b.tets);
+  EXPECT_EQ(a.nodes, b.nodes);
+}
+
+TEST(VolumeMesh, names_the_place_of_two_vertices_at_one_point) {
+  Subdomain domain = root_subdomain(shapes::box({0, 0, 0}, {1, 1, 1}, 2));
+  domain.vertices[3] = domain.vertices[5];
+  try {
+    mesh_volume(domain, SpacingField(1));
+    FAIL() << "was meshed";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("same place"));
+    EXPECT_FALSE(error.triangles().empty());
+  }
+}
+
+TEST(VolumeMesh, of_a_surface_that_cuts_itself_fails_and_names_triangles) {
+  const SurfaceMesh a = shapes::sphere({0, 0, 0}, 1, 2);
+  const SurfaceMesh b = shapes::sphere({1.2, 0, 0}, 1, 2);
+  SurfaceMesh both = shapes::between(a, b);
+  for (std::size_t t = a.triangles.size(); t < both.triangles.size(); ++t) {
+    std::swap(both.triangles[t][1], both.triangles[t][2]);
+  }
+  try {
+    mesh_volume(root_subdomain(both), SpacingField(0.5));
+    FAIL() << "was meshed";
+  } catch (const RecoveryFailure& failure) {
+    EXPECT_FALSE(failure.triangles().empty());
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
