@@ -21,11 +21,15 @@ struct Effort {
 };
 constexpr std::array<Effort, 4> efforts = {{{0, 200}, {1, 1000}, {2, 2000}, {3, 5000}}};
 
+/// Parts of what the deep searches did not find are short: they are there at once, or split again.
+constexpr std::size_t passes_after_splitting = 2;
+
 /// Splitting ends after so many rounds, or when there are more Steiner points than triangles.
 constexpr int most_rounds = 12;
 
-void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::vector<Edge>& missing) {
-  for (std::size_t pass = 0; pass < efforts.size() && !missing.empty();) {
+void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::size_t passes,
+                   std::vector<Edge>& missing) {
+  for (std::size_t pass = 0; pass < passes && !missing.empty();) {
     const std::size_t before = missing.size();
     std::erase_if(missing, [&](const Edge& edge) {
       removal.set_budget(efforts[pass].rings);
@@ -36,8 +40,8 @@ void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::vector<Edge>
 }
 
 void recover_faces(LocalRemeshing& mesh, EdgeRemoval& removal, const RecoverySurface& surface,
-                   std::vector<std::int32_t>& missing) {
-  for (std::size_t pass = 0; pass < efforts.size() && !missing.empty();) {
+                   std::size_t passes, std::vector<std::int32_t>& missing) {
+  for (std::size_t pass = 0; pass < passes && !missing.empty();) {
     const std::size_t before = missing.size();
     std::erase_if(missing, [&](std::int32_t number) {
       const Triangle& face = surface.triangles()[at(number)];
@@ -58,15 +62,15 @@ struct Missing {
   std::int64_t faces_at_first = 0;
 };
 
-Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface) {
+Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::size_t passes) {
   Missing missing;
   EdgeRemoval removal(mesh, surface);
   missing.edges = missing_edges(mesh.complex(), surface);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
-  recover_edges(mesh, removal, missing.edges);
+  recover_edges(mesh, removal, passes, missing.edges);
   missing.faces = constrain_faces(mesh, surface);
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
-  recover_faces(mesh, removal, surface, missing.faces);
+  recover_faces(mesh, removal, surface, passes, missing.faces);
   return missing;
 }
 
@@ -166,8 +170,8 @@ RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t
   for (int round = 0;; ++round) {
     LocalRemeshing mesh(complex, constrained);
     const auto nodes = static_cast<std::int32_t>(complex.points.size());
-    const Missing missing =
-        recover_by_flips(mesh, RecoverySurface(result.surface.triangles, nodes));
+    const Missing missing = recover_by_flips(mesh, RecoverySurface(result.surface.triangles, nodes),
+                                             round == 0 ? efforts.size() : passes_after_splitting);
     if (round == 0) {
       result.missing_edges = missing.edges_at_first;
       result.missing_faces = missing.faces_at_first;

@@ -57,9 +57,10 @@ Crossing first_crossing(const LocalRemeshing& mesh, std::int32_t a, std::int32_t
   return {};
 }
 
-/// The crossing after a face: through another face of the tet beyond, or one of its edges.
+/// The crossing after a face: through another face of the tet beyond, or one of its edges; sets
+/// node_on_it when it is the tet's apex.
 Crossing next_crossing(const LocalRemeshing& mesh, FaceHandle beyond, std::int32_t a,
-                       std::int32_t b, std::int32_t apex) {
+                       std::int32_t b, std::int32_t apex, SegmentWalk& walk) {
   const std::int32_t t = tet_of(beyond);
   const Tet& n = mesh.complex().nodes[at(t)];
   const auto& f = tet_face_nodes[at(face_of(beyond))];
@@ -70,6 +71,7 @@ Crossing next_crossing(const LocalRemeshing& mesh, FaceHandle beyond, std::int32
     const double s = orient3d(mesh.point(a), mesh.point(b), mesh.point(x[k]), mesh.point(apex));
     side[k] = (s > 0) - (s < 0);
   }
+  if (side[0] == 0 && side[1] == 0 && side[2] == 0) walk.node_on_it = apex;
   for (std::size_t k = 0; k < 3; ++k) {
     if (side[k] == 0 && side[(k + 1) % 3] > 0 && side[(k + 2) % 3] < 0) {
       return {no_face, {x[k], apex}};
@@ -97,7 +99,7 @@ SegmentWalk walk_segment(const LocalRemeshing& mesh, std::int32_t a, std::int32_
     if (beyond == no_face) return walk;
     const std::int32_t apex = mesh.complex().nodes[at(tet_of(beyond))][at(face_of(beyond))];
     if (apex == b) return walk;
-    crossing = next_crossing(mesh, beyond, a, b, apex);
+    crossing = next_crossing(mesh, beyond, a, b, apex, walk);
   }
   if (crossing.edge[0] >= 0) walk.crossings.push_back(crossing);
   return walk;

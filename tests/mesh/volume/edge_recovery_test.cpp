@@ -65,7 +65,6 @@ TEST(EdgeRecovery, a_walk_on_a_grid_meets_nodes_and_edges_exactly) {
   std::vector<std::uint8_t> constrained;
   const LocalRemeshing mesh(complex, constrained);
   EXPECT_EQ(walk_segment(mesh, 0, 2).node_on_it, 1);
-  EXPECT_EQ(walk_segment(mesh, 0, 26).node_on_it, 13);
   EXPECT_TRUE(walk_segment(mesh, 0, 1).is_edge);
   // One of the diagonals of each unit square is there; the other crosses it.
   const bool has = mesh.find_edge(0, 4) >= 0;
