@@ -146,6 +146,24 @@ TEST_F(JobStateTest, refuses_a_late_result_after_the_lease_ran_out) {
   EXPECT_EQ(task(first.task).losses, 1U);
 }
 
+TEST_F(JobStateTest, heartbeats_renew_the_lease_of_their_attempt_only) {
+  submit();
+  worker_ = new_worker();
+  const SendAssign assign = next(worker_);
+  for (int i = 0; i < 10; ++i) {
+    now_.steady_ms += rules_.lease_ms - 1;
+    state_->heartbeat(worker_, assign.task, assign.attempt, now_);
+    commit();
+    EXPECT_EQ(task(assign.task).state, TaskState::leased);
+  }
+  wait(rules_.lease_ms - 1);
+  commit();
+  wait(2);
+  commit();
+  EXPECT_TRUE(state_->knows_worker(worker_));
+  EXPECT_EQ(task(assign.task).state, TaskState::ready);
+}
+
 TEST_F(JobStateTest, answers_a_repeated_done_alike) {
   submit();
   worker_ = new_worker();

@@ -332,7 +332,7 @@ class Farm {
       if (worker.attempt) return;
       worker.task = assign->task;
       worker.attempt = assign->attempt;
-      worker.finishes_ms = now_.steady_ms + 20 + pick(600);
+      worker.finishes_ms = now_.steady_ms + 20 + pick(chance(0.1) ? 5000 : 600);
     }
   }
 
