@@ -1,0 +1,150 @@
+#include "mesh/assemble/global_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "mesh/core/validate.h"
+#include "tests/mesh/assemble/cut_grid.h"
+
+namespace tetfarm {
+namespace {
+
+GlobalMeshSummary assemble(const CutGrid& grid) {
+  return assemble_global_mesh(grid.surface, grid.numbering(), grid.reader(), {});
+}
+
+/// Keeps what it gets.
+class Listener : public GlobalMeshWriter {
+ public:
+  void add(const NumberedPart& part) override { parts.push_back(part); }
+  void finish() override { ++finished; }
+
+  std::vector<NumberedPart> parts;
+  int finished = 0;
+};
+
+TEST(GlobalMesh, the_parts_that_are_tested_with_are_right) {
+  for (const auto& [heap, part] : cut_grid(4).parts) {
+    EXPECT_THAT(validate(part.subdomain), testing::IsEmpty()) << heap;
+    EXPECT_THAT(validate(part.mesh, part.subdomain.triangles), testing::IsEmpty()) << heap;
+  }
+}
+
+TEST(GlobalMesh, has_every_node_and_tet_once) {
+  const GlobalMeshSummary summary = assemble(cut_grid(4));
+  EXPECT_EQ(summary.nodes, 125);
+  EXPECT_EQ(summary.tets, 6 * 64);
+  EXPECT_EQ(summary.boundary_triangles, 6 * 16 * 2);
+  EXPECT_EQ(summary.subdomains, 3);
+  EXPECT_NEAR(summary.volume, 1, 1e-12);
+  EXPECT_NEAR(summary.enclosed_volume, 1, 1e-12);
+}
+
+TEST(GlobalMesh, figures_of_shape_are_those_of_the_tets) {
+  const GlobalMeshSummary summary = assemble(cut_grid(3));
+  EXPECT_EQ(summary.shapes.tets, summary.tets);
+  EXPECT_NEAR(summary.shapes.min_dihedral_deg, 45, 1e-9);
+  EXPECT_NEAR(summary.shapes.max_dihedral_deg, 90, 1e-9);
+  std::int64_t angles = 0;
+  for (const std::int64_t count : summary.shapes.dihedral_histogram) angles += count;
+  EXPECT_EQ(angles, 6 * summary.tets);
+}
+
+TEST(GlobalMesh, writers_get_the_parts_in_tree_order_with_global_numbers) {
+  const CutGrid grid = cut_grid(4);
+  Listener listener;
+  GlobalMeshWriter* writer = &listener;
+  assemble_global_mesh(grid.surface, grid.numbering(), grid.reader(), {&writer, 1});
+  ASSERT_EQ(listener.parts.size(), 3u);
+  EXPECT_EQ(listener.finished, 1);
+  std::map<std::int64_t, Vec3> nodes;
+  for (const NumberedPart& part : listener.parts) {
+    ASSERT_EQ(part.local2global.size(), part.nodes.size());
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      const auto [it, is_new] = nodes.try_emplace(part.local2global[v], part.nodes[v]);
+      EXPECT_EQ(it->second, part.nodes[v]);
+    }
+  }
+  EXPECT_EQ(nodes.size(), 125u);
+  EXPECT_EQ(nodes.rbegin()->first, 124);
+  EXPECT_EQ(nodes.at(0), grid.surface.vertices[0]);
+  EXPECT_EQ(nodes.at(1), grid.surface.vertices[2]) << "vertex 1 is unused";
+}
+
+TEST(GlobalMesh, digest_sees_coordinates_tets_and_patches) {
+  const Hash128 digest = assemble(cut_grid(4)).digest;
+  EXPECT_EQ(assemble(cut_grid(4)).digest, digest);
+  CutGrid moved = cut_grid(4);
+  moved.parts[7].mesh.nodes.back().x += 1e-9;
+  EXPECT_NE(assemble(moved).digest, digest);
+  CutGrid turned = cut_grid(4);
+  Tet& tet = turned.parts[7].mesh.tets.front();
+  std::rotate(tet.begin(), tet.begin() + 1, tet.begin() + 3);
+  EXPECT_NE(assemble(turned).digest, digest);
+  CutGrid painted = cut_grid(4);
+  painted.surface.patch_of_triangle[3] ^= 1;
+  EXPECT_NE(assemble(painted).digest, digest);
+}
+
+TEST(GlobalMesh, refuses_a_shared_node_that_differs_in_one_bit) {
+  CutGrid grid = cut_grid(4);
+  for (std::size_t v = 0;; ++v) {
+    MeshPart& part = grid.parts[6];
+    if (part.subdomain.node_origin[v].owner != 1) continue;
+    part.subdomain.vertices[v].y = std::nextafter(part.subdomain.vertices[v].y, 9);
+    break;
+  }
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, refuses_a_surface_node_that_moved) {
+  CutGrid grid = cut_grid(4);
+  grid.parts[2].subdomain.vertices[0].x += 1e-9;
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, refuses_sides_of_a_cut_that_differ) {
+  CutGrid grid = cut_grid(4);
+  Subdomain& subdomain = grid.parts[6].subdomain;
+  for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
+    if (subdomain.triangle_origin[t].owner != 3) continue;
+    std::swap(subdomain.triangles[t][0], subdomain.triangles[t][1]);
+    break;
+  }
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, refuses_a_surface_triangle_that_is_missing_or_there_twice) {
+  CutGrid grid = cut_grid(4);
+  Subdomain& subdomain = grid.parts[6].subdomain;
+  ASSERT_EQ(subdomain.triangle_origin[0].owner, 0u);
+  const Origin first = subdomain.triangle_origin[0];
+  subdomain.triangle_origin[0] = grid.parts[7].subdomain.triangle_origin[0];
+  EXPECT_THROW(assemble(grid), Error);
+  subdomain.triangle_origin[0] = first;
+  subdomain.triangles.erase(subdomain.triangles.begin());
+  subdomain.triangle_origin.erase(subdomain.triangle_origin.begin());
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, refuses_other_counts_than_the_numbering_has) {
+  CutGrid grid = cut_grid(4);
+  grid.parts[7].mesh.tets.pop_back();
+  EXPECT_THROW(assemble(grid), Error);
+  grid = cut_grid(4);
+  grid.parts[7].mesh.nodes.push_back({});
+  EXPECT_THROW(assemble(grid), Error);
+  grid = cut_grid(4);
+  std::swap(grid.parts[6], grid.parts[7]);
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, refuses_volumes_that_do_not_add_up) {
+  CutGrid grid = cut_grid(4);
+  std::swap(grid.parts[7].mesh.tets[0][1], grid.parts[7].mesh.tets[0][2]);
+  EXPECT_THROW(assemble(grid), Error);
+}
+
+}  // namespace
+}  // namespace tetfarm

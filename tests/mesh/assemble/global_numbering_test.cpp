@@ -1,0 +1,104 @@
+#include "mesh/assemble/global_numbering.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr const char* table =
+    "leaf 7 70 700\ncut 1 10\nleaf 4 40 400\ncut 2 20\nleaf 5 50 500\ncut 3 30\nleaf 6 60 600\n";
+
+TEST(GlobalNumbering, tree_order_is_depth_first_with_a_node_before_its_children) {
+  std::vector<TreePath> paths = {{7}, {11}, {1}, {5}, {3}, {10}, {4}, {2}, {6}};
+  std::sort(paths.begin(), paths.end(), comes_before);
+  EXPECT_THAT(paths, ElementsAre(TreePath{1}, TreePath{2}, TreePath{4}, TreePath{5}, TreePath{10},
+                                 TreePath{11}, TreePath{3}, TreePath{6}, TreePath{7}));
+}
+
+TEST(GlobalNumbering, surface_then_cuts_then_leaves_in_tree_order) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), table);
+  EXPECT_EQ(numbering.surface_nodes, 8);
+  ASSERT_EQ(numbering.cuts.size(), 3u);
+  EXPECT_EQ(numbering.cuts[0].first_node, 8);
+  EXPECT_EQ(numbering.cuts[1].first_node, 18);
+  EXPECT_EQ(numbering.cuts[2].first_node, 38);
+  EXPECT_EQ(numbering.shared_nodes(), 68);
+  ASSERT_EQ(numbering.leaves.size(), 4u);
+  EXPECT_EQ(numbering.leaves[1].path, TreePath{5});
+  EXPECT_EQ(numbering.leaves[1].first_node, 108);
+  EXPECT_EQ(numbering.leaves[3].first_tet, 1500);
+  EXPECT_EQ(numbering.nodes, 288);
+  EXPECT_EQ(numbering.tets, 2200);
+}
+
+TEST(GlobalNumbering, unused_vertices_of_the_surface_are_passed_over) {
+  SurfaceMesh surface = shapes::tetrahedron();
+  surface.vertices.insert(surface.vertices.begin() + 2, Vec3{5, 5, 5});
+  for (Triangle& triangle : surface.triangles) {
+    for (std::int32_t& v : triangle) v += v >= 2 ? 1 : 0;
+  }
+  surface.vertices.push_back({6, 6, 6});
+  const Numbering numbering = number_globally(surface, "leaf 1 0 1\n");
+  EXPECT_EQ(numbering.surface_nodes, 4);
+  EXPECT_EQ(global_number(numbering, {0, 1}), 1);
+  EXPECT_EQ(global_number(numbering, {0, 3}), 2);
+  EXPECT_EQ(global_number(numbering, {0, 4}), 3);
+  EXPECT_THROW(global_number(numbering, {0, 2}), Error);
+  EXPECT_THROW(global_number(numbering, {0, 5}), Error);
+}
+
+TEST(GlobalNumbering, nodes_of_cuts_are_found_by_origin) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), table);
+  EXPECT_EQ(global_number(numbering, {1, 9}), 17);
+  EXPECT_EQ(global_number(numbering, {3, 0}), 38);
+  EXPECT_THROW(global_number(numbering, {3, 30}), Error);
+  EXPECT_THROW(global_number(numbering, {4, 0}), Error);
+}
+
+TEST(GlobalNumbering, numbers_beyond_32_bits_are_kept) {
+  const Numbering numbering =
+      number_globally(shapes::unit_cube(), "cut 1 5\nleaf 2 6000000000 30000000000\nleaf 3 1 1\n");
+  EXPECT_EQ(numbering.leaves[1].first_node, 6000000013);
+  EXPECT_EQ(numbering.leaves[1].first_tet, 30000000000);
+}
+
+TEST(GlobalNumbering, refuses_what_is_not_one_whole_tree) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  for (const char* wrong : {"", "cut 1 1\n", "cut 1 1\nleaf 2 1 1\n", "leaf 1 1 1\nleaf 2 1 1\n",
+                            "cut 1 1\nleaf 2 1 1\nleaf 3 1 1\nleaf 3 1 1\n", "leaf 2 1 1\n",
+                            "leaf 1 1\n", "leaf 1 -1 1\n", "leaf 0 1 1\n", "leaf 1 1 1 \n",
+                            "knot 1 1\n", "leaf 1 99999999999999999999 1\n"}) {
+    EXPECT_THROW(number_globally(cube, wrong), Error) << wrong;
+  }
+}
+
+TEST(GlobalNumbering, text_gives_the_same_numbering) {
+  SurfaceMesh surface = shapes::unit_cube();
+  surface.vertices.push_back({9, 9, 9});
+  const Numbering numbering = number_globally(surface, table);
+  const std::string text = numbering_to_text(numbering);
+  const Numbering again = numbering_from_text(text, "n");
+  EXPECT_EQ(numbering_to_text(again), text);
+  EXPECT_EQ(again.nodes, numbering.nodes);
+  EXPECT_EQ(again.unused_vertices, numbering.unused_vertices);
+  EXPECT_EQ(again.leaves[2].first_node, numbering.leaves[2].first_node);
+}
+
+TEST(GlobalNumbering, damaged_text_is_refused) {
+  const std::string text = numbering_to_text(number_globally(shapes::unit_cube(), table));
+  EXPECT_THROW(numbering_from_text("", "n"), CorruptFile);
+  for (std::size_t length = 0; length + 1 < text.size(); ++length) {
+    EXPECT_THROW(numbering_from_text(text.substr(0, length), "n"), CorruptFile) << length;
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
