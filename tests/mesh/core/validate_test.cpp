@@ -81,6 +81,21 @@ TEST(ValidateTetMesh, finds_a_tet_given_twice) {
   EXPECT_THAT(validate(mesh, cube_triangles()), SizeIs(5));
 }
 
+TEST(ValidateTetMesh, finds_two_tets_on_the_same_side_of_a_face) {
+  TetMesh mesh;
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}};
+  mesh.boundary_nodes = 5;
+  mesh.tets = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+  std::vector<Triangle> triangles;
+  for (const Tet& tet : mesh.tets) {
+    for (const auto& [i, j, k] : {tet_face_nodes[0], tet_face_nodes[1], tet_face_nodes[2]}) {
+      triangles.push_back({tet[static_cast<std::size_t>(i)], tet[static_cast<std::size_t>(j)],
+                           tet[static_cast<std::size_t>(k)]});
+    }
+  }
+  EXPECT_THAT(validate(mesh, triangles), Contains(HasSubstr("face (0, 1, 2)")));
+}
+
 TEST(ValidateTetMesh, finds_a_missing_boundary_triangle) {
   std::vector<Triangle> triangles = cube_triangles();
   triangles.pop_back();

@@ -131,6 +131,13 @@ TEST(ArtifactFile, a_longer_file_and_another_kind_are_refused) {
   }
 }
 
+TEST(ArtifactFile, bytes_left_over_are_refused_though_the_checksum_is_right) {
+  for (const Kind& kind : kinds()) {
+    EXPECT_THROW(kind.read(forge(kind.bytes + std::string(4, '\0'), 8, std::uint32_t{1})),
+                 CorruptFile);
+  }
+}
+
 // The numbers start after the magic (8 bytes) and the version (4).
 TEST(ArtifactFile, a_count_beyond_the_file_is_refused_before_anything_is_allocated) {
   for (const Kind& kind : kinds()) {

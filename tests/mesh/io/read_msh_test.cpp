@@ -91,6 +91,16 @@ TEST(ReadMshText, reads_parametric_nodes_of_version_4) {
   EXPECT_THAT(read.triangles, ElementsAre(Triangle{0, 1, 2}));
 }
 
+TEST(ReadMshText, takes_the_first_physical_group_of_a_surface_whatever_its_sign) {
+  const SurfaceMesh read = read_msh(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 8 \"wing\"\n3 8 \"air\"\n"
+      "$EndPhysicalNames\n$Entities\n0 0 1 1\n4 0 0 0 1 1 1 2 -8 9 0\n4 0 0 0 1 1 1 1 7 1 4\n"
+      "$EndEntities\n$Nodes\n1 3 1 3\n2 4 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n"
+      "$Elements\n1 1 1 1\n2 4 2 1\n1 1 2 3\n$EndElements\n",
+      "a.msh");
+  EXPECT_THAT(read.patch_names, ElementsAre("wing"));
+}
+
 TEST(ReadMshText, names_the_line_of_what_it_cannot_use) {
   const auto reading = [](const std::string& text) { return [=] { read_msh(text, "a.msh"); }; };
   const auto throws = [](const std::string& text) {

@@ -125,6 +125,9 @@ TEST(ReadStl, a_binary_file_of_the_wrong_size_is_refused_with_both_sizes) {
   bytes.pop_back();
   EXPECT_THAT([&] { read_stl(bytes, "a.stl"); },
               ThrowsMessage<InvalidInput>(HasSubstr("has 684 bytes, this one 683")));
+  const std::string solid = texts::stl_binary(shapes::unit_cube(), "solid binary");
+  EXPECT_THAT([&] { read_stl(solid.substr(0, 300), "a.stl"); },
+              ThrowsMessage<InvalidInput>(HasSubstr("has 684 bytes, this one 300")));
   const std::uint32_t huge = 0xffffffff;
   std::memcpy(bytes.data() + 80, &huge, 4);
   EXPECT_THROW(read_stl(bytes, "a.stl"), InvalidInput);
