@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/job_report.h"
 
 namespace tetfarm {
 namespace {
@@ -24,7 +27,14 @@ const char* help_for(ExitCode code) {
   }
 }
 
-int complain(const std::string& message, ExitCode code) {
+/// Whether the command asked for JSON; looked up before it is parsed, as parsing may be what fails.
+bool wants_json(int argc, char** argv) {
+  return std::any_of(argv, argv + argc,
+                     [](const char* word) { return std::string_view(word) == "--json"; });
+}
+
+int complain(const std::string& message, ExitCode code, bool json) {
+  if (json) std::printf("%s\n", error_json(message, static_cast<int>(code)).c_str());
   std::fprintf(stderr, "error: %s\nhelp: %s\n", message.c_str(), help_for(code));
   return static_cast<int>(code);
 }
@@ -52,13 +62,14 @@ struct Execute {
 
 int main(int argc, char** argv) {
   using namespace tetfarm;
+  const bool json = wants_json(argc, argv);
   try {
     return static_cast<int>(std::visit(Execute{}, parse_command_line(argc, argv)));
   } catch (const Error& error) {
-    return complain(error.what(), error.code());
+    return complain(error.what(), error.code(), json);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory", ExitCode::out_of_resources);
+    return complain("out of memory", ExitCode::out_of_resources, json);
   } catch (const std::exception& error) {
-    return complain(error.what(), ExitCode::failed);
+    return complain(error.what(), ExitCode::failed, json);
   }
 }

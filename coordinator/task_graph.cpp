@@ -114,7 +114,6 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
     if (!parts || *parts < 1) return "the number of parts is missing";
   }
   if (task.kind == TaskKind::decompose) return problem_with_cut(task, result);
-  if (task.kind == TaskKind::assemble && result.outputs.empty()) return "there is no result file";
   return std::nullopt;
 }
 

@@ -1,9 +1,15 @@
+/// The task `assemble`: the global mesh in the formats that the job asks for (thesis 4.3.4.2.2).
+///
+/// Inputs: "job", "surface", "numbering", "subdomain:HEAP" and "mesh:HEAP" of every leaf. Outputs:
+/// the job's files. Numbers: elements, nodes, boundary_triangles, subdomains, min_dihedral_deg,
+/// max_dihedral_deg, mean_radius_ratio, volume, min_dihedral_gate_deg; text: digest.
 #pragma once
 
 #include "worker/task_io.h"
 
 namespace tetfarm {
 
+/// One sub-domain is in memory at a time. @throws UsageError for a format that is not known.
 void assemble_task(TaskIo& io);
 
 }  // namespace tetfarm

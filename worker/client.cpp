@@ -23,6 +23,7 @@ constexpr std::int64_t first_hello_again_ms = 20;
 constexpr std::int64_t slowest_hello_again_ms = 5'000;
 constexpr std::int64_t result_again_ms = 1'000;
 constexpr std::int64_t tick_ms = 100;
+constexpr std::int64_t flag_tick_ms = 10;
 constexpr int linger_ms = 500;
 
 std::uint64_t machine_memory() {
@@ -146,7 +147,8 @@ class Client {
     if (signals_.fd() >= 0) items.push_back({nullptr, signals_.fd(), ZMQ_POLLIN, 0});
     if (child_) items.push_back({nullptr, child_->fd(), ZMQ_POLLIN, 0});
     try {
-      zmq::poll(items, std::chrono::milliseconds(tick_ms));
+      zmq::poll(items,
+                std::chrono::milliseconds(options_.drain != nullptr ? flag_tick_ms : tick_ms));
     } catch (const zmq::error_t& error) {
       if (error.num() != EINTR) throw;
     }

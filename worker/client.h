@@ -22,7 +22,7 @@ struct WorkerOptions {
   std::uint64_t memory_limit_bytes = 0;      ///< of a task; 0: none
   std::int64_t grace_ms = 30'000;            ///< how long a running task may go on after SIGTERM
   bool handle_signals = true;                ///< off in a thread
-  const std::atomic<bool>* drain = nullptr;  ///< looked at every 100 ms; as SIGTERM
+  const std::atomic<bool>* drain = nullptr;  ///< looked at every 10 ms; as SIGTERM
 };
 
 /// Runs until it is drained: by SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2 (as batch systems send

@@ -78,6 +78,7 @@ void decompose_task(TaskIo& io) {
   io.number("right_parts", static_cast<double>(parts - left_parts));
   io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
   io.number("interdomain_triangles", static_cast<double>(cut.interdomain_triangles));
+  io.number("candidates_tried", cut.candidates_tried);
   io.number("left_work", cut.left_work);
   io.number("right_work", cut.right_work);
   io.publish("left", subdomain_to_bytes(cut.left));

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::size_t most_cavity = 24;
 constexpr std::size_t most_ring = 12;
-/// The place of the new node is sought in so many cavities, those that begin best.
-constexpr std::size_t most_climbs = 2;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -44,38 +42,23 @@ double goodness_over(const WorkMesh& work, const CavityFace& face, const Vec3& p
                   p);
 }
 
-/// A cavity, a first place for the new node, and the worst tet it would make there.
-struct Seed {
-  std::vector<std::int32_t> cavity;
-  Vec3 start;
-  double worst = 1;
-};
-
-Seed seed_of(WorkMesh& work, std::vector<std::int32_t> cavity, const Vec3& start) {
-  Seed seed{std::move(cavity), start};
-  for (const CavityFace& face : faces_of_cavity(work, seed.cavity)) {
-    seed.worst = std::min(seed.worst, goodness_over(work, face, start));
-  }
-  return seed;
-}
-
-/// Fills the cavity with tets from its faces to a new node, whose best place is sought.
-std::optional<Replacement> fill_with_star(WorkMesh& work, const Seed& seed,
-                                          const SplitOptions& options) {
-  const std::vector<CavityFace> faces = faces_of_cavity(work, seed.cavity);
+/// Fills the cavity with tets from its faces to a new node; its best place is sought from `start`.
+std::optional<Replacement> fill_with_star(WorkMesh& work, const std::vector<std::int32_t>& cavity,
+                                          const Vec3& start, const SplitOptions& options) {
+  const std::vector<CavityFace> faces = faces_of_cavity(work, cavity);
   Star star;
   for (const CavityFace& face : faces) {
     star.push_back(
         {work.point(face.nodes[0]), work.point(face.nodes[1]), work.point(face.nodes[2])});
   }
-  const Place place = climb(star, seed.start, options.enough);
-  const double before = worst_of(work, seed.cavity);
+  const Place place = climb(star, start, options.enough);
+  const double before = worst_of(work, cavity);
   if (!is_worth(before, place.worst)) return std::nullopt;
   const auto is_too_near = [&](const Vec3& corner) {
     return norm2(corner - place.point) < options.least_distance * options.least_distance;
   };
   const auto node = static_cast<std::int32_t>(work.complex.points.size());
-  Replacement replacement{seed.cavity, {}, before, place.worst, place.point};
+  Replacement replacement{cavity, {}, before, place.worst, place.point};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (std::any_of(star[i].begin(), star[i].end(), is_too_near)) return std::nullopt;
     const auto& [a, b, c] = faces[i].nodes;
@@ -113,24 +96,20 @@ std::vector<std::int32_t> grown_cavity(WorkMesh& work, std::int32_t t, const Vec
 }  // namespace
 
 std::optional<Replacement> find_split(WorkMesh& work, std::int32_t t, const SplitOptions& options) {
+  std::optional<Replacement> best;
+  const auto take = [&best](std::optional<Replacement> found) {
+    if (found && (!best || found->new_worst > best->new_worst)) best = std::move(found);
+  };
   const Tet tet = work.tet(t);
   Vec3 centre;
   for (const std::int32_t v : tet) centre += 0.25 * work.point(v);
-  std::vector<Seed> seeds = {seed_of(work, grown_cavity(work, t, centre), centre)};
+  take(fill_with_star(work, grown_cavity(work, t, centre), centre, options));
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const Vec3 middle = 0.5 * (work.point(tet[at(i)]) + work.point(tet[at(j)]));
-      auto ring = ring_of_edge(work, t, i, j, most_ring);
-      if (ring) seeds.push_back(seed_of(work, std::move(ring->tets), middle));
+      const auto ring = ring_of_edge(work, t, i, j, most_ring);
+      if (ring) take(fill_with_star(work, ring->tets, middle, options));
     }
-  }
-  std::stable_sort(seeds.begin(), seeds.end(),
-                   [](const Seed& a, const Seed& b) { return a.worst > b.worst; });
-  if (seeds.size() > most_climbs) seeds.resize(most_climbs);
-  std::optional<Replacement> best;
-  for (const Seed& seed : seeds) {
-    auto found = fill_with_star(work, seed, options);
-    if (found && (!best || found->new_worst > best->new_worst)) best = std::move(found);
   }
   return best;
 }

@@ -82,9 +82,6 @@ TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
 }
 
 TEST(TaskGraph, results_without_their_files_or_numbers_are_unusable) {
-  TaskRow assemble;
-  assemble.kind = TaskKind::assemble;
-  EXPECT_TRUE(problem_with(assemble, {}));
   TaskRow cut;
   cut.kind = TaskKind::decompose;
   cut.parameters["parts"] = "4";

@@ -1,0 +1,79 @@
+#include "cli/command_line.h"
+
+#include <gtest/gtest.h>
+
+namespace tetfarm {
+namespace {
+
+Command parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "tetfarm");
+  return parse_command_line(static_cast<int>(words.size()), words.data());
+}
+
+int code_of(const Command& command) { return std::get<NothingToDo>(command).exit_code; }
+
+TEST(CommandLine, run_takes_a_surface_and_options) {
+  const Command command = parse({"run", "wing.stl", "-o", "d", "-j", "4", "--subdomains", "8",
+                                 "--size", "0.5", "--growth", "0.2", "--outer", "box:3", "--format",
+                                 "vtkhdf,lb8.ugrid", "--json", "--progress", "none"});
+  const auto& run = std::get<RunOptions>(command);
+  EXPECT_EQ(run.input, "wing.stl");
+  EXPECT_EQ(run.output, "d");
+  EXPECT_EQ(run.workers, 4);
+  EXPECT_EQ(run.subdomains, 8);
+  EXPECT_EQ(run.size, 0.5);
+  EXPECT_EQ(run.growth, 0.2);
+  EXPECT_EQ(run.outer, "box:3");
+  EXPECT_EQ(run.formats, (std::vector<std::string>{"vtkhdf", "lb8.ugrid"}));
+  EXPECT_TRUE(run.json);
+  EXPECT_EQ(run.progress, ProgressStyle::none);
+}
+
+TEST(CommandLine, what_is_not_given_is_left_to_the_job_file) {
+  const Command command = parse({"run", "job.toml"});
+  const auto& run = std::get<RunOptions>(command);
+  EXPECT_FALSE(run.subdomains.has_value());
+  EXPECT_FALSE(run.size.has_value());
+  EXPECT_FALSE(run.outer.has_value());
+  EXPECT_TRUE(run.formats.empty());
+}
+
+TEST(CommandLine, mistakes_are_usage_errors) {
+  EXPECT_EQ(code_of(parse({})), 2);
+  EXPECT_EQ(code_of(parse({"runn"})), 2);
+  EXPECT_EQ(code_of(parse({"run"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "-j", "0"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "-j", "many"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "--size", "-1"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "--subdomains", "0"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "--progress", "loud"})), 2);
+  EXPECT_EQ(code_of(parse({"run", "a.stl", "b.stl"})), 2);
+  EXPECT_EQ(code_of(parse({"coordinator", "--store", "s"})), 2);
+}
+
+TEST(CommandLine, every_command_has_help) {
+  for (const char* name :
+       {"run", "check", "quality", "submit", "status", "wait", "cancel", "coordinator", "worker"}) {
+    EXPECT_EQ(code_of(parse({name, "--help"})), 0) << name;
+  }
+  EXPECT_EQ(code_of(parse({"--help"})), 0);
+  EXPECT_EQ(code_of(parse({"--version"})), 0);
+}
+
+TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
+  ::setenv("TETFARM_COORDINATOR", "tcp://head:5555", 1);
+  const Command command = parse({"status", "job-7"});
+  ::unsetenv("TETFARM_COORDINATOR");
+  EXPECT_EQ(std::get<StatusCommand>(command).client.endpoint, "tcp://head:5555");
+  EXPECT_EQ(std::get<StatusCommand>(command).client.job, "job-7");
+  EXPECT_EQ(code_of(parse({"status"})), 2);
+}
+
+TEST(CommandLine, sizes_may_have_units) {
+  const Command command =
+      parse({"worker", "--connect", "tcp://h:1", "--store", "s", "--memory-limit", "2GB"});
+  EXPECT_EQ(std::get<WorkerCommand>(command).memory_limit_bytes, std::uint64_t{2} << 30);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,121 @@
+// The built program from outside: exit codes, where messages go, and what they say.
+#include <gmock/gmock.h>
+
+#include "tests/support/program.h"
+
+namespace tetfarm {
+namespace {
+
+using test::contents;
+using test::Ended;
+using test::run_program;
+using test::TemporaryFolder;
+using test::write_contents;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+/// The unit cube in OFF, its eight corners numbered as x + 2 y + 4 z.
+std::string cube_off(const std::string& last_triangle) {
+  std::string text = "OFF\n8 12 0\n";
+  for (int i = 0; i < 8; ++i) {
+    text += std::to_string(i & 1) + " " + std::to_string(i >> 1 & 1) + " " +
+            std::to_string(i >> 2 & 1) + "\n";
+  }
+  text += "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n";
+  text += "3 0 4 6\n3 0 6 2\n3 1 3 7\n" + last_triangle;
+  return text;
+}
+
+const char* const cube_end = "3 1 7 5\n";
+
+TEST(TetfarmProgram, mistakes_on_the_command_line_end_with_2_and_a_hint) {
+  const TemporaryFolder folder;
+  const Ended ended = run_program({"run"}, folder.path());
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, StartsWith("error: "));
+  EXPECT_THAT(ended.err, HasSubstr("help: "));
+  EXPECT_THAT(ended.out, IsEmpty());
+}
+
+TEST(TetfarmProgram, help_of_each_command_has_an_example) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"run", "check", "quality", "submit", "status", "wait", "cancel", "coordinator", "worker"}) {
+    const Ended ended = run_program({name, "--help"}, folder.path());
+    EXPECT_EQ(ended.code, 0) << name;
+    EXPECT_THAT(ended.out, HasSubstr("Example: tetfarm ")) << name;
+  }
+}
+
+TEST(TetfarmProgram, a_surface_that_is_not_there_is_not_found) {
+  const TemporaryFolder folder;
+  for (const char* name : {"run", "check"}) {
+    const Ended ended = run_program({name, "nowhere.stl"}, folder.path());
+    EXPECT_EQ(ended.code, 5) << name;
+    EXPECT_THAT(ended.err, HasSubstr("nowhere.stl")) << name;
+  }
+}
+
+TEST(TetfarmProgram, a_wrong_job_file_is_a_usage_error_with_its_line) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "job.toml", "version = 1\n[geometry]\nsurfface = \"a.stl\"\n");
+  const Ended ended = run_program({"check", "job.toml"}, folder.path());
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("job.toml:3"));
+}
+
+TEST(TetfarmProgram, a_broken_surface_file_is_bad_geometry_with_its_line) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "bad.off", "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
+  const Ended ended = run_program({"check", "bad.off"}, folder.path());
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("bad.off:4"));
+}
+
+TEST(TetfarmProgram, check_says_that_a_cube_can_be_meshed) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const Ended ended = run_program({"check", "cube.off"}, folder.path());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("triangles       12"));
+  const Ended json = run_program({"check", "--json", "cube.off"}, folder.path());
+  EXPECT_THAT(json.out, StartsWith("{\"type\":\"check\",\"can_be_meshed\":true"));
+}
+
+TEST(TetfarmProgram, check_shows_where_a_surface_is_open) {
+  const TemporaryFolder folder;
+  std::string open = cube_off("");
+  open.replace(open.find("8 12 0"), 6, "8 11 0");
+  write_contents(folder.path() / "open.off", open);
+  const Ended ended = run_program({"check", "open.off"}, folder.path());
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("open edge"));
+  EXPECT_THAT(contents(folder.path() / "open.defects.vtp"), HasSubstr("PolyData"));
+}
+
+TEST(TetfarmProgram, a_coordinator_that_is_not_there_is_unreachable) {
+  const TemporaryFolder folder;
+  const std::string endpoint = "ipc://" + (folder.path() / "none").string();
+  for (const std::string name : {"status", "wait", "cancel"}) {
+    const Ended ended =
+        run_program({name, "job-1", "--connect", endpoint, "--timeout", "0.2"}, folder.path());
+    EXPECT_EQ(ended.code, 5) << name;
+    EXPECT_THAT(ended.err, HasSubstr("no coordinator answers")) << name;
+  }
+}
+
+TEST(TetfarmProgram, a_malformed_endpoint_is_a_usage_error) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"status", "--connect", "nonsense"}, folder.path()).code, 2);
+}
+
+TEST(TetfarmProgram, errors_are_also_told_to_programs) {
+  const TemporaryFolder folder;
+  const Ended ended = run_program({"run", "nowhere.stl", "--json"}, folder.path());
+  EXPECT_THAT(ended.out, HasSubstr("\"type\":\"error\""));
+  EXPECT_THAT(ended.out, HasSubstr("\"exit_code\":5"));
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,127 @@
+// The daemon as on a cluster: a coordinator, workers that come over TCP, and clients.
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <thread>
+
+#include "tests/system/farm_cases.h"
+
+namespace tetfarm {
+namespace {
+
+using test::Ended;
+using test::Program;
+using test::run_program;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+class Daemon : public ::testing::Test {
+ protected:
+  Daemon() : coordinator_(start_coordinator("tcp://127.0.0.1:*")) {
+    while (endpoint_.empty() && coordinator_->is_running()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const std::string said = coordinator_->out_so_far();
+      const std::size_t at = said.find("tcp://");
+      if (said.find('\n') != std::string::npos) endpoint_ = said.substr(at, said.find('\n') - at);
+    }
+  }
+
+  std::unique_ptr<Program> start_coordinator(const std::string& endpoint) {
+    return std::make_unique<Program>(
+        std::vector<std::string>{"coordinator", "--store", "store", "--listen", endpoint,
+                                 "--heartbeat-ms", "200", "--lease-ms", "2000"},
+        folder_.path());
+  }
+
+  std::unique_ptr<Program> start_worker() {
+    return std::make_unique<Program>(
+        std::vector<std::string>{"worker", "--connect", endpoint_, "--store", "store"},
+        folder_.path());
+  }
+
+  Ended ask(std::vector<std::string> words) {
+    words.insert(words.end(), {"--connect", endpoint_});
+    return run_program(words, folder_.path());
+  }
+
+  std::string submit(const std::string& input) {
+    const Ended ended = ask({"submit", input, "--subdomains", "4", "--store", "store"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out.substr(0, ended.out.find('\n'));
+  }
+
+  Ended wait_for(const std::string& job) {
+    return ask({"wait", job, "-o", "out", "--store", "store", "--json", "--progress", "none"});
+  }
+
+  TemporaryFolder folder_;
+  std::string endpoint_;
+  std::unique_ptr<Program> coordinator_;
+};
+
+TEST_F(Daemon, submit_wait_and_status_with_workers_that_come_later) {
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
+  EXPECT_EQ(submit("sphere_in_box.off"), job) << "the same job again";
+  const auto one = start_worker();
+  const auto two = start_worker();
+  const Ended ended = wait_for(job);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(test::digest_of(ended).size(), 32U);
+  const Ended status = ask({"status", job, "--json"});
+  EXPECT_THAT(status.out, HasSubstr("\"state\":\"done\""));
+  EXPECT_THAT(ask({"status"}).out, HasSubstr(job));
+  EXPECT_EQ(ask({"status", "job-99"}).code, 5);
+  one->signal(SIGTERM);
+  EXPECT_EQ(one->wait().code, 0);
+}
+
+TEST_F(Daemon, gives_the_mesh_that_a_local_run_gives) {
+  const std::string input = test::sphere_in_box(folder_.path(), 8, 2);
+  const auto worker = start_worker();
+  const Ended remote = wait_for(submit(input));
+  const Ended local = run_program(test::run_words(input, "local", 2), folder_.path());
+  EXPECT_EQ(test::digest_of(remote), test::digest_of(local));
+  EXPECT_EQ(test::digest_of(local).size(), 32U);
+}
+
+TEST_F(Daemon, workers_outlive_a_killed_coordinator) {
+  const auto one = start_worker();
+  const auto two = start_worker();
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 10, 2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  coordinator_->signal(SIGKILL);
+  coordinator_->wait();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  coordinator_ = start_coordinator(endpoint_);
+  const Ended ended = wait_for(job);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(one->is_running());
+  EXPECT_TRUE(two->is_running());
+}
+
+TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
+  const std::string first = submit(test::sphere_in_box(folder_.path(), 12, 3));
+  const auto worker = start_worker();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(ask({"cancel", first}).code, 0);
+  EXPECT_EQ(wait_for(first).code, 1);
+  EXPECT_EQ(ask({"cancel", "job-99"}).code, 5);
+  const Ended ended = wait_for(submit(test::sphere_in_box(folder_.path(), 4, 1)));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
+TEST_F(Daemon, a_worker_of_another_store_is_refused) {
+  std::filesystem::create_directory(folder_.path() / "other");
+  Program other_coordinator({"coordinator", "--store", "other", "--listen", "tcp://127.0.0.1:*"},
+                            folder_.path());
+  while (other_coordinator.out_so_far().find('\n') == std::string::npos) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const Ended worker =
+      run_program({"worker", "--connect", endpoint_, "--store", "other"}, folder_.path());
+  EXPECT_EQ(worker.code, 1);
+  EXPECT_THAT(worker.err, HasSubstr("refuses this worker"));
+}
+
+}  // namespace
+}  // namespace tetfarm

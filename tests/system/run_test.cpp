@@ -1,0 +1,53 @@
+// One small run of the whole program, end to end.
+#include <gmock/gmock.h>
+
+#include "tests/system/farm_cases.h"
+
+namespace tetfarm {
+namespace {
+
+using test::Ended;
+using test::run_program;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+TEST(Run, meshes_a_sphere_in_a_box_and_says_so_in_one_line) {
+  const TemporaryFolder folder;
+  const std::string input = test::sphere_in_box(folder.path(), 4, 1);
+  const Ended ended = run_program(test::run_words(input, "out", 2, 2), folder.path());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = test::result_of(ended);
+  ASSERT_TRUE(result.is_object()) << ended.out;
+  EXPECT_EQ(result["type"], "result");
+  EXPECT_GT(result["elements"], 100);
+  EXPECT_EQ(result["subdomains"], 2);
+  EXPECT_EQ(result["boundary_triangles"], 4 * 4 * 2 * 6 + 80);
+  EXPECT_GT(result["min_dihedral_deg"], 0);
+  EXPECT_GT(result["peak_rss_bytes_worker"], 0);
+  EXPECT_THAT(result["digest"].get<std::string>(), SizeIs(32));
+  ASSERT_FALSE(result["files"].empty());
+  for (const auto& file : result["files"]) {
+    EXPECT_TRUE(std::filesystem::exists(file.get<std::string>())) << file;
+  }
+
+  const Ended again = run_program(test::run_words(input, "out", 1, 2), folder.path());
+  EXPECT_EQ(test::digest_of(again), result["digest"]);
+  const Ended quality =
+      run_program({"quality", result["files"][0].get<std::string>(), "--json"}, folder.path());
+  EXPECT_EQ(quality.code, 0) << quality.err;
+}
+
+TEST(Run, a_surface_with_a_hole_ends_with_3_and_shows_where) {
+  const TemporaryFolder folder;
+  SurfaceMesh open = shapes::sphere({0, 0, 0}, 1, 1);
+  open.triangles.pop_back();
+  test::write_contents(folder.path() / "open.off", test::off_of(open));
+  const Ended ended = run_program(test::run_words("open.off", "out", 1), folder.path());
+  EXPECT_EQ(ended.code, 3) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("open edge"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "open.defects.vtp"));
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,220 @@
+// The tasks one after the other, without coordinator or processes: what each takes and gives.
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "mesh/assemble/mesh_report.h"
+#include "mesh/core/validate.h"
+#include "mesh/io/artifact_file.h"
+#include "mesh/io/job_file.h"
+#include "tests/support/shapes.h"
+#include "worker/assemble_task.h"
+#include "worker/decompose_task.h"
+#include "worker/evidence.h"
+#include "worker/inspect_task.h"
+#include "worker/mesh_task.h"
+#include "worker/number_task.h"
+#include "worker/run_task.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string off_of(const SurfaceMesh& surface) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << surface.vertices.size() << " " << surface.triangles.size() << " 0\n";
+  for (const Vec3& p : surface.vertices) text << p.x << " " << p.y << " " << p.z << "\n";
+  for (const Triangle& t : surface.triangles) {
+    text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
+  }
+  return text.str();
+}
+
+class Tasks : public ::testing::Test {
+ protected:
+  using Files = std::map<std::string, wire::Artifact>;
+
+  static std::string new_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tasks-XXXXXX").string();
+    return ::mkdtemp(name.data());
+  }
+  ~Tasks() override { std::filesystem::remove_all(folder_); }
+
+  wire::Artifact publish(const std::string& bytes) {
+    const StoredArtifact stored = store_.publish(bytes);
+    wire::Artifact artifact;
+    artifact.set_hash(stored.hash);
+    artifact.set_size(stored.size);
+    return artifact;
+  }
+
+  wire::Envelope run(const TaskBody& body, const Files& inputs,
+                     const std::map<std::string, std::string>& parameters = {}) {
+    wire::Assign assign;
+    for (const auto& [name, artifact] : inputs) {
+      wire::Artifact& input = *assign.add_inputs();
+      input = artifact;
+      input.set_name(name);
+    }
+    assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
+    return run_task(store_, assign, body, [](const wire::Progress&) {});
+  }
+
+  wire::Artifact output(const wire::Envelope& result, const std::string& name) {
+    for (const wire::Artifact& artifact : result.done().outputs()) {
+      if (artifact.name() == name) return artifact;
+    }
+    ADD_FAILURE() << "no output " << name << ": " << result.failed().message();
+    return {};
+  }
+
+  std::string bytes(const wire::Artifact& artifact) {
+    return store_.read(artifact.hash(), artifact.size());
+  }
+
+  wire::Envelope inspect(const JobFile& job, const SurfaceMesh& surface) {
+    return run(inspect_task,
+               {{"job", publish(to_toml(job))}, {"input_surface", publish(off_of(surface))}});
+  }
+
+  static JobFile job_of(std::int64_t subdomains) {
+    JobFile job;
+    job.name = "ball";
+    job.surface = "ball.off";
+    job.subdomains = subdomains;
+    job.formats = {"vtkhdf", "lb8.ugrid"};
+    return job;
+  }
+
+  std::string folder_ = new_folder();
+  ArtifactStore store_{folder_};
+};
+
+TEST_F(Tasks, inspect_gives_surface_spacing_root_and_the_number_of_parts) {
+  const wire::Envelope result = inspect(job_of(5), shapes::sphere({0, 0, 0}, 1, 2));
+  ASSERT_TRUE(result.has_done()) << result.failed().message();
+  EXPECT_EQ(result.done().numbers().at("parts"), 5);
+  EXPECT_GT(result.done().numbers().at("total_work"), 100);
+  const Subdomain root = subdomain_from_bytes(bytes(output(result, "root")), "root");
+  EXPECT_EQ(root.path.heap, 1U);
+  EXPECT_EQ(root.triangles.size(), 320U);
+  EXPECT_EQ(surface_from_bytes(bytes(output(result, "surface")), "s").triangles.size(), 320U);
+}
+
+TEST_F(Tasks, parts_follow_from_the_wanted_size_when_not_given) {
+  JobFile job = job_of(0);
+  job.target_elements = 100;
+  EXPECT_EQ(wanted_parts(job, 1001), 11);
+  EXPECT_EQ(wanted_parts(job, 99), 1);
+  EXPECT_EQ(wanted_parts(job, 0), 1);
+}
+
+TEST_F(Tasks, inspect_refuses_an_open_surface_and_shows_it) {
+  SurfaceMesh open = shapes::sphere({0, 0, 0}, 1, 1);
+  open.triangles.pop_back();
+  const wire::Envelope result = inspect(job_of(1), open);
+  ASSERT_TRUE(result.has_failed());
+  EXPECT_EQ(result.failed().exit_code(), 3);
+  EXPECT_FALSE(result.failed().may_retry());
+  EXPECT_THAT(result.failed().message(), HasSubstr("open edge"));
+  ASSERT_EQ(result.failed().evidence_size(), 1);
+  EXPECT_EQ(result.failed().evidence(0).name(), "ball.defects.vtp");
+}
+
+TEST_F(Tasks, an_outer_box_makes_the_outside_the_domain) {
+  JobFile job = job_of(1);
+  job.outer_kind = "box";
+  job.outer_factor = 2;
+  const wire::Envelope result = inspect(job, shapes::sphere({0, 0, 0}, 1, 1));
+  ASSERT_TRUE(result.has_done()) << result.failed().message();
+  EXPECT_NEAR(result.done().numbers().at("domain_volume"), 64 - 4.0, 4);
+}
+
+TEST_F(Tasks, the_whole_chain_makes_a_valid_mesh_in_every_format) {
+  const JobFile job = job_of(2);
+  const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 2));
+  const wire::Artifact surface = output(inspected, "surface");
+  const wire::Artifact spacing = output(inspected, "spacing");
+  const wire::Envelope cut =
+      run(decompose_task, {{"subdomain", output(inspected, "root")}, {"spacing", spacing}},
+          {{"parts", "2"}});
+  EXPECT_EQ(cut.done().numbers().at("left_parts"), 1);
+  EXPECT_EQ(cut.done().numbers().at("right_parts"), 1);
+  std::ostringstream table;
+  table << "cut 1 " << cut.done().numbers().at("interdomain_nodes") << "\n";
+  Files files = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
+  int heap = 2;
+  for (const char* half : {"left", "right"}) {
+    const wire::Artifact subdomain = output(cut, half);
+    const wire::Envelope meshed = run(mesh_task, {{"subdomain", subdomain}, {"spacing", spacing}});
+    ASSERT_TRUE(meshed.has_done()) << meshed.failed().message();
+    const auto& numbers = meshed.done().numbers();
+    table << "leaf " << heap << " " << numbers.at("interior_nodes") << " " << numbers.at("tets")
+          << "\n";
+    const Subdomain leaf = subdomain_from_bytes(bytes(subdomain), half);
+    EXPECT_EQ(leaf.path.heap, static_cast<std::uint64_t>(heap));
+    const TetMesh mesh = tet_mesh_from_bytes(bytes(output(meshed, "mesh")), leaf, half);
+    EXPECT_EQ(validate(mesh, leaf.triangles), std::vector<std::string>());
+    files["subdomain:" + std::to_string(heap)] = subdomain;
+    files["mesh:" + std::to_string(heap)] = output(meshed, "mesh");
+    ++heap;
+  }
+  const wire::Envelope numbered =
+      run(number_task, {{"surface", surface}}, {{"table", table.str()}});
+  files["numbering"] = output(numbered, "numbering");
+  const wire::Envelope assembled = run(assemble_task, files);
+  ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+  EXPECT_EQ(assembled.done().numbers().at("boundary_triangles"), 320);
+  for (const char* name : {"ball.vtkhdf", "ball.lb8.ugrid"}) {
+    const std::string path = folder_ + "/" + name;
+    std::filesystem::copy_file(store_.path_of(output(assembled, name).hash()), path);
+    const MeshReport report = report_on(read_global_mesh(path));
+    EXPECT_TRUE(report.complaints.empty()) << report.complaints.front();
+    EXPECT_EQ(report.digest.hex(), assembled.done().texts().at("digest")) << name;
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(store_.scratch_folder()), {}), 0)
+      << "files were left behind";
+}
+
+TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
+  const SurfaceMesh tetrahedron = shapes::tetrahedron();
+  const wire::Envelope result =
+      run(decompose_task,
+          {{"subdomain", publish(subdomain_to_bytes(root_subdomain(tetrahedron)))},
+           {"spacing", publish(SpacingField(1.0).to_bytes())}},
+          {{"parts", "2"}});
+  ASSERT_TRUE(result.has_done()) << result.failed().message();
+  EXPECT_EQ(result.done().outputs_size(), 0);
+  EXPECT_FALSE(result.done().texts().at("reason").empty());
+}
+
+TEST_F(Tasks, the_same_inputs_give_the_same_bytes) {
+  const wire::Envelope inspected = inspect(job_of(2), shapes::torus(0.4, 16, 10));
+  const Files inputs = {{"subdomain", output(inspected, "root")},
+                        {"spacing", output(inspected, "spacing")}};
+  const wire::Envelope once = run(decompose_task, inputs, {{"parts", "2"}});
+  const wire::Envelope again = run(decompose_task, inputs, {{"parts", "2"}});
+  EXPECT_EQ(once.done().SerializeAsString().size(), again.done().SerializeAsString().size());
+  EXPECT_EQ(output(once, "left").hash(), output(again, "left").hash());
+  EXPECT_EQ(output(once, "right").hash(), output(again, "right").hash());
+}
+
+TEST(Evidence, names_triangles_of_the_input_and_of_cuts_with_their_place) {
+  Subdomain half = root_subdomain(shapes::unit_cube());
+  half.path = TreePath{6};
+  half.triangle_origin[1] = {3, 17};
+  const std::string message = subdomain_message(half, "an edge is missing", {0, 1});
+  EXPECT_THAT(message, HasSubstr("sub-domain RL: an edge is missing"));
+  EXPECT_THAT(message, HasSubstr("triangle 0 of the input at ("));
+  EXPECT_THAT(message, HasSubstr("triangle 17 of the cut of sub-domain R at ("));
+}
+
+}  // namespace
+}  // namespace tetfarm
