@@ -48,8 +48,9 @@ struct Box3 {
   Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
   void add(const Vec3& p) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+    // Comparisons, not std::fmin: that is a library call, and trees of boxes live on this.
+    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
   }
   void add(const Box3& b) {
     add(b.low);

@@ -106,7 +106,7 @@ void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<
     energy += residual[i] * direction[i];
   }
   constexpr int most_iterations = 200;
-  constexpr double accuracy = 1e-16;  // of the squared residual
+  constexpr double accuracy = 1e-10;  // of the squared residual
   const double enough = accuracy * energy;
   for (int iteration = 0; iteration < most_iterations && energy > enough; ++iteration) {
     apply(direction, product);

@@ -9,8 +9,23 @@ namespace {
 
 constexpr double band_in_sizes = 0.75;
 
-/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all
-/// in units of the local size, so that fine and coarse parts of a path count alike.
+/// Along a sharp corner of the material no cut can meet both sides at good angles.
+double sharpness(const SurfaceTopology& topology, HalfEdge h) {
+  const std::int32_t t = triangle_of(h);
+  const std::int32_t neighbour = triangle_of(topology.twin[idx(h)]);
+  const Vec3& normal = topology.normal[idx(t)];
+  const Vec3& other_normal = topology.normal[idx(neighbour)];
+  const bool is_convex =
+      dot(normal, topology.centroid[idx(neighbour)] - topology.centroid[idx(t)]) < 0;
+  const double cosine = dot(normal, other_normal) / std::sqrt(norm2(normal) * norm2(other_normal));
+  constexpr double of_85_degrees = -0.087;
+  constexpr double of_110_degrees = 0.342;
+  if (!is_convex || cosine > of_110_degrees) return 1;
+  return cosine > of_85_degrees ? 2 : 10;
+}
+
+/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all in
+/// units of the local size, so that fine and coarse parts of a path count alike.
 double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plane) {
   const double length = distance(a, b);
   const double height = plane.height(0.5 * (a + b)) / size;
@@ -46,6 +61,7 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
       if (other_node >= 0 && neighbour < t) continue;
       const double size = 0.5 * (topology.size[idx(t)] + topology.size[idx(neighbour)]);
       const std::int64_t capacity = to_capacity(
+          sharpness(topology, h) *
           path_cost(subdomain.vertices[idx(start_of(subdomain.triangles, h))],
                     subdomain.vertices[idx(end_of(subdomain.triangles, h))], size, plane));
       const std::int32_t node = triangle2node[idx(t)];

@@ -12,7 +12,6 @@
 #include "mesh/decompose/path_relaxation.h"
 #include "mesh/decompose/planar_placement.h"
 #include "mesh/decompose/split_subdomain.h"
-#include "mesh/geometry/box_tree.h"
 
 namespace tetfarm {
 namespace {
@@ -22,7 +21,6 @@ struct Parent {
   const Subdomain& subdomain;
   const SpacingField& spacing;
   SurfaceTopology topology;
-  BoxTree tree;
 };
 
 /// How far a candidate has come. Work on it goes on where a lower angle limit asks for it again.
@@ -50,7 +48,7 @@ void refuse(Candidate& candidate, const std::string& problem) {
 
 /// Colours, path and loops (thesis 4.3.1.5 to 4.3.1.8).
 void find_loops(Candidate& candidate, const Parent& parent) {
-  const auto& [subdomain, spacing, topology, tree] = parent;
+  const auto& [subdomain, spacing, topology] = parent;
   candidate.colours = colour_by_centroid(topology, candidate.place.plane);
   relax_path(candidate.colours, subdomain, topology, candidate.place.plane);
   tidy_path(candidate.colours, topology, subdomain.triangles);
@@ -93,20 +91,23 @@ void lift(Candidate& candidate, const Parent& parent, Lift& state) {
   }
 }
 
-/// Lifts the cut and pushes it off the surface until there is no contact, or no push left to try.
+/// Lifts the cut and pushes it off the surface until there is no contact, or pushing does not help.
 std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& parent) {
   constexpr int most_pushes = 6;
+  constexpr double margin = 2;  // in triangle sizes; nodes are pushed by less
   const double reach = PushOptions{}.too_near;
-  Lift state{std::vector<double>(candidate.mesh.rim.size(), usual_bisector_weight), {}};
-  for (int i = 0;; ++i) {
+  const auto& [subdomain, spacing, topology] = parent;
+  InterdomainMesh& mesh = candidate.mesh;
+  Lift state{std::vector<double>(mesh.rim.size(), usual_bisector_weight), {}};
+  lift(candidate, parent, state);
+  const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);
+  auto contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
+  for (int i = 0; i < most_pushes; ++i) {
+    if (push_nodes(mesh, subdomain, candidate.colours, contacts, state.pushed) == 0) break;
     lift(candidate, parent, state);
-    auto contacts =
-        find_contacts(candidate.mesh, parent.subdomain, parent.topology, parent.tree, reach);
-    const bool is_pushed =
-        i < most_pushes &&
-        push_nodes(candidate.mesh, parent.subdomain, candidate.colours, contacts, state.pushed) > 0;
-    if (!is_pushed) return contacts;
+    contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
   }
+  return contacts;
 }
 
 /// Chords whose ends keep a cut triangle at a small angle to the surface, or too near to it.
@@ -176,7 +177,7 @@ std::string refusals(const std::vector<Candidate>& candidates, const Candidate* 
   std::map<std::string, int> problem2count;
   for (const Candidate& c : candidates) {
     if (&c == accepted || c.stage == Stage::new_plane) continue;
-    ++problem2count[c.stage == Stage::refused ? c.problem : "angle"];
+    ++problem2count[c.stage == Stage::refused ? c.problem : c.stage == Stage::has_mesh ? "angle" : "sharp corner"];
   }
   std::string text;
   for (const auto& [problem, count] : problem2count) {
@@ -201,9 +202,8 @@ Cut make_cut(const Candidate& candidate, const Parent& parent, double total_work
 
 CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
                       const CutOptions& options) {
-  const Parent parent{subdomain, spacing, make_surface_topology(subdomain),
-                      BoxTree(triangle_boxes(subdomain.vertices, subdomain.triangles))};
-  const WorkSamples work = sample_work(subdomain, parent.tree, spacing);
+  const Parent parent{subdomain, spacing, make_surface_topology(subdomain)};
+  const WorkSamples work = sample_work(subdomain, spacing);
   std::vector<Candidate> candidates;
   for (const PlaneCandidate& place :
        place_planes(subdomain, parent.topology, work, options.left_share, options.candidates)) {

@@ -59,6 +59,22 @@ double squared_distance(const std::vector<Vec3>& points, const Triangle& cut,
   return distance2;
 }
 
+double largest_spacing(const InterdomainMesh& mesh, const std::array<std::int32_t, 3>& triangle) {
+  return std::max({mesh.spacing[idx(triangle[0])], mesh.spacing[idx(triangle[1])],
+                   mesh.spacing[idx(triangle[2])]});
+}
+
+Box3 grown(const Box3& box, double margin) {
+  return {box.low - Vec3{margin, margin, margin}, box.high + Vec3{margin, margin, margin}};
+}
+
+Box3 box_of(const InterdomainMesh& mesh, const Subdomain& subdomain,
+            const std::array<std::int32_t, 3>& triangle) {
+  Box3 box;
+  for (const std::int32_t v : triangle) box.add(node_position(mesh, subdomain, v));
+  return box;
+}
+
 }  // namespace
 
 Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -77,8 +93,29 @@ Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
   return best;
 }
 
+NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                  const SurfaceTopology& topology, double margin) {
+  std::vector<Box3> cut_boxes;
+  cut_boxes.reserve(mesh.planar.triangles.size());
+  for (const auto& triangle : mesh.planar.triangles) {
+    cut_boxes.push_back(box_of(mesh, subdomain, triangle));
+  }
+  const BoxTree cut_tree(cut_boxes);
+  NearbySurface nearby;
+  for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
+    Box3 box;
+    for (const std::int32_t v : subdomain.triangles[t]) box.add(subdomain.vertices[idx(v)]);
+    const Box3 neighbourhood = grown(box, margin * topology.size[t]);
+    if (!cut_tree.any(neighbourhood, [](std::int32_t) { return true; })) continue;
+    nearby.triangles.push_back(static_cast<std::int32_t>(t));
+    nearby.boxes.push_back(box);
+  }
+  nearby.tree = BoxTree(nearby.boxes);
+  return nearby;
+}
+
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                          const SurfaceTopology& topology, const BoxTree& tree,
+                                          const SurfaceTopology& topology, const NearbySurface& nearby,
                                           double reach) {
   const auto [points, node2point] = combine_points(mesh, subdomain);
   std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
@@ -88,23 +125,23 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
   for (std::size_t i = 0; i < mesh.planar.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.planar.triangles[i];
     const Triangle cut = {node2point[idx(a)], node2point[idx(b)], node2point[idx(c)]};
-    const double h = std::max({mesh.spacing[idx(a)], mesh.spacing[idx(b)], mesh.spacing[idx(c)]});
-    Box3 box;
-    for (const std::int32_t v : cut) box.add(points[idx(v)]);
-    const Vec3 margin{reach * h, reach * h, reach * h};
-    tree.query({box.low - margin, box.high + margin}, [&](std::int32_t s) {
+    const double h = largest_spacing(mesh, mesh.planar.triangles[i]);
+    const Box3 box = box_of(mesh, subdomain, mesh.planar.triangles[i]);
+    nearby.tree.query(grown(box, reach * h), [&](std::int32_t near) {
+      const std::int32_t s = nearby.triangles[idx(near)];
       const Triangle& surface = subdomain.triangles[idx(s)];
-      SurfaceContact contact{static_cast<std::int32_t>(i),      s, false, false, HUGE_VAL,
-                             std::min(h, topology.size[idx(s)])};
+      const double unit = std::min(h, topology.size[idx(s)]);
+      if (!grown(box, reach * unit).overlaps(nearby.boxes[idx(near)])) return;
+      SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL, unit};
       contact.is_at_rim = std::any_of(surface.begin(), surface.end(),
                                       [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
       contact.meets = triangles_meet_beyond_shared(points, cut, surface);
       if (contact.meets) {
         contact.distance = 0;
       } else if (!share_a_node(cut, surface)) {
-        contact.distance =
-            std::sqrt(squared_distance(points, cut, surface, first_new, contact.is_at_rim)) /
-            contact.unit;
+        const double distance2 =
+            squared_distance(points, cut, surface, first_new, contact.is_at_rim);
+        contact.distance = std::sqrt(distance2) / unit;
       }
       if (contact.distance < reach) contacts.push_back(contact);
     });

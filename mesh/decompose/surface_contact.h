@@ -34,10 +34,24 @@ struct Closest {
 };
 Closest closest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// All pairs that meet or are nearer than `reach` (in the units above), by cut triangle.
+/// The part of the surface that a cut can come near to, for many questions while the cut moves a
+/// little.
+struct NearbySurface {
+  std::vector<std::int32_t> triangles;  // ascending
+  std::vector<Box3> boxes;              // of these
+  BoxTree tree;                         // of the boxes
+};
+
+/// The triangles whose boxes, grown by `margin` of their own sizes, overlap the box of a cut triangle.
+/// Cost: O((n + m) log m) for n surface and m cut triangles.
+NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                  const SurfaceTopology& topology, double margin);
+
+/// All pairs that meet or are nearer than `reach` (in units of SurfaceContact::unit), by cut triangle.
+/// @pre `nearby` was found for a position of the cut not too far away.
 /// Cost: O(m log n) for m cut triangles.
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                          const SurfaceTopology& topology, const BoxTree& tree,
+                                          const SurfaceTopology& topology, const NearbySurface& nearby,
                                           double reach);
 
 }  // namespace tetfarm

@@ -6,6 +6,7 @@
 
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/decompose/surface_topology.h"
+#include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -132,29 +133,59 @@ int upward_crossing(const Vec3& a, const Vec3& b, double y, double z) {
   return a_is_right ? 1 : -1;
 }
 
-/// Where the line along x through (y, z) crosses the surface, by x.
-std::vector<Crossing> cross_surface(const Subdomain& subdomain, const BoxTree& tree,
-                                    const Box3& box, double y, double z) {
+/// A row of cells along x, and where the line through their centres crosses the surface.
+struct Column {
+  double y = 0;
+  double z = 0;
+  std::size_t first_cell = 0;
+  std::size_t last_cell = 0;
   std::vector<Crossing> crossings;
-  tree.query({{box.low.x, y, z}, {box.high.x, y, z}}, [&](std::int32_t t) {
-    const Triangle& triangle = subdomain.triangles[idx(t)];
+};
+
+/// @pre cells are ordered by row.
+std::vector<Column> find_columns(const std::vector<Cell>& cells) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i == 0 || cells[i].row != cells[i - 1].row) {
+      columns.push_back({cells[i].centre.y, cells[i].centre.z, i, i, {}});
+    }
+    columns.back().last_cell = i + 1;
+  }
+  return columns;
+}
+
+/// Finds the crossings of all columns, by x.
+void cross_surface(const Subdomain& subdomain, std::vector<Column>& columns) {
+  std::vector<Box3> points;
+  for (const Column& column : columns) points.push_back({{0, column.y, column.z}, {0, column.y, column.z}});
+  const BoxTree tree(points);
+  for (const Triangle& triangle : subdomain.triangles) {
     const Vec3& a = subdomain.vertices[idx(triangle[0])];
     const Vec3& b = subdomain.vertices[idx(triangle[1])];
     const Vec3& c = subdomain.vertices[idx(triangle[2])];
-    const int turns =
-        upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) + upward_crossing(c, a, y, z);
-    if (turns == 0) return;
-    const Vec3 normal = cross(b - a, c - a);
-    const double x = a.x - (normal.y * (y - a.y) + normal.z * (z - a.z)) / normal.x;
     const double low = std::min({a.x, b.x, c.x});
     const double high = std::max({a.x, b.x, c.x});
-    // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
-    crossings.push_back({x >= low && x <= high ? x : 0.5 * (low + high), -turns});
-  });
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& p, const Crossing& q) {
-    return p.x != q.x ? p.x < q.x : p.step > q.step;
-  });
-  return crossings;
+    const Vec3 normal = cross(b - a, c - a);
+    const Box3 shadow{{0, std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                      {0, std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+    tree.query(shadow, [&](std::int32_t i) {
+      Column& column = columns[idx(i)];
+      const double y = column.y;
+      const double z = column.z;
+      const int turns = upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) +
+                        upward_crossing(c, a, y, z);
+      if (turns == 0) return;
+      const double x = a.x - (normal.y * (y - a.y) + normal.z * (z - a.z)) / normal.x;
+      // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
+      column.crossings.push_back({x >= low && x <= high ? x : 0.5 * (low + high), -turns});
+    });
+  }
+  for (Column& column : columns) {
+    std::sort(column.crossings.begin(), column.crossings.end(),
+              [](const Crossing& p, const Crossing& q) {
+                return p.x != q.x ? p.x < q.x : p.step > q.step;
+              });
+  }
 }
 
 struct Interval {
@@ -201,29 +232,24 @@ void sample_row(std::span<const Cell> cells, const std::vector<Interval>& inside
 
 }  // namespace
 
-WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree,
-                        const SpacingField& spacing) {
+WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing) {
   const RootGrid grid = make_root_grid(bounding_box(subdomain.vertices));
   std::vector<Cell> cells = fill_with_enough_cells(grid, spacing);
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return a.row != b.row ? a.row < b.row : a.x_key < b.x_key;
   });
+  std::vector<Column> columns = find_columns(cells);
+  cross_surface(subdomain, columns);
   WorkSamples work;
-  for (std::size_t first = 0; first < cells.size();) {
-    std::size_t last = first;
-    while (last < cells.size() && cells[last].row == cells[first].row) ++last;
-    const Vec3& centre = cells[first].centre;
-    const auto inside =
-        inside_intervals(cross_surface(subdomain, tree, grid.box, centre.y, centre.z));
-    sample_row(std::span(cells).subspan(first, last - first), inside, grid, work);
-    first = last;
+  for (const Column& column : columns) {
+    sample_row(std::span(cells).subspan(column.first_cell, column.last_cell - column.first_cell),
+               inside_intervals(column.crossings), grid, work);
   }
   return work;
 }
 
 double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing) {
-  const BoxTree tree(triangle_boxes(subdomain.vertices, subdomain.triangles));
-  return sample_work(subdomain, tree, spacing).total;
+  return sample_work(subdomain, spacing).total;
 }
 
 }  // namespace tetfarm

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "mesh/core/subdomain.h"
-#include "mesh/geometry/box_tree.h"
 #include "mesh/spacing/spacing_field.h"
 
 namespace tetfarm {
@@ -28,10 +27,8 @@ struct WorkSamples {
 };
 
 /// At least some thousand samples in a compact sub-domain (the cells shrink for it), and never
-/// cells larger than 2.5 h. @pre the surface is closed and oriented outward. Cost: O(s + t log t +
-/// r log t) for s samples, t triangles, r rays; s is about elements / 130 when large. `tree` holds
-/// the boxes of the sub-domain's triangles.
-WorkSamples sample_work(const Subdomain& subdomain, const BoxTree& tree,
-                        const SpacingField& spacing);
+/// cells larger than 2.5 h. @pre the surface is closed and oriented outward.
+/// Cost: O((s + t) log s) for s samples, t triangles; s is about elements / 130 when large.
+WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing);
 
 }  // namespace tetfarm
