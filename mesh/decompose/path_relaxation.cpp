@@ -24,8 +24,8 @@ double sharpness(const SurfaceTopology& topology, HalfEdge h) {
   return cosine > of_85_degrees ? 2 : 10;
 }
 
-/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all in
-/// units of the local size, so that fine and coarse parts of a path count alike.
+/// Length of an edge, longer the farther it lies from the plane and the steeper it leaves it, all
+/// in units of the local size, so that fine and coarse parts of a path count alike.
 double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plane) {
   const double length = distance(a, b);
   const double height = plane.height(0.5 * (a + b)) / size;

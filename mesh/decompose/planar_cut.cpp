@@ -91,9 +91,14 @@ void lift(Candidate& candidate, const Parent& parent, Lift& state) {
   }
 }
 
+std::ptrdiff_t count_too_near(const std::vector<SurfaceContact>& contacts) {
+  return std::count_if(contacts.begin(), contacts.end(), is_too_near);
+}
+
 /// Lifts the cut and pushes it off the surface until there is no contact, or pushing does not help.
 std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& parent) {
   constexpr int most_pushes = 6;
+  constexpr int most_vain_pushes = 2;
   constexpr double margin = 2;  // in triangle sizes; nodes are pushed by less
   const double reach = PushOptions{}.too_near;
   const auto& [subdomain, spacing, topology] = parent;
@@ -102,10 +107,16 @@ std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& pa
   lift(candidate, parent, state);
   const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);
   auto contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
-  for (int i = 0; i < most_pushes; ++i) {
+  auto fewest = count_too_near(contacts);
+  int vain = 0;
+  for (int i = 0; i < most_pushes && vain < most_vain_pushes; ++i) {
     if (push_nodes(mesh, subdomain, candidate.colours, contacts, state.pushed) == 0) break;
     lift(candidate, parent, state);
     contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
+    const auto now = count_too_near(contacts);
+    vain = now < fewest ? 0 : vain + 1;
+    fewest = std::min(fewest, now);
+    if (now == 0) break;
   }
   return contacts;
 }
@@ -177,7 +188,9 @@ std::string refusals(const std::vector<Candidate>& candidates, const Candidate* 
   std::map<std::string, int> problem2count;
   for (const Candidate& c : candidates) {
     if (&c == accepted || c.stage == Stage::new_plane) continue;
-    ++problem2count[c.stage == Stage::refused ? c.problem : c.stage == Stage::has_mesh ? "angle" : "sharp corner"];
+    ++problem2count[c.stage == Stage::refused    ? c.problem
+                    : c.stage == Stage::has_mesh ? "angle"
+                                                 : "sharp corner"];
   }
   std::string text;
   for (const auto& [problem, count] : problem2count) {
@@ -198,6 +211,31 @@ Cut make_cut(const Candidate& candidate, const Parent& parent, double total_work
   return cut;
 }
 
+/// One walk over the candidates: which of them, and how small an angle is good enough.
+struct Pass {
+  double cosine_limit = 0;
+  bool is_balanced = false;
+};
+
+/// A slightly smaller angle is better than a badly balanced cut, which costs at every later level.
+std::vector<Pass> passes_to_make(const std::vector<double>& smallest_angles_deg) {
+  std::vector<Pass> passes;
+  for (std::size_t i = 0; i < smallest_angles_deg.size(); ++i) {
+    passes.push_back({cosine_of_degrees(smallest_angles_deg[i]), true});
+    if (i > 0) passes.push_back({cosine_of_degrees(smallest_angles_deg[i - 1]), false});
+  }
+  if (!passes.empty()) passes.push_back({cosine_of_degrees(smallest_angles_deg.back()), false});
+  return passes;
+}
+
+bool is_balanced(const Candidate& candidate, double wanted_share) {
+  constexpr double most = 0.15;  // of the smaller side
+  return std::fabs(candidate.place.left_share - wanted_share) <=
+         most * std::min(wanted_share, 1 - wanted_share);
+}
+
+bool was_tried(const Candidate& candidate) { return candidate.stage != Stage::new_plane; }
+
 }  // namespace
 
 CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
@@ -210,10 +248,10 @@ CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
     candidates.emplace_back().place = place;
   }
   int accept_calls = 0;
-  for (const double limit_deg : options.smallest_angles_deg) {
-    const double cosine_limit = cosine_of_degrees(limit_deg);
+  for (const Pass& pass : passes_to_make(options.smallest_angles_deg)) {
     for (Candidate& candidate : candidates) {
-      if (!passes(candidate, parent, cosine_limit)) continue;
+      if (is_balanced(candidate, options.left_share) != pass.is_balanced) continue;
+      if (!passes(candidate, parent, pass.cosine_limit)) continue;
       Cut cut = make_cut(candidate, parent, work.total);
       if (options.accept) {
         if (++accept_calls > options.most_accept_calls) return {{}, "no candidate accepted"};
@@ -222,13 +260,13 @@ CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
           continue;
         }
       }
-      cut.candidates_tried = static_cast<int>(
-          std::count_if(candidates.begin(), candidates.end(),
-                        [](const Candidate& c) { return c.stage != Stage::new_plane; }));
+      cut.candidates_tried =
+          static_cast<int>(std::count_if(candidates.begin(), candidates.end(), was_tried));
       cut.refused = refusals(candidates, &candidate);
       return {std::move(cut), ""};
     }
   }
+  if (accept_calls > 0) return {{}, "no candidate accepted"};
   return {
       {},
       std::to_string(candidates.size()) + " candidates refused: " + refusals(candidates, nullptr)};

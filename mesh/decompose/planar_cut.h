@@ -13,8 +13,9 @@
 namespace tetfarm {
 
 struct CutOptions {
-  /// Stop at the first candidate that passes at these angles, tried in this order over all
-  /// candidates.
+  /// Stop at the first candidate that meets the surface at no smaller angle than this. The next
+  /// angle counts when no candidate near the wanted share passes; candidates far from it come one
+  /// angle later.
   std::vector<double> smallest_angles_deg = {40, 30, 20};
   int candidates = 36;
   /// The work wanted on the left, as a share of the whole.

@@ -115,8 +115,8 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
 }
 
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                          const SurfaceTopology& topology, const NearbySurface& nearby,
-                                          double reach) {
+                                          const SurfaceTopology& topology,
+                                          const NearbySurface& nearby, double reach) {
   const auto [points, node2point] = combine_points(mesh, subdomain);
   std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
   for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[idx(v)] = true;

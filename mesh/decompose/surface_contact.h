@@ -42,16 +42,17 @@ struct NearbySurface {
   BoxTree tree;                         // of the boxes
 };
 
-/// The triangles whose boxes, grown by `margin` of their own sizes, overlap the box of a cut triangle.
-/// Cost: O((n + m) log m) for n surface and m cut triangles.
+/// The triangles whose boxes, grown by `margin` of their own sizes, overlap the box of a cut
+/// triangle. Cost: O((n + m) log m) for n surface and m cut triangles.
 NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                   const SurfaceTopology& topology, double margin);
 
-/// All pairs that meet or are nearer than `reach` (in units of SurfaceContact::unit), by cut triangle.
+/// All pairs that meet or are nearer than `reach` (in units of SurfaceContact::unit), by cut
+/// triangle.
 /// @pre `nearby` was found for a position of the cut not too far away.
 /// Cost: O(m log n) for m cut triangles.
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                          const SurfaceTopology& topology, const NearbySurface& nearby,
-                                          double reach);
+                                          const SurfaceTopology& topology,
+                                          const NearbySurface& nearby, double reach);
 
 }  // namespace tetfarm

@@ -157,7 +157,8 @@ std::vector<Column> find_columns(const std::vector<Cell>& cells) {
 /// Finds the crossings of all columns, by x.
 void cross_surface(const Subdomain& subdomain, std::vector<Column>& columns) {
   std::vector<Box3> points;
-  for (const Column& column : columns) points.push_back({{0, column.y, column.z}, {0, column.y, column.z}});
+  for (const Column& column : columns)
+    points.push_back({{0, column.y, column.z}, {0, column.y, column.z}});
   const BoxTree tree(points);
   for (const Triangle& triangle : subdomain.triangles) {
     const Vec3& a = subdomain.vertices[idx(triangle[0])];
@@ -172,8 +173,8 @@ void cross_surface(const Subdomain& subdomain, std::vector<Column>& columns) {
       Column& column = columns[idx(i)];
       const double y = column.y;
       const double z = column.z;
-      const int turns = upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) +
-                        upward_crossing(c, a, y, z);
+      const int turns =
+          upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) + upward_crossing(c, a, y, z);
       if (turns == 0) return;
       const double x = a.x - (normal.y * (y - a.y) + normal.z * (z - a.z)) / normal.x;
       // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
