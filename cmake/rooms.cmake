@@ -44,6 +44,6 @@ endfunction()
 function(add_test_program program sources label)
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
-  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${program}:"
-                       PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "SKIPPED")
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 TEST_PREFIX "${program}:"
+                       PROPERTIES LABELS ${label} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""The check of the layers finds what it is there for."""
+
+import unittest
+
+from check_layers import ROOMS, check
+
+TABLE = {"base": [], "mesh/core": ["base"], "store": ["base"], "worker": ["store", "mesh/core"]}
+
+
+class CheckLayers(unittest.TestCase):
+    def test_accepts_includes_downward_within_a_room_and_through_a_room(self):
+        files = {"worker/a.h": '#include "worker/b.h"\n#include "mesh/core/c.h"\n#include "base/d.h"\n',
+                 "worker/b.h": "#include <vector>\n", "mesh/core/c.h": "", "base/d.h": ""}
+        self.assertEqual(check(files, TABLE), [])
+
+    def test_refuses_an_include_upward(self):
+        self.assertIn("may not include", check({"base/a.h": '#include "store/b.h"\n'}, TABLE)[0])
+
+    def test_refuses_an_include_of_a_neighbour(self):
+        self.assertIn("may not include", check({"mesh/core/a.cpp": '  #  include "store/b.h"\n'}, TABLE)[0])
+
+    def test_refuses_headers_in_a_circle(self):
+        files = {"base/a.h": '#include "base/b.h"\n', "base/b.h": '#include "base/a.h"\n'}
+        self.assertIn("circle", check(files, TABLE)[0])
+
+    def test_refuses_a_circle_of_the_table(self):
+        self.assertIn("circle", check({}, {"a": ["b"], "b": ["a"]})[0])
+
+    def test_refuses_an_unknown_room(self):
+        self.assertIn("no room", check({"mesh/kitchen/a.h": ""}, TABLE)[0])
+        self.assertIn("no room", check({"worker/a.h": '#include "kitchen/b.h"\n'}, TABLE)[0])
+
+    def test_refuses_links_that_differ_from_the_table(self):
+        cmake = "add_room(base)\nadd_room(mesh/core base)\nadd_room(store base mesh/core)\n" \
+                "add_room(worker store mesh/core)\n"
+        self.assertIn("add_room(store)", check({}, TABLE, cmake)[0])
+
+    def test_tests_see_every_room(self):
+        self.assertEqual(check({"tests/base/a_test.cpp": '#include "worker/a.h"\n'}, TABLE), [])
+
+    def test_coordinator_and_worker_do_not_see_each_other(self):
+        for here, there in (("coordinator", "worker"), ("worker", "coordinator"),
+                            ("coordinator", "mesh/core"), ("mesh/core", "proto")):
+            self.assertTrue(check({f"{here}/a.h": f'#include "{there}/b.h"\n'}, ROOMS))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""Every path that docs/thesis_map.md, README.md and ARCHITECTURE.md name is there.
+
+A path is what stands in backquotes or in a link, and has a slash or the ending of a source file.
+`a/b.h` also stands for b.cpp; `a/b.*` for any ending; a folder ends with a slash. Argument: the root
+of the repository.
+"""
+
+import pathlib
+import re
+import sys
+
+QUOTED = re.compile(r"`([A-Za-z0-9_./*-]+)`|\]\(([A-Za-z0-9_./-]+)\)")
+
+
+def is_path(text):
+    first = text.split("/")[0]
+    return "/" in text and not first.startswith("-") and first in (
+        "base", "mesh", "proto", "store", "coordinator", "worker", "cli", "tests", "docs", "bench",
+        "deploy", "examples", "cmake", ".ci")
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    missing, count = [], 0
+    for name in ("docs/thesis_map.md", "README.md", "ARCHITECTURE.md"):
+        if not (root / name).is_file():
+            missing.append(f"{name} is missing")
+            continue
+        for quoted, linked in QUOTED.findall((root / name).read_text(encoding="utf-8")):
+            if linked:
+                found = ((root / name).parent / linked).exists()
+            elif is_path(quoted):
+                found = any(root.glob(quoted.rstrip("/")))
+            else:
+                continue
+            count += 1
+            if not found:
+                missing.append(f"{name}: there is no {quoted or linked}")
+    for line in missing:
+        print(line)
+    print(f"{count} paths, {len(missing)} of them missing")
+    return 1 if missing or count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
