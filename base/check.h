@@ -1,8 +1,8 @@
 /// Assertions for the programmer's own mistakes. They stay on in release builds.
 ///
 /// TF_CHECK never tests user input or the outside world: bad input throws InvalidInput, a failing
-/// disk or network throws IoError (base/error.h). A worker's child that dies on a TF_CHECK loses its
-/// attempt, and the coordinator hands the task out again.
+/// disk or network throws IoError (base/error.h). A worker's child that dies on a TF_CHECK loses
+/// its attempt, and the coordinator hands the task out again.
 #pragma once
 
 #include <cstdio>

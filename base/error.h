@@ -55,8 +55,8 @@ class UsageError : public Error {
       : Error(ExitCode::usage, where.empty() ? what : where + ": " + what) {}
 };
 
-/// A system call on `path` failed with `error_number`. A full disk or quota maps to out_of_resources,
-/// a missing file to not_found.
+/// A system call on `path` failed with `error_number`. A full disk or quota maps to
+/// out_of_resources, a missing file to not_found.
 class IoError : public Error {
  public:
   IoError(const std::string& what, const std::string& path, int error_number);

@@ -38,8 +38,8 @@ struct Origin {
 
 /// Invariants (validate): 1. vertices/node_origin and triangles/triangle_origin have equal lengths;
 /// 2. the surface is closed, every edge used once in each direction (an edge may be shared by more
-/// than one pair where shells touch: then equally often in each); 3. node origins are all different,
-/// so are triangle origins; 4. every vertex is used.
+/// than one pair where shells touch: then equally often in each); 3. node origins are all
+/// different, so are triangle origins; 4. every vertex is used.
 struct Subdomain {
   TreePath path;
   std::vector<Vec3> vertices;

@@ -20,9 +20,10 @@ inline constexpr FaceHandle face_handle(std::int32_t tet, int face) { return tet
 inline constexpr std::int32_t tet_of(FaceHandle handle) { return handle >> 2; }
 inline constexpr int face_of(FaceHandle handle) { return handle & 3; }
 
-/// Invariants (validate): 1. a live tet has four different nodes and positive volume; a dead one has
-/// nodes[0] == -1; 2. neighbours[t][i] is the face on the other side of face i (opposite node i) of t,
-/// with the same three nodes, and points back; 3. node2tet[v] is a live tet that holds v, or -1.
+/// Invariants (validate): 1. a live tet has four different nodes and positive volume; a dead one
+/// has nodes[0] == -1; 2. neighbours[t][i] is the face on the other side of face i (opposite node
+/// i) of t, with the same three nodes, and points back; 3. node2tet[v] is a live tet that holds v,
+/// or -1.
 struct TetComplex {
   std::vector<Vec3> points;
   std::vector<Tet> nodes;

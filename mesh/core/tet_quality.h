@@ -7,14 +7,16 @@
 
 namespace tetfarm {
 
-/// The smallest and largest of the six dihedral angles, degrees. A flat or inverted tet gives 0 and 180.
+/// The smallest and largest of the six dihedral angles, degrees. A flat or inverted tet gives 0 and
+/// 180.
 struct DihedralRange {
   double min_deg = 0;
   double max_deg = 180;
 };
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Cosine of the smallest dihedral angle (cheaper than the angle; larger is worse), and of the largest.
+/// Cosine of the smallest dihedral angle (cheaper than the angle; larger is worse), and of the
+/// largest.
 struct DihedralCosines {
   double of_smallest = 1;
   double of_largest = -1;

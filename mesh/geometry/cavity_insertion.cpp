@@ -209,8 +209,8 @@ std::int32_t CavityInsertion::fill() {
   bases_.clear();
   for (const FaceHandle face : hull_) {
     bases_.push_back({face_nodes(complex_, face),
-                     complex_.neighbours[at(tet_of(face))][at(face_of(face))],
-                     is_constrained(face)});
+                      complex_.neighbours[at(tet_of(face))][at(face_of(face))],
+                      is_constrained(face)});
   }
   for (const std::int32_t t : cavity_) complex_.kill_tet(t);
   star_.clear();

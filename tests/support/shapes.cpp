@@ -29,10 +29,11 @@ SurfaceMesh box(const Vec3& low, const Vec3& high, int n) {
   std::map<std::array<int, 3>, std::int32_t> number;
   const Vec3 size = high - low;
   const auto node = [&](std::array<int, 3> ijk) {
-    const auto [it, is_new] = number.try_emplace(ijk, static_cast<std::int32_t>(mesh.vertices.size()));
+    const auto [it, is_new] =
+        number.try_emplace(ijk, static_cast<std::int32_t>(mesh.vertices.size()));
     if (is_new) {
-      mesh.vertices.push_back({low.x + size.x * ijk[0] / n, low.y + size.y * ijk[1] / n,
-                               low.z + size.z * ijk[2] / n});
+      mesh.vertices.push_back(
+          {low.x + size.x * ijk[0] / n, low.y + size.y * ijk[1] / n, low.z + size.z * ijk[2] / n});
     }
     return it->second;
   };
@@ -64,19 +65,21 @@ SurfaceMesh box(const Vec3& low, const Vec3& high, int n) {
 
 SurfaceMesh sphere(const Vec3& centre, double radius, int levels) {
   const double g = std::numbers::phi;
-  std::vector<Vec3> unit = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                            {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<Triangle> triangles = {
-      {0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-      {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-      {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  std::vector<Vec3> unit = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                            {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                            {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<Triangle> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                     {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                     {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                     {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::array<std::int32_t, 2>, std::int32_t> middle;
     const auto mid = [&](std::int32_t a, std::int32_t b) {
       const auto [it, is_new] = middle.try_emplace({std::min(a, b), std::max(a, b)},
                                                    static_cast<std::int32_t>(unit.size()));
       if (is_new) {
-        unit.push_back(0.5 * (unit[static_cast<std::size_t>(a)] + unit[static_cast<std::size_t>(b)]));
+        unit.push_back(0.5 *
+                       (unit[static_cast<std::size_t>(a)] + unit[static_cast<std::size_t>(b)]));
       }
       return it->second;
     };

@@ -1,4 +1,5 @@
-/// Named tiny shapes for tests. All are closed and oriented outward of the domain unless said otherwise.
+/// Named tiny shapes for tests. All are closed and oriented outward of the domain unless said
+/// otherwise.
 #pragma once
 
 #include "mesh/core/surface_mesh.h"
