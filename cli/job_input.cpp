@@ -11,9 +11,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr double default_box_factor = 3;
-constexpr double default_sphere_factor = 5;
-
 void set_outer(JobFile& job, const std::string& text) {
   const std::size_t colon = text.find(':');
   job.outer_kind = text.substr(0, colon);
@@ -21,7 +18,7 @@ void set_outer(JobFile& job, const std::string& text) {
   if (job.outer_kind != "box" && job.outer_kind != "sphere") {
     throw UsageError("\"" + text + "\" is not box[:FACTOR] or sphere[:FACTOR]", "--outer");
   }
-  job.outer_factor = job.outer_kind == "box" ? default_box_factor : default_sphere_factor;
+  job.outer_factor = default_outer_factor(job.outer_kind);
   if (colon == std::string::npos) return;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, job.outer_factor);

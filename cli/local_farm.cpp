@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +29,35 @@ std::string this_program() {
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) throw IoError("cannot find this program", "/proc/self/exe", error.value());
   return path.string();
+}
+
+const std::filesystem::path socket_folders = "/tmp";
+const std::string socket_stem = "tetfarm-";
+
+/// Removes the socket folders of runs that were killed: "/tmp/tetfarm-PROCESS-RANDOM".
+void sweep_socket_folders() {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(socket_folders, ignored)) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with(socket_stem)) continue;
+    const int process = std::atoi(name.c_str() + socket_stem.size());
+    struct stat about {};
+    const bool is_ours = ::lstat(entry.path().c_str(), &about) == 0 && S_ISDIR(about.st_mode) &&
+                         about.st_uid == ::geteuid();
+    if (!is_ours || process <= 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
+    std::filesystem::remove_all(entry.path(), ignored);
+  }
+}
+
+/// Only this user may enter it. @throws IoError.
+std::string make_socket_folder() {
+  sweep_socket_folders();
+  std::string name =
+      (socket_folders / (socket_stem + std::to_string(::getpid()) + "-XXXXXX")).string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw IoError("cannot make a folder for the socket", name, errno);
+  }
+  return name;
 }
 
 /// Between fork and exec: async-signal-safe calls only.
@@ -58,12 +88,8 @@ std::string last_error(const std::filesystem::path& log) {
 }  // namespace
 
 LocalFarm::LocalFarm(const FarmOptions& options) : options_(options) {
-  std::string name = "/tmp/tetfarm-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw IoError("cannot make a folder for the socket", name, errno);
-  }
-  folder_ = name;
-  endpoint_ = "ipc://" + name + "/farm";
+  folder_ = make_socket_folder();
+  endpoint_ = "ipc://" + folder_.string() + "/farm";
   workers_.resize(static_cast<std::size_t>(options.workers));
   try {
     start(coordinator_, coordinator_command(), "coordinator.log");

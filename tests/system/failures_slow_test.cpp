@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <thread>
@@ -46,6 +47,17 @@ TEST_F(Failures, the_mesh_is_the_same_for_every_number_of_workers) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(test::digest_of(ended), digest) << workers << " workers";
   }
+}
+
+TEST_F(Failures, a_real_surface_gives_the_same_mesh_too) {
+  const char* data = std::getenv("TETFARM_DATA");
+  if (data == nullptr) GTEST_SKIP() << "TETFARM_DATA is not set";
+  const std::string surface = std::string(data) + "/cube_sphere/cube_sphere.stl";
+  const Ended one = run_program(test::run_words(surface, "one", 1), folder_.path());
+  EXPECT_EQ(one.code, 0) << one.err;
+  const Ended three = run_program(test::run_words(surface, "three", 3), folder_.path());
+  EXPECT_EQ(test::digest_of(one), test::digest_of(three));
+  EXPECT_EQ(test::digest_of(one).size(), 32U);
 }
 
 TEST_F(Failures, the_files_do_not_depend_on_where_the_surface_lies) {

@@ -38,6 +38,17 @@ TEST(Run, meshes_a_sphere_in_a_box_and_says_so_in_one_line) {
   EXPECT_EQ(quality.code, 0) << quality.err;
 }
 
+TEST(Run, a_mesh_below_the_gate_is_delivered_and_ends_with_4) {
+  const TemporaryFolder folder;
+  const std::string input = test::sphere_in_box(folder.path(), 3, 1);
+  test::write_contents(folder.path() / "job.toml", "version = 1\n[geometry]\nsurface = \"" + input +
+                                                       "\"\n[quality]\nmin_dihedral = 60.0\n");
+  const Ended ended = run_program({"run", "job.toml", "-j", "1"}, folder.path());
+  EXPECT_EQ(ended.code, 4) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("gate is 60"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "job.vtkhdf"));
+}
+
 TEST(Run, a_surface_with_a_hole_ends_with_3_and_shows_where) {
   const TemporaryFolder folder;
   SurfaceMesh open = shapes::sphere({0, 0, 0}, 1, 1);
