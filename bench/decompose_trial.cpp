@@ -1,6 +1,6 @@
 // Cuts a surface into N leaves, as the decompose tasks would, and prints what came of it:
-//   decompose_trial surface N [--box] [--growth g] [--verbose]
-// --box puts the body into a box ten times its size.
+//   decompose_trial surface N [--box] [--growth g] [--verbose] [--mesh]
+// --box puts the body into a box ten times its size; --mesh meshes the leaves.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "mesh/core/tet_quality.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/inspect/outer_boundary.h"
 #include "mesh/io/read_surface.h"
-#include "tests/support/shapes.h"
+#include "mesh/volume/volume_mesh.h"
 
 namespace {
 
@@ -21,6 +23,7 @@ struct Arguments {
   int parts = 16;
   bool in_box = false;
   bool is_verbose = false;
+  bool is_meshed = false;
   double growth = 0.3;
 };
 
@@ -34,6 +37,11 @@ struct Totals {
   std::size_t interdomain = 0;
   double volume = 0;
   double cut_seconds = 0;
+  double mesh_seconds = 0;
+  std::vector<double> leaf_tets;
+  int leaves_not_meshed = 0;
+  int tets_below_10_degrees = 0;
+  double smallest_dihedral = 180;
 };
 
 /// Of this process only, so that a busy machine does not count.
@@ -45,18 +53,31 @@ Arguments parse(int count, char** words) {
   a.parts = std::stoi(words[2]);
   for (int i = 3; i < count; ++i) {
     if (!std::strcmp(words[i], "--box")) a.in_box = true;
+    if (!std::strcmp(words[i], "--mesh")) a.is_meshed = true;
     if (!std::strcmp(words[i], "--verbose")) a.is_verbose = true;
     if (!std::strcmp(words[i], "--growth")) a.growth = std::stod(words[i + 1]);
   }
   return a;
 }
 
-SurfaceMesh in_outer_box(const SurfaceMesh& body) {
-  const Box3 box = bounding_box(body.vertices);
-  const Vec3 size = box.size();
-  const double half = 5 * std::max({size.x, size.y, size.z});
-  const Vec3 reach{half, half, half};
-  return shapes::between(shapes::box(box.centre() - reach, box.centre() + reach, 12), body);
+/// What the volume mesher makes of a leaf.
+void mesh_leaf(const Subdomain& leaf, const SpacingField& spacing, Totals& totals) {
+  const double start = cpu_seconds();
+  try {
+    const TetMesh mesh = mesh_volume(leaf, spacing);
+    totals.leaf_tets.push_back(static_cast<double>(mesh.tets.size()));
+    for (const auto& [a, b, c, d] : mesh.tets) {
+      const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
+      const double smallest = dihedral_range(at(a), at(b), at(c), at(d)).min_deg;
+      totals.smallest_dihedral = std::min(totals.smallest_dihedral, smallest);
+      if (smallest < 10) ++totals.tets_below_10_degrees;
+    }
+  } catch (const std::exception& e) {
+    ++totals.leaves_not_meshed;
+    std::printf("%-8s %7zu triangles: NOT MESHED, %s\n", leaf.path.text().c_str(),
+                leaf.triangles.size(), e.what());
+  }
+  totals.mesh_seconds += cpu_seconds() - start;
 }
 
 void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, int parts,
@@ -93,6 +114,7 @@ void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, in
     std::printf("%-8s %7zu triangles: stuck, %s, %.3f s\n", subdomain.path.text().c_str(),
                 subdomain.triangles.size(), outcome.reason.c_str(), seconds);
   }
+  if (arguments.is_meshed) mesh_leaf(subdomain, spacing, totals);
   totals.leaf_work.push_back(estimated_elements(subdomain, spacing));
   totals.volume += enclosed_volume(subdomain.vertices, subdomain.triangles);
 }
@@ -117,16 +139,33 @@ void print(const Arguments& arguments, const SurfaceMesh& surface, Totals totals
       totals.volume / volume - 1, totals.cut_seconds, 100 * totals.cut_seconds / (2e-6 * work));
 }
 
+void print_meshes(const Totals& totals) {
+  double tets = 0;
+  double most = 0;
+  for (const double n : totals.leaf_tets) {
+    tets += n;
+    most = std::max(most, n);
+  }
+  std::printf(
+      "  meshed: %d leaves failed, %.0f tets, max/mean %.2f, dihedral min %.2f, below 10: %d, %.2f "
+      "s; "
+      "cutting is %.1f %% of meshing\n",
+      totals.leaves_not_meshed, tets, most * static_cast<double>(totals.leaf_tets.size()) / tets,
+      totals.smallest_dihedral, totals.tets_below_10_degrees, totals.mesh_seconds,
+      100 * totals.cut_seconds / totals.mesh_seconds);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   if (count < 3) {
-    std::puts("decompose_trial surface N [--box] [--growth g] [--verbose]");
+    std::puts("decompose_trial surface N [--box] [--growth g] [--verbose] [--mesh]");
     return 2;
   }
   const Arguments arguments = parse(count, words);
   SurfaceMesh surface = read_surface(arguments.surface);
-  if (arguments.in_box) surface = in_outer_box(surface);
+  if (arguments.in_box)
+    surface = add_outer_boundary(surface, {OuterBoundary::Kind::box, 10, 0}, arguments.growth);
   SpacingOptions options;
   options.growth = arguments.growth;
   const double start = cpu_seconds();
@@ -135,5 +174,6 @@ int main(int count, char** words) {
   Totals totals;
   cut_recursively(root_subdomain(surface), spacing, arguments.parts, arguments, totals);
   print(arguments, surface, totals);
+  if (arguments.is_meshed) print_meshes(totals);
   return 0;
 }
