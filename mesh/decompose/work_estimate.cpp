@@ -12,9 +12,9 @@
 namespace tetfarm {
 namespace {
 
-constexpr double largest_cell_in_spacings = 2.5;
+constexpr double largest_cell_in_spacings = 3;
 constexpr double smallest_cell_in_spacings = 0.4;
-constexpr std::size_t enough_cells = 6000;
+constexpr std::size_t enough_cells = 3500;
 constexpr int most_levels = 24;
 constexpr int most_roots_per_axis = 32;
 

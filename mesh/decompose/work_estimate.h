@@ -27,8 +27,8 @@ struct WorkSamples {
 };
 
 /// At least some thousand samples in a compact sub-domain (the cells shrink for it), and never
-/// cells larger than 2.5 h. @pre the surface is closed and oriented outward.
-/// Cost: O((s + t) log s) for s samples, t triangles; s is about elements / 130 when large.
+/// cells larger than 3 h. @pre the surface is closed and oriented outward.
+/// Cost: O((s + t) log s) for s samples, t triangles; s is about elements / 100 when large.
 WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing);
 
 }  // namespace tetfarm
