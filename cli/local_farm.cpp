@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t short_life_ms = 2'000;
 constexpr std::int64_t first_pause_ms = 50;
-constexpr int most_short_lives = 8;
+constexpr int most_short_lives = 6;
 constexpr std::int64_t coordinator_end_ms = 3'000;
 constexpr std::size_t kept_log = 4'000;
 

@@ -1,6 +1,7 @@
 #include "worker/decompose_task.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "mesh/io/artifact_file.h"
@@ -9,34 +10,36 @@
 namespace tetfarm {
 namespace {
 
-bool recovers(const Subdomain& half, const SpacingField& spacing, bool may_add_points) {
+Recovery recovery_of(const Subdomain& half, const SpacingField& spacing) {
   try {
     VolumeMeshReport report;
     mesh_volume(half, spacing, {.fill = false, .cosmetics = false, .progress = {}}, &report);
-    return may_add_points || report.interior_steiner_points == 0;
+    return report.interior_steiner_points == 0 ? Recovery::clean : Recovery::with_points;
   } catch (const RecoveryFailure&) {
-    return false;
+    return Recovery::fails;
   } catch (const InvalidInput&) {
-    return false;
+    return Recovery::fails;
   }
 }
 
-/// A cut whose halves recover cleanly; failing that, one whose halves recover at all.
+/// The first cut whose halves recover cleanly; failing that, the first whose halves recover at all.
 CutOutcome find_cut(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
                     double left_share) {
   CutOptions options;
   options.left_share = left_share;
-  CutOutcome outcome;
-  for (const bool may_add_points : {false, true}) {
-    bool was_asked = false;
-    options.accept = [&](const Subdomain& left, const Subdomain& right) {
-      was_asked = true;
-      io.progress("trial of a cut", 0);
-      return halves_recover(left, right, spacing, may_add_points);
-    };
-    outcome = planar_cut(subdomain, spacing, options);
-    if (outcome.cut || !was_asked) break;
-  }
+  std::optional<Cut> second_best;
+  options.accept = [&](const Subdomain& left, const Subdomain& right) {
+    io.progress("trial of a cut", 0);
+    const Recovery recovery = recovery_of(left, right, spacing);
+    if (recovery == Recovery::with_points && !second_best) {
+      second_best.emplace();
+      second_best->left = left;
+      second_best->right = right;
+    }
+    return recovery == Recovery::clean;
+  };
+  CutOutcome outcome = planar_cut(subdomain, spacing, options);
+  if (!outcome.cut) outcome.cut = std::move(second_best);
   return outcome;
 }
 
@@ -54,9 +57,10 @@ void require_sound(const Subdomain& half) {
 
 }  // namespace
 
-bool halves_recover(const Subdomain& left, const Subdomain& right, const SpacingField& spacing,
-                    bool may_add_points) {
-  return recovers(left, spacing, may_add_points) && recovers(right, spacing, may_add_points);
+Recovery recovery_of(const Subdomain& left, const Subdomain& right, const SpacingField& spacing) {
+  const Recovery of_left = recovery_of(left, spacing);
+  if (of_left == Recovery::fails) return of_left;
+  return std::max(of_left, recovery_of(right, spacing));
 }
 
 void decompose_task(TaskIo& io) {
@@ -77,10 +81,7 @@ void decompose_task(TaskIo& io) {
   io.number("left_parts", static_cast<double>(left_parts));
   io.number("right_parts", static_cast<double>(parts - left_parts));
   io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
-  io.number("interdomain_triangles", static_cast<double>(cut.interdomain_triangles));
   io.number("candidates_tried", cut.candidates_tried);
-  io.number("left_work", cut.left_work);
-  io.number("right_work", cut.right_work);
   io.publish("left", subdomain_to_bytes(cut.left));
   io.publish("right", subdomain_to_bytes(cut.right));
 }

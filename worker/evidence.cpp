@@ -42,7 +42,8 @@ std::string describe_triangle(const Subdomain& subdomain, std::int32_t triangle)
 
 std::string subdomain_message(const Subdomain& subdomain, const std::string& reason,
                               const std::vector<std::int32_t>& triangles) {
-  std::string message = "sub-domain " + subdomain.path.text() + ": " + reason;
+  const std::string name = "sub-domain " + subdomain.path.text() + ": ";
+  std::string message = reason.starts_with(name) ? reason : name + reason;
   const std::size_t named = std::min(triangles.size(), triangles_named);
   for (std::size_t i = 0; i < named; ++i) {
     message += "\n  " + describe_triangle(subdomain, triangles[i]);

@@ -99,6 +99,22 @@ TEST_F(Daemon, workers_outlive_a_killed_coordinator) {
   EXPECT_TRUE(two->is_running());
 }
 
+TEST_F(Daemon, a_worker_that_sleeps_past_its_lease_does_no_harm) {
+  const std::string input = test::sphere_in_box(folder_.path(), 10, 2);
+  const auto sleeper = start_worker();
+  const std::string job = submit(input);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  sleeper->signal(SIGSTOP);
+  const auto other = start_worker();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  sleeper->signal(SIGCONT);
+  const Ended ended = wait_for(job);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const Ended local = run_program(test::run_words(input, "local", 2), folder_.path());
+  EXPECT_EQ(test::digest_of(ended), test::digest_of(local));
+  EXPECT_TRUE(sleeper->is_running());
+}
+
 TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
   const std::string first = submit(test::sphere_in_box(folder_.path(), 12, 3));
   const auto worker = start_worker();

@@ -212,6 +212,7 @@ TEST(Evidence, names_triangles_of_the_input_and_of_cuts_with_their_place) {
   half.triangle_origin[1] = {3, 17};
   const std::string message = subdomain_message(half, "an edge is missing", {0, 1});
   EXPECT_THAT(message, HasSubstr("sub-domain RL: an edge is missing"));
+  EXPECT_EQ(message, subdomain_message(half, "sub-domain RL: an edge is missing", {0, 1}));
   EXPECT_THAT(message, HasSubstr("triangle 0 of the input at ("));
   EXPECT_THAT(message, HasSubstr("triangle 17 of the cut of sub-domain R at ("));
 }
