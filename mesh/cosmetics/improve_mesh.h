@@ -2,7 +2,7 @@
 /// or split until no dihedral angle is below the wanted one, where that can be done.
 ///
 /// Source: thesis 4.3.4.1, which gives the operations but no measure and no order: see
-/// mesh/cosmetics/quality.h and docs/decisions. Angles in degrees.
+/// mesh/cosmetics/quality.h and docs/decisions/0007-cosmetics-measure.md. Angles in degrees.
 #pragma once
 
 #include <cstdint>

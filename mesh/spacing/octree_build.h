@@ -6,8 +6,9 @@
 /// centre (or twice the smallest in it, if less). As edges go by powers of two, a leaf's edge then
 /// lies between 0.8 and 1.6 of the ideal h / lattice_ratio, and the lattice has 1.2 to 1.4 times
 /// the elements that the spacing asks for; with 1 instead of cell_fit nearly five times (measured:
-/// docs/decisions/spacing-octree.md). The root's edge is a power of two times the ideal cell of the
-/// background, or else of the median surface spacing, so a uniform job gets the ideal cell itself.
+/// docs/decisions/0004-spacing-octree.md). The root's edge is a power of two times the ideal cell
+/// of the background, or else of the median surface spacing, so a uniform job gets the ideal cell
+/// itself.
 #pragma once
 
 #include "mesh/spacing/spacing_demand.h"
