@@ -1,7 +1,6 @@
 #include "worker/decompose_task.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "base/error.h"
 #include "mesh/io/artifact_file.h"
@@ -10,37 +9,18 @@
 namespace tetfarm {
 namespace {
 
-Recovery recovery_of(const Subdomain& half, const SpacingField& spacing) {
-  try {
-    VolumeMeshReport report;
-    mesh_volume(half, spacing, {.fill = false, .cosmetics = false, .progress = {}}, &report);
-    return report.interior_steiner_points == 0 ? Recovery::clean : Recovery::with_points;
-  } catch (const RecoveryFailure&) {
-    return Recovery::fails;
-  } catch (const InvalidInput&) {
-    return Recovery::fails;
-  }
-}
-
-/// The first cut whose halves recover cleanly; failing that, the first whose halves recover at all.
+/// A half that is to be cut again need not recover: its own halves will be tried.
 CutOutcome find_cut(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
-                    double left_share) {
+                    std::int64_t left_parts, std::int64_t right_parts) {
   CutOptions options;
-  options.left_share = left_share;
-  std::optional<Cut> second_best;
+  options.left_share =
+      static_cast<double>(left_parts) / static_cast<double>(left_parts + right_parts);
   options.accept = [&](const Subdomain& left, const Subdomain& right) {
     io.progress("trial of a cut", 0);
-    const Recovery recovery = recovery_of(left, right, spacing);
-    if (recovery == Recovery::with_points && !second_best) {
-      second_best.emplace();
-      second_best->left = left;
-      second_best->right = right;
-    }
-    return recovery == Recovery::clean;
+    return (left_parts > 1 || boundary_recovers(left, spacing)) &&
+           (right_parts > 1 || boundary_recovers(right, spacing));
   };
-  CutOutcome outcome = planar_cut(subdomain, spacing, options);
-  if (!outcome.cut) outcome.cut = std::move(second_best);
-  return outcome;
+  return planar_cut(subdomain, spacing, options);
 }
 
 std::int64_t nodes_of_cut(const Subdomain& half, TreePath cut) {
@@ -57,10 +37,15 @@ void require_sound(const Subdomain& half) {
 
 }  // namespace
 
-Recovery recovery_of(const Subdomain& left, const Subdomain& right, const SpacingField& spacing) {
-  const Recovery of_left = recovery_of(left, spacing);
-  if (of_left == Recovery::fails) return of_left;
-  return std::max(of_left, recovery_of(right, spacing));
+bool boundary_recovers(const Subdomain& part, const SpacingField& spacing) {
+  try {
+    mesh_volume(part, spacing, {.fill = false, .cosmetics = false, .progress = {}});
+    return true;
+  } catch (const RecoveryFailure&) {
+    return false;
+  } catch (const InvalidInput&) {
+    return false;
+  }
 }
 
 void decompose_task(TaskIo& io) {
@@ -69,8 +54,7 @@ void decompose_task(TaskIo& io) {
   const std::int64_t parts = io.whole_parameter("parts");
   const std::int64_t left_parts = parts / 2;
   io.progress("cut", 0);
-  const CutOutcome outcome = find_cut(io, subdomain, spacing,
-                                      static_cast<double>(left_parts) / static_cast<double>(parts));
+  const CutOutcome outcome = find_cut(io, subdomain, spacing, left_parts, parts - left_parts);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
     return;

@@ -18,7 +18,7 @@ LeafMeshers real_meshers(TaskIo& io, const SpacingField& spacing) {
   options.progress = [&io](const char* stage, std::int64_t tets) { io.progress(stage, tets); };
   CutOptions cutting;
   cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
-    return recovery_of(left, right, spacing) != Recovery::fails;
+    return boundary_recovers(left, spacing) && boundary_recovers(right, spacing);
   };
   return {.mesh = [options,
                    &spacing](const Subdomain& part) { return mesh_volume(part, spacing, options); },
