@@ -87,7 +87,7 @@ void RequestHandler::handle(const std::string& connection, std::string_view byte
       submit(connection, envelope.submit(), state, now);
       break;
     case wire::Envelope::kStatusRequest:
-      status(connection, envelope.status_request().job(), state, now);
+      questions_.push_back({connection, envelope.status_request().job()});
       break;
     case wire::Envelope::kCancel: {
       wire::Envelope reply;
@@ -221,18 +221,20 @@ void RequestHandler::submit(const std::string& connection, const wire::Submit& m
   answer(connection, std::move(reply));
 }
 
-void RequestHandler::status(const std::string& connection, const std::string& job,
-                            const JobState& state, Moment now) {
-  wire::Envelope reply;
-  wire::StatusReply& status = *reply.mutable_status_reply();
-  status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
-  status.set_dropped_messages(dropped_);
-  for (const auto& [id, row] : state.durable().jobs) {
-    if (!job.empty() && job != job_name(id)) continue;
-    *status.add_jobs() = status_message(summary_of(
-        state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
+void RequestHandler::answer_questions(const JobState& state, Moment now) {
+  for (const auto& [connection, job] : questions_) {
+    wire::Envelope reply;
+    wire::StatusReply& status = *reply.mutable_status_reply();
+    status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
+    status.set_dropped_messages(dropped_);
+    for (const auto& [id, row] : state.durable().jobs) {
+      if (!job.empty() && job != job_name(id)) continue;
+      *status.add_jobs() = status_message(summary_of(
+          state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
+    }
+    answer(connection, std::move(reply), false);
   }
-  answer(connection, std::move(reply));
+  questions_.clear();
 }
 
 void RequestHandler::carry_out(JobState& state) {

@@ -42,6 +42,10 @@ class RequestHandler {
   /// Turns what job_state wants sent into replies.
   void carry_out(JobState& state);
 
+  /// Answers the questions for a status that came since the last call, with the state as it is:
+  /// after a commit, or after a failed one once the state is again what the database holds.
+  void answer_questions(const JobState& state, Moment now);
+
   std::vector<Reply> take_replies();
   /// Complaints about messages since the last call, for the log; bounded.
   std::vector<std::string> take_complaints();
@@ -61,8 +65,6 @@ class RequestHandler {
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
   void submit(const std::string& connection, const wire::Submit& message, JobState& state,
               Moment now);
-  void status(const std::string& connection, const std::string& job, const JobState& state,
-              Moment now);
   bool is_damaged(const ArtifactRef& file);
   void send(const Command& command, const JobState& state);
 
@@ -70,6 +72,11 @@ class RequestHandler {
   HandlerOptions options_;
   std::map<std::string, WorkerId> workers_;
   std::map<WorkerId, std::string> connections_;
+  struct Question {
+    std::string connection;
+    std::string job;  ///< empty: all
+  };
+  std::vector<Question> questions_;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
   std::uint64_t dropped_ = 0;

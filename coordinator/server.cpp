@@ -163,6 +163,8 @@ class Server {
       if (committed || !reply.needs_commit) send(std::move(reply));
     }
     if (!committed) start_over();
+    handler_.answer_questions(*state_, now());
+    for (Reply& reply : handler_.take_replies()) send(std::move(reply));
   }
 
   void receive() {
