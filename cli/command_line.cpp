@@ -183,6 +183,8 @@ class Parser {
         ->check(CLI::Range(10, 600'000));
     coordinator.add_option("--lease-ms", coordinator_.lease_ms, "A silent worker is lost (10000)")
         ->check(CLI::Range(50, 86'400'000));
+    coordinator.add_flag("--insecure", coordinator_.insecure,
+                         "Also listen where other hosts can reach it: messages are plain text");
     coordinator.add_flag("-q,--quiet", coordinator_.quiet, "Warnings only");
 
     CLI::App& worker =

@@ -68,6 +68,7 @@ struct CoordinatorCommand {
   std::vector<std::string> endpoints;
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
+  bool insecure = false;
   bool quiet = false;
 };
 

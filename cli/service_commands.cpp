@@ -105,6 +105,7 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   options.endpoints = command.endpoints;
   options.heartbeat_ms = command.heartbeat_ms;
   options.lease_ms = command.lease_ms;
+  options.insecure = command.insecure;
   options.log_to_stderr = !command.quiet;
   options.on_listening = [&command](const std::vector<std::string>& endpoints) {
     for (const std::string& endpoint : endpoints) {

@@ -60,6 +60,15 @@ TEST(CommandLine, every_command_has_help) {
   EXPECT_EQ(code_of(parse({"--version"})), 0);
 }
 
+TEST(CommandLine, a_coordinator_is_insecure_only_when_that_is_asked_for) {
+  const auto of = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"coordinator", "--store", "s", "--listen", "tcp://10.0.0.1:1"});
+    return std::get<CoordinatorCommand>(parse(words)).insecure;
+  };
+  EXPECT_FALSE(of({}));
+  EXPECT_TRUE(of({"--insecure"}));
+}
+
 TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
   ::setenv("TETFARM_COORDINATOR", "tcp://head:5555", 1);
   const Command command = parse({"status", "job-7"});
