@@ -62,6 +62,14 @@ void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
     std::printf("remark          %s\n", remark.c_str());
 }
 
+/// `asked` is a file, a folder, or empty: here.
+std::string defects_file(const std::string& asked, const std::string& job) {
+  const std::string name = job + ".defects.vtp";
+  if (asked.empty()) return name;
+  return std::filesystem::is_directory(asked) ? (std::filesystem::path(asked) / name).string()
+                                              : asked;
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
@@ -84,8 +92,7 @@ ExitCode check_command(const CheckOptions& options) {
   }
   if (options.json) std::printf("%s\n", json.dump().c_str());
   if (is_sound) return ExitCode::ok;
-  const std::string file =
-      options.defects_file.empty() ? input.job.name + ".defects.vtp" : options.defects_file;
+  const std::string file = defects_file(options.defects_file, input.job.name);
   write_defects_vtp(surface, checked.report.defects, file);
   throw Error(ExitCode::bad_geometry,
               input.path + ": " + defect_message(checked.report.defects) + "\n  see " + file);

@@ -30,7 +30,7 @@ struct RunOptions {
 
 struct CheckOptions {
   std::string input;
-  std::string defects_file;  ///< "": NAME.defects.vtp here
+  std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
   bool json = false;
 };
 

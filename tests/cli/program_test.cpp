@@ -92,6 +92,9 @@ TEST(TetfarmProgram, check_shows_where_a_surface_is_open) {
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, HasSubstr("open edge"));
   EXPECT_THAT(contents(folder.path() / "open.defects.vtp"), HasSubstr("PolyData"));
+  std::filesystem::create_directory(folder.path() / "shown");
+  EXPECT_EQ(run_program({"check", "open.off", "-o", "shown"}, folder.path()).code, 3);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "shown" / "open.defects.vtp"));
 }
 
 TEST(TetfarmProgram, a_coordinator_that_is_not_there_is_unreachable) {
