@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
 namespace {
@@ -69,6 +70,7 @@ class Parser {
     add_run();
     add_check();
     add_quality();
+    add_shape();
     add_clients();
     add_servers();
   }
@@ -134,6 +136,23 @@ class Parser {
     sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
         ->required();
     add_json(sub, quality_.json);
+  }
+
+  void add_shape() {
+    CLI::App& sub = add("shape", "Write a closed surface to try things on",
+                        "tetfarm shape wing -o wing.stl --spacing 0.05", shape_);
+    sub.add_option("KIND", shape_.name, "What to make")
+        ->required()
+        ->check(CLI::IsMember(shape_names()));
+    sub.add_option("-o,--output", shape_.output, "A .stl, with patches, or a .off, without")
+        ->required()
+        ->option_text("FILE");
+    sub.add_option("--spacing", shape_.spacing, "Edge length; of the wing: on it (0.1)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("H");
+    sub.add_option("--growth", shape_.growth, "Of the edge length away from the wing (0.2)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("G");
   }
 
   void add_clients() {
@@ -216,6 +235,7 @@ class Parser {
   RunOptions run_;
   CheckOptions check_;
   QualityOptions quality_;
+  ShapeCommand shape_;
   SubmitCommand submit_;
   StatusCommand status_;
   WaitCommand wait_;

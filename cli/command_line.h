@@ -39,6 +39,13 @@ struct QualityOptions {
   bool json = false;
 };
 
+struct ShapeCommand {
+  std::string name;    ///< one of shape_names()
+  std::string output;  ///< .off or .stl
+  double spacing = 0.1;
+  double growth = 0.2;
+};
+
 /// status, wait, cancel and submit talk to a running coordinator.
 struct ClientOptions {
   std::string endpoint;
@@ -90,9 +97,9 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command =
-    std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, StatusCommand, WaitCommand,
-                 CancelCommand, SubmitCommand, CoordinatorCommand, WorkerCommand, TaskCommand>;
+using Command = std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, ShapeCommand,
+                             StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
+                             CoordinatorCommand, WorkerCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

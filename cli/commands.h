@@ -13,6 +13,9 @@ ExitCode run_command(const RunOptions& options);
 ExitCode check_command(const CheckOptions& options);
 ExitCode quality_command(const QualityOptions& options);
 
+/// Writes a closed surface that is made by formula.
+ExitCode shape_command(const ShapeCommand& command);
+
 ExitCode status_command(const StatusCommand& command);
 ExitCode submit_command(const SubmitCommand& command);
 ExitCode wait_command(const WaitCommand& command);

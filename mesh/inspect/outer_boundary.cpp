@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "mesh/core/complaints.h"
-#include "mesh/inspect/outer_shapes.h"
+#include "mesh/shapes/box_and_sphere.h"
 
 namespace tetfarm {
 namespace {
@@ -93,7 +93,7 @@ SurfaceMesh make_box(const Body& body, const OuterBoundary& outer, double growth
   for (int axis = 0; axis < 3; ++axis) {
     check_room(box.low[axis] < body.box.low[axis] && box.high[axis] > body.box.high[axis], outer);
   }
-  return outer_box(box, parts_of(side, 12, 2, outer, spacing));
+  return box_surface(box, parts_of(side, 12, 2, outer, spacing));
 }
 
 SurfaceMesh make_sphere(const Body& body, const OuterBoundary& outer, double growth) {
@@ -101,7 +101,7 @@ SurfaceMesh make_sphere(const Body& body, const OuterBoundary& outer, double gro
   const double radius = outer.factor * half_diagonal;
   const double spacing =
       std::min(body.longest_edge + growth * (radius - half_diagonal), 2 * radius / least_spacings);
-  const SurfaceMesh sphere = outer_sphere(
+  const SurfaceMesh sphere = sphere_surface(
       body.box.centre(), radius, parts_of(icosahedron_arc * radius, 20, 2, outer, spacing));
   // Its triangles lie inside the true sphere.
   check_room(nearest_plane(sphere, body.box.centre()) > half_diagonal * (1 + 1e-9), outer);

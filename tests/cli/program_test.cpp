@@ -29,6 +29,29 @@ std::string cube_off(const std::string& last_triangle) {
 
 const char* const cube_end = "3 1 7 5\n";
 
+TEST(TetfarmProgram, makes_a_shape_that_it_finds_sound_itself) {
+  const TemporaryFolder folder;
+  for (const char* file : {"a.stl", "b.stl"}) {
+    const Ended made =
+        run_program({"shape", "duct", "-o", file, "--spacing", "0.25"}, folder.path());
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_THAT(made.err, HasSubstr("triangles"));
+    EXPECT_THAT(made.out, IsEmpty());
+  }
+  EXPECT_EQ(contents(folder.path() / "a.stl"), contents(folder.path() / "b.stl"));
+  const Ended checked = run_program({"check", "a.stl", "--json"}, folder.path());
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_THAT(checked.out, HasSubstr("\"patches\":[\"inlet\",\"wall\",\"outlet\"]"));
+}
+
+TEST(TetfarmProgram, refuses_a_shape_that_it_does_not_know_or_cannot_write) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"shape", "teapot", "-o", "a.stl"}, folder.path()).code, 2);
+  EXPECT_EQ(run_program({"shape", "duct", "-o", "a.obj"}, folder.path()).code, 2);
+  EXPECT_EQ(run_program({"shape", "duct"}, folder.path()).code, 2);
+  EXPECT_EQ(run_program({"shape", "wing", "-o", "a.off", "--spacing", "9"}, folder.path()).code, 2);
+}
+
 TEST(TetfarmProgram, mistakes_on_the_command_line_end_with_2_and_a_hint) {
   const TemporaryFolder folder;
   const Ended ended = run_program({"run"}, folder.path());

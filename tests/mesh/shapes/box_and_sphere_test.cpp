@@ -1,4 +1,4 @@
-#include "mesh/inspect/outer_shapes.h"
+#include "mesh/shapes/box_and_sphere.h"
 
 #include <gmock/gmock.h>
 
@@ -10,11 +10,11 @@
 namespace tetfarm {
 namespace {
 
-TEST(OuterShapes, are_closed_and_face_outward) {
+TEST(BoxAndSphere, are_closed_and_face_outward) {
   for (const int n : {1, 2, 3, 6}) {
     const Box3 box{{-1, -2, -3}, {0.1, 0.2, 0.3}};
-    const SurfaceMesh brick = outer_box(box, n);
-    const SurfaceMesh sphere = outer_sphere({1, 2, 3}, 2, n);
+    const SurfaceMesh brick = box_surface(box, n);
+    const SurfaceMesh sphere = sphere_surface({1, 2, 3}, 2, n);
     EXPECT_EQ(brick.triangles.size(), static_cast<std::size_t>(12 * n * n));
     EXPECT_EQ(sphere.triangles.size(), static_cast<std::size_t>(20 * n * n));
     EXPECT_EQ(brick.vertices.size(), brick.triangles.size() / 2 + 2);
@@ -30,8 +30,8 @@ TEST(OuterShapes, are_closed_and_face_outward) {
   }
 }
 
-TEST(OuterShapes, force_no_tetrahedron_into_a_corner_of_the_box) {
-  const SurfaceMesh brick = outer_box({{0, 0, 0}, {1, 1, 1}}, 3);
+TEST(BoxAndSphere, force_no_tetrahedron_into_a_corner_of_the_box) {
+  const SurfaceMesh brick = box_surface({{0, 0, 0}, {1, 1, 1}}, 3);
   for (std::size_t v = 0; v < brick.vertices.size(); ++v) {
     const Vec3 p = brick.vertices[v];
     const bool is_corner =
@@ -44,8 +44,8 @@ TEST(OuterShapes, force_no_tetrahedron_into_a_corner_of_the_box) {
   }
 }
 
-TEST(OuterShapes, of_a_sphere_are_even) {
-  const SurfaceMesh sphere = outer_sphere({0, 0, 0}, 10, 12);
+TEST(BoxAndSphere, of_a_sphere_are_even) {
+  const SurfaceMesh sphere = sphere_surface({0, 0, 0}, 10, 12);
   for (const Vec3& p : sphere.vertices) EXPECT_NEAR(norm(p), 10, 1e-12);
   const SurfaceReport report = check_surface(sphere).report;
   EXPECT_LT(report.longest_edge, 1.5 * report.shortest_edge);

@@ -1,4 +1,4 @@
-#include "mesh/inspect/outer_shapes.h"
+#include "mesh/shapes/box_and_sphere.h"
 
 #include <algorithm>
 #include <array>
@@ -128,7 +128,7 @@ class SphereLattice {
 
 }  // namespace
 
-SurfaceMesh outer_box(const Box3& box, int n) {
+SurfaceMesh box_surface(const Box3& box, int n) {
   TF_CHECK(n > 0);
   BoxLattice lattice(box, n);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -141,7 +141,7 @@ SurfaceMesh outer_box(const Box3& box, int n) {
   return std::move(lattice.mesh);
 }
 
-SurfaceMesh outer_sphere(const Vec3& centre, double radius, int n) {
+SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n) {
   TF_CHECK(n > 0);
   SphereLattice lattice(centre, radius);
   for (const Triangle& face : icosahedron) {

@@ -1,4 +1,4 @@
-/// The two closed shapes that an outer boundary can have, evenly triangulated and oriented outward.
+/// A box and a sphere, evenly triangulated and oriented outward: outer boundaries are made of them.
 ///
 /// Only + − × ÷ and sqrt make the coordinates: the same bits on every machine. Without patches.
 #pragma once
@@ -10,10 +10,10 @@ namespace tetfarm {
 /// Each face is n × n squares of two triangles, whose diagonals run from the corners of the face
 /// towards its middle, so that no tetrahedron is forced into a corner of the box: 12 n² triangles.
 /// The corners are exactly those of the box. @pre n > 0.
-SurfaceMesh outer_box(const Box3& box, int n);
+SurfaceMesh box_surface(const Box3& box, int n);
 
 /// An icosahedron with each edge in n parts, blown up to the sphere: 20 n² triangles. @pre n > 0.
-SurfaceMesh outer_sphere(const Vec3& centre, double radius, int n);
+SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n);
 
 /// The least distance from the centre to the plane of a triangle.
 double nearest_plane(const SurfaceMesh& sphere, const Vec3& centre);
