@@ -5,20 +5,15 @@
 
 #include "base/check.h"
 #include "mesh/geometry/predicates.h"
+#include "mesh/geometry/sphere_filter.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t table_side = 128;
+/// Room for so many tets and hull faces; larger cavities make more.
+constexpr std::size_t usual_cavity = 64;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-bool sphere_holds(const TetComplex& complex, std::int32_t tet, std::int32_t node) {
-  const Tet& t = complex.nodes[at(tet)];
-  const auto& p = complex.points;
-  return in_perturbed_sphere(p[at(t[0])], p[at(t[1])], p[at(t[2])], p[at(t[3])], p[at(node)],
-                             {t[0], t[1], t[2], t[3], node});
-}
 
 std::array<std::int32_t, 3> face_nodes(const TetComplex& complex, FaceHandle face) {
   const Tet& t = complex.nodes[at(tet_of(face))];
@@ -28,8 +23,9 @@ std::array<std::int32_t, 3> face_nodes(const TetComplex& complex, FaceHandle fac
 
 }  // namespace
 
-CavityInsertion::CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained)
-    : complex_(complex), constrained_(constrained), edge_table_(table_side * table_side) {}
+CavityInsertion::CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained,
+                                 std::span<const std::int32_t> ids)
+    : complex_(complex), constrained_(constrained), ids_(ids) {}
 
 Location CavityInsertion::locate(const Vec3& point, std::int32_t start) const {
   std::int32_t tet = start;
@@ -40,8 +36,10 @@ Location CavityInsertion::locate(const Vec3& point, std::int32_t start) const {
   const std::size_t most_steps = complex_.nodes.size() + 1000;
   for (std::size_t step = 0; step < most_steps; ++step) {
     const Tet& t = complex_.nodes[at(tet)];
-    for (const std::int32_t v : t) {
-      if (complex_.points[at(v)] == point) return {tet, v};
+    // The nodes of the face it came through are known not to be the point.
+    for (int i = 0; i < 4; ++i) {
+      if (entry != no_face && i != face_of(entry)) continue;
+      if (complex_.points[at(t[at(i)])] == point) return {tet, t[at(i)]};
     }
     FaceHandle exit = no_face;
     bool is_outside = false;
@@ -72,32 +70,58 @@ bool CavityInsertion::is_constrained(FaceHandle face) const {
   return constrained_ != nullptr && ((*constrained_)[at(tet_of(face))] >> face_of(face) & 1) != 0;
 }
 
+[[gnu::always_inline]] inline bool CavityInsertion::sphere_holds(std::int32_t tet) const {
+  const Tet& t = complex_.nodes[at(tet)];
+  const auto& p = complex_.points;
+  const Vec3& a = p[at(t[0])];
+  const Vec3& b = p[at(t[1])];
+  const Vec3& c = p[at(t[2])];
+  const Vec3& d = p[at(t[3])];
+  const FilteredSphere filtered = filtered_insphere(a, b, c, d, point_);
+  if (filtered.is_certain) [[likely]]
+    return filtered.det > 0;
+  const auto id = [this](std::int32_t v) { return ids_.empty() ? v : ids_[at(v)]; };
+  return in_perturbed_sphere_exactly(a, b, c, d, point_,
+                                     {id(t[0]), id(t[1]), id(t[2]), id(t[3]), id(node_)});
+}
+
 void CavityInsertion::grow(std::int32_t tet) {
-  cavity_.clear();
-  hull_.clear();
-  mark_[at(tet)] = round_;
-  cavity_.push_back(tet);
-  for (std::size_t head = 0; head < cavity_.size(); ++head) {
+  const std::int32_t round = round_;
+  std::int32_t* const mark = mark_.data();
+  const std::array<FaceHandle, 4>* const neighbours = complex_.neighbours.data();
+  mark[at(tet)] = round;
+  cavity_.resize(usual_cavity);
+  hull_.resize(usual_cavity);
+  cavity_[0] = tet;
+  std::size_t tets = 1;
+  std::size_t faces = 0;
+  for (std::size_t head = 0; head < tets; ++head) {
     const std::int32_t t = cavity_[head];
+    if (cavity_.size() < tets + 4) cavity_.resize(2 * tets);
+    if (hull_.size() < faces + 4) hull_.resize(2 * faces);
+    // Both lists get what may be added, and keep it or not: whether a sphere holds the point is as
+    // good as random, and a branch on it would cost more than the stores.
     for (int i = 0; i < 4; ++i) {
-      const FaceHandle other = complex_.neighbours[at(t)][at(i)];
+      const FaceHandle other = neighbours[at(t)][at(i)];
       const FaceHandle here = face_handle(t, i);
+      hull_[faces] = here;
       if (other == no_face || is_constrained(here)) {
-        hull_.push_back(here);
+        ++faces;
         continue;
       }
       const std::int32_t next = tet_of(other);
-      if (mark_[at(next)] == round_) continue;
-      // -round_ marks a tet already found outside the sphere.
-      if (mark_[at(next)] != -round_ && sphere_holds(complex_, next, node_)) {
-        mark_[at(next)] = round_;
-        cavity_.push_back(next);
-      } else {
-        mark_[at(next)] = -round_;
-        hull_.push_back(here);
-      }
+      const std::int32_t before = mark[at(next)];
+      if (before == round) continue;
+      // -round marks a tet already found outside the sphere.
+      const bool joins = before != -round && sphere_holds(next);
+      mark[at(next)] = joins ? round : -round;
+      cavity_[tets] = next;
+      tets += joins ? 1 : 0;
+      faces += joins ? 0 : 1;
     }
   }
+  cavity_.resize(tets);
+  hull_.resize(faces);
 }
 
 bool CavityInsertion::drop_enclosed_constraints() {
@@ -156,6 +180,7 @@ void CavityInsertion::rebuild_hull() {
 bool CavityInsertion::find_cavity(std::int32_t node, std::int32_t tet) {
   ++round_;
   node_ = node;
+  point_ = complex_.points[at(node)];
   seed_ = tet;
   mark_.resize(complex_.nodes.size(), 0);
   if (constrained_ != nullptr) constrained_->resize(complex_.nodes.size(), 0);
@@ -171,72 +196,80 @@ bool CavityInsertion::find_cavity(std::int32_t node, std::int32_t tet) {
   }
 }
 
-void CavityInsertion::glue_star(const std::vector<std::int32_t>& star) {
-  node_round_.resize(complex_.points.size(), 0);
-  local_.resize(complex_.points.size());
-  std::int32_t locals = 0;
-  // Base face of a star tet (f0, f2, f1, p): the directed hull edges, and the face of the tet on
-  // each.
-  constexpr std::array<std::array<int, 3>, 3> edge = {{{0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-  for (const std::int32_t t : star) {
+void CavityInsertion::gather_bases() {
+  bases_.resize(hull_.size());
+  hull_nodes_.resize(3 * hull_.size());
+  local_.resize(complex_.points.size(), -1);
+  std::int32_t nodes = 0;
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    Base& base = bases_[i];
+    const FaceHandle face = hull_[i];
+    base.nodes = face_nodes(complex_, face);
+    base.outside = complex_.neighbours[at(tet_of(face))][at(face_of(face))];
+    base.constrained = is_constrained(face);
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t v = complex_.nodes[at(t)][k];
-      if (node_round_[at(v)] == round_) continue;
-      node_round_[at(v)] = round_;
-      local_[at(v)] = locals++;
+      const std::int32_t v = base.nodes[k];
+      const std::int32_t known = local_[at(v)];
+      const std::int32_t local = known < 0 ? nodes : known;
+      hull_nodes_[at(nodes)] = v;
+      nodes += known < 0 ? 1 : 0;
+      local_[at(v)] = local;
+      base.local[k] = local;
     }
   }
-  const auto side = static_cast<std::size_t>(locals);
+  hull_nodes_.resize(at(nodes));
+  for (const std::int32_t v : hull_nodes_) local_[at(v)] = -1;
+}
+
+void CavityInsertion::take_tets() {
+  // As if the cavity were killed and its tets taken back one by one, the last first.
+  std::size_t left = cavity_.size();
+  for (Base& base : bases_) base.tet = left > 0 ? cavity_[--left] : complex_.new_tet();
+  for (std::size_t i = 0; i < left; ++i) complex_.kill_tet(cavity_[i]);
+  mark_.resize(complex_.nodes.size(), 0);
+  if (constrained_ != nullptr) constrained_->resize(complex_.nodes.size(), 0);
+}
+
+void CavityInsertion::glue_star() {
+  // The star tet on the base a b c is (a, c, b, node). Each directed edge of the hull names the
+  // face of the star on it; the same edge the other way round is that of the neighbour.
+  const std::size_t side = hull_nodes_.size();
   if (edge_table_.size() < side * side) edge_table_.resize(side * side);
-  const auto entry = [&](std::int32_t u, std::int32_t v) -> FaceHandle& {
-    return edge_table_[at(local_[at(u)]) * side + at(local_[at(v)])];
-  };
-  for (const std::int32_t t : star) {
-    const Tet& n = complex_.nodes[at(t)];
-    for (const auto& [from, to, face] : edge) {
-      entry(n[at(from)], n[at(to)]) = face_handle(t, face);
-    }
+  FaceHandle* const table = edge_table_.data();
+  for (const Base& base : bases_) {
+    const std::size_t a = at(base.local[0]), b = at(base.local[1]), c = at(base.local[2]);
+    table[a * side + b] = face_handle(base.tet, 1);
+    table[b * side + c] = face_handle(base.tet, 0);
+    table[c * side + a] = face_handle(base.tet, 2);
   }
-  for (const std::int32_t t : star) {
-    const Tet& n = complex_.nodes[at(t)];
-    for (const auto& [from, to, face] : edge) {
-      complex_.neighbours[at(t)][at(face)] = entry(n[at(to)], n[at(from)]);
+  for (const Base& base : bases_) {
+    const std::size_t a = at(base.local[0]), b = at(base.local[1]), c = at(base.local[2]);
+    complex_.nodes[at(base.tet)] = {base.nodes[0], base.nodes[2], base.nodes[1], node_};
+    complex_.neighbours[at(base.tet)] = {table[c * side + b], table[b * side + a],
+                                         table[a * side + c], base.outside};
+    if (base.outside != no_face) {
+      complex_.neighbours[at(tet_of(base.outside))][at(face_of(base.outside))] =
+          face_handle(base.tet, 3);
     }
+    // The last tet of a node stays.
+    for (const std::size_t k : {a, b, c}) hull_tets_[k] = base.tet;
   }
 }
 
 std::int32_t CavityInsertion::fill() {
-  bases_.clear();
-  for (const FaceHandle face : hull_) {
-    bases_.push_back({face_nodes(complex_, face),
-                      complex_.neighbours[at(tet_of(face))][at(face_of(face))],
-                      is_constrained(face)});
+  gather_bases();
+  take_tets();
+  hull_tets_.resize(hull_nodes_.size());
+  glue_star();
+  if (constrained_ != nullptr) {
+    for (const Base& base : bases_) (*constrained_)[at(base.tet)] = base.constrained ? 8 : 0;
   }
-  for (const std::int32_t t : cavity_) complex_.kill_tet(t);
-  star_.clear();
-  for (const Base& base : bases_) {
-    const std::int32_t t = complex_.new_tet();
-    const auto& [a, b, c] = base.nodes;
-    complex_.nodes[at(t)] = {a, c, b, node_};
-    for (const std::int32_t v : {a, b, c}) complex_.node2tet[at(v)] = t;
-    star_.push_back(t);
+  for (std::size_t i = 0; i < hull_nodes_.size(); ++i) {
+    complex_.node2tet[at(hull_nodes_[i])] = hull_tets_[i];
   }
   complex_.node2tet.resize(complex_.points.size(), -1);
-  complex_.node2tet[at(node_)] = star_.front();
-  mark_.resize(complex_.nodes.size(), 0);
-  if (constrained_ != nullptr) constrained_->resize(complex_.nodes.size(), 0);
-  for (std::size_t i = 0; i < star_.size(); ++i) {
-    const std::int32_t t = star_[i];
-    mark_[at(t)] = 0;
-    if (constrained_ != nullptr) (*constrained_)[at(t)] = bases_[i].constrained ? 8 : 0;
-    complex_.neighbours[at(t)][3] = bases_[i].outside;
-    if (bases_[i].outside != no_face) {
-      complex_.neighbours[at(tet_of(bases_[i].outside))][at(face_of(bases_[i].outside))] =
-          face_handle(t, 3);
-    }
-  }
-  glue_star(star_);
-  return star_.front();
+  complex_.node2tet[at(node_)] = bases_.front().tet;
+  return bases_.front().tet;
 }
 
 }  // namespace tetfarm

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/core/tet_complex.h"
@@ -24,7 +25,9 @@ class CavityInsertion {
  public:
   /// Keeps a reference. `constrained` has a byte for each tet whose bit i says that face i may not
   /// be crossed (set on both sides); it may be empty: plain Delaunay. It grows with the complex.
-  explicit CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained = nullptr);
+  /// `ids` are the numbers by which cospherical points are perturbed; empty: those of the nodes.
+  explicit CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained = nullptr,
+                           std::span<const std::int32_t> ids = {});
 
   /// Walks from `start` (any live tet) to the tet that holds the point. Walks through constrained
   /// faces. tet == -1 when the point lies outside the complex.
@@ -45,6 +48,8 @@ class CavityInsertion {
   /// A hull face as it was: its nodes, the face beyond it, and whether it is constrained.
   struct Base {
     std::array<std::int32_t, 3> nodes;
+    std::array<std::int32_t, 3> local;  // numbers of the nodes on this hull
+    std::int32_t tet;                   // of the star, on this face
     FaceHandle outside;
     bool constrained;
   };
@@ -55,20 +60,25 @@ class CavityInsertion {
   bool shrink_to_visible();
   void rebuild_hull();
   bool in_cavity(std::int32_t tet) const { return mark_[static_cast<std::size_t>(tet)] == round_; }
-  void glue_star(const std::vector<std::int32_t>& star);
+  bool sphere_holds(std::int32_t tet) const;
+  void gather_bases();
+  void take_tets();
+  void glue_star();
 
   TetComplex& complex_;
   std::vector<std::uint8_t>* constrained_;
-  std::vector<std::int32_t> mark_;  // of a tet: the round in which it was in the cavity
-  std::vector<std::int32_t> node_round_;
-  std::vector<std::int32_t> local_;  // of a node: its number on the hull in node_round_
+  std::span<const std::int32_t> ids_;
+  std::vector<std::int32_t> mark_;   // of a tet: the round in which it was in the cavity
+  std::vector<std::int32_t> local_;  // of a node: its number on the hull, or -1
   std::int32_t round_ = 0;
   std::int32_t node_ = -1;
+  Vec3 point_;  // of node_
   std::int32_t seed_ = -1;
   std::vector<std::int32_t> cavity_;
   std::vector<FaceHandle> hull_;
   std::vector<Base> bases_;
-  std::vector<std::int32_t> star_;
+  std::vector<std::int32_t> hull_nodes_;  // by their numbers on the hull
+  std::vector<std::int32_t> hull_tets_;   // a tet of the star at each of them
   std::vector<FaceHandle> edge_table_;
 };
 

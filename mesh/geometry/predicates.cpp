@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/geometry/expansion.h"
+#include "mesh/geometry/sphere_filter.h"
 
 namespace tetfarm {
 namespace {
@@ -14,7 +15,6 @@ constexpr double eps = std::numeric_limits<double>::epsilon() / 2;  // 2^-53
 constexpr double orient2d_bound = (3.0 + 16.0 * eps) * eps;
 constexpr double orient3d_bound = (7.0 + 56.0 * eps) * eps;
 constexpr double incircle_bound = (10.0 + 96.0 * eps) * eps;
-constexpr double insphere_bound = (16.0 + 224.0 * eps) * eps;
 
 double orient2d_exact(const Vec2& a, const Vec2& b, const Vec2& c) {
   const auto det = exact_difference(a.x, c.x) * exact_difference(b.y, c.y) -
@@ -81,6 +81,67 @@ double insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
   return (first + second).most_significant();
 }
 
+__extension__ using Wide = __int128;
+
+template <std::size_t count>
+using GridPoints = std::array<std::array<std::int64_t, 3>, count>;
+
+/// The points as seen from `origin`, as integers of `bits` bits: when all differences are exact and
+/// are multiples of 2^-bits of a power of 2 above the largest, as on lattices.
+template <std::size_t count>
+bool on_grid(const std::array<Vec3, count>& points, const Vec3& origin, int bits,
+             GridPoints<count>& result) {
+  std::array<Vec3, count> offset;
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const TwoTerms difference = two_sum(points[i][axis], -origin[axis]);
+      if (difference.low != 0) return false;
+      offset[i][axis] = difference.high;
+      largest = std::max(largest, std::abs(difference.high));
+    }
+  }
+  const double scale = std::ldexp(1.0, largest > 0 ? bits - 1 - std::ilogb(largest) : 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double steps = offset[i][axis] * scale;
+      const auto whole = static_cast<std::int64_t>(steps);
+      if (static_cast<double>(whole) != steps) return false;
+      result[i][static_cast<std::size_t>(axis)] = whole;
+    }
+  }
+  return true;
+}
+
+/// Determinant of three rows of at most 30 bits.
+template <std::size_t count>
+Wide minor_of(const GridPoints<count>& v, std::size_t p, std::size_t q, std::size_t r) {
+  const auto pair = [&](std::size_t i, std::size_t j) {
+    return Wide{v[p][i] * v[q][j] - v[p][j] * v[q][i]};
+  };
+  return pair(1, 2) * v[r][0] + pair(2, 0) * v[r][1] + pair(0, 1) * v[r][2];
+}
+
+int sign_of(Wide x) { return (x > 0) - (x < 0); }
+
+/// By integers if the points are on a grid, else by expansions.
+double decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  GridPoints<3> v;
+  if (on_grid<3>({b, c, d}, a, 30, v)) return sign_of(minor_of(v, 0, 1, 2));
+  return orient3d_exact(a, b, c, d);
+}
+
+double decide_insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  GridPoints<4> v;
+  // 24 bits: each of the four terms is below 3 · 2^48 · 5.2 · 2^72, and their sum below 2^127.
+  if (!on_grid<4>({a, b, c, d}, e, 24, v)) return insphere_exact(a, b, c, d, e);
+  const auto lift = [&v](std::size_t p) {
+    return v[p][0] * v[p][0] + v[p][1] * v[p][1] + v[p][2] * v[p][2];
+  };
+  return sign_of(minor_of(v, 1, 2, 3) * lift(0) - minor_of(v, 0, 2, 3) * lift(1) +
+                 (minor_of(v, 0, 1, 3) * lift(2) - minor_of(v, 0, 1, 2) * lift(3)));
+}
+
 }  // namespace
 
 double orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -128,47 +189,25 @@ double orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            (std::abs(vx_wy) + std::abs(vy_wx)) * std::abs(u.z);
   const double bound = orient3d_bound * permanent;
   if (det > bound || -det > bound) return det;
-  return orient3d_exact(a, b, c, d);
+  return decide_orient3d(a, b, c, d);
 }
 
 double insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
-  const Vec3 A = a - e;
-  const Vec3 B = b - e;
-  const Vec3 C = c - e;
-  const Vec3 D = d - e;
-  const double ab = A.x * B.y - B.x * A.y;
-  const double bc = B.x * C.y - C.x * B.y;
-  const double cd = C.x * D.y - D.x * C.y;
-  const double da = D.x * A.y - A.x * D.y;
-  const double ac = A.x * C.y - C.x * A.y;
-  const double bd = B.x * D.y - D.x * B.y;
-  const double abc = A.z * bc - B.z * ac + C.z * ab;
-  const double bcd = B.z * cd - C.z * bd + D.z * bc;
-  const double cda = C.z * da + D.z * ac + A.z * cd;
-  const double dab = D.z * ab + A.z * bd + B.z * da;
-  const double a_lift = norm2(A);
-  const double b_lift = norm2(B);
-  const double c_lift = norm2(C);
-  const double d_lift = norm2(D);
-  const double det = (a_lift * bcd - b_lift * cda) + (c_lift * dab - d_lift * abc);
-
-  // A cheap bound first: every product of the permanent is at most X * Y * Z * lift.
-  const auto largest = [](double p, double q, double r, double s) {
-    return std::max(std::max(std::abs(p), std::abs(q)), std::max(std::abs(r), std::abs(s)));
-  };
-  const double x = largest(A.x, B.x, C.x, D.x);
-  const double y = largest(A.y, B.y, C.y, D.y);
-  const double z = largest(A.z, B.z, C.z, D.z);
-  const double lift_sum = (a_lift + b_lift) + (c_lift + d_lift);
-  // Six products of each minor, each at most x y z; the sum of the four lifts covers all terms.
-  const double bound = insphere_bound * 1.0000001 * (6.0 * x * y * z * lift_sum);
-  if (det > bound || -det > bound) return det;
-  return insphere_exact(a, b, c, d, e);
+  const FilteredSphere filtered = filtered_insphere(a, b, c, d, e);
+  if (filtered.is_certain) return filtered.det;
+  return decide_insphere(a, b, c, d, e);
 }
 
 bool in_perturbed_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                          const std::int32_t (&ids)[5]) {
-  const double side = insphere(a, b, c, d, e);
+  const FilteredSphere filtered = filtered_insphere(a, b, c, d, e);
+  if (filtered.is_certain) return filtered.det > 0;
+  return in_perturbed_sphere_exactly(a, b, c, d, e, ids);
+}
+
+bool in_perturbed_sphere_exactly(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                 const Vec3& e, const std::int32_t (&ids)[5]) {
+  const double side = decide_insphere(a, b, c, d, e);
   if (side != 0) return side > 0;
   std::array<int, 5> order = {0, 1, 2, 3, 4};
   std::sort(order.begin(), order.end(), [&ids](int i, int j) { return ids[i] > ids[j]; });

@@ -37,4 +37,8 @@ double insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, cons
 bool in_perturbed_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                          const std::int32_t (&ids)[5]);
 
+/// The same without the try in plain doubles, for where filtered_insphere was not certain.
+bool in_perturbed_sphere_exactly(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                 const Vec3& e, const std::int32_t (&ids)[5]);
+
 }  // namespace tetfarm

@@ -33,6 +33,20 @@ TEST(HilbertOrder, steps_along_the_curve_go_to_the_next_cell_of_a_grid) {
   }
 }
 
+TEST(HilbertOrder, the_order_is_that_of_the_indices) {
+  std::vector<Vec3> points = grid(6);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1.0 + 1e-3 * double(i * i % 97);
+  Box3 box;
+  for (const Vec3& p : points) box.add(p);
+  const auto index = [&](std::int32_t i) {
+    return hilbert_index(points[static_cast<std::size_t>(i)], box);
+  };
+  const auto order = hilbert_order(points);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
+    return index(i) != index(j) ? index(i) < index(j) : i < j;
+  }));
+}
+
 TEST(HilbertOrder, orders_are_permutations) {
   const std::vector<Vec3> points = grid(15);
   for (auto order : {hilbert_order(points), brio_order(points)}) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "mesh/geometry/expansion.h"
+#include "mesh/geometry/sphere_filter.h"
 
 namespace tetfarm {
 namespace {
@@ -85,6 +86,58 @@ TEST_F(Predicates, insphere_agrees_with_integer_arithmetic) {
       if (determinant(a, b, c, d) == 0) continue;
       ASSERT_EQ(sign(insphere(a.real(), b.real(), c.real(), d.real(), e.real())),
                 sign_of(lifted(a, b, c, d, e)));
+    }
+  }
+}
+
+TEST_F(Predicates, the_sphere_filter_is_never_certain_of_a_wrong_sign) {
+  int undecided = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const auto on_sphere = [&](double size) {
+      const auto real = [&] { return std::uniform_real_distribution<double>(-1, 1)(random_); };
+      return size * normalized(Vec3{real(), real(), real()}) + Vec3{0.1, 0.7, 0.3};
+    };
+    Vec3 a = on_sphere(1), b = on_sphere(1);
+    const Vec3 c = on_sphere(1), d = on_sphere(1), e = on_sphere(i % 2 == 0 ? 1 : 1 + 1e-15);
+    if (orient3d(a, b, c, d) < 0) std::swap(a, b);
+    const FilteredSphere filtered = filtered_insphere(a, b, c, d, e);
+    if (filtered.is_certain) {
+      ASSERT_EQ(filtered.det > 0, in_perturbed_sphere_exactly(a, b, c, d, e, {0, 1, 2, 3, 4}));
+    } else {
+      ++undecided;
+    }
+  }
+  EXPECT_GT(undecided, 100);
+  EXPECT_LT(undecided, 4900);
+}
+
+TEST_F(Predicates, insphere_does_not_depend_on_a_scale_that_is_a_power_of_two) {
+  for (int i = 0; i < 1000; ++i) {
+    IntPoint a = random_point(3), b = random_point(3);
+    const IntPoint c = random_point(3), d = random_point(3), e = random_point(3);
+    if (determinant(a, b, c, d) < 0) std::swap(a, b);
+    if (determinant(a, b, c, d) == 0) continue;
+    for (const int power : {-190, -110, -90, -20, 20, 90, 110, 190}) {
+      const double s = std::ldexp(1.0, power);
+      ASSERT_EQ(
+          sign(insphere(s * a.real(), s * b.real(), s * c.real(), s * d.real(), s * e.real())),
+          sign_of(lifted(a, b, c, d, e)));
+    }
+  }
+}
+
+TEST_F(Predicates, insphere_of_grids_is_exact_up_to_the_largest_integers_and_beyond) {
+  for (const std::int64_t half : {(1LL << 22) - 1, (1LL << 23) - 1, 1LL << 23, 1LL << 24}) {
+    for (int i = 0; i < 500; ++i) {
+      const auto corner = [&] {
+        const auto either = [&] { return std::uniform_int_distribution(0, 1)(random_) * 2 - 1; };
+        return IntPoint{half * either(), half * either(), half * either()};
+      };
+      IntPoint a = corner(), b = corner();
+      const IntPoint c = corner(), d = corner(), e = corner();
+      if (determinant(a, b, c, d) < 0) std::swap(a, b);
+      if (determinant(a, b, c, d) == 0) continue;
+      ASSERT_EQ(insphere(a.real(), b.real(), c.real(), d.real(), e.real()), 0);
     }
   }
 }
