@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/geometry/double_double.h"
 #include "mesh/geometry/expansion.h"
 #include "mesh/geometry/sphere_filter.h"
 
@@ -131,10 +132,46 @@ double decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return orient3d_exact(a, b, c, d);
 }
 
+struct DoublePoint {
+  DoubleDouble x;
+  DoubleDouble y;
+  DoubleDouble z;
+};
+
+DoubleDouble double_minor(const DoublePoint& p, const DoublePoint& q, const DoublePoint& r) {
+  return (p.y * q.z - p.z * q.y) * r.x + (p.z * q.x - p.x * q.z) * r.y +
+         (p.x * q.y - p.y * q.x) * r.z;
+}
+
+/// The sign by numbers of 106 bits, or 0 when they do not tell.
+int insphere_by_double_doubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                               const Vec3& e) {
+  const auto relative = [&e](const Vec3& p) {
+    return DoublePoint{double_difference(p.x, e.x), double_difference(p.y, e.y),
+                       double_difference(p.z, e.z)};
+  };
+  const std::array<DoublePoint, 4> p = {relative(a), relative(b), relative(c), relative(d)};
+  std::array<DoubleDouble, 4> lift;
+  for (std::size_t i = 0; i < 4; ++i) lift[i] = p[i].x * p[i].x + p[i].y * p[i].y + p[i].z * p[i].z;
+  const double det =
+      ((double_minor(p[1], p[2], p[3]) * lift[0] - double_minor(p[0], p[2], p[3]) * lift[1]) +
+       (double_minor(p[0], p[1], p[3]) * lift[2] - double_minor(p[0], p[1], p[2]) * lift[3]))
+          .high;
+  // A term passes through 11 operations, so the sum is off by at most 80 · 2^-106 times the
+  // permanent, which is at most sqrt(2) / 8 · m^(5/2) (sphere_filter.h): 15 · 2^-106 m^(5/2). The
+  // constant keeps underflow from deciding anything.
+  const double m = (lift[0].high + lift[1].high) + (lift[2].high + lift[3].high);
+  const double bound2 = 0x1p-202 * (m * m * m * m * m) + 1e-280;
+  return det * det > bound2 ? (det > 0 ? 1 : -1) : 0;
+}
+
 double decide_insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
   GridPoints<4> v;
   // 24 bits: each of the four terms is below 3 · 2^48 · 5.2 · 2^72, and their sum below 2^127.
-  if (!on_grid<4>({a, b, c, d}, e, 24, v)) return insphere_exact(a, b, c, d, e);
+  if (!on_grid<4>({a, b, c, d}, e, 24, v)) {
+    const int sign = insphere_by_double_doubles(a, b, c, d, e);
+    return sign != 0 ? sign : insphere_exact(a, b, c, d, e);
+  }
   const auto lift = [&v](std::size_t p) {
     return v[p][0] * v[p][0] + v[p][1] * v[p][1] + v[p][2] * v[p][2];
   };

@@ -98,7 +98,7 @@ TEST_F(Predicates, the_sphere_filter_is_never_certain_of_a_wrong_sign) {
       return size * normalized(Vec3{real(), real(), real()}) + Vec3{0.1, 0.7, 0.3};
     };
     Vec3 a = on_sphere(1), b = on_sphere(1);
-    const Vec3 c = on_sphere(1), d = on_sphere(1), e = on_sphere(i % 2 == 0 ? 1 : 1 + 1e-15);
+    const Vec3 c = on_sphere(1), d = on_sphere(1), e = on_sphere(1 + std::ldexp(1e-16, i % 16));
     if (orient3d(a, b, c, d) < 0) std::swap(a, b);
     const FilteredSphere filtered = filtered_insphere(a, b, c, d, e);
     if (filtered.is_certain) {
@@ -109,6 +109,22 @@ TEST_F(Predicates, the_sphere_filter_is_never_certain_of_a_wrong_sign) {
   }
   EXPECT_GT(undecided, 100);
   EXPECT_LT(undecided, 4900);
+}
+
+TEST_F(Predicates, insphere_keeps_its_sign_under_even_permutations_a_few_ulps_off_a_sphere) {
+  for (int i = 0; i < 2000; ++i) {
+    const auto on_sphere = [&](double size) {
+      const auto real = [&] { return std::uniform_real_distribution<double>(-1, 1)(random_); };
+      return size * normalized(Vec3{real(), real(), real()}) + Vec3{0.1, 0.7, 0.3};
+    };
+    const Vec3 a = on_sphere(1), b = on_sphere(1), c = on_sphere(1), d = on_sphere(1);
+    const Vec3 e = on_sphere(1 + std::ldexp(1e-16, i % 8));
+    const int side = sign(insphere(a, b, c, d, e));
+    ASSERT_EQ(sign(insphere(b, c, a, d, e)), side);
+    ASSERT_EQ(sign(insphere(b, a, c, d, e)), -side);
+    ASSERT_EQ(sign(insphere(a, b, c, e, d)), -side);
+    ASSERT_EQ(sign(insphere(e, b, c, d, a)), -side);
+  }
 }
 
 TEST_F(Predicates, insphere_does_not_depend_on_a_scale_that_is_a_power_of_two) {
