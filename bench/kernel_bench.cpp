@@ -1,8 +1,12 @@
 // The sequential mesher in memory, and the quality of any mesh of the same surface.
 //
-//   kernel_bench mesh SURFACE              meshes it; times and quality as one JSON object
-//   kernel_bench measure SURFACE MESH      the quality of another program's mesh: Gmsh 2.2 ASCII
-//                                          (.msh), or TetGen's .ele with the .node beside it
+//   kernel_bench mesh SURFACE GROWTH           meshes it; times and quality as one JSON object
+//   kernel_bench measure SURFACE GROWTH MESH   the quality of another program's mesh: Gmsh 2.2
+//   ASCII
+//                                              (.msh), or TetGen's .ele with the .node beside it
+//
+// GROWTH is that of the spacing, per unit of length: 0.3 is the default of a job; 0 makes the
+// spacing the mean edge length of the surface everywhere.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -201,12 +205,28 @@ std::string quality_json(const TetMesh& mesh, const SpacingField& spacing) {
   return std::string(text.data(), static_cast<std::size_t>(size));
 }
 
-int mesh(const std::string& path) {
+double mean_edge(const SurfaceMesh& surface) {
+  double sum = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto at = [&](std::int32_t v) { return surface.vertices[static_cast<std::size_t>(v)]; };
+    sum += distance(at(a), at(b)) + distance(at(b), at(c)) + distance(at(c), at(a));
+  }
+  return sum / (3 * static_cast<double>(surface.triangles.size()));
+}
+
+SpacingField spacing_of(const SurfaceMesh& surface, double growth) {
+  if (growth == 0) return SpacingField(mean_edge(surface));
+  SpacingOptions options;
+  options.growth = growth;
+  return make_spacing_field(surface, options);
+}
+
+int mesh(const std::string& path, double growth) {
   const Seconds begin = now();
   const SurfaceMesh surface = read_surface(path);
   const Subdomain domain = root_subdomain(surface);
   const Seconds start = now();
-  const SpacingField spacing = make_spacing_field(surface, {});
+  const SpacingField spacing = spacing_of(surface, growth);
   const TetMesh made = mesh_volume(domain, spacing);
   const Seconds end = now();
   const double memory = peak_mb();
@@ -220,8 +240,8 @@ int mesh(const std::string& path) {
   return complaints.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-int measure(const std::string& path, const std::string& mesh_path) {
-  const SpacingField spacing = make_spacing_field(read_surface(path), {});
+int measure(const std::string& path, double growth, const std::string& mesh_path) {
+  const SpacingField spacing = spacing_of(read_surface(path), growth);
   const TetMesh mesh =
       mesh_path.ends_with(".ele") ? read_tetgen(mesh_path) : read_msh_tets(read_file(mesh_path));
   if (mesh.tets.empty()) throw std::runtime_error(mesh_path + " has no tetrahedra");
@@ -235,12 +255,14 @@ int measure(const std::string& path, const std::string& mesh_path) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
-    if (words.size() == 2 && words[0] == "mesh") return tetfarm::mesh(words[1]);
-    if (words.size() == 3 && words[0] == "measure") return tetfarm::measure(words[1], words[2]);
+    if (words.size() == 3 && words[0] == "mesh")
+      return tetfarm::mesh(words[1], std::stod(words[2]));
+    if (words.size() == 4 && words[0] == "measure")
+      return tetfarm::measure(words[1], std::stod(words[2]), words[3]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return EXIT_FAILURE;
   }
-  std::fprintf(stderr, "usage: kernel_bench mesh SURFACE | measure SURFACE MESH\n");
+  std::fprintf(stderr, "usage: kernel_bench mesh SURFACE GROWTH | measure SURFACE GROWTH MESH\n");
   return 2;
 }
