@@ -163,39 +163,50 @@ void find_bad_faces(const TetMesh& mesh, const std::vector<Triangle>& triangles,
   }
 }
 
-struct LongVec3 {
-  long double x, y, z;
+/// More digits than long double has on some machines: differences of doubles are exact, and a
+/// flat tet's volume is told from zero where long double cannot.
+__extension__ typedef __float128 Quad;
+
+template <typename Real>
+struct Edges {
+  std::array<std::array<Real, 3>, 3> to;
 };
 
-LongVec3 difference(const Vec3& a, const Vec3& b) {
-  return {static_cast<long double>(a.x) - b.x, static_cast<long double>(a.y) - b.y,
-          static_cast<long double>(a.z) - b.z};
+template <typename Real>
+Edges<Real> edges_from(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto difference = [&from](const Vec3& p) {
+    return std::array<Real, 3>{static_cast<Real>(p.x) - static_cast<Real>(from.x),
+                               static_cast<Real>(p.y) - static_cast<Real>(from.y),
+                               static_cast<Real>(p.z) - static_cast<Real>(from.z)};
+  };
+  return {{difference(a), difference(b), difference(c)}};
 }
 
-long double determinant(const LongVec3& a, const LongVec3& b, const LongVec3& c) {
-  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-         a.z * (b.x * c.y - b.y * c.x);
+template <typename Real>
+Real volume_of(const Edges<Real>& edges) {
+  const auto& [a, b, c] = edges.to;
+  return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0])) /
+         6;
 }
 
 void find_bad_volumes(const TetMesh& mesh, const std::vector<Triangle>& triangles,
                       Complaints& complaints) {
-  const auto edge = [&](std::int32_t to, const Vec3& from) {
-    return difference(mesh.nodes[at(to)], from);
-  };
+  const auto p = [&mesh](std::int32_t v) { return mesh.nodes[at(v)]; };
   long double of_tets = 0;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const auto& [a, b, c, d] = mesh.tets[i];
     const Vec3& from = mesh.nodes[at(a)];
-    const long double volume = determinant(edge(b, from), edge(c, from), edge(d, from)) / 6;
+    const auto volume = volume_of(edges_from<long double>(from, p(b), p(c), p(d)));
     of_tets += volume;
-    if (volume > 0) continue;
+    if (volume > 0 || volume_of(edges_from<Quad>(from, p(b), p(c), p(d))) > 0) continue;
     complaints.add("tet " + to_string(i) + " " + nodes_text(mesh.tets[i]) + " at " + text_of(from) +
                    " has the volume " + text_of(static_cast<double>(volume)));
   }
   const Vec3 centre = bounding_box(mesh.nodes).centre();
   long double enclosed = 0;
   for (const auto& [a, b, c] : triangles) {
-    enclosed += determinant(edge(a, centre), edge(b, centre), edge(c, centre)) / 6;
+    enclosed += volume_of(edges_from<long double>(centre, p(a), p(b), p(c)));
   }
   if (std::fabs(of_tets - enclosed) <= 1e-9L * std::fabs(enclosed)) return;
   complaints.add("the tets fill " + text_of(static_cast<double>(of_tets)) +

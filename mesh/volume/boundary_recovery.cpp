@@ -24,8 +24,21 @@ constexpr std::array<Effort, 4> efforts = {{{0, 200}, {1, 1000}, {2, 2000}, {3, 
 /// Parts of what the deep searches did not find are short: they are there at once, or split again.
 constexpr std::size_t passes_after_splitting = 2;
 
-/// Splitting ends after so many rounds, or when there are more Steiner points than triangles.
-constexpr int most_rounds = 12;
+/// Splitting ends after so many rounds, or when it makes more work than it does.
+constexpr int most_rounds = 40;
+constexpr std::size_t most_points_of_small_surface = 300;
+constexpr std::size_t most_growth = 3;
+
+/// By a counter: the same on every machine. Seed 0 leaves the order alone.
+template <typename T>
+void shuffle(std::vector<T>& things, std::uint64_t seed) {
+  if (seed == 0) return;
+  std::uint64_t state = seed;
+  for (std::size_t i = things.size(); i > 1; --i) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    std::swap(things[i - 1], things[(state >> 33) % i]);
+  }
+}
 
 void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::size_t passes,
                    std::vector<Edge>& missing) {
@@ -62,14 +75,17 @@ struct Missing {
   std::int64_t faces_at_first = 0;
 };
 
-Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::size_t passes) {
+Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::size_t passes,
+                         std::uint64_t seed) {
   Missing missing;
   EdgeRemoval removal(mesh, surface);
   missing.edges = missing_edges(mesh.complex(), surface);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
+  shuffle(missing.edges, seed);
   recover_edges(mesh, removal, passes, missing.edges);
   missing.faces = constrain_faces(mesh, surface);
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
+  shuffle(missing.faces, seed);
   recover_faces(mesh, removal, surface, passes, missing.faces);
   return missing;
 }
@@ -164,20 +180,26 @@ std::vector<std::int32_t> constrain_faces(LocalRemeshing& mesh, const RecoverySu
 }
 
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                                   const std::vector<Triangle>& triangles) {
+                                   const std::vector<Triangle>& triangles, std::uint64_t seed) {
   RecoveredBoundary result;
+  std::size_t least_missing = triangles.size();
   result.surface = unsplit(triangles);
   for (int round = 0;; ++round) {
     LocalRemeshing mesh(complex, constrained);
     const auto nodes = static_cast<std::int32_t>(complex.points.size());
-    const Missing missing = recover_by_flips(mesh, RecoverySurface(result.surface.triangles, nodes),
-                                             round == 0 ? efforts.size() : passes_after_splitting);
+    const Missing missing =
+        recover_by_flips(mesh, RecoverySurface(result.surface.triangles, nodes),
+                         round == 0 ? efforts.size() : passes_after_splitting, seed);
     if (round == 0) {
       result.missing_edges = missing.edges_at_first;
       result.missing_faces = missing.faces_at_first;
     }
     if (missing.faces.empty()) return result;
-    if (round < most_rounds && result.surface.splits.size() <= triangles.size() &&
+    least_missing = std::min(least_missing, missing.faces.size());
+    const std::size_t points = result.surface.splits.size();
+    const bool is_hopeful = missing.faces.size() <= most_growth * least_missing + 10 &&
+                            points <= triangles.size() + most_points_of_small_surface;
+    if (is_hopeful && round < most_rounds &&
         split_missing(complex, constrained, missing, result.surface)) {
       continue;
     }

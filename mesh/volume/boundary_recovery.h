@@ -24,10 +24,11 @@ struct RecoveredBoundary {
   std::vector<std::int32_t> lost;  // boundary triangles that could not be recovered even in parts
 };
 
-/// On success (nothing lost) all faces of the split surface are constrained on both sides.
+/// `seed`: another order of the flips, for another attempt from the Delaunay tets; 0 is the plain
+/// order. On success (nothing lost) all faces of the split surface are constrained on both sides.
 /// @pre every node of the boundary is in a tet; no face is constrained.
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                                   const std::vector<Triangle>& triangles);
+                                   const std::vector<Triangle>& triangles, std::uint64_t seed = 0);
 
 /// The surface's edges that are not in the complex, in increasing order.
 std::vector<std::array<std::int32_t, 2>> missing_edges(const TetComplex& complex,

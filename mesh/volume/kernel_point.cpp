@@ -1,77 +1,49 @@
 #include "mesh/volume/kernel_point.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "mesh/geometry/predicates.h"
+#include "mesh/volume/deepest_point.h"
 
 namespace tetfarm {
 namespace {
 
-struct Plane {
-  Vec3 normal;  // unit, towards the visible side
-  Vec3 point;
-};
-
-/// The smallest signed distance, and the plane that has it.
-struct Depth {
-  double value;
-  std::size_t plane;
-};
-
-Depth depth_at(const std::vector<Plane>& planes, const Vec3& x) {
-  Depth depth{HUGE_VAL, 0};
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const double distance = dot(planes[i].normal, x - planes[i].point);
-    if (distance < depth.value) depth = {distance, i};
-  }
-  return depth;
+double smallest_orientation(std::span<const VisibleFace> faces, const Vec3& x) {
+  double smallest = HUGE_VAL;
+  for (const auto& [a, b, c] : faces) smallest = std::min(smallest, orient3d(a, b, c, x));
+  return smallest;
 }
 
-double next_random(std::uint64_t& state) {
-  state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-  return static_cast<double>(state >> 11) / 4503599627370496.0 - 1.0;
+/// Distances are those of the exact predicate, which are right to the last digits also where
+/// `origin` nearly lies on the planes.
+std::vector<HalfSpace> half_spaces(std::span<const VisibleFace> faces, const Vec3& origin) {
+  std::vector<HalfSpace> planes;
+  for (const auto& [a, b, c] : faces) {
+    const Vec3 normal = cross(b - a, c - a);
+    const double length = norm(normal);
+    if (length > 0) planes.push_back({normal / length, orient3d(a, b, c, origin) / length});
+  }
+  return planes;
 }
 
 }  // namespace
 
-std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start,
-                                 double size) {
-  std::vector<Plane> planes;
-  for (const auto& [a, b, c] : faces) {
-    const Vec3 normal = normalized(cross(b - a, c - a));
-    if (norm2(normal) > 0) planes.push_back({normal, a});
+std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start) {
+  double reach = 0;
+  for (const VisibleFace& face : faces) {
+    for (const Vec3& p : face) reach = std::max(reach, distance(p, start));
   }
-  if (planes.empty()) return std::nullopt;
-  Vec3 best = start;
-  Depth depth = depth_at(planes, best);
-  double step = size;
-  std::uint64_t state = 1;
-  constexpr int tries = 400;
-  for (int i = 0; i < tries && step > 1e-14 * size; ++i) {
-    // Away from the nearest plane, mixed with a direction by chance.
-    Vec3 direction = {next_random(state), next_random(state), next_random(state)};
-    direction = normalized(planes[depth.plane].normal + (i % 4 == 0 ? 0.0 : 1.0) * direction);
-    bool is_better = false;
-    for (double length = 4 * step; length > step / 64; length /= 2) {
-      const Vec3 moved = best + length * direction;
-      const Depth there = depth_at(planes, moved);
-      if (there.value <= depth.value) continue;
-      best = moved;
-      depth = there;
-      step = length;
-      is_better = true;
-      break;
-    }
-    if (!is_better && i % 4 == 3) step /= 2;
+  Vec3 place = start;
+  // Each time nearer, so that rounding has less and less to say.
+  constexpr int tries = 4;
+  for (int i = 0; i < tries && reach > 0; ++i) {
+    const Vec3 step = deepest_point(half_spaces(faces, place), reach);
+    place += step;
+    if (smallest_orientation(faces, place) > 0) return place;
+    reach = std::min(0.1 * reach, 4 * norm(step));
   }
-  const bool is_visible = std::all_of(faces.begin(), faces.end(), [&best](const VisibleFace& f) {
-    return orient3d(f[0], f[1], f[2], best) > 0;
-  });
-  if (!is_visible) return std::nullopt;
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace tetfarm

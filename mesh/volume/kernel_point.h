@@ -2,8 +2,8 @@
 /// found.
 ///
 /// Source: P. L. George, H. Borouchaki, E. Saltel, "'Ultimate' robustness in meshing an arbitrary
-/// polyhedron" (2003), section 4. The smallest distance to the planes is a concave function; it is
-/// climbed by line searches. Deterministic. Cost: some hundred evaluations of all planes.
+/// polyhedron" (2003), section 4; the place is a linear program (deepest_point.h). Deterministic.
+/// Cost: O(faces).
 #pragma once
 
 #include <array>
@@ -18,8 +18,6 @@ namespace tetfarm {
 using VisibleFace = std::array<Vec3, 3>;
 
 /// Nothing when no point with exactly positive orient3d to every face was found near `start`.
-/// `size` is the length of the first steps.
-std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start,
-                                 double size);
+std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start);
 
 }  // namespace tetfarm

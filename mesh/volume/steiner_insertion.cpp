@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/predicates.h"
@@ -46,21 +47,17 @@ double share_of_crossing(const LocalRemeshing& mesh, const Crossing& crossing, c
   return std::clamp(to_a / (to_a + to_b), 0.01, 0.99);
 }
 
-/// A point on the missing face: where the middle one of the piercing edges goes through it.
-Vec3 place_on_face(const LocalRemeshing& mesh, const Triangle& face) {
+/// Where the edge uv goes through the face's plane; the centroid when it lies in it.
+Vec3 place_on_face(const LocalRemeshing& mesh, const Triangle& face, const Edge& edge) {
   const Vec3& a = mesh.point(face[0]);
   const Vec3& b = mesh.point(face[1]);
   const Vec3& c = mesh.point(face[2]);
-  const Vec3 centroid = (a + b + c) / 3.0;
-  const auto edges = piercing_edges(mesh, face);
-  if (edges.empty()) return centroid;
-  const auto& [u, v] = edges[edges.size() / 2];
-  const double above = std::abs(tet_volume(a, b, c, mesh.point(u)));
-  const double below = std::abs(tet_volume(a, b, c, mesh.point(v)));
-  if (!(above + below > 0)) return centroid;
-  const Vec3 through = mesh.point(u) + (above / (above + below)) * (mesh.point(v) - mesh.point(u));
-  // Well inside the face.
-  return centroid + 0.8 * (through - centroid);
+  const Vec3& u = mesh.point(edge[0]);
+  const Vec3& v = mesh.point(edge[1]);
+  const double above = std::abs(orient3d(a, b, c, u));
+  const double below = std::abs(orient3d(a, b, c, v));
+  if (!(above + below > 0)) return (a + b + c) / 3.0;
+  return u + (above / (above + below)) * (v - u);
 }
 
 /// Puts the point into the complex by a constrained cavity; its number, or -1 when there is no room
@@ -159,12 +156,26 @@ std::int32_t insert_on_edge(TetComplex& complex, std::vector<std::uint8_t>& cons
 
 std::int32_t insert_on_face(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                             const Triangle& face) {
-  Vec3 place;
+  std::vector<Edge> edges;
+  std::vector<Vec3> places;
   {
     const LocalRemeshing mesh(complex, constrained);
-    place = place_on_face(mesh, face);
+    edges = piercing_edges(mesh, face);
+    for (const Edge& edge : edges) places.push_back(place_on_face(mesh, face, edge));
   }
-  return insert_point(complex, constrained, place, face[0]);
+  const auto p = [&complex](std::int32_t v) { return complex.points[at(v)]; };
+  const Vec3 centroid = (p(face[0]) + p(face[1]) + p(face[2])) / 3.0;
+  std::vector<std::size_t> order(edges.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return distance(places[i], centroid) < distance(places[j], centroid);
+  });
+  for (const std::size_t i : order) {
+    const Crossing crossing{no_face, edges[i]};
+    const std::int32_t node = split_crossing(complex, constrained, crossing, places[i]);
+    if (node >= 0) return node;
+  }
+  return insert_point(complex, constrained, centroid, face[0]);
 }
 
 }  // namespace tetfarm

@@ -109,8 +109,11 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
 
 }  // namespace
 
-TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
-                    const VolumeMeshOptions& options, VolumeMeshReport* report) {
+namespace {
+
+/// From the Delaunay tets on, with the flips in the order of the seed.
+TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
+                  const VolumeMeshOptions& options, std::uint64_t seed, VolumeMeshReport* report) {
   const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
   const auto tell = [&options](const char* stage, std::size_t tets) {
     if (options.progress) options.progress(stage, static_cast<std::int64_t>(tets));
@@ -119,7 +122,8 @@ TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
   DelaunayTets tets = boundary_delaunay(subdomain);
   TetComplex& complex = tets.complex;
   std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
-  const RecoveredBoundary recovered = recover_boundary(complex, constrained, subdomain.triangles);
+  const RecoveredBoundary recovered =
+      recover_boundary(complex, constrained, subdomain.triangles, seed);
   if (report != nullptr) {
     report->missing_edges = recovered.missing_edges;
     report->missing_faces = recovered.missing_faces;
@@ -154,6 +158,28 @@ TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
   TetMesh mesh = compact_mesh(kept.complex, boundary_nodes);
   tell("done", mesh.tets.size());
   return mesh;
+}
+
+/// Small surfaces get more attempts: they are cheap, and blocked ones are mostly small.
+std::uint64_t attempts_for(std::size_t triangles) {
+  constexpr std::size_t small_surface = 2000;
+  return triangles <= small_surface ? 12 : 2;
+}
+
+}  // namespace
+
+TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
+                    const VolumeMeshOptions& options, VolumeMeshReport* report) {
+  const std::uint64_t last = attempts_for(subdomain.triangles.size()) - 1;
+  for (std::uint64_t seed = 0; seed < last; ++seed) {
+    try {
+      return mesh_once(subdomain, spacing, options, seed, report);
+    } catch (const RecoveryFailure&) {
+      // Another order of the flips meets other obstacles.
+      continue;
+    }
+  }
+  return mesh_once(subdomain, spacing, options, last, report);
 }
 
 }  // namespace tetfarm

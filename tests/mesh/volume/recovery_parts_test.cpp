@@ -64,12 +64,12 @@ TEST(KernelPoint, of_a_cube_is_well_inside_and_of_facing_away_planes_there_is_no
     const auto p = [&cube](std::int32_t v) { return cube.vertices[static_cast<std::size_t>(v)]; };
     faces.push_back({p(a), p(c), p(b)});
   }
-  const auto point = kernel_point(faces, {0, 0, 0}, 0.1);
+  const auto point = kernel_point(faces, {0, 0, 0});
   ASSERT_TRUE(point.has_value());
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR((*point)[axis], 0.5, 0.2);
   const std::vector<VisibleFace> opposed = {{Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}},
                                             {Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 0, 0}}};
-  EXPECT_FALSE(kernel_point(opposed, {0, 0, 0}, 1).has_value());
+  EXPECT_FALSE(kernel_point(opposed, {0, 0, 0}).has_value());
 }
 
 TEST(SurfaceSplitting, of_an_edge_and_a_face_keeps_the_surface_closed_and_remembers_the_whole) {

@@ -1,0 +1,19 @@
+#include "tests/mesh/volume/generated_surfaces_checks.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::uint64_t seeds = 26;
+
+TEST(GeneratedSurfaces, are_all_meshed_when_they_are_valid) {
+  for (const shapes::SurfaceGenerator& generator : shapes::surface_generators()) {
+    std::uint64_t valid = 0;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      valid += expect_is_meshed_if_valid(generator, seed, 1) ? 1U : 0U;
+    }
+    EXPECT_GT(2 * valid, seeds) << generator.name;
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,427 @@
+#include "tests/support/generated_surfaces.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
+
+#include "tests/support/shapes.h"
+
+namespace tetfarm::shapes {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// The standard's distributions differ between libraries; this does not.
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : random_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_() >> 11) / 9007199254740992.0;
+  }
+  /// From low to high, both included.
+  int pick(int low, int high) {
+    return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  bool coin() { return (random_() & 1024) != 0; }
+  /// A small number of any order of size.
+  double small(int lowest_power, int highest_power) {
+    return between(0.2, 1) * std::pow(10, pick(lowest_power, highest_power));
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+void add_quad(SurfaceMesh& mesh, const std::array<std::int32_t, 4>& q, bool is_turned) {
+  if (is_turned) {
+    mesh.triangles.push_back({q[1], q[2], q[3]});
+    mesh.triangles.push_back({q[1], q[3], q[0]});
+  } else {
+    mesh.triangles.push_back({q[0], q[1], q[2]});
+    mesh.triangles.push_back({q[0], q[2], q[3]});
+  }
+}
+
+SurfaceMesh finished(SurfaceMesh mesh) {
+  mesh.patch_of_triangle.assign(mesh.triangles.size(), 0);
+  mesh.patch_names = {"surface"};
+  return mesh;
+}
+
+/// A prism of n sides whose top is turned; the sides' diagonals run inside.
+SurfaceMesh prism(int n, double twist, double height, double top_radius) {
+  SurfaceMesh mesh;
+  for (int k = 0; k < 2 * n; ++k) {
+    const bool is_top = k >= n;
+    const double angle = 2 * pi * (k % n) / n + (is_top ? twist : 0);
+    const double radius = is_top ? top_radius : 1;
+    mesh.vertices.push_back(
+        {radius * std::cos(angle), radius * std::sin(angle), is_top ? height : 0});
+  }
+  for (std::int32_t k = 1; k + 1 < n; ++k) {
+    mesh.triangles.push_back({0, k + 1, k});
+    mesh.triangles.push_back({n, n + k, n + k + 1});
+  }
+  for (std::int32_t k = 0; k < n; ++k) {
+    const std::int32_t next = (k + 1) % n;
+    add_quad(mesh, {k, next, n + next, n + k}, false);
+  }
+  return finished(mesh);
+}
+
+SurfaceMesh schoenhardt_prism(std::uint64_t seed, int) {
+  Chance chance(seed);
+  const double most = pi / 3;
+  const double left = seed % 2 == 0 ? chance.between(0.05, 0.95) : chance.small(-5, -2);
+  return prism(3, most * (seed % 4 < 2 ? left : 1 - left), chance.small(-3, 2),
+               chance.between(0.5, 1));
+}
+
+SurfaceMesh twisted_prism(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = chance.pick(4, 10 * size);
+  const double most = pi - 2 * pi / n;
+  return prism(n, most * chance.between(0, 0.95), chance.small(-1, 1), 1);
+}
+
+/// Slits from below whose ridges lie on z = xy, slits from above whose valleys lie a gap higher.
+SurfaceMesh chazelle(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int slits = chance.pick(1, size);
+  const double gap = chance.small(-3, -1);
+  const double depth = chance.between(0.5, 3) * slits;
+  const int lines = 2 * slits + 1;
+  SurfaceMesh mesh;
+  const double top = depth + slits * slits;
+  const auto point = [&](double x, double y, double z) {
+    mesh.vertices.push_back({x, y, z});
+    return static_cast<std::int32_t>(mesh.vertices.size() - 1);
+  };
+  // Lines of odd number are edges of slits. The first and last line carry the ends of the others.
+  std::vector<std::vector<std::int32_t>> low(static_cast<std::size_t>(lines)), high = low;
+  for (int k = 0; k < lines; ++k) {
+    const double s = 0.5 * k;
+    const bool is_slit = k % 2 == 1;
+    const bool is_side = k == 0 || k == lines - 1;
+    for (int j = 0; j < lines; j += is_side ? 1 : lines - 1) {
+      const double r = 0.5 * j;
+      low[at(k)].push_back(point(r, s, is_slit ? r * s : -depth));
+      high[at(k)].push_back(point(s, r, is_slit ? r * s + gap : top));
+    }
+  }
+  const auto add_strip = [&](const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b,
+                             bool is_low) {
+    const auto add = [&](std::int32_t u, std::int32_t v, std::int32_t w) {
+      mesh.triangles.push_back(is_low ? Triangle{u, v, w} : Triangle{u, w, v});
+    };
+    for (std::size_t i = 0; i + 1 < a.size(); ++i) add(a[i], b[0], a[i + 1]);
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) add(a.back(), b[i], b[i + 1]);
+  };
+  for (std::size_t k = 0; k + 1 < low.size(); ++k) {
+    add_strip(low[k], low[k + 1], true);
+    add_strip(high[k], high[k + 1], false);
+  }
+  const auto add_side = [&](const auto& carrier, const auto& others, bool is_last, bool is_low) {
+    for (std::size_t k = 0; k + 1 < others.size(); ++k) {
+      const auto end = [&](std::size_t i) {
+        return is_last ? others[i].back() : others[i].front();
+      };
+      std::array<std::int32_t, 4> q = {carrier[k], carrier[k + 1], end(k + 1), end(k)};
+      if (is_last == is_low) std::swap(q[1], q[3]);
+      add_quad(mesh, q, false);
+    }
+  };
+  add_side(low.front(), high, false, true);
+  add_side(low.back(), high, true, true);
+  add_side(high.front(), low, false, false);
+  add_side(high.back(), low, true, false);
+  return finished(mesh);
+}
+
+SurfaceMesh star(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  SurfaceMesh mesh = sphere({0, 0, 0}, 1, chance.pick(0, size));
+  const double shortest = chance.small(-3, -1);
+  for (Vec3& p : mesh.vertices) {
+    p *= chance.pick(0, 3) == 0 ? chance.between(shortest, 1.5) : chance.between(shortest, 0.3);
+  }
+  return mesh;
+}
+
+/// Triangles split beside their edges, edges beside their ends: angles far below a degree.
+SurfaceMesh needles(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  SurfaceMesh mesh = chance.coin() ? unit_cube() : sphere({0, 0, 0}, 1, chance.pick(0, size));
+  const int splits = chance.pick(3, 40 * size);
+  const int power = chance.pick(-6, -1);
+  for (int i = 0; i < splits; ++i) {
+    const auto number = at(chance.pick(0, static_cast<int>(mesh.triangles.size()) - 1));
+    const auto [a, b, c] = mesh.triangles[number];
+    const double beside = chance.small(power, -1) / 3;
+    const double along = chance.coin() ? chance.between(0.1, 0.9) : chance.small(power, -1);
+    const Vec3 on_edge = (1 - along) * mesh.vertices[at(a)] + along * mesh.vertices[at(b)];
+    const auto node = static_cast<std::int32_t>(mesh.vertices.size());
+    if (chance.coin()) {
+      mesh.vertices.push_back((1 - beside) * on_edge + beside * mesh.vertices[at(c)]);
+      mesh.triangles[number] = {a, b, node};
+      mesh.triangles.push_back({b, c, node});
+      mesh.triangles.push_back({c, a, node});
+      continue;
+    }
+    mesh.vertices.push_back(on_edge);
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      for (int k = 0; k < 3; ++k) {
+        auto& x = mesh.triangles[t];
+        const std::int32_t u = x[at(k)], v = x[at((k + 1) % 3)], w = x[at((k + 2) % 3)];
+        if (!((u == a && v == b) || (u == b && v == a))) continue;
+        x = {u, node, w};
+        mesh.triangles.push_back({node, v, w});
+        break;
+      }
+    }
+  }
+  return finished(mesh);
+}
+
+/// A thin cone or spindle on a polygon: all its triangles meet at the tips.
+SurfaceMesh spindle(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = chance.pick(3, 60 * size);
+  const double length = std::pow(10, chance.pick(-2, 4));
+  SurfaceMesh mesh;
+  for (int k = 0; k < n; ++k) {
+    mesh.vertices.push_back({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n), 0});
+  }
+  mesh.vertices.push_back({0, 0, length});
+  mesh.vertices.push_back({0, 0, chance.coin() ? -length : length * chance.small(-4, -1)});
+  for (std::int32_t k = 0; k < n; ++k) {
+    const std::int32_t next = (k + 1) % n;
+    mesh.triangles.push_back({k, next, n});
+    mesh.triangles.push_back({next, k, n + 1});
+  }
+  return finished(mesh);
+}
+
+void append(SurfaceMesh& mesh, const SurfaceMesh& other) { mesh = between(mesh, other); }
+
+/// Shells in shells, a millionth of their size apart, or blocks that nearly touch.
+SurfaceMesh near_shells(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const double gap = chance.small(-6, -1);
+  const SurfaceMesh outer =
+      chance.coin() ? star(seed + 1, size) : box({-1, -1, -1}, {1, 1, 1}, chance.pick(1, 2 * size));
+  SurfaceMesh mesh = outer;
+  SurfaceMesh next = outer;
+  for (int shells = chance.pick(1, 3); shells > 0; --shells) {
+    for (Vec3& p : next.vertices) p *= 1 - gap;
+    append(mesh, next);
+  }
+  if (chance.coin()) {
+    SurfaceMesh beside = box({-1, -1, -1}, {1, 1, 1}, chance.pick(1, 2 * size));
+    for (Vec3& p : beside.vertices) p.x += 3.5 + gap;
+    append(mesh, beside);
+    for (Vec3& p : beside.vertices) p.x += 2 + gap;
+    append(mesh, beside);
+  }
+  return finished(mesh);
+}
+
+/// The skin of the cells of an n x m x l grid that are in; diagonals by chance.
+SurfaceMesh skin(const std::array<int, 3>& n, const std::vector<bool>& is_in, Chance& chance) {
+  SurfaceMesh mesh;
+  std::map<std::array<int, 3>, std::int32_t> number;
+  const auto node = [&](const std::array<int, 3>& p) {
+    const auto [it, is_new] = number.try_emplace(p, static_cast<std::int32_t>(number.size()));
+    if (is_new) {
+      mesh.vertices.push_back({double(p[0]), double(p[1]), double(p[2])});
+    }
+    return it->second;
+  };
+  const auto holds = [&](const std::array<int, 3>& c) {
+    for (int k = 0; k < 3; ++k) {
+      if (c[at(k)] < 0 || c[at(k)] >= n[at(k)]) return false;
+    }
+    return static_cast<bool>(is_in[at((c[0] * n[1] + c[1]) * n[2] + c[2])]);
+  };
+  for (int cell = 0; cell < n[0] * n[1] * n[2]; ++cell) {
+    const std::array<int, 3> c = {cell / n[2] / n[1], cell / n[2] % n[1], cell % n[2]};
+    if (!holds(c)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 2; ++side) {
+        std::array<int, 3> beyond = c;
+        beyond[at(axis)] += 2 * side - 1;
+        if (holds(beyond)) continue;
+        std::array<int, 3> p = c;
+        p[at(axis)] += side;
+        std::array<std::int32_t, 4> q{};
+        for (int k = 0; k < 4; ++k) {
+          std::array<int, 3> corner = p;
+          corner[at((axis + 1) % 3)] += k == 1 || k == 2 ? 1 : 0;
+          corner[at((axis + 2) % 3)] += k >= 2 ? 1 : 0;
+          q[at(k)] = node(corner);
+        }
+        if (side == 0) std::swap(q[1], q[3]);
+        add_quad(mesh, q, chance.coin());
+      }
+    }
+  }
+  return finished(mesh);
+}
+
+/// Cells by chance; many touch along an edge and are told to be invalid.
+SurfaceMesh voxels(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = chance.pick(2, 2 + size);
+  std::vector<bool> is_in(at(n * n * n), false);
+  // A walk, so that few cells touch along an edge only.
+  std::array<int, 3> c = {n / 2, n / 2, n / 2};
+  for (int step = chance.pick(2, 4 * n); step > 0; --step) {
+    is_in[at((c[0] * n + c[1]) * n + c[2])] = true;
+    int& x = c[at(chance.pick(0, 2))];
+    x = std::clamp(x + (chance.coin() ? 1 : -1), 0, n - 1);
+  }
+  return skin({n, n, n}, is_in, chance);
+}
+
+/// A plate with square holes: its genus is their number.
+SurfaceMesh handles(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = 2 * chance.pick(1, size == 1 ? 2 : 7) + 1,
+            m = 2 * chance.pick(1, size == 1 ? 1 : 7) + 1;
+  std::vector<bool> is_in;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < m; ++j) is_in.push_back(i % 2 == 0 || j % 2 == 0);
+  }
+  SurfaceMesh mesh = skin({n, m, 1}, is_in, chance);
+  const double height = chance.coin() ? 1 : chance.small(-4, 1);
+  for (Vec3& p : mesh.vertices) p.z *= height;
+  return mesh;
+}
+
+/// A box of squares, its cospherical corners with diagonals by chance, some at random heights.
+SurfaceMesh grid(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = chance.pick(1, 2 * size + 1);
+  SurfaceMesh mesh = skin({n, n, n}, std::vector<bool>(at(n * n * n), true), chance);
+  if (chance.coin()) return mesh;
+  for (Vec3& p : mesh.vertices) {
+    if (p.z == n) p.z += 0.25 * chance.pick(0, 12);
+  }
+  return mesh;
+}
+
+/// Rings of points on a sphere or a cylinder: all on one sphere, quads flat.
+SurfaceMesh rings(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int n = chance.pick(3, 12 * size), m = chance.pick(1, 6 * size);
+  SurfaceMesh mesh;
+  const bool is_round = chance.coin();
+  const double height = chance.small(-3, 1);
+  for (int j = 0; j <= m; ++j) {
+    const double v = pi * (j + 1) / (m + 2);
+    for (int i = 0; i < n; ++i) {
+      const double u = 2 * pi * i / n;
+      const double r = is_round ? std::sin(v) : 1;
+      mesh.vertices.push_back(
+          {r * std::cos(u), r * std::sin(u), is_round ? -std::cos(v) : height * j});
+    }
+  }
+  for (std::int32_t k = 1; k + 1 < n; ++k) {
+    mesh.triangles.push_back({0, k + 1, k});
+    mesh.triangles.push_back({m * n, m * n + k, m * n + k + 1});
+  }
+  for (std::int32_t j = 0; j < m; ++j) {
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::int32_t next = (i + 1) % n;
+      add_quad(mesh, {j * n + i, j * n + next, (j + 1) * n + next, (j + 1) * n + i}, chance.coin());
+    }
+  }
+  return finished(mesh);
+}
+
+/// A tube along a torus knot that winds p times round the axis and q times round the ring.
+SurfaceMesh knot(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int p = chance.pick(1, 3), q = p == 1 ? 0 : chance.pick(1, 2) * p + 1;
+  const int n = chance.pick(6, 12) * std::max(p, q) * size, m = chance.pick(3, 6);
+  const double radius = (p == 1 ? 0.5 : 0.3 / p) * (chance.coin() ? 1 : chance.small(-3, -1));
+  const auto curve = [&](double t) {
+    const double r = 1 + (p == 1 ? 0 : 0.45) * std::cos(q * t);
+    return Vec3{r * std::cos(p * t), r * std::sin(p * t), 0.45 * std::sin(q * t)};
+  };
+  SurfaceMesh mesh;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * pi * i / n;
+    const Vec3 along = normalized(curve(t + 1e-4) - curve(t - 1e-4));
+    const Vec3 aside = normalized(cross(along, {0, 0, 1}));
+    const Vec3 up = cross(aside, along);
+    for (int j = 0; j < m; ++j) {
+      const double v = 2 * pi * j / m;
+      mesh.vertices.push_back(curve(t) + (radius * std::cos(v)) * aside +
+                              (radius * std::sin(v)) * up);
+    }
+  }
+  for (std::int32_t i = 0; i < n; ++i) {
+    const std::int32_t next = (i + 1) % n;
+    for (std::int32_t j = 0; j < m; ++j) {
+      const std::int32_t k = (j + 1) % m;
+      add_quad(mesh, {i * m + j, i * m + k, next * m + k, next * m + j}, chance.coin());
+    }
+  }
+  return finished(mesh);
+}
+
+}  // namespace
+
+std::span<const SurfaceGenerator> surface_generators() {
+  static constexpr std::array<SurfaceGenerator, 12> all = {
+      {{"schoenhardt_prism", schoenhardt_prism},
+       {"twisted_prism", twisted_prism},
+       {"chazelle", chazelle},
+       {"star", star},
+       {"needles", needles},
+       {"spindle", spindle},
+       {"near_shells", near_shells},
+       {"voxels", voxels},
+       {"handles", handles},
+       {"grid", grid},
+       {"rings", rings},
+       {"knot", knot}}};
+  return all;
+}
+
+SurfaceMesh moved_by_chance(SurfaceMesh surface, std::uint64_t seed) {
+  const Box3 box = bounding_box(surface.vertices);
+  const double size = norm(box.size());
+  const double angle = Chance(seed).between(0, pi);
+  for (Vec3& p : surface.vertices) {
+    switch (seed % 7) {
+      case 1:
+        p = {std::cos(angle) * p.x - std::sin(angle) * p.z, p.y,
+             std::sin(angle) * p.x + std::cos(angle) * p.z};
+        break;
+      case 2:
+        p += size * Vec3{1e6, -1e6, 1e6};
+        break;
+      case 3:
+        p *= 1e-9;
+        break;
+      case 4:
+        p *= 1e9;
+        break;
+      case 5:
+        p.z *= 1e-4;
+        break;
+      default:
+        break;
+    }
+  }
+  return surface;
+}
+
+}  // namespace tetfarm::shapes
