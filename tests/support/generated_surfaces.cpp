@@ -83,7 +83,7 @@ SurfaceMesh schoenhardt_prism(std::uint64_t seed, int) {
 
 SurfaceMesh twisted_prism(std::uint64_t seed, int size) {
   Chance chance(seed);
-  const int n = chance.pick(4, 10 * size);
+  const int n = chance.pick(4, 8 * size);
   const double most = pi - 2 * pi / n;
   return prism(n, most * chance.between(0, 0.95), chance.small(-1, 1), 1);
 }
@@ -155,8 +155,8 @@ SurfaceMesh star(std::uint64_t seed, int size) {
 /// Triangles split beside their edges, edges beside their ends: angles far below a degree.
 SurfaceMesh needles(std::uint64_t seed, int size) {
   Chance chance(seed);
-  SurfaceMesh mesh = chance.coin() ? unit_cube() : sphere({0, 0, 0}, 1, chance.pick(0, size));
-  const int splits = chance.pick(3, 40 * size);
+  SurfaceMesh mesh = chance.coin() ? unit_cube() : sphere({0, 0, 0}, 1, size - 1);
+  const int splits = chance.pick(3, 30 * size);
   const int power = chance.pick(-6, -1);
   for (int i = 0; i < splits; ++i) {
     const auto number = at(chance.pick(0, static_cast<int>(mesh.triangles.size()) - 1));
@@ -213,11 +213,11 @@ void append(SurfaceMesh& mesh, const SurfaceMesh& other) { mesh = between(mesh, 
 SurfaceMesh near_shells(std::uint64_t seed, int size) {
   Chance chance(seed);
   const double gap = chance.small(-6, -1);
-  const SurfaceMesh outer =
-      chance.coin() ? star(seed + 1, size) : box({-1, -1, -1}, {1, 1, 1}, chance.pick(1, 2 * size));
+  const SurfaceMesh outer = chance.coin() ? star(seed + 1, size - 1)
+                                          : box({-1, -1, -1}, {1, 1, 1}, chance.pick(1, 2 * size));
   SurfaceMesh mesh = outer;
   SurfaceMesh next = outer;
-  for (int shells = chance.pick(1, 3); shells > 0; --shells) {
+  for (int shells = chance.pick(1, size); shells > 0; --shells) {
     for (Vec3& p : next.vertices) p *= 1 - gap;
     append(mesh, next);
   }
@@ -348,7 +348,7 @@ SurfaceMesh rings(std::uint64_t seed, int size) {
 SurfaceMesh knot(std::uint64_t seed, int size) {
   Chance chance(seed);
   const int p = chance.pick(1, 3), q = p == 1 ? 0 : chance.pick(1, 2) * p + 1;
-  const int n = chance.pick(6, 12) * std::max(p, q) * size, m = chance.pick(3, 6);
+  const int n = chance.pick(4, 7) * std::max(p, q) * size, m = chance.pick(3, 5);
   const double radius = (p == 1 ? 0.5 : 0.3 / p) * (chance.coin() ? 1 : chance.small(-3, -1));
   const auto curve = [&](double t) {
     const double r = 1 + (p == 1 ? 0 : 0.45) * std::cos(q * t);
