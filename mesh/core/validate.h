@@ -11,9 +11,8 @@ namespace tetfarm {
 
 /// What is wrong with a volume mesh of the domain bounded by `triangles` (indices into mesh.nodes),
 /// a line each with numbers and coordinates (at most 20 lines); empty when the invariants of
-/// TetMesh hold and the volumes of the tets add up to the enclosed volume to 1e-9 relative. Signs
-/// of volumes are decided in long double with an error bound, then exactly by `orient3d` of
-/// mesh/geometry when the caller passes it; here a volume must be positive as computed.
+/// TetMesh hold and the volumes of the tets add up to the enclosed volume to 1e-9 relative. A
+/// volume must be positive as computed in long double, or else in 113 bits.
 /// Cost: O(n log n) for n tets, about 60 bytes a tet.
 std::vector<std::string> validate(const TetMesh& mesh, const std::vector<Triangle>& triangles);
 
