@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <span>
 
 #include "mesh/core/surface_mesh.h"
@@ -19,6 +20,11 @@ struct SurfaceGenerator {
   /// The same surface for the same seed; `size` 1 is small, 3 some thousand triangles.
   SurfaceMesh (*make)(std::uint64_t seed, int size);
 };
+
+/// How a test's parameter is shown.
+inline void PrintTo(const SurfaceGenerator& generator, std::ostream* out) {
+  *out << generator.name;
+}
 
 std::span<const SurfaceGenerator> surface_generators();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 #include <string>
 
 #include "mesh/core/tet_quality.h"
@@ -17,6 +18,8 @@ struct RealSurface {
   double outer_box;           // factor, 0: none
   double smallest_angle_deg;  // that the mesh must have at least
 };
+
+void PrintTo(const RealSurface& surface, std::ostream* out) { *out << surface.file; }
 
 class VolumeMeshOfRealSurface : public testing::TestWithParam<RealSurface> {};
 
