@@ -15,7 +15,7 @@ namespace tetfarm {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Invariants (validate_closed in mesh/core/validate.h):
+/// Invariants (unmatched_edges in mesh/core/validate.h tells of 3):
 ///  1. every index is in [0, vertices.size()), the three of a triangle differ;
 ///  2. patch_of_triangle is empty or has one entry for each triangle, an index into patch_names;
 ///  3. of a *domain* surface: every edge is used once in each direction.

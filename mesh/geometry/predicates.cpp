@@ -88,16 +88,17 @@ template <std::size_t count>
 using GridPoints = std::array<std::array<std::int64_t, 3>, count>;
 
 /// The points as seen from `origin`, as integers of `bits` bits: when all differences are exact and
-/// are multiples of 2^-bits of a power of 2 above the largest, as on lattices.
+/// are multiples of 2^-bits of a power of 2 above the largest, as on lattices. What they were
+/// multiplied by, a power of 2; 0 when they are on no such grid.
 template <std::size_t count>
-bool on_grid(const std::array<Vec3, count>& points, const Vec3& origin, int bits,
-             GridPoints<count>& result) {
+double scale_to_grid(const std::array<Vec3, count>& points, const Vec3& origin, int bits,
+                     GridPoints<count>& result) {
   std::array<Vec3, count> offset;
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       const TwoTerms difference = two_sum(points[i][axis], -origin[axis]);
-      if (difference.low != 0) return false;
+      if (difference.low != 0) return 0;
       offset[i][axis] = difference.high;
       largest = std::max(largest, std::abs(difference.high));
     }
@@ -107,11 +108,11 @@ bool on_grid(const std::array<Vec3, count>& points, const Vec3& origin, int bits
     for (int axis = 0; axis < 3; ++axis) {
       const double steps = offset[i][axis] * scale;
       const auto whole = static_cast<std::int64_t>(steps);
-      if (static_cast<double>(whole) != steps) return false;
+      if (static_cast<double>(whole) != steps) return 0;
       result[i][static_cast<std::size_t>(axis)] = whole;
     }
   }
-  return true;
+  return scale;
 }
 
 /// Determinant of three rows of at most 30 bits.
@@ -128,8 +129,9 @@ int sign_of(Wide x) { return (x > 0) - (x < 0); }
 /// By integers if the points are on a grid, else by expansions.
 double decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   GridPoints<3> v;
-  if (on_grid<3>({b, c, d}, a, 30, v)) return sign_of(minor_of(v, 0, 1, 2));
-  return orient3d_exact(a, b, c, d);
+  const double scale = scale_to_grid<3>({b, c, d}, a, 30, v);
+  if (scale == 0) return orient3d_exact(a, b, c, d);
+  return static_cast<double>(minor_of(v, 0, 1, 2)) / scale / scale / scale;
 }
 
 struct DoublePoint {
@@ -168,7 +170,7 @@ int insphere_by_double_doubles(const Vec3& a, const Vec3& b, const Vec3& c, cons
 double decide_insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
   GridPoints<4> v;
   // 24 bits: each of the four terms is below 3 · 2^48 · 5.2 · 2^72, and their sum below 2^127.
-  if (!on_grid<4>({a, b, c, d}, e, 24, v)) {
+  if (scale_to_grid<4>({a, b, c, d}, e, 24, v) == 0) {
     const int sign = insphere_by_double_doubles(a, b, c, d, e);
     return sign != 0 ? sign : insphere_exact(a, b, c, d, e);
   }

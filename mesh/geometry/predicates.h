@@ -26,7 +26,7 @@ double orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 /// Positive when d is inside the circle through a, b, c (anticlockwise); 0 exactly when cocircular.
 double incircle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-/// Positive when tet_volume(a, b, c, d) is; 0 exactly when coplanar. Only the sign is exact.
+/// 6 · tet_volume(a, b, c, d): the sign is exact, 0 when coplanar, the size right to rounding.
 double orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Positive when e is inside the sphere through a, b, c, d (orient3d > 0); 0 exactly on the sphere.

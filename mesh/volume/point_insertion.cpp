@@ -5,14 +5,12 @@
 
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
+#include "mesh/spacing/octree_build.h"
 
 namespace tetfarm {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Edge of a regular tet over edge of the lattice cell, as the octree is built (mesh/spacing).
-constexpr double spacing_per_cell_edge = 0.92;
 
 /// Square of the distance from p to the triangle abc.
 double distance2_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -98,7 +96,7 @@ void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
     if (location.tet < 0) continue;
     last = location.tet;
     if (location.node >= 0 || !insertion.find_cavity(node, location.tet)) continue;
-    const double h = spacing_per_cell_edge * nodes[at(i)].cell_edge;
+    const double h = lattice_ratio * nodes[at(i)].cell_edge;
     if (keeps_clear(complex, constrained, insertion.hull(), places[at(i)], boundary_nodes,
                     options.face_clearance * h, options.node_clearance * h)) {
       last = insertion.fill();

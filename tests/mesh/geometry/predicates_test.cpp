@@ -76,6 +76,16 @@ TEST_F(Predicates, orient3d_is_antisymmetric_for_points_one_ulp_off_a_plane) {
   }
 }
 
+TEST_F(Predicates, orient3d_has_the_size_of_the_volume_where_rounding_leaves_nothing_of_it) {
+  // N^2 - (N + 1)(N - 1) = 1, but the products round to the same double.
+  const double n = 536870912.0;
+  const double unit = std::ldexp(1.0, -40);
+  const Vec3 a{0, 0, 0}, b{n * unit, (n + 1) * unit, 0}, c{(n - 1) * unit, n * unit, 0};
+  const Vec3 d{0, 0, unit};
+  EXPECT_EQ(orient3d(a, b, c, d), std::ldexp(1.0, -120));
+  EXPECT_EQ(orient3d(a, c, b, d), -std::ldexp(1.0, -120));
+}
+
 TEST_F(Predicates, insphere_agrees_with_integer_arithmetic) {
   for (const std::int64_t range : {2LL, 5LL, 1000LL, 1LL << 20}) {
     for (int i = 0; i < 5000; ++i) {
