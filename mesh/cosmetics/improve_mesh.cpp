@@ -275,7 +275,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
     requeue(improver, pass == 0);
     if (improver.queue.empty()) break;
   }
-  improver.report.moves += cosmetics::relax_nodes(improver.work, before.to_relax);
+  improver.report.moves += cosmetics::relax_nodes(improver.work, before.to_relax, improver.wanted);
   improver.report.min_dihedral_after_deg = scan(complex, {}).min_dihedral_deg;
   return improver.report;
 }

@@ -1,23 +1,26 @@
-/// Relaxes nodes so that the tets round them get rounder on average, once none is bad any more.
+/// Relaxes nodes so that the tets round them get rounder on average, once few are bad any more.
 ///
-/// Source: thesis 4.3.4.1 (smoothing until edge lengths vary smoothly); the place aimed at is that
-/// of L. Chen, "Mesh smoothing schemes based on optimal Delaunay triangulations" (2004): the mean
-/// of the circumcentres of the ball, by volume.
+/// Source: thesis 4.3.4.1 (smoothing until edge lengths vary smoothly). What falls is the sum over
+/// the ball of (sum of the squared edges)³ / volume², the inverse of the mean ratio, by one step of
+/// Newton: T. Munson, "Mesh shape-quality optimization using the inverse mean-ratio metric" (2007).
+/// The term of a tet grows without bound as it flattens, and the step needs + − × ÷ only.
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "mesh/cosmetics/smoothing.h"
+#include "mesh/cosmetics/cavity.h"
 
 namespace tetfarm::cosmetics {
 
-/// A place where the sum of the radius ratios of the ball is larger and its worst goodness no
-/// smaller. Cost: some five goodnesses a tet of the ball.
-std::optional<Place> find_rounder_place(const WorkMesh& work, const std::vector<std::int32_t>& ball,
-                                        std::int32_t node);
+/// A place where that sum is smaller by more than a thousandth, and each goodness of the ball at
+/// least `floor`, or the smallest that was there.
+/// Cost: some four goodnesses a tet of the ball.
+std::optional<Vec3> find_rounder_place(const WorkMesh& work, const std::vector<std::int32_t>& ball,
+                                       std::int32_t node, double floor);
 
 /// Relaxes each inner node that is set in `chosen` (a flag for each node), in order; the number of
 /// moves.
-std::int64_t relax_nodes(WorkMesh& work, const std::vector<bool>& chosen);
+std::int64_t relax_nodes(WorkMesh& work, const std::vector<bool>& chosen, double floor);
 
 }  // namespace tetfarm::cosmetics

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
 
 namespace tetfarm {
@@ -98,16 +99,20 @@ class LatticeWalk {
     const std::int32_t size = size_at_level(cell.level);
     const double edge = size * octree_.frame.unit;
     for (std::size_t k = 0; k < 8; ++k) {
-      if ((owned >> k & 1U) != 0) add(corner_of(cell.low, size, k), edge);
+      const GridPoint corner = corner_of(cell.low, size, k);
+      if ((owned >> k & 1U) == 0 || !is_in_box(corner)) continue;
+      nodes_.push_back(
+          {octree_.frame.position(corner), edge, shift_to_coarser(octree_, corner, cell.level)});
     }
-    add(corner_of(cell.low, size / 2, 7), edge);
+    const GridPoint centre = corner_of(cell.low, size / 2, 7);
+    if (is_in_box(centre)) nodes_.push_back({octree_.frame.position(centre), edge, {}});
   }
 
-  void add(const GridPoint& p, double edge) {
+  bool is_in_box(const GridPoint& p) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (p[axis] < first_[axis] || p[axis] > last_[axis]) return;
+      if (p[axis] < first_[axis] || p[axis] > last_[axis]) return false;
     }
-    nodes_.push_back({octree_.frame.position(p), edge});
+    return true;
   }
 
   const SpacingOctree& octree_;

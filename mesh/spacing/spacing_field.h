@@ -46,10 +46,20 @@ struct SpacingOptions {
 };
 
 /// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the
-/// edge of the smallest octree cell that the node belongs to.
+/// edge of the smallest octree cell that the node belongs to. Where cells of two sizes meet, the
+/// node is better off the lattice, by `shift` / 128 of cell_edge towards the larger ones
+/// (level_shift.h); zero elsewhere.
 struct LatticeNode {
   Vec3 at;
   double cell_edge = 0;
+  std::array<std::int8_t, 3> shift{};
+
+  /// Where it is put in a mesh; the lattice node itself when there is no shift.
+  Vec3 place() const {
+    return at + 0x1p-7 * cell_edge *
+                    Vec3{static_cast<double>(shift[0]), static_cast<double>(shift[1]),
+                         static_cast<double>(shift[2])};
+  }
 };
 
 class SpacingField {

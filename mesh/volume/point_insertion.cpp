@@ -64,7 +64,7 @@ std::vector<LatticeNode> nodes_inside(const TetComplex& complex,
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
   std::erase_if(nodes, [&](const LatticeNode& node) {
-    const Location location = walk.locate(node.at, last);
+    const Location location = walk.locate(node.place(), last);
     if (location.tet < 0) return true;
     last = location.tet;
     return inside[at(location.tet)] == 0;
@@ -76,7 +76,7 @@ void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                     std::int32_t boundary_nodes, const std::vector<LatticeNode>& nodes,
                     const PointInsertionOptions& options) {
   const auto first = static_cast<std::int32_t>(complex.points.size());
-  for (const LatticeNode& node : nodes) complex.points.push_back(node.at);
+  for (const LatticeNode& node : nodes) complex.points.push_back(node.place());
   complex.node2tet.resize(complex.points.size(), -1);
   // The lattice fills the domain with some six tets a node.
   complex.nodes.reserve(complex.nodes.size() + 6 * nodes.size());

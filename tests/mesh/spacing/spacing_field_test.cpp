@@ -319,6 +319,38 @@ TEST(LatticeNodes, carry_the_edge_of_their_smallest_cell) {
   for (const auto& [corner, expected] : smallest) EXPECT_LE(edge.at(corner), expected);
 }
 
+TEST(LatticeNodes, between_two_sizes_of_cells_are_put_towards_the_larger_ones) {
+  const auto nodes = graded_field().lattice_nodes(box_of({-1, -1, -1}, {2, 2, 2}));
+  std::map<Key, double> edge;
+  for (const LatticeNode& node : nodes) edge[key(node.at)] = node.cell_edge;
+  // A centre has its eight corners; that of a larger cell lies half its edge from the node.
+  const auto is_cell = [&edge](const Vec3& centre, double of_edge) {
+    const auto found = edge.find(key(centre));
+    return found != edge.end() && found->second == of_edge;
+  };
+  std::size_t shifted = 0;
+  for (const LatticeNode& node : nodes) {
+    const Vec3 shift = node.place() - node.at;
+    EXPECT_LE(norm(shift), 0.4 * node.cell_edge);
+    if (!(norm(shift) > 0)) continue;
+    ++shifted;
+    // A larger cell touches the node: its centre is an edge of the small cell away on each axis at
+    // most, and on the side that the node goes to.
+    bool larger = false;
+    for (int k = 0; k < 27; ++k) {
+      const Vec3 offset =
+          node.cell_edge * Vec3{double(k % 3 - 1), double(k / 3 % 3 - 1), double(k / 9 - 1)};
+      larger = larger || (dot(offset, shift) > 0 && is_cell(node.at + offset, 2 * node.cell_edge));
+    }
+    EXPECT_TRUE(larger);
+  }
+  EXPECT_GT(shifted, nodes.size() / 50);
+  EXPECT_LT(shifted, nodes.size() / 2);
+  for (const LatticeNode& node : SpacingField(0.1).lattice_nodes(unit_box)) {
+    EXPECT_EQ(node.place(), node.at);
+  }
+}
+
 TEST(LatticeNodes, of_an_empty_box_are_none) {
   EXPECT_TRUE(graded_field().lattice_nodes(Box3{}).empty());
   EXPECT_TRUE(graded_field().lattice_nodes(box_of({50, 50, 50}, {51, 51, 51})).empty());
