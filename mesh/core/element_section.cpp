@@ -1,0 +1,70 @@
+#include "mesh/core/element_section.h"
+
+#include <algorithm>
+
+#include "mesh/core/complaints.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+template <class Element>
+bool has_nodes(const std::vector<Element>& elements, std::size_t nodes) {
+  return std::all_of(elements.begin(), elements.end(), [nodes](const Element& element) {
+    return std::all_of(element.begin(), element.end(),
+                       [nodes](std::int32_t v) { return v >= 0 && at(v) < nodes; });
+  });
+}
+
+template <class T>
+bool ascends(const std::vector<T>& items) {
+  return std::adjacent_find(items.begin(), items.end(),
+                            [](const T& a, const T& b) { return !(a < b); }) == items.end();
+}
+
+bool are_places(const std::vector<std::uint8_t>& owners, std::size_t sharers) {
+  return std::all_of(owners.begin(), owners.end(),
+                     [sharers](std::uint8_t owner) { return owner < sharers; });
+}
+
+bool uses_every_node(const ElementSection& section) {
+  std::vector<bool> is_used(section.nodes.size(), false);
+  for (const Tet& tet : section.tets) {
+    for (const std::int32_t v : tet) is_used[at(v)] = true;
+  }
+  return std::find(is_used.begin(), is_used.end(), false) == is_used.end();
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> tets_by_sharer(const ElementSection& section) {
+  std::vector<std::uint64_t> counts(section.sharers.size(), 0);
+  for (const std::uint8_t owner : section.tet_owner) ++counts[owner];
+  return counts;
+}
+
+std::vector<std::string> validate(const ElementSection& section) {
+  Complaints complaints;
+  const std::size_t nodes = section.nodes.size();
+  const std::size_t sharers = section.sharers.size();
+  const auto demand = [&complaints](bool holds, const char* what) {
+    if (!holds) complaints.add(what);
+  };
+  demand(section.node_origin.size() == nodes, "nodes and their origins differ in number");
+  demand(section.tet_owner.size() == section.tets.size(), "tets and owners differ in number");
+  demand(section.triangle_index.size() == section.triangles.size() &&
+             section.triangle_owner.size() == section.triangles.size(),
+         "triangles, their numbers and owners differ in number");
+  demand(sharers >= 1 && sharers <= most_sharers && ascends(section.sharers),
+         "the sharers do not ascend");
+  demand(are_places(section.tet_owner, sharers) && are_places(section.triangle_owner, sharers),
+         "an owner is no sharer");
+  demand(ascends(section.node_origin), "the origins of the nodes do not ascend");
+  const bool is_indexed = has_nodes(section.tets, nodes) && has_nodes(section.triangles, nodes);
+  demand(is_indexed, "an element has a node that is not there");
+  if (is_indexed) demand(uses_every_node(section), "a node is in no tet");
+  return complaints.take();
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,265 @@
+#include "mesh/cosmetics/element_passing.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Place of a set in order of preference; more sharers come first.
+using Rank = std::uint32_t;
+constexpr Rank no_rank = std::numeric_limits<Rank>::max();
+
+/// The sets by preference: the places in `sets`.
+std::vector<std::uint32_t> by_preference(const std::vector<Sharers>& sets) {
+  std::vector<std::uint32_t> order(sets.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&sets](std::uint32_t a, std::uint32_t b) {
+    const Sharers& s = sets[a];
+    const Sharers& t = sets[b];
+    return s.size() != t.size() ? s.size() > t.size() : s < t;
+  });
+  return order;
+}
+
+/// The rank of each node of the mesh that is shared; no_rank for the others.
+std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
+                                 const SharedNodes& shared,
+                                 const std::vector<std::uint32_t>& preference) {
+  std::vector<Rank> rank_of_set(preference.size());
+  for (Rank rank = 0; rank < preference.size(); ++rank) rank_of_set[preference[rank]] = rank;
+  std::vector<Rank> ranks(nodes, no_rank);
+  for (std::size_t v = 0; v < leaf.vertices.size(); ++v) {
+    const Origin& origin = leaf.node_origin[v];
+    const auto found = std::lower_bound(
+        shared.nodes.begin(), shared.nodes.end(), origin,
+        [](const SharedNodes::Node& node, const Origin& wanted) { return node.origin < wanted; });
+    if (found == shared.nodes.end() || found->origin != origin) continue;
+    ranks[v] = rank_of_set[found->set];
+  }
+  return ranks;
+}
+
+/// The rank of each tet within reach of a shared node, layer by layer.
+std::vector<Rank> ranks_of_tets(const TetMesh& mesh, std::vector<Rank> of_node) {
+  std::vector<Rank> of_tet(mesh.tets.size(), no_rank);
+  for (int layer = 0; layer < passed_layers; ++layer) {
+    std::vector<Rank> reached = of_node;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      if (of_tet[t] != no_rank) continue;
+      for (const std::int32_t v : mesh.tets[t]) of_tet[t] = std::min(of_tet[t], of_node[at(v)]);
+      for (const std::int32_t v : mesh.tets[t]) {
+        if (of_node[at(v)] == no_rank) reached[at(v)] = std::min(reached[at(v)], of_tet[t]);
+      }
+    }
+    of_node = std::move(reached);
+  }
+  return of_tet;
+}
+
+using SortedFace = std::array<std::int32_t, 3>;
+
+SortedFace sorted_face(std::int32_t a, std::int32_t b, std::int32_t c) {
+  SortedFace face = {a, b, c};
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+/// For each triangle the tet that has it as a face.
+std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
+                                           const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<SortedFace, std::size_t>> faces;
+  std::vector<bool> has_triangle(nodes, false);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    faces.emplace_back(sorted_face(t[0], t[1], t[2]), i);
+    for (const std::int32_t v : t) has_triangle[at(v)] = true;
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::size_t> tet_of(triangles.size(), tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const Tet& tet = tets[t];
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      if (!has_triangle[at(tet[at(i)])] || !has_triangle[at(tet[at(j)])] ||
+          !has_triangle[at(tet[at(k)])]) {
+        continue;
+      }
+      const SortedFace face = sorted_face(tet[at(i)], tet[at(j)], tet[at(k)]);
+      const auto found = std::lower_bound(
+          faces.begin(), faces.end(), face,
+          [](const auto& item, const SortedFace& wanted) { return item.first < wanted; });
+      if (found != faces.end() && found->first == face) tet_of[found->second] = t;
+    }
+  }
+  for (const std::size_t t : tet_of) TF_CHECK(t < tets.size());
+  return tet_of;
+}
+
+/// Gives the section the nodes of its tets, and its elements the numbers there. `local` is scratch:
+/// -1 for every node, before and after.
+void take_nodes(const JoinedElements& joined, std::vector<std::int32_t>& local,
+                ElementSection& section) {
+  std::vector<std::int32_t> nodes;
+  for (const Tet& tet : section.tets) {
+    for (const std::int32_t v : tet) {
+      if (local[at(v)] >= 0) continue;
+      local[at(v)] = 0;
+      nodes.push_back(v);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end(), [&joined](std::int32_t a, std::int32_t b) {
+    return joined.node_origin[at(a)] < joined.node_origin[at(b)];
+  });
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    local[at(nodes[i])] = static_cast<std::int32_t>(i);
+    section.nodes.push_back(joined.nodes[at(nodes[i])]);
+    section.node_origin.push_back(joined.node_origin[at(nodes[i])]);
+  }
+  for (Tet& tet : section.tets) {
+    for (std::int32_t& v : tet) v = local[at(v)];
+  }
+  for (Triangle& triangle : section.triangles) {
+    for (std::int32_t& v : triangle) v = local[at(v)];
+  }
+  for (const std::int32_t v : nodes) local[at(v)] = -1;
+}
+
+}  // namespace
+
+std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
+                                               std::span<const Sharers> sharers) {
+  std::vector<ElementSection> sections(sharers.size());
+  for (std::size_t s = 0; s < sharers.size(); ++s) sections[s].sharers = sharers[s];
+  for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+    const ElementHome& home = joined.tet_home[t];
+    sections[home.section].tets.push_back(joined.tets[t]);
+    sections[home.section].tet_owner.push_back(home.owner);
+  }
+  const auto tet_of = tets_of_triangles(joined.nodes.size(), joined.tets, joined.triangles);
+  for (std::size_t i = 0; i < joined.triangles.size(); ++i) {
+    const ElementHome& home = joined.tet_home[tet_of[i]];
+    sections[home.section].triangles.push_back(joined.triangles[i]);
+    sections[home.section].triangle_index.push_back(joined.triangle_index[i]);
+    sections[home.section].triangle_owner.push_back(home.owner);
+  }
+  std::vector<std::int32_t> local(joined.nodes.size(), -1);
+  for (ElementSection& section : sections) take_nodes(joined, local, section);
+  return sections;
+}
+
+std::vector<ElementSection> extract_elements(const Subdomain& leaf, const TetMesh& mesh,
+                                             const SharedNodes& shared) {
+  TF_CHECK(shared.path == leaf.path);
+  const std::vector<std::uint32_t> preference = by_preference(shared.sets);
+  const std::vector<Rank> ranks =
+      ranks_of_tets(mesh, ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference));
+  std::vector<bool> has_tets(shared.sets.size(), false);
+  for (const Rank rank : ranks) {
+    if (rank != no_rank) has_tets[preference[rank]] = true;
+  }
+  std::vector<Sharers> sharers = {{leaf.path.heap}};
+  for (std::size_t set = 0; set < shared.sets.size(); ++set) {
+    if (has_tets[set]) sharers.push_back(shared.sets[set]);
+  }
+  std::sort(sharers.begin() + 1, sharers.end());
+  std::vector<ElementHome> home_of_rank;
+  for (const std::uint32_t set : preference) {
+    const Sharers& wanted = shared.sets[set];
+    const auto section = std::lower_bound(sharers.begin() + 1, sharers.end(), wanted);
+    const auto owner = std::lower_bound(wanted.begin(), wanted.end(), leaf.path.heap);
+    home_of_rank.push_back({static_cast<std::uint32_t>(section - sharers.begin()),
+                            static_cast<std::uint8_t>(owner - wanted.begin())});
+  }
+  JoinedElements joined;
+  joined.nodes = mesh.nodes;
+  joined.node_origin = leaf.node_origin;
+  for (std::size_t v = leaf.vertices.size(); v < mesh.nodes.size(); ++v) {
+    joined.node_origin.push_back(
+        {leaf.path.heap, static_cast<std::uint32_t>(v - leaf.vertices.size())});
+  }
+  joined.tets = mesh.tets;
+  for (const Rank rank : ranks) {
+    joined.tet_home.push_back(rank == no_rank ? ElementHome{} : home_of_rank[rank]);
+  }
+  for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+    if (leaf.triangle_origin[t].owner != 0) continue;
+    joined.triangles.push_back(leaf.triangles[t]);
+    joined.triangle_index.push_back(leaf.triangle_origin[t].index);
+  }
+  return share_out_elements(joined, sharers);
+}
+
+JoinedElements join_elements(std::span<const ElementSection> sections) {
+  JoinedElements joined;
+  for (const ElementSection& section : sections) {
+    joined.node_origin.insert(joined.node_origin.end(), section.node_origin.begin(),
+                              section.node_origin.end());
+  }
+  auto& origins = joined.node_origin;
+  std::sort(origins.begin(), origins.end());
+  origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  joined.nodes.resize(origins.size());
+  std::vector<bool> is_placed(origins.size(), false);
+  std::vector<std::int32_t> node_of;
+  for (std::uint32_t s = 0; s < sections.size(); ++s) {
+    const ElementSection& section = sections[s];
+    node_of.clear();
+    for (std::size_t v = 0; v < section.nodes.size(); ++v) {
+      const auto place =
+          at(std::lower_bound(origins.begin(), origins.end(), section.node_origin[v]) -
+             origins.begin());
+      TF_CHECK(!is_placed[place] || joined.nodes[place] == section.nodes[v]);
+      is_placed[place] = true;
+      joined.nodes[place] = section.nodes[v];
+      node_of.push_back(static_cast<std::int32_t>(place));
+    }
+    for (std::size_t t = 0; t < section.tets.size(); ++t) {
+      Tet tet = section.tets[t];
+      for (std::int32_t& v : tet) v = node_of[at(v)];
+      joined.tets.push_back(tet);
+      joined.tet_home.push_back({s, section.tet_owner[t]});
+    }
+    for (std::size_t i = 0; i < section.triangles.size(); ++i) {
+      Triangle triangle = section.triangles[i];
+      for (std::int32_t& v : triangle) v = node_of[at(v)];
+      joined.triangles.push_back(triangle);
+      joined.triangle_index.push_back(section.triangle_index[i]);
+    }
+  }
+  return joined;
+}
+
+std::vector<int> layers_from(const JoinedElements& joined, std::span<const Sharers> sharers,
+                             std::uint64_t self, int most) {
+  std::vector<int> layer_of(joined.tets.size(), most + 1);
+  std::vector<bool> is_marked(joined.nodes.size(), false);
+  for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+    const ElementHome& home = joined.tet_home[t];
+    if (sharers[home.section][home.owner] != self) continue;
+    layer_of[t] = 0;
+    for (const std::int32_t v : joined.tets[t]) is_marked[at(v)] = true;
+  }
+  for (int layer = 1; layer <= most; ++layer) {
+    std::vector<std::size_t> reached;
+    for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+      if (layer_of[t] <= most) continue;
+      const Tet& tet = joined.tets[t];
+      if (std::any_of(tet.begin(), tet.end(), [&](std::int32_t v) { return is_marked[at(v)]; })) {
+        reached.push_back(t);
+      }
+    }
+    for (const std::size_t t : reached) {
+      layer_of[t] = layer;
+      for (const std::int32_t v : joined.tets[t]) is_marked[at(v)] = true;
+    }
+  }
+  return layer_of;
+}
+
+}  // namespace tetfarm

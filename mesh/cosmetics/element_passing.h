@@ -1,0 +1,63 @@
+/// Takes the elements near cuts out of a sub-domain's mesh, brings those of neighbours together,
+/// and gives them back.
+///
+/// Source: thesis 4.3.4.1.2 and figures 81 and 85: the extract slave marks nodes, takes all
+/// elements at them, marks their nodes, and so on: a layer each time. Two layers of a neighbour
+/// that had no turn yet are worked on, four of one that had. Here the four layers are taken out
+/// once, before any turn, and lie in sections by who shares the nearest cut
+/// (mesh/core/element_section.h). Not the thesis's: an element stays with the sub-domain in whose
+/// space it lies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/core/element_section.h"
+
+namespace tetfarm {
+
+/// Layers of elements on each side of a cut that leave the core.
+inline constexpr int passed_layers = 4;
+
+/// The mesh of a leaf in sections: the core first, then one for each set of sharers that has
+/// elements near its nodes, sharers ascending. An element belongs to the set at the nearest shared
+/// node, in layers; of equally near ones to the largest set, then the first.
+/// @pre `mesh` is of `leaf` and `shared` its shared nodes. Cost: O(n log n), memory of the mesh
+/// twice.
+std::vector<ElementSection> extract_elements(const Subdomain& leaf, const TetMesh& mesh,
+                                             const SharedNodes& shared);
+
+/// Where an element of a joined mesh belongs.
+struct ElementHome {
+  std::uint32_t section = 0;
+  std::uint8_t owner = 0;  ///< a place among the section's sharers
+
+  friend bool operator==(const ElementHome&, const ElementHome&) = default;
+};
+
+/// Sections as one mesh. Nodes ascend by origin.
+struct JoinedElements {
+  std::vector<Vec3> nodes;
+  std::vector<Origin> node_origin;
+  std::vector<Tet> tets;
+  std::vector<ElementHome> tet_home;
+  std::vector<Triangle> triangles;  ///< of the input surface
+  std::vector<std::uint32_t> triangle_index;
+};
+
+/// Tets and triangles in the order of the sections.
+/// @pre a node of several sections has the same place in all. Cost: O(n log n).
+JoinedElements join_elements(std::span<const ElementSection> sections);
+
+/// The reverse: each tet to its home, each triangle to that of its tet; nodes that no tet has are
+/// left out. @pre every triangle is a face of a tet. Cost: O(n log n).
+std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
+                                               std::span<const Sharers> sharers);
+
+/// For each tet of the joined mesh, how many layers it is away from the sub-domain `self`: 0 for
+/// its own, 1 for those with a node of its own tets, and so on up to `most`; most + 1 beyond.
+std::vector<int> layers_from(const JoinedElements& joined, std::span<const Sharers> sharers,
+                             std::uint64_t self, int most);
+
+}  // namespace tetfarm

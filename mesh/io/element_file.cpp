@@ -1,0 +1,246 @@
+#include "mesh/io/element_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "base/check.h"
+#include "mesh/io/byte_stream.h"
+
+namespace tetfarm {
+namespace {
+
+static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
+
+constexpr std::string_view elements_magic = "TFELEM\r\n";
+constexpr std::string_view shared_magic = "TFSHAR\r\n";
+constexpr std::uint32_t version = 1;
+/// Magic, version, size of the head, checksum of the head.
+constexpr std::size_t prefix_size = 8 + 4 + 8 + 16;
+
+void add_checksum(ByteWriter& writer, const Hash128& checksum) {
+  writer.number(checksum.low);
+  writer.number(checksum.high);
+}
+
+Hash128 read_checksum(ByteReader& reader) {
+  Hash128 checksum;
+  checksum.low = reader.number<std::uint64_t>();
+  checksum.high = reader.number<std::uint64_t>();
+  return checksum;
+}
+
+/// Magic and version, then what follows them.
+ByteReader start_reading(std::string_view bytes, std::string_view magic, const std::string& name) {
+  if (bytes.substr(0, magic.size()) != magic) {
+    throw CorruptFile("does not start as the expected kind of file", name);
+  }
+  ByteReader reader(bytes.substr(magic.size()), name);
+  const auto found = reader.number<std::uint32_t>();
+  if (found != version) {
+    reader.fail("has the format version " + std::to_string(found) + ", not " +
+                std::to_string(version));
+  }
+  return reader;
+}
+
+std::string section_bytes(const ElementSection& section) {
+  ByteWriter writer;
+  writer.number<std::uint64_t>(section.nodes.size());
+  writer.number<std::uint64_t>(section.tets.size());
+  writer.number<std::uint64_t>(section.triangles.size());
+  writer.array(section.nodes);
+  writer.origins(section.node_origin);
+  writer.array(section.tets);
+  writer.array(section.tet_owner);
+  writer.array(section.triangles);
+  writer.array(section.triangle_index);
+  writer.array(section.triangle_owner);
+  return writer.take();
+}
+
+ElementSection section_from(std::string_view bytes, const Sharers& sharers,
+                            const std::string& name) {
+  ByteReader reader(bytes, name);
+  ElementSection section;
+  section.sharers = sharers;
+  const std::size_t nodes = reader.count();
+  const std::size_t tets = reader.count();
+  const std::size_t triangles = reader.count();
+  section.nodes = reader.array<Vec3>(nodes);
+  section.node_origin = reader.origins(nodes);
+  section.tets = reader.array<Tet>(tets);
+  section.tet_owner = reader.array<std::uint8_t>(tets);
+  section.triangles = reader.array<Triangle>(triangles);
+  section.triangle_index = reader.array<std::uint32_t>(triangles);
+  section.triangle_owner = reader.array<std::uint8_t>(triangles);
+  reader.expect_end();
+  const std::vector<std::string> complaints = validate(section);
+  if (!complaints.empty()) reader.fail(complaints.front());
+  return section;
+}
+
+std::string head_bytes(const ElementFileHead& head, const std::vector<ElementSection>& sections,
+                       const std::vector<std::string>& bodies) {
+  ByteWriter writer;
+  writer.number(head.path.heap);
+  writer.number(head.next_node);
+  writer.number<std::uint64_t>(head.gone.size());
+  writer.origins(head.gone);
+  writer.number<std::uint64_t>(sections.size());
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    writer.number<std::uint64_t>(sections[s].sharers.size());
+    writer.array(sections[s].sharers);
+    writer.array(tets_by_sharer(sections[s]));
+    writer.number<std::uint64_t>(bodies[s].size());
+    add_checksum(writer, hash128(bodies[s]));
+  }
+  return writer.take();
+}
+
+ElementFileHead head_from(std::string_view bytes, const std::string& name) {
+  ByteReader reader(bytes, name);
+  ElementFileHead head;
+  head.path.heap = reader.number<std::uint64_t>();
+  head.next_node = reader.number<std::uint32_t>();
+  head.gone = reader.origins(reader.count());
+  const std::size_t sections = reader.count();
+  std::uint64_t offset = prefix_size + bytes.size();
+  for (std::size_t s = 0; s < sections; ++s) {
+    ElementFileHead::Section& section = head.sections.emplace_back();
+    const std::size_t sharers = reader.count();
+    if (sharers == 0 || sharers > most_sharers) reader.fail("has a section of nobody, or of many");
+    section.sharers = reader.array<std::uint64_t>(sharers);
+    section.tets = reader.array<std::uint64_t>(sharers);
+    section.offset = offset;
+    section.size = reader.number<std::uint64_t>();
+    section.checksum = read_checksum(reader);
+    offset += section.size;
+  }
+  reader.expect_end();
+  return head;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ElementFileHead::find(const Sharers& sharers) const {
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    if (sections[s].sharers == sharers) return s;
+  }
+  return std::nullopt;
+}
+
+std::string elements_to_bytes(const ElementFileHead& head,
+                              const std::vector<ElementSection>& sections) {
+  std::vector<std::string> bodies;
+  for (const ElementSection& section : sections) bodies.push_back(section_bytes(section));
+  const std::string described = head_bytes(head, sections, bodies);
+  ByteWriter prefix;
+  prefix.number(version);
+  prefix.number<std::uint64_t>(described.size());
+  add_checksum(prefix, hash128(described));
+  std::string bytes = std::string(elements_magic) + prefix.bytes() + described;
+  for (std::string& body : bodies) {
+    bytes += body;
+    body = {};
+  }
+  return bytes;
+}
+
+ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
+    : path_(path), name_(std::move(name)) {
+  const std::string prefix = read_bytes(0, prefix_size);
+  ByteReader reader = start_reading(prefix, elements_magic, name_);
+  const auto size = reader.number<std::uint64_t>();
+  const Hash128 checksum = read_checksum(reader);
+  const std::string bytes = read_bytes(prefix_size, size);
+  if (hash128(bytes) != checksum) reader.fail("has a wrong checksum of its head");
+  head_ = head_from(bytes, name_);
+}
+
+ElementSection ElementFile::read(std::size_t section) {
+  const ElementFileHead::Section& wanted = head_.sections.at(section);
+  const std::string bytes = read_bytes(wanted.offset, wanted.size);
+  if (hash128(bytes) != wanted.checksum) {
+    throw CorruptFile("has a wrong checksum of section " + std::to_string(section), name_);
+  }
+  return section_from(bytes, wanted.sharers, name_);
+}
+
+std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {
+  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw IoError("cannot open", path_.string(), errno);
+  const off_t end = ::lseek(descriptor, 0, SEEK_END);
+  if (end < 0 || offset > static_cast<std::uint64_t>(end) ||
+      size > static_cast<std::uint64_t>(end) - offset) {
+    ::close(descriptor);
+    throw CorruptFile("is cut short", name_);
+  }
+  std::string bytes(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t n =
+        ::pread(descriptor, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      const int error = n < 0 ? errno : EIO;
+      ::close(descriptor);
+      throw IoError("cannot read", path_.string(), error);
+    }
+    done += static_cast<std::size_t>(n);
+  }
+  ::close(descriptor);
+  bytes_read_ += size;
+  return bytes;
+}
+
+std::string shared_nodes_to_bytes(const SharedNodes& shared) {
+  ByteWriter writer;
+  writer.number(version);
+  writer.number(shared.path.heap);
+  writer.number<std::uint64_t>(shared.sets.size());
+  for (const Sharers& sharers : shared.sets) {
+    writer.number<std::uint64_t>(sharers.size());
+    writer.array(sharers);
+  }
+  writer.number<std::uint64_t>(shared.nodes.size());
+  for (const SharedNodes::Node& node : shared.nodes) {
+    writer.number(node.origin.owner);
+    writer.number(node.origin.index);
+    writer.number(node.set);
+  }
+  std::string bytes = std::string(shared_magic) + writer.bytes();
+  ByteWriter end;
+  add_checksum(end, hash128(bytes));
+  return bytes + end.bytes();
+}
+
+SharedNodes shared_nodes_from_bytes(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t checksum_size = 16;
+  if (bytes.size() < shared_magic.size() + checksum_size) throw CorruptFile("is cut short", name);
+  const std::string_view body = bytes.substr(0, bytes.size() - checksum_size);
+  ByteReader end(bytes.substr(body.size()), name);
+  ByteReader reader = start_reading(body, shared_magic, name);
+  if (read_checksum(end) != hash128(body)) reader.fail("has a wrong checksum");
+  SharedNodes shared;
+  shared.path.heap = reader.number<std::uint64_t>();
+  const std::size_t sets = reader.count();
+  for (std::size_t s = 0; s < sets; ++s) {
+    shared.sets.push_back(reader.array<std::uint64_t>(reader.count()));
+  }
+  const std::size_t nodes = reader.count();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    SharedNodes::Node node;
+    node.origin.owner = reader.number<std::uint64_t>();
+    node.origin.index = reader.number<std::uint32_t>();
+    node.set = reader.number<std::uint32_t>();
+    if (node.set >= sets) reader.fail("has a node of a set that is not there");
+    shared.nodes.push_back(node);
+  }
+  reader.expect_end();
+  return shared;
+}
+
+}  // namespace tetfarm

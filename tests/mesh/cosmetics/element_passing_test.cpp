@@ -1,0 +1,137 @@
+#include "mesh/cosmetics/element_passing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "mesh/core/validate.h"
+#include "mesh/cosmetics/subdomain_colouring.h"
+#include "tests/mesh/cosmetics/cut_bar.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using trial::Cell;
+using trial::CutBar;
+
+std::uint64_t left_or_right(const Cell& cell) { return cell[0] < 8 ? 2 : 3; }
+
+/// The sections of a leaf of the bar.
+std::vector<ElementSection> extracted(const CutBar& bar, std::uint64_t heap) {
+  std::vector<InterfaceNodes> leaves;
+  for (const auto& [path, part] : bar.parts) leaves.push_back(interface_nodes(part.leaf));
+  const CosmeticOrder order = colour_subdomains(leaves);
+  const trial::LeafMesh& part = bar.parts.at(heap);
+  for (const SharedNodes& shared : order.shared) {
+    if (shared.path.heap == heap) return extract_elements(part.leaf, part.mesh, shared);
+  }
+  return {};
+}
+
+std::vector<ElementSection> all_extracted(const CutBar& bar) {
+  std::vector<ElementSection> all;
+  for (const auto& [heap, part] : bar.parts) {
+    for (ElementSection& section : extracted(bar, heap)) all.push_back(std::move(section));
+  }
+  return all;
+}
+
+TEST(ElementPassing, four_layers_at_a_cut_leave_the_core) {
+  const CutBar bar({16, 3, 3}, left_or_right);
+  const std::vector<ElementSection> sections = extracted(bar, 2);
+  ASSERT_EQ(sections.size(), 2U);
+  EXPECT_THAT(sections[0].sharers, ElementsAre(2));
+  EXPECT_THAT(sections[1].sharers, ElementsAre(2, 3));
+  // A layer of tets is a layer of cubes here, as each cube has nodes on both of its sides.
+  EXPECT_EQ(sections[1].tets.size(), 6U * passed_layers * 9);
+  EXPECT_EQ(sections[0].tets.size(), 6U * (8 - passed_layers) * 9);
+  for (const ElementSection& section : sections) EXPECT_THAT(validate(section), IsEmpty());
+}
+
+TEST(ElementPassing, pieces_of_all_leaves_join_to_the_whole_mesh) {
+  const CutBar bar({8, 6, 4}, [](const Cell& cell) {
+    return cell[0] < 4 ? std::uint64_t{2} : cell[1] < 3 ? std::uint64_t{6} : std::uint64_t{7};
+  });
+  const JoinedElements joined = join_elements(all_extracted(bar));
+  EXPECT_EQ(joined.nodes.size(), 9U * 7 * 5);
+  EXPECT_EQ(joined.tets.size(), bar.tets());
+  EXPECT_EQ(joined.triangles.size(), bar.surface_triangles);
+  const auto surface_nodes = std::count_if(joined.node_origin.begin(), joined.node_origin.end(),
+                                           [](const Origin& origin) { return origin.owner == 0; });
+  const TetMesh mesh{joined.nodes, joined.tets, static_cast<std::int32_t>(surface_nodes)};
+  EXPECT_THAT(validate(mesh, joined.triangles), IsEmpty());
+}
+
+TEST(ElementPassing, sharing_out_is_the_reverse_of_joining) {
+  const CutBar bar({8, 4, 4}, [](const Cell& cell) {
+    return cell[0] < 4 ? std::uint64_t{2} : cell[1] < 2 ? std::uint64_t{6} : std::uint64_t{7};
+  });
+  const std::vector<ElementSection> sections = extracted(bar, 6);
+  std::vector<Sharers> sharers;
+  for (const ElementSection& section : sections) sharers.push_back(section.sharers);
+  const std::vector<ElementSection> again = share_out_elements(join_elements(sections), sharers);
+  ASSERT_EQ(again.size(), sections.size());
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    EXPECT_EQ(again[s].node_origin, sections[s].node_origin);
+    EXPECT_EQ(again[s].tets, sections[s].tets);
+    EXPECT_EQ(again[s].tet_owner, sections[s].tet_owner);
+    EXPECT_EQ(again[s].triangles, sections[s].triangles);
+    EXPECT_EQ(again[s].triangle_index, sections[s].triangle_index);
+  }
+}
+
+TEST(ElementPassing, every_tet_at_a_shared_node_is_in_a_section_that_its_own_leaf_shares) {
+  const CutBar bar({6, 6, 6}, [](const Cell& cell) {
+    return std::uint64_t{8} +
+           static_cast<std::uint64_t>(4 * (cell[0] / 3) + 2 * (cell[1] / 3) + cell[2] / 3);
+  });
+  for (const auto& [heap, part] : bar.parts) {
+    for (const ElementSection& section : extracted(bar, heap)) {
+      EXPECT_TRUE(std::binary_search(section.sharers.begin(), section.sharers.end(), heap));
+      for (const std::uint8_t owner : section.tet_owner) {
+        EXPECT_EQ(section.sharers[owner], heap);
+      }
+    }
+  }
+}
+
+TEST(ElementPassing, elements_at_the_node_of_many_are_in_the_section_of_many) {
+  const CutBar bar({6, 6, 2}, [](const Cell& cell) {
+    return std::uint64_t{4} + static_cast<std::uint64_t>(2 * (cell[0] / 3) + cell[1] / 3);
+  });
+  std::set<Sharers> found;
+  for (const ElementSection& section : all_extracted(bar)) {
+    found.insert(section.sharers);
+    if (section.sharers.size() != 4) continue;
+    for (const Vec3& p : section.nodes) {
+      EXPECT_LE(std::abs(p.x - 3), passed_layers);
+      EXPECT_LE(std::abs(p.y - 3), passed_layers);
+    }
+  }
+  EXPECT_TRUE(found.contains(Sharers{4, 5, 6, 7}));
+  EXPECT_TRUE(found.contains(Sharers{4, 6}));
+}
+
+TEST(ElementPassing, layers_are_counted_from_the_elements_of_one_subdomain) {
+  const CutBar bar({16, 2, 2}, left_or_right);
+  std::vector<ElementSection> sections = all_extracted(bar);
+  std::erase_if(sections, [](const ElementSection& s) { return s.sharers.size() == 1; });
+  std::vector<Sharers> sharers;
+  for (const ElementSection& section : sections) sharers.push_back(section.sharers);
+  const JoinedElements joined = join_elements(sections);
+  const std::vector<int> layers = layers_from(joined, sharers, 2, 2);
+  for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+    double middle = 0;
+    for (const std::int32_t v : joined.tets[t]) {
+      middle += 0.25 * joined.nodes[static_cast<std::size_t>(v)].x;
+    }
+    const int expected = middle < 8 ? 0 : middle < 9 ? 1 : middle < 10 ? 2 : 3;
+    EXPECT_EQ(layers[t], expected) << middle;
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
