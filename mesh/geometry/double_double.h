@@ -29,7 +29,21 @@ struct DoubleDouble {
     const TwoTerms z = fast_two_sum(c.high, c.low + cross);
     return {z.high, z.low};
   }
+  friend bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
+    return a.high < b.high || (a.high == b.high && a.low < b.low);
+  }
+  /// Two steps of long division; good to a few units of 2^-104.
+  friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+    const double first = a.high / b.high;
+    const DoubleDouble rest = a - DoubleDouble{first, 0} * b;
+    const double second = rest.high / b.high;
+    const DoubleDouble last = rest - DoubleDouble{second, 0} * b;
+    const TwoTerms z = fast_two_sum(first, second);
+    return DoubleDouble{z.high, z.low} + DoubleDouble{last.high / b.high, 0};
+  }
 };
+
+inline DoubleDouble magnitude(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 
 /// Without error.
 inline DoubleDouble double_difference(double a, double b) {

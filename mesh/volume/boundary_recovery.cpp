@@ -6,6 +6,9 @@
 #include "mesh/volume/edge_recovery.h"
 #include "mesh/volume/face_recovery.h"
 #include "mesh/volume/steiner_insertion.h"
+#include "mesh/volume/steiner_relocation.h"
+#include "mesh/volume/steiner_settling.h"
+#include "mesh/volume/surface_splitting.h"
 
 namespace tetfarm {
 namespace {
@@ -97,18 +100,14 @@ bool holds_edge(const Triangle& t, const Edge& edge) {
 
 /// Splits every missing edge, and every missing face whose edges are all there. False: no point had
 /// room.
-bool split_missing(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                   const Missing& missing, SplitSurface& surface) {
+bool split_missing(LocalRemeshing& mesh, const RecoverySurface& before, const Missing& missing,
+                   SplitSurface& surface) {
   bool is_split = false;
   for (const Edge& edge : missing.edges) {
-    SegmentWalk walk;
-    {
-      const LocalRemeshing mesh(complex, constrained);
-      walk = walk_segment(mesh, edge[0], edge[1]);
-      // A point inserted for another edge may have brought this one back.
-      if (walk.is_edge || walk.crossings.empty()) continue;
-    }
-    const std::int32_t node = insert_on_edge(complex, constrained, edge, walk);
+    const SegmentWalk walk = walk_segment(mesh, edge[0], edge[1]);
+    // A point inserted for another edge may have brought this one back.
+    if (walk.is_edge || walk.crossings.empty()) continue;
+    const std::int32_t node = insert_on_edge(mesh, before, edge, walk);
     if (node < 0) continue;
     split_edge(surface, edge[0], edge[1], node);
     is_split = true;
@@ -119,12 +118,66 @@ bool split_missing(TetComplex& complex, std::vector<std::uint8_t>& constrained,
         std::any_of(missing.edges.begin(), missing.edges.end(),
                     [&face](const Edge& edge) { return holds_edge(face, edge); });
     if (has_missing_edge) continue;
-    const std::int32_t node = insert_on_face(complex, constrained, face);
+    const std::int32_t node = insert_on_face(mesh, before, face);
     if (node < 0) continue;
     split_face(surface, number, node);
     is_split = true;
   }
   return is_split;
+}
+
+/// Every boundary triangle is a face, whole or in parts. What could not be recovered even so is
+/// lost.
+SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
+                              std::uint64_t seed, RecoveredBoundary& result) {
+  std::size_t least_missing = triangles.size();
+  SplitSurface surface = unsplit(triangles);
+  for (int round = 0;; ++round) {
+    const std::vector<Triangle> parts = surface.triangles;
+    const RecoverySurface wanted(parts, static_cast<std::int32_t>(mesh.complex().points.size()));
+    const Missing missing =
+        recover_by_flips(mesh, wanted, round == 0 ? efforts.size() : passes_after_splitting, seed);
+    if (round == 0) {
+      result.missing_edges = missing.edges_at_first;
+      result.missing_faces = missing.faces_at_first;
+    }
+    if (missing.faces.empty()) return surface;
+    least_missing = std::min(least_missing, missing.faces.size());
+    const bool is_hopeful =
+        missing.faces.size() <= most_growth * least_missing + 10 &&
+        surface.splits.size() <= triangles.size() + most_points_of_small_surface;
+    if (is_hopeful && round < most_rounds && split_missing(mesh, wanted, missing, surface))
+      continue;
+    for (const std::int32_t number : missing.faces) {
+      result.lost.push_back(surface.source[at(number)]);
+    }
+    return surface;
+  }
+}
+
+/// Takes the Steiner points off the boundary and settles them; what does not work out is lost.
+void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
+                const SplitSurface& surface, RecoveredBoundary& result) {
+  std::vector<std::int32_t> points;
+  // Only then are the triangles of a split those of the moment it was made.
+  for (std::size_t i = surface.splits.size(); i-- > 0;) {
+    const SteinerSplit& split = surface.splits[i];
+    if (!relocate_steiner_point(mesh, split)) {
+      result.lost = split.sources;
+      return;
+    }
+    points.push_back(split.node);
+  }
+  const RecoverySurface whole(triangles, static_cast<std::int32_t>(mesh.complex().points.size()));
+  const SettledPoints settled = settle_steiner_points(mesh, whole, points);
+  result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
+  for (const SteinerSplit& split : surface.splits) {
+    if (std::find(settled.unsettled.begin(), settled.unsettled.end(), split.node) ==
+        settled.unsettled.end()) {
+      continue;
+    }
+    result.lost.insert(result.lost.end(), split.sources.begin(), split.sources.end());
+  }
 }
 
 }  // namespace
@@ -182,34 +235,13 @@ std::vector<std::int32_t> constrain_faces(LocalRemeshing& mesh, const RecoverySu
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                                    const std::vector<Triangle>& triangles, std::uint64_t seed) {
   RecoveredBoundary result;
-  std::size_t least_missing = triangles.size();
-  result.surface = unsplit(triangles);
-  for (int round = 0;; ++round) {
-    LocalRemeshing mesh(complex, constrained);
-    const auto nodes = static_cast<std::int32_t>(complex.points.size());
-    const Missing missing =
-        recover_by_flips(mesh, RecoverySurface(result.surface.triangles, nodes),
-                         round == 0 ? efforts.size() : passes_after_splitting, seed);
-    if (round == 0) {
-      result.missing_edges = missing.edges_at_first;
-      result.missing_faces = missing.faces_at_first;
-    }
-    if (missing.faces.empty()) return result;
-    least_missing = std::min(least_missing, missing.faces.size());
-    const std::size_t points = result.surface.splits.size();
-    const bool is_hopeful = missing.faces.size() <= most_growth * least_missing + 10 &&
-                            points <= triangles.size() + most_points_of_small_surface;
-    if (is_hopeful && round < most_rounds &&
-        split_missing(complex, constrained, missing, result.surface)) {
-      continue;
-    }
-    for (const std::int32_t number : missing.faces) {
-      result.lost.push_back(result.surface.source[at(number)]);
-    }
-    std::sort(result.lost.begin(), result.lost.end());
-    result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
-    return result;
-  }
+  LocalRemeshing mesh(complex, constrained);
+  const SplitSurface surface = recover_in_parts(mesh, triangles, seed, result);
+  result.splits = static_cast<std::int64_t>(surface.splits.size());
+  if (result.lost.empty()) make_whole(mesh, triangles, surface, result);
+  std::sort(result.lost.begin(), result.lost.end());
+  result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
+  return result;
 }
 
 }  // namespace tetfarm

@@ -2,9 +2,9 @@
 ///
 /// Order of attack: the Delaunay tets hold nearly all; missing edges by flips, then missing faces
 /// by flips, with searches that go deeper from pass to pass; what is still missing is split by
-/// Steiner points and its parts are recovered in the same way. The Steiner points are moved off the
-/// boundary once the outside is gone (steiner_relocation.h). Cost: about the number of tets when
-/// little is missing.
+/// Steiner points and its parts are recovered in the same way. Then the Steiner points leave the
+/// boundary again, last in, first out (steiner_relocation.h), and most of them the complex
+/// (steiner_settling.h). Cost: about the number of tets when little is missing.
 #pragma once
 
 #include <array>
@@ -13,19 +13,21 @@
 
 #include "mesh/volume/local_remeshing.h"
 #include "mesh/volume/recovery_surface.h"
-#include "mesh/volume/surface_splitting.h"
 
 namespace tetfarm {
 
 struct RecoveredBoundary {
-  std::int64_t missing_edges = 0;  // in the Delaunay tets
-  std::int64_t missing_faces = 0;  // once the edges were done
-  SplitSurface surface;            // the boundary as it is in the complex, with its splits
-  std::vector<std::int32_t> lost;  // boundary triangles that could not be recovered even in parts
+  std::int64_t missing_edges = 0;   // in the Delaunay tets
+  std::int64_t missing_faces = 0;   // once the edges were done
+  std::int64_t splits = 0;          // Steiner points that were needed on the boundary for a while
+  std::int64_t steiner_points = 0;  // of these, the ones that are still there, inside
+  std::vector<std::int32_t> lost;   // boundary triangles that could not be recovered
 };
 
 /// `seed`: another order of the flips, for another attempt from the Delaunay tets; 0 is the plain
-/// order. On success (nothing lost) all faces of the split surface are constrained on both sides.
+/// order. On success (nothing lost) the boundary's faces are constrained on both sides, and no
+/// other. Tets outside may then be flat or turned round at split points, where nothing but walks
+/// go.
 /// @pre every node of the boundary is in a tet; no face is constrained.
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                                    const std::vector<Triangle>& triangles, std::uint64_t seed = 0);

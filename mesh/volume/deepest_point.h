@@ -6,18 +6,21 @@
 
 #include <vector>
 
-#include "mesh/core/vec3.h"
+#include "mesh/geometry/fine_point.h"
 
 namespace tetfarm {
 
 /// Half of space: the points x with dot(normal, x) + offset >= 0.
 struct HalfSpace {
-  Vec3 normal;  // unit
-  double offset;
+  FineVec3 normal;  // unit, up to rounding
+  DoubleDouble offset;
 };
 
 /// Maximises the smallest of dot(normal, x) + offset, |x| at most `reach` along each axis, up to
 /// rounding. That smallest one is negative when no point lies behind all planes.
-Vec3 deepest_point(std::vector<HalfSpace> planes, double reach);
+Vec3 deepest_point(const std::vector<HalfSpace>& planes, double reach);
+
+/// The same in numbers of 106 bits, for where planes are as good as parallel: ten times the cost.
+FineVec3 fine_deepest_point(const std::vector<HalfSpace>& planes, double reach);
 
 }  // namespace tetfarm

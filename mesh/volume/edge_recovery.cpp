@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "mesh/geometry/predicates.h"
-
 namespace tetfarm {
 namespace {
 
@@ -23,9 +21,7 @@ Cone cone_of(const LocalRemeshing& mesh, std::int32_t tet, std::int32_t a, std::
   // positive.
   Cone cone{{n[at(f[0])], n[at(f[1])], n[at(f[2])]}, {}};
   const auto& [x, y, z] = cone.nodes;
-  const auto p = [&mesh](std::int32_t v) { return mesh.point(v); };
-  cone.weight = {orient3d(p(a), p(b), p(y), p(z)), orient3d(p(a), p(x), p(b), p(z)),
-                 orient3d(p(a), p(x), p(y), p(b))};
+  cone.weight = {mesh.orient(a, b, y, z), mesh.orient(a, x, b, z), mesh.orient(a, x, y, b)};
   return cone;
 }
 
@@ -68,7 +64,7 @@ Crossing next_crossing(const LocalRemeshing& mesh, FaceHandle beyond, std::int32
   const std::array<std::int32_t, 3> x = {n[at(f[0])], n[at(f[2])], n[at(f[1])]};
   std::array<int, 3> side{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double s = orient3d(mesh.point(a), mesh.point(b), mesh.point(x[k]), mesh.point(apex));
+    const double s = mesh.orient(a, b, x[k], apex);
     side[k] = (s > 0) - (s < 0);
   }
   if (side[0] == 0 && side[1] == 0 && side[2] == 0) walk.node_on_it = apex;
@@ -126,7 +122,7 @@ bool clear(LocalRemeshing& mesh, EdgeRemoval& removal, const Crossing& crossing,
 
 bool recover_edge(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::int32_t b,
                   int depth) {
-  const RecoveryGuard guard = RecoveryGuard::of_edge(mesh.complex().points, a, b);
+  const RecoveryGuard guard = RecoveryGuard::of_edge(mesh, a, b);
   for (;;) {
     bool is_cleared = false;
     for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "mesh/geometry/predicates.h"
 #include "mesh/volume/ring_triangulation.h"
 
 namespace tetfarm {
@@ -85,7 +84,7 @@ bool EdgeRemoval::remove_face(FaceHandle face, const RecoveryGuard& guard) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int32_t u = x[k], v = x[(k + 1) % 3];
     if (guard.forbids_face(u, low, high)) return false;
-    if (orient3d(mesh_.point(low), mesh_.point(high), mesh_.point(u), mesh_.point(v)) <= 0) {
+    if (mesh_.orient(low, high, u, v) <= 0) {
       return false;
     }
     tets[k] = {low, high, u, v};

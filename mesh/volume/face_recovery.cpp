@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "mesh/geometry/predicates.h"
-#include "mesh/geometry/triangle_intersection.h"
-
 namespace tetfarm {
 namespace {
 
@@ -14,7 +11,6 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::array<std::int32_t, 2>> piercing_edges(const LocalRemeshing& mesh,
                                                         const Triangle& face) {
-  const TrianglePoints corners = {mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2])};
   std::vector<std::array<std::int32_t, 2>> found;
   const auto add_if_piercing = [&](std::int32_t u, std::int32_t v) {
     const std::array<std::int32_t, 2> edge = {std::min(u, v), std::max(u, v)};
@@ -23,7 +19,7 @@ std::vector<std::array<std::int32_t, 2>> piercing_edges(const LocalRemeshing& me
       return w == face[0] || w == face[1] || w == face[2];
     };
     if (is_corner(u) || is_corner(v)) return;
-    if (segment_crosses_triangle(mesh.point(u), mesh.point(v), corners)) found.push_back(edge);
+    if (segment_crosses_triangle(mesh, u, v, face)) found.push_back(edge);
   };
   for (std::size_t k = 0; k < 3; ++k) {
     const auto ring = mesh.ring(face[k], face[(k + 1) % 3]);
@@ -47,7 +43,7 @@ std::vector<std::array<std::int32_t, 2>> piercing_edges(const LocalRemeshing& me
 }
 
 bool recover_face(LocalRemeshing& mesh, EdgeRemoval& removal, const Triangle& face, int depth) {
-  const RecoveryGuard guard = RecoveryGuard::of_face(mesh.complex().points, face);
+  const RecoveryGuard guard = RecoveryGuard::of_face(mesh, face);
   while (mesh.find_face(face[0], face[1], face[2]) == no_face) {
     const auto edges = piercing_edges(mesh, face);
     const bool is_cleared = std::any_of(edges.begin(), edges.end(), [&](const auto& edge) {

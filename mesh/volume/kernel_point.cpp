@@ -1,47 +1,85 @@
 #include "mesh/volume/kernel_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
-#include "mesh/geometry/predicates.h"
 #include "mesh/volume/deepest_point.h"
 
 namespace tetfarm {
 namespace {
 
-double smallest_orientation(std::span<const VisibleFace> faces, const Vec3& x) {
-  double smallest = HUGE_VAL;
-  for (const auto& [a, b, c] : faces) smallest = std::min(smallest, orient3d(a, b, c, x));
-  return smallest;
-}
+struct Plane {
+  FineVec3 normal;  // unit
+  const VisibleFace* face;
+  DoubleDouble length;  // of the normal before it was made a unit
+};
 
-/// Distances are those of the exact predicate, which are right to the last digits also where
-/// `origin` nearly lies on the planes.
-std::vector<HalfSpace> half_spaces(std::span<const VisibleFace> faces, const Vec3& origin) {
-  std::vector<HalfSpace> planes;
-  for (const auto& [a, b, c] : faces) {
-    const Vec3 normal = cross(b - a, c - a);
-    const double length = norm(normal);
-    if (length > 0) planes.push_back({normal / length, orient3d(a, b, c, origin) / length});
+/// From fine differences: corners may be nearer to each other, or to one line, than doubles tell.
+std::vector<Plane> planes_of(std::span<const VisibleFace> faces) {
+  std::vector<Plane> planes;
+  for (const VisibleFace& face : faces) {
+    const auto& [a, b, c] = face;
+    const FineVec3 normal = cross(difference(a, b), difference(a, c));
+    const DoubleDouble length{norm(normal.rounded()), 0};
+    if (length.high > 0) planes.push_back({DoubleDouble{1, 0} / length * normal, &face, length});
   }
   return planes;
 }
 
+/// Distances have the size of the exact predicate, which is right to the last digits also where
+/// `origin` nearly lies on the planes.
+std::vector<HalfSpace> half_spaces(const std::vector<Plane>& planes, const FinePoint& origin) {
+  std::vector<HalfSpace> result;
+  for (const auto& [normal, face, length] : planes) {
+    const auto& [a, b, c] = *face;
+    const double size = orient3d(a, b, c, origin);
+    DoubleDouble offset = fine_orient3d(a, b, c, origin);
+    if (std::abs(offset.high - size) > 1e-12 * std::abs(size)) offset = {size, 0};
+    result.push_back({normal, offset / length});
+  }
+  return result;
+}
+
 }  // namespace
 
-std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start) {
+bool sees_all(std::span<const VisibleFace> faces, const FinePoint& x) {
+  return std::all_of(faces.begin(), faces.end(), [&x](const VisibleFace& face) {
+    return orient3d(face[0], face[1], face[2], x) > 0;
+  });
+}
+
+double room_at(std::span<const VisibleFace> faces, const FinePoint& x) {
+  double room = HUGE_VAL;
+  for (const auto& [normal, offset] : half_spaces(planes_of(faces), x)) {
+    room = std::min(room, offset.high);
+  }
+  return room;
+}
+
+std::optional<FinePoint> kernel_point(std::span<const VisibleFace> faces, const FinePoint& start) {
   double reach = 0;
   for (const VisibleFace& face : faces) {
-    for (const Vec3& p : face) reach = std::max(reach, distance(p, start));
+    for (const FinePoint& p : face) reach = std::max(reach, norm(difference(p, start).rounded()));
   }
-  Vec3 place = start;
-  // Each time nearer, so that rounding has less and less to say.
-  constexpr int tries = 4;
+  const auto planes = planes_of(faces);
+  FinePoint place = start;
+  // Each time nearer, so that rounding has less and less to say; then in finer numbers.
+  constexpr int plain_tries = 4;
+  constexpr int tries = 8;
+  const double farthest = reach;
   for (int i = 0; i < tries && reach > 0; ++i) {
-    const Vec3 step = deepest_point(half_spaces(faces, place), reach);
-    place += step;
-    if (smallest_orientation(faces, place) > 0) return place;
-    reach = std::min(0.1 * reach, 4 * norm(step));
+    const bool is_plain = i < plain_tries;
+    if (i == plain_tries) {
+      place = start;
+      reach = farthest;
+    }
+    const auto planes_here = half_spaces(planes, place);
+    const FineVec3 step = is_plain ? fine_vector(deepest_point(planes_here, reach))
+                                   : fine_deepest_point(planes_here, reach);
+    place = moved(place, step);
+    if (sees_all(faces, place)) return place;
+    reach = std::min(0.1 * reach, 4 * norm(step.rounded()));
   }
   return std::nullopt;
 }

@@ -10,14 +10,21 @@
 #include <optional>
 #include <span>
 
-#include "mesh/core/vec3.h"
+#include "mesh/geometry/fine_point.h"
 
 namespace tetfarm {
 
 /// Three corners; visible points are on the side from which they turn anticlockwise.
-using VisibleFace = std::array<Vec3, 3>;
+using VisibleFace = std::array<FinePoint, 3>;
 
-/// Nothing when no point with exactly positive orient3d to every face was found near `start`.
-std::optional<Vec3> kernel_point(std::span<const VisibleFace> faces, const Vec3& start);
+/// Nothing when no point with exactly positive orient3d to every face was found near `start`. What
+/// room there is may be as thin as the last of a fine point's bits.
+std::optional<FinePoint> kernel_point(std::span<const VisibleFace> faces, const FinePoint& start);
+
+/// The distance from x to the nearest of the faces' planes; negative behind one.
+double room_at(std::span<const VisibleFace> faces, const FinePoint& x);
+
+/// Whether orient3d to every face is exactly positive.
+bool sees_all(std::span<const VisibleFace> faces, const FinePoint& x);
 
 }  // namespace tetfarm

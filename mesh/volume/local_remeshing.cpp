@@ -29,7 +29,9 @@ std::array<std::int32_t, 3> sorted_face(const Tet& t, int face) {
 }  // namespace
 
 LocalRemeshing::LocalRemeshing(TetComplex& complex, std::vector<std::uint8_t>& constrained)
-    : complex_(complex), constrained_(constrained) {
+    : complex_(complex),
+      constrained_(constrained),
+      first_fine_(static_cast<std::int32_t>(complex.points.size())) {
   constrained_.resize(complex_.nodes.size(), 0);
 }
 
@@ -52,12 +54,18 @@ void LocalRemeshing::kill(std::int32_t tet) {
   complex_.kill_tet(tet);
 }
 
-std::int32_t LocalRemeshing::add_point(const Vec3& point) {
+std::int32_t LocalRemeshing::add_point(const FinePoint& point) {
   const auto v = static_cast<std::int32_t>(complex_.points.size());
-  complex_.points.push_back(point);
+  complex_.points.push_back(point.high);
   complex_.node2tet.push_back(-1);
+  low_.push_back(point.low);
   journal_.push_back({Entry::Kind::point, 0, v, {}, {}});
   return v;
+}
+
+void LocalRemeshing::move_point(std::int32_t v, const FinePoint& to) {
+  complex_.points[at(v)] = to.high;
+  low_[at(v - first_fine_)] = to.low;
 }
 
 void LocalRemeshing::roll_back(std::size_t mark) {
@@ -71,6 +79,7 @@ void LocalRemeshing::roll_back(std::size_t mark) {
       case Entry::Kind::point:
         complex_.points.pop_back();
         complex_.node2tet.pop_back();
+        low_.pop_back();
         break;
       case Entry::Kind::reused:
         complex_.kill_tet(entry.tet);
@@ -121,7 +130,11 @@ std::vector<std::int32_t> LocalRemeshing::replace(std::span<const std::int32_t> 
     const FaceHandle here = face_handle(hull[i].tet, hull[i].face);
     outside[i] = {complex_.neighbours[at(hull[i].tet)][at(hull[i].face)], is_constrained(here)};
   }
-  for (const std::int32_t t : old_tets) kill(t);
+  for (const std::int32_t t : old_tets) {
+    // Nodes that no new tet holds are out of the complex.
+    for (const std::int32_t v : complex_.nodes[at(t)]) complex_.node2tet[at(v)] = -1;
+    kill(t);
+  }
 
   std::vector<std::int32_t> tets(new_tets.size());
   std::vector<KeyedFace> faces;

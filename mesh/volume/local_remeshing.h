@@ -6,6 +6,7 @@
 /// Cost: O(k log k) for k tets replaced; O(changes) to take back.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,8 @@
 #include <vector>
 
 #include "mesh/core/tet_complex.h"
+#include "mesh/geometry/fine_point.h"
+#include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 
@@ -30,14 +33,26 @@ class LocalRemeshing {
 
   const TetComplex& complex() const { return complex_; }
   const Vec3& point(std::int32_t v) const { return complex_.points[static_cast<std::size_t>(v)]; }
+  /// The point to its last bit: those that add_point brought may have more than a double holds.
+  FinePoint fine_point(std::int32_t v) const { return {point(v), low_of(v)}; }
+  /// orient3d of the points to their last bit.
+  double orient(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
+    if (std::max(std::max(a, b), std::max(c, d)) < first_fine_) {
+      return orient3d(point(a), point(b), point(c), point(d));
+    }
+    return orient3d(fine_point(a), fine_point(b), fine_point(c), fine_point(d));
+  }
 
   /// Replaces `old_tets` by `new_tets`. @pre both fill the same space, the new ones are positive,
   /// and no constrained face lies between two old ones. Returns the numbers of the new tets.
   std::vector<std::int32_t> replace(std::span<const std::int32_t> old_tets,
                                     std::span<const Tet> new_tets);
 
-  /// Adds a point; it belongs to no tet yet.
-  std::int32_t add_point(const Vec3& point);
+  /// Adds a point; it belongs to no tet yet. The complex holds it rounded; what is lost by that
+  /// lives as long as this.
+  std::int32_t add_point(const FinePoint& point);
+  /// Not in the journal. @pre the point came by add_point.
+  void move_point(std::int32_t v, const FinePoint& to);
 
   std::size_t mark() const { return journal_.size(); }
   /// Takes back every change since the mark.
@@ -69,12 +84,17 @@ class LocalRemeshing {
     std::array<FaceHandle, 4> neighbours;
   };
 
+  Vec3 low_of(std::int32_t v) const {
+    return v < first_fine_ ? Vec3{} : low_[static_cast<std::size_t>(v - first_fine_)];
+  }
   void save(std::int32_t tet);
   std::int32_t new_tet();
   void kill(std::int32_t tet);
 
   TetComplex& complex_;
   std::vector<std::uint8_t>& constrained_;
+  std::int32_t first_fine_;  // points from here on came by add_point
+  std::vector<Vec3> low_;    // of them: what rounding has taken off
   std::vector<Entry> journal_;
   mutable std::vector<std::int32_t> seen_;  // of a tet: the walk that saw it last
   mutable std::int32_t walk_ = 0;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "mesh/geometry/predicates.h"
-
 namespace tetfarm {
 namespace {
 
@@ -17,8 +15,7 @@ class RingSearch {
 
   bool sees_triangle(std::size_t i, std::size_t j, std::size_t k) const {
     const std::int32_t p = corners_[i], q = corners_[j], r = corners_[k];
-    return orient3d(mesh_.point(p), mesh_.point(q), mesh_.point(r), mesh_.point(b_)) > 0 &&
-           orient3d(mesh_.point(p), mesh_.point(r), mesh_.point(q), mesh_.point(a_)) > 0 &&
+    return mesh_.orient(p, q, r, b_) > 0 && mesh_.orient(p, r, q, a_) > 0 &&
            !guard_.forbids_face(p, q, r);
   }
 

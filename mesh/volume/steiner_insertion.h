@@ -2,8 +2,10 @@
 /// crosses it.
 ///
 /// What is crossed is split at the point, so that its parts are there at once when nothing else is
-/// in the way; where rounding forbids that, a constrained cavity takes the point in. Source: kernel
-/// notes, boundary recovery, step 4. Cost: as the ring of the crossed edge.
+/// in the way; where there is no room for that, a tet that the edge or face runs through is split.
+/// The point lies on the edge or face to some 100 bits, so that what was flat stays flat for all
+/// that follows. Source: kernel notes, boundary recovery, step 4. Cost: as the rings of the crossed
+/// edges.
 #pragma once
 
 #include <array>
@@ -15,13 +17,14 @@
 namespace tetfarm {
 
 /// The new node, at the middle one of the crossings, else at another one; -1 when there is no room.
-/// @pre `walk` is walk_segment of the edge, with crossings.
-std::int32_t insert_on_edge(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+/// `surface` may be older than the last points. @pre `walk` is walk_segment of the edge, with
+/// crossings.
+std::int32_t insert_on_edge(LocalRemeshing& mesh, const RecoverySurface& surface,
                             const std::array<std::int32_t, 2>& edge, const SegmentWalk& walk);
 
-/// The new node, near where the middle one of the piercing edges goes through; -1 when there is no
+/// The new node, where the piercing edge nearest to the middle goes through; -1 when there is no
 /// room.
-std::int32_t insert_on_face(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+std::int32_t insert_on_face(LocalRemeshing& mesh, const RecoverySurface& surface,
                             const Triangle& face);
 
 }  // namespace tetfarm

@@ -1,23 +1,24 @@
-/// Moves a Steiner point off the boundary into the domain, so that the boundary triangles that it
-/// split are whole again.
+/// Moves a Steiner point off the boundary, so that the boundary triangles that it split are whole
+/// again.
 ///
-/// The point moves to where it sees its link and the whole triangles; those become faces of new
-/// tets. Source: P. L. George, H. Borouchaki, E. Saltel, "'Ultimate' robustness in meshing an
-/// arbitrary polyhedron" (2003), section 4. Cost: as the star of the point.
+/// The point is taken apart into one on each side. Each moves to where it sees its part of the link
+/// and the whole triangles; those become faces of new tets. Source: P. L. George, H. Borouchaki, E.
+/// Saltel, "'Ultimate' robustness in meshing an arbitrary polyhedron" (2003), section 4. Cost: as
+/// the star of the point.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "mesh/core/tet_complex.h"
+#include "mesh/volume/local_remeshing.h"
 #include "mesh/volume/surface_splitting.h"
 
 namespace tetfarm {
 
-/// False when no such place was found; then nothing has changed.
-/// @pre the complex holds the inside only, and of all splits the given one is the last not yet
-/// undone.
-bool relocate_steiner_point(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                            const SteinerSplit& split);
+/// Undoes the split. The node's number stays with a part inside, if there is one; further parts get
+/// new nodes. Outside the domain the tets are the right ones, but flat where a point found no
+/// place. False when a part inside found none; then nothing has changed.
+/// @pre all faces of the split surface are in the complex and constrained, and of all splits the
+/// given one is the last not yet undone.
+bool relocate_steiner_point(LocalRemeshing& mesh, const SteinerSplit& split);
 
 }  // namespace tetfarm

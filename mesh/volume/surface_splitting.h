@@ -17,6 +17,7 @@ namespace tetfarm {
 struct SteinerSplit {
   std::int32_t node = -1;
   std::vector<Triangle> originals;
+  std::vector<std::int32_t> sources;  // of these: the boundary triangles that they are parts of
 };
 
 struct SplitSurface {

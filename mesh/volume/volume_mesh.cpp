@@ -11,7 +11,6 @@
 #include "mesh/volume/boundary_recovery.h"
 #include "mesh/volume/inside_tets.h"
 #include "mesh/volume/point_insertion.h"
-#include "mesh/volume/steiner_relocation.h"
 
 namespace tetfarm {
 namespace {
@@ -55,38 +54,6 @@ DelaunayTets boundary_delaunay(const Subdomain& subdomain) {
   throw RecoveryFailure(message, lost);
 }
 
-/// The split as it is numbered once the enclosing nodes are gone.
-SteinerSplit without_enclosing(SteinerSplit split, std::int32_t boundary_nodes) {
-  const auto renumber = [boundary_nodes](std::int32_t& v) {
-    if (v >= boundary_nodes) v -= enclosing_nodes;
-  };
-  renumber(split.node);
-  for (Triangle& t : split.originals) {
-    for (std::int32_t& v : t) renumber(v);
-  }
-  return split;
-}
-
-void relocate_steiner_points(InsideComplex& inside, const SplitSurface& surface,
-                             const Subdomain& subdomain) {
-  const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
-  // Last in, first out: only then are the triangles of a split those of the moment it was made.
-  for (std::size_t i = surface.splits.size(); i-- > 0;) {
-    const SteinerSplit split = without_enclosing(surface.splits[i], boundary_nodes);
-    if (relocate_steiner_point(inside.complex, inside.constrained, split)) continue;
-    std::vector<std::int32_t> lost;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Triangle& triangle = surface.triangles[t];
-      if (std::find(triangle.begin(), triangle.end(), surface.splits[i].node) != triangle.end()) {
-        lost.push_back(surface.source[t]);
-      }
-    }
-    std::sort(lost.begin(), lost.end());
-    lost.erase(std::unique(lost.begin(), lost.end()), lost.end());
-    throw_lost(subdomain, lost);
-  }
-}
-
 /// The complex with points that belong to a tet only; the boundary nodes stay first.
 TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
   TetMesh mesh = to_tet_mesh(complex, boundary_nodes);
@@ -127,10 +94,11 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   if (report != nullptr) {
     report->missing_edges = recovered.missing_edges;
     report->missing_faces = recovered.missing_faces;
-    report->interior_steiner_points = static_cast<std::int64_t>(recovered.surface.splits.size());
+    report->boundary_steiner_points = recovered.splits;
+    report->interior_steiner_points = recovered.steiner_points;
   }
   if (!recovered.lost.empty()) throw_lost(subdomain, recovered.lost);
-  const RecoverySurface surface(recovered.surface.triangles,
+  const RecoverySurface surface(subdomain.triangles,
                                 static_cast<std::int32_t>(complex.points.size()));
   const auto sides = [&] {
     auto inside = inside_tets(LocalRemeshing(complex, constrained), surface);
@@ -148,7 +116,6 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
-  relocate_steiner_points(kept, recovered.surface, subdomain);
   if (options.fill && options.cosmetics) {
     tell("cosmetics", kept.complex.live_tets());
     CosmeticOptions cosmetics;

@@ -27,8 +27,7 @@ class LocalRemeshingOfRandomPoints : public testing::Test {
   int remove_edges(int most) {
     const RecoverySurface no_surface({}, 60);
     EdgeRemoval removal(mesh_, no_surface);
-    // Far away: forbids nothing.
-    const auto guard = RecoveryGuard::of_edge(complex_.points, 60, 61);
+    const auto guard = RecoveryGuard::of_nothing(mesh_);
     int removed = 0;
     for (std::int32_t a = 0; a < 60 && removed < most; ++a) {
       for (std::int32_t b = a + 1; b < 60 && removed < most; ++b) {
@@ -57,7 +56,7 @@ TEST_F(LocalRemeshingOfRandomPoints, is_exactly_as_before_after_rolling_back) {
   const std::size_t mark = mesh_.mark();
   ASSERT_GT(remove_edges(30), 10);
   ASSERT_NE(complex_.nodes, nodes);
-  mesh_.add_point({0.5, 0.5, 0.5});
+  mesh_.add_point(fine({0.5, 0.5, 0.5}));
   mesh_.roll_back(mark);
   EXPECT_EQ(complex_.nodes, nodes);
   EXPECT_EQ(complex_.neighbours, neighbours);

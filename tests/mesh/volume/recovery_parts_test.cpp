@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/predicates.h"
 #include "mesh/volume/boundary_recovery.h"
@@ -27,22 +29,37 @@ TEST(RecoverySurface, knows_its_edges_and_triangles_in_any_order_of_nodes) {
   EXPECT_EQ(surface.find_triangle(0, 1, 100), -1);
 }
 
+/// Points without tets, to ask guards about.
+struct Points {
+  explicit Points(std::vector<Vec3> places) : complex{std::move(places), {}, {}, {}, {}} {}
+  TetComplex complex;
+  std::vector<std::uint8_t> constrained;
+  LocalRemeshing mesh{complex, constrained};
+};
+
 TEST(RecoveryGuard, of_an_edge_forbids_what_crosses_it_and_nothing_that_shares_an_end) {
-  const std::vector<Vec3> p = {{0, 0, -1}, {0, 0, 1},   {1, 0, 0},
-                               {-1, 1, 0}, {-1, -1, 0}, {-1, 0, 0}};
-  const auto guard = RecoveryGuard::of_edge(p, 0, 1);
+  const Points p({{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {-1, 0, 0}});
+  const auto guard = RecoveryGuard::of_edge(p.mesh, 0, 1);
   EXPECT_TRUE(guard.forbids_face(2, 3, 4));
   EXPECT_FALSE(guard.forbids_face(3, 4, 5));
   EXPECT_FALSE(guard.forbids_face(0, 2, 3));
   EXPECT_TRUE(guard.forbids_edge(2, 5));
   EXPECT_FALSE(guard.forbids_edge(3, 4));
   EXPECT_FALSE(guard.forbids_edge(0, 5));
+  EXPECT_FALSE(RecoveryGuard::of_nothing(p.mesh).forbids_face(2, 3, 4));
+  EXPECT_FALSE(RecoveryGuard::of_nothing(p.mesh).forbids_edge(2, 5));
 }
 
 TEST(RecoveryGuard, of_a_face_forbids_edges_through_it_or_across_its_sides) {
-  const std::vector<Vec3> p = {{0, 0, 0},      {1, 0, 0},  {0, 1, 0},    {0.2, 0.2, 1},
-                               {0.2, 0.2, -1}, {2, 2, -1}, {0.3, -1, 0}, {0.3, 0.2, 0}};
-  const auto guard = RecoveryGuard::of_face(p, {0, 1, 2});
+  const Points p({{0, 0, 0},
+                  {1, 0, 0},
+                  {0, 1, 0},
+                  {0.2, 0.2, 1},
+                  {0.2, 0.2, -1},
+                  {2, 2, -1},
+                  {0.3, -1, 0},
+                  {0.3, 0.2, 0}});
+  const auto guard = RecoveryGuard::of_face(p.mesh, {0, 1, 2});
   EXPECT_TRUE(guard.forbids_edge(3, 4));
   EXPECT_FALSE(guard.forbids_edge(3, 5));
   EXPECT_TRUE(guard.forbids_edge(6, 7));
@@ -50,26 +67,55 @@ TEST(RecoveryGuard, of_a_face_forbids_edges_through_it_or_across_its_sides) {
 }
 
 TEST(SegmentsCross, only_between_their_ends_and_in_one_plane) {
-  EXPECT_TRUE(segments_cross({0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}));
-  EXPECT_FALSE(segments_cross({0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 1e-9}));
-  EXPECT_FALSE(segments_cross({0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}));
-  EXPECT_FALSE(segments_cross({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}));
-  EXPECT_FALSE(segments_cross({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}));
+  const auto cross = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Points p({a, b, c, d});
+    return segments_cross(p.mesh, 0, 1, 2, 3);
+  };
+  EXPECT_TRUE(cross({0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}));
+  EXPECT_FALSE(cross({0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 1e-9}));
+  EXPECT_FALSE(cross({0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}));
+  EXPECT_FALSE(cross({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}));
+  EXPECT_FALSE(cross({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}));
+}
+
+TEST(SegmentsCross, no_triangle_that_they_only_touch) {
+  const auto crosses = [](const Vec3& p, const Vec3& q) {
+    const Points points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, p, q});
+    return segment_crosses_triangle(points.mesh, 3, 4, {0, 1, 2});
+  };
+  EXPECT_TRUE(crosses({0.2, 0.2, -1}, {0.2, 0.2, 1}));
+  EXPECT_TRUE(crosses({0.5, 0.5, -1}, {0.5, 0.5, 1}));
+  EXPECT_FALSE(crosses({1, 0, -1}, {1, 0, 1}));
+  EXPECT_FALSE(crosses({0.2, 0.2, 0}, {0.2, 0.2, 1}));
+  EXPECT_FALSE(crosses({0.8, 0.8, -1}, {0.8, 0.8, 1}));
 }
 
 TEST(KernelPoint, of_a_cube_is_well_inside_and_of_facing_away_planes_there_is_none) {
   const SurfaceMesh cube = shapes::unit_cube();
   std::vector<VisibleFace> faces;
   for (const auto& [a, b, c] : cube.triangles) {
-    const auto p = [&cube](std::int32_t v) { return cube.vertices[static_cast<std::size_t>(v)]; };
+    const auto p = [&cube](std::int32_t v) {
+      return fine(cube.vertices[static_cast<std::size_t>(v)]);
+    };
     faces.push_back({p(a), p(c), p(b)});
   }
-  const auto point = kernel_point(faces, {0, 0, 0});
+  const auto point = kernel_point(faces, fine({0, 0, 0}));
   ASSERT_TRUE(point.has_value());
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR((*point)[axis], 0.5, 0.2);
-  const std::vector<VisibleFace> opposed = {{Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}},
-                                            {Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 0, 0}}};
-  EXPECT_FALSE(kernel_point(opposed, {0, 0, 0}).has_value());
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(point->high[axis], 0.5, 0.2);
+  const std::vector<VisibleFace> opposed = {{fine({0, 0, 1}), fine({1, 0, 1}), fine({0, 1, 1})},
+                                            {fine({0, 0, 0}), fine({0, 1, 0}), fine({1, 0, 0})}};
+  EXPECT_FALSE(kernel_point(opposed, fine({0, 0, 0})).has_value());
+}
+
+TEST(KernelPoint, is_found_in_a_wedge_far_thinner_than_the_last_digit_of_doubles) {
+  const double height = std::ldexp(1.0, -80);
+  const auto lifted = [height](double x, double y) { return FinePoint{{x, y, 1}, {0, 0, height}}; };
+  const std::vector<VisibleFace> faces = {{fine({0, 0, 1}), fine({1, 0, 1}), fine({0, 1, 1})},
+                                          {lifted(0, 0), lifted(0, 1), lifted(1, 0)}};
+  const auto point = kernel_point(faces, fine({0.3, 0.3, 1}));
+  ASSERT_TRUE(point.has_value());
+  EXPECT_TRUE(sees_all(faces, *point));
+  EXPECT_FALSE(sees_all(faces, fine({0.3, 0.3, 1})));
 }
 
 TEST(SurfaceSplitting, of_an_edge_and_a_face_keeps_the_surface_closed_and_remembers_the_whole) {
@@ -97,12 +143,12 @@ TEST(RingTriangulation, of_an_octahedron_axis_is_found_and_stopped_by_a_guard) {
     const auto ring = mesh.ring(a, b);
     if (!ring) continue;
     ASSERT_EQ(ring->apexes.size(), 4U);
-    const auto free = RecoveryGuard::of_edge(complex.points, 6, 7);
+    const auto free = RecoveryGuard::of_nothing(mesh);
     const auto triangles = ring_triangulation(mesh, *ring, a, b, -1, free);
     ASSERT_TRUE(triangles.has_value());
     EXPECT_EQ(triangles->size(), 2U);
     // Both other diagonals cross this one.
-    const auto own = RecoveryGuard::of_edge(complex.points, a, b);
+    const auto own = RecoveryGuard::of_edge(mesh, a, b);
     EXPECT_FALSE(ring_triangulation(mesh, *ring, a, b, -1, own).has_value());
   }
 }
@@ -113,7 +159,7 @@ TEST(InsideTets, are_those_between_nested_spheres) {
   std::vector<std::uint8_t> constrained(tets.complex.nodes.size(), 0);
   const RecoveredBoundary recovered = recover_boundary(tets.complex, constrained, domain.triangles);
   ASSERT_TRUE(recovered.lost.empty());
-  const RecoverySurface surface(recovered.surface.triangles,
+  const RecoverySurface surface(domain.triangles,
                                 static_cast<std::int32_t>(tets.complex.points.size()));
   const LocalRemeshing mesh(tets.complex, constrained);
   const auto inside = inside_tets(mesh, surface);

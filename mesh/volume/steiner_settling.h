@@ -1,0 +1,31 @@
+/// Makes the Steiner points inside ordinary nodes: most are taken out again by flips, the rest move
+/// to the middle of the room they have, to a place that doubles hold exactly.
+///
+/// Points that have just left the boundary may have less room than doubles tell; it grows as their
+/// neighbours go or move. Source: removal of a node by flips down to four tets, as in B. Joe,
+/// "Construction of three-dimensional Delaunay triangulations using local transformations" (1991).
+/// Cost: as the stars of the points, a few times.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/volume/local_remeshing.h"
+#include "mesh/volume/recovery_surface.h"
+
+namespace tetfarm {
+
+struct SettledPoints {
+  std::vector<std::int32_t> kept;       // still in the complex, at places of plain doubles
+  std::vector<std::int32_t> unsettled;  // in the complex, but found no such place
+};
+
+/// Edges and constrained faces of the surface are left alone. @pre the points came by add_point and
+/// none lies on the surface any more.
+SettledPoints settle_steiner_points(LocalRemeshing& mesh, const RecoverySurface& surface,
+                                    const std::vector<std::int32_t>& points);
+
+/// Takes an inner node out of the complex by flips. False: nothing has changed.
+bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int32_t node);
+
+}  // namespace tetfarm
