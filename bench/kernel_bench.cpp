@@ -1,6 +1,7 @@
 // The sequential mesher in memory, and the quality of any mesh of the same surface.
 //
-//   kernel_bench mesh SURFACE GROWTH           meshes it; times and quality as one JSON object
+//   kernel_bench mesh SURFACE GROWTH [POINTS]  meshes it; times and quality as one JSON object;
+//                                              POINTS: lattice (default) or sweeps
 //   kernel_bench measure SURFACE GROWTH MESH   the quality of another program's mesh: Gmsh 2.2
 //   ASCII
 //                                              (.msh), or TetGen's .ele with the .node beside it
@@ -221,13 +222,15 @@ SpacingField spacing_of(const SurfaceMesh& surface, double growth) {
   return make_spacing_field(surface, options);
 }
 
-int mesh(const std::string& path, double growth) {
+int mesh(const std::string& path, double growth, InteriorPoints points) {
   const Seconds begin = now();
   const SurfaceMesh surface = read_surface(path);
   const Subdomain domain = root_subdomain(surface);
   const Seconds start = now();
   const SpacingField spacing = spacing_of(surface, growth);
-  const TetMesh made = mesh_volume(domain, spacing);
+  VolumeMeshOptions options;
+  options.points = points;
+  const TetMesh made = mesh_volume(domain, spacing, options);
   const Seconds end = now();
   const double memory = peak_mb();
   const std::vector<std::string> complaints = validate(made, domain.triangles);
@@ -238,6 +241,12 @@ int mesh(const std::string& path, double growth) {
       end.wall - start.wall, end.cpu - start.cpu, end.cpu, end.wall - begin.wall, memory,
       quality_json(made, spacing).c_str());
   return complaints.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+InteriorPoints points_of(const std::vector<std::string>& words) {
+  if (words.size() < 4 || words[3] == "lattice") return InteriorPoints::lattice;
+  if (words[3] == "sweeps") return InteriorPoints::sweeps;
+  throw std::runtime_error("points are \"lattice\" or \"sweeps\", not " + words[3]);
 }
 
 int measure(const std::string& path, double growth, const std::string& mesh_path) {
@@ -255,14 +264,17 @@ int measure(const std::string& path, double growth, const std::string& mesh_path
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
-    if (words.size() == 3 && words[0] == "mesh")
-      return tetfarm::mesh(words[1], std::stod(words[2]));
+    if ((words.size() == 3 || words.size() == 4) && words[0] == "mesh") {
+      return tetfarm::mesh(words[1], std::stod(words[2]), tetfarm::points_of(words));
+    }
     if (words.size() == 4 && words[0] == "measure")
       return tetfarm::measure(words[1], std::stod(words[2]), words[3]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return EXIT_FAILURE;
   }
-  std::fprintf(stderr, "usage: kernel_bench mesh SURFACE GROWTH | measure SURFACE GROWTH MESH\n");
+  std::fprintf(stderr,
+               "usage: kernel_bench mesh SURFACE GROWTH [lattice | sweeps]"
+               " | measure SURFACE GROWTH MESH\n");
   return 2;
 }

@@ -6,6 +6,7 @@
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
 #include "mesh/io/artifact_file.h"
+#include "mesh/io/job_file.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
 #include "worker/leaf_mesh.h"
@@ -13,8 +14,15 @@
 namespace tetfarm {
 namespace {
 
-LeafMeshers real_meshers(TaskIo& io, const SpacingField& spacing) {
+/// The job's words in the terms of mesh/volume.
+VolumeMeshOptions volume_options_of(const JobFile& job) {
   VolumeMeshOptions options;
+  options.points = job.points == "sweeps" ? InteriorPoints::sweeps : InteriorPoints::lattice;
+  return options;
+}
+
+LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spacing) {
+  VolumeMeshOptions options = volume_options_of(job);
   options.progress = [&io](const char* stage, std::int64_t tets) { io.progress(stage, tets); };
   CutOptions cutting;
   cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
@@ -36,9 +44,10 @@ LeafMeshers real_meshers(TaskIo& io, const SpacingField& spacing) {
                      {{"subdomain_" + leaf.path.text() + ".defects.vtp", shown}});
 }
 
-TetMesh mesh_or_refuse(TaskIo& io, const Subdomain& leaf, const SpacingField& spacing) {
+TetMesh mesh_or_refuse(TaskIo& io, const JobFile& job, const Subdomain& leaf,
+                       const SpacingField& spacing) {
   try {
-    return leaf_mesh(leaf, real_meshers(io, spacing));
+    return leaf_mesh(leaf, real_meshers(io, job, spacing));
   } catch (const RecoveryFailure& failure) {
     refuse(io, leaf, failure.what(), failure.triangles());
   } catch (const InvalidInput& error) {
@@ -59,10 +68,11 @@ double smallest_dihedral_deg(const TetMesh& mesh) {
 }  // namespace
 
 void mesh_task(TaskIo& io) {
+  const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   io.progress("recovery", 0);
-  const TetMesh mesh = mesh_or_refuse(io, leaf, spacing);
+  const TetMesh mesh = mesh_or_refuse(io, job, leaf, spacing);
   io.progress("validate", static_cast<std::int64_t>(mesh.tets.size()));
   const std::vector<std::string> complaints = validate(mesh, leaf.triangles);
   if (!complaints.empty()) {

@@ -1,6 +1,6 @@
 /// The task `mesh`: the volume mesh of one leaf (thesis 4.3.3).
 ///
-/// Inputs: "subdomain", "spacing". Output: "mesh". Numbers: tets, interior_nodes,
+/// Inputs: "job", "subdomain", "spacing". Output: "mesh". Numbers: tets, interior_nodes,
 /// min_dihedral_deg.
 #pragma once
 

@@ -22,8 +22,9 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 9> top_keys = {
-    "version", "name", "geometry", "domain", "spacing", "source", "decompose", "quality", "output"};
+constexpr std::array<std::string_view, 10> top_keys = {"version", "name",   "geometry",  "domain",
+                                                       "spacing", "source", "decompose", "mesh",
+                                                       "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> spacing_keys = {"default", "growth", "surface"};
@@ -32,12 +33,14 @@ constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
 constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 2> decompose_keys = {"subdomains", "target_elements"};
+constexpr std::array<std::string_view, 1> mesh_keys = {"points"};
 constexpr std::array<std::string_view, 1> quality_keys = {"min_dihedral"};
 constexpr std::array<std::string_view, 1> output_keys = {"formats"};
 
 constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
 constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
 constexpr std::array<std::string_view, 3> source_kinds = {"point", "line", "triangle"};
+constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
 constexpr std::array<std::string_view, 2> formats = {"vtkhdf", "lb8.ugrid"};
 
 /// No tet mesh reaches the angles of the regular tet, 70.53 degrees, everywhere.
@@ -253,6 +256,10 @@ void parse_decompose(const Section& section, JobFile& job) {
   }
 }
 
+void parse_mesh(const Section& section, JobFile& job) {
+  if (section.has("points")) job.points = section.one_of("points", kinds_of_points);
+}
+
 void parse_quality(const Section& section, JobFile& job) {
   if (!section.has("min_dihedral")) return;
   job.min_dihedral_deg = section.not_negative("min_dihedral");
@@ -354,13 +361,14 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
       job.sources.push_back(parse_source(top, node));
   }
   parse_decompose(top.table("decompose", decompose_keys), job);
+  parse_mesh(top.table("mesh", mesh_keys), job);
   parse_quality(top.table("quality", quality_keys), job);
   parse_output(top.table("output", output_keys), job);
   return job;
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 10> sections = {
+  const std::array<std::pair<std::string_view, Words>, 11> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
        {"spacing", spacing_keys},
@@ -369,6 +377,7 @@ std::vector<std::string> job_file_keys() {
        {"source", triangle_keys},
        {"source.corner", corner_keys},
        {"decompose", decompose_keys},
+       {"mesh", mesh_keys},
        {"quality", quality_keys},
        {"output", output_keys}}};
   std::vector<std::string> all = {"version", "name"};

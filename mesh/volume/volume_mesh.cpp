@@ -11,6 +11,7 @@
 #include "mesh/volume/boundary_recovery.h"
 #include "mesh/volume/inside_tets.h"
 #include "mesh/volume/point_insertion.h"
+#include "mesh/volume/sweep_points.h"
 
 namespace tetfarm {
 namespace {
@@ -74,10 +75,6 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
   return mesh;
 }
 
-}  // namespace
-
-namespace {
-
 /// From the Delaunay tets on, with the flips in the order of the seed.
 TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
                   const VolumeMeshOptions& options, std::uint64_t seed, VolumeMeshReport* report) {
@@ -107,11 +104,20 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   };
   std::vector<std::uint8_t> inside = sides();
   if (options.fill) {
-    const auto steiner_end = static_cast<std::int32_t>(complex.points.size());
-    const auto nodes = nodes_inside(complex, inside, spacing, bounding_box(subdomain.vertices));
-    PointInsertionOptions insertion;
-    insertion.progress = [&](std::int64_t live) { tell("points", static_cast<std::size_t>(live)); };
-    insert_lattice(complex, constrained, steiner_end, nodes, insertion);
+    const auto tell_points = [&tell](std::int64_t live) {
+      tell("points", static_cast<std::size_t>(live));
+    };
+    if (options.points == InteriorPoints::lattice) {
+      const auto steiner_end = static_cast<std::int32_t>(complex.points.size());
+      const auto nodes = nodes_inside(complex, inside, spacing, bounding_box(subdomain.vertices));
+      PointInsertionOptions insertion;
+      insertion.progress = tell_points;
+      insert_lattice(complex, constrained, steiner_end, nodes, insertion);
+    } else {
+      SweepOptions sweeps;
+      sweeps.progress = tell_points;
+      sweep_points(complex, constrained, inside, spacing, sweeps);
+    }
     inside = sides();
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);

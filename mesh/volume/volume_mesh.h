@@ -15,10 +15,15 @@
 
 namespace tetfarm {
 
+/// Where the points inside come from: the job's graded lattice (point_insertion.h), or the thesis's
+/// sweeps over the tets (sweep_points.h).
+enum class InteriorPoints : std::uint8_t { lattice, sweeps };
+
 struct VolumeMeshOptions {
   /// Off: stop after recovery, without interior points or cosmetics (for tests and trial cuts).
   bool fill = true;
   bool cosmetics = true;
+  InteriorPoints points = InteriorPoints::lattice;
   /// Called now and then with the stage's name and the live tets so far.
   std::function<void(const char* stage, std::int64_t tets)> progress;
 };

@@ -153,7 +153,8 @@ TEST_F(Tasks, the_whole_chain_makes_a_valid_mesh_in_every_format) {
   int heap = 2;
   for (const char* half : {"left", "right"}) {
     const wire::Artifact subdomain = output(cut, half);
-    const wire::Envelope meshed = run(mesh_task, {{"subdomain", subdomain}, {"spacing", spacing}});
+    const wire::Envelope meshed =
+        run(mesh_task, {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}});
     ASSERT_TRUE(meshed.has_done()) << meshed.failed().message();
     const auto& numbers = meshed.done().numbers();
     table << "leaf " << heap << " " << numbers.at("interior_nodes") << " " << numbers.at("tets")
@@ -181,6 +182,20 @@ TEST_F(Tasks, the_whole_chain_makes_a_valid_mesh_in_every_format) {
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(store_.scratch_folder()), {}), 0)
       << "files were left behind";
+}
+
+TEST_F(Tasks, the_job_says_where_the_points_inside_come_from) {
+  const auto mesh_hash = [this](const std::string& points) {
+    JobFile job = job_of(1);
+    job.points = points;
+    const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 2));
+    const wire::Envelope meshed = run(mesh_task, {{"job", publish(to_toml(job))},
+                                                  {"subdomain", output(inspected, "root")},
+                                                  {"spacing", output(inspected, "spacing")}});
+    return output(meshed, "mesh").hash();
+  };
+  EXPECT_NE(mesh_hash("lattice"), mesh_hash("sweeps"));
+  EXPECT_EQ(mesh_hash("lattice"), mesh_hash(JobFile{}.points));
 }
 
 TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {

@@ -61,6 +61,8 @@ corner = [
 [decompose]
 subdomains = 12
 target_elements = 5000000000
+[mesh]
+points = "sweeps"
 [quality]
 min_dihedral = 5
 [output]
@@ -78,6 +80,7 @@ void expect_equal(const JobFile& a, const JobFile& b) {
   EXPECT_EQ(a.inherit_surface, b.inherit_surface);
   EXPECT_EQ(a.subdomains, b.subdomains);
   EXPECT_EQ(a.target_elements, b.target_elements);
+  EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.min_dihedral_deg, b.min_dihedral_deg);
   EXPECT_EQ(a.formats, b.formats);
   ASSERT_EQ(a.sources.size(), b.sources.size());
@@ -114,6 +117,7 @@ TEST(ParseJobFile, reads_every_key) {
   EXPECT_FALSE(job.inherit_surface);
   EXPECT_EQ(job.subdomains, 12);
   EXPECT_EQ(job.target_elements, 5000000000);
+  EXPECT_EQ(job.points, "sweeps");
   EXPECT_EQ(job.min_dihedral_deg, 5);
   EXPECT_THAT(job.formats, ElementsAre("lb8.ugrid", "vtkhdf"));
   ASSERT_EQ(job.sources.size(), 3U);
@@ -196,6 +200,8 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {geometry + "[decompose]\nsubdomains = -1", "`subdomains` must be at least 0"},
       {geometry + "[decompose]\nsubdomains = 2.5", "must be an integer, not a number"},
       {geometry + "[decompose]\ntarget_elements = 10", "at least 1000"},
+      {geometry + "[mesh]\npoints = \"sweep\"",
+       "`points` is \"sweep\", not one of \"lattice\", \"sweeps\"; did you mean `sweeps`?"},
       {geometry + "[quality]\nmin_dihedral = 75", "must be less than 70.5"},
       {geometry + "[output]\nformats = []", "`formats` must name a format"},
       {geometry + "[output]\nformats = \"vtkhdf\"", "`formats` must be an array, not a string"},

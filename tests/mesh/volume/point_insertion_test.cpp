@@ -4,35 +4,10 @@
 
 #include <cmath>
 
-#include "mesh/geometry/bowyer_watson.h"
-#include "mesh/volume/boundary_recovery.h"
-#include "mesh/volume/inside_tets.h"
-#include "tests/mesh/volume/volume_checks.h"
+#include "tests/mesh/volume/recovered_sphere.h"
 
 namespace tetfarm {
 namespace {
-
-/// A sphere's tets with the boundary recovered, ready for points.
-struct RecoveredSphere {
-  explicit RecoveredSphere(int levels) {
-    const Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, levels));
-    triangles = domain.triangles;
-    boundary_nodes = static_cast<std::int32_t>(domain.vertices.size());
-    complex = bowyer_watson(domain.vertices).complex;
-    constrained.assign(complex.nodes.size(), 0);
-    EXPECT_TRUE(recover_boundary(complex, constrained, triangles).lost.empty());
-  }
-  std::vector<std::uint8_t> inside() {
-    return inside_tets(
-        LocalRemeshing(complex, constrained),
-        RecoverySurface(triangles, static_cast<std::int32_t>(complex.points.size())));
-  }
-
-  std::vector<Triangle> triangles;
-  std::int32_t boundary_nodes = 0;
-  TetComplex complex;
-  std::vector<std::uint8_t> constrained;
-};
 
 TEST(PointInsertion, keeps_lattice_nodes_of_the_inside_only) {
   RecoveredSphere sphere(3);
@@ -76,12 +51,7 @@ TEST(PointInsertion, leaves_the_boundary_as_it_is) {
   box.add(Vec3{1, 1, 1});
   const auto nodes = nodes_inside(sphere.complex, sphere.inside(), SpacingField(0.2), box);
   insert_lattice(sphere.complex, sphere.constrained, sphere.boundary_nodes, nodes);
-  const LocalRemeshing mesh(sphere.complex, sphere.constrained);
-  for (const auto& [a, b, c] : sphere.triangles) {
-    const FaceHandle face = mesh.find_face(a, b, c);
-    ASSERT_NE(face, no_face);
-    EXPECT_TRUE(mesh.is_constrained(face));
-  }
+  sphere.expect_boundary_as_it_was();
 }
 
 }  // namespace
