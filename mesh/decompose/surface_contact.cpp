@@ -117,7 +117,8 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                           const SurfaceTopology& topology,
                                           const NearbySurface& nearby, double reach) {
-  const auto [points, node2point] = combine_points(mesh, subdomain);
+  const CombinedPoints combined = combine_points(mesh, subdomain);
+  const auto& node2point = combined.node2point;
   std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
   for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[idx(v)] = true;
   const auto first_new = static_cast<std::int32_t>(subdomain.vertices.size());
@@ -135,12 +136,12 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
       SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL, unit};
       contact.is_at_rim = std::any_of(surface.begin(), surface.end(),
                                       [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
-      contact.meets = triangles_meet_beyond_shared(points, cut, surface);
+      contact.meets = triangles_meet_beyond_shared(combined.points, cut, surface);
       if (contact.meets) {
         contact.distance = 0;
       } else if (!share_a_node(cut, surface)) {
         const double distance2 =
-            squared_distance(points, cut, surface, first_new, contact.is_at_rim);
+            squared_distance(combined.points, cut, surface, first_new, contact.is_at_rim);
         contact.distance = std::sqrt(distance2) / unit;
       }
       if (contact.distance < reach) contacts.push_back(contact);

@@ -68,8 +68,7 @@ ShellOrientation orient_shells(const SurfaceMesh& surface, std::span<const EdgeU
   }
   if (!torn.empty()) {
     std::ranges::sort(torn);
-    const auto rest = std::ranges::unique(torn);
-    torn.erase(rest.begin(), rest.end());
+    torn.erase(std::unique(torn.begin(), torn.end()), torn.end());
     result.defect = defect_of_triangles(
         surface, "non-orientable shell",
         "the surface has only one side, as a Möbius strip: however they are turned, neighbours "

@@ -40,8 +40,7 @@ struct WrongEdges {
 
   SurfaceDefect defect(const std::string& kind, const std::string& what) {
     std::ranges::sort(triangles);
-    const auto rest = std::ranges::unique(triangles);
-    triangles.erase(rest.begin(), rest.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return {kind, with_places(what, places, count), triangles};
   }
 };
@@ -60,8 +59,7 @@ CloseVertices close_vertices(const SurfaceMesh& surface, std::span<const EdgeUse
     if (edge.size() == 1) ends.insert(ends.end(), {edge[0].low, edge[0].high});
   });
   std::ranges::sort(ends);
-  const auto repeated = std::ranges::unique(ends);
-  ends.erase(repeated.begin(), repeated.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   const double reach = close_share * norm(all.size());
   const Vec3 half{0.5 * reach, 0.5 * reach, 0.5 * reach};
   std::vector<Box3> boxes;

@@ -29,7 +29,8 @@ class Chance {
   bool coin() { return (random_() & 1024) != 0; }
   /// A small number of any order of size.
   double small(int lowest_power, int highest_power) {
-    return between(0.2, 1) * std::pow(10, pick(lowest_power, highest_power));
+    const double leading = between(0.2, 1);
+    return leading * std::pow(10, pick(lowest_power, highest_power));
   }
 
  private:
@@ -77,15 +78,18 @@ SurfaceMesh schoenhardt_prism(std::uint64_t seed, int) {
   Chance chance(seed);
   const double most = pi / 3;
   const double left = seed % 2 == 0 ? chance.between(0.05, 0.95) : chance.small(-5, -2);
-  return prism(3, most * (seed % 4 < 2 ? left : 1 - left), chance.small(-3, 2),
-               chance.between(0.5, 1));
+  // One at a time: compilers differ in the order of arguments.
+  const double radius = chance.between(0.5, 1);
+  const double height = chance.small(-3, 2);
+  return prism(3, most * (seed % 4 < 2 ? left : 1 - left), height, radius);
 }
 
 SurfaceMesh twisted_prism(std::uint64_t seed, int size) {
   Chance chance(seed);
   const int n = chance.pick(4, 8 * size);
   const double most = pi - 2 * pi / n;
-  return prism(n, most * chance.between(0, 0.95), chance.small(-1, 1), 1);
+  const double height = chance.small(-1, 1);
+  return prism(n, most * chance.between(0, 0.95), height, 1);
 }
 
 /// Slits from below whose ridges lie on z = xy, slits from above whose valleys lie a gap higher.
