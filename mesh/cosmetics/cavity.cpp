@@ -1,6 +1,7 @@
 #include "mesh/cosmetics/cavity.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/cosmetics/quality.h"
 
@@ -102,9 +103,14 @@ WorkMesh::WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_)
     : complex(complex_),
       fixed_nodes(fixed_nodes_),
       node2change(complex_.points.size(), 0),
-      tet2mark(complex_.nodes.size(), 0) {}
+      tet2mark(complex_.nodes.size(), 0),
+      tet2goodness(complex_.nodes.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-double WorkMesh::goodness_of(std::int32_t t) const { return goodness(complex, tet(t)); }
+double WorkMesh::goodness_of(std::int32_t t) const {
+  double& known = tet2goodness[at(t)];
+  if (std::isnan(known)) known = goodness(complex, tet(t));
+  return known;
+}
 
 double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets) {
   double worst = 1;
@@ -147,20 +153,19 @@ std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i
       {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}}};
   const int k = third[at(i)][at(j)];
   EdgeRing ring{work.tet(t)[at(i)], work.tet(t)[at(j)], {}, {}};
+  ring.nodes.reserve(most);
+  ring.tets.reserve(most);
   std::int32_t node = work.tet(t)[at(k)];
   std::int32_t now = t;
   do {
     if (ring.tets.size() == most) return std::nullopt;
     ring.tets.push_back(now);
     ring.nodes.push_back(node);
-    const int leave = work.complex.local_node(now, node);
-    const FaceHandle across = work.across(now, leave);
+    const FaceHandle across = work.across(now, work.local_node(now, node));
     if (across == no_face) return std::nullopt;
-    // The node that now and the next tet share besides the edge.
+    // The node that now and the next tet share besides the edge: of four, three are known.
     const Tet& tet = work.tet(now);
-    for (const std::int32_t v : tet) {
-      if (v != ring.from && v != ring.to && v != tet[at(leave)]) node = v;
-    }
+    node = tet[0] ^ tet[1] ^ tet[2] ^ tet[3] ^ ring.from ^ ring.to ^ node;
     now = tet_of(across);
   } while (now != t);
   return ring;
@@ -188,8 +193,12 @@ std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replac
   std::vector<std::int32_t> new_tets;
   for (const Tet& tet : replacement.new_tets) {
     const std::int32_t t = complex.new_tet();
-    if (at(t) >= work.tet2mark.size()) work.tet2mark.resize(complex.nodes.size(), 0);
+    if (at(t) >= work.tet2mark.size()) {
+      work.tet2mark.resize(complex.nodes.size(), 0);
+      work.tet2goodness.resize(complex.nodes.size());
+    }
     complex.nodes[at(t)] = tet;
+    work.forget_goodness_of(t);
     for (const std::int32_t v : tet) complex.node2tet[at(v)] = t;
     new_tets.push_back(t);
   }

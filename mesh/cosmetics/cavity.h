@@ -4,6 +4,7 @@
 /// outer faces as the old ones tile the same region, so no operation needs a proof of its own.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "mesh/core/tet_complex.h"
@@ -20,8 +21,13 @@ struct WorkMesh {
   /// Tets with the present mark are in the set that is being gathered.
   std::vector<std::uint32_t> tet2mark;
   std::uint32_t mark = 0;
+  /// Not a number: not known.
+  mutable std::vector<double> tet2goodness;
 
   WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_);
+  void forget_goodness_of(std::int32_t t) {
+    tet2goodness[static_cast<std::size_t>(t)] = std::numeric_limits<double>::quiet_NaN();
+  }
   bool may_move(std::int32_t node) const { return node >= fixed_nodes; }
   const Vec3& point(std::int32_t node) const {
     return complex.points[static_cast<std::size_t>(node)];
@@ -30,6 +36,12 @@ struct WorkMesh {
   FaceHandle across(std::int32_t t, int face) const {
     return complex.neighbours[static_cast<std::size_t>(t)][static_cast<std::size_t>(face)];
   }
+  /// @pre the tet holds the node.
+  int local_node(std::int32_t t, std::int32_t node) const {
+    const Tet& nodes = tet(t);
+    return nodes[0] == node ? 0 : nodes[1] == node ? 1 : nodes[2] == node ? 2 : 3;
+  }
+  /// Computed when first asked for, and kept until the tet changes.
   double goodness_of(std::int32_t t) const;
   /// Forgets the gathered set.
   void clear_marks() { ++mark; }

@@ -1,6 +1,7 @@
 #include "mesh/cosmetics/edge_removal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/cosmetics/quality.h"
 
@@ -26,6 +27,12 @@ std::array<Tet, 2> tets_over(const EdgeRing& ring, std::size_t i, std::size_t k,
   return {Tet{a, b, c, ring.to}, Tet{a, c, b, ring.from}};
 }
 
+double goodness_over(const WorkMesh& work, const EdgeRing& ring, std::size_t i, std::size_t k,
+                     std::size_t j) {
+  return goodness_of_two(work.point(ring.nodes[i]), work.point(ring.nodes[k]),
+                         work.point(ring.nodes[j]), work.point(ring.to), work.point(ring.from));
+}
+
 /// The best triangulations of all runs of the ring; runs that cannot beat `least` come out as 0.
 Parts best_parts(const WorkMesh& work, const EdgeRing& ring, double least) {
   Parts parts{};
@@ -36,10 +43,8 @@ Parts best_parts(const WorkMesh& work, const EdgeRing& ring, double least) {
       Part best{0, 0};
       for (std::size_t k = i + 1; k < j; ++k) {
         double worst = std::min(parts[i][k].worst, parts[k][j].worst);
-        for (const Tet& tet : tets_over(ring, i, k, j)) {
-          if (worst <= best.worst || worst <= least) break;
-          worst = std::min(worst, goodness(work.complex, tet));
-        }
+        if (worst <= best.worst || worst <= least) continue;
+        worst = std::min(worst, goodness_over(work, ring, i, k, j));
         if (worst > best.worst && worst > least) best = {worst, k};
       }
       parts[i][j] = best;
@@ -58,6 +63,39 @@ void collect(const Parts& parts, const EdgeRing& ring, std::size_t i, std::size_
 }
 
 }  // namespace
+
+std::array<std::array<int, 2>, 6> edges_by_angle(const WorkMesh& work, std::int32_t t) {
+  const Tet& tet = work.tet(t);
+  std::array<Vec3, 4> normals;
+  std::array<double, 4> areas;
+  for (std::size_t face = 0; face < 4; ++face) {
+    const auto& local = tet_face_nodes[face];
+    const auto corner = [&](std::size_t i) -> const Vec3& {
+      return work.point(tet[static_cast<std::size_t>(local[i])]);
+    };
+    normals[face] = cross(corner(1) - corner(0), corner(2) - corner(0));
+    areas[face] = norm2(normals[face]);
+  }
+  // Edge (i, j) lies between the faces opposite to the other two nodes; the pairs are in reverse.
+  static constexpr std::array<std::array<int, 2>, 6> edges = {
+      {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+  struct Candidate {
+    double cosine2;  ///< with its sign
+    std::array<int, 2> edge;
+  };
+  std::array<Candidate, 6> candidates;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto p = static_cast<std::size_t>(edges[5 - e][0]);
+    const auto q = static_cast<std::size_t>(edges[5 - e][1]);
+    const double product = -dot(normals[p], normals[q]);
+    const double area = areas[p] * areas[q];
+    candidates[e] = {area > 0 ? product * std::fabs(product) / area : 0, edges[e]};
+  }
+  std::ranges::stable_sort(candidates, {}, &Candidate::cosine2);
+  std::array<std::array<int, 2>, 6> sorted;
+  for (std::size_t e = 0; e < 6; ++e) sorted[e] = candidates[e].edge;
+  return sorted;
+}
 
 std::optional<Replacement> find_edge_removal(const WorkMesh& work, std::int32_t t, int i, int j,
                                              double beat) {

@@ -6,11 +6,16 @@
 /// four the 4-4 swap.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "mesh/cosmetics/cavity.h"
 
 namespace tetfarm::cosmetics {
+
+/// The six edges of a tet by their local nodes, that of the largest dihedral angle first: its
+/// removal is most likely to help.
+std::array<std::array<int, 2>, 6> edges_by_angle(const WorkMesh& work, std::int32_t t);
 
 /// The best way to do without the edge of nodes i and j of tet t; nothing when the edge is on the
 /// boundary, has more than ten tets, or when the worst tet does not get better than both the

@@ -53,17 +53,15 @@ struct NextFace {
 };
 std::optional<NextFace> next_face(const Patch& patch, const Sandwich& now, std::int32_t third) {
   const WorkMesh& work = patch.work;
-  const auto beyond = [&](std::int32_t t) {
-    return work.across(t, work.complex.local_node(t, third));
-  };
+  const auto beyond = [&](std::int32_t t) { return work.across(t, work.local_node(t, third)); };
   const FaceHandle above = beyond(now.above_tet);
   const FaceHandle below = beyond(now.below_tet);
   if (above == no_face || below == no_face) return std::nullopt;
   const std::int32_t top = tet_of(above);
   const std::int32_t bottom = tet_of(below);
-  const FaceHandle between = work.across(top, work.complex.local_node(top, patch.above));
+  const FaceHandle between = work.across(top, work.local_node(top, patch.above));
   if (between == no_face || tet_of(between) != bottom) return std::nullopt;
-  if (work.complex.local_node(bottom, patch.below) != face_of(between)) return std::nullopt;
+  if (work.local_node(bottom, patch.below) != face_of(between)) return std::nullopt;
   return NextFace{{top, bottom}, work.tet(top)[static_cast<std::size_t>(face_of(above))]};
 }
 

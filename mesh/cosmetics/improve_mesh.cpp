@@ -23,7 +23,7 @@ using cosmetics::WorkMesh;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Moves and splits are not driven beyond this: time is better spent on the next bad tet.
+/// No operation is sought beyond this: time is better spent on the next bad tet.
 constexpr double enough_deg = 40;
 /// An edge from a collapse is no longer, one from a split no shorter, than this times the spacing.
 constexpr double longest_collapse = 1.6;
@@ -93,12 +93,11 @@ bool swap(Improver& improver, const BadTet& bad) {
     beat = found->new_worst;
     best = std::move(found);
   };
-  for (int i = 0; i < 4; ++i) {
-    for (int j = i + 1; j < 4; ++j) {
-      take(cosmetics::find_edge_removal(work, bad.tet, i, j, beat));
-    }
+  for (const auto& [i, j] : cosmetics::edges_by_angle(work, bad.tet)) {
+    if (beat >= improver.enough) break;
+    take(cosmetics::find_edge_removal(work, bad.tet, i, j, beat));
   }
-  for (int face = 0; face < 4; ++face) {
+  for (int face = 0; face < 4 && beat < improver.enough; ++face) {
     take(cosmetics::find_face_removal(work, bad.tet, face, beat));
   }
   if (!best || !apply(improver, *best)) return false;
@@ -211,6 +210,7 @@ void requeue(Improver& improver, bool thorough) {
 
 struct Scan {
   double min_dihedral_deg = 0;
+  std::vector<double> tet2goodness;
   std::vector<BadTet> bad;
   /// Set for the nodes of tets to relax; empty when there are none.
   std::vector<bool> to_relax;
@@ -226,10 +226,12 @@ Scan scan(const TetComplex& complex, const Limits& limits) {
   Scan result;
   double largest_cosine = -1;
   double its_goodness = HUGE_VAL;
+  result.tet2goodness.resize(complex.nodes.size());
   for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
     if (!complex.is_live(t)) continue;
     const Tet& tet = complex.nodes[at(t)];
     const double now = cosmetics::goodness(complex, tet);
+    result.tet2goodness[at(t)] = now;
     if (now < limits.wanted) result.bad.push_back({now, t});
     if (now < limits.relaxed) {
       if (result.to_relax.empty()) result.to_relax.resize(complex.points.size());
@@ -270,6 +272,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
       .queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad)),
       .given_up = {},
       .node2settled = {}};
+  improver.work.tet2goodness = std::move(before.tet2goodness);
   for (int pass = 0; pass < options.most_passes; ++pass) {
     run_pass(improver, pass > 0);
     requeue(improver, pass == 0);

@@ -15,6 +15,11 @@ namespace tetfarm::cosmetics {
 double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 double goodness(const TetComplex& complex, const Tet& tet);
 
+/// The smaller goodness of the two tets over a triangle, (a, b, c, above) and (a, c, b, below),
+/// but for rounding. Cost: little more than one of them.
+double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
+                       const Vec3& below);
+
 /// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
 double goodness_of_angle(double degrees);
 

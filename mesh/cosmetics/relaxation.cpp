@@ -36,7 +36,7 @@ std::vector<Facing> facings_of(const WorkMesh& work, const std::vector<std::int3
   faces.reserve(ball.size());
   for (const std::int32_t t : ball) {
     const Tet& tet = work.tet(t);
-    const auto& local = tet_face_nodes[static_cast<std::size_t>(work.complex.local_node(t, node))];
+    const auto& local = tet_face_nodes[static_cast<std::size_t>(work.local_node(t, node))];
     const auto corner = [&](std::size_t i) -> const Vec3& {
       return work.point(tet[static_cast<std::size_t>(local[i])]);
     };
@@ -150,11 +150,11 @@ std::optional<Vec3> find_rounder_place(const WorkMesh& work, const std::vector<s
   const Expansion now = expand(faces, here);
   Vec3 step = newton_step(now);
   if (!(norm2(step) > 0)) return std::nullopt;
-  // Above the present worst by more than rounding.
-  const double least = std::min(floor, worst_of(work, ball) * (1 + 1e-12));
   for (int halving = 0; halving <= most_halvings; ++halving, step *= 0.5) {
     const Vec3 p = here + step;
-    if (flatness(faces, p) < (1 - least_gain) * now.value && all_good(p, least)) return p;
+    if (!(flatness(faces, p) < (1 - least_gain) * now.value)) continue;
+    // Or better than what is there, by more than rounding.
+    if (all_good(p, floor) || all_good(p, worst_of(work, ball) * (1 + 1e-12))) return p;
   }
   return std::nullopt;
 }

@@ -88,7 +88,7 @@ Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::i
   Star star;
   star.reserve(ball.size());
   for (const std::int32_t t : ball) {
-    const auto& local = tet_face_nodes[at(work.complex.local_node(t, node))];
+    const auto& local = tet_face_nodes[at(work.local_node(t, node))];
     const Tet& tet = work.tet(t);
     star.push_back({work.point(tet[at(local[2])]), work.point(tet[at(local[1])]),
                     work.point(tet[at(local[0])])});
@@ -149,6 +149,7 @@ bool move_node(WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32
   }
   ++work.changes;
   for (const std::int32_t t : ball) {
+    work.forget_goodness_of(t);
     for (const std::int32_t v : work.tet(t)) work.node2change[at(v)] = work.changes;
   }
   return true;

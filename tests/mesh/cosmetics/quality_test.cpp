@@ -45,5 +45,17 @@ TEST(Goodness, of_an_angle_is_its_squared_sine) {
   }
 }
 
+TEST(Goodness, of_two_tets_is_the_smaller_one) {
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    std::array<Vec3, 5> p;
+    for (std::size_t k = 0; k < 5; ++k) p[k] = trial::random_vector(7, 5 * i + k);
+    const double expected =
+        std::min(goodness(p[0], p[1], p[2], p[3]), goodness(p[0], p[2], p[1], p[4]));
+    EXPECT_NEAR(goodness_of_two(p[0], p[1], p[2], p[3], p[4]), expected, 1e-12);
+  }
+  const Vec3 a{0, 0, 0};
+  EXPECT_EQ(goodness_of_two(a, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, -1}), 0);
+}
+
 }  // namespace
 }  // namespace tetfarm::cosmetics

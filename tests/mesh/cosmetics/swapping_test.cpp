@@ -96,6 +96,35 @@ TEST(EdgeRemoval, leaves_good_tets_alone) {
   }
 }
 
+TEST(EdgeRemoval, edges_come_with_the_largest_angle_first) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    TetMesh mesh;
+    for (std::uint64_t k = 0; k < 4; ++k) mesh.nodes.push_back(trial::random_vector(3, 4 * i + k));
+    mesh.tets = {{0, 1, 2, 3}};
+    if (tet_volume(mesh.nodes[0], mesh.nodes[1], mesh.nodes[2], mesh.nodes[3]) < 0) {
+      mesh.tets = {{1, 0, 2, 3}};
+    }
+    mesh.boundary_nodes = 4;
+    TetComplex complex = make_tet_complex(mesh);
+    const WorkMesh work(complex, 4);
+    double last = -2;
+    for (const auto& [p, q] : edges_by_angle(work, 0)) {
+      // The cosine of the angle between the faces at the edge, from the two heights above it.
+      const Tet& tet = work.tet(0);
+      const Vec3 edge = normalized(work.point(tet[at(q)]) - work.point(tet[at(p)]));
+      std::vector<Vec3> heights;
+      for (int v = 0; v < 4; ++v) {
+        if (v == p || v == q) continue;
+        const Vec3 to = work.point(tet[at(v)]) - work.point(tet[at(p)]);
+        heights.push_back(normalized(to - dot(to, edge) * edge));
+      }
+      const double cosine = dot(heights[0], heights[1]);
+      EXPECT_GE(cosine, last - 1e-9);
+      last = cosine;
+    }
+  }
+}
+
 TEST(FaceSwapping, replaces_two_fans_by_needles) {
   for (int n = 3; n <= 4; ++n) {
     const double half_height = 0.15;
