@@ -12,6 +12,7 @@
 #include "mesh/cosmetics/face_swapping.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/relaxation.h"
+#include "mesh/cosmetics/small_polyhedron_reconnection.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm {
@@ -208,6 +209,27 @@ void requeue(Improver& improver, bool thorough) {
   improver.given_up = std::move(kept);
 }
 
+/// The last resort: small cavities round the tets that were given up are searched for their best
+/// filling. What gets better may give others room, so all operations are tried there once more.
+void reconnect_worst(Improver& improver) {
+  std::vector<BadTet> worst;
+  for (const GivenUp& item : improver.given_up) {
+    if (improver.is_current(item.bad) && item.bad.goodness < improver.rebuilt) {
+      worst.push_back(item.bad);
+    }
+  }
+  std::sort(worst.begin(), worst.end(), [](const BadTet& a, const BadTet& b) { return b < a; });
+  cosmetics::ReconnectionOptions options;
+  options.enough = improver.enough;
+  for (const BadTet& bad : worst) {
+    if (!improver.is_current(bad)) continue;
+    const auto found = cosmetics::find_reconnection(improver.work, bad.tet, options);
+    if (!found || !apply(improver, *found)) continue;
+    ++improver.report.reconnections;
+    run_pass(improver, true);
+  }
+}
+
 struct Scan {
   double min_dihedral_deg = 0;
   std::vector<double> tet2goodness;
@@ -278,6 +300,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
     requeue(improver, pass == 0);
     if (improver.queue.empty()) break;
   }
+  reconnect_worst(improver);
   improver.report.moves += cosmetics::relax_nodes(improver.work, before.to_relax, improver.wanted);
   improver.report.min_dihedral_after_deg = scan(complex, {}).min_dihedral_deg;
   return improver.report;

@@ -32,6 +32,7 @@ struct CosmeticReport {
   std::int64_t moves = 0;
   std::int64_t collapses = 0;
   std::int64_t splits = 0;
+  std::int64_t reconnections = 0;
 };
 
 /// Worst first; no operation makes the worst element of what it touches worse. Nodes below

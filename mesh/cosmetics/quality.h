@@ -7,6 +7,8 @@
 /// Edges must be between 1e-18 and 1e18 long, or the goodness comes out as 0.
 #pragma once
 
+#include <algorithm>
+
 #include "mesh/core/tet_complex.h"
 
 namespace tetfarm::cosmetics {
@@ -23,11 +25,10 @@ double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 /// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
 double goodness_of_angle(double degrees);
 
-/// True when replacing a worst of `before` by a worst of `after` is worth the change. The margin
-/// makes every sequence of accepted changes end.
-inline bool is_worth(double before, double after) {
-  return after > 0 && after > 1.03 * before + 1e-9;
-}
+/// A worst of `before` is worth replacing by one above this only. The margin makes every sequence
+/// of accepted changes end.
+inline double least_worth(double before) { return std::max(0.0, 1.03 * before + 1e-9); }
+inline bool is_worth(double before, double after) { return after > least_worth(before); }
 
 /// True when the volume of the tet is exactly positive.
 bool is_positive(const TetComplex& complex, const Tet& tet);
