@@ -31,6 +31,13 @@ struct TetComplex {
   std::vector<std::int32_t> node2tet;
   std::vector<std::int32_t> free_tets;
 
+  /// The nodes of a face, anticlockwise as seen from outside the tet.
+  std::array<std::int32_t, 3> face_nodes(FaceHandle face) const {
+    const Tet& t = nodes[static_cast<std::size_t>(tet_of(face))];
+    const auto& f = tet_face_nodes[static_cast<std::size_t>(face_of(face))];
+    return {t[static_cast<std::size_t>(f[0])], t[static_cast<std::size_t>(f[1])],
+            t[static_cast<std::size_t>(f[2])]};
+  }
   bool is_live(std::int32_t tet) const { return nodes[static_cast<std::size_t>(tet)][0] >= 0; }
   std::size_t live_tets() const { return nodes.size() - free_tets.size(); }
   /// A tet to fill: a dead one, or a new one at the end.

@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
+#include "mesh/geometry/point_location.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -74,7 +75,7 @@ DelaunayTets bowyer_watson(std::span<const Vec3> points) {
   CavityInsertion insertion(complex, nullptr, order);
   std::int32_t last = first;
   for (std::int32_t v = 0; v < n; ++v) {
-    const Location location = insertion.locate(corner(v), last);
+    const Location location = locate(complex, corner(v), last);
     TF_CHECK(location.tet >= 0);
     if (location.node >= 0) {
       result.duplicates.push_back({v, location.node});

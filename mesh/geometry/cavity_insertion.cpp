@@ -15,56 +15,11 @@ constexpr std::size_t usual_cavity = 64;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-std::array<std::int32_t, 3> face_nodes(const TetComplex& complex, FaceHandle face) {
-  const Tet& t = complex.nodes[at(tet_of(face))];
-  const auto& f = tet_face_nodes[at(face_of(face))];
-  return {t[at(f[0])], t[at(f[1])], t[at(f[2])]};
-}
-
 }  // namespace
 
 CavityInsertion::CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained,
                                  std::span<const std::int32_t> ids)
     : complex_(complex), constrained_(constrained), ids_(ids) {}
-
-Location CavityInsertion::locate(const Vec3& point, std::int32_t start) const {
-  std::int32_t tet = start;
-  FaceHandle entry = no_face;
-  // A walk in a mesh that is not Delaunay may run in circles; turning the first face tried breaks
-  // them.
-  std::uint32_t turn = 0;
-  const std::size_t most_steps = complex_.nodes.size() + 1000;
-  for (std::size_t step = 0; step < most_steps; ++step) {
-    const Tet& t = complex_.nodes[at(tet)];
-    // The nodes of the face it came through are known not to be the point.
-    for (int i = 0; i < 4; ++i) {
-      if (entry != no_face && i != face_of(entry)) continue;
-      if (complex_.points[at(t[at(i)])] == point) return {tet, t[at(i)]};
-    }
-    FaceHandle exit = no_face;
-    bool is_outside = false;
-    turn = turn * 1664525U + 1013904223U;
-    for (int k = 0; k < 4; ++k) {
-      const int i = (k + static_cast<int>(turn >> 30)) & 3;
-      if (face_handle(tet, i) == entry) continue;
-      const auto [a, b, c] = face_nodes(complex_, face_handle(tet, i));
-      if (orient3d(complex_.points[at(a)], complex_.points[at(b)], complex_.points[at(c)], point) <=
-          0) {
-        continue;
-      }
-      exit = complex_.neighbours[at(tet)][at(i)];
-      if (exit == no_face) {
-        is_outside = true;
-        continue;
-      }
-      break;
-    }
-    if (exit == no_face) return is_outside ? Location{} : Location{tet, -1};
-    entry = exit;
-    tet = tet_of(exit);
-  }
-  return {};
-}
 
 bool CavityInsertion::is_constrained(FaceHandle face) const {
   return constrained_ != nullptr && ((*constrained_)[at(tet_of(face))] >> face_of(face) & 1) != 0;
@@ -142,7 +97,7 @@ bool CavityInsertion::shrink_to_visible() {
   const Vec3& point = complex_.points[at(node_)];
   for (const FaceHandle face : hull_) {
     if (!in_cavity(tet_of(face))) continue;
-    const auto [a, b, c] = face_nodes(complex_, face);
+    const auto [a, b, c] = complex_.face_nodes(face);
     if (orient3d(complex_.points[at(a)], complex_.points[at(b)], complex_.points[at(c)], point) <
         0) {
       continue;
@@ -204,7 +159,7 @@ void CavityInsertion::gather_bases() {
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     Base& base = bases_[i];
     const FaceHandle face = hull_[i];
-    base.nodes = face_nodes(complex_, face);
+    base.nodes = complex_.face_nodes(face);
     base.outside = complex_.neighbours[at(tet_of(face))][at(face_of(face))];
     base.constrained = is_constrained(face);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -15,12 +15,6 @@
 
 namespace tetfarm {
 
-/// Where a point lies: in a tet (its closure), or on a node of it exactly.
-struct Location {
-  std::int32_t tet = -1;
-  std::int32_t node = -1;
-};
-
 class CavityInsertion {
  public:
   /// Keeps a reference. `constrained` has a byte for each tet whose bit i says that face i may not
@@ -28,10 +22,6 @@ class CavityInsertion {
   /// `ids` are the numbers by which cospherical points are perturbed; empty: those of the nodes.
   explicit CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained = nullptr,
                            std::span<const std::int32_t> ids = {});
-
-  /// Walks from `start` (any live tet) to the tet that holds the point. Walks through constrained
-  /// faces. tet == -1 when the point lies outside the complex.
-  Location locate(const Vec3& point, std::int32_t start) const;
 
   /// Gathers the cavity of complex.points[node], which lies in the closure of `tet`. False when no
   /// cavity is left from which the node sees the whole hull; then nothing has changed.

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "mesh/geometry/bowyer_watson.h"
+#include "mesh/geometry/point_location.h"
 
 namespace tetfarm {
 
@@ -38,12 +39,11 @@ BackgroundMesh::BackgroundMesh(const std::vector<SourceDemand>& sources, const B
   spacing_ = std::move(limited);
   spacing_.resize(tets.complex.points.size(), background);
   complex_ = std::make_unique<TetComplex>(std::move(tets.complex));
-  walk_ = std::make_unique<CavityInsertion>(*complex_);
   while (!complex_->is_live(last_tet_)) ++last_tet_;
 }
 
 double BackgroundMesh::at(const Vec3& point) const {
-  const Location found = walk_->locate(point, last_tet_);
+  const Location found = locate(*complex_, point, last_tet_);
   TF_CHECK(found.tet >= 0);
   last_tet_ = found.tet;
   if (found.node >= 0) return spacing_[static_cast<std::size_t>(found.node)];

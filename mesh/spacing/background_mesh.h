@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/core/tet_complex.h"
 #include "mesh/core/vec3.h"
-#include "mesh/geometry/cavity_insertion.h"
 #include "mesh/spacing/sources.h"
 
 namespace tetfarm {
@@ -30,7 +30,6 @@ class BackgroundMesh {
 
  private:
   std::unique_ptr<TetComplex> complex_;
-  std::unique_ptr<CavityInsertion> walk_;
   std::vector<double> spacing_;
   mutable std::int32_t last_tet_ = 0;
 };

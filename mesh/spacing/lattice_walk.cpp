@@ -98,14 +98,16 @@ class LatticeWalk {
   void emit(const LatticeCell& cell, unsigned owned) {
     const std::int32_t size = size_at_level(cell.level);
     const double edge = size * octree_.frame.unit;
+    const auto bits = static_cast<std::uint8_t>(octree_max_level + 1 - cell.level);
     for (std::size_t k = 0; k < 8; ++k) {
       const GridPoint corner = corner_of(cell.low, size, k);
       if ((owned >> k & 1U) == 0 || !is_in_box(corner)) continue;
-      nodes_.push_back(
-          {octree_.frame.position(corner), edge, shift_to_coarser(octree_, corner, cell.level)});
+      nodes_.push_back({octree_.frame.position(corner), edge, corner, bits,
+                        shift_to_coarser(octree_, corner, cell.level)});
     }
     const GridPoint centre = corner_of(cell.low, size / 2, 7);
-    if (is_in_box(centre)) nodes_.push_back({octree_.frame.position(centre), edge, {}});
+    if (is_in_box(centre))
+      nodes_.push_back({octree_.frame.position(centre), edge, centre, bits, {}});
   }
 
   bool is_in_box(const GridPoint& p) const {

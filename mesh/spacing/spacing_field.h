@@ -48,11 +48,16 @@ struct SpacingOptions {
 /// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the
 /// edge of the smallest octree cell that the node belongs to. Where cells of two sizes meet, the
 /// node is better off the lattice, by `shift` / 128 of cell_edge towards the larger ones
-/// (level_shift.h); zero elsewhere.
+/// (level_shift.h); zero elsewhere. `grid` and `cell_size` tell place and cell in whole numbers: a
+/// corner is a multiple of the size on all axes, a centre lies half of it further.
 struct LatticeNode {
   Vec3 at;
   double cell_edge = 0;
+  std::array<std::int32_t, 3> grid{};
+  std::uint8_t cell_bits = 0;
   std::array<std::int8_t, 3> shift{};
+
+  std::int32_t cell_size() const { return 1 << cell_bits; }
 
   /// Where it is put in a mesh; the lattice node itself when there is no shift.
   Vec3 place() const {

@@ -1,34 +1,20 @@
 #include "mesh/volume/point_insertion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
+#include "mesh/geometry/point_location.h"
+#include "mesh/geometry/triangle_distance.h"
 #include "mesh/spacing/octree_build.h"
+#include "mesh/volume/lattice_core.h"
 
 namespace tetfarm {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Square of the distance from p to the triangle abc.
-double distance2_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = cross(b - a, c - a);
-  const double area2 = norm2(normal);
-  bool is_above = area2 > 0;
-  double nearest = HUGE_VAL;
-  for (const auto& [u, v] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
-    const Vec3 along = v - u;
-    const double length2 = norm2(along);
-    const double t = length2 > 0 ? std::clamp(dot(p - u, along) / length2, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, norm2(p - (u + t * along)));
-    if (dot(cross(normal, along), p - u) < 0) is_above = false;
-  }
-  if (!is_above) return nearest;
-  const double height = dot(normal, p - a);
-  return height * height / area2;
-}
 
 /// Whether the cavity's boundary faces and nodes leave the point room.
 bool keeps_clear(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,
@@ -44,32 +30,41 @@ bool keeps_clear(const TetComplex& complex, const std::vector<std::uint8_t>& con
       }
     }
     if ((constrained[at(tet_of(face))] >> face_of(face) & 1) == 0) continue;
-    if (distance2_to_triangle(point, complex.points[at(x[0])], complex.points[at(x[1])],
-                              complex.points[at(x[2])]) < from_faces * from_faces) {
+    if (is_nearer_to_triangle(point, complex.points[at(x[0])], complex.points[at(x[1])],
+                              complex.points[at(x[2])], from_faces)) {
       return false;
     }
   }
   return true;
 }
 
+/// Whether no boundary can run between a core node and the point.
+bool reaches(const LatticeNode& core_node, const Vec3& p) {
+  const double reach = core_reach * core_node.cell_edge;
+  return norm2(p - core_node.at) < reach * reach;
+}
+
 }  // namespace
 
-std::vector<LatticeNode> nodes_inside(const TetComplex& complex,
-                                      const std::vector<std::uint8_t>& inside,
-                                      const SpacingField& spacing, const Box3& box) {
-  std::vector<LatticeNode> nodes = spacing.lattice_nodes(box);
-  // Only walks: nothing is inserted.
-  TetComplex& walked = const_cast<TetComplex&>(complex);
-  const CavityInsertion walk(walked);
+std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
+                                            const std::vector<std::uint8_t>& inside,
+                                            const std::vector<LatticeNode>& nodes,
+                                            const std::vector<std::uint8_t>& is_core) {
+  std::vector<std::uint8_t> is_inside(nodes.size(), 0);
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
-  std::erase_if(nodes, [&](const LatticeNode& node) {
-    const Location location = walk.locate(node.place(), last);
-    if (location.tet < 0) return true;
-    last = location.tet;
-    return inside[at(location.tet)] == 0;
-  });
-  return nodes;
+  std::size_t last_core = nodes.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_core[i] != 0 && last_core < nodes.size() && reaches(nodes[last_core], nodes[i].at)) {
+      is_inside[i] = is_inside[last_core];
+    } else {
+      const Location location = locate(complex, nodes[i].place(), last);
+      if (location.tet >= 0) last = location.tet;
+      is_inside[i] = location.tet >= 0 ? inside[at(location.tet)] : 0;
+    }
+    if (is_core[i] != 0) last_core = i;
+  }
+  return is_inside;
 }
 
 void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
@@ -92,7 +87,7 @@ void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
       options.progress(static_cast<std::int64_t>(complex.live_tets()));
     }
     const std::int32_t node = first + i;
-    const Location location = insertion.locate(places[at(i)], last);
+    const Location location = locate(complex, places[at(i)], last);
     if (location.tet < 0) continue;
     last = location.tet;
     if (location.node >= 0 || !insertion.find_cavity(node, location.tet)) continue;

@@ -23,10 +23,12 @@ struct PointInsertionOptions {
   std::function<void(std::int64_t tets)> progress;
 };
 
-/// The lattice nodes that lie in tets with `inside` set, in the lattice's order.
-std::vector<LatticeNode> nodes_inside(const TetComplex& complex,
-                                      const std::vector<std::uint8_t>& inside,
-                                      const SpacingField& spacing, const Box3& box);
+/// A byte for each node: 1 when it lies in a tet with `inside` set. Of core nodes (lattice_core.h)
+/// that lie near each other only the first is looked up.
+std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
+                                            const std::vector<std::uint8_t>& inside,
+                                            const std::vector<LatticeNode>& nodes,
+                                            const std::vector<std::uint8_t>& is_core);
 
 /// Appends the nodes to the complex's points and inserts those that keep clear of the boundary:
 /// constrained faces and nodes below `boundary_nodes`. The others belong to no tet (node2tet ==

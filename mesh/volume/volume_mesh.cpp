@@ -10,7 +10,7 @@
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/volume/boundary_recovery.h"
 #include "mesh/volume/inside_tets.h"
-#include "mesh/volume/point_insertion.h"
+#include "mesh/volume/lattice_filling.h"
 #include "mesh/volume/sweep_points.h"
 
 namespace tetfarm {
@@ -103,16 +103,15 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     return inside;
   };
   std::vector<std::uint8_t> inside = sides();
+  PendingCore core;
   if (options.fill) {
     const auto tell_points = [&tell](std::int64_t live) {
       tell("points", static_cast<std::size_t>(live));
     };
     if (options.points == InteriorPoints::lattice) {
-      const auto steiner_end = static_cast<std::int32_t>(complex.points.size());
-      const auto nodes = nodes_inside(complex, inside, spacing, bounding_box(subdomain.vertices));
       PointInsertionOptions insertion;
       insertion.progress = tell_points;
-      insert_lattice(complex, constrained, steiner_end, nodes, insertion);
+      core = insert_shell(complex, constrained, inside, subdomain, spacing, insertion);
     } else {
       SweepOptions sweeps;
       sweeps.progress = tell_points;
@@ -122,6 +121,8 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
+  graft_pending_core(kept.complex, kept.constrained, std::move(core), boundary_nodes,
+                     enclosing_nodes);
   if (options.fill && options.cosmetics) {
     tell("cosmetics", kept.complex.live_tets());
     CosmeticOptions cosmetics;

@@ -9,6 +9,19 @@
 namespace tetfarm {
 namespace {
 
+std::vector<LatticeNode> nodes_inside(const TetComplex& complex,
+                                      const std::vector<std::uint8_t>& inside,
+                                      const SpacingField& spacing, const Box3& box) {
+  const std::vector<LatticeNode> nodes = spacing.lattice_nodes(box);
+  const auto is_inside =
+      find_inside_nodes(complex, inside, nodes, std::vector<std::uint8_t>(nodes.size()));
+  std::vector<LatticeNode> chosen;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_inside[i] != 0) chosen.push_back(nodes[i]);
+  }
+  return chosen;
+}
+
 TEST(PointInsertion, keeps_lattice_nodes_of_the_inside_only) {
   RecoveredSphere sphere(3);
   const Box3 box = bounding_box(shapes::sphere({0, 0, 0}, 1, 1).vertices);

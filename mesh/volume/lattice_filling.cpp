@@ -1,0 +1,102 @@
+#include "mesh/volume/lattice_filling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "mesh/volume/core_graft.h"
+
+namespace tetfarm {
+namespace {
+
+/// Each round takes a layer off the core where it did not fit; after these all nodes are inserted.
+constexpr int most_rounds = 4;
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+std::vector<std::uint8_t> core_nodes_inside(const std::vector<LatticeNode>& nodes,
+                                            const std::vector<std::uint8_t>& is_inside,
+                                            std::vector<std::uint8_t> is_core) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) is_core[i] &= is_inside[i];
+  return is_core;
+}
+
+/// Inserts the nodes that are listed, and notes their numbers.
+void insert_listed(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                   std::int32_t boundary_nodes, const std::vector<LatticeNode>& nodes,
+                   const std::vector<std::int32_t>& listed, std::vector<std::int32_t>& numbers,
+                   const PointInsertionOptions& options) {
+  std::vector<LatticeNode> chosen;
+  chosen.reserve(listed.size());
+  auto number = static_cast<std::int32_t>(complex.points.size());
+  for (const std::int32_t i : listed) {
+    chosen.push_back(nodes[at(i)]);
+    numbers[at(i)] = number++;
+  }
+  insert_lattice(complex, constrained, boundary_nodes, chosen, options);
+}
+
+/// Core nodes of tets at hull faces that the complex does not hold; all, when none are, or there
+/// shall be `no_more` rounds.
+std::vector<std::int32_t> misfits(const LatticeCore& core, const CoreSeat& seat, bool no_more) {
+  std::vector<std::int32_t> found;
+  for (std::size_t i = 0; i < core.hull().size() && !no_more; ++i) {
+    if (seat.outer[i] != no_face) continue;
+    for (const std::int32_t v : core.hull()[i].tet) {
+      if (core.is_core(v)) found.push_back(v);
+    }
+  }
+  if (found.empty()) return core.core_nodes();
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace
+
+PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                         const std::vector<std::uint8_t>& inside, const Subdomain& subdomain,
+                         const SpacingField& spacing, const PointInsertionOptions& options) {
+  const std::vector<LatticeNode> nodes = spacing.lattice_nodes(bounding_box(subdomain.vertices));
+  LatticeGrid grid(nodes);
+  std::vector<std::uint8_t> is_core = find_core_nodes(nodes, grid, subdomain);
+  const std::vector<std::uint8_t> is_inside = find_inside_nodes(complex, inside, nodes, is_core);
+  is_core = core_nodes_inside(nodes, is_inside, std::move(is_core));
+
+  const auto boundary_nodes = static_cast<std::int32_t>(complex.points.size());
+  PendingCore pending;
+  pending.node_numbers.assign(nodes.size(), -1);
+  std::vector<std::int32_t> listed;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_inside[i] != 0 && is_core[i] == 0) listed.push_back(static_cast<std::int32_t>(i));
+  }
+  pending.core = LatticeCore(std::move(grid), std::move(is_core));
+  for (int round = 0;; ++round) {
+    insert_listed(complex, constrained, boundary_nodes, nodes, listed, pending.node_numbers,
+                  options);
+    const CoreSeat seat = find_core_seat(complex, constrained, pending.core, pending.node_numbers);
+    if (seat.fits) break;
+    listed = misfits(pending.core, seat, round >= most_rounds);
+    pending.core.leave_out(listed);
+  }
+  for (const std::int32_t v : pending.core.core_nodes())
+    pending.places.push_back(nodes[at(v)].place());
+  return pending;
+}
+
+void graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                        PendingCore pending, std::int32_t first_moved, std::int32_t moved) {
+  if (pending.core.tet_count() == 0) return;
+  for (std::int32_t& v : pending.node_numbers) {
+    if (v >= first_moved) v -= moved;
+  }
+  const CoreSeat seat = find_core_seat(complex, constrained, pending.core, pending.node_numbers);
+  auto number = static_cast<std::int32_t>(complex.points.size());
+  for (const std::int32_t v : pending.core.core_nodes()) pending.node_numbers[at(v)] = number++;
+  complex.points.insert(complex.points.end(), pending.places.begin(), pending.places.end());
+  complex.node2tet.resize(complex.points.size(), -1);
+  graft_core(complex, constrained, pending.core, pending.node_numbers, seat);
+}
+
+}  // namespace tetfarm

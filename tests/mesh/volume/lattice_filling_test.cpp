@@ -1,0 +1,153 @@
+#include "mesh/volume/lattice_filling.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/geometry/bowyer_watson.h"
+#include "mesh/volume/boundary_recovery.h"
+#include "mesh/volume/core_graft.h"
+#include "mesh/volume/inside_tets.h"
+#include "tests/mesh/volume/lattice_cases.h"
+#include "tests/mesh/volume/volume_checks.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+constexpr std::int32_t enclosing_nodes = 4;
+
+/// A sphere on its way through the volume mesher.
+struct Sphere {
+  explicit Sphere(double radius)
+      : domain(root_subdomain(shapes::sphere({0, 0, 0}, radius, 4))),
+        complex(bowyer_watson(domain.vertices).complex) {
+    constrained.assign(complex.nodes.size(), 0);
+    EXPECT_TRUE(recover_boundary(complex, constrained, domain.triangles).lost.empty());
+  }
+  std::int32_t boundary_nodes() const { return static_cast<std::int32_t>(domain.vertices.size()); }
+  std::vector<std::uint8_t> inside() {
+    return inside_tets(
+        LocalRemeshing(complex, constrained),
+        RecoverySurface(domain.triangles, static_cast<std::int32_t>(complex.points.size())));
+  }
+  void keep_inside_only() {
+    InsideComplex kept =
+        keep_inside(complex, constrained, inside(), boundary_nodes(), enclosing_nodes);
+    complex = std::move(kept.complex);
+    constrained = std::move(kept.constrained);
+  }
+  std::size_t nodes_in_use() const {
+    return static_cast<std::size_t>(std::count_if(complex.node2tet.begin(), complex.node2tet.end(),
+                                                  [](std::int32_t t) { return t >= 0; }));
+  }
+
+  Subdomain domain;
+  TetComplex complex;
+  std::vector<std::uint8_t> constrained;
+};
+
+Sphere filled(double radius, const SpacingField& field, const PointInsertionOptions& options = {}) {
+  Sphere sphere(radius);
+  PendingCore pending = insert_shell(sphere.complex, sphere.constrained, sphere.inside(),
+                                     sphere.domain, field, options);
+  EXPECT_TRUE(validate(sphere.complex).empty());
+  sphere.keep_inside_only();
+  graft_pending_core(sphere.complex, sphere.constrained, std::move(pending),
+                     sphere.boundary_nodes(), enclosing_nodes);
+  return sphere;
+}
+
+void expect_valid(const Sphere& sphere) {
+  const auto wrong = validate(sphere.complex);
+  EXPECT_TRUE(wrong.empty()) << wrong.front();
+  TetMesh mesh = to_tet_mesh(sphere.complex, sphere.boundary_nodes());
+  double volume = 0;
+  for (const Tet& t : mesh.tets) {
+    volume += tet_volume(mesh.nodes[at(t[0])], mesh.nodes[at(t[1])], mesh.nodes[at(t[2])],
+                         mesh.nodes[at(t[3])]);
+  }
+  EXPECT_NEAR(volume, enclosed_volume(sphere.domain.vertices, sphere.domain.triangles),
+              1e-9 * volume);
+}
+
+TEST(LatticeFilling, makes_a_valid_mesh_of_the_whole_domain) {
+  expect_valid(filled(1.0, lattice_cases::uniform()));
+  expect_valid(filled(1.0, lattice_cases::fine()));
+  expect_valid(filled(1.6, lattice_cases::graded()));
+}
+
+TEST(LatticeFilling, has_the_nodes_and_about_the_tets_of_inserting_all) {
+  const SpacingField field = lattice_cases::fine();
+  Sphere all(1.0);
+  const auto nodes = field.lattice_nodes(bounding_box(all.domain.vertices));
+  const auto inside =
+      find_inside_nodes(all.complex, all.inside(), nodes, std::vector<std::uint8_t>(nodes.size()));
+  std::vector<LatticeNode> chosen;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (inside[i] != 0) chosen.push_back(nodes[i]);
+  }
+  insert_lattice(all.complex, all.constrained, static_cast<std::int32_t>(all.complex.points.size()),
+                 chosen);
+  all.keep_inside_only();
+  const Sphere ours = filled(1.0, field);
+  EXPECT_EQ(ours.nodes_in_use(), all.nodes_in_use());
+  // Ties of cospherical points may be broken otherwise.
+  EXPECT_NEAR(static_cast<double>(ours.complex.live_tets()),
+              static_cast<double>(all.complex.live_tets()),
+              1e-3 * static_cast<double>(all.complex.live_tets()));
+}
+
+TEST(LatticeFilling, gives_up_core_nodes_whose_neighbours_were_refused) {
+  PointInsertionOptions options;
+  options.face_clearance = 1.2;  // refuses nodes that the core counts on
+  const Sphere sphere = filled(1.0, lattice_cases::fine(), options);
+  expect_valid(sphere);
+  const Sphere usual = filled(1.0, lattice_cases::fine());
+  EXPECT_LT(sphere.nodes_in_use(), usual.nodes_in_use());
+}
+
+/// The shell of a sphere, with what the core needs to find its seat.
+struct Hollow {
+  Hollow() : sphere(1.0) {
+    pending = insert_shell(sphere.complex, sphere.constrained, sphere.inside(), sphere.domain,
+                           lattice_cases::fine(), {});
+  }
+  CoreSeat seat() const {
+    return find_core_seat(sphere.complex, sphere.constrained, pending.core, pending.node_numbers);
+  }
+  Sphere sphere;
+  PendingCore pending;
+};
+
+TEST(CoreGraft, finds_the_hollow_and_its_filling) {
+  const Hollow hollow;
+  const CoreSeat seat = hollow.seat();
+  EXPECT_TRUE(seat.fits);
+  EXPECT_EQ(seat.outer.size(), hollow.pending.core.hull().size());
+  double filling = 0;
+  for (const std::int32_t t : seat.filling) {
+    const Tet& tet = hollow.sphere.complex.nodes[at(t)];
+    const auto p = [&](std::size_t i) { return hollow.sphere.complex.points[at(tet[i])]; };
+    filling += tet_volume(p(0), p(1), p(2), p(3));
+  }
+  const double edge = lattice_cases::fine().lattice_nodes(lattice_cases::box()).front().cell_edge;
+  const double core = hollow.pending.core.tet_count() * edge * edge * edge / 12;
+  EXPECT_NEAR(filling, core, 1e-9 * core);
+}
+
+TEST(CoreGraft, does_not_fit_where_a_face_of_the_hull_is_missing) {
+  Hollow hollow;
+  const std::int32_t filling = hollow.seat().filling.front();
+  hollow.sphere.complex.kill_tet(filling);
+  EXPECT_FALSE(hollow.seat().fits);
+}
+
+TEST(CoreGraft, does_not_fit_where_a_constrained_face_is_in_the_way) {
+  Hollow hollow;
+  const std::int32_t filling = hollow.seat().filling.front();
+  hollow.sphere.constrained[at(filling)] = 1;
+  EXPECT_FALSE(hollow.seat().fits);
+}
+
+}  // namespace
+}  // namespace tetfarm
