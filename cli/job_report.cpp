@@ -1,5 +1,6 @@
 #include "cli/job_report.h"
 
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,12 @@ std::string text_of(const wire::JobStatus& status, const std::string& name) {
   return found == status.texts().end() ? "" : found->second;
 }
 
+/// A place by its three numbers.
+std::array<double, 3> place_of(const wire::JobStatus& status, const std::string& what) {
+  return {number_of(status, what + "_x"), number_of(status, what + "_y"),
+          number_of(status, what + "_z")};
+}
+
 std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -31,6 +38,23 @@ std::string format(const char* pattern, Arguments... arguments) {
   char text[240];
   std::snprintf(text, sizeof text, pattern, arguments...);
   return text;
+}
+
+/// Where the smallest angle is and whether the surface is the cause; empty when it is a good one.
+std::string worst_text(const wire::JobStatus& status) {
+  constexpr double good_deg = 20;
+  const double smallest = number_of(status, "min_dihedral_deg");
+  if (smallest >= good_deg) return "";
+  const auto worst = place_of(status, "worst");
+  std::string text = format("           worst %.2f deg at (%.6g, %.6g, %.6g)", smallest, worst[0],
+                            worst[1], worst[2]);
+  const double forced = number_of(status, "forced_dihedral_deg");
+  if (forced < good_deg) {
+    const auto at = place_of(status, "forced");
+    text += format("; the surface forces at most %.2f deg, at (%.6g, %.6g, %.6g)", forced, at[0],
+                   at[1], at[2]);
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -44,6 +68,9 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   for (const char* name : {"min_dihedral_deg", "max_dihedral_deg", "mean_radius_ratio", "volume"}) {
     json[name] = number_of(status, name);
   }
+  json["worst_at"] = place_of(status, "worst");
+  json["forced_dihedral_deg"] = number_of(status, "forced_dihedral_deg");
+  json["forced_at"] = place_of(status, "forced");
   json["seconds"] = seconds;
   json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
   json["attempts_lost"] = status.attempts_lost();
@@ -83,6 +110,7 @@ std::string result_text(const wire::JobStatus& status, double seconds,
       short_count(number_of(status, "nodes")).c_str(), number_of(status, "subdomains"),
       number_of(status, "min_dihedral_deg"), number_of(status, "max_dihedral_deg"),
       number_of(status, "mean_radius_ratio"), clock_text(seconds).c_str());
+  text += worst_text(status);
   for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
   return text;
 }

@@ -34,6 +34,7 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
 
 Json report_json(const MeshReport& report, const std::string& file) {
   const Vec3& worst = report.shapes.worst_centroid;
+  const Vec3& forced = report.forced.at;
   return {{"type", "quality"},
           {"file", file},
           {"valid", report.complaints.empty()},
@@ -48,6 +49,8 @@ Json report_json(const MeshReport& report, const std::string& file) {
           {"mean_radius_ratio", report.shapes.mean_radius_ratio()},
           {"min_radius_ratio", report.shapes.min_radius_ratio},
           {"worst_at", {worst.x, worst.y, worst.z}},
+          {"forced_dihedral_deg", report.forced.at_most_deg},
+          {"forced_at", {forced.x, forced.y, forced.z}},
           {"dihedral_histogram", report.shapes.dihedral_histogram},
           {"digest", report.digest.hex()},
           {"complaints", report.complaints}};
@@ -67,6 +70,17 @@ void print_histogram(const ShapeStatistics& shapes) {
   }
 }
 
+/// Said only when it explains a small angle: empty when the surface allows 30 degrees.
+std::string forced_text(const ForcedDihedral& forced) {
+  constexpr double worth_saying_deg = 30;
+  if (forced.at_most_deg >= worth_saying_deg) return "";
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "                the surface forces at most %.3f deg, at (%.6g, %.6g, %.6g)\n",
+                forced.at_most_deg, forced.at.x, forced.at.y, forced.at.z);
+  return text;
+}
+
 void print_report(const MeshReport& report) {
   const ShapeStatistics& shapes = report.shapes;
   std::printf("tets            %lld\nnodes           %lld\nboundary        %lld triangles\n",
@@ -77,6 +91,7 @@ void print_report(const MeshReport& report) {
   std::printf("dihedral        %.3f to %.3f deg; worst at (%.6g, %.6g, %.6g)\n",
               shapes.min_dihedral_deg, shapes.max_dihedral_deg, shapes.worst_centroid.x,
               shapes.worst_centroid.y, shapes.worst_centroid.z);
+  std::fputs(forced_text(report.forced).c_str(), stdout);
   std::printf("radius ratio    %.4f mean, %.4f smallest\ndigest          %s\n",
               shapes.mean_radius_ratio(), shapes.min_radius_ratio, report.digest.hex().c_str());
   print_histogram(shapes);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/write_ugrid.h"
 #include "mesh/assemble/write_vtkhdf.h"
@@ -46,7 +47,14 @@ MeshPart read_part(TaskIo& io, const LeafNumbers& leaf) {
   return part;
 }
 
-void report(TaskIo& io, const GlobalMeshSummary& summary, const JobFile& job) {
+void report_place(TaskIo& io, const std::string& what, const Vec3& at) {
+  io.number(what + "_x", at.x);
+  io.number(what + "_y", at.y);
+  io.number(what + "_z", at.z);
+}
+
+void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& surface,
+            const JobFile& job) {
   io.number("elements", static_cast<double>(summary.tets));
   io.number("nodes", static_cast<double>(summary.nodes));
   io.number("boundary_triangles", static_cast<double>(summary.boundary_triangles));
@@ -56,6 +64,11 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const JobFile& job) {
   io.number("mean_radius_ratio", summary.shapes.mean_radius_ratio());
   io.number("volume", summary.volume);
   io.number("min_dihedral_gate_deg", job.min_dihedral_deg);
+  report_place(io, "worst", summary.shapes.worst_centroid);
+  // Of the whole surface, however it was cut.
+  const ForcedDihedral forced = forced_dihedral(surface.vertices, surface.triangles);
+  io.number("forced_dihedral_deg", forced.at_most_deg);
+  report_place(io, "forced", forced.at);
   io.text("digest", summary.digest.hex());
 }
 
@@ -82,7 +95,7 @@ void assemble_task(TaskIo& io) {
     file.writer.reset();
     io.publish_file(file.name, file.path);
   }
-  report(io, summary, job);
+  report(io, summary, surface, job);
 }
 
 }  // namespace tetfarm

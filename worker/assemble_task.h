@@ -2,7 +2,8 @@
 ///
 /// Inputs: "job", "surface", "numbering", "subdomain:HEAP" and "mesh:HEAP" of every leaf. Outputs:
 /// the job's files. Numbers: elements, nodes, boundary_triangles, subdomains, min_dihedral_deg,
-/// max_dihedral_deg, mean_radius_ratio, volume, min_dihedral_gate_deg; text: digest.
+/// max_dihedral_deg, mean_radius_ratio, volume, min_dihedral_gate_deg, where the
+/// smallest angle is (worst_x, y, z), forced_dihedral_deg and where (forced_x, y, z); text: digest.
 #pragma once
 
 #include "worker/task_io.h"

@@ -44,6 +44,7 @@ void add_figures(const GlobalMesh& mesh, MeshReport& report) {
     digest.add_boundary_triangle({a, b, c}, mesh.patch_of_triangle[i]);
   }
   report.enclosed_volume = enclosed_volume(mesh.mesh.nodes, mesh.boundary);
+  report.forced = forced_dihedral(mesh.mesh.nodes, mesh.boundary);
   report.digest = digest.finish();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/shape_statistics.h"
 #include "mesh/core/tet_mesh.h"
 
@@ -29,6 +30,7 @@ struct MeshReport {
   double volume = 0;
   double enclosed_volume = 0;
   ShapeStatistics shapes;
+  ForcedDihedral forced;
   Hash128 digest;
   /// What is wrong, a line each, at most twenty: tets without volume, faces that are not shared by
   /// two tets and no boundary triangle, boundary triangles without their tet, an open boundary,
