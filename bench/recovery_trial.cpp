@@ -1,8 +1,8 @@
 // Boundary recovery of generated surfaces, a line each: recovery_trial GENERATOR SIZE FIRST_SEED
-// END_SEED [FOLDER: writes the valid surfaces there as .off]. Wall seconds.
-#include <chrono>
+// END_SEED [FOLDER: writes the valid surfaces there as .off]. CPU seconds.
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <string>
 
@@ -16,10 +16,7 @@ namespace {
 
 using namespace tetfarm;
 
-double seconds_now() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
+double seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void run(const shapes::SurfaceGenerator& generator, std::uint64_t seed, int size,
          const std::string& folder) {

@@ -143,6 +143,7 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
     }
     if (missing.faces.empty()) return surface;
     least_missing = std::min(least_missing, missing.faces.size());
+    if (surface.splits.empty()) mesh.know_surface(triangles);
     const bool is_hopeful =
         missing.faces.size() <= most_growth * least_missing + 10 &&
         surface.splits.size() <= triangles.size() + most_points_of_small_surface;
@@ -156,20 +157,26 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
 }
 
 /// Takes the Steiner points off the boundary and settles them; what does not work out is lost.
-void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
-                const SplitSurface& surface, RecoveredBoundary& result) {
+void make_whole(LocalRemeshing& mesh, const SplitSurface& surface, RecoveredBoundary& result) {
   std::vector<std::int32_t> points;
   // Only then are the triangles of a split those of the moment it was made.
   for (std::size_t i = surface.splits.size(); i-- > 0;) {
     const SteinerSplit& split = surface.splits[i];
-    if (!relocate_steiner_point(mesh, split)) {
+    bool is_whole = relocate_steiner_point(mesh, split);
+    // Those that have left already may make room.
+    for (int sweep = 0; sweep < 3 && !is_whole; ++sweep) {
+      settle_steiner_points(mesh, points);
+      is_whole = relocate_steiner_point(mesh, split);
+    }
+    if (!is_whole) {
       result.lost = split.sources;
       return;
     }
+    // At once, or the room would be less and less from point to point.
+    settle_steiner_point(mesh, split.node);
     points.push_back(split.node);
   }
-  const RecoverySurface whole(triangles, static_cast<std::int32_t>(mesh.complex().points.size()));
-  const SettledPoints settled = settle_steiner_points(mesh, whole, points);
+  const SettledPoints settled = settle_steiner_points(mesh, points);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
   for (const SteinerSplit& split : surface.splits) {
     if (std::find(settled.unsettled.begin(), settled.unsettled.end(), split.node) ==
@@ -238,7 +245,7 @@ RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t
   LocalRemeshing mesh(complex, constrained);
   const SplitSurface surface = recover_in_parts(mesh, triangles, seed, result);
   result.splits = static_cast<std::int64_t>(surface.splits.size());
-  if (result.lost.empty()) make_whole(mesh, triangles, surface, result);
+  if (result.lost.empty()) make_whole(mesh, surface, result);
   std::sort(result.lost.begin(), result.lost.end());
   result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
   return result;

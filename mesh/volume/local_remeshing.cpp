@@ -63,7 +63,15 @@ std::int32_t LocalRemeshing::add_point(const FinePoint& point) {
   return v;
 }
 
+std::int32_t LocalRemeshing::add_point_on(std::span<const std::int32_t> corners,
+                                          const FinePoint& point) {
+  const std::int32_t v = add_point(point);
+  flats_.add(v, corners);
+  return v;
+}
+
 void LocalRemeshing::move_point(std::int32_t v, const FinePoint& to) {
+  flats_.remove(v);
   complex_.points[at(v)] = to.high;
   low_[at(v - first_fine_)] = to.low;
 }
@@ -80,6 +88,7 @@ void LocalRemeshing::roll_back(std::size_t mark) {
         complex_.points.pop_back();
         complex_.node2tet.pop_back();
         low_.pop_back();
+        flats_.remove(entry.tet);
         break;
       case Entry::Kind::reused:
         complex_.kill_tet(entry.tet);

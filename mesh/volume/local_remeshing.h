@@ -16,6 +16,7 @@
 #include "mesh/core/tet_complex.h"
 #include "mesh/geometry/fine_point.h"
 #include "mesh/geometry/predicates.h"
+#include "mesh/volume/surface_flats.h"
 
 namespace tetfarm {
 
@@ -35,11 +36,12 @@ class LocalRemeshing {
   const Vec3& point(std::int32_t v) const { return complex_.points[static_cast<std::size_t>(v)]; }
   /// The point to its last bit: those that add_point brought may have more than a double holds.
   FinePoint fine_point(std::int32_t v) const { return {point(v), low_of(v)}; }
-  /// orient3d of the points to their last bit.
+  /// orient3d of the points to their last bit, but 0 where they are flat by construction.
   double orient(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
     if (std::max(std::max(a, b), std::max(c, d)) < first_fine_) {
       return orient3d(point(a), point(b), point(c), point(d));
     }
+    if (flats_.are_flat({a, b, c, d})) return 0;
     return orient3d(fine_point(a), fine_point(b), fine_point(c), fine_point(d));
   }
 
@@ -51,7 +53,14 @@ class LocalRemeshing {
   /// Adds a point; it belongs to no tet yet. The complex holds it rounded; what is lost by that
   /// lives as long as this.
   std::int32_t add_point(const FinePoint& point);
-  /// Not in the journal. @pre the point came by add_point.
+  /// The same for a point on the edge (two corners) or in the triangle (three) of the surface.
+  std::int32_t add_point_on(std::span<const std::int32_t> corners, const FinePoint& point);
+  /// Before the first point on it: what of the surface is flat.
+  void know_surface(const std::vector<Triangle>& triangles) {
+    flats_ = SurfaceFlats(complex_.points, triangles);
+  }
+  /// The point is on no edge or face any more. Not in the journal. @pre the point came by
+  /// add_point.
   void move_point(std::int32_t v, const FinePoint& to);
 
   std::size_t mark() const { return journal_.size(); }
@@ -95,6 +104,7 @@ class LocalRemeshing {
   std::vector<std::uint8_t>& constrained_;
   std::int32_t first_fine_;  // points from here on came by add_point
   std::vector<Vec3> low_;    // of them: what rounding has taken off
+  SurfaceFlats flats_;
   std::vector<Entry> journal_;
   mutable std::vector<std::int32_t> seen_;  // of a tet: the walk that saw it last
   mutable std::int32_t walk_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "mesh/volume/face_recovery.h"
 
@@ -19,6 +20,12 @@ std::array<std::int32_t, 3> face_nodes(const LocalRemeshing& mesh, FaceHandle fa
   const auto& f = tet_face_nodes[at(face_of(face))];
   return {n[at(f[0])], n[at(f[1])], n[at(f[2])]};
 }
+
+/// A place on the missing edge or face.
+struct Place {
+  std::span<const std::int32_t> corners;
+  FinePoint point;
+};
 
 /// p / (p + q) of two sizes.
 DoubleDouble share_of(const DoubleDouble& p, const DoubleDouble& q) {
@@ -78,10 +85,10 @@ bool has_constraint_between(const LocalRemeshing& mesh, const std::vector<std::i
 /// Puts the point into the tets: it takes the place of each of the nodes `replaced`, in turn. -1
 /// when a part would not be positive or a constrained face is in the way.
 std::int32_t split_tets(LocalRemeshing& mesh, const std::vector<std::int32_t>& tets,
-                        std::span<const std::int32_t> replaced, const FinePoint& point) {
+                        std::span<const std::int32_t> replaced, const Place& place) {
   if (tets.empty() || has_constraint_between(mesh, tets)) return -1;
   const std::size_t mark = mesh.mark();
-  const std::int32_t node = mesh.add_point(point);
+  const std::int32_t node = mesh.add_point_on(place.corners, place.point);
   std::vector<Tet> parts;
   bool is_good = true;
   for (const std::int32_t t : tets) {
@@ -105,27 +112,27 @@ std::int32_t split_tets(LocalRemeshing& mesh, const std::vector<std::int32_t>& t
 
 /// On the crossed face; else on an edge of it, which the point may be too near to.
 std::int32_t split_crossing(LocalRemeshing& mesh, const RecoverySurface& surface,
-                            const Crossing& crossing, const FinePoint& point) {
+                            const Crossing& crossing, const Place& place) {
   if (crossing.face == no_face) {
-    return split_tets(mesh, tets_at(mesh, crossing), crossing.edge, point);
+    return split_tets(mesh, tets_at(mesh, crossing), crossing.edge, place);
   }
   const auto corners = face_nodes(mesh, crossing.face);
-  const std::int32_t node = split_tets(mesh, tets_at(mesh, crossing), corners, point);
+  const std::int32_t node = split_tets(mesh, tets_at(mesh, crossing), corners, place);
   if (node >= 0) return node;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int32_t u = corners[k], v = corners[(k + 1) % 3];
     // Nodes that the surface does not know are on parts of it.
     if (std::max(u, v) >= surface.nodes() || surface.has_edge(u, v)) continue;
     const Crossing edge{no_face, {u, v}};
-    const std::int32_t on_edge = split_tets(mesh, tets_at(mesh, edge), edge.edge, point);
+    const std::int32_t on_edge = split_tets(mesh, tets_at(mesh, edge), edge.edge, place);
     if (on_edge >= 0) return on_edge;
   }
   return -1;
 }
 
-std::int32_t split_tet(LocalRemeshing& mesh, std::int32_t tet, const FinePoint& point) {
+std::int32_t split_tet(LocalRemeshing& mesh, std::int32_t tet, const Place& place) {
   const Tet n = mesh.complex().nodes[at(tet)];
-  return split_tets(mesh, {tet}, n, point);
+  return split_tets(mesh, {tet}, n, place);
 }
 
 /// In the middle of what lies in one tet, between a crossed face and the next crossing.
@@ -140,7 +147,7 @@ std::int32_t insert_between_crossings(LocalRemeshing& mesh, const Edge& edge,
     const DoubleDouble end = i + 1 < shares.size() ? shares[i + 1] : DoubleDouble{1, 0};
     const DoubleDouble start = i > 0 ? shares[i - 1] : DoubleDouble{0, 0};
     for (const auto& [tet, other_end] : {std::pair{tet_of(beyond), end}, {tet_of(face), start}}) {
-      const FinePoint place = between(a, b, one_half * (shares[i] + other_end));
+      const Place place{edge, between(a, b, one_half * (shares[i] + other_end))};
       const std::int32_t node = split_tet(mesh, tet, place);
       if (node >= 0) return node;
     }
@@ -166,7 +173,7 @@ std::int32_t insert_on_edge(LocalRemeshing& mesh, const RecoverySurface& surface
   const FinePoint a = mesh.fine_point(edge[0]), b = mesh.fine_point(edge[1]);
   for (const std::size_t i : order) {
     const std::int32_t node =
-        split_crossing(mesh, surface, walk.crossings[i], between(a, b, shares[i]));
+        split_crossing(mesh, surface, walk.crossings[i], {edge, between(a, b, shares[i])});
     if (node >= 0) return node;
   }
   return insert_between_crossings(mesh, edge, walk, shares);
@@ -187,7 +194,7 @@ std::int32_t insert_on_face(LocalRemeshing& mesh, const RecoverySurface& surface
     return distance(places[i].high, centroid) < distance(places[j].high, centroid);
   });
   for (const std::size_t i : order) {
-    const std::int32_t node = split_crossing(mesh, surface, {no_face, edges[i]}, places[i]);
+    const std::int32_t node = split_crossing(mesh, surface, {no_face, edges[i]}, {face, places[i]});
     if (node >= 0) return node;
   }
   // Between two edges of one tet the face runs through the inside of it.
@@ -200,7 +207,8 @@ std::int32_t insert_on_face(LocalRemeshing& mesh, const RecoverySurface& surface
             mesh.complex().local_node(t, edges[j][1]) < 0) {
           continue;
         }
-        const std::int32_t node = split_tet(mesh, t, between(places[i], places[j], one_half));
+        const std::int32_t node =
+            split_tet(mesh, t, {face, between(places[i], places[j], one_half)});
         if (node >= 0) return node;
       }
     }

@@ -78,8 +78,10 @@ void centre(LocalRemeshing& mesh, std::int32_t node) {
 
 }  // namespace
 
-bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int32_t node) {
-  EdgeRemoval removal(mesh, surface);
+bool remove_node(LocalRemeshing& mesh, std::int32_t node) {
+  // The faces of the surface are all there: being constrained, they guard themselves.
+  const RecoverySurface no_surface({}, 0);
+  EdgeRemoval removal(mesh, no_surface);
   constexpr std::int64_t most_rings = 2000;
   removal.set_budget(most_rings);
   const std::size_t mark = mesh.mark();
@@ -98,24 +100,23 @@ bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int3
   return false;
 }
 
-SettledPoints settle_steiner_points(LocalRemeshing& mesh, const RecoverySurface& surface,
-                                    const std::vector<std::int32_t>& points) {
+void settle_steiner_point(LocalRemeshing& mesh, std::int32_t point) {
+  if (mesh.complex().node2tet[at(point)] < 0 || remove_node(mesh, point)) return;
+  centre(mesh, point);
+}
+
+SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points) {
   SettledPoints result;
-  result.unsettled = points;
-  std::erase_if(result.unsettled,
-                [&](std::int32_t v) { return mesh.complex().node2tet[at(v)] < 0; });
   constexpr int most_sweeps = 20;
-  for (int sweep = 0; sweep < most_sweeps && !result.unsettled.empty(); ++sweep) {
-    std::erase_if(result.unsettled, [&](std::int32_t v) { return remove_node(mesh, surface, v); });
-    // All move again, also those that have a place: the room of one is that of its neighbours.
-    result.unsettled.insert(result.unsettled.end(), result.kept.begin(), result.kept.end());
-    result.kept.clear();
-    for (const std::int32_t v : result.unsettled) centre(mesh, v);
-    std::erase_if(result.unsettled, [&](std::int32_t v) {
-      if (!mesh.fine_point(v).is_plain()) return false;
-      result.kept.push_back(v);
-      return true;
-    });
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    // All move, also those that have a place: the room of one is that of its neighbours.
+    for (const std::int32_t v : points) settle_steiner_point(mesh, v);
+    result = {};
+    for (const std::int32_t v : points) {
+      if (mesh.complex().node2tet[at(v)] < 0) continue;
+      (mesh.fine_point(v).is_plain() ? result.kept : result.unsettled).push_back(v);
+    }
+    if (result.unsettled.empty()) break;
   }
   return result;
 }

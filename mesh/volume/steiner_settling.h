@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "mesh/volume/local_remeshing.h"
-#include "mesh/volume/recovery_surface.h"
 
 namespace tetfarm {
 
@@ -20,12 +19,15 @@ struct SettledPoints {
   std::vector<std::int32_t> unsettled;  // in the complex, but found no such place
 };
 
-/// Edges and constrained faces of the surface are left alone. @pre the points came by add_point and
-/// none lies on the surface any more.
-SettledPoints settle_steiner_points(LocalRemeshing& mesh, const RecoverySurface& surface,
-                                    const std::vector<std::int32_t>& points);
+/// Constrained faces and their edges are left alone. @pre the points came by add_point and none
+/// lies on the surface any more.
+SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points);
+
+/// One step of that: takes the point out, or moves it to the middle of its room; nothing when it is
+/// in no tet.
+void settle_steiner_point(LocalRemeshing& mesh, std::int32_t point);
 
 /// Takes an inner node out of the complex by flips. False: nothing has changed.
-bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int32_t node);
+bool remove_node(LocalRemeshing& mesh, std::int32_t node);
 
 }  // namespace tetfarm

@@ -319,6 +319,21 @@ SurfaceMesh grid(std::uint64_t seed, int size) {
   return mesh;
 }
 
+/// A cube of cubes: cells are left out at the odd places, as holes inside or as tunnels through
+/// all.
+SurfaceMesh cubes(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  std::array<int, 3> n{};
+  for (int& x : n) x = 2 * chance.pick(1, size) + 1;
+  const int most_odd = chance.pick(1, 2);
+  std::vector<bool> is_in;
+  for (int cell = 0; cell < n[0] * n[1] * n[2]; ++cell) {
+    const std::array<int, 3> c = {cell / n[2] / n[1], cell / n[2] % n[1], cell % n[2]};
+    is_in.push_back(c[0] % 2 + c[1] % 2 + c[2] % 2 <= most_odd);
+  }
+  return skin(n, is_in, chance);
+}
+
 /// Rings of points on a sphere or a cylinder: all on one sphere, quads flat.
 SurfaceMesh rings(std::uint64_t seed, int size) {
   Chance chance(seed);
@@ -383,7 +398,7 @@ SurfaceMesh knot(std::uint64_t seed, int size) {
 }  // namespace
 
 std::span<const SurfaceGenerator> surface_generators() {
-  static constexpr std::array<SurfaceGenerator, 12> all = {
+  static constexpr std::array<SurfaceGenerator, 13> all = {
       {{"schoenhardt_prism", schoenhardt_prism},
        {"twisted_prism", twisted_prism},
        {"chazelle", chazelle},
@@ -394,6 +409,7 @@ std::span<const SurfaceGenerator> surface_generators() {
        {"voxels", voxels},
        {"handles", handles},
        {"grid", grid},
+       {"cubes", cubes},
        {"rings", rings},
        {"knot", knot}}};
   return all;

@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
                     RealSurface{"nasa_almond_in_box/nasa_almond_in_box.stl", 0, 8},
                     RealSurface{"flange/flange.stl", 0, 12}, RealSurface{"pipe/pipe.stl", 0, 15},
                     RealSurface{"onera_m6_sharp_te/onera_m6_sharp_te.msh.gz", 0, 1},
+                    RealSurface{"netgen_plane/netgen_plane.stl", 0, 0},
+                    RealSurface{"cessna210/cessna210.msh.gz", 0, 0},
                     RealSurface{"prime_open_duct/prime_open_duct.stl", 0, 1},
                     RealSurface{"d150_aircraft/d150_aircraft.msh.gz", 2, 1}),
     [](const auto& test) {

@@ -114,11 +114,10 @@ TEST(SteinerSettling, takes_nodes_out_of_random_tets_by_flips_and_leaves_them_va
   TetComplex complex = bowyer_watson(points).complex;
   std::vector<std::uint8_t> marks;
   LocalRemeshing mesh(complex, marks);
-  const RecoverySurface no_surface({}, 64);
   int removed = 0;
   for (std::int32_t v = 0; v < 40; ++v) {
     const auto before = complex.nodes;
-    if (!remove_node(mesh, no_surface, v)) {
+    if (!remove_node(mesh, v)) {
       EXPECT_EQ(complex.nodes, before);
       continue;
     }
