@@ -93,37 +93,51 @@ Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, s
   return missing;
 }
 
-bool holds_edge(const Triangle& t, const Edge& edge) {
-  const auto holds = [&t](std::int32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
-  return holds(edge[0]) && holds(edge[1]);
+/// A missing edge inside one boundary triangle, across an edge of the complex in the same plane:
+/// the parts may as well be cut as the complex has them.
+bool cut_as_the_complex(const LocalRemeshing& mesh, const Edge& edge, SplitSurface& surface) {
+  const auto corners = opposite_corners(surface, edge[0], edge[1]);
+  if (!corners) return false;
+  const auto [x, y] = *corners;
+  if (mesh.find_edge(x, y) < 0 || !segments_cross(mesh, edge[0], edge[1], x, y)) return false;
+  swap_edge(surface, edge[0], edge[1]);
+  return true;
+}
+
+/// Whether the face is missing though its edges are there.
+bool is_pierced(const LocalRemeshing& mesh, const Triangle& face) {
+  const auto& [a, b, c] = face;
+  return mesh.find_edge(a, b) >= 0 && mesh.find_edge(b, c) >= 0 && mesh.find_edge(c, a) >= 0 &&
+         mesh.find_face(a, b, c) == no_face;
 }
 
 /// Splits every missing edge, and every missing face whose edges are all there. False: no point had
 /// room.
 bool split_missing(LocalRemeshing& mesh, const RecoverySurface& before, const Missing& missing,
                    SplitSurface& surface) {
-  bool is_split = false;
+  bool is_changed = false;
   for (const Edge& edge : missing.edges) {
     const SegmentWalk walk = walk_segment(mesh, edge[0], edge[1]);
     // A point inserted for another edge may have brought this one back.
     if (walk.is_edge || walk.crossings.empty()) continue;
+    if (cut_as_the_complex(mesh, edge, surface)) {
+      is_changed = true;
+      continue;
+    }
     const std::int32_t node = insert_on_edge(mesh, before, edge, walk);
     if (node < 0) continue;
     split_edge(surface, edge[0], edge[1], node);
-    is_split = true;
+    is_changed = true;
   }
   for (const std::int32_t number : missing.faces) {
     const Triangle face = surface.triangles[at(number)];
-    const bool has_missing_edge =
-        std::any_of(missing.edges.begin(), missing.edges.end(),
-                    [&face](const Edge& edge) { return holds_edge(face, edge); });
-    if (has_missing_edge) continue;
+    if (!is_pierced(mesh, face)) continue;
     const std::int32_t node = insert_on_face(mesh, before, face);
     if (node < 0) continue;
     split_face(surface, number, node);
-    is_split = true;
+    is_changed = true;
   }
-  return is_split;
+  return is_changed;
 }
 
 /// Every boundary triangle is a face, whole or in parts. What could not be recovered even so is
@@ -157,24 +171,24 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
 }
 
 /// Takes the Steiner points off the boundary and settles them; what does not work out is lost.
-void make_whole(LocalRemeshing& mesh, const SplitSurface& surface, RecoveredBoundary& result) {
+void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, SplitSurface& surface,
+                RecoveredBoundary& result) {
+  std::vector<SteinerSplit> waiting(surface.splits.rbegin(), surface.splits.rend());
   std::vector<std::int32_t> points;
-  // Only then are the triangles of a split those of the moment it was made.
-  for (std::size_t i = surface.splits.size(); i-- > 0;) {
-    const SteinerSplit& split = surface.splits[i];
-    bool is_whole = relocate_steiner_point(mesh, split);
+  constexpr int most_sweeps = 4;
+  for (int sweep = 0; sweep < most_sweeps && !waiting.empty(); ++sweep) {
     // Those that have left already may make room.
-    for (int sweep = 0; sweep < 3 && !is_whole; ++sweep) {
-      settle_steiner_points(mesh, points);
-      is_whole = relocate_steiner_point(mesh, split);
-    }
-    if (!is_whole) {
-      result.lost = split.sources;
-      return;
-    }
-    // At once, or the room would be less and less from point to point.
-    settle_steiner_point(mesh, split.node);
-    points.push_back(split.node);
+    if (sweep > 0) settle_steiner_points(mesh, points);
+    std::erase_if(waiting, [&](const SteinerSplit& split) {
+      if (!relocate_steiner_point(mesh, surface, triangles, split.node)) return false;
+      // At once, or the room would be less and less from point to point.
+      settle_steiner_point(mesh, split.node);
+      points.push_back(split.node);
+      return true;
+    });
+  }
+  for (const SteinerSplit& split : waiting) {
+    result.lost.insert(result.lost.end(), split.sources.begin(), split.sources.end());
   }
   const SettledPoints settled = settle_steiner_points(mesh, points);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
@@ -243,9 +257,9 @@ RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t
                                    const std::vector<Triangle>& triangles, std::uint64_t seed) {
   RecoveredBoundary result;
   LocalRemeshing mesh(complex, constrained);
-  const SplitSurface surface = recover_in_parts(mesh, triangles, seed, result);
+  SplitSurface surface = recover_in_parts(mesh, triangles, seed, result);
   result.splits = static_cast<std::int64_t>(surface.splits.size());
-  if (result.lost.empty()) make_whole(mesh, surface, result);
+  if (result.lost.empty()) make_whole(mesh, triangles, surface, result);
   std::sort(result.lost.begin(), result.lost.end());
   result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
   return result;

@@ -50,6 +50,10 @@ class LocalRemeshing {
   std::vector<std::int32_t> replace(std::span<const std::int32_t> old_tets,
                                     std::span<const Tet> new_tets);
 
+  bool are_in_line(std::int32_t a, std::int32_t b, std::int32_t c) const {
+    return flats_.are_in_line({a, b, c});
+  }
+
   /// Adds a point; it belongs to no tet yet. The complex holds it rounded; what is lost by that
   /// lives as long as this.
   std::int32_t add_point(const FinePoint& point);

@@ -2,74 +2,79 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "mesh/volume/kernel_point.h"
+#include "mesh/volume/surface_fans.h"
 
 namespace tetfarm {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// A part of the star that constrained faces part from the rest, and the whole triangles on it as
-/// seen from within: their corners turn anticlockwise.
+/// A part of the star that constrained faces part from the rest, and the triangles that will close
+/// it, as seen from within: their corners turn anticlockwise.
 struct Side {
   std::vector<std::int32_t> tets;
+  std::vector<std::size_t> fans;
   std::vector<Triangle> whole;
   bool is_inside = false;
 };
 
-/// The number in `originals` of the triangle of which pyz (p: the split node) is a part, and
-/// whether it turns alike; -1 when there is none.
-std::pair<int, bool> original_of(const SteinerSplit& split, std::int32_t y, std::int32_t z) {
-  for (std::size_t i = 0; i < split.originals.size(); ++i) {
-    const Triangle& t = split.originals[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (t[k] == y && t[(k + 1) % 3] == z) return {static_cast<int>(i), true};
-      if (t[k] == z && t[(k + 1) % 3] == y) return {static_cast<int>(i), false};
+/// The fan that the triangle of the node, y and z is of, and whether it turns alike.
+std::optional<std::pair<std::size_t, bool>> fan_of(const std::vector<SurfaceFan>& fans,
+                                                   std::int32_t y, std::int32_t z) {
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    for (const auto& [from, to] : fans[i].edges) {
+      if (from == y && to == z) return std::pair{i, true};
+      if (from == z && to == y) return std::pair{i, false};
     }
   }
-  return {-1, false};
+  return std::nullopt;
 }
 
-/// The triangle of the split that the face of a tet is a part of, as for original_of.
-std::pair<int, bool> original_of_face(const LocalRemeshing& mesh, const SteinerSplit& split,
-                                      FaceHandle face) {
+/// The same for the face of a tet.
+std::optional<std::pair<std::size_t, bool>> fan_of_face(const LocalRemeshing& mesh,
+                                                        const std::vector<SurfaceFan>& fans,
+                                                        FaceHandle face, std::int32_t node) {
   const Tet& n = mesh.complex().nodes[at(tet_of(face))];
   const auto& f = tet_face_nodes[at(face_of(face))];
   for (std::size_t k = 0; k < 3; ++k) {
-    if (n[at(f[k])] != split.node) continue;
-    return original_of(split, n[at(f[(k + 1) % 3])], n[at(f[(k + 2) % 3])]);
+    if (n[at(f[k])] != node) continue;
+    return fan_of(fans, n[at(f[(k + 1) % 3])], n[at(f[(k + 2) % 3])]);
   }
-  return {-1, false};
+  return std::nullopt;
 }
 
-/// False when the faces at the node are not those of the split.
-bool add_whole_triangle(const LocalRemeshing& mesh, const SteinerSplit& split, FaceHandle face,
-                        Side& side) {
-  const auto [number, turns_alike] = original_of_face(mesh, split, face);
-  if (number < 0 || (!side.whole.empty() && turns_alike != side.is_inside)) return false;
+/// False when the constrained face is not one of the surface's.
+bool close_side(const LocalRemeshing& mesh, const std::vector<SurfaceFan>& fans, FaceHandle face,
+                std::int32_t node, Side& side) {
+  const auto found = fan_of_face(mesh, fans, face, node);
+  if (!found) return false;
+  const auto [number, turns_alike] = *found;
+  if (!side.fans.empty() && turns_alike != side.is_inside) return false;
   side.is_inside = turns_alike;
-  const auto& [a, b, c] = split.originals[at(number)];
-  // A boundary triangle turns anticlockwise as seen from outside.
-  const Triangle seen = turns_alike ? Triangle{a, c, b} : Triangle{a, b, c};
-  if (std::find(side.whole.begin(), side.whole.end(), seen) == side.whole.end()) {
-    side.whole.push_back(seen);
+  if (std::find(side.fans.begin(), side.fans.end(), number) != side.fans.end()) return true;
+  side.fans.push_back(number);
+  for (const auto& [a, b, c] : fans[number].without) {
+    // A boundary triangle turns anticlockwise as seen from outside.
+    side.whole.push_back(turns_alike ? Triangle{a, c, b} : Triangle{a, b, c});
   }
   return true;
 }
 
 /// The sides of the boundary at the node, those inside first; none when something is not as it has
 /// to be.
-std::vector<Side> sides_of(const LocalRemeshing& mesh, const SteinerSplit& split,
-                           const std::vector<std::int32_t>& star) {
+std::vector<Side> sides_of(const LocalRemeshing& mesh, const std::vector<SurfaceFan>& fans,
+                           const std::vector<std::int32_t>& star, std::int32_t node) {
   std::vector<Side> sides;
   std::vector<std::uint8_t> is_taken(star.size(), 0);
   const auto place = [&star](std::int32_t t) {
     return static_cast<std::size_t>(std::find(star.begin(), star.end(), t) - star.begin());
   };
-  std::size_t wholes = 0;
+  std::size_t closed = 0;
   for (std::size_t first = 0; first < star.size(); ++first) {
     if (is_taken[first] != 0) continue;
     Side side;
@@ -78,9 +83,9 @@ std::vector<Side> sides_of(const LocalRemeshing& mesh, const SteinerSplit& split
     for (std::size_t head = 0; head < side.tets.size(); ++head) {
       const std::int32_t t = side.tets[head];
       for (int f = 0; f < 4; ++f) {
-        if (mesh.complex().nodes[at(t)][at(f)] == split.node) continue;
+        if (mesh.complex().nodes[at(t)][at(f)] == node) continue;
         if (mesh.is_constrained(face_handle(t, f))) {
-          if (!add_whole_triangle(mesh, split, face_handle(t, f), side)) return {};
+          if (!close_side(mesh, fans, face_handle(t, f), node, side)) return {};
           continue;
         }
         const std::size_t beyond = place(tet_of(mesh.complex().neighbours[at(t)][at(f)]));
@@ -89,10 +94,10 @@ std::vector<Side> sides_of(const LocalRemeshing& mesh, const SteinerSplit& split
         side.tets.push_back(star[beyond]);
       }
     }
-    wholes += side.whole.size();
+    closed += side.fans.size();
     sides.push_back(std::move(side));
   }
-  if (wholes != 2 * split.originals.size()) return {};
+  if (closed != 2 * fans.size()) return {};
   std::stable_partition(sides.begin(), sides.end(),
                         [](const Side& side) { return side.is_inside; });
   return sides;
@@ -127,37 +132,47 @@ std::vector<VisibleFace> faces_to_see(const LocalRemeshing& mesh, const Side& si
 
 }  // namespace
 
-bool relocate_steiner_point(LocalRemeshing& mesh, const SteinerSplit& split) {
-  const auto star = mesh.star(split.node);
-  std::vector<Side> sides = sides_of(mesh, split, star);
+bool relocate_steiner_point(LocalRemeshing& mesh, SplitSurface& surface,
+                            const std::vector<Triangle>& triangles, std::int32_t node) {
+  const auto fans = surface_fans(mesh, surface, triangles, node);
+  if (!fans) return false;
+  const auto star = mesh.star(node);
+  std::vector<Side> sides = sides_of(mesh, *fans, star, node);
   if (sides.empty()) return false;
-  const FinePoint here = mesh.fine_point(split.node);
+  const FinePoint here = mesh.fine_point(node);
   std::vector<FinePoint> places;
   for (Side& side : sides) {
-    drop_what_is_there(mesh, split.node, side);
-    const auto faces = faces_to_see(mesh, side, split.node);
+    drop_what_is_there(mesh, node, side);
+    const auto faces = faces_to_see(mesh, side, node);
     const auto place = faces.empty() ? here : kernel_point(faces, here);
     if (!place && side.is_inside) return false;
     places.push_back(place.value_or(here));
   }
   std::vector<Tet> tets;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    std::int32_t node = split.node;
+    std::int32_t part = node;
     if (i == 0) {
       mesh.move_point(node, places[0]);
     } else {
-      node = mesh.add_point(places[i]);
+      part = mesh.add_point(places[i]);
     }
     for (const std::int32_t t : sides[i].tets) {
       Tet n = mesh.complex().nodes[at(t)];
-      std::replace(n.begin(), n.end(), split.node, node);
+      std::replace(n.begin(), n.end(), node, part);
       tets.push_back(n);
     }
-    for (const auto& [a, b, c] : sides[i].whole) tets.push_back({a, b, c, node});
+    for (const auto& [a, b, c] : sides[i].whole) tets.push_back({a, b, c, part});
   }
   mesh.replace(star, tets);
   mesh.forget_journal();
-  for (const auto& [a, b, c] : split.originals) mesh.constrain(mesh.find_face(a, b, c), true);
+  std::vector<SurfacePart> parts;
+  for (const SurfaceFan& fan : *fans) {
+    for (const Triangle& t : fan.without) {
+      parts.push_back({t, fan.source});
+      mesh.constrain(mesh.find_face(t[0], t[1], t[2]), true);
+    }
+  }
+  replace_fan(surface, node, parts);
   return true;
 }
 

@@ -112,6 +112,12 @@ void SurfaceFlats::remove(std::int32_t node) {
   lines_[at(node)].clear();
 }
 
+bool SurfaceFlats::are_in_line(const std::array<std::int32_t, 3>& nodes) const {
+  const Ids first_two = common(lines(nodes[0]), lines(nodes[1]));
+  return std::any_of(first_two.begin(), first_two.end(),
+                     [&](std::int32_t line) { return holds(lines(nodes[2]), line); });
+}
+
 bool SurfaceFlats::are_flat(const std::array<std::int32_t, 4>& nodes) const {
   const auto fewest = *std::min_element(nodes.begin(), nodes.end(), [this](auto u, auto v) {
     return planes(u).size() < planes(v).size();

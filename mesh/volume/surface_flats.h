@@ -27,6 +27,8 @@ class SurfaceFlats {
   void remove(std::int32_t node);
   /// Whether the four lie in one plane, or three of them on one line, by construction.
   bool are_flat(const std::array<std::int32_t, 4>& nodes) const;
+  /// Whether the three lie on one line by construction.
+  bool are_in_line(const std::array<std::int32_t, 3>& nodes) const;
 
  private:
   using Ids = std::vector<std::int32_t>;  // in increasing order

@@ -1,23 +1,24 @@
 /// A working copy of the boundary triangles in which edges and faces that flips could not recover
-/// are split by Steiner points; each split is remembered so that it can be undone.
+/// are split by Steiner points. The parts of one boundary triangle may be cut in any way: they lie
+/// in one plane.
 ///
 /// Source: kernel notes, boundary recovery, steps 4 and 5; George, Borouchaki, Saltel (2003).
-/// Cost: O(n) a split of an edge or face.
+/// Cost: O(n) a change.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
 
 namespace tetfarm {
 
-/// A Steiner point and the triangles that were whole before it came.
+/// A Steiner point and the boundary triangles that it came to lie on.
 struct SteinerSplit {
   std::int32_t node = -1;
-  std::vector<Triangle> originals;
-  std::vector<std::int32_t> sources;  // of these: the boundary triangles that they are parts of
+  std::vector<std::int32_t> sources;
 };
 
 struct SplitSurface {
@@ -33,5 +34,22 @@ void split_edge(SplitSurface& surface, std::int32_t a, std::int32_t b, std::int3
 
 /// One triangle becomes three.
 void split_face(SplitSurface& surface, std::int32_t triangle, std::int32_t node);
+
+/// The other corners of the two triangles on the edge ab, when both are parts of one boundary
+/// triangle.
+std::optional<std::array<std::int32_t, 2>> opposite_corners(const SplitSurface& surface,
+                                                            std::int32_t a, std::int32_t b);
+
+/// These two triangles are cut along the other diagonal. @pre opposite_corners is not empty, and
+/// the diagonals cross.
+void swap_edge(SplitSurface& surface, std::int32_t a, std::int32_t b);
+
+/// A triangle with what it is a part of.
+struct SurfacePart {
+  Triangle triangle;
+  std::int32_t source;
+};
+/// Puts `parts` in place of the triangles at the node.
+void replace_fan(SplitSurface& surface, std::int32_t node, const std::vector<SurfacePart>& parts);
 
 }  // namespace tetfarm

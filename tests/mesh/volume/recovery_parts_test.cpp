@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/predicates.h"
@@ -118,18 +119,36 @@ TEST(KernelPoint, is_found_in_a_wedge_far_thinner_than_the_last_digit_of_doubles
   EXPECT_FALSE(sees_all(faces, fine({0.3, 0.3, 1})));
 }
 
-TEST(SurfaceSplitting, of_an_edge_and_a_face_keeps_the_surface_closed_and_remembers_the_whole) {
+TEST(SurfaceSplitting, of_an_edge_and_a_face_keeps_the_surface_closed_and_knows_the_source) {
   const SurfaceMesh cube = shapes::unit_cube();
   SplitSurface surface = unsplit(cube.triangles);
   const auto [a, b, c] = cube.triangles[0];
   split_edge(surface, a, b, 100);
   EXPECT_EQ(surface.triangles.size(), cube.triangles.size() + 2);
-  EXPECT_EQ(surface.splits.front().originals.size(), 2U);
+  EXPECT_EQ(surface.splits.front().sources.size(), 2U);
   split_face(surface, 5, 101);
   EXPECT_EQ(surface.triangles.size(), cube.triangles.size() + 4);
   EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
   EXPECT_EQ(surface.source.size(), surface.triangles.size());
   EXPECT_EQ(surface.source.back(), 5);
+}
+
+TEST(SurfaceSplitting, swaps_edges_inside_one_boundary_triangle_only) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  SplitSurface surface = unsplit(cube.triangles);
+  const auto [a, b, c] = cube.triangles[0];
+  EXPECT_FALSE(opposite_corners(surface, a, b).has_value());
+  split_face(surface, 0, 100);
+  split_edge(surface, a, b, 101);
+  const auto corners = opposite_corners(surface, a, 100);
+  ASSERT_TRUE(corners.has_value());
+  EXPECT_EQ(std::set<std::int32_t>(corners->begin(), corners->end()), (std::set{101, c}));
+  swap_edge(surface, a, 100);
+  EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
+  EXPECT_FALSE(opposite_corners(surface, a, 100).has_value());
+  EXPECT_TRUE(opposite_corners(surface, c, 101).has_value());
+  replace_fan(surface, 100, {{{101, b, c}, 0}});
+  EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
 }
 
 TEST(RingTriangulation, of_an_octahedron_axis_is_found_and_stopped_by_a_guard) {

@@ -12,6 +12,7 @@
 #include "mesh/volume/inside_tets.h"
 #include "mesh/volume/star_growth.h"
 #include "mesh/volume/steiner_settling.h"
+#include "mesh/volume/surface_fans.h"
 #include "tests/mesh/volume/volume_checks.h"
 
 namespace tetfarm {
@@ -81,7 +82,8 @@ TEST(SteinerRelocation, of_a_point_on_an_edge_or_a_face_makes_what_it_split_whol
   for (const bool is_on_edge : {true, false}) {
     for (std::int32_t triangle = 0; triangle < 12; ++triangle) {
       SplitCube cube(triangle, is_on_edge);
-      ASSERT_TRUE(relocate_steiner_point(*cube.mesh, cube.surface.splits.front()));
+      ASSERT_TRUE(
+          relocate_steiner_point(*cube.mesh, cube.surface, cube.domain.triangles, cube.node));
       const Vec3& moved = cube.complex.points[static_cast<std::size_t>(cube.node)];
       for (int axis = 0; axis < 3; ++axis) {
         EXPECT_GT(moved[axis], 0);
@@ -93,14 +95,27 @@ TEST(SteinerRelocation, of_a_point_on_an_edge_or_a_face_makes_what_it_split_whol
   }
 }
 
-TEST(SteinerRelocation, changes_nothing_when_a_face_at_the_point_is_not_the_splits) {
+TEST(SteinerRelocation, changes_nothing_when_the_surface_has_other_faces_at_the_point) {
   SplitCube cube(0, false);
-  SteinerSplit wrong = cube.surface.splits.front();
-  std::swap(wrong.originals.front()[0], wrong.originals.front()[1]);
-  wrong.originals.front()[2] = cube.node + 1;
+  std::swap(cube.surface.triangles.back()[0], cube.surface.triangles.back()[1]);
   const auto before = cube.complex.nodes;
-  EXPECT_FALSE(relocate_steiner_point(*cube.mesh, wrong));
+  EXPECT_FALSE(relocate_steiner_point(*cube.mesh, cube.surface, cube.domain.triangles, cube.node));
   EXPECT_EQ(cube.complex.nodes, before);
+}
+
+TEST(SurfaceFans, of_a_point_on_an_edge_are_two_whose_places_the_whole_triangles_fill) {
+  SplitCube cube(2, true);
+  const auto fans = surface_fans(*cube.mesh, cube.surface, cube.domain.triangles, cube.node);
+  ASSERT_TRUE(fans.has_value());
+  ASSERT_EQ(fans->size(), 2U);
+  for (const SurfaceFan& fan : *fans) {
+    ASSERT_EQ(fan.without.size(), 1U);
+    Triangle whole = cube.domain.triangles[static_cast<std::size_t>(fan.source)];
+    Triangle cut = fan.without.front();
+    std::rotate(whole.begin(), std::min_element(whole.begin(), whole.end()), whole.end());
+    std::rotate(cut.begin(), std::min_element(cut.begin(), cut.end()), cut.end());
+    EXPECT_EQ(cut, whole);
+  }
 }
 
 TEST(SteinerSettling, takes_nodes_out_of_random_tets_by_flips_and_leaves_them_valid) {

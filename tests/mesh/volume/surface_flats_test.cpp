@@ -30,6 +30,8 @@ TEST(SurfaceFlats, hold_three_points_of_an_edge_in_line_with_any_fourth) {
     EXPECT_TRUE(flats.are_flat({0, any, 5, 1}));
     EXPECT_TRUE(flats.are_flat({any, 5, 6, 0}));
   }
+  EXPECT_TRUE(flats.are_in_line({1, 6, 0}));
+  EXPECT_FALSE(flats.are_in_line({1, 2, 0}));
   EXPECT_TRUE(flats.are_flat({5, 6, 2, 3}));
   EXPECT_FALSE(flats.are_flat({5, 6, 2, 4}));
   flats.add(7, std::array{5, 2});
