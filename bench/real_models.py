@@ -35,6 +35,8 @@ MODELS = {
     "onera_m6_sharp_te": ("onera_m6_sharp_te/onera_m6_sharp_te.msh.gz", "none"),
     "dtc_hull": ("dtc_hull/dtc_hull.off.gz", "none"),
     "dtc_hull_box2": ("dtc_hull/dtc_hull.off.gz", "box:2"),
+    "netgen_plane": ("netgen_plane/netgen_plane.stl", "none"),
+    "cessna210": ("cessna210/cessna210.msh.gz", "none"),
     "prime_open_duct": ("prime_open_duct", "none"),
     "prime_open_duct_box2": ("prime_open_duct", "box:2"),
     "d150_aircraft": ("d150_aircraft/d150_aircraft.msh.gz", "none"),
