@@ -1,9 +1,9 @@
 /// Brings the meshes of the sub-domains together to one mesh, one sub-domain at a time.
 ///
 /// Source: thesis 4.3.4.2.2. In memory at any time: one sub-domain with its mesh, the input
-/// surface, the nodes of the inter-domain meshes. What the sub-domains share is compared as they
-/// pass: each triangle of the surface belongs to one, each inter-domain triangle to two in opposite
-/// directions, and shared nodes have the same coordinates bit by bit.
+/// surface, a bit for each node. What the sub-domains share is compared as they pass: each triangle
+/// of the surface belongs to one, and every other face to two tets, of whatever sub-domains, with
+/// the same three nodes at the same places (face_balance.h).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,9 @@
 
 namespace tetfarm {
 
-/// A leaf of the tree as the tasks published it.
+/// A leaf of the tree as the tasks published it. After cosmetics across cuts its cuts are not those
+/// of the decomposition any more, and its nodes may come from anywhere: then all nodes are vertices
+/// of `subdomain`, with their origins, and its triangles are those of the surface alone.
 struct MeshPart {
   Subdomain subdomain;
   TetMesh mesh;

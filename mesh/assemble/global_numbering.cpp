@@ -37,22 +37,50 @@ std::optional<Line> parse_line(std::string_view text) {
 
 bool is_heap_number(std::uint64_t heap) { return heap >= 1 && heap < std::uint64_t{1} << 63; }
 
-/// Reads one line of cut or leaf; false when it is neither.
+/// The nodes of that cut or leaf; null when there is none. Lines of one owner mostly follow each
+/// other, so the search starts at the end.
+OwnedNodes* nodes_of(std::uint64_t heap, Numbering& numbering) {
+  const auto find = [heap](auto& list) -> OwnedNodes* {
+    const auto found = std::find_if(list.rbegin(), list.rend(),
+                                    [heap](const auto& item) { return item.path.heap == heap; });
+    return found == list.rend() ? nullptr : &found->nodes;
+  };
+  OwnedNodes* of_leaf = find(numbering.leaves);
+  return of_leaf != nullptr ? of_leaf : find(numbering.cuts);
+}
+
+/// False when the range does not follow the last of that owner.
+bool add_dropped(const std::vector<std::uint64_t>& n, Numbering& numbering) {
+  OwnedNodes* nodes = nodes_of(n[0], numbering);
+  const auto first = static_cast<std::int64_t>(n[1]);
+  const auto count = static_cast<std::int64_t>(n[2]);
+  if (nodes == nullptr || count < 1 || first + count > nodes->made) return false;
+  std::int64_t before = 0;
+  if (!nodes->dropped.empty()) {
+    const DroppedRange& last = nodes->dropped.back();
+    if (first < last.first + last.count) return false;
+    before = last.before + last.count;
+  }
+  nodes->dropped.push_back({first, count, before});
+  return true;
+}
+
+/// Reads one line of cut, leaf or dropped nodes; false when it is none.
 bool add_line(const Line& line, Numbering& numbering) {
   const std::vector<std::uint64_t>& n = line.numbers;
   for (const std::uint64_t number : std::span(n).subspan(std::min<std::size_t>(1, n.size()))) {
     if (number > static_cast<std::uint64_t>(most_nodes)) return false;
   }
   if (line.kind == "cut" && n.size() == 2 && is_heap_number(n[0])) {
-    numbering.cuts.push_back({{n[0]}, static_cast<std::int64_t>(n[1]), 0});
+    numbering.cuts.push_back({{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}});
     return true;
   }
   if (line.kind == "leaf" && n.size() == 3 && is_heap_number(n[0])) {
     numbering.leaves.push_back(
-        {{n[0]}, static_cast<std::int64_t>(n[1]), static_cast<std::int64_t>(n[2]), 0, 0});
+        {{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}, static_cast<std::int64_t>(n[2]), 0});
     return true;
   }
-  return false;
+  return line.kind == "dropped" && n.size() == 3 && add_dropped(n, numbering);
 }
 
 /// What the lines of a whole tree are: walking it depth first, each line is where the walk stands.
@@ -85,18 +113,47 @@ void sort_by_tree(Numbering& numbering) {
 void give_numbers(Numbering& numbering) {
   std::int64_t next = numbering.surface_nodes;
   for (CutNumbers& cut : numbering.cuts) {
-    cut.first_node = next;
-    next += cut.nodes;
+    cut.nodes.first_node = next;
+    next += cut.nodes.kept();
   }
   std::int64_t next_tet = 0;
   for (LeafNumbers& leaf : numbering.leaves) {
-    leaf.first_node = next;
+    leaf.nodes.first_node = next;
     leaf.first_tet = next_tet;
-    next += leaf.interior_nodes;
+    next += leaf.nodes.kept();
     next_tet += leaf.tets;
   }
   numbering.nodes = next;
   numbering.tets = next_tet;
+}
+
+/// What a cut or leaf made; null when there is none of that path.
+const OwnedNodes* find_nodes(const Numbering& numbering, TreePath path) {
+  const auto find = [path](const auto& list) -> const OwnedNodes* {
+    const auto found =
+        std::lower_bound(list.begin(), list.end(), path,
+                         [](const auto& item, TreePath p) { return comes_before(item.path, p); });
+    return found == list.end() || found->path != path ? nullptr : &found->nodes;
+  };
+  const OwnedNodes* of_cut = find(numbering.cuts);
+  return of_cut != nullptr ? of_cut : find(numbering.leaves);
+}
+
+/// Which of the kept nodes it is; -1 when it was dropped.
+std::int64_t rank_among_kept(const OwnedNodes& nodes, std::int64_t index) {
+  const auto after =
+      std::upper_bound(nodes.dropped.begin(), nodes.dropped.end(), index,
+                       [](std::int64_t i, const DroppedRange& range) { return i < range.first; });
+  if (after == nodes.dropped.begin()) return index;
+  const DroppedRange& last = *std::prev(after);
+  return index < last.first + last.count ? -1 : index - last.before - last.count;
+}
+
+void add_dropped_text(TreePath path, const OwnedNodes& nodes, std::string& text) {
+  for (const DroppedRange& range : nodes.dropped) {
+    text += "dropped " + std::to_string(path.heap) + ' ' + std::to_string(range.first) + ' ' +
+            std::to_string(range.count) + '\n';
+  }
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -146,10 +203,11 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
 
 std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
   const auto refuse = [&] {
-    throw Error(ExitCode::failed,
-                "no node " + std::to_string(origin.index) + " of " +
-                    (origin.owner == 0 ? "the surface" : "cut " + TreePath{origin.owner}.text()) +
-                    " in the numbering");
+    throw Error(
+        ExitCode::failed,
+        "no node " + std::to_string(origin.index) + " of " +
+            (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
+            " in the numbering");
   };
   if (origin.owner == 0) {
     const auto& unused = numbering.unused_vertices;
@@ -159,12 +217,11 @@ std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
     if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse();
     return rank;
   }
-  const TreePath path{origin.owner};
-  const auto cut =
-      std::lower_bound(numbering.cuts.begin(), numbering.cuts.end(), path,
-                       [](const CutNumbers& a, TreePath b) { return comes_before(a.path, b); });
-  if (cut == numbering.cuts.end() || cut->path != path || origin.index >= cut->nodes) refuse();
-  return cut->first_node + origin.index;
+  const OwnedNodes* nodes = find_nodes(numbering, TreePath{origin.owner});
+  if (nodes == nullptr || origin.index >= nodes->made) refuse();
+  const std::int64_t rank = rank_among_kept(*nodes, origin.index);
+  if (rank < 0) refuse();
+  return nodes->first_node + rank;
 }
 
 std::string numbering_to_text(const Numbering& numbering) {
@@ -174,11 +231,13 @@ std::string numbering_to_text(const Numbering& numbering) {
     text += "unused " + std::to_string(v) + '\n';
   }
   for (const CutNumbers& cut : numbering.cuts) {
-    text += "cut " + std::to_string(cut.path.heap) + ' ' + std::to_string(cut.nodes) + '\n';
+    text += "cut " + std::to_string(cut.path.heap) + ' ' + std::to_string(cut.nodes.made) + '\n';
+    add_dropped_text(cut.path, cut.nodes, text);
   }
   for (const LeafNumbers& leaf : numbering.leaves) {
-    text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.interior_nodes) +
-            ' ' + std::to_string(leaf.tets) + '\n';
+    text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.nodes.made) + ' ' +
+            std::to_string(leaf.tets) + '\n';
+    add_dropped_text(leaf.path, leaf.nodes, text);
   }
   return text + "end\n";
 }

@@ -17,19 +17,36 @@
 
 namespace tetfarm {
 
+/// Consecutive nodes that are in no tet of the final mesh, as cosmetics removed them.
+struct DroppedRange {
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+  std::int64_t before = 0;  ///< dropped nodes of the same owner before these
+};
+
+/// The nodes that one cut or one leaf made.
+struct OwnedNodes {
+  std::int64_t made = 0;
+  std::int64_t first_node = 0;        ///< the global number of the first that was kept
+  std::vector<DroppedRange> dropped;  ///< ascending
+
+  std::int64_t kept() const {
+    return dropped.empty() ? made : made - dropped.back().before - dropped.back().count;
+  }
+};
+
 /// The nodes of one inter-domain mesh.
 struct CutNumbers {
   TreePath path;  ///< the sub-domain that was cut
-  std::int64_t nodes = 0;
-  std::int64_t first_node = 0;
+  OwnedNodes nodes;
 };
 
-/// One sub-domain that was meshed.
+/// One sub-domain that was meshed. Its interior nodes are those that its mesh and its turn in
+/// cosmetics made.
 struct LeafNumbers {
   TreePath path;
-  std::int64_t interior_nodes = 0;
+  OwnedNodes nodes;
   std::int64_t tets = 0;
-  std::int64_t first_node = 0;
   std::int64_t first_tet = 0;
 };
 
@@ -41,21 +58,19 @@ struct Numbering {
   std::vector<LeafNumbers> leaves;
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
-
-  /// Nodes that lie on the boundary of sub-domains; the numbers from here on are interior nodes.
-  std::int64_t shared_nodes() const { return leaves.empty() ? 0 : leaves.front().first_node; }
 };
 
 /// Whether a comes before b in tree order.
 bool comes_before(TreePath a, TreePath b);
 
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
-/// "cut HEAP INTERDOMAIN_NODES" or "leaf HEAP INTERIOR_NODES TETS".
+/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS", or, after the line of that cut or
+/// leaf and ascending, "dropped HEAP FIRST COUNT".
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, O(vertices) for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);
 
-/// The global number of a boundary node by its origin. @throws Error when there is no such node.
+/// The global number of a node by its origin. @throws Error when there is no such node.
 /// Cost: O(log n).
 std::int64_t global_number(const Numbering& numbering, const Origin& origin);
 

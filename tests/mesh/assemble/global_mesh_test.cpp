@@ -92,7 +92,7 @@ TEST(GlobalMesh, refuses_a_shared_node_that_differs_in_one_bit) {
   for (std::size_t v = 0;; ++v) {
     MeshPart& part = grid.parts[6];
     if (part.subdomain.node_origin[v].owner != 1) continue;
-    part.subdomain.vertices[v].y = std::nextafter(part.subdomain.vertices[v].y, 9);
+    part.mesh.nodes[v].y = std::nextafter(part.mesh.nodes[v].y, 9);
     break;
   }
   EXPECT_THROW(assemble(grid), Error);
@@ -100,19 +100,43 @@ TEST(GlobalMesh, refuses_a_shared_node_that_differs_in_one_bit) {
 
 TEST(GlobalMesh, refuses_a_surface_node_that_moved) {
   CutGrid grid = cut_grid(4);
-  grid.parts[2].subdomain.vertices[0].x += 1e-9;
+  grid.parts[2].mesh.nodes[0].x += 1e-9;
   EXPECT_THROW(assemble(grid), Error);
 }
 
 TEST(GlobalMesh, refuses_sides_of_a_cut_that_differ) {
   CutGrid grid = cut_grid(4);
-  Subdomain& subdomain = grid.parts[6].subdomain;
-  for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
-    if (subdomain.triangle_origin[t].owner != 3) continue;
-    std::swap(subdomain.triangles[t][0], subdomain.triangles[t][1]);
-    break;
+  MeshPart& part = grid.parts[6];
+  // Two nodes of a cut change names and places: the tets of this side are other ones then.
+  std::vector<std::size_t> on_cut;
+  for (std::size_t v = 0; v < part.subdomain.node_origin.size(); ++v) {
+    if (part.subdomain.node_origin[v].owner == 1) on_cut.push_back(v);
   }
+  ASSERT_GE(on_cut.size(), 2U);
+  std::swap(part.subdomain.node_origin[on_cut[0]], part.subdomain.node_origin[on_cut[1]]);
+  std::swap(part.mesh.nodes[on_cut[0]], part.mesh.nodes[on_cut[1]]);
   EXPECT_THROW(assemble(grid), Error);
+}
+
+TEST(GlobalMesh, takes_parts_whose_nodes_come_from_anywhere) {
+  const GlobalMeshSummary expected = assemble(cut_grid(4));
+  CutGrid grid = cut_grid(4);
+  for (auto& [heap, part] : grid.parts) {
+    Subdomain& subdomain = part.subdomain;
+    const std::size_t boundary = subdomain.vertices.size();
+    for (std::size_t v = boundary; v < part.mesh.nodes.size(); ++v) {
+      subdomain.node_origin.push_back({heap, static_cast<std::uint32_t>(v - boundary)});
+    }
+    subdomain.vertices = part.mesh.nodes;
+    part.mesh.boundary_nodes = static_cast<std::int32_t>(part.mesh.nodes.size());
+    for (std::size_t t = subdomain.triangles.size(); t-- > 0;) {
+      if (subdomain.triangle_origin[t].owner == 0) continue;
+      subdomain.triangles.erase(subdomain.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      subdomain.triangle_origin.erase(subdomain.triangle_origin.begin() +
+                                      static_cast<std::ptrdiff_t>(t));
+    }
+  }
+  EXPECT_EQ(assemble(grid).digest, expected.digest);
 }
 
 TEST(GlobalMesh, refuses_a_surface_triangle_that_is_missing_or_there_twice) {

@@ -27,13 +27,13 @@ TEST(GlobalNumbering, surface_then_cuts_then_leaves_in_tree_order) {
   const Numbering numbering = number_globally(shapes::unit_cube(), table);
   EXPECT_EQ(numbering.surface_nodes, 8);
   ASSERT_EQ(numbering.cuts.size(), 3u);
-  EXPECT_EQ(numbering.cuts[0].first_node, 8);
-  EXPECT_EQ(numbering.cuts[1].first_node, 18);
-  EXPECT_EQ(numbering.cuts[2].first_node, 38);
-  EXPECT_EQ(numbering.shared_nodes(), 68);
+  EXPECT_EQ(numbering.cuts[0].nodes.first_node, 8);
+  EXPECT_EQ(numbering.cuts[1].nodes.first_node, 18);
+  EXPECT_EQ(numbering.cuts[2].nodes.first_node, 38);
+  EXPECT_EQ(numbering.leaves[0].nodes.first_node, 68);
   ASSERT_EQ(numbering.leaves.size(), 4u);
   EXPECT_EQ(numbering.leaves[1].path, TreePath{5});
-  EXPECT_EQ(numbering.leaves[1].first_node, 108);
+  EXPECT_EQ(numbering.leaves[1].nodes.first_node, 108);
   EXPECT_EQ(numbering.leaves[3].first_tet, 1500);
   EXPECT_EQ(numbering.nodes, 288);
   EXPECT_EQ(numbering.tets, 2200);
@@ -60,13 +60,45 @@ TEST(GlobalNumbering, nodes_of_cuts_are_found_by_origin) {
   EXPECT_EQ(global_number(numbering, {1, 9}), 17);
   EXPECT_EQ(global_number(numbering, {3, 0}), 38);
   EXPECT_THROW(global_number(numbering, {3, 30}), Error);
-  EXPECT_THROW(global_number(numbering, {4, 0}), Error);
+  EXPECT_THROW(global_number(numbering, {8, 0}), Error);
+}
+
+TEST(GlobalNumbering, interior_nodes_are_found_by_their_leaf) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), table);
+  EXPECT_EQ(global_number(numbering, {4, 0}), 68);
+  EXPECT_EQ(global_number(numbering, {7, 69}), 287);
+  EXPECT_THROW(global_number(numbering, {7, 70}), Error);
+}
+
+TEST(GlobalNumbering, dropped_nodes_have_no_number_and_leave_no_gap) {
+  const std::string with_dropped =
+      std::string(table) + "dropped 1 3 2\ndropped 1 9 1\ndropped 5 0 4\n";
+  const Numbering numbering = number_globally(shapes::unit_cube(), with_dropped);
+  EXPECT_EQ(numbering.nodes, 288 - 7);
+  EXPECT_EQ(global_number(numbering, {1, 2}), 10);
+  EXPECT_THROW(global_number(numbering, {1, 3}), Error);
+  EXPECT_THROW(global_number(numbering, {1, 4}), Error);
+  EXPECT_EQ(global_number(numbering, {1, 5}), 11);
+  EXPECT_EQ(global_number(numbering, {1, 8}), 14);
+  EXPECT_THROW(global_number(numbering, {1, 9}), Error);
+  EXPECT_EQ(global_number(numbering, {2, 0}), 15);
+  EXPECT_THROW(global_number(numbering, {5, 3}), Error);
+  EXPECT_EQ(global_number(numbering, {5, 4}), 105);
+  const std::string text = numbering_to_text(numbering);
+  EXPECT_EQ(numbering_to_text(numbering_from_text(text, "n")), text);
+}
+
+TEST(GlobalNumbering, refuses_dropped_nodes_that_are_not_there_or_not_in_order) {
+  for (const char* wrong : {"dropped 1 9 2\n", "dropped 8 0 1\n", "dropped 1 3 0\n",
+                            "dropped 1 5 1\ndropped 1 3 1\n", "dropped 1 3 2\ndropped 1 4 1\n"}) {
+    EXPECT_THROW(number_globally(shapes::unit_cube(), std::string(table) + wrong), Error) << wrong;
+  }
 }
 
 TEST(GlobalNumbering, numbers_beyond_32_bits_are_kept) {
   const Numbering numbering =
       number_globally(shapes::unit_cube(), "cut 1 5\nleaf 2 6000000000 30000000000\nleaf 3 1 1\n");
-  EXPECT_EQ(numbering.leaves[1].first_node, 6000000013);
+  EXPECT_EQ(numbering.leaves[1].nodes.first_node, 6000000013);
   EXPECT_EQ(numbering.leaves[1].first_tet, 30000000000);
 }
 
@@ -89,7 +121,7 @@ TEST(GlobalNumbering, text_gives_the_same_numbering) {
   EXPECT_EQ(numbering_to_text(again), text);
   EXPECT_EQ(again.nodes, numbering.nodes);
   EXPECT_EQ(again.unused_vertices, numbering.unused_vertices);
-  EXPECT_EQ(again.leaves[2].first_node, numbering.leaves[2].first_node);
+  EXPECT_EQ(again.leaves[2].nodes.first_node, numbering.leaves[2].nodes.first_node);
 }
 
 TEST(GlobalNumbering, damaged_text_is_refused) {

@@ -1,0 +1,60 @@
+#include "mesh/assemble/face_balance.h"
+
+#include <array>
+#include <bit>
+#include <utility>
+#include <vector>
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// The finalizer of SplitMix64: every bit of the result depends on every bit given.
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+std::uint64_t hash_of_node(std::int64_t number, const Vec3& p) {
+  std::uint64_t hash = mixed(static_cast<std::uint64_t>(number));
+  for (const double x : {p.x, p.y, p.z}) hash = mixed(hash ^ std::bit_cast<std::uint64_t>(x));
+  return hash;
+}
+
+/// Of the three in this or a turned order; its negative in the other.
+std::uint64_t hash_of_face(std::array<std::uint64_t, 3> nodes) {
+  bool is_odd = false;
+  const auto sort_two = [&](std::size_t i, std::size_t j) {
+    if (nodes[i] <= nodes[j]) return;
+    std::swap(nodes[i], nodes[j]);
+    is_odd = !is_odd;
+  };
+  sort_two(0, 1);
+  sort_two(1, 2);
+  sort_two(0, 1);
+  const std::uint64_t hash = mixed(mixed(mixed(nodes[0]) ^ nodes[1]) ^ nodes[2]);
+  return is_odd ? 0 - hash : hash;
+}
+
+}  // namespace
+
+void FaceBalance::add(const NumberedPart& part) {
+  std::vector<std::uint64_t> hashes(part.nodes.size());
+  for (std::size_t v = 0; v < hashes.size(); ++v) {
+    hashes[v] = hash_of_node(part.local2global[v], part.nodes[v]);
+  }
+  for (const Tet& tet : part.tets) {
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      sum_ +=
+          hash_of_face({hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]});
+    }
+  }
+  for (const Triangle& face : part.faces) {
+    sum_ -= hash_of_face({hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]});
+  }
+}
+
+}  // namespace tetfarm
