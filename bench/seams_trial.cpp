@@ -147,9 +147,7 @@ std::map<Sharers, ElementSection> joined_by_sharers(const std::vector<ElementSec
   for (const ElementSection& piece : pieces) lists[piece.sharers].push_back(piece);
   std::map<Sharers, ElementSection> sections;
   for (const auto& [sharers, list] : lists) {
-    JoinedElements joined = join_elements(list);
-    for (ElementHome& home : joined.tet_home) home.section = 0;
-    sections[sharers] = share_out_elements(joined, std::vector<Sharers>{sharers}).front();
+    sections[sharers] = join_pieces(list);
   }
   return sections;
 }

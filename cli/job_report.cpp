@@ -88,6 +88,7 @@ std::string status_json(const wire::JobStatus& status) {
                      {"stage", status.stage()},
                      {"subdomains", status.leaves_made()},
                      {"subdomains_meshed", status.leaves_meshed()},
+                     {"subdomains_mended", status.leaves_mended()},
                      {"elements", status.elements()},
                      {"estimated_elements", status.estimated_elements()},
                      {"tasks_done", status.tasks_done()},

@@ -24,7 +24,9 @@ double share_done(const wire::JobStatus& status) {
   if (status.stage() == "mesh" && status.estimated_elements() > 0) {
     return std::min(1.0, static_cast<double>(status.elements()) / status.estimated_elements());
   }
-  if (status.stage() == "number" || status.stage() == "assemble") return 1;
+  const bool is_mending =
+      status.stage() == "order" || status.stage() == "extract" || status.stage() == "cosmetic";
+  if (is_mending || status.stage() == "number" || status.stage() == "assemble") return 1;
   return 0;
 }
 
@@ -48,6 +50,7 @@ std::string progress_text(const wire::JobStatus& status, double tets_per_second)
   if (status.leaves_made() > 0) {
     text += format(" %u/%u sub-domains", status.leaves_meshed(), status.leaves_made());
   }
+  if (status.leaves_mended() > 0) text += format("  %u mended", status.leaves_mended());
   if (status.elements() > 0) {
     text += "  " + short_count(static_cast<double>(status.elements())) + " tets";
   }

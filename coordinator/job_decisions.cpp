@@ -175,11 +175,29 @@ void JobState::advance(const TaskRow& task, Moment now) {
     case TaskKind::decompose: {
       const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
       carry_out(after_decompose(*inspect, task, self), now);
+      order_when_whole(task.job, now);
       break;
     }
     case TaskKind::mesh:
       put(after_mesh(task, durable_.subdomains.at({task.job, task.path})));
-      if (unsettled_.at(task.job) == 0) finish_tree(task.job, now);
+      if (find_task(task.job, TaskKind::order, 0) != nullptr) {
+        extract_when_ordered(task.job, task.path, now);
+      } else if (unsettled_.at(task.job) == 0) {
+        finish_tree(task.job, now);
+      }
+      break;
+    case TaskKind::order:
+      for (const auto& [leaf, turn] : turns_of(task.job)) {
+        extract_when_ordered(task.job, leaf, now);
+      }
+      break;
+    case TaskKind::extract:
+      give_turns_round(task.job, task.path, now);
+      break;
+    case TaskKind::cosmetic:
+      ++turns_over_[task.job];
+      give_turns_round(task.job, task.path, now);
+      if (had_all_turns(task.job)) finish_tree(task.job, now);
       break;
     case TaskKind::number:
       finish_tree(task.job, now);
@@ -196,17 +214,25 @@ void JobState::carry_out(const GraphStep& step, Moment now) {
   for (const TaskRow& task : step.tasks) add_task(task, now);
 }
 
-/// The whole tree is meshed: numbers the nodes, then assembles.
+/// The whole tree is meshed, and had its turns: numbers the nodes, then assembles.
 void JobState::finish_tree(JobId job, Moment now) {
-  std::vector<SubdomainRow> tree;
-  for (auto node = durable_.subdomains.lower_bound({job, 0});
-       node != durable_.subdomains.end() && node->first.first == job; ++node) {
-    tree.push_back(node->second);
-  }
+  const std::vector<SubdomainRow> tree = tree_of(job);
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
   const TaskRow* number = find_task(job, TaskKind::number, 0);
+  const TaskRow* order = find_task(job, TaskKind::order, 0);
+  const auto with_elements = [&](TaskRow task) {
+    if (order == nullptr) return task;
+    add_elements(task, *order, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+      return find_done(job, kind, path);
+    });
+    return task;
+  };
   if (number == nullptr) {
-    add_task(number_task(*inspect, tree), now);
+    add_task(with_elements(number_task(*inspect, tree)), now);
+    return;
+  }
+  if (order != nullptr) {
+    add_task(with_elements(assemble_task(*inspect, *number, {}, {})), now);
     return;
   }
   std::map<std::uint64_t, ArtifactRef> meshes;

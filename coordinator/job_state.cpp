@@ -8,8 +8,19 @@
 namespace tetfarm {
 namespace {
 
-/// Cuts go first: they make work for everybody else.
-int rank_of(TaskKind kind) { return kind == TaskKind::decompose ? 0 : 1; }
+/// Cuts go first: they make work for everybody else; so does what others wait for to have their
+/// turn.
+int rank_of(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::decompose:
+    case TaskKind::order:
+    case TaskKind::extract:
+    case TaskKind::cosmetic:
+      return 0;
+    default:
+      return 1;
+  }
+}
 
 }  // namespace
 
@@ -22,6 +33,8 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   for (const auto& [id, task] : durable_.tasks) {
     places_[{task.job, task.kind, task.path}] = id;
     index(task);
+    const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
+    if (had_turn) ++turns_over_[task.job];
   }
   for (const auto& [id, attempt] : durable_.running_attempts) {
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
@@ -51,7 +64,9 @@ void JobState::index(const TaskRow& task) {
 }
 
 void JobState::index(const SubdomainRow& subdomain, bool adds) {
-  if (!is_settled(subdomain)) unsettled_[subdomain.job] += adds ? 1 : -1;
+  const std::int64_t change = adds ? 1 : -1;
+  if (!is_settled(subdomain)) unsettled_[subdomain.job] += change;
+  if (subdomain.state == SubdomainState::open) open_[subdomain.job] += change;
 }
 
 void JobState::set_state(TaskRow& task, TaskState state) {
@@ -87,6 +102,16 @@ void JobState::add_task(TaskRow task, Moment now) {
   const TaskRow& added = durable_.tasks.emplace(task.id, std::move(task)).first->second;
   index(added);
   record(now, added, {}, {}, "ready");
+}
+
+/// By rising heap number.
+std::vector<SubdomainRow> JobState::tree_of(JobId job) const {
+  std::vector<SubdomainRow> tree;
+  for (auto node = durable_.subdomains.lower_bound({job, 0});
+       node != durable_.subdomains.end() && node->first.first == job; ++node) {
+    tree.push_back(node->second);
+  }
+  return tree;
 }
 
 void JobState::record(Moment now, const TaskRow& task, AttemptId attempt, WorkerId worker,

@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "coordinator/cosmetic_graph.h"
 #include "coordinator/task_graph.h"
 #include "store/rows.h"
 
@@ -160,6 +161,7 @@ class JobState {
               const std::string& message = {});
   const TaskRow* find_task(JobId job, TaskKind kind, std::uint64_t path) const;
   std::vector<TaskId> tasks_of(JobId job) const;
+  std::vector<SubdomainRow> tree_of(JobId job) const;
 
   // job_workers.cpp: sessions, leases, handing out
   bool is_current(TaskId task, AttemptId attempt) const;
@@ -182,6 +184,14 @@ class JobState {
   void count_loss(TaskRow& task, const std::string& message, Moment now);
   void resume(JobRow& job, Moment now);
 
+  // job_cosmetics.cpp: turns in cosmetics across cuts
+  const TaskRow* find_done(JobId job, TaskKind kind, std::uint64_t path) const;
+  const TurnOrder& turns_of(JobId job);
+  void order_when_whole(JobId job, Moment now);
+  void extract_when_ordered(JobId job, std::uint64_t leaf, Moment now);
+  void give_turns_round(JobId job, std::uint64_t leaf, Moment now);
+  bool had_all_turns(JobId job);
+
   // job_repair.cpp: files that were lost
   void settle_waiting(TaskId task, Moment now);
   void wake_waiting(JobId job, Moment now);
@@ -199,6 +209,9 @@ class JobState {
   std::map<TaskId, WorkerId> failed_on_;
   std::map<Place, TaskId> places_;
   std::map<JobId, std::int64_t> unsettled_;  ///< sub-domains still to be cut or meshed
+  std::map<JobId, std::int64_t> open_;       ///< sub-domains still to be cut
+  std::map<JobId, TurnOrder> turns_;
+  std::map<JobId, std::int64_t> turns_over_;
   std::map<std::string, JobId> keys_;
   std::int64_t stuck_until_ms_ = 0;
   std::int64_t stuck_delay_ms_ = 0;  ///< 0: not stuck

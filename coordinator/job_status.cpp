@@ -66,6 +66,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.job != job.id) continue;
     count_task(task, summary);
     if (task.state != TaskState::done) stage = std::min(stage, task.kind);
+    if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
     if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
       summary.numbers = task.numbers;

@@ -17,6 +17,7 @@ struct JobSummary {
   std::string stage;  ///< the first kind of task that is not finished; assemble when all are
   std::uint32_t leaves_made = 0;
   std::uint32_t leaves_meshed = 0;
+  std::uint32_t leaves_mended = 0;  ///< that had their turn in cosmetics across cuts
   std::uint64_t elements = 0;
   double estimated_elements = 0;
   std::string message;

@@ -22,6 +22,12 @@ wire::TaskKind wire_kind(TaskKind kind) {
       return wire::DECOMPOSE;
     case TaskKind::mesh:
       return wire::MESH;
+    case TaskKind::order:
+      return wire::ORDER;
+    case TaskKind::extract:
+      return wire::EXTRACT;
+    case TaskKind::cosmetic:
+      return wire::COSMETIC;
     case TaskKind::number:
       return wire::NUMBER;
     case TaskKind::assemble:
@@ -127,6 +133,7 @@ wire::JobStatus status_message(const JobSummary& summary) {
   message.set_attempts_lost(summary.attempts_lost);
   message.set_crashes(summary.crashes);
   message.set_peak_rss_bytes_worker(summary.peak_rss_bytes_worker);
+  message.set_leaves_mended(summary.leaves_mended);
   message.set_seconds(summary.seconds);
   return message;
 }

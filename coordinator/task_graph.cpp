@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "coordinator/cosmetic_graph.h"
 
 namespace tetfarm {
 namespace {
@@ -80,6 +81,20 @@ std::optional<std::string> problem_with_cut(const TaskRow& task, const TaskResul
   return std::nullopt;
 }
 
+/// Every leaf that the task was given has its turn.
+std::optional<std::string> problem_with_order(const TaskRow& task, const TaskResult& result) {
+  const auto text = result.texts.find("order");
+  const auto turns = text == result.texts.end() ? std::nullopt : turn_order_of(text->second);
+  if (!turns) return "the order is missing or makes no sense";
+  if (turns->size() != task.inputs.size()) return "the order has other leaves than the tree";
+  for (const auto& [leaf, turn] : *turns) {
+    if (!find_file(task.inputs, "subdomain:" + std::to_string(leaf))) {
+      return "the order has a leaf that the tree has not";
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& result) {
   switch (task.kind) {
     case TaskKind::inspect:
@@ -89,6 +104,16 @@ std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& resul
       return {"left", "right"};
     case TaskKind::mesh:
       return {"mesh"};
+    case TaskKind::order: {
+      std::vector<std::string> shared;
+      for (const ArtifactRef& input : task.inputs) {
+        shared.push_back("shared:" + input.name.substr(input.name.find(':') + 1));
+      }
+      return shared;
+    }
+    case TaskKind::extract:
+    case TaskKind::cosmetic:
+      return {"elements"};
     case TaskKind::number:
       return {"numbering"};
     case TaskKind::assemble:
@@ -114,6 +139,7 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
     if (!parts || *parts < 1) return "the number of parts is missing";
   }
   if (task.kind == TaskKind::decompose) return problem_with_cut(task, result);
+  if (task.kind == TaskKind::order) return problem_with_order(task, result);
   return std::nullopt;
 }
 

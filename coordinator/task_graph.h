@@ -1,6 +1,7 @@
 /// Which tasks a job is made of: what a finished task brings into being.
 ///
-/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble.
+/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble;
+/// before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
 /// The graph is a pure function of results; the order in which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
@@ -63,7 +64,8 @@ bool is_settled(const SubdomainRow& subdomain);
 /// @pre `tree` is the whole tree by rising heap number, all of it settled.
 TaskRow number_task(const TaskRow& inspect, std::span<const SubdomainRow> tree);
 
-/// @pre as number_task; `meshes` has the mesh file of every leaf, by heap number.
+/// @pre as number_task; `meshes` has the mesh file of every leaf, by heap number. After cosmetics
+/// across cuts both are empty, and add_elements (cosmetic_graph.h) adds the files instead.
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
                       std::span<const SubdomainRow> tree,
                       const std::map<std::uint64_t, ArtifactRef>& meshes);

@@ -46,6 +46,7 @@ JobPhase phase_of(const std::string& name) {
 }
 TaskKind kind_of(const std::string& name) {
   return value_of(name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::mesh,
+                                   TaskKind::order, TaskKind::extract, TaskKind::cosmetic,
                                    TaskKind::number, TaskKind::assemble});
 }
 TaskState task_state_of(const std::string& name) {
@@ -205,8 +206,10 @@ JobDatabase::JobDatabase(const std::filesystem::path& path) : path_(path.string(
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   execute(opened, is_network_file_system(folder) ? "PRAGMA journal_mode = TRUNCATE"
                                                  : "PRAGMA journal_mode = WAL");
-  execute(opened, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+  execute(opened, "PRAGMA synchronous = FULL");
+  // A table that is built anew is dropped first, which foreign keys would forbid.
   migrate(opened);
+  execute(opened, "PRAGMA foreign_keys = ON");
 }
 
 JobDatabase::~JobDatabase() = default;

@@ -24,6 +24,12 @@ const char* name_of(TaskKind kind) {
       return "decompose";
     case TaskKind::mesh:
       return "mesh";
+    case TaskKind::order:
+      return "order";
+    case TaskKind::extract:
+      return "extract";
+    case TaskKind::cosmetic:
+      return "cosmetic";
     case TaskKind::number:
       return "number";
     case TaskKind::assemble:

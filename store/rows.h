@@ -16,7 +16,7 @@
 namespace tetfarm {
 
 enum class JobPhase { running, done, failed, cancelled };
-enum class TaskKind { inspect, decompose, mesh, number, assemble };
+enum class TaskKind { inspect, decompose, mesh, order, extract, cosmetic, number, assemble };
 /// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.
 enum class TaskState { waiting, ready, leased, done, failed };
 enum class AttemptState { running, done, failed, crashed, killed, lost, returned, revoked };

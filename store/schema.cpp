@@ -111,7 +111,30 @@ CREATE TABLE events (
 CREATE INDEX events_of_job ON events (job);
 )sql";
 
-constexpr std::array<const char*, database_version> migrations = {first_schema};
+/// Which kinds of task there are is left to the reader of the rows, so that a new one needs no new
+/// table.
+constexpr const char* any_kind_of_task = R"sql(
+CREATE TABLE new_tasks (
+  id INTEGER PRIMARY KEY,
+  job INTEGER NOT NULL REFERENCES jobs (id),
+  kind TEXT NOT NULL,
+  path INTEGER NOT NULL CHECK (path >= 0),
+  state TEXT NOT NULL CHECK (state IN ('waiting', 'ready', 'leased', 'done', 'failed')),
+  attempt INTEGER NOT NULL CHECK (attempt > 0 OR state NOT IN ('leased', 'done')),
+  crashes INTEGER NOT NULL,
+  losses INTEGER NOT NULL,
+  exit_code INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  seconds REAL NOT NULL,
+  peak_rss_bytes INTEGER NOT NULL,
+  UNIQUE (job, kind, path)
+) STRICT;
+INSERT INTO new_tasks SELECT * FROM tasks;
+DROP TABLE tasks;
+ALTER TABLE new_tasks RENAME TO tasks;
+)sql";
+
+constexpr std::array<const char*, database_version> migrations = {first_schema, any_kind_of_task};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

@@ -1,6 +1,7 @@
 #include "worker/assemble_task.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "mesh/assemble/write_vtkhdf.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "worker/part_after_cosmetics.h"
 
 namespace tetfarm {
 namespace {
@@ -84,11 +86,13 @@ void assemble_task(TaskIo& io) {
     files.push_back(start_file(io, format, job, surface, numbering));
     writers.push_back(files.back().writer.get());
   }
+  std::optional<Colours> colours;
+  if (io.has_parameter("order")) colours = colours_of(io.parameter("order"));
   std::int64_t tets = 0;
   const auto read = [&](const LeafNumbers& leaf) {
     tets += leaf.tets;
     io.progress("assemble", tets);
-    return read_part(io, leaf);
+    return colours ? part_after_cosmetics(io, leaf.path, *colours) : read_part(io, leaf);
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, writers);
   for (GrowingFile& file : files) {

@@ -94,6 +94,7 @@ void inspect_task(TaskIo& io) {
   report_numbers(io, surface, checked.report);
   io.number("total_work", elements);
   io.number("parts", static_cast<double>(wanted_parts(job, elements)));
+  io.number("across_cuts", job.across_cuts ? 1 : 0);
   io.publish("surface", surface_to_bytes(surface));
   io.publish("spacing", spacing.to_bytes());
   io.publish("root", subdomain_to_bytes(root));

@@ -1,13 +1,82 @@
 #include "worker/number_task.h"
 
+#include <algorithm>
+#include <map>
+#include <sstream>
+
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/io/artifact_file.h"
+#include "worker/element_input.h"
 
 namespace tetfarm {
+namespace {
+
+/// The lines of the table that are not of leaves.
+std::string cuts_of(const std::string& table) {
+  std::istringstream lines(table);
+  std::string line;
+  std::string cuts;
+  while (std::getline(lines, line)) {
+    if (!line.starts_with("leaf ")) cuts += line + '\n';
+  }
+  return cuts;
+}
+
+/// A line for each run of nodes that are gone. @pre they ascend.
+std::string dropped_lines(const std::vector<Origin>& gone) {
+  std::string lines;
+  for (std::size_t first = 0; first < gone.size();) {
+    std::size_t next = first + 1;
+    while (next < gone.size() && gone[next].owner == gone[first].owner &&
+           gone[next].index == gone[next - 1].index + 1) {
+      ++next;
+    }
+    lines += "dropped " + std::to_string(gone[first].owner) + ' ' +
+             std::to_string(gone[first].index) + ' ' + std::to_string(next - first) + '\n';
+    first = next;
+  }
+  return lines;
+}
+
+struct LeafCounts {
+  std::uint64_t nodes = 0;
+  std::uint64_t tets = 0;
+};
+
+/// A line for each leaf and for nodes that are gone, from the heads of all files.
+std::string leaves_after_cosmetics(const TaskIo& io) {
+  const Colours colours = colours_of(io.parameter("order"));
+  std::map<std::uint64_t, LeafCounts> counts;
+  std::vector<Origin> gone;
+  for (const auto& [heap, colour] : colours) {
+    const ElementInput core(io, "core:" + std::to_string(heap));
+    const ElementInput turn(io, "elements:" + std::to_string(heap));
+    counts[heap].nodes = turn.head().next_node;
+    counts[heap].tets += core.head().sections.at(0).tets.at(0);
+    for (const ElementFileHead::Section& section : turn.head().sections) {
+      if (last_turn(section.sharers, colours) != heap) continue;
+      for (std::size_t i = 0; i < section.sharers.size(); ++i) {
+        counts[section.sharers[i]].tets += section.tets[i];
+      }
+    }
+    gone.insert(gone.end(), turn.head().gone.begin(), turn.head().gone.end());
+  }
+  std::string table;
+  for (const auto& [heap, leaf] : counts) {
+    table += "leaf " + std::to_string(heap) + ' ' + std::to_string(leaf.nodes) + ' ' +
+             std::to_string(leaf.tets) + '\n';
+  }
+  std::sort(gone.begin(), gone.end());
+  return table + dropped_lines(gone);
+}
+
+}  // namespace
 
 void number_task(TaskIo& io) {
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
-  io.publish("numbering", numbering_to_text(number_globally(surface, io.parameter("table"))));
+  std::string table = io.parameter("table");
+  if (io.has_parameter("order")) table = cuts_of(table) + leaves_after_cosmetics(io);
+  io.publish("numbering", numbering_to_text(number_globally(surface, table)));
 }
 
 }  // namespace tetfarm

@@ -1,7 +1,9 @@
 /// The task `number`: global numbers of nodes and tets (thesis 4.3.4.1.1), from the counts in the
-/// table that the coordinator makes of the finished tasks.
+/// table that the coordinator makes of the finished tasks. After cosmetics across cuts the counts
+/// of the leaves are those that the heads of their files of elements tell.
 ///
-/// Input: "surface"; parameter "table". Output: "numbering".
+/// Inputs: "surface"; after cosmetics "core:HEAP" and "elements:HEAP" of every leaf, as extracted
+/// and as its turn made them. Parameters: "table"; after cosmetics "order". Output: "numbering".
 #pragma once
 
 #include "worker/task_io.h"

@@ -14,19 +14,6 @@ const wire::Artifact* find_input(const wire::Assign& assign, const std::string& 
   return nullptr;
 }
 
-/// What `look` returns; damage and absence of the artifact become DamagedInput.
-template <class Look>
-auto checked(const wire::Artifact& artifact, const Look& look) {
-  try {
-    return look();
-  } catch (const CorruptFile& error) {
-    throw DamagedInput(error.what(), artifact.hash());
-  } catch (const IoError& error) {
-    if (error.code() != ExitCode::not_found) throw;
-    throw DamagedInput(error.what(), artifact.hash());
-  }
-}
-
 void add_output(wire::Done& done, const std::string& name, const StoredArtifact& stored) {
   wire::Artifact& output = *done.add_outputs();
   output.set_name(name);
@@ -51,15 +38,19 @@ const wire::Artifact& TaskIo::input(const std::string& name) const {
 
 std::string TaskIo::read(const std::string& name) const {
   const wire::Artifact& artifact = input(name);
-  return checked(artifact, [&] { return store_.read(artifact.hash(), artifact.size()); });
+  return checked_input(artifact, [&] { return store_.read(artifact.hash(), artifact.size()); });
 }
 
 std::filesystem::path TaskIo::path(const std::string& name) const {
   const wire::Artifact& artifact = input(name);
-  return checked(artifact, [&] {
+  return checked_input(artifact, [&] {
     store_.verify(artifact.hash(), artifact.size());
     return store_.path_of(artifact.hash());
   });
+}
+
+bool TaskIo::has_parameter(const std::string& name) const {
+  return assign_.parameters().contains(name);
 }
 
 std::string TaskIo::parameter(const std::string& name) const {

@@ -44,6 +44,19 @@ class DamagedInput : public Error {
   std::string hash_;
 };
 
+/// What `look` returns; damage and absence of the artifact become DamagedInput.
+template <class Look>
+auto checked_input(const wire::Artifact& artifact, const Look& look) {
+  try {
+    return look();
+  } catch (const CorruptFile& error) {
+    throw DamagedInput(error.what(), artifact.hash());
+  } catch (const IoError& error) {
+    if (error.code() != ExitCode::not_found) throw;
+    throw DamagedInput(error.what(), artifact.hash());
+  }
+}
+
 class TaskIo {
  public:
   using Say = std::function<void(const wire::Progress&)>;
@@ -56,8 +69,14 @@ class TaskIo {
   bool has_input(const std::string& name) const;
   /// Where the checked file of that input lies, for readers of their own. @throws as read does.
   std::filesystem::path path(const std::string& name) const;
+  /// What `look` returns, called with the path of that input, for readers that read a part of a
+  /// file and check what they read. Damage and absence become DamagedInput. @throws what `look`
+  /// throws.
+  template <class Look>
+  auto look_into(const std::string& name, const Look& look) const;
   const wire::Assign& assign() const { return assign_; }
 
+  bool has_parameter(const std::string& name) const;
   /// @throws Error when the parameter is missing.
   std::string parameter(const std::string& name) const;
   std::int64_t whole_parameter(const std::string& name) const;
@@ -84,5 +103,11 @@ class TaskIo {
   std::string last_stage_;
   std::chrono::steady_clock::time_point last_said_;
 };
+
+template <class Look>
+auto TaskIo::look_into(const std::string& name, const Look& look) const {
+  const wire::Artifact& artifact = input(name);
+  return checked_input(artifact, [&] { return look(store_.path_of(artifact.hash())); });
+}
 
 }  // namespace tetfarm

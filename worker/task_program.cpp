@@ -8,10 +8,13 @@
 #include "base/error.h"
 #include "worker/assemble_task.h"
 #include "worker/child_task.h"
+#include "worker/cosmetic_task.h"
 #include "worker/decompose_task.h"
+#include "worker/extract_task.h"
 #include "worker/inspect_task.h"
 #include "worker/mesh_task.h"
 #include "worker/number_task.h"
+#include "worker/order_task.h"
 #include "worker/run_task.h"
 
 namespace tetfarm {
@@ -26,6 +29,12 @@ TaskBody body_of(wire::TaskKind kind) {
       return decompose_task;
     case wire::MESH:
       return mesh_task;
+    case wire::ORDER:
+      return order_task;
+    case wire::EXTRACT:
+      return extract_task;
+    case wire::COSMETIC:
+      return cosmetic_task;
     case wire::NUMBER:
       return number_task;
     case wire::ASSEMBLE:

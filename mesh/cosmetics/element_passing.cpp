@@ -235,6 +235,43 @@ JoinedElements join_elements(std::span<const ElementSection> sections) {
   return joined;
 }
 
+ElementSection join_pieces(std::span<const ElementSection> pieces) {
+  JoinedElements joined = join_elements(pieces);
+  for (ElementHome& home : joined.tet_home) home.section = 0;
+  return share_out_elements(joined, {&pieces.front().sharers, 1}).front();
+}
+
+ElementSection elements_of(const ElementSection& section, std::uint64_t owner) {
+  ElementSection part;
+  part.sharers = section.sharers;
+  std::vector<std::int32_t> number(section.nodes.size(), -1);
+  for (std::size_t t = 0; t < section.tets.size(); ++t) {
+    if (section.sharers[section.tet_owner[t]] != owner) continue;
+    part.tets.push_back(section.tets[t]);
+    part.tet_owner.push_back(section.tet_owner[t]);
+    for (const std::int32_t v : section.tets[t]) number[at(v)] = 0;
+  }
+  for (std::size_t i = 0; i < section.triangles.size(); ++i) {
+    if (section.sharers[section.triangle_owner[i]] != owner) continue;
+    part.triangles.push_back(section.triangles[i]);
+    part.triangle_index.push_back(section.triangle_index[i]);
+    part.triangle_owner.push_back(section.triangle_owner[i]);
+  }
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<std::int32_t>(part.nodes.size());
+    part.nodes.push_back(section.nodes[v]);
+    part.node_origin.push_back(section.node_origin[v]);
+  }
+  for (Tet& tet : part.tets) {
+    for (std::int32_t& v : tet) v = number[at(v)];
+  }
+  for (Triangle& triangle : part.triangles) {
+    for (std::int32_t& v : triangle) v = number[at(v)];
+  }
+  return part;
+}
+
 std::vector<int> layers_from(const JoinedElements& joined, std::span<const Sharers> sharers,
                              std::uint64_t self, int most) {
   std::vector<int> layer_of(joined.tets.size(), most + 1);

@@ -55,6 +55,13 @@ JoinedElements join_elements(std::span<const ElementSection> sections);
 std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
                                                std::span<const Sharers> sharers);
 
+/// The pieces that several leaves have of one section as the whole of it.
+/// @pre all have the same sharers, and there is one at least.
+ElementSection join_pieces(std::span<const ElementSection> pieces);
+
+/// What one sharer owns of a section: its tets, their triangles and nodes.
+ElementSection elements_of(const ElementSection& section, std::uint64_t owner);
+
 /// For each tet of the joined mesh, how many layers it is away from the sub-domain `self`: 0 for
 /// its own, 1 for those with a node of its own tets, and so on up to `most`; most + 1 beyond.
 std::vector<int> layers_from(const JoinedElements& joined, std::span<const Sharers> sharers,

@@ -22,9 +22,9 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 10> top_keys = {"version", "name",   "geometry",  "domain",
-                                                       "spacing", "source", "decompose", "mesh",
-                                                       "quality", "output"};
+constexpr std::array<std::string_view, 11> top_keys = {
+    "version",   "name", "geometry",  "domain",  "spacing", "source",
+    "decompose", "mesh", "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> spacing_keys = {"default", "growth", "surface"};
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
 constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 2> decompose_keys = {"subdomains", "target_elements"};
 constexpr std::array<std::string_view, 1> mesh_keys = {"points"};
+constexpr std::array<std::string_view, 1> cosmetics_keys = {"across_cuts"};
 constexpr std::array<std::string_view, 1> quality_keys = {"min_dihedral"};
 constexpr std::array<std::string_view, 1> output_keys = {"formats"};
 
@@ -132,6 +133,11 @@ class Section {
     const auto value = node(key).value_exact<std::int64_t>();
     if (!value) fail_type(key, "an integer");
     if (*value < least) fail(key, "must be at least " + std::to_string(least));
+    return *value;
+  }
+  bool yes_or_no(std::string_view key) const {
+    const auto value = node(key).value_exact<bool>();
+    if (!value) fail_type(key, "true or false");
     return *value;
   }
   double finite(const toml::node& at, std::string_view key) const {
@@ -260,6 +266,10 @@ void parse_mesh(const Section& section, JobFile& job) {
   if (section.has("points")) job.points = section.one_of("points", kinds_of_points);
 }
 
+void parse_cosmetics(const Section& section, JobFile& job) {
+  if (section.has("across_cuts")) job.across_cuts = section.yes_or_no("across_cuts");
+}
+
 void parse_quality(const Section& section, JobFile& job) {
   if (!section.has("min_dihedral")) return;
   job.min_dihedral_deg = section.not_negative("min_dihedral");
@@ -362,13 +372,14 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   }
   parse_decompose(top.table("decompose", decompose_keys), job);
   parse_mesh(top.table("mesh", mesh_keys), job);
+  parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
   parse_quality(top.table("quality", quality_keys), job);
   parse_output(top.table("output", output_keys), job);
   return job;
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 11> sections = {
+  const std::array<std::pair<std::string_view, Words>, 12> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
        {"spacing", spacing_keys},
@@ -378,6 +389,7 @@ std::vector<std::string> job_file_keys() {
        {"source.corner", corner_keys},
        {"decompose", decompose_keys},
        {"mesh", mesh_keys},
+       {"cosmetics", cosmetics_keys},
        {"quality", quality_keys},
        {"output", output_keys}}};
   std::vector<std::string> all = {"version", "name"};

@@ -68,6 +68,7 @@ std::string to_toml(const JobFile& job) {
   text += "\n[decompose]\nsubdomains = " + std::to_string(job.subdomains) +
           "\ntarget_elements = " + std::to_string(job.target_elements) +
           "\n\n[mesh]\npoints = " + quoted_toml(job.points) +
+          "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
           "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
           "\n\n[output]\nformats = [";
   for (std::size_t i = 0; i < job.formats.size(); ++i) {

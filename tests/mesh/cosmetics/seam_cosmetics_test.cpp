@@ -39,9 +39,7 @@ struct Farm {
           static_cast<std::uint32_t>(part.mesh.nodes.size() - part.leaf.vertices.size());
     }
     for (const auto& [sharers, list] : pieces) {
-      JoinedElements joined = join_elements(list);
-      for (ElementHome& home : joined.tet_home) home.section = 0;
-      sections[sharers] = share_out_elements(joined, std::vector<Sharers>{sharers}).front();
+      sections[sharers] = join_pieces(list);
     }
   }
 

@@ -1,0 +1,23 @@
+#include "worker/extract_task.h"
+
+#include "mesh/cosmetics/element_passing.h"
+#include "mesh/io/artifact_file.h"
+#include "mesh/io/element_file.h"
+
+namespace tetfarm {
+
+void extract_task(TaskIo& io) {
+  const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
+  const TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
+  const SharedNodes shared = shared_nodes_from_bytes(io.read("shared"), "shared");
+  io.progress("extract", std::ssize(mesh.tets));
+  const std::vector<ElementSection> sections = extract_elements(leaf, mesh, shared);
+  ElementFileHead head;
+  head.path = leaf.path;
+  head.next_node = static_cast<std::uint32_t>(mesh.nodes.size() - leaf.vertices.size());
+  io.number("tets", static_cast<double>(mesh.tets.size()));
+  io.number("core_tets", static_cast<double>(sections.front().tets.size()));
+  io.publish("elements", elements_to_bytes(head, sections));
+}
+
+}  // namespace tetfarm

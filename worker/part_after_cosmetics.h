@@ -1,0 +1,14 @@
+/// The mesh of a leaf when all turns of cosmetics are over: its core, and what it has of the
+/// sections that it shares, each from the file of the last turn.
+#pragma once
+
+#include "mesh/assemble/global_mesh.h"
+#include "worker/element_input.h"
+
+namespace tetfarm {
+
+/// Reads "core:HEAP" of the leaf and the sections that it shares in the "elements:HEAP" of it and
+/// its neighbours. @throws DamagedInput.
+MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours);
+
+}  // namespace tetfarm
