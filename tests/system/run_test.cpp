@@ -38,6 +38,31 @@ TEST(Run, meshes_a_sphere_in_a_box_and_says_so_in_one_line) {
   EXPECT_EQ(quality.code, 0) << quality.err;
 }
 
+TEST(Run, elements_at_cuts_are_no_worse_for_cosmetics_across_them) {
+  const TemporaryFolder folder;
+  const std::string input = test::sphere_in_box(folder.path(), 6, 2);
+  std::vector<nlohmann::json> results;
+  for (const char* across : {"false", "true"}) {
+    test::write_contents(
+        folder.path() / "job.toml",
+        "version = 1\n[geometry]\nsurface = \"" + input +
+            "\"\n[decompose]\nsubdomains = 6\n[cosmetics]\nacross_cuts = " + across + "\n");
+    const Ended ended =
+        run_program({"run", "job.toml", "-j", "2", "-o", across, "--json", "--progress", "none"},
+                    folder.path());
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    results.push_back(test::result_of(ended));
+    const Ended quality = run_program(
+        {"quality", results.back()["files"][0].get<std::string>(), "--json"}, folder.path());
+    EXPECT_EQ(quality.code, 0) << quality.err;
+  }
+  EXPECT_NE(results[0]["digest"], results[1]["digest"]);
+  EXPECT_EQ(results[1]["subdomains"], 6);
+  EXPECT_GE(results[1]["min_dihedral_deg"], results[0]["min_dihedral_deg"]);
+  EXPECT_LE(results[1]["max_dihedral_deg"], results[0]["max_dihedral_deg"]);
+  EXPECT_GT(results[1]["mean_radius_ratio"], results[0]["mean_radius_ratio"]);
+}
+
 TEST(Run, a_mesh_below_the_gate_is_delivered_and_ends_with_4) {
   const TemporaryFolder folder;
   const std::string input = test::sphere_in_box(folder.path(), 3, 1);

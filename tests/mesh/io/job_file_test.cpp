@@ -63,6 +63,8 @@ subdomains = 12
 target_elements = 5000000000
 [mesh]
 points = "sweeps"
+[cosmetics]
+across_cuts = false
 [quality]
 min_dihedral = 5
 [output]
@@ -81,6 +83,7 @@ void expect_equal(const JobFile& a, const JobFile& b) {
   EXPECT_EQ(a.subdomains, b.subdomains);
   EXPECT_EQ(a.target_elements, b.target_elements);
   EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.across_cuts, b.across_cuts);
   EXPECT_EQ(a.min_dihedral_deg, b.min_dihedral_deg);
   EXPECT_EQ(a.formats, b.formats);
   ASSERT_EQ(a.sources.size(), b.sources.size());
@@ -118,6 +121,7 @@ TEST(ParseJobFile, reads_every_key) {
   EXPECT_EQ(job.subdomains, 12);
   EXPECT_EQ(job.target_elements, 5000000000);
   EXPECT_EQ(job.points, "sweeps");
+  EXPECT_FALSE(job.across_cuts);
   EXPECT_EQ(job.min_dihedral_deg, 5);
   EXPECT_THAT(job.formats, ElementsAre("lb8.ugrid", "vtkhdf"));
   ASSERT_EQ(job.sources.size(), 3U);
@@ -200,6 +204,7 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {geometry + "[decompose]\nsubdomains = -1", "`subdomains` must be at least 0"},
       {geometry + "[decompose]\nsubdomains = 2.5", "must be an integer, not a number"},
       {geometry + "[decompose]\ntarget_elements = 10", "at least 1000"},
+      {geometry + "[cosmetics]\nacross_cuts = 1", "`across_cuts` must be true or false, not"},
       {geometry + "[mesh]\npoints = \"sweep\"",
        "`points` is \"sweep\", not one of \"lattice\", \"sweeps\"; did you mean `sweeps`?"},
       {geometry + "[quality]\nmin_dihedral = 75", "must be less than 70.5"},

@@ -1,0 +1,272 @@
+// The tasks of cosmetics across cuts one after the other, without coordinator or processes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "coordinator/cosmetic_graph.h"
+#include "mesh/assemble/mesh_report.h"
+#include "mesh/io/element_file.h"
+#include "mesh/io/job_file.h"
+#include "tests/base/temp_folder.h"
+#include "tests/support/shapes.h"
+#include "worker/assemble_task.h"
+#include "worker/cosmetic_task.h"
+#include "worker/decompose_task.h"
+#include "worker/element_input.h"
+#include "worker/extract_task.h"
+#include "worker/inspect_task.h"
+#include "worker/mesh_task.h"
+#include "worker/number_task.h"
+#include "worker/order_task.h"
+#include "worker/run_task.h"
+
+namespace tetfarm {
+namespace {
+
+using Files = std::map<std::string, wire::Artifact>;
+using Parameters = std::map<std::string, std::string>;
+
+std::string off_of(const SurfaceMesh& surface) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << surface.vertices.size() << " " << surface.triangles.size() << " 0\n";
+  for (const Vec3& p : surface.vertices) text << p.x << " " << p.y << " " << p.z << "\n";
+  for (const Triangle& t : surface.triangles) {
+    text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
+  }
+  return text.str();
+}
+
+/// A ball cut into four, meshed, with its order.
+class CosmeticTasks : public ::testing::Test {
+ protected:
+  CosmeticTasks() {
+    JobFile job;
+    job.name = "ball";
+    job.surface = "ball.off";
+    job.subdomains = 4;
+    job_ = publish(to_toml(job));
+    const auto ball = publish(off_of(shapes::sphere({0, 0, 0}, 1, 3)));
+    const wire::Done inspected = run(inspect_task, 0, {{"job", job_}, {"input_surface", ball}});
+    surface_ = output(inspected, "surface");
+    spacing_ = output(inspected, "spacing");
+    cut(1, 4, output(inspected, "root"));
+    Files all;
+    for (const auto& [heap, leaf] : leaves_) all["subdomain:" + std::to_string(heap)] = leaf;
+    order_ = run(order_task, 0, all);
+    turns_ = *turn_order_of(order_.texts().at("order"));
+    for (const auto& [heap, leaf] : leaves_) extract(heap);
+  }
+
+  wire::Artifact publish(const std::string& bytes) {
+    const StoredArtifact stored = store_.publish(bytes);
+    wire::Artifact artifact;
+    artifact.set_hash(stored.hash);
+    artifact.set_size(stored.size);
+    return artifact;
+  }
+
+  wire::Envelope try_to_run(const TaskBody& body, std::uint64_t path, const Files& inputs,
+                            const Parameters& parameters = {}) {
+    wire::Assign assign;
+    assign.set_path(path);
+    for (const auto& [name, artifact] : inputs) {
+      wire::Artifact& input = *assign.add_inputs();
+      input = artifact;
+      input.set_name(name);
+    }
+    assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
+    return run_task(store_, assign, body, [](const wire::Progress&) {});
+  }
+
+  wire::Done run(const TaskBody& body, std::uint64_t path, const Files& inputs,
+                 const Parameters& parameters = {}) {
+    const wire::Envelope result = try_to_run(body, path, inputs, parameters);
+    EXPECT_TRUE(result.has_done()) << result.failed().message();
+    return result.done();
+  }
+
+  static wire::Artifact output(const wire::Done& done, const std::string& name) {
+    for (const wire::Artifact& artifact : done.outputs()) {
+      if (artifact.name() == name) return artifact;
+    }
+    ADD_FAILURE() << "no output " << name;
+    return {};
+  }
+
+  void cut(std::uint64_t heap, int parts, const wire::Artifact& subdomain) {
+    if (parts > 1) {
+      const wire::Done done =
+          run(decompose_task, heap, {{"subdomain", subdomain}, {"spacing", spacing_}},
+              {{"parts", std::to_string(parts)}});
+      table_ += "cut " + std::to_string(heap) + " " +
+                std::to_string(std::int64_t(done.numbers().at("interdomain_nodes"))) + "\n";
+      cut(2 * heap, parts / 2, output(done, "left"));
+      cut(2 * heap + 1, parts / 2, output(done, "right"));
+      return;
+    }
+    leaves_[heap] = subdomain;
+    const wire::Done done =
+        run(mesh_task, heap, {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}});
+    meshes_[heap] = output(done, "mesh");
+    table_ += "leaf " + std::to_string(heap) + " " +
+              std::to_string(std::int64_t(done.numbers().at("interior_nodes"))) + " " +
+              std::to_string(std::int64_t(done.numbers().at("tets"))) + "\n";
+  }
+
+  void extract(std::uint64_t heap) {
+    const Files inputs = {{"subdomain", leaves_.at(heap)},
+                          {"mesh", meshes_.at(heap)},
+                          {"shared", output(order_, "shared:" + std::to_string(heap))}};
+    extracted_[heap] = output(run(extract_task, heap, inputs), "elements");
+  }
+
+  wire::Envelope try_turn(std::uint64_t heap) {
+    const Turn& turn = turns_.at(heap);
+    Files inputs = {{"spacing", spacing_}, {"own", extracted_.at(heap)}};
+    std::string colours = std::to_string(heap) + " " + std::to_string(turn.colour) + "\n";
+    for (const std::uint64_t other : turn.neighbours) {
+      const std::int32_t colour = turns_.at(other).colour;
+      colours += std::to_string(other) + " " + std::to_string(colour) + "\n";
+      if (colour < turn.colour) {
+        inputs["had_turn:" + std::to_string(other)] = mended_.at(other);
+      } else {
+        inputs["waits:" + std::to_string(other)] = extracted_.at(other);
+      }
+    }
+    return try_to_run(cosmetic_task, heap, inputs, {{"colours", colours}});
+  }
+
+  wire::Done give_turn(std::uint64_t heap) {
+    const wire::Envelope result = try_turn(heap);
+    EXPECT_TRUE(result.has_done()) << result.failed().message();
+    mended_[heap] = output(result.done(), "elements");
+    return result.done();
+  }
+
+  void give_all_turns() {
+    for (std::int32_t colour = 0; colour < 4; ++colour) {
+      for (const auto& [heap, turn] : turns_) {
+        if (turn.colour == colour) give_turn(heap);
+      }
+    }
+  }
+
+  wire::Done assembled() {
+    Files files;
+    for (const auto& [heap, leaf] : leaves_) {
+      files["core:" + std::to_string(heap)] = extracted_.at(heap);
+      files["elements:" + std::to_string(heap)] = mended_.at(heap);
+    }
+    const Parameters order = {{"order", order_.texts().at("order")}};
+    Parameters with_table = order;
+    with_table["table"] = table_;
+    Files to_number = files;
+    to_number["surface"] = surface_;
+    files["numbering"] = output(run(number_task, 0, to_number, with_table), "numbering");
+    files["job"] = job_;
+    files["surface"] = surface_;
+    return run(assemble_task, 0, files, order);
+  }
+
+  TempFolder folder_;
+  ArtifactStore store_{folder_.path()};
+  wire::Artifact job_;
+  wire::Artifact surface_;
+  wire::Artifact spacing_;
+  std::string table_;
+  std::map<std::uint64_t, wire::Artifact> leaves_;
+  std::map<std::uint64_t, wire::Artifact> meshes_;
+  std::map<std::uint64_t, wire::Artifact> extracted_;
+  std::map<std::uint64_t, wire::Artifact> mended_;
+  wire::Done order_;
+  TurnOrder turns_;
+};
+
+TEST_F(CosmeticTasks, make_one_valid_mesh_with_the_surface_as_it_was) {
+  ASSERT_EQ(leaves_.size(), 4U);
+  give_all_turns();
+  const wire::Done done = assembled();
+  const std::filesystem::path path = folder_.path() / "ball.vtkhdf";
+  std::filesystem::copy_file(store_.path_of(output(done, "ball.vtkhdf").hash()), path);
+  const MeshReport report = report_on(read_global_mesh(path));
+  EXPECT_TRUE(report.complaints.empty()) << report.complaints.front();
+  EXPECT_EQ(report.digest.hex(), done.texts().at("digest"));
+  EXPECT_EQ(report.boundary_triangles, 1280);
+  EXPECT_EQ(report.subdomains, 4);
+}
+
+TEST_F(CosmeticTasks, every_leaf_keeps_its_elements_but_for_those_at_the_cuts) {
+  give_all_turns();
+  for (const auto& [heap, leaf] : leaves_) {
+    ElementFile before(store_.path_of(extracted_.at(heap).hash()), "extracted");
+    ElementFile after(store_.path_of(mended_.at(heap).hash()), "mended");
+    double at_first = 0;
+    for (const auto& section : before.head().sections) {
+      const auto place = std::lower_bound(section.sharers.begin(), section.sharers.end(), heap);
+      at_first += double(section.tets[std::size_t(place - section.sharers.begin())]);
+    }
+    double at_last = double(before.head().sections.front().tets.front());
+    for (const auto& section : after.head().sections) {
+      const auto place = std::lower_bound(section.sharers.begin(), section.sharers.end(), heap);
+      at_last += double(section.tets[std::size_t(place - section.sharers.begin())]);
+    }
+    EXPECT_NEAR(at_last / at_first, 1, 0.05);
+  }
+}
+
+TEST_F(CosmeticTasks, a_turn_reads_what_it_shares_and_no_core) {
+  const std::uint64_t first = turns_.begin()->first;
+  ASSERT_EQ(turns_.begin()->second.colour, 0);
+  const wire::Done done = give_turn(first);
+  EXPECT_LT(done.numbers().at("bytes_read"), done.numbers().at("bytes_of_files"));
+  // Damage of a neighbour's core is none of its business.
+  const std::uint64_t neighbour = turns_.begin()->second.neighbours.front();
+  const std::filesystem::path path = store_.path_of(extracted_.at(neighbour).hash());
+  const ElementFile file(path, "elements");
+  const auto offset = file.head().sections.front().offset;
+  const auto damage = [&path](std::uint64_t place) {
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    std::fstream stream(path, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(static_cast<std::streamoff>(place));
+    stream.put('\x55');
+  };
+  ASSERT_GT(file.head().sections.front().size, 100U) << "the core is empty";
+  damage(offset + 50);
+  const wire::Envelope again = try_turn(first);
+  ASSERT_TRUE(again.has_done()) << again.failed().message();
+  EXPECT_EQ(output(again.done(), "elements").hash(), mended_.at(first).hash());
+  // Damage of a section that it shares is: whoever made the file has to run again.
+  damage(*file.head().find({first, neighbour}) == 0
+             ? 0
+             : file.head().sections[*file.head().find({first, neighbour})].offset + 50);
+  const wire::Envelope refused = try_turn(first);
+  ASSERT_TRUE(refused.has_failed());
+  ASSERT_EQ(refused.failed().damaged_inputs_size(), 1);
+  EXPECT_EQ(refused.failed().damaged_inputs(0), extracted_.at(neighbour).hash());
+}
+
+TEST_F(CosmeticTasks, the_same_turn_gives_the_same_bytes) {
+  give_all_turns();
+  const auto once = mended_;
+  mended_.clear();
+  give_all_turns();
+  for (const auto& [heap, artifact] : once) EXPECT_EQ(mended_.at(heap).hash(), artifact.hash());
+}
+
+TEST(ElementInput, the_last_turn_of_a_section_is_that_of_the_highest_colour_below) {
+  const Colours colours = colours_of("4 0 5 6\n5 1 4\n6 2 4\n");
+  EXPECT_EQ(last_before({4, 5, 6}, colours, 2), 5U);
+  EXPECT_EQ(last_before({4, 5, 6}, colours, 1), 4U);
+  EXPECT_EQ(last_before({4, 5, 6}, colours, 0), 0U);
+  EXPECT_EQ(last_turn({4, 5, 6}, colours), 6U);
+  EXPECT_THROW(last_turn({4, 7}, colours), Error);
+  EXPECT_THROW(colours_of("4 x\n"), Error);
+}
+
+}  // namespace
+}  // namespace tetfarm
