@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Meshes shapes with Tetfarm's sequential mesher, Gmsh's HXT and TetGen, and prints a table in Markdown.
+"""Tetfarm's sequential mesher beside Gmsh's HXT and TetGen, and its Delaunay kernel beside CGAL's:
+tables in Markdown.
 
-  bench/kernel_peers.py                    about 0.1 and 0.8 million tets
-  bench/kernel_peers.py --large            also about 5 million
-  bench/kernel_peers.py --cases wing --runs 5
+  bench/kernel_peers.py                    about 0.1 and 0.8 million tets, a million points
+  bench/kernel_peers.py --large            also about 5 million tets, 20 of ours alone, 10 million points
+  bench/kernel_peers.py --cases wing-0.1M --runs 5
 
 All get the same closed surface and keep its triangles; the edge lengths of the surface spread inside. The
 size of the others is scaled until they make about as many tets, where they let it. The programs run in turn,
@@ -34,7 +35,16 @@ CASES = {
     "wing-0.1M": ("wing", 0.020, 0.3, []),
     "spheres-0.8M": ("sphere-in-sphere", 0.069, 0, ["0 0 0"]),
 }
-LARGE = {"spheres-5M": ("sphere-in-sphere", 0.0373, 0, ["0 0 0"])}
+LARGE = {
+    "spheres-5M": ("sphere-in-sphere", 0.0373, 0, ["0 0 0"]),
+    "spheres-20M": ("sphere-in-sphere", 0.0237, 0, ["0 0 0"]),
+}
+# Only ours is run: whether the time for a tet grows with their number.
+ALONE = {"spheres-20M"}
+
+# name of the case: the kind of points, and how many.
+POINTS = {"uniform-1e6": ("uniform", 1000000), "clustered-1e6": ("clustered", 1000000)}
+LARGE_POINTS = {"uniform-1e7": ("uniform", 10000000)}
 
 CLOSE_ENOUGH = 0.15
 SCALINGS = 4
@@ -174,7 +184,7 @@ class Contest:
                         str(spacing)], check=True, capture_output=True)
         points, self.triangles = read_off(self.surface)
         self.peers = [peer(folder, points, self.triangles, holes) for peer in (Gmsh, TetGen)
-                      if shutil.which(peer.program)]
+                      if name not in ALONE and shutil.which(peer.program)]
         self.scale = {}
         self.runs = {}
 
@@ -244,12 +254,64 @@ class Contest:
                    f"{100 * one['share_of_fitting_edges']:.0f} |")
 
 
+def hold_delaunay(options, kind, count):
+    """{program: [(tets, CPU seconds, peak MB, bytes a tet or None)]}, the programs in turn."""
+    programs = [("Tetfarm", "delaunay_trial"), ("CGAL", "delaunay_with_cgal")]
+    runs = {}
+    with tempfile.TemporaryDirectory(prefix="tetfarm_peers.") as folder:
+        for _ in range(options.runs):
+            for name, file in programs:
+                path = pathlib.Path(options.bench).parent / file
+                if not path.exists():
+                    continue
+                said, _, _, memory = run([str(path), kind, str(count), "1"], pathlib.Path(folder),
+                                         options.timeout)
+                tets, seconds = re.search(r"([0-9.e+]+) tets, ([0-9.e+-]+) s", said).groups()
+                held = re.search(r"([0-9.]+) bytes a tet", said)
+                runs.setdefault(name, []).append((float(tets), float(seconds), memory,
+                                                  held and float(held[1])))
+    return runs
+
+
+def delaunay_rows(case, runs):
+    def rate(one):
+        return one[0] / one[1]
+
+    medians = {name: statistics.median(rate(one) for one in of) for name, of in runs.items()}
+    for name, of in runs.items():
+        held = f"{of[0][3]:.1f}" if of[0][3] else ""
+        ratio = f"{medians['Tetfarm'] / medians[name]:.2f}"
+        yield (f"| {case} | {name} | {of[0][0] / 1e6:.2f} | {medians[name] / 1e6:.2f} | {ratio} | "
+               f"{held} | {statistics.median(one[2] for one in of):.0f} |")
+
+
+def print_delaunay(options, cases):
+    print("\n| points | program | M tets | M tets/s | ours is so many times faster | bytes a tet, held "
+          "| peak MB |\n" + "|---" * 2 + "|--:" * 5 + "|")
+    for name, (kind, count) in cases.items():
+        print("\n".join(delaunay_rows(name, hold_delaunay(options, kind, count))), flush=True)
+
+
+def print_contests(options, cases):
+    print("| case | program | k tets | meshing, CPU s | process, CPU / wall s | k tets/s | time per tet, ours = 1 "
+          "| peak MB | dihedral min / max, deg | angles < 20 deg, % | mean radius ratio "
+          "| edge / spacing | edges in 0.7-1.4, % |\n" + "|---" * 2 + "|--:" * 11 + "|")
+    for name, case in cases.items():
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="tetfarm_peers."))
+        try:
+            contest = Contest(options, name, case, folder)
+            contest.hold()
+            print("\n".join(contest.rows()), flush=True)
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--large", action="store_true", help="also the large cases")
     parser.add_argument("--cases", default="", help="names, with commas between them")
-    parser.add_argument("--runs", type=int, default=3, help="of each program; the median is told")
+    parser.add_argument("--runs", type=int, default=5, help="of each program; the median is told")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/tetfarm"))
     parser.add_argument("--bench", default=str(ROOT / "build/release/bin/kernel_bench"))
     parser.add_argument("--timeout", type=float, default=1800, help="seconds for each run")
@@ -259,25 +321,23 @@ def parse_arguments():
 def main():
     options = parse_arguments()
     cases = {**CASES, **LARGE}
-    chosen = options.cases.split(",") if options.cases else [*CASES, *(LARGE if options.large else [])]
-    unknown = sorted(set(chosen) - set(cases))
+    points = {**POINTS, **LARGE_POINTS}
+    usual = [*CASES, *POINTS, *([*LARGE, *LARGE_POINTS] if options.large else [])]
+    chosen = options.cases.split(",") if options.cases else usual
+    unknown = sorted(set(chosen) - {*cases, *points})
     if unknown:
-        print(f"unknown cases: {', '.join(unknown)}; there are {', '.join(cases)}", file=sys.stderr)
+        print(f"unknown cases: {', '.join(unknown)}; there are {', '.join([*cases, *points])}",
+              file=sys.stderr)
         return 2
     commit = first_line(["git", "rev-parse", "--short", "HEAD"])
     print(f"{time.strftime('%Y-%m-%d')}, commit {commit}, {machine()}; one thread, median of "
           f"{options.runs} runs in turn.\n")
-    print("| case | program | k tets | meshing, CPU s | process, CPU / wall s | k tets/s | time per tet, ours = 1 "
-          "| peak MB | dihedral min / max, deg | angles < 20 deg, % | mean radius ratio "
-          "| edge / spacing | edges in 0.7-1.4, % |\n" + "|---" * 2 + "|--:" * 11 + "|")
-    for name in chosen:
-        folder = pathlib.Path(tempfile.mkdtemp(prefix="tetfarm_peers."))
-        try:
-            contest = Contest(options, name, cases[name], folder)
-            contest.hold()
-            print("\n".join(contest.rows()), flush=True)
-        finally:
-            shutil.rmtree(folder, ignore_errors=True)
+    contests = {name: cases[name] for name in chosen if name in cases}
+    if contests:
+        print_contests(options, contests)
+    delaunay = {name: points[name] for name in chosen if name in points}
+    if delaunay:
+        print_delaunay(options, delaunay)
     return 0
 
 
