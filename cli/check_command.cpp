@@ -26,7 +26,7 @@ Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
                                  : add_outer_boundary(checked.surface, outer, job.growth);
   const SpacingField spacing = make_spacing_field(domain, spacing_options_of(job));
   const double elements = estimated_elements(root_subdomain(domain), spacing);
-  return {elements, wanted_parts(job, elements)};
+  return {elements, wanted_parts(job, elements, region_count(domain))};
 }
 
 Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -42,12 +42,29 @@ Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
                {"longest_edge", report.longest_edge},
                {"smallest_angle_deg", report.smallest_angle_deg},
                {"remarks", report.remarks},
+               {"regions", Json::array()},
                {"defects", Json::array()}};
+  for (const RegionFigures& region : report.regions) {
+    json["regions"].push_back({{"number", region.number},
+                               {"name", region.name},
+                               {"void", region.number == 0},
+                               {"volume", region.volume}});
+  }
   for (const SurfaceDefect& defect : report.defects) {
     json["defects"].push_back(
         {{"kind", defect.kind}, {"message", defect.message}, {"triangles", defect.triangles}});
   }
   return json;
+}
+
+void print_region(const RegionFigures& region) {
+  if (region.number > 0) {
+    std::printf("region %-8d %s", region.number, region.name.c_str());
+  } else {
+    std::printf("void            %s", region.name.c_str());
+  }
+  if (region.volume > 0) std::printf(", volume %.9g", region.volume);
+  std::printf("\n");
 }
 
 void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -58,6 +75,7 @@ void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
   std::printf("volume          %.9g\nedges           %.4g shortest, %.4g median, %.4g longest\n",
               report.volume, report.shortest_edge, report.median_edge, report.longest_edge);
   std::printf("smallest angle  %.3g deg\n", report.smallest_angle_deg);
+  for (const RegionFigures& region : report.regions) print_region(region);
   for (const std::string& remark : report.remarks)
     std::printf("remark          %s\n", remark.c_str());
 }
@@ -77,7 +95,7 @@ ExitCode check_command(const CheckOptions& options) {
   job_options.input = options.input;
   const JobInput input = read_job(job_options);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
-  const CheckedSurface checked = check_surface(surface);
+  const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
   const bool is_sound = checked.report.defects.empty();
   Json json = report_json(surface, checked.report);
   if (!options.json) print_report(surface, checked.report);

@@ -70,6 +70,7 @@ class Parser {
     add_run();
     add_check();
     add_quality();
+    add_render();
     add_shape();
     add_clients();
     add_servers();
@@ -136,6 +137,46 @@ class Parser {
     sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
         ->required();
     add_json(sub, quality_.json);
+  }
+
+  void add_render() {
+    CLI::App& sub =
+        add("render", "Draw a mesh into a PNG picture; no display is needed",
+            "tetfarm render out -o wing.png --view cut --plane 0,1,0 --at 0.5", render_);
+    const auto place = [&sub](const char* name, std::vector<double>& value, const char* what) {
+      sub.add_option(name, value, what)->delimiter(',')->expected(3)->option_text("X,Y,Z");
+    };
+    sub.add_option("FILE", render_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
+        ->required();
+    sub.add_option("-o,--output", render_.output, "The picture")->required()->option_text("PNG");
+    sub.add_option("--view", render_.view,
+                   "The surface, the sub-domains apart, or the mesh cut open")
+        ->check(CLI::IsMember({"surface", "exploded", "cut"}))
+        ->option_text("surface|exploded|cut");
+    sub.add_option("--colour", render_.colour, "What has a colour each (subdomain)")
+        ->check(CLI::IsMember({"subdomain", "region", "patch"}))
+        ->option_text("subdomain|region|patch");
+    sub.add_option("--size", render_.size, "In pixels (1600x1000)")->option_text("WxH");
+    place("--from", render_.from, "Direction from the mesh to the eye (-1,-2,1)");
+    place("--up", render_.up, "Direction that is up in the picture (0,0,1)");
+    sub.add_option("--zoom", render_.zoom, "Larger than what fits (1)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("Z");
+    sub.add_option("--body", render_.bodies, "Patches that are shown whole (all but outer_*)")
+        ->delimiter(',')
+        ->option_text("PATCH,...");
+    sub.add_option("--hide", render_.hidden, "Patches that are not shown")
+        ->delimiter(',')
+        ->option_text("PATCH,...");
+    place("--plane", render_.plane, "Normal of the plane of a cut (0,1,0)");
+    sub.add_option("--at", render_.at, "Place of the plane along its normal (the middle)")
+        ->option_text("D");
+    sub.add_option("--explode", render_.explode, "How far apart the sub-domains go (0.4)")
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("SHARE");
+    sub.add_option("--edges", render_.edge_width, "Width of the edges in pixels, 0: none (0.9)")
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("W");
   }
 
   void add_shape() {
@@ -235,6 +276,7 @@ class Parser {
   RunOptions run_;
   CheckOptions check_;
   QualityOptions quality_;
+  RenderCommand render_;
   ShapeCommand shape_;
   SubmitCommand submit_;
   StatusCommand status_;

@@ -39,6 +39,23 @@ struct QualityOptions {
   bool json = false;
 };
 
+struct RenderCommand {
+  std::string input;
+  std::string output;
+  std::string view = "surface";      ///< surface, exploded or cut
+  std::string colour = "subdomain";  ///< subdomain, region or patch
+  std::string size = "1600x1000";
+  std::vector<double> from = {-1, -2, 1};
+  std::vector<double> up = {0, 0, 1};
+  double zoom = 1;
+  std::vector<std::string> bodies;
+  std::vector<std::string> hidden;
+  std::vector<double> plane = {0, 1, 0};
+  std::optional<double> at;
+  double explode = 0.4;
+  double edge_width = 0.9;
+};
+
 struct ShapeCommand {
   std::string name;    ///< one of shape_names()
   std::string output;  ///< .off or .stl
@@ -97,8 +114,8 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command = std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, ShapeCommand,
-                             StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
+using Command = std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, RenderCommand,
+                             ShapeCommand, StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
                              CoordinatorCommand, WorkerCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);

@@ -1,6 +1,8 @@
 /// What the sub-commands do; each returns the exit code, and throws Error for main to print.
 #pragma once
 
+#include <filesystem>
+
 #include "base/error.h"
 #include "cli/command_line.h"
 
@@ -12,6 +14,13 @@ ExitCode run_command(const RunOptions& options);
 
 ExitCode check_command(const CheckOptions& options);
 ExitCode quality_command(const QualityOptions& options);
+
+/// `input` itself, or of the meshes in the folder the first by name, .vtkhdf (which knows the
+/// sub-domains) before .ugrid. @throws Error when there is none.
+std::filesystem::path mesh_file(const std::filesystem::path& input);
+
+/// Draws a mesh into a PNG file.
+ExitCode render_command(const RenderCommand& command);
 
 /// Writes a closed surface that is made by formula.
 ExitCode shape_command(const ShapeCommand& command);

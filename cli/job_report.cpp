@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/file_system.h"
 #include "cli/progress_display.h"
@@ -31,6 +32,36 @@ std::array<double, 3> place_of(const wire::JobStatus& status, const std::string&
 
 std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The figures that assembly reports under names that begin with `whose`; null when there are none.
+Json shapes_json(const wire::JobStatus& status, const std::string& whose) {
+  if (!status.numbers().contains(whose + "elements")) return nullptr;
+  Json json;
+  json["elements"] = static_cast<std::int64_t>(number_of(status, whose + "elements"));
+  for (const char* name :
+       {"min_dihedral_deg", "max_dihedral_deg", "mean_radius_ratio", "smallest_height"}) {
+    json[name] = number_of(status, whose + name);
+  }
+  json["dihedral_histogram"] = Json::array();
+  std::istringstream counts(text_of(status, whose + "dihedral_histogram"));
+  for (std::int64_t count = 0; counts >> count;) json["dihedral_histogram"].push_back(count);
+  return json;
+}
+
+std::string region_prefix(int region) { return "region_" + std::to_string(region) + "_"; }
+
+/// Empty unless the domain has several regions, or named ones.
+Json regions_json(const wire::JobStatus& status) {
+  Json json = Json::array();
+  for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
+    Json region = {{"number", i},
+                   {"name", text_of(status, region_prefix(i) + "name")},
+                   {"volume", number_of(status, region_prefix(i) + "volume")}};
+    region.update(shapes_json(status, region_prefix(i)));
+    json.push_back(region);
+  }
+  return json;
 }
 
 template <class... Arguments>
@@ -71,6 +102,10 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   json["worst_at"] = place_of(status, "worst");
   json["forced_dihedral_deg"] = number_of(status, "forced_dihedral_deg");
   json["forced_at"] = place_of(status, "forced");
+  json["smallest_height"] = number_of(status, "smallest_height");
+  json["near_cuts"] = shapes_json(status, "near_cuts_");
+  json["away_from_cuts"] = shapes_json(status, "away_from_cuts_");
+  json["regions"] = regions_json(status);
   json["seconds"] = seconds;
   json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
   json["attempts_lost"] = status.attempts_lost();
@@ -112,6 +147,21 @@ std::string result_text(const wire::JobStatus& status, double seconds,
       number_of(status, "min_dihedral_deg"), number_of(status, "max_dihedral_deg"),
       number_of(status, "mean_radius_ratio"), clock_text(seconds).c_str());
   text += worst_text(status);
+  if (status.numbers().contains("near_cuts_elements")) {
+    text += format(
+        "           near the cuts: dihedral from %.2f deg, smallest height %.4g; "
+        "elsewhere: from %.2f deg, %.4g\n",
+        number_of(status, "near_cuts_min_dihedral_deg"),
+        number_of(status, "near_cuts_smallest_height"),
+        number_of(status, "away_from_cuts_min_dihedral_deg"),
+        number_of(status, "away_from_cuts_smallest_height"));
+  }
+  for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
+    text += "           " + text_of(status, region_prefix(i) + "name") +
+            format(": %s tets, dihedral from %.2f deg\n",
+                   short_count(number_of(status, region_prefix(i) + "elements")).c_str(),
+                   number_of(status, region_prefix(i) + "min_dihedral_deg"));
+  }
   for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
   return text;
 }

@@ -15,58 +15,97 @@ using Json = nlohmann::ordered_json;
 constexpr int bar_width = 50;
 constexpr int bin_deg = 10;
 
-/// The file itself, or of the meshes in the folder the first by name, .vtkhdf (which knows the
-/// sub-domains) before .ugrid.
-std::filesystem::path mesh_file(const std::filesystem::path& input) {
-  if (!std::filesystem::is_directory(input)) return input;
-  std::vector<std::filesystem::path> meshes;
-  for (const auto& entry : std::filesystem::directory_iterator(input)) {
-    const std::string name = entry.path().filename();
-    if (name.ends_with(".vtkhdf") || name.ends_with(".ugrid")) meshes.push_back(entry.path());
-  }
-  if (meshes.empty()) {
-    throw Error(ExitCode::not_found, input.string() + ": no mesh (.vtkhdf, .lb8.ugrid) in there");
-  }
-  return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.extension() != ".vtkhdf", a) < std::pair(b.extension() != ".vtkhdf", b);
-  });
+Json shapes_json(const ShapeStatistics& shapes) {
+  const Vec3& worst = shapes.worst_centroid;
+  return {{"elements", shapes.tets},
+          {"min_dihedral_deg", shapes.min_dihedral_deg},
+          {"max_dihedral_deg", shapes.max_dihedral_deg},
+          {"mean_radius_ratio", shapes.mean_radius_ratio()},
+          {"min_radius_ratio", shapes.min_radius_ratio},
+          {"smallest_height", shapes.smallest_height},
+          {"worst_at", {worst.x, worst.y, worst.z}},
+          {"dihedral_histogram", shapes.dihedral_histogram}};
+}
+
+std::string region_name(const MeshReport& report, std::size_t i) {
+  return i < report.region_names.size() ? report.region_names[i] : "";
 }
 
 Json report_json(const MeshReport& report, const std::string& file) {
-  const Vec3& worst = report.shapes.worst_centroid;
+  Json json = {{"type", "quality"},
+               {"file", file},
+               {"valid", report.complaints.empty()},
+               {"nodes", report.nodes},
+               {"boundary_triangles", report.boundary_triangles},
+               {"subdomains", report.subdomains},
+               {"volume", report.volume},
+               {"enclosed_volume", report.enclosed_volume}};
+  json.update(shapes_json(report.shapes.all));
   const Vec3& forced = report.forced.at;
-  return {{"type", "quality"},
-          {"file", file},
-          {"valid", report.complaints.empty()},
-          {"elements", report.tets},
-          {"nodes", report.nodes},
-          {"boundary_triangles", report.boundary_triangles},
-          {"subdomains", report.subdomains},
-          {"volume", report.volume},
-          {"enclosed_volume", report.enclosed_volume},
-          {"min_dihedral_deg", report.shapes.min_dihedral_deg},
-          {"max_dihedral_deg", report.shapes.max_dihedral_deg},
-          {"mean_radius_ratio", report.shapes.mean_radius_ratio()},
-          {"min_radius_ratio", report.shapes.min_radius_ratio},
-          {"worst_at", {worst.x, worst.y, worst.z}},
-          {"forced_dihedral_deg", report.forced.at_most_deg},
-          {"forced_at", {forced.x, forced.y, forced.z}},
-          {"dihedral_histogram", report.shapes.dihedral_histogram},
-          {"digest", report.digest.hex()},
-          {"complaints", report.complaints}};
+  json["forced_dihedral_deg"] = report.forced.at_most_deg;
+  json["forced_at"] = {forced.x, forced.y, forced.z};
+  json["near_cuts"] = shapes_json(report.shapes.near_cuts);
+  json["away_from_cuts"] = shapes_json(report.shapes.away_from_cuts);
+  json["regions"] = Json::array();
+  for (std::size_t i = 0; i < report.shapes.regions.size(); ++i) {
+    const RegionShapes& region = report.shapes.regions[i];
+    json["regions"].push_back({{"number", i + 1},
+                               {"name", region_name(report, i)},
+                               {"volume", region.volume},
+                               {"shapes", shapes_json(region.shapes)}});
+  }
+  json["digest"] = report.digest.hex();
+  json["complaints"] = report.complaints;
+  return json;
+}
+
+double percent_of_angles(const ShapeStatistics& shapes, std::size_t bin) {
+  const double all = 6.0 * static_cast<double>(std::max<std::int64_t>(shapes.tets, 1));
+  return 100 * static_cast<double>(shapes.dihedral_histogram[bin]) / all;
 }
 
 void print_histogram(const ShapeStatistics& shapes) {
   const auto& bins = shapes.dihedral_histogram;
   const auto largest = static_cast<double>(*std::max_element(bins.begin(), bins.end()));
-  const double all = 6.0 * static_cast<double>(std::max<std::int64_t>(shapes.tets, 1));
   std::printf("dihedral angles\n");
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const auto count = static_cast<double>(bins[i]);
     const int length = largest > 0 ? static_cast<int>(count / largest * bar_width) : 0;
     const int low = static_cast<int>(i) * bin_deg;
-    std::printf("  %3d-%3d %8.4f %% %s\n", low, low + bin_deg, 100 * count / all,
+    std::printf("  %3d-%3d %8.4f %% %s\n", low, low + bin_deg, percent_of_angles(shapes, i),
                 std::string(static_cast<std::size_t>(length), '#').c_str());
+  }
+}
+
+/// The same figures near the cuts and away from them, side by side.
+void print_side_by_side(const ShapeStatistics& near, const ShapeStatistics& away) {
+  std::printf("%-16s%16s%16s\n", "", "near cuts", "elsewhere");
+  std::printf("%-16s%16lld%16lld\n", "tets", static_cast<long long>(near.tets),
+              static_cast<long long>(away.tets));
+  const auto line = [&](const char* name, double of_near, double of_away) {
+    std::printf("%-16s%16.6g%16.6g\n", name, of_near, of_away);
+  };
+  line("dihedral from", near.min_dihedral_deg, away.min_dihedral_deg);
+  line("dihedral to", near.max_dihedral_deg, away.max_dihedral_deg);
+  line("smallest height", near.smallest_height, away.smallest_height);
+  line("radius ratio", near.mean_radius_ratio(), away.mean_radius_ratio());
+  for (std::size_t i = 0; i < near.dihedral_histogram.size(); ++i) {
+    const int low = static_cast<int>(i) * bin_deg;
+    std::printf("  %3d-%3d       %14.4f %%%14.4f %%\n", low, low + bin_deg,
+                percent_of_angles(near, i), percent_of_angles(away, i));
+  }
+}
+
+void print_regions(const MeshReport& report) {
+  std::printf("%-16s%16s%16s%16s%16s\n", "region", "tets", "volume", "dihedral from",
+              "radius ratio");
+  for (std::size_t i = 0; i < report.shapes.regions.size(); ++i) {
+    const auto& [volume, shapes] = report.shapes.regions[i];
+    const std::string name = region_name(report, i);
+    std::printf("%-16s%16lld%16.6g%16.6g%16.6g\n",
+                (name.empty() ? std::to_string(i + 1) : name).c_str(),
+                static_cast<long long>(shapes.tets), volume, shapes.min_dihedral_deg,
+                shapes.mean_radius_ratio());
   }
 }
 
@@ -82,7 +121,7 @@ std::string forced_text(const ForcedDihedral& forced) {
 }
 
 void print_report(const MeshReport& report) {
-  const ShapeStatistics& shapes = report.shapes;
+  const ShapeStatistics& shapes = report.shapes.all;
   std::printf("tets            %lld\nnodes           %lld\nboundary        %lld triangles\n",
               static_cast<long long>(report.tets), static_cast<long long>(report.nodes),
               static_cast<long long>(report.boundary_triangles));
@@ -92,12 +131,33 @@ void print_report(const MeshReport& report) {
               shapes.min_dihedral_deg, shapes.max_dihedral_deg, shapes.worst_centroid.x,
               shapes.worst_centroid.y, shapes.worst_centroid.z);
   std::fputs(forced_text(report.forced).c_str(), stdout);
-  std::printf("radius ratio    %.4f mean, %.4f smallest\ndigest          %s\n",
-              shapes.mean_radius_ratio(), shapes.min_radius_ratio, report.digest.hex().c_str());
+  std::printf(
+      "radius ratio    %.4f mean, %.4f smallest\nsmallest height %.6g\ndigest          %s\n",
+      shapes.mean_radius_ratio(), shapes.min_radius_ratio, shapes.smallest_height,
+      report.digest.hex().c_str());
   print_histogram(shapes);
+  if (report.shapes.near_cuts.tets > 0) {
+    print_side_by_side(report.shapes.near_cuts, report.shapes.away_from_cuts);
+  }
+  if (report.shapes.regions.size() > 1) print_regions(report);
 }
 
 }  // namespace
+
+std::filesystem::path mesh_file(const std::filesystem::path& input) {
+  if (!std::filesystem::is_directory(input)) return input;
+  std::vector<std::filesystem::path> meshes;
+  for (const auto& entry : std::filesystem::directory_iterator(input)) {
+    const std::string name = entry.path().filename();
+    if (name.ends_with(".vtkhdf") || name.ends_with(".ugrid")) meshes.push_back(entry.path());
+  }
+  if (meshes.empty()) {
+    throw Error(ExitCode::not_found, input.string() + ": no mesh (.vtkhdf, .lb8.ugrid) in there");
+  }
+  return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.extension() != ".vtkhdf", a) < std::pair(b.extension() != ".vtkhdf", b);
+  });
+}
 
 ExitCode quality_command(const QualityOptions& options) {
   const std::filesystem::path file = mesh_file(options.input);

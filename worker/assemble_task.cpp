@@ -1,5 +1,6 @@
 #include "worker/assemble_task.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/write_ugrid.h"
 #include "mesh/assemble/write_vtkhdf.h"
+#include "mesh/core/subdomain_regions.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
 #include "worker/part_after_cosmetics.h"
@@ -29,10 +31,9 @@ GrowingFile start_file(TaskIo& io, const std::string& format, const JobFile& job
   file.name = job.name + "." + format;
   file.path = io.store().scratch_path(file.name);
   if (format == "vtkhdf") {
-    file.writer = write_vtkhdf(file.path, surface.patch_names);
+    file.writer = write_vtkhdf(file.path, surface.patch_names, surface.region_names);
   } else if (format == "lb8.ugrid") {
-    file.writer =
-        write_ugrid(file.path, numbering, static_cast<std::int64_t>(surface.triangles.size()));
+    file.writer = write_ugrid(file.path, numbering, meshed_sides(surface));
     io.publish(job.name + ".mapbc", mapbc_text(surface.patch_names));
   } else {
     throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
@@ -46,6 +47,7 @@ MeshPart read_part(TaskIo& io, const LeafNumbers& leaf) {
   MeshPart part;
   part.subdomain = subdomain_from_bytes(io.read("subdomain:" + heap), "subdomain:" + heap);
   part.mesh = tet_mesh_from_bytes(io.read("mesh:" + heap), part.subdomain, "mesh:" + heap);
+  part.is_on_cut = nodes_on_cuts(part.subdomain);
   return part;
 }
 
@@ -55,20 +57,58 @@ void report_place(TaskIo& io, const std::string& what, const Vec3& at) {
   io.number(what + "_z", at.z);
 }
 
+void report_shapes(TaskIo& io, const std::string& whose, const ShapeStatistics& shapes) {
+  io.number(whose + "elements", static_cast<double>(shapes.tets));
+  io.number(whose + "min_dihedral_deg", shapes.min_dihedral_deg);
+  io.number(whose + "max_dihedral_deg", shapes.max_dihedral_deg);
+  io.number(whose + "mean_radius_ratio", shapes.mean_radius_ratio());
+  io.number(whose + "smallest_height", shapes.smallest_height);
+  std::string histogram;
+  for (const std::int64_t count : shapes.dihedral_histogram) {
+    histogram += (histogram.empty() ? "" : " ") + std::to_string(count);
+  }
+  io.text(whose + "dihedral_histogram", histogram);
+}
+
+/// "region_1_elements", "region_1_name"…
+void report_regions(TaskIo& io, const MeshShapes& shapes, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < shapes.regions.size(); ++i) {
+    const std::string whose = "region_" + std::to_string(i + 1) + "_";
+    report_shapes(io, whose, shapes.regions[i].shapes);
+    io.number(whose + "volume", shapes.regions[i].volume);
+    io.text(whose + "name", names[i]);
+  }
+}
+
+/// Which tets of a .lb8.ugrid are of which region: the format has no place for it, but those of a
+/// region follow one another. A line each: number, first tet, last tet (from 1), name.
+std::string regions_text(const MeshShapes& shapes, const std::vector<std::string>& names) {
+  std::string text;
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < shapes.regions.size(); ++i) {
+    const std::int64_t first = last + 1;
+    last += shapes.regions[i].shapes.tets;
+    text += std::to_string(i + 1) + ' ' + std::to_string(first) + ' ' + std::to_string(last) + ' ' +
+            names[i] + '\n';
+  }
+  return text;
+}
+
 void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& surface,
             const JobFile& job) {
-  io.number("elements", static_cast<double>(summary.tets));
   io.number("nodes", static_cast<double>(summary.nodes));
   io.number("boundary_triangles", static_cast<double>(summary.boundary_triangles));
   io.number("subdomains", static_cast<double>(summary.subdomains));
-  io.number("min_dihedral_deg", summary.shapes.min_dihedral_deg);
-  io.number("max_dihedral_deg", summary.shapes.max_dihedral_deg);
-  io.number("mean_radius_ratio", summary.shapes.mean_radius_ratio());
+  report_shapes(io, "", summary.shapes.all);
+  if (summary.shapes.near_cuts.tets > 0) {
+    report_shapes(io, "near_cuts_", summary.shapes.near_cuts);
+    report_shapes(io, "away_from_cuts_", summary.shapes.away_from_cuts);
+  }
   io.number("volume", summary.volume);
   io.number("min_dihedral_gate_deg", job.min_dihedral_deg);
-  report_place(io, "worst", summary.shapes.worst_centroid);
+  report_place(io, "worst", summary.shapes.all.worst_centroid);
   // Of the whole surface, however it was cut.
-  const ForcedDihedral forced = forced_dihedral(surface.vertices, surface.triangles);
+  const ForcedDihedral forced = forced_dihedral(surface);
   io.number("forced_dihedral_deg", forced.at_most_deg);
   report_place(io, "forced", forced.at);
   io.text("digest", summary.digest.hex());
@@ -92,7 +132,10 @@ void assemble_task(TaskIo& io) {
   const auto read = [&](const LeafNumbers& leaf) {
     tets += leaf.tets;
     io.progress("assemble", tets);
-    return colours ? part_after_cosmetics(io, leaf.path, *colours) : read_part(io, leaf);
+    if (!colours) return read_part(io, leaf);
+    MeshPart part = part_after_cosmetics(io, leaf.path, *colours);
+    part.subdomain.region = region_of_leaf(leaf.path, region_count(surface));
+    return part;
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, writers);
   for (GrowingFile& file : files) {
@@ -100,6 +143,11 @@ void assemble_task(TaskIo& io) {
     io.publish_file(file.name, file.path);
   }
   report(io, summary, surface, job);
+  if (surface.region_names.empty()) return;
+  report_regions(io, summary.shapes, surface.region_names);
+  if (std::find(job.formats.begin(), job.formats.end(), "lb8.ugrid") != job.formats.end()) {
+    io.publish(job.name + ".regions", regions_text(summary.shapes, surface.region_names));
+  }
 }
 
 }  // namespace tetfarm

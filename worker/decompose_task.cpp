@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "mesh/decompose/region_split.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/volume/volume_mesh.h"
 
@@ -35,6 +36,17 @@ void require_sound(const Subdomain& half) {
               "the cut made an invalid sub-domain " + half.path.text() + ": " + complaints.front());
 }
 
+/// Publishes the two halves, which are checked first.
+void publish_halves(TaskIo& io, const Subdomain& left, std::int64_t left_parts,
+                    const Subdomain& right, std::int64_t right_parts) {
+  require_sound(left);
+  require_sound(right);
+  io.number("left_parts", static_cast<double>(left_parts));
+  io.number("right_parts", static_cast<double>(right_parts));
+  io.publish("left", subdomain_to_bytes(left));
+  io.publish("right", subdomain_to_bytes(right));
+}
+
 }  // namespace
 
 bool boundary_recovers(const Subdomain& part, const SpacingField& spacing) {
@@ -52,22 +64,23 @@ void decompose_task(TaskIo& io) {
   const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   const std::int64_t parts = io.whole_parameter("parts");
-  const std::int64_t left_parts = parts / 2;
   io.progress("cut", 0);
+  if (subdomain.region == 0) {
+    const RegionSplit split = split_regions(subdomain, spacing, parts);
+    io.number("interdomain_nodes", 0);
+    publish_halves(io, split.left, split.left_parts, split.right, split.right_parts);
+    return;
+  }
+  const std::int64_t left_parts = parts / 2;
   const CutOutcome outcome = find_cut(io, subdomain, spacing, left_parts, parts - left_parts);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
     return;
   }
   const Cut& cut = *outcome.cut;
-  require_sound(cut.left);
-  require_sound(cut.right);
-  io.number("left_parts", static_cast<double>(left_parts));
-  io.number("right_parts", static_cast<double>(parts - left_parts));
   io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
   io.number("candidates_tried", cut.candidates_tried);
-  io.publish("left", subdomain_to_bytes(cut.left));
-  io.publish("right", subdomain_to_bytes(cut.right));
+  publish_halves(io, cut.left, left_parts, cut.right, parts - left_parts);
 }
 
 }  // namespace tetfarm

@@ -19,7 +19,8 @@ void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport&
   io.number("input_triangles", static_cast<double>(surface.triangles.size()));
   io.number("shells", static_cast<double>(report.shells.size()));
   io.number("input_smallest_angle_deg", report.smallest_angle_deg);
-  io.number("domain_volume", enclosed_volume(surface.vertices, surface.triangles));
+  io.number("domain_volume", domain_volume(surface));
+  io.number("regions", region_count(surface));
   std::string remarks;
   for (const std::string& remark : report.remarks) remarks += remark + "\n";
   if (!remarks.empty()) io.text("remarks", remarks);
@@ -58,10 +59,19 @@ SpacingOptions spacing_options_of(const JobFile& job) {
   return options;
 }
 
-std::int64_t wanted_parts(const JobFile& job, double elements) {
-  if (job.subdomains > 0) return job.subdomains;
+RegionRules region_rules_of(const JobFile& job) {
+  RegionRules rules;
+  rules.is_outside_meshed = job.outer_kind != "none";
+  for (const JobRegion& region : job.regions) {
+    rules.wishes.push_back({region.at, region.name, region.is_void});
+  }
+  return rules;
+}
+
+std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions) {
+  if (job.subdomains > 0) return std::max<std::int64_t>(job.subdomains, regions);
   const double parts = std::ceil(elements / static_cast<double>(job.target_elements));
-  return static_cast<std::int64_t>(std::clamp(parts, 1.0, most_parts));
+  return static_cast<std::int64_t>(std::clamp(parts, static_cast<double>(regions), most_parts));
 }
 
 std::string defect_message(const std::vector<SurfaceDefect>& defects) {
@@ -77,7 +87,7 @@ void inspect_task(TaskIo& io) {
   io.progress("read", 0);
   SurfaceMesh surface = read_surface_bytes(io.read("input_surface"), job.surface);
   io.progress("check", 0);
-  CheckedSurface checked = check_surface(surface);
+  CheckedSurface checked = check_surface(surface, region_rules_of(job));
   if (!checked.report.defects.empty()) {
     const std::string defects = defects_as_vtp(io.store(), surface, checked.report.defects);
     throw RefusedInput(defect_message(checked.report.defects),
@@ -93,7 +103,7 @@ void inspect_task(TaskIo& io) {
   const double elements = estimated_elements(root, spacing);
   report_numbers(io, surface, checked.report);
   io.number("total_work", elements);
-  io.number("parts", static_cast<double>(wanted_parts(job, elements)));
+  io.number("parts", static_cast<double>(wanted_parts(job, elements, region_count(surface))));
   io.number("across_cuts", job.across_cuts ? 1 : 0);
   io.publish("surface", surface_to_bytes(surface));
   io.publish("spacing", spacing.to_bytes());

@@ -19,10 +19,11 @@ void inspect_task(TaskIo& io);
 /// boundary.
 OuterBoundary outer_boundary_of(const JobFile& job);
 SpacingOptions spacing_options_of(const JobFile& job);
+RegionRules region_rules_of(const JobFile& job);
 
 /// How many sub-domains the job wants: as it says, or so many that each holds at most
-/// target_elements.
-std::int64_t wanted_parts(const JobFile& job, double elements);
+/// target_elements; and at least one for each region.
+std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions);
 
 /// All defects as the lines of one message.
 std::string defect_message(const std::vector<SurfaceDefect>& defects);

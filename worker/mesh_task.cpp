@@ -36,7 +36,9 @@ LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spa
 
 [[noreturn]] void refuse(TaskIo& io, const Subdomain& leaf, const std::string& reason,
                          const std::vector<std::int32_t>& triangles) {
-  const SurfaceMesh surface{leaf.vertices, leaf.triangles, {}, {}};
+  SurfaceMesh surface;
+  surface.vertices = leaf.vertices;
+  surface.triangles = leaf.triangles;
   const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
   const std::string shown =
       defects_as_vtp(io.store(), surface, {{"not recovered", reason, numbers}});

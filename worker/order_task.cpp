@@ -1,6 +1,9 @@
 #include "worker/order_task.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "mesh/io/artifact_file.h"
@@ -8,13 +11,34 @@
 
 namespace tetfarm {
 
-void order_task(TaskIo& io) {
-  std::vector<InterfaceNodes> leaves;
-  for (const wire::Artifact& input : io.assign().inputs()) {
-    io.progress("order", std::ssize(leaves));
-    leaves.push_back(interface_nodes(subdomain_from_bytes(io.read(input.name()), input.name())));
+namespace {
+
+/// Of each region by itself: the interfaces between regions are of the input and stay, so that
+/// leaves of different regions have nothing to pass to each other, though cuts may meet there.
+CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves) {
+  CosmeticOrder all;
+  for (auto& [region, leaves] : region2leaves) {
+    CosmeticOrder order = colour_subdomains(std::move(leaves));
+    std::move(order.leaves.begin(), order.leaves.end(), std::back_inserter(all.leaves));
+    std::move(order.shared.begin(), order.shared.end(), std::back_inserter(all.shared));
   }
-  const CosmeticOrder order = colour_subdomains(std::move(leaves));
+  const auto by_path = [](const auto& a, const auto& b) { return a.path < b.path; };
+  std::sort(all.leaves.begin(), all.leaves.end(), by_path);
+  std::sort(all.shared.begin(), all.shared.end(), by_path);
+  return all;
+}
+
+}  // namespace
+
+void order_task(TaskIo& io) {
+  std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves;
+  std::int64_t leaves = 0;
+  for (const wire::Artifact& input : io.assign().inputs()) {
+    io.progress("order", leaves++);
+    const Subdomain leaf = subdomain_from_bytes(io.read(input.name()), input.name());
+    region2leaves[leaf.region].push_back(interface_nodes(leaf));
+  }
+  const CosmeticOrder order = order_by_region(std::move(region2leaves));
   std::string text;
   std::int32_t colours = 0;
   for (const ColouredLeaf& leaf : order.leaves) {

@@ -1,5 +1,6 @@
 #include "worker/part_after_cosmetics.h"
 
+#include <set>
 #include <utility>
 
 #include "mesh/cosmetics/element_passing.h"
@@ -7,9 +8,20 @@
 namespace tetfarm {
 namespace {
 
-/// The sections that the leaf shares, as the last turns left them, and its core.
-std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf,
-                                           const Colours& colours) {
+/// Adds the origins of the nodes of tets that are not the leaf's.
+void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::set<Origin>& nodes) {
+  for (std::size_t t = 0; t < section.tets.size(); ++t) {
+    if (section.sharers[section.tet_owner[t]] == leaf.heap) continue;
+    for (const std::int32_t v : section.tets[t]) {
+      nodes.insert(section.node_origin[static_cast<std::size_t>(v)]);
+    }
+  }
+}
+
+/// The sections that the leaf shares, as the last turns left them, and its core; what is not its
+/// own is left out, but for the origins of nodes there.
+std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, const Colours& colours,
+                                           std::set<Origin>& nodes_of_others) {
   const std::string heap = std::to_string(leaf.heap);
   ElementInput core(io, "core:" + heap);
   std::vector<ElementSection> sections = {core.read(0)};
@@ -23,7 +35,9 @@ std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf,
     for (const Sharers& sharers : list) {
       const auto place = file.head().find(sharers);
       if (!place) throw Error(ExitCode::failed, "a turn left out a section that it shares");
-      sections.push_back(elements_of(file.read(*place), leaf.heap));
+      const ElementSection section = file.read(*place);
+      add_nodes_of_others(section, leaf, nodes_of_others);
+      sections.push_back(elements_of(section, leaf.heap));
     }
   }
   return sections;
@@ -32,8 +46,12 @@ std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf,
 }  // namespace
 
 MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours) {
-  JoinedElements joined = join_elements(final_sections(io, leaf, colours));
+  std::set<Origin> nodes_of_others;
+  JoinedElements joined = join_elements(final_sections(io, leaf, colours, nodes_of_others));
   MeshPart part;
+  for (const Origin& origin : joined.node_origin) {
+    part.is_on_cut.push_back(nodes_of_others.contains(origin));
+  }
   part.subdomain.path = leaf;
   part.subdomain.vertices = joined.nodes;
   part.subdomain.node_origin = std::move(joined.node_origin);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "mesh/core/subdomain_regions.h"
 #include "mesh/core/tet_quality.h"
 
 namespace tetfarm {
@@ -78,6 +79,16 @@ ForcedDihedral forced_dihedral(std::span<const Vec3> nodes, std::span<const Tria
     if (bound < forced.at_most_deg) forced = {bound, 0.5 * (u + v)};
   }
   return forced;
+}
+
+ForcedDihedral forced_dihedral(const SurfaceMesh& surface) {
+  const Subdomain root = root_subdomain(surface);
+  ForcedDihedral smallest;
+  for (const std::int32_t region : regions_of(root)) {
+    const ForcedDihedral forced = forced_dihedral(root.vertices, triangles_out_of(root, region));
+    if (forced.at_most_deg < smallest.at_most_deg) smallest = forced;
+  }
+  return smallest;
 }
 
 }  // namespace tetfarm

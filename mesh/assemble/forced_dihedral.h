@@ -30,4 +30,7 @@ double forced_dihedral_at_edge(const Vec3& u, const Vec3& v, const Vec3& left, c
 /// @pre the triangles' normals point out of the domain. Cost: O(n log n).
 ForcedDihedral forced_dihedral(std::span<const Vec3> nodes, std::span<const Triangle> boundary);
 
+/// The smallest of the regions of a surface, each bounded by its triangles, turned out of it.
+ForcedDihedral forced_dihedral(const SurfaceMesh& surface);
+
 }  // namespace tetfarm

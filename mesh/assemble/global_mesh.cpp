@@ -32,7 +32,7 @@ class Interfaces {
       : surface_(surface),
         numbering_(numbering),
         is_node_known_(at(numbering.nodes), false),
-        is_triangle_known_(surface.triangles.size(), false) {}
+        is_side_known_(2 * surface.triangles.size(), false) {}
 
   /// A node of the surface lies where the surface has it.
   void meet_surface_node(const Subdomain& subdomain, const Origin& origin, const Vec3& here) {
@@ -48,14 +48,22 @@ class Interfaces {
     return is_new;
   }
 
+  /// Once for each region that the triangle bounds, turned to point out of it.
   void meet_surface_triangle(const Subdomain& subdomain, std::size_t t,
                              const std::vector<std::int64_t>& local2global) {
     const std::uint32_t index = subdomain.triangle_origin[t].index;
-    if (index >= is_triangle_known_.size()) refuse(subdomain, "unknown triangle of the surface");
-    if (is_triangle_known_[index]) refuse(subdomain, "a surface triangle is in two sub-domains");
-    is_triangle_known_[index] = true;
+    if (index >= surface_.triangles.size()) refuse(subdomain, "unknown triangle of the surface");
+    const Sides sides = sides_of(surface_, index);
+    const std::size_t side = sides[0] == subdomain.region ? 0 : 1;
+    if (sides[side] != subdomain.region) refuse(subdomain, "a surface triangle of another region");
+    if (is_side_known_[2 * index + side]) {
+      refuse(subdomain, "a surface triangle is in two sub-domains");
+    }
+    is_side_known_[2 * index + side] = true;
+    Triangle nodes = surface_.triangles[index];
+    if (side == 1) std::swap(nodes[1], nodes[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Origin vertex{0, static_cast<std::uint32_t>(surface_.triangles[index][i])};
+      const Origin vertex{0, static_cast<std::uint32_t>(nodes[i])};
       if (global_number(numbering_, vertex) != local2global[at(subdomain.triangles[t][i])]) {
         refuse(subdomain, "a surface triangle has other nodes than in the input");
       }
@@ -66,22 +74,26 @@ class Interfaces {
     const auto check = [](bool is_right, const std::string& what) {
       if (!is_right) throw Error(ExitCode::failed, "the parts do not fit together: " + what);
     };
-    const auto all = [](const std::vector<bool>& known) {
-      return std::find(known.begin(), known.end(), false) == known.end();
-    };
-    check(all(is_triangle_known_), "a triangle of the surface is in no sub-domain");
-    check(all(is_node_known_), "a node is in no sub-domain");
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+      const Sides sides = sides_of(surface_, t);
+      check(
+          (is_side_known_[2 * t] || sides[0] == 0) && (is_side_known_[2 * t + 1] || sides[1] == 0),
+          "a triangle of the surface is in no sub-domain");
+    }
+    check(std::find(is_node_known_.begin(), is_node_known_.end(), false) == is_node_known_.end(),
+          "a node is in no sub-domain");
   }
 
  private:
   const SurfaceMesh& surface_;
   const Numbering& numbering_;
   std::vector<bool> is_node_known_;
-  std::vector<bool> is_triangle_known_;
+  std::vector<bool> is_side_known_;  // 2 t: behind triangle t, 2 t + 1: in front
 };
 
 void check_counts(const MeshPart& part, const LeafNumbers& leaf) {
-  const auto& [subdomain, mesh] = part;
+  const Subdomain& subdomain = part.subdomain;
+  const TetMesh& mesh = part.mesh;
   if (subdomain.path != leaf.path) refuse(subdomain, "expected " + leaf.path.text());
   if (at(mesh.boundary_nodes) != subdomain.vertices.size() ||
       subdomain.node_origin.size() != subdomain.vertices.size() ||
@@ -108,6 +120,7 @@ NumberedPart numbered_part(MeshPart& part, const SurfaceMesh& surface, const Num
                            std::size_t number, Interfaces& interfaces) {
   NumberedPart result;
   result.number = static_cast<std::int32_t>(number);
+  result.region = part.subdomain.region;
   result.local2global = local2global_of(part, numbering, numbering.leaves[number]);
   const Subdomain& subdomain = part.subdomain;
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
@@ -131,18 +144,15 @@ std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& loca
   return global;
 }
 
-void add_elements(const NumberedPart& part, MeshDigest& digest, GlobalMeshSummary& summary) {
-  double volume = 0;
-  for (const Tet& tet : part.tets) {
-    const auto node = [&](std::size_t i) -> const Vec3& { return part.nodes[at(tet[i])]; };
-    volume += tet_volume(node(0), node(1), node(2), node(3));
-    summary.shapes.add(node(0), node(1), node(2), node(3));
-    digest.add_tet(global_nodes(tet, part));
-  }
+void add_elements(const MeshPart& read, const NumberedPart& part, MeshDigest& digest,
+                  GlobalMeshSummary& summary) {
+  std::vector<bool> is_on_cut = read.is_on_cut;
+  is_on_cut.resize(part.nodes.size(), false);
+  add_shapes(part.nodes, part.tets, part.region, std::move(is_on_cut), summary.shapes);
+  for (const Tet& tet : part.tets) digest.add_tet(global_nodes(tet, part));
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     digest.add_boundary_triangle(global_nodes(part.faces[i], part), part.patch_of_face[i]);
   }
-  summary.volume += volume;
 }
 
 void add_nodes(const Subdomain& subdomain, const NumberedPart& part, Interfaces& interfaces,
@@ -158,13 +168,22 @@ void add_nodes(const Subdomain& subdomain, const NumberedPart& part, Interfaces&
 
 }  // namespace
 
+std::vector<bool> nodes_on_cuts(const Subdomain& subdomain) {
+  std::vector<bool> is_on_cut(subdomain.vertices.size(), false);
+  for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
+    if (subdomain.triangle_origin[t].owner == 0) continue;
+    for (const std::int32_t v : subdomain.triangles[t]) is_on_cut[at(v)] = true;
+  }
+  return is_on_cut;
+}
+
 GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numbering& numbering,
                                        const ReadPart& read_part,
                                        std::span<GlobalMeshWriter* const> writers) {
   GlobalMeshSummary summary;
   summary.nodes = numbering.nodes;
   summary.tets = numbering.tets;
-  summary.boundary_triangles = std::ssize(surface.triangles);
+  summary.boundary_triangles = meshed_sides(surface);
   summary.subdomains = static_cast<std::int32_t>(numbering.leaves.size());
   Interfaces interfaces(surface, numbering);
   MeshDigest digest;
@@ -174,7 +193,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     check_counts(read, numbering.leaves[i]);
     const NumberedPart part = numbered_part(read, surface, numbering, i, interfaces);
     add_nodes(read.subdomain, part, interfaces, digest);
-    add_elements(part, digest, summary);
+    add_elements(read, part, digest, summary);
     faces.add(part);
     for (GlobalMeshWriter* writer : writers) writer->add(part);
   }
@@ -183,7 +202,8 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     throw Error(ExitCode::failed,
                 "the parts do not fit together: faces of neighbours differ, or their nodes");
   }
-  summary.enclosed_volume = enclosed_volume(surface.vertices, surface.triangles);
+  for (const RegionShapes& region : summary.shapes.regions) summary.volume += region.volume;
+  summary.enclosed_volume = domain_volume(surface);
   if (!(std::abs(summary.volume - summary.enclosed_volume) <= 1e-9 * summary.enclosed_volume)) {
     throw Error(ExitCode::failed, "the volumes of the tets do not add up to that of the domain");
   }

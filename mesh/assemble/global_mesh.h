@@ -2,8 +2,8 @@
 ///
 /// Source: thesis 4.3.4.2.2. In memory at any time: one sub-domain with its mesh, the input
 /// surface, a bit for each node. What the sub-domains share is compared as they pass: each triangle
-/// of the surface belongs to one, and every other face to two tets, of whatever sub-domains, with
-/// the same three nodes at the same places (face_balance.h).
+/// of the surface belongs to one, or, between two regions, to one of each; every other face to two
+/// tets, of whatever sub-domains, with the same three nodes at the same places (face_balance.h).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 #include "base/hash.h"
 #include "mesh/assemble/global_numbering.h"
-#include "mesh/assemble/shape_statistics.h"
+#include "mesh/assemble/mesh_shapes.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
 
@@ -26,15 +26,20 @@ namespace tetfarm {
 struct MeshPart {
   Subdomain subdomain;
   TetMesh mesh;
+  std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
 };
+
+/// Of each vertex of a sub-domain as it was cut, whether it is on a triangle of a cut.
+std::vector<bool> nodes_on_cuts(const Subdomain& subdomain);
 
 /// Reads the leaf of that path; called once for each leaf, in tree order.
 using ReadPart = std::function<MeshPart(const LeafNumbers& leaf)>;
 
 /// A part with its global numbers: what is written and hashed. Faces are the triangles of the input
-/// surface that the part has, normals out of the domain.
+/// surface that the part has, normals out of the part's region.
 struct NumberedPart {
   std::int32_t number = 0;  ///< of the sub-domain, from 0 in tree order
+  std::int32_t region = 1;
   std::vector<Vec3> nodes;
   std::vector<Tet> tets;        ///< local node numbers
   std::vector<Triangle> faces;  ///< local node numbers
@@ -51,7 +56,7 @@ class GlobalMeshWriter {
   virtual void finish() = 0;
 };
 
-/// What is known of the mesh when all parts have passed.
+/// What is known of the mesh when all parts have passed. Triangles between two regions count twice.
 struct GlobalMeshSummary {
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
@@ -59,7 +64,7 @@ struct GlobalMeshSummary {
   std::int32_t subdomains = 0;
   double volume = 0;           ///< of the tets
   double enclosed_volume = 0;  ///< of the surface
-  ShapeStatistics shapes;
+  MeshShapes shapes;
   Hash128 digest;  ///< see mesh_digest.h
 };
 

@@ -189,8 +189,9 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
     throw Error(ExitCode::failed, "the table of the tree has not every cut and leaf once");
   }
   std::vector<bool> is_used(surface.vertices.size(), false);
-  for (const Triangle& triangle : surface.triangles) {
-    for (const std::int32_t v : triangle) is_used[static_cast<std::size_t>(v)] = true;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (meshed_sides(surface, t) == 0) continue;
+    for (const std::int32_t v : surface.triangles[t]) is_used[static_cast<std::size_t>(v)] = true;
   }
   for (std::size_t v = 0; v < is_used.size(); ++v) {
     if (!is_used[v]) numbering.unused_vertices.push_back(static_cast<std::int32_t>(v));

@@ -1,5 +1,9 @@
 #include "mesh/assemble/mesh_report.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "base/error.h"
 #include "mesh/assemble/mesh_digest.h"
 #include "mesh/assemble/read_ugrid.h"
@@ -26,25 +30,144 @@ bool all_nodes_exist(const GlobalMesh& mesh) {
   return true;
 }
 
+/// The tets of one sub-domain: mesh.tets[first] up to [last].
+struct TetRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::int32_t region = 1;
+};
+
+std::vector<TetRange> subdomains_of(const GlobalMesh& mesh) {
+  const std::size_t tets = mesh.mesh.tets.size();
+  std::vector<TetRange> ranges;
+  for (std::size_t first = 0; first < tets;) {
+    std::size_t last = mesh.subdomain_of_tet.empty() ? tets : first + 1;
+    while (last < tets && mesh.subdomain_of_tet[last] == mesh.subdomain_of_tet[first]) ++last;
+    ranges.push_back({first, last, mesh.region_of_tet.empty() ? 1 : mesh.region_of_tet[first]});
+    first = last;
+  }
+  return ranges;
+}
+
+/// A sub-domain's tets with node numbers of its own.
+struct LocalMesh {
+  std::vector<std::int32_t> local2global;
+  std::vector<Vec3> nodes;
+  std::vector<Tet> tets;
+};
+
+/// `global2local` is -1 everywhere, before and after.
+LocalMesh local_mesh(const GlobalMesh& mesh, const TetRange& range,
+                     std::vector<std::int32_t>& global2local) {
+  LocalMesh local;
+  for (std::size_t t = range.first; t < range.last; ++t) {
+    Tet tet = mesh.mesh.tets[t];
+    for (std::int32_t& v : tet) {
+      std::int32_t& number = global2local[static_cast<std::size_t>(v)];
+      if (number < 0) {
+        number = static_cast<std::int32_t>(local.nodes.size());
+        local.nodes.push_back(mesh.mesh.nodes[static_cast<std::size_t>(v)]);
+        local.local2global.push_back(v);
+      }
+      v = number;
+    }
+    local.tets.push_back(tet);
+  }
+  for (const std::int32_t v : local.local2global) global2local[static_cast<std::size_t>(v)] = -1;
+  return local;
+}
+
+/// Of each region, the nodes that several of its sub-domains have. Sorted.
+class SharedNodes {
+ public:
+  SharedNodes(const GlobalMesh& mesh, const std::vector<TetRange>& ranges) {
+    std::vector<std::int32_t> last_range(mesh.mesh.nodes.size(), -1);
+    std::vector<bool> has_several(mesh.mesh.nodes.size(), false);
+    for_each_use(mesh, ranges, last_range, [&](std::size_t v, std::size_t, bool is_again) {
+      if (is_again) has_several[v] = true;
+    });
+    std::fill(last_range.begin(), last_range.end(), -1);
+    std::vector<Use> uses;
+    for_each_use(mesh, ranges, last_range, [&](std::size_t v, std::size_t range, bool) {
+      if (has_several[v]) uses.push_back({static_cast<std::int32_t>(v), ranges[range].region});
+    });
+    std::sort(uses.begin(), uses.end());
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+      const bool is_known = !shared_.empty() && shared_.back() == uses[i];
+      if (uses[i] == uses[i - 1] && !is_known) shared_.push_back(uses[i]);
+    }
+  }
+
+  bool contains(std::int32_t node, std::int32_t region) const {
+    return std::binary_search(shared_.begin(), shared_.end(), Use{node, region});
+  }
+
+ private:
+  using Use = std::pair<std::int32_t, std::int32_t>;  // node, region
+
+  /// Calls visit(node, range, whether an earlier range has it) once for each range with the node.
+  template <class Visit>
+  static void for_each_use(const GlobalMesh& mesh, const std::vector<TetRange>& ranges,
+                           std::vector<std::int32_t>& last_range, const Visit& visit) {
+    for (std::size_t r = 0; r < ranges.size(); ++r) {
+      for (std::size_t t = ranges[r].first; t < ranges[r].last; ++t) {
+        for (const std::int32_t node : mesh.mesh.tets[t]) {
+          const auto v = static_cast<std::size_t>(node);
+          if (last_range[v] == static_cast<std::int32_t>(r)) continue;
+          visit(v, r, last_range[v] >= 0);
+          last_range[v] = static_cast<std::int32_t>(r);
+        }
+      }
+    }
+  }
+
+  std::vector<Use> shared_;
+};
+
+void add_all_shapes(const GlobalMesh& mesh, MeshShapes& shapes) {
+  const std::vector<TetRange> ranges = subdomains_of(mesh);
+  const SharedNodes shared(mesh, ranges);
+  std::vector<std::int32_t> global2local(mesh.mesh.nodes.size(), -1);
+  for (const TetRange& range : ranges) {
+    const LocalMesh local = local_mesh(mesh, range, global2local);
+    std::vector<bool> is_on_cut;
+    for (const std::int32_t v : local.local2global) {
+      is_on_cut.push_back(shared.contains(v, range.region));
+    }
+    add_shapes(local.nodes, local.tets, range.region, std::move(is_on_cut), shapes);
+  }
+}
+
+/// As of the surface that was meshed; without regions, edges of more than two triangles do not
+/// count.
+ForcedDihedral forced_by_regions(const GlobalMesh& mesh) {
+  std::map<std::int32_t, std::vector<Triangle>> region2triangles;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    const bool is_known = !mesh.region_of_triangle.empty();
+    region2triangles[is_known ? mesh.region_of_triangle[i] : 1].push_back(mesh.boundary[i]);
+  }
+  ForcedDihedral smallest;
+  for (const auto& [region, triangles] : region2triangles) {
+    const ForcedDihedral forced = forced_dihedral(mesh.mesh.nodes, triangles);
+    if (forced.at_most_deg < smallest.at_most_deg) smallest = forced;
+  }
+  return smallest;
+}
+
 void add_figures(const GlobalMesh& mesh, MeshReport& report) {
   MeshDigest digest;
   for (std::size_t v = 0; v < mesh.mesh.nodes.size(); ++v) {
     digest.add_node(static_cast<std::int64_t>(v), mesh.mesh.nodes[v]);
   }
-  for (const Tet& tet : mesh.mesh.tets) {
-    const auto node = [&](std::size_t i) -> const Vec3& {
-      return mesh.mesh.nodes[static_cast<std::size_t>(tet[i])];
-    };
-    digest.add_tet({tet[0], tet[1], tet[2], tet[3]});
-    report.volume += tet_volume(node(0), node(1), node(2), node(3));
-    report.shapes.add(node(0), node(1), node(2), node(3));
-  }
+  for (const Tet& tet : mesh.mesh.tets) digest.add_tet({tet[0], tet[1], tet[2], tet[3]});
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
     const auto& [a, b, c] = mesh.boundary[i];
     digest.add_boundary_triangle({a, b, c}, mesh.patch_of_triangle[i]);
   }
+  add_all_shapes(mesh, report.shapes);
+  for (const RegionShapes& region : report.shapes.regions) report.volume += region.volume;
   report.enclosed_volume = enclosed_volume(mesh.mesh.nodes, mesh.boundary);
-  report.forced = forced_dihedral(mesh.mesh.nodes, mesh.boundary);
+  report.forced = forced_by_regions(mesh);
   report.digest = digest.finish();
 }
 
@@ -63,6 +186,7 @@ MeshReport report_on(const GlobalMesh& mesh) {
   report.tets = std::ssize(mesh.mesh.tets);
   report.boundary_triangles = std::ssize(mesh.boundary);
   report.subdomains = mesh.subdomains;
+  report.region_names = mesh.region_names;
   report.complaints = validate(mesh.mesh, mesh.boundary);
   if (all_nodes_exist(mesh)) add_figures(mesh, report);
   return report;

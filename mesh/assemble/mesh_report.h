@@ -8,18 +8,24 @@
 
 #include "base/hash.h"
 #include "mesh/assemble/forced_dihedral.h"
-#include "mesh/assemble/shape_statistics.h"
+#include "mesh/assemble/mesh_shapes.h"
 #include "mesh/core/tet_mesh.h"
 
 namespace tetfarm {
 
-/// A global mesh in memory: each node once. Normals of boundary triangles point out of the domain.
+/// A global mesh in memory: each node once. Normals of boundary triangles point out of the domain;
+/// triangles between two regions are there once for each, pointing out of it.
 struct GlobalMesh {
   TetMesh mesh;
   std::vector<Triangle> boundary;
   std::vector<std::int32_t> patch_of_triangle;
   std::vector<std::string> patch_names;  ///< empty when the file has none
   std::int32_t subdomains = 1;
+  /// Of each tet, those of one sub-domain one after the other; empty when the file does not say.
+  std::vector<std::int32_t> subdomain_of_tet;
+  std::vector<std::int32_t> region_of_triangle;  ///< that it points out of; as region_of_tet
+  std::vector<std::int32_t> region_of_tet;       ///< from 1; empty when the file does not say
+  std::vector<std::string> region_names;  ///< of region 1, 2, …; empty when the file has none
 };
 
 struct MeshReport {
@@ -29,8 +35,9 @@ struct MeshReport {
   std::int32_t subdomains = 1;
   double volume = 0;
   double enclosed_volume = 0;
-  ShapeStatistics shapes;
+  MeshShapes shapes;
   ForcedDihedral forced;
+  std::vector<std::string> region_names;
   Hash128 digest;
   /// What is wrong, a line each, at most twenty: tets without volume, faces that are not shared by
   /// two tets and no boundary triangle, boundary triangles without their tet, an open boundary,

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_tetra = 10;
+/// More than any real mesh has: a wrong number must not fill the memory.
+constexpr std::int32_t most_regions = 1'000'000;
 
 std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
@@ -51,43 +53,54 @@ std::vector<Partition> partitions_of(const Hdf5Input& file) {
   return partitions;
 }
 
-/// The number of each point of the partition in the mesh; puts the points there.
-std::vector<std::int32_t> join_points(const Hdf5Input& file, const Partition& here,
-                                      bool has_numbers, GlobalMesh& mesh) {
+/// Which of the arrays that tell more a file has.
+struct KnownArrays {
+  bool node_numbers = false;
+  bool patches = false;
+  bool regions = false;
+};
+
+Hdf5Input open_mesh(const std::filesystem::path& path) {
+  Hdf5Input file(path.string());
+  if (!file.has("VTKHDF") || file.text_attribute("VTKHDF", "Type") != "UnstructuredGrid") {
+    file.fail("not a VTKHDF file of an UnstructuredGrid");
+  }
+  return file;
+}
+
+KnownArrays known_arrays(const Hdf5Input& file) {
+  return {file.has("VTKHDF/PointData/GlobalNodeId"), file.has("VTKHDF/CellData/patch"),
+          file.has("VTKHDF/CellData/region")};
+}
+
+void read_points(const Hdf5Input& file, const Partition& here, bool has_numbers,
+                 NumberedPart& part) {
   const auto points = file.slice<double>("VTKHDF/Points", here.first_point, here.points, 3);
-  std::vector<std::int64_t> numbers;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    part.nodes.push_back({points[i], points[i + 1], points[i + 2]});
+  }
   if (has_numbers) {
-    numbers =
+    part.local2global =
         file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points);
   } else {
-    for (std::int64_t i = 0; i < here.points; ++i) numbers.push_back(i);
+    for (std::int64_t i = 0; i < here.points; ++i) part.local2global.push_back(i);
   }
-  std::vector<std::int32_t> local2global;
-  local2global.reserve(numbers.size());
-  std::vector<Vec3>& nodes = mesh.mesh.nodes;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::int64_t number = numbers[i];
-    if (number < 0 || number >= std::ssize(nodes)) file.fail("a GlobalNodeId is out of range");
-    nodes[at(number)] = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
-    local2global.push_back(static_cast<std::int32_t>(number));
-  }
-  return local2global;
 }
 
 template <class Element>
 Element element_at(const Hdf5Input& file, const std::vector<std::int64_t>& connectivity,
-                   std::int64_t first, const std::vector<std::int32_t>& local2global) {
+                   std::int64_t first, std::int64_t points) {
   Element element;
   for (std::size_t i = 0; i < element.size(); ++i) {
     const std::int64_t v = connectivity[at(first) + i];
-    if (v < 0 || v >= std::ssize(local2global)) file.fail("a cell has a node that is not there");
-    element[i] = local2global[at(v)];
+    if (v < 0 || v >= points) file.fail("a cell has a node that is not there");
+    element[i] = static_cast<std::int32_t>(v);
   }
   return element;
 }
 
-void join_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
-                const std::vector<std::int32_t>& local2global, GlobalMesh& mesh) {
+void read_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
+                NumberedPart& part) {
   const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
   const auto offsets =
       file.slice<std::int64_t>("VTKHDF/Offsets", here.first_cell + here.number, here.cells + 1);
@@ -108,11 +121,54 @@ void join_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
       file.fail("the offset of a cell is wrong");
     }
     if (nodes == 4) {
-      mesh.mesh.tets.push_back(element_at<Tet>(file, connectivity, first, local2global));
+      part.tets.push_back(element_at<Tet>(file, connectivity, first, here.points));
     } else {
-      mesh.boundary.push_back(element_at<Triangle>(file, connectivity, first, local2global));
-      mesh.patch_of_triangle.push_back(patches[cell]);
+      part.faces.push_back(element_at<Triangle>(file, connectivity, first, here.points));
+      part.patch_of_face.push_back(patches[cell]);
     }
+  }
+}
+
+/// Of the partition's first cell: a partition lies in one region.
+std::int32_t region_of(const Hdf5Input& file, const Partition& here) {
+  if (here.cells == 0) return 1;
+  const std::int32_t region =
+      file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, 1).front();
+  if (region < 1 || region > most_regions) {
+    file.fail("a partition is of region " + std::to_string(region));
+  }
+  return region;
+}
+
+NumberedPart read_part(const Hdf5Input& file, const Partition& here, const KnownArrays& known) {
+  NumberedPart part;
+  part.number = static_cast<std::int32_t>(here.number);
+  if (known.regions) part.region = region_of(file, here);
+  read_points(file, here, known.node_numbers, part);
+  read_cells(file, here, known.patches, part);
+  return part;
+}
+
+template <class Element>
+Element with_global_nodes(Element element, const NumberedPart& part) {
+  for (std::int32_t& v : element) v = static_cast<std::int32_t>(part.local2global[at(v)]);
+  return element;
+}
+
+void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
+  std::vector<Vec3>& nodes = mesh.mesh.nodes;
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    const std::int64_t number = part.local2global[i];
+    if (number < 0 || number >= std::ssize(nodes)) file.fail("a GlobalNodeId is out of range");
+    nodes[at(number)] = part.nodes[i];
+  }
+  for (const Tet& tet : part.tets) mesh.mesh.tets.push_back(with_global_nodes(tet, part));
+  mesh.subdomain_of_tet.resize(mesh.mesh.tets.size(), part.number);
+  mesh.region_of_tet.resize(mesh.mesh.tets.size(), part.region);
+  for (std::size_t i = 0; i < part.faces.size(); ++i) {
+    mesh.boundary.push_back(with_global_nodes(part.faces[i], part));
+    mesh.patch_of_triangle.push_back(part.patch_of_face[i]);
+    mesh.region_of_triangle.push_back(part.region);
   }
 }
 
@@ -139,24 +195,34 @@ std::int64_t node_count(const Hdf5Input& file, const std::vector<Partition>& par
 
 }  // namespace
 
-GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
-  const Hdf5Input file(path.string());
-  if (!file.has("VTKHDF") || file.text_attribute("VTKHDF", "Type") != "UnstructuredGrid") {
-    file.fail("not a VTKHDF file of an UnstructuredGrid");
+void for_each_vtkhdf_part(const std::filesystem::path& path,
+                          const std::function<void(NumberedPart& part)>& visit) {
+  const Hdf5Input file = open_mesh(path);
+  const KnownArrays known = known_arrays(file);
+  for (const Partition& here : partitions_of(file)) {
+    NumberedPart part = read_part(file, here, known);
+    visit(part);
   }
-  const bool has_numbers = file.has("VTKHDF/PointData/GlobalNodeId");
-  const bool has_patches = file.has("VTKHDF/CellData/patch");
+}
+
+std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
+  const Hdf5Input file = open_mesh(path);
+  return file.has("Tetfarm/patch_names") ? file.texts("Tetfarm/patch_names")
+                                         : std::vector<std::string>{};
+}
+
+GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
+  const Hdf5Input file = open_mesh(path);
+  const KnownArrays known = known_arrays(file);
   const std::vector<Partition> partitions = partitions_of(file);
   GlobalMesh mesh;
   if (partitions.empty()) file.fail("no partition");
-  mesh.mesh.nodes.resize(at(node_count(file, partitions, has_numbers)));
+  mesh.mesh.nodes.resize(at(node_count(file, partitions, known.node_numbers)));
   mesh.mesh.boundary_nodes = static_cast<std::int32_t>(mesh.mesh.nodes.size());
   mesh.subdomains = static_cast<std::int32_t>(partitions.size());
-  for (const Partition& here : partitions) {
-    const auto local2global = join_points(file, here, has_numbers, mesh);
-    join_cells(file, here, has_patches, local2global, mesh);
-  }
+  for (const Partition& here : partitions) join(file, read_part(file, here, known), mesh);
   if (file.has("Tetfarm/patch_names")) mesh.patch_names = file.texts("Tetfarm/patch_names");
+  if (file.has("Tetfarm/region_names")) mesh.region_names = file.texts("Tetfarm/region_names");
   return mesh;
 }
 

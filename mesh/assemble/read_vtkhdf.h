@@ -2,13 +2,24 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
+#include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/mesh_report.h"
 
 namespace tetfarm {
 
+/// Visits the partitions one after the other: memory of one. Without GlobalNodeId, numbers are
+/// those of the partition; without the cell array `region` all is region 1; without `patch` all
+/// boundary triangles are of patch 0.
+/// @throws IoError, InvalidInput.
+void for_each_vtkhdf_part(const std::filesystem::path& path,
+                          const std::function<void(NumberedPart& part)>& visit);
+
+/// The names of the patches; empty when the file has none. @throws as above.
+std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path);
+
 /// Partitions are joined by the point array GlobalNodeId; without it there must be one partition.
-/// Without the cell array `patch` all boundary triangles are of patch 0.
 /// @throws IoError, InvalidInput.
 GlobalMesh read_vtkhdf(const std::filesystem::path& path);
 

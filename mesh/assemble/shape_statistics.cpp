@@ -22,24 +22,36 @@ double dihedral_deg(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) 
   return std::acos(std::clamp(dot(to_r, to_s) / length, -1.0, 1.0)) * degrees_per_radian;
 }
 
+/// Of the largest face stands the smallest height: three volumes over its area.
+double smallest_height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double largest2 = std::max({norm2(cross(b - a, c - a)), norm2(cross(b - a, d - a)),
+                                    norm2(cross(c - a, d - a)), norm2(cross(c - b, d - b))});
+  return largest2 > 0 ? 6 * tet_volume(a, b, c, d) / std::sqrt(largest2) : 0;
+}
+
 }  // namespace
 
-void ShapeStatistics::add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const std::array<double, 6> angles = {dihedral_deg(a, b, c, d), dihedral_deg(a, c, b, d),
-                                        dihedral_deg(a, d, b, c), dihedral_deg(b, c, a, d),
-                                        dihedral_deg(b, d, a, c), dihedral_deg(c, d, a, b)};
-  for (const double angle : angles) {
+TetShape tet_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return {{dihedral_deg(a, b, c, d), dihedral_deg(a, c, b, d), dihedral_deg(a, d, b, c),
+           dihedral_deg(b, c, a, d), dihedral_deg(b, d, a, c), dihedral_deg(c, d, a, b)},
+          radius_ratio(a, b, c, d),
+          smallest_height(a, b, c, d),
+          0.25 * (a + b + c + d)};
+}
+
+void ShapeStatistics::add(const TetShape& shape) {
+  for (const double angle : shape.dihedral_deg) {
     const auto bin = static_cast<std::size_t>(angle / 10);
     ++dihedral_histogram[std::min(bin, dihedral_histogram.size() - 1)];
     max_dihedral_deg = std::max(max_dihedral_deg, angle);
     if (angle < min_dihedral_deg) {
       min_dihedral_deg = angle;
-      worst_centroid = 0.25 * (a + b + c + d);
+      worst_centroid = shape.centroid;
     }
   }
-  const double ratio = radius_ratio(a, b, c, d);
-  min_radius_ratio = std::min(min_radius_ratio, ratio);
-  sum_radius_ratio += ratio;
+  min_radius_ratio = std::min(min_radius_ratio, shape.radius_ratio);
+  sum_radius_ratio += shape.radius_ratio;
+  smallest_height = tets == 0 ? shape.height : std::min(smallest_height, shape.height);
   ++tets;
 }
 

@@ -8,6 +8,16 @@
 
 namespace tetfarm {
 
+/// The figures of one tet.
+struct TetShape {
+  std::array<double, 6> dihedral_deg{};
+  double radius_ratio = 0;  ///< 3 inradius / circumradius
+  double height = 0;        ///< the smallest of a node over the face opposite
+  Vec3 centroid;
+};
+
+TetShape tet_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 /// Sums are taken in the order of the calls: the same mesh gives the same figures.
 struct ShapeStatistics {
   std::int64_t tets = 0;
@@ -15,15 +25,19 @@ struct ShapeStatistics {
   double max_dihedral_deg = 0;
   /// Of all six dihedral angles of each tet, in bins of 10 degrees.
   std::array<std::int64_t, 18> dihedral_histogram{};
-  double min_radius_ratio = 1;  ///< 3 inradius / circumradius
+  double min_radius_ratio = 1;
   double sum_radius_ratio = 0;
+  double smallest_height = 0;  ///< 0 without tets
   /// Of the first tet with the smallest angle.
   Vec3 worst_centroid;
 
   double mean_radius_ratio() const {
     return tets > 0 ? sum_radius_ratio / static_cast<double>(tets) : 0;
   }
-  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+  void add(const TetShape& shape);
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    add(tet_shape(a, b, c, d));
+  }
 };
 
 }  // namespace tetfarm

@@ -37,7 +37,8 @@ Cells cells_of(const NumberedPart& part) {
 
 class VtkhdfWriter : public GlobalMeshWriter {
  public:
-  VtkhdfWriter(const std::filesystem::path& path, const std::vector<std::string>& patch_names)
+  VtkhdfWriter(const std::filesystem::path& path, const std::vector<std::string>& patch_names,
+               const std::vector<std::string>& region_names)
       : file_(path.string()) {
     file_.make_group("VTKHDF");
     file_.add_attribute("VTKHDF", "Version", {1, 0});
@@ -52,9 +53,12 @@ class VtkhdfWriter : public GlobalMeshWriter {
     file_.make_array<std::int64_t>("VTKHDF/PointData/GlobalNodeId");
     file_.make_group("VTKHDF/CellData");
     file_.make_array<std::int32_t>("VTKHDF/CellData/subdomain");
+    file_.make_array<std::int32_t>("VTKHDF/CellData/region");
     file_.make_array<std::int32_t>("VTKHDF/CellData/patch");
     file_.make_group("Tetfarm");
     file_.add_texts("Tetfarm/patch_names", patch_names);
+    file_.add_texts("Tetfarm/region_names",
+                    region_names.empty() ? std::vector<std::string>{"domain"} : region_names);
   }
 
   void add(const NumberedPart& part) override {
@@ -73,6 +77,8 @@ class VtkhdfWriter : public GlobalMeshWriter {
     file_.append("VTKHDF/PointData/GlobalNodeId", part.local2global);
     file_.append("VTKHDF/CellData/subdomain",
                  std::vector<std::int32_t>(cells.types.size(), part.number));
+    file_.append("VTKHDF/CellData/region",
+                 std::vector<std::int32_t>(cells.types.size(), part.region));
     file_.append("VTKHDF/CellData/patch", cells.patches);
   }
 
@@ -85,8 +91,9 @@ class VtkhdfWriter : public GlobalMeshWriter {
 }  // namespace
 
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
-                                               const std::vector<std::string>& patch_names) {
-  return std::make_unique<VtkhdfWriter>(path, patch_names);
+                                               const std::vector<std::string>& patch_names,
+                                               const std::vector<std::string>& region_names) {
+  return std::make_unique<VtkhdfWriter>(path, patch_names, region_names);
 }
 
 }  // namespace tetfarm

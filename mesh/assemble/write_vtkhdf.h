@@ -14,8 +14,10 @@
 
 namespace tetfarm {
 
-/// Truncates `path`. About 90 bytes a tet. @throws IoError, also later from the writer.
+/// Truncates `path`. Without names there is one region, "domain". About 90 bytes a tet.
+/// @throws IoError, also later from the writer.
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
-                                               const std::vector<std::string>& patch_names);
+                                               const std::vector<std::string>& patch_names,
+                                               const std::vector<std::string>& region_names = {});
 
 }  // namespace tetfarm

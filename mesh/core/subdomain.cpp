@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "mesh/core/complaints.h"
+#include "mesh/core/subdomain_regions.h"
 #include "mesh/core/validate.h"
 
 namespace tetfarm {
@@ -26,6 +27,11 @@ void find_equal_lengths(const Subdomain& s, Complaints& complaints) {
   };
   compare(s.vertices.size(), s.node_origin.size(), "vertices");
   compare(s.triangles.size(), s.triangle_origin.size(), "triangles");
+  const std::size_t sides = s.region == 0 ? s.triangles.size() : 0;
+  if (s.region < 0 || s.sides.size() != sides) {
+    complaints.add("region " + std::to_string(s.region) + " with sides of " +
+                   std::to_string(s.sides.size()) + " triangles");
+  }
   if (s.path.heap == 0) complaints.add("the tree path is 0, which is no place in a tree");
 }
 
@@ -66,6 +72,16 @@ void find_repeated_origins(std::vector<Origin> origins, const std::string& what,
   }
 }
 
+void find_unmatched_edges(const Subdomain& subdomain, std::int32_t region, Complaints& complaints) {
+  for (const auto& [a, b] : unmatched_edges(triangles_out_of(subdomain, region))) {
+    complaints.add("edge " + std::to_string(a) + "-" + std::to_string(b) + " from " +
+                   text_of(subdomain.vertices[at(a)]) + " to " +
+                   text_of(subdomain.vertices[at(b)]) +
+                   " is not used equally often in both directions");
+    if (complaints.full()) return;
+  }
+}
+
 }  // namespace
 
 int TreePath::depth() const {
@@ -81,26 +97,18 @@ std::string TreePath::text() const {
 }
 
 Subdomain root_subdomain(const SurfaceMesh& surface) {
-  Subdomain root;
-  root.triangles = surface.triangles;
-  std::vector<std::int32_t> old2new(surface.vertices.size(), -1);
-  for (const Triangle& triangle : root.triangles) {
-    for (const std::int32_t v : triangle) {
-      TF_CHECK(v >= 0 && at(v) < surface.vertices.size());
-      old2new[at(v)] = 0;
-    }
+  Subdomain whole;
+  whole.vertices = surface.vertices;
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    whole.node_origin.push_back({0, static_cast<std::uint32_t>(v)});
   }
-  for (std::size_t v = 0; v < old2new.size(); ++v) {
-    if (old2new[v] < 0) continue;
-    old2new[v] = static_cast<std::int32_t>(root.vertices.size());
-    root.vertices.push_back(surface.vertices[v]);
-    root.node_origin.push_back({0, static_cast<std::uint32_t>(v)});
+  whole.triangles = surface.triangles;
+  whole.region = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    whole.triangle_origin.push_back({0, static_cast<std::uint32_t>(t)});
+    whole.sides.push_back(sides_of(surface, t));
   }
-  for (Triangle& triangle : root.triangles) {
-    for (std::int32_t& v : triangle) v = old2new[at(v)];
-    root.triangle_origin.push_back({0, static_cast<std::uint32_t>(root.triangle_origin.size())});
-  }
-  return root;
+  return part_of_regions(whole, regions_of(whole), whole.path);
 }
 
 std::vector<std::string> validate(const Subdomain& subdomain) {
@@ -109,12 +117,8 @@ std::vector<std::string> validate(const Subdomain& subdomain) {
   find_bad_triangles(subdomain, complaints);
   if (!complaints.empty()) return complaints.take();
   find_bad_vertices(subdomain, complaints);
-  for (const auto& [a, b] : unmatched_edges(subdomain.triangles)) {
-    complaints.add("edge " + std::to_string(a) + "-" + std::to_string(b) + " from " +
-                   text_of(subdomain.vertices[at(a)]) + " to " +
-                   text_of(subdomain.vertices[at(b)]) +
-                   " is not used equally often in both directions");
-    if (complaints.full()) break;
+  for (const std::int32_t region : regions_of(subdomain)) {
+    find_unmatched_edges(subdomain, region, complaints);
   }
   find_repeated_origins(subdomain.node_origin, "vertices", complaints);
   find_repeated_origins(subdomain.triangle_origin, "triangles", complaints);

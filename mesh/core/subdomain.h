@@ -39,16 +39,21 @@ struct Origin {
 /// Invariants (validate): 1. vertices/node_origin and triangles/triangle_origin have equal lengths;
 /// 2. the surface is closed, every edge used once in each direction (an edge may be shared by more
 /// than one pair where shells touch: then equally often in each); 3. node origins are all
-/// different, so are triangle origins; 4. every vertex is used.
+/// different, so are triangle origins; 4. every vertex is used. A sub-domain that holds several
+/// regions (the root, and what region_split makes of it) has region 0 and the sides of each
+/// triangle; then 2 holds of the triangles of each region, turned to point out of it.
 struct Subdomain {
   TreePath path;
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   std::vector<Origin> node_origin;
   std::vector<Origin> triangle_origin;
+  std::int32_t region = 1;   ///< 0: several, and `sides` tells which is where
+  std::vector<Sides> sides;  ///< of each triangle; empty when region > 0
 };
 
-/// The root of the tree: the whole input surface. Unused vertices are dropped.
+/// The root of the tree: the whole input surface. Unused vertices, and triangles between what is
+/// not meshed, are dropped.
 Subdomain root_subdomain(const SurfaceMesh& surface);
 
 /// What breaks the invariants above, a line each; empty when all hold.

@@ -8,6 +8,7 @@ Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
                   const InterdomainMesh& mesh, Side side) {
   Subdomain half;
   half.path = side == Side::left ? subdomain.path.left() : subdomain.path.right();
+  half.region = subdomain.region;
   std::vector<std::int32_t> old2new(subdomain.vertices.size(), -1);
   constexpr std::int32_t is_used = 0;
   for (std::size_t t = 0; t < colours.size(); ++t) {

@@ -75,7 +75,8 @@ std::vector<std::int32_t> find_shells(const std::vector<HalfEdge>& twin) {
 }  // namespace
 
 SurfaceTopology make_surface_topology(const Subdomain& subdomain) {
-  const auto& [path, vertices, triangles, node_origin, triangle_origin] = subdomain;
+  const std::vector<Vec3>& vertices = subdomain.vertices;
+  const std::vector<Triangle>& triangles = subdomain.triangles;
   SurfaceTopology topology;
   topology.twin = find_twins(triangles, vertices.size());
   topology.triangle2shell = find_shells(topology.twin);

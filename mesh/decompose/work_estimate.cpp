@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/decompose/surface_topology.h"
 #include "mesh/geometry/box_tree.h"
@@ -250,7 +251,12 @@ WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing)
 }
 
 double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing) {
-  return sample_work(subdomain, spacing).total;
+  if (subdomain.region > 0) return sample_work(subdomain, spacing).total;
+  double sum = 0;
+  for (const std::int32_t region : regions_of(subdomain)) {
+    sum += sample_work(part_of_regions(subdomain, {region}, subdomain.path), spacing).total;
+  }
+  return sum;
 }
 
 }  // namespace tetfarm

@@ -119,7 +119,10 @@ SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& out
       is_box ? make_box(measured, outer, growth) : make_sphere(measured, outer, growth);
 
   SurfaceMesh result = body;
-  for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
+  // With sides, the body's triangles already tell the outside, region 1, from the rest.
+  if (result.sides.empty()) {
+    for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
+  }
   if (result.patch_of_triangle.empty()) {
     result.patch_of_triangle.assign(result.triangles.size(), 0);
     result.patch_names = {"surface"};
@@ -129,6 +132,7 @@ SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& out
   for (const auto& [a, b, c] : boundary.triangles) {
     result.triangles.push_back({a + offset, b + offset, c + offset});
   }
+  if (!result.sides.empty()) result.sides.resize(result.triangles.size(), Sides{1, 0});
   result.patch_of_triangle.resize(result.triangles.size(),
                                   static_cast<std::int32_t>(result.patch_names.size()));
   result.patch_names.emplace_back(is_box ? "outer_box" : "outer_sphere");

@@ -18,7 +18,9 @@ struct OuterBoundary {
 };
 
 /// The body turned into a hole in a new outer boundary: body triangles reversed, then the
-/// boundary's, with a new patch "outer_box" or "outer_sphere". Kind none: the body as it is. The
+/// boundary's, with a new patch "outer_box" or "outer_sphere". Kind none: the body as it is. A body
+/// with sides (checked with is_outside_meshed) keeps its triangles; its region 1 gets the boundary.
+/// The
 /// spacing is at most a sixth of the box's side, and coarser than asked where more than 200 000
 /// triangles would be needed.
 /// @pre the body is closed and oriented outward.

@@ -4,33 +4,10 @@
 #include <cmath>
 
 #include "mesh/geometry/box_tree.h"
-#include "mesh/geometry/predicates.h"
-#include "mesh/geometry/triangle_intersection.h"
+#include "mesh/inspect/shifted_ray.h"
 
 namespace tetfarm {
 namespace {
-
-int sign(double x) { return (x > 0) - (x < 0); }
-
-Vec2 along_x(const Vec3& p) { return {p.y, p.z}; }
-
-/// The side of the line uv on which p lies when shifted by (ε, ε²); 0 only when u = v.
-int shifted_side(const Vec2& u, const Vec2& v, const Vec2& p) {
-  const int side = sign(orient2d(u, v, p));
-  if (side != 0) return side;
-  return u.y != v.y ? sign(u.y - v.y) : sign(v.x - u.x);
-}
-
-/// Whether the ray from p along +x, shifted, goes through the triangle. @pre p is not on it.
-bool ray_hits(const Vec3& p, const TrianglePoints& t) {
-  const Vec2 q = along_x(p);
-  const int side = shifted_side(along_x(t[0]), along_x(t[1]), q);
-  if (side == 0 || shifted_side(along_x(t[1]), along_x(t[2]), q) != side ||
-      shifted_side(along_x(t[2]), along_x(t[0]), q) != side) {
-    return false;
-  }
-  return sign(orient3d(t[0], t[1], t[2], p)) * side < 0;
-}
 
 /// The shell that alone uses a vertex; -1: none does, -2: several do.
 std::vector<std::int32_t> owners_of_vertices(const SurfaceMesh& surface,
@@ -99,7 +76,7 @@ std::vector<ShellPlace> nest_shells(const SurfaceMesh& surface,
     tree.query({p, {HUGE_VAL, p.y, p.z}}, [&](std::int32_t i) {
       const auto t = static_cast<std::size_t>(i);
       if (triangle2shell[t] == number) return;
-      if (ray_hits(p, triangle_points(surface.vertices, triangles[t]))) {
+      if (ray_passes(p, triangle_points(surface.vertices, triangles[t])) != 0) {
         left.push_back(triangle2shell[t]);
       }
     });

@@ -1,8 +1,7 @@
 /// Which shell lies inside which.
 ///
 /// Source: the number of times a ray from a shell crosses another is odd when it starts inside. The
-/// ray runs along x from a vertex, shifted by (ε, ε²) across; signs are exact, so it never meets an
-/// edge or a vertex.
+/// ray is that of shifted_ray.h, from a vertex.
 #pragma once
 
 #include <cstdint>

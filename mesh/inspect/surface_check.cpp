@@ -6,6 +6,7 @@
 
 #include "mesh/core/complaints.h"
 #include "mesh/inspect/defect_text.h"
+#include "mesh/inspect/region_map.h"
 #include "mesh/inspect/self_intersection.h"
 #include "mesh/inspect/shell_nesting.h"
 #include "mesh/inspect/shell_orientation.h"
@@ -104,16 +105,34 @@ void nest_and_orient(const ShellOrientation& orientation, CheckedSurface& checke
   }
 }
 
+/// @pre there are no defects.
+void divide_into_regions(std::span<const EdgeUse> uses, const RegionRules& rules,
+                         bool has_interfaces, CheckedSurface& checked) {
+  checked.report.shells.clear();
+  // The map looks at the triangles as they were; they may be turned while it is still used.
+  const SurfaceMesh given = checked.surface;
+  const RegionMap map(given, join_sides(given, uses));
+  auto defect = choose_regions(map, rules, has_interfaces, checked.surface, checked.report);
+  if (defect) checked.report.defects.push_back(std::move(*defect));
+}
+
+bool has_crowded_edge(std::span<const EdgeUse> uses) {
+  bool found = false;
+  for_each_edge(uses,
+                [&found](std::span<const EdgeUse> edge) { found = found || edge.size() > 2; });
+  return found;
+}
+
 }  // namespace
 
-CheckedSurface check_surface(const SurfaceMesh& surface) {
+CheckedSurface check_surface(const SurfaceMesh& surface, const RegionRules& rules) {
   CheckedSurface checked{surface, {}};
   SurfaceReport& report = checked.report;
   TriangleCheck triangles = check_triangles(surface);
   report.defects = std::move(triangles.defects);
   const std::vector<EdgeUse> uses = edge_uses(surface.triangles, triangles.sieve.for_edges);
   measure_surface(surface, uses, report);
-  std::ranges::move(check_edges(surface, uses), std::back_inserter(report.defects));
+  if (auto defect = check_edges(surface, uses)) report.defects.push_back(std::move(*defect));
   ShellOrientation orientation = orient_shells(surface, uses, triangles.sieve.for_edges);
   if (orientation.defect) report.defects.push_back(*orientation.defect);
   for (const auto& shell : orientation.shells) {
@@ -126,7 +145,13 @@ CheckedSurface check_surface(const SurfaceMesh& surface) {
   if (report.unused_vertices > 0) {
     report.remarks.push_back("vertices of no triangle: " + std::to_string(report.unused_vertices));
   }
-  if (report.defects.empty()) nest_and_orient(orientation, checked);
+  if (!report.defects.empty()) return checked;
+  const bool has_interfaces = has_crowded_edge(uses);
+  if (has_interfaces || !rules.wishes.empty()) {
+    divide_into_regions(uses, rules, has_interfaces, checked);
+  } else {
+    nest_and_orient(orientation, checked);
+  }
   return checked;
 }
 

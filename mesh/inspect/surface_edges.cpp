@@ -18,30 +18,25 @@ const Vec3& vertex(const SurfaceMesh& surface, std::int32_t v) {
   return surface.vertices[static_cast<std::size_t>(v)];
 }
 
-/// Gathers the edges that are wrong in one way.
-struct WrongEdges {
+struct OpenEdges {
   std::size_t count = 0;
   std::vector<std::string> places;
   std::vector<std::int64_t> triangles;
 
-  void add(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
+  void add(const SurfaceMesh& surface, const EdgeUse& use) {
     ++count;
-    for (const EdgeUse& use : uses) triangles.push_back(use.triangle);
+    triangles.push_back(use.triangle);
     if (places.size() == places_named) return;
-    std::string text = "edge from vertex " + std::to_string(uses[0].low) + " " +
-                       text_of(vertex(surface, uses[0].low)) + " to " +
-                       std::to_string(uses[0].high) + " " + text_of(vertex(surface, uses[0].high)) +
-                       " of triangle" + (uses.size() > 1 ? "s" : "");
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      text += (i == 0 ? " " : ", ") + std::to_string(uses[i].triangle);
-    }
-    places.push_back(text);
+    places.push_back("edge from vertex " + std::to_string(use.low) + " " +
+                     text_of(vertex(surface, use.low)) + " to " + std::to_string(use.high) + " " +
+                     text_of(vertex(surface, use.high)) + " of triangle " +
+                     std::to_string(use.triangle));
   }
 
-  SurfaceDefect defect(const std::string& kind, const std::string& what) {
+  SurfaceDefect defect(const std::string& what) {
     std::ranges::sort(triangles);
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    return {kind, with_places(what, places, count), triangles};
+    return {"open edge", with_places(what, places, count), triangles};
   }
 };
 
@@ -97,31 +92,28 @@ std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles,
   return uses;
 }
 
-std::vector<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<const EdgeUse> uses) {
-  WrongEdges open;
-  WrongEdges crowded;
+std::optional<SurfaceDefect> check_edges(const SurfaceMesh& surface,
+                                         std::span<const EdgeUse> uses) {
+  OpenEdges open;
+  std::size_t crowded = 0;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() == 1) open.add(surface, edge);
-    if (edge.size() > 2) crowded.add(surface, edge);
+    if (edge.size() == 1) open.add(surface, edge[0]);
+    if (edge.size() > 2) ++crowded;
   });
-  std::vector<SurfaceDefect> defects;
-  if (open.count > 0) {
-    std::string what = count_of(open.count, "open edge") + " (on one triangle only)";
-    if (const CloseVertices close = close_vertices(surface, uses); close.pairs > 0) {
-      what += "; " + count_of(close.pairs, "pair") + " of vertices on them lie " +
-              (close.farthest > 0 ? "within " + text_of(close.farthest) : "in the same place") +
-              ": joining these may close the surface";
-    }
-    defects.push_back(open.defect("open edge", what));
+  if (open.count == 0) return std::nullopt;
+  std::string what = count_of(open.count, "open edge") + " (on one triangle only)";
+  if (const CloseVertices close = close_vertices(surface, uses); close.pairs > 0) {
+    what += "; " + count_of(close.pairs, "pair") + " of vertices on them lie " +
+            (close.farthest > 0 ? "within " + text_of(close.farthest) : "in the same place") +
+            ": joining these may close the surface";
   }
-  if (crowded.count > 0) {
-    std::string what = count_of(crowded.count, "edge") + " on more than two triangles";
-    if (open.count == 0) {
-      what += ": the surface bounds several materials; give the surface of one of them";
-    }
-    defects.push_back(crowded.defect("non-manifold edge", what));
+  if (crowded > 0) {
+    what +=
+        "; " + count_of(crowded, "edge") + (crowded == 1 ? " is" : " are") +
+        " on more than two triangles: a sheet that ends inside a region divides nothing; remove "
+        "it, or continue it to the boundary";
   }
-  return defects;
+  return open.defect(what);
 }
 
 }  // namespace tetfarm

@@ -1,8 +1,8 @@
-/// The edges of a surface with the triangles on them, and the two ways in which an edge can be
-/// wrong.
+/// The edges of a surface with the triangles on them, and those that are open.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,8 +37,7 @@ void for_each_edge(std::span<const EdgeUse> uses, Visitor&& visit) {
 }
 
 /// "open edge": used by one triangle; the message says when vertices on open edges lie so close
-/// together that they were probably meant to be one. "non-manifold edge": used by more than two;
-/// when nothing is open the surface bounds several materials, and the message says so.
-std::vector<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<const EdgeUse> uses);
+/// together that they were probably meant to be one, and when sheets hang on the surface.
+std::optional<SurfaceDefect> check_edges(const SurfaceMesh& surface, std::span<const EdgeUse> uses);
 
 }  // namespace tetfarm

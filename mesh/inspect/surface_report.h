@@ -26,11 +26,19 @@ struct Shell {
   bool was_flipped = false;  // more than half of its triangles were turned
 };
 
+/// A region that the surface bounds. Only of surfaces with several, or of which the job says more.
+struct RegionFigures {
+  std::int32_t number = 0;  // from 1; 0: not meshed
+  std::string name;
+  double volume = 0;  // 0 of the outside, which an outer boundary will bound
+};
+
 struct SurfaceReport {
   std::vector<SurfaceDefect> defects;  // empty: can be meshed
   std::vector<std::string> remarks;    // e.g. "shell 2 was oriented inward; turned by nesting"
-  std::vector<Shell> shells;           // parent and depth only without defects
-  double volume = 0;                   // of the domain; 0 when there are defects
+  std::vector<RegionFigures> regions;
+  std::vector<Shell> shells;  // parent and depth only without defects
+  double volume = 0;          // of the domain; 0 when there are defects
   double shortest_edge = 0;
   double median_edge = 0;
   double longest_edge = 0;

@@ -21,7 +21,7 @@ using Magic = std::string_view;
 constexpr Magic surface_magic = "TFSURF\r\n";
 constexpr Magic subdomain_magic = "TFSUBD\r\n";
 constexpr Magic tet_mesh_magic = "TFTETM\r\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t checksum_size = 16;
 constexpr std::uint64_t max_count = std::numeric_limits<std::int32_t>::max();
 
@@ -72,7 +72,8 @@ class Reader {
     if (bytes.size() < magic.size() + sizeof version + checksum_size) fail("is cut short");
     rest_ = bytes.substr(magic.size(), bytes.size() - magic.size() - checksum_size);
     const auto found = number<std::uint32_t>();
-    if (found != version) fail("has the format version " + std::to_string(found) + ", not 1");
+    if (found != version)
+      fail("has the format version " + std::to_string(found) + ", not " + std::to_string(version));
     Hash128 checksum;
     std::memcpy(&checksum.low, bytes.end() - 16, 8);
     std::memcpy(&checksum.high, bytes.end() - 8, 8);
@@ -142,19 +143,26 @@ class Reader {
 std::string surface_to_bytes(const SurfaceMesh& surface) {
   TF_CHECK(surface.patch_of_triangle.empty() ||
            surface.patch_of_triangle.size() == surface.triangles.size());
-  std::size_t size = 4 * sizeof(std::uint64_t) + surface.vertices.size() * sizeof(Vec3) +
+  TF_CHECK(surface.sides.empty() || surface.sides.size() == surface.triangles.size());
+  std::size_t size = 6 * sizeof(std::uint64_t) + surface.vertices.size() * sizeof(Vec3) +
                      surface.triangles.size() * sizeof(Triangle) +
-                     surface.patch_of_triangle.size() * sizeof(std::int32_t);
+                     surface.patch_of_triangle.size() * sizeof(std::int32_t) +
+                     surface.sides.size() * sizeof(Sides);
   for (const std::string& name : surface.patch_names) size += sizeof(std::uint32_t) + name.size();
+  for (const std::string& name : surface.region_names) size += sizeof(std::uint32_t) + name.size();
   Writer writer(surface_magic, size);
   writer.number<std::uint64_t>(surface.vertices.size());
   writer.number<std::uint64_t>(surface.triangles.size());
   writer.number<std::uint64_t>(surface.patch_of_triangle.size());
   writer.number<std::uint64_t>(surface.patch_names.size());
+  writer.number<std::uint64_t>(surface.sides.size());
+  writer.number<std::uint64_t>(surface.region_names.size());
   writer.array(surface.vertices.data(), surface.vertices.size());
   writer.array(surface.triangles.data(), surface.triangles.size());
   writer.array(surface.patch_of_triangle.data(), surface.patch_of_triangle.size());
   for (const std::string& name : surface.patch_names) writer.text(name);
+  writer.array(surface.sides.data(), surface.sides.size());
+  for (const std::string& name : surface.region_names) writer.text(name);
   return std::move(writer).finish();
 }
 
@@ -164,8 +172,13 @@ SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) 
   const std::size_t triangles = reader.count();
   const std::size_t patched_triangles = reader.count();
   const std::size_t patches = reader.count();
+  const std::size_t sided_triangles = reader.count();
+  const std::size_t regions = reader.count();
   if (patched_triangles != 0 && patched_triangles != triangles) {
     reader.fail("gives patches to some triangles only");
+  }
+  if (sided_triangles != 0 && sided_triangles != triangles) {
+    reader.fail("gives sides to some triangles only");
   }
   SurfaceMesh surface;
   surface.vertices = reader.array<Vec3>(vertices);
@@ -173,6 +186,8 @@ SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) 
   surface.patch_of_triangle = reader.array<std::int32_t>(patched_triangles);
   for (const std::int32_t patch : surface.patch_of_triangle) reader.check_index(patch, patches);
   for (std::size_t i = 0; i < patches; ++i) surface.patch_names.push_back(reader.text());
+  surface.sides = reader.elements<2>(sided_triangles, regions + 1);
+  for (std::size_t i = 0; i < regions; ++i) surface.region_names.push_back(reader.text());
   reader.expect_end();
   return surface;
 }
@@ -181,16 +196,20 @@ std::string subdomain_to_bytes(const Subdomain& subdomain) {
   TF_CHECK(subdomain.node_origin.size() == subdomain.vertices.size());
   TF_CHECK(subdomain.triangle_origin.size() == subdomain.triangles.size());
   constexpr std::size_t origin_size = sizeof(std::uint64_t) + sizeof(std::uint32_t);
-  Writer writer(subdomain_magic, 3 * sizeof(std::uint64_t) +
+  TF_CHECK(subdomain.sides.size() == (subdomain.region == 0 ? subdomain.triangles.size() : 0));
+  Writer writer(subdomain_magic, 4 * sizeof(std::uint64_t) +
                                      subdomain.vertices.size() * (sizeof(Vec3) + origin_size) +
-                                     subdomain.triangles.size() * (sizeof(Triangle) + origin_size));
+                                     subdomain.triangles.size() * (sizeof(Triangle) + origin_size) +
+                                     subdomain.sides.size() * sizeof(Sides));
   writer.number(subdomain.path.heap);
   writer.number<std::uint64_t>(subdomain.vertices.size());
   writer.number<std::uint64_t>(subdomain.triangles.size());
+  writer.number<std::uint64_t>(static_cast<std::uint64_t>(subdomain.region));
   writer.array(subdomain.vertices.data(), subdomain.vertices.size());
   writer.array(subdomain.triangles.data(), subdomain.triangles.size());
   writer.origins(subdomain.node_origin);
   writer.origins(subdomain.triangle_origin);
+  writer.array(subdomain.sides.data(), subdomain.sides.size());
   return std::move(writer).finish();
 }
 
@@ -201,10 +220,12 @@ Subdomain subdomain_from_bytes(std::string_view bytes, const std::string& name) 
   if (subdomain.path.heap == 0) reader.fail("has the tree path 0");
   const std::size_t vertices = reader.count();
   const std::size_t triangles = reader.count();
+  subdomain.region = static_cast<std::int32_t>(reader.count());
   subdomain.vertices = reader.array<Vec3>(vertices);
   subdomain.triangles = reader.elements<3>(triangles, vertices);
   subdomain.node_origin = reader.origins(vertices);
   subdomain.triangle_origin = reader.origins(triangles);
+  if (subdomain.region == 0) subdomain.sides = reader.elements<2>(triangles, max_count);
   reader.expect_end();
   return subdomain;
 }

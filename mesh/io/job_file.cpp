@@ -23,10 +23,12 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::array<std::string_view, 11> top_keys = {
-    "version",   "name", "geometry",  "domain",  "spacing", "source",
-    "decompose", "mesh", "cosmetics", "quality", "output"};
+    constexpr std::array<std::string_view, 12> top_keys = {
+        "version", "name", "geometry", "domain", "region", "spacing", "source", "decompose", "mesh",
+        "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
+constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
 constexpr std::array<std::string_view, 3> spacing_keys = {"default", "growth", "surface"};
 constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
@@ -129,6 +131,11 @@ class Section {
     fail(at.source(), in_ticks(key) + " is \"" + std::string(value) + "\", not one of " +
                           list_of(known) + did_you_mean(value, known));
   }
+  bool boolean(std::string_view key) const {
+    const auto value = node(key).value_exact<bool>();
+    if (!value) fail_type(key, "true or false");
+    return *value;
+  }
   std::int64_t integer(std::string_view key, std::int64_t least) const {
     const auto value = node(key).value_exact<std::int64_t>();
     if (!value) fail_type(key, "an integer");
@@ -190,13 +197,27 @@ class Section {
   const std::string& path_;
 };
 
-JobSource::Corner parse_corner(const Section& section) {
-  JobSource::Corner corner;
+Vec3 parse_place(const Section& section) {
   const toml::array& at = section.array("at");
   if (at.size() != 3) section.fail("at", "must have three coordinates");
+  Vec3 place;
   for (int axis = 0; axis < 3; ++axis) {
-    corner.at[axis] = section.finite(at[static_cast<std::size_t>(axis)], "at");
+    place[axis] = section.finite(at[static_cast<std::size_t>(axis)], "at");
   }
+  return place;
+}
+
+JobRegion parse_region(const Section& section) {
+  JobRegion region;
+  region.at = parse_place(section);
+  if (section.has("name")) region.name = section.text("name");
+  if (section.has("void")) region.is_void = section.boolean("void");
+  return region;
+}
+
+JobSource::Corner parse_corner(const Section& section) {
+  JobSource::Corner corner;
+  corner.at = parse_place(section);
   corner.spacing = section.positive("spacing");
   corner.inner = section.positive("inner");
   corner.outer = section.positive("outer");
@@ -231,6 +252,14 @@ JobSource parse_source(const Section& top, const toml::node& node) {
     }
   }
   return source;
+}
+
+/// Each table of an array that is written [[key]]; none when there is no such array.
+template <class Visit>
+void for_each_table(const Section& top, std::string_view key, const Visit& visit) {
+  if (!top.has(key)) return;
+  if (top.node(key).is_table()) top.fail(key, "must be written [[" + std::string(key) + "]]");
+  for (const toml::node& node : top.array(key)) visit(node);
 }
 
 void parse_domain(const Section& section, JobFile& job) {
@@ -364,12 +393,12 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   if (surface.empty()) geometry.fail("surface", "must not be empty");
   job.surface = (fs::absolute(path).parent_path() / surface).lexically_normal().string();
   parse_domain(top.table("domain", domain_keys), job);
+  for_each_table(top, "region", [&](const toml::node& node) {
+    job.regions.push_back(parse_region(top.item(node, "region", region_keys)));
+  });
   parse_spacing(top.table("spacing", spacing_keys), job);
-  if (top.has("source")) {
-    if (top.node("source").is_table()) top.fail("source", "must be written [[source]]");
-    for (const toml::node& node : top.array("source"))
-      job.sources.push_back(parse_source(top, node));
-  }
+  for_each_table(top, "source",
+                 [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
   parse_decompose(top.table("decompose", decompose_keys), job);
   parse_mesh(top.table("mesh", mesh_keys), job);
   parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
@@ -379,9 +408,10 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 12> sections = {
+  const std::array<std::pair<std::string_view, Words>, 13> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
+       {"region", region_keys},
        {"spacing", spacing_keys},
        {"source", point_keys},
        {"source", line_keys},

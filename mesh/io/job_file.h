@@ -22,6 +22,13 @@ struct JobSource {
   int line = 0;                 // in the job file, for messages
 };
 
+/// What the job says of the region round a point.
+struct JobRegion {
+  Vec3 at;
+  std::string name;
+  bool is_void = false;
+};
+
 /// A job as the user wrote it, with defaults filled in. Plain data: mesh/io may not see the rooms
 /// that use it; the inspect task translates.
 struct JobFile {
@@ -30,6 +37,7 @@ struct JobFile {
   std::string outer_kind = "none";  // [domain] outer = "none" | "box" | "sphere"
   double outer_factor = 0;          // [domain] factor
   double outer_spacing = 0;         // [domain] spacing
+  std::vector<JobRegion> regions;   // [[region]]
   double spacing_default = 0;       // [spacing] default, 0: as large as growth allows
   double growth = 0.3;              // [spacing] growth
   bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"

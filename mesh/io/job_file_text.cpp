@@ -27,11 +27,15 @@ std::string number(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+std::string place(const Vec3& at) {
+  return "[" + number(at.x) + ", " + number(at.y) + ", " + number(at.z) + "]";
+}
+
 std::string corner_keys_of(const JobSource::Corner& corner, std::string_view between) {
   const std::string separator(between);
-  return "at = [" + number(corner.at.x) + ", " + number(corner.at.y) + ", " + number(corner.at.z) +
-         "]" + separator + "spacing = " + number(corner.spacing) + separator +
-         "inner = " + number(corner.inner) + separator + "outer = " + number(corner.outer);
+  return "at = " + place(corner.at) + separator + "spacing = " + number(corner.spacing) +
+         separator + "inner = " + number(corner.inner) + separator +
+         "outer = " + number(corner.outer);
 }
 
 std::string source_to_toml(const JobSource& source) {
@@ -60,6 +64,10 @@ std::string to_toml(const JobFile& job) {
   if (job.outer_kind != "none") {
     text +=
         "factor = " + number(job.outer_factor) + "\nspacing = " + number(job.outer_spacing) + "\n";
+  }
+  for (const JobRegion& region : job.regions) {
+    text += "\n[[region]]\nat = " + place(region.at) + "\nname = " + quoted_toml(region.name) +
+            "\nvoid = " + (region.is_void ? "true" : "false") + "\n";
   }
   text += "\n[spacing]\ndefault = " + number(job.spacing_default) +
           "\ngrowth = " + number(job.growth) +

@@ -24,11 +24,12 @@ ROOMS = {
     "mesh/cosmetics": ["mesh/geometry"],
     "mesh/volume": ["mesh/spacing", "mesh/cosmetics"],
     "mesh/assemble": ["mesh/io"],
+    "mesh/render": ["mesh/assemble"],
     "proto": ["base"],
     "store": ["base"],
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
-    "cli": ["coordinator", "worker"],
+    "cli": ["coordinator", "worker", "mesh/render"],
 }
 
 # They see every room, and no room sees them.

@@ -16,7 +16,7 @@ struct Octahedron {
 Subdomain subdomain_of(TreePath path, const std::vector<Vec3>& vertices,
                        const std::vector<Triangle>& triangles,
                        const std::vector<Origin>& node_origin) {
-  Subdomain subdomain{path, vertices, triangles, node_origin, {}};
+  Subdomain subdomain{path, vertices, triangles, node_origin, {}, 1, {}};
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     subdomain.triangle_origin.push_back({path.heap + 100, static_cast<std::uint32_t>(t)});
   }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
 #include "tests/support/shapes.h"
+#include "tests/support/voxel_surface.h"
 #include "worker/assemble_task.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
@@ -84,6 +86,69 @@ class Tasks : public ::testing::Test {
                {{"job", publish(to_toml(job))}, {"input_surface", publish(off_of(surface))}});
   }
 
+  /// The sub-domain and what becomes of it: lines of the table, files for assembly. False when a
+  /// task failed; its answer is `last_`.
+  bool settle(const wire::Artifact& subdomain, std::int64_t heap, std::int64_t parts,
+              const wire::Artifact& spacing, std::string& table, Files& files) {
+    const Files inputs = {{"subdomain", subdomain}, {"spacing", spacing}};
+    if (parts > 1) {
+      last_ = run(decompose_task, inputs, {{"parts", std::to_string(parts)}});
+      if (!last_.has_done()) return false;
+      if (last_.done().outputs_size() > 0) {
+        const wire::Envelope cut = last_;
+        const auto number = [&cut](const char* name) {
+          return static_cast<std::int64_t>(cut.done().numbers().at(name));
+        };
+        table += "cut " + std::to_string(heap) + " " + std::to_string(number("interdomain_nodes")) +
+                 "\n";
+        return settle(output(cut, "left"), 2 * heap, number("left_parts"), spacing, table, files) &&
+               settle(output(cut, "right"), 2 * heap + 1, number("right_parts"), spacing, table,
+                      files);
+      }
+    }
+    last_ =
+        run(mesh_task, {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}});
+    if (!last_.has_done()) return false;
+    const auto& numbers = last_.done().numbers();
+    std::ostringstream line;
+    line << "leaf " << heap << " " << numbers.at("interior_nodes") << " " << numbers.at("tets");
+    table += line.str() + "\n";
+    const Subdomain leaf = subdomain_from_bytes(bytes(subdomain), "leaf");
+    EXPECT_EQ(leaf.path.heap, static_cast<std::uint64_t>(heap));
+    const TetMesh mesh = tet_mesh_from_bytes(bytes(output(last_, "mesh")), leaf, "mesh");
+    EXPECT_EQ(validate(mesh, leaf.triangles), std::vector<std::string>());
+    files["subdomain:" + std::to_string(heap)] = subdomain;
+    files["mesh:" + std::to_string(heap)] = output(last_, "mesh");
+    return true;
+  }
+
+  /// All tasks of a job, one after the other. The answer of the last, or of the one that failed.
+  wire::Envelope chain(const JobFile& job, const SurfaceMesh& given) {
+    const wire::Envelope inspected = inspect(job, given);
+    if (!inspected.has_done()) return inspected;
+    const wire::Artifact surface = output(inspected, "surface");
+    const wire::Artifact spacing = output(inspected, "spacing");
+    std::string table;
+    Files files = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
+    const auto parts = static_cast<std::int64_t>(inspected.done().numbers().at("parts"));
+    if (!settle(output(inspected, "root"), 1, parts, spacing, table, files)) return last_;
+    const wire::Envelope numbered = run(number_task, {{"surface", surface}}, {{"table", table}});
+    if (!numbered.has_done()) return numbered;
+    files["numbering"] = output(numbered, "numbering");
+    return run(assemble_task, files);
+  }
+
+  void expect_right_files(const wire::Envelope& assembled) {
+    for (const char* name : {"ball.vtkhdf", "ball.lb8.ugrid"}) {
+      const std::string path = folder_ + "/" + name;
+      std::filesystem::remove(path);
+      std::filesystem::copy_file(store_.path_of(output(assembled, name).hash()), path);
+      const MeshReport report = report_on(read_global_mesh(path));
+      EXPECT_TRUE(report.complaints.empty()) << report.complaints.front();
+      EXPECT_EQ(report.digest.hex(), assembled.done().texts().at("digest")) << name;
+    }
+  }
+
   static JobFile job_of(std::int64_t subdomains) {
     JobFile job;
     job.name = "ball";
@@ -95,6 +160,7 @@ class Tasks : public ::testing::Test {
 
   std::string folder_ = new_folder();
   ArtifactStore store_{folder_};
+  wire::Envelope last_;
 };
 
 TEST_F(Tasks, inspect_gives_surface_spacing_root_and_the_number_of_parts) {
@@ -111,9 +177,14 @@ TEST_F(Tasks, inspect_gives_surface_spacing_root_and_the_number_of_parts) {
 TEST_F(Tasks, parts_follow_from_the_wanted_size_when_not_given) {
   JobFile job = job_of(0);
   job.target_elements = 100;
-  EXPECT_EQ(wanted_parts(job, 1001), 11);
-  EXPECT_EQ(wanted_parts(job, 99), 1);
-  EXPECT_EQ(wanted_parts(job, 0), 1);
+  EXPECT_EQ(wanted_parts(job, 1001, 1), 11);
+  EXPECT_EQ(wanted_parts(job, 99, 1), 1);
+  EXPECT_EQ(wanted_parts(job, 0, 1), 1);
+}
+
+TEST_F(Tasks, each_region_is_a_part_at_least) {
+  EXPECT_EQ(wanted_parts(job_of(2), 1000, 5), 5);
+  EXPECT_EQ(wanted_parts(job_of(0), 1000, 5), 5);
 }
 
 TEST_F(Tasks, inspect_refuses_an_open_surface_and_shows_it) {
@@ -138,48 +209,11 @@ TEST_F(Tasks, an_outer_box_makes_the_outside_the_domain) {
 }
 
 TEST_F(Tasks, the_whole_chain_makes_a_valid_mesh_in_every_format) {
-  const JobFile job = job_of(2);
-  const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 2));
-  const wire::Artifact surface = output(inspected, "surface");
-  const wire::Artifact spacing = output(inspected, "spacing");
-  const wire::Envelope cut =
-      run(decompose_task, {{"subdomain", output(inspected, "root")}, {"spacing", spacing}},
-          {{"parts", "2"}});
-  EXPECT_EQ(cut.done().numbers().at("left_parts"), 1);
-  EXPECT_EQ(cut.done().numbers().at("right_parts"), 1);
-  std::ostringstream table;
-  table << "cut 1 " << cut.done().numbers().at("interdomain_nodes") << "\n";
-  Files files = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
-  int heap = 2;
-  for (const char* half : {"left", "right"}) {
-    const wire::Artifact subdomain = output(cut, half);
-    const wire::Envelope meshed =
-        run(mesh_task, {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}});
-    ASSERT_TRUE(meshed.has_done()) << meshed.failed().message();
-    const auto& numbers = meshed.done().numbers();
-    table << "leaf " << heap << " " << numbers.at("interior_nodes") << " " << numbers.at("tets")
-          << "\n";
-    const Subdomain leaf = subdomain_from_bytes(bytes(subdomain), half);
-    EXPECT_EQ(leaf.path.heap, static_cast<std::uint64_t>(heap));
-    const TetMesh mesh = tet_mesh_from_bytes(bytes(output(meshed, "mesh")), leaf, half);
-    EXPECT_EQ(validate(mesh, leaf.triangles), std::vector<std::string>());
-    files["subdomain:" + std::to_string(heap)] = subdomain;
-    files["mesh:" + std::to_string(heap)] = output(meshed, "mesh");
-    ++heap;
-  }
-  const wire::Envelope numbered =
-      run(number_task, {{"surface", surface}}, {{"table", table.str()}});
-  files["numbering"] = output(numbered, "numbering");
-  const wire::Envelope assembled = run(assemble_task, files);
+  const wire::Envelope assembled = chain(job_of(2), shapes::sphere({0, 0, 0}, 1, 2));
   ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
   EXPECT_EQ(assembled.done().numbers().at("boundary_triangles"), 320);
-  for (const char* name : {"ball.vtkhdf", "ball.lb8.ugrid"}) {
-    const std::string path = folder_ + "/" + name;
-    std::filesystem::copy_file(store_.path_of(output(assembled, name).hash()), path);
-    const MeshReport report = report_on(read_global_mesh(path));
-    EXPECT_TRUE(report.complaints.empty()) << report.complaints.front();
-    EXPECT_EQ(report.digest.hex(), assembled.done().texts().at("digest")) << name;
-  }
+  EXPECT_EQ(assembled.done().numbers().at("subdomains"), 2);
+  expect_right_files(assembled);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(store_.scratch_folder()), {}), 0)
       << "files were left behind";
 }
@@ -196,6 +230,38 @@ TEST_F(Tasks, the_job_says_where_the_points_inside_come_from) {
   };
   EXPECT_NE(mesh_hash("lattice"), mesh_hash("sweeps"));
   EXPECT_EQ(mesh_hash("lattice"), mesh_hash(JobFile{}.points));
+}
+
+TEST_F(Tasks, every_region_is_meshed_and_conforms_to_its_neighbours) {
+  const auto cubes = [](std::array<int, 3> size, const std::function<int(int, int, int)>& label) {
+    return shapes::voxel_surface({size, label}).surface;
+  };
+  struct Case {
+    const char* name;
+    SurfaceMesh surface;
+    int regions;
+  };
+  const Case cases[] = {
+      {"two with a common face", cubes({2, 1, 1}, [](int x, int, int) { return x + 1; }), 2},
+      {"four round an edge", cubes({2, 2, 1}, [](int x, int y, int) { return 1 + x + 2 * y; }), 4},
+      {"two that share an edge", cubes({2, 2, 1}, [](int x, int y, int) { return x == y; }), 2},
+      {"one in another, off its wall",
+       cubes({3, 3, 3}, [](int x, int y, int z) { return x == 1 && y == 1 && z == 1 ? 2 : 1; }), 2},
+      {"one in another, on its wall",
+       cubes({3, 3, 2}, [](int x, int y, int z) { return x == 1 && y == 1 && z == 0 ? 2 : 1; }), 2},
+      {"one that touches itself along an edge",
+       cubes({2, 2, 2}, [](int x, int y, int z) { return x == y || z == 0 ? 1 : 2 + x; }), 3},
+  };
+  for (const Case& tried : cases) {
+    JobFile job = job_of(1);
+    if (tried.name == std::string_view("one in another, off its wall")) {
+      job.regions = {{{1.5, 1.5, 1.5}, "core", false}};
+    }
+    const wire::Envelope assembled = chain(job, tried.surface);
+    ASSERT_TRUE(assembled.has_done()) << tried.name << ": " << assembled.failed().message();
+    EXPECT_EQ(assembled.done().numbers().at("subdomains"), tried.regions) << tried.name;
+    expect_right_files(assembled);
+  }
 }
 
 TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {

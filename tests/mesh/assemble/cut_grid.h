@@ -158,6 +158,7 @@ class CutGridBuilder {
     subdomain.vertices = part.mesh.nodes;
     subdomain.node_origin.resize(part.mesh.nodes.size());
     for (const auto& [v, l] : number) subdomain.node_origin[at(l)] = node_origin_.at(v);
+    part.is_on_cut = nodes_on_cuts(subdomain);
     part.mesh.boundary_nodes = static_cast<std::int32_t>(part.mesh.nodes.size());
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       if (leaf_of_[t] != leaf) continue;

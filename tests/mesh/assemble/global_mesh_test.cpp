@@ -43,11 +43,11 @@ TEST(GlobalMesh, has_every_node_and_tet_once) {
 
 TEST(GlobalMesh, figures_of_shape_are_those_of_the_tets) {
   const GlobalMeshSummary summary = assemble(cut_grid(3));
-  EXPECT_EQ(summary.shapes.tets, summary.tets);
-  EXPECT_NEAR(summary.shapes.min_dihedral_deg, 45, 1e-9);
-  EXPECT_NEAR(summary.shapes.max_dihedral_deg, 90, 1e-9);
+  EXPECT_EQ(summary.shapes.all.tets, summary.tets);
+  EXPECT_NEAR(summary.shapes.all.min_dihedral_deg, 45, 1e-9);
+  EXPECT_NEAR(summary.shapes.all.max_dihedral_deg, 90, 1e-9);
   std::int64_t angles = 0;
-  for (const std::int64_t count : summary.shapes.dihedral_histogram) angles += count;
+  for (const std::int64_t count : summary.shapes.all.dihedral_histogram) angles += count;
   EXPECT_EQ(angles, 6 * summary.tets);
 }
 

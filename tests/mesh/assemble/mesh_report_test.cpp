@@ -50,7 +50,7 @@ TEST(MeshFiles, both_formats_give_back_the_mesh_that_was_written) {
     EXPECT_EQ(report.tets, files.summary.tets);
     EXPECT_EQ(report.nodes, files.summary.nodes);
     EXPECT_EQ(report.boundary_triangles, files.summary.boundary_triangles);
-    EXPECT_EQ(report.shapes.min_dihedral_deg, files.summary.shapes.min_dihedral_deg);
+    EXPECT_EQ(report.shapes.all.min_dihedral_deg, files.summary.shapes.all.min_dihedral_deg);
     EXPECT_EQ(report.digest, report_on(from_vtkhdf).digest);
   }
 }
@@ -58,6 +58,19 @@ TEST(MeshFiles, both_formats_give_back_the_mesh_that_was_written) {
 TEST(MeshFiles, digest_of_the_vtkhdf_file_is_that_of_the_assembled_mesh) {
   const Files files(cut_grid(4));
   EXPECT_EQ(report_on(read_global_mesh(files.vtkhdf)).digest, files.summary.digest);
+}
+
+TEST(MeshFiles, say_of_the_tets_near_the_cuts_what_assembly_says) {
+  const Files files(cut_grid(12));
+  const MeshShapes& assembled = files.summary.shapes;
+  const MeshShapes read = report_on(read_global_mesh(files.vtkhdf)).shapes;
+  EXPECT_GT(assembled.near_cuts.tets, 1000);
+  EXPECT_GT(assembled.away_from_cuts.tets, 1000);
+  EXPECT_EQ(read.near_cuts.tets, assembled.near_cuts.tets);
+  EXPECT_EQ(read.near_cuts.dihedral_histogram, assembled.near_cuts.dihedral_histogram);
+  EXPECT_EQ(read.near_cuts.smallest_height, assembled.near_cuts.smallest_height);
+  EXPECT_EQ(read.away_from_cuts.tets, assembled.away_from_cuts.tets);
+  EXPECT_EQ(report_on(read_global_mesh(files.ugrid)).shapes.near_cuts.tets, 0);
 }
 
 TEST(MeshFiles, same_mesh_gives_same_bytes) {

@@ -76,7 +76,7 @@ TEST(ShellOrientation, finds_no_sides_on_the_closed_projective_plane) {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                     {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
   const std::vector<char> all(mesh.triangles.size(), 1);
-  ASSERT_THAT(check_edges(mesh, edge_uses(mesh.triangles, all)), testing::IsEmpty());
+  ASSERT_FALSE(check_edges(mesh, edge_uses(mesh.triangles, all)));
   EXPECT_TRUE(orient(mesh).defect);
 }
 

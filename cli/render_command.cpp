@@ -1,0 +1,89 @@
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/file_system.h"
+#include "cli/commands.h"
+#include "mesh/assemble/read_vtkhdf.h"
+#include "mesh/render/render_mesh.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int most_pixels = 16384;
+
+/// "1600x1000". @throws UsageError
+std::pair<int, int> parse_size(std::string_view text) {
+  const auto refuse = [text] {
+    throw UsageError("\"" + std::string(text) + "\" is not WIDTHxHEIGHT, each from 1 to " +
+                         std::to_string(most_pixels),
+                     "--size");
+  };
+  const auto number = [&](std::string_view digits) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool is_whole = error == std::errc() && end == digits.data() + digits.size();
+    if (!is_whole || value < 1 || value > most_pixels) refuse();
+    return value;
+  };
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) refuse();
+  return {number(text.substr(0, cross)), number(text.substr(cross + 1))};
+}
+
+Vec3 direction(const std::vector<double>& numbers, const char* option) {
+  const Vec3 v{numbers[0], numbers[1], numbers[2]};
+  if (!(norm2(v) > 0)) throw UsageError("must not be 0, 0, 0", option);
+  return v;
+}
+
+RenderOptions options_of(const RenderCommand& command) {
+  RenderOptions options;
+  options.view = command.view == "cut"        ? View::cut
+                 : command.view == "exploded" ? View::exploded
+                                              : View::surface;
+  options.colour_by = command.colour == "region"  ? ColourBy::region
+                      : command.colour == "patch" ? ColourBy::patch
+                                                  : ColourBy::subdomain;
+  std::tie(options.width, options.height) = parse_size(command.size);
+  options.edge_width = command.edge_width;
+  options.camera.from = direction(command.from, "--from");
+  options.camera.up = direction(command.up, "--up");
+  options.camera.zoom = command.zoom;
+  options.bodies = command.bodies;
+  options.hidden = command.hidden;
+  options.cut_normal = direction(command.plane, "--plane");
+  options.cut_at = command.at;
+  options.explosion = command.explode;
+  return options;
+}
+
+/// A mesh of a format without sub-domains, as one part.
+NumberedPart whole_mesh(GlobalMesh mesh) {
+  NumberedPart part;
+  part.nodes = std::move(mesh.mesh.nodes);
+  part.tets = std::move(mesh.mesh.tets);
+  part.faces = std::move(mesh.boundary);
+  part.patch_of_face = std::move(mesh.patch_of_triangle);
+  return part;
+}
+
+Picture picture_of(const std::filesystem::path& file, const RenderOptions& options) {
+  if (file.extension() == ".ugrid") {
+    NumberedPart part = whole_mesh(read_global_mesh(file));
+    return render_mesh([&part](const auto& visit) { visit(part); }, {}, options);
+  }
+  return render_mesh([&file](const auto& visit) { for_each_vtkhdf_part(file, visit); },
+                     vtkhdf_patch_names(file), options);
+}
+
+}  // namespace
+
+ExitCode render_command(const RenderCommand& command) {
+  const Picture picture = picture_of(mesh_file(command.input), options_of(command));
+  write_file_atomically(command.output, png_of(picture));
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,45 @@
+#include "mesh/assemble/mesh_shapes.h"
+
+#include <algorithm>
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+/// Whether each tet is near a cut.
+std::vector<bool> tets_near(std::span<const Tet> tets, std::vector<bool> is_near) {
+  std::vector<bool> result(tets.size(), false);
+  for (int layer = 0; layer < layers_near_cuts; ++layer) {
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      result[t] = result[t] || std::any_of(tets[t].begin(), tets[t].end(),
+                                           [&](std::int32_t v) { return is_near[at(v)]; });
+    }
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      if (!result[t]) continue;
+      for (const std::int32_t v : tets[t]) is_near[at(v)] = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
+                std::vector<bool> is_on_cut, MeshShapes& shapes) {
+  const std::vector<bool> is_near = tets_near(tets, std::move(is_on_cut));
+  shapes.regions.resize(std::max(shapes.regions.size(), at(region)));
+  RegionShapes& here = shapes.regions[at(region - 1)];
+  double volume = 0;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const auto node = [&](std::size_t i) -> const Vec3& { return nodes[at(tets[t][i])]; };
+    const TetShape shape = tet_shape(node(0), node(1), node(2), node(3));
+    volume += tet_volume(node(0), node(1), node(2), node(3));
+    shapes.all.add(shape);
+    here.shapes.add(shape);
+    (is_near[t] ? shapes.near_cuts : shapes.away_from_cuts).add(shape);
+  }
+  here.volume += volume;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,17 @@
+/// Colours that tell many things apart, the same number always in the same colour.
+#pragma once
+
+#include <cstdint>
+
+#include "mesh/render/picture.h"
+
+namespace tetfarm {
+
+/// Light and not too strong, so that edges and shades show on them. Neighbouring numbers differ
+/// much: the hue goes on by the golden section of the circle.
+Colour palette_colour(std::int32_t number);
+
+/// What bodies and walls are drawn in.
+inline constexpr Colour neutral_grey{0.78F, 0.79F, 0.81F};
+
+}  // namespace tetfarm

@@ -1,0 +1,52 @@
+#include "mesh/render/part_faces.h"
+
+#include <algorithm>
+
+namespace tetfarm {
+namespace {
+
+Triangle sorted(Triangle nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<ShownFace> surface_faces(const NumberedPart& part) {
+  std::vector<ShownFace> faces;
+  for (std::size_t i = 0; i < part.faces.size(); ++i) {
+    faces.push_back({part.faces[i], part.patch_of_face[i]});
+  }
+  return faces;
+}
+
+std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
+  std::vector<Triangle> all;
+  for (std::size_t t = 0; t < part.tets.size(); ++t) {
+    if (!is_kept[t]) continue;
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      const auto node = [&](int n) { return part.tets[t][static_cast<std::size_t>(n)]; };
+      all.push_back(sorted({node(i), node(j), node(k)}));
+    }
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<ShownFace> surface = surface_faces(part);
+  for (ShownFace& face : surface) face.nodes = sorted(face.nodes);
+  const auto before = [](const ShownFace& a, const ShownFace& b) { return a.nodes < b.nodes; };
+  std::sort(surface.begin(), surface.end(), before);
+  std::vector<ShownFace> faces;
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t end = i + 1;
+    while (end < all.size() && all[end] == all[i]) ++end;
+    if (end == i + 1) {
+      ShownFace face{all[i], -1};
+      const auto found = std::lower_bound(surface.begin(), surface.end(), face, before);
+      if (found != surface.end() && found->nodes == face.nodes) face.patch = found->patch;
+      faces.push_back(face);
+    }
+    i = end;
+  }
+  return faces;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,24 @@
+/// The triangles that a part of a mesh shows: where its tets, or some of them, end.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/assemble/global_mesh.h"
+
+namespace tetfarm {
+
+/// A triangle to be drawn, with local node numbers of the part.
+struct ShownFace {
+  Triangle nodes;
+  std::int32_t patch = -1;  ///< of the input surface; -1: inside of the domain
+};
+
+/// The triangles of the input surface that the part has.
+std::vector<ShownFace> surface_faces(const NumberedPart& part);
+
+/// The faces that exactly one of the tets has for which is_kept is true. Sorted by their nodes.
+/// @pre is_kept has one entry for each tet. Cost: O(n log n).
+std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept);
+
+}  // namespace tetfarm

@@ -1,0 +1,53 @@
+#include "mesh/render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace tetfarm {
+namespace {
+
+Vec3 corner(const Box3& box, int i) {
+  return {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+          (i & 4) != 0 ? box.high.z : box.low.z};
+}
+
+std::array<Vec3, 8> corners(const Box3& box) {
+  std::array<Vec3, 8> all;
+  for (int i = 0; i < 8; ++i) all[static_cast<std::size_t>(i)] = corner(box, i);
+  return all;
+}
+
+TEST(Camera, fits_what_it_looks_at_into_the_picture_from_every_side) {
+  const Box3 focus{{3, -2, 5}, {4, 6, 5.5}};
+  const Box3 all{{-40, -30, -20}, {30, 40, 20}};
+  for (const Vec3& from : {Vec3{-1, -2, 1}, Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0.3, 5, -4}}) {
+    const Camera camera(all, corners(focus), {from, {0, 0, 1}, 1}, 800, 500);
+    double farthest = 0;
+    for (int i = 0; i < 8; ++i) {
+      const Seen seen = camera.project(corner(focus, i));
+      EXPECT_GT(seen.depth, 0);
+      EXPECT_GE(seen.x, 0);
+      EXPECT_LE(seen.x, 800);
+      EXPECT_GE(seen.y, 0);
+      EXPECT_LE(seen.y, 500);
+      farthest = std::max({farthest, std::fabs(seen.x - 400) / 400, std::fabs(seen.y - 250) / 250});
+      EXPECT_GT(camera.project(corner(all, i)).depth, 0) << "behind the eye";
+    }
+    EXPECT_GT(farthest, 0.9) << "the picture is not filled";
+  }
+}
+
+TEST(Camera, shows_up_above_and_right_on_the_right) {
+  const Box3 box{{-1, -1, -1}, {1, 1, 1}};
+  const Camera camera(box, corners(box), {{0, -1, 0}, {0, 0, 1}, 1}, 100, 100);
+  EXPECT_LT(camera.project({0, 0, 1}).y, camera.project({0, 0, -1}).y);
+  EXPECT_GT(camera.project({1, 0, 0}).x, camera.project({-1, 0, 0}).x);
+  EXPECT_LT(camera.project({0, -1, 0}).depth, camera.project({0, 1, 0}).depth);
+  const Camera nearer(box, corners(box), {{0, -1, 0}, {0, 0, 1}, 2}, 100, 100);
+  EXPECT_NEAR(nearer.project({0.5, 0, 0}).x - 50, 2 * (camera.project({0.5, 0, 0}).x - 50), 1e-9);
+}
+
+}  // namespace
+}  // namespace tetfarm
