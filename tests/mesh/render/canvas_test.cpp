@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tetfarm {
 namespace {
 
 constexpr Colour red{1, 0, 0};
 constexpr Colour blue{0, 0, 1};
-constexpr double no_outline = 1e9;
+constexpr double no_outline = HUGE_VAL;
 
 std::array<int, 3> pixel(const Picture& picture, int x, int y) {
   const auto i = static_cast<std::size_t>(3 * (y * picture.width + x));
