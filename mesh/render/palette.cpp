@@ -34,7 +34,8 @@ Colour palette_colour(std::int32_t number) {
   if (i < chosen.size()) return chosen[i];
   constexpr double golden = 0.6180339887498949;
   const auto white = 0.42F + 0.12F * static_cast<float>(i % 3);
-  return mixed(wheel_colour(golden * static_cast<double>(i), white), neutral_grey, 0.15F);
+  constexpr double first = 0.4;  // far from the last that was chosen
+  return mixed(wheel_colour(first + golden * static_cast<double>(i), white), neutral_grey, 0.15F);
 }
 
 }  // namespace tetfarm

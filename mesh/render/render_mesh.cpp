@@ -226,8 +226,8 @@ class MeshRenderer {
     if (!(length > 0)) return colour;
     Vec3 normal = across / length;
     if (dot(normal, camera_->eye() - points[0]) < 0) normal = -normal;
-    const double light = 0.42 + 0.42 * std::max(0.0, dot(normal, key_light_)) +
-                         0.22 * std::max(0.0, -dot(normal, axes_.ahead));
+    const double light = 0.50 + 0.36 * std::max(0.0, dot(normal, key_light_)) +
+                         0.24 * std::max(0.0, -dot(normal, axes_.ahead));
     const auto level = static_cast<float>(light);
     return {std::min(1.0F, colour.red * level), std::min(1.0F, colour.green * level),
             std::min(1.0F, colour.blue * level)};

@@ -267,7 +267,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 3);
+  EXPECT_EQ(blocks, 4);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist) {
