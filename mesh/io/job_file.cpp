@@ -22,10 +22,9 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 11> top_keys = {
-    constexpr std::array<std::string_view, 12> top_keys = {
-        "version", "name", "geometry", "domain", "region", "spacing", "source", "decompose", "mesh",
-        "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 12> top_keys = {
+    "version", "name",      "geometry", "domain",    "region",  "spacing",
+    "source",  "decompose", "mesh",     "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
