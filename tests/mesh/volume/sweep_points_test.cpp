@@ -117,9 +117,10 @@ TEST(SweepPoints, keep_off_coarse_boundary_faces) {
 }
 
 TEST(VolumeMesh, by_sweeps_holds_all_invariants_where_the_spacing_grows) {
-  const Subdomain domain = root_subdomain(
-      shapes::between(shapes::sphere({0, 0, 0}, 4, 2), shapes::sphere({0, 0, 0}, 0.5, 2)));
-  const SpacingField spacing = make_spacing_field({domain.vertices, domain.triangles, {}, {}}, {});
+  const SurfaceMesh surface =
+      shapes::between(shapes::sphere({0, 0, 0}, 4, 2), shapes::sphere({0, 0, 0}, 0.5, 2));
+  const Subdomain domain = root_subdomain(surface);
+  const SpacingField spacing = make_spacing_field(surface, {});
   VolumeMeshOptions options;
   options.points = InteriorPoints::sweeps;
   const TetMesh mesh = mesh_volume(domain, spacing, options);
