@@ -1,6 +1,8 @@
 // Cuts a surface into N leaves, as the decompose tasks would, and prints what came of it:
-//   decompose_trial surface N [--box] [--growth g] [--verbose] [--mesh]
-// --box puts the body into a box ten times its size; --mesh meshes the leaves.
+//   decompose_trial surface N [--box] [--growth g] [--planes auto|lattice|axis|inertia]
+//                   [--verbose] [--mesh]
+// --box puts the body into a box ten times its size; --mesh meshes the leaves and tells how good
+// the elements within three layers of the cuts are beside the others.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -25,6 +27,13 @@ struct Arguments {
   bool is_verbose = false;
   bool is_meshed = false;
   double growth = 0.3;
+  CutPlanes planes = CutPlanes::automatic;
+};
+
+/// Of the elements of one region: smallest dihedral angles, and smallest heights over the spacing.
+struct Shapes {
+  std::vector<float> dihedrals;
+  std::vector<float> heights;
 };
 
 struct Totals {
@@ -40,12 +49,20 @@ struct Totals {
   double mesh_seconds = 0;
   std::vector<double> leaf_tets;
   int leaves_not_meshed = 0;
-  int tets_below_10_degrees = 0;
-  double smallest_dihedral = 180;
+  double worst_estimate = 0;  // relative error
+  double estimated_tets = 0;
+  Shapes near_cuts;
+  Shapes elsewhere;
 };
 
 /// Of this process only, so that a busy machine does not count.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+CutPlanes planes_called(const std::string& name) {
+  if (name == "lattice") return CutPlanes::lattice;
+  if (name == "axis") return CutPlanes::axis;
+  return name == "inertia" ? CutPlanes::inertia : CutPlanes::automatic;
+}
 
 Arguments parse(int count, char** words) {
   Arguments a;
@@ -55,35 +72,84 @@ Arguments parse(int count, char** words) {
     if (!std::strcmp(words[i], "--box")) a.in_box = true;
     if (!std::strcmp(words[i], "--mesh")) a.is_meshed = true;
     if (!std::strcmp(words[i], "--verbose")) a.is_verbose = true;
+    if (!std::strcmp(words[i], "--planes")) a.planes = planes_called(words[i + 1]);
     if (!std::strcmp(words[i], "--growth")) a.growth = std::stod(words[i + 1]);
   }
   return a;
 }
 
+/// How many edges each node is away from the cuts, 3 for all that are farther.
+std::vector<int> layers_from_cuts(const Subdomain& leaf, const TetMesh& mesh) {
+  std::vector<int> layer(mesh.nodes.size(), 3);
+  for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+    if (leaf.triangle_origin[t].owner == 0) continue;
+    for (const std::int32_t v : leaf.triangles[t]) layer[static_cast<std::size_t>(v)] = 0;
+  }
+  for (int round = 1; round < 3; ++round) {
+    for (const Tet& tet : mesh.tets) {
+      bool is_next = false;
+      for (const std::int32_t v : tet) is_next |= layer[static_cast<std::size_t>(v)] == round - 1;
+      if (!is_next) continue;
+      for (const std::int32_t v : tet) {
+        int& of_node = layer[static_cast<std::size_t>(v)];
+        of_node = std::min(of_node, round);
+      }
+    }
+  }
+  return layer;
+}
+
+double smallest_height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double largest_face = std::max({norm(cross(b - a, c - a)), norm(cross(b - a, d - a)),
+                                        norm(cross(c - a, d - a)), norm(cross(c - b, d - b))});
+  return 6 * tet_volume(a, b, c, d) / largest_face;
+}
+
+void add_shapes(const Subdomain& leaf, const TetMesh& mesh, const SpacingField& spacing,
+                Totals& totals) {
+  const std::vector<int> layer = layers_from_cuts(leaf, mesh);
+  for (const Tet& tet : mesh.tets) {
+    const auto at = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(tet[k])]; };
+    int least = 3;
+    for (const std::int32_t v : tet) least = std::min(least, layer[static_cast<std::size_t>(v)]);
+    Shapes& shapes = least < 3 ? totals.near_cuts : totals.elsewhere;
+    const double h = spacing.at(0.25 * (at(0) + at(1) + at(2) + at(3)));
+    const double height = std::abs(smallest_height(at(0), at(1), at(2), at(3)));
+    shapes.dihedrals.push_back(
+        static_cast<float>(dihedral_range(at(0), at(1), at(2), at(3)).min_deg));
+    shapes.heights.push_back(static_cast<float>(height / h));
+  }
+}
+
 /// What the volume mesher makes of a leaf.
-void mesh_leaf(const Subdomain& leaf, const SpacingField& spacing, Totals& totals) {
+void mesh_leaf(const Subdomain& leaf, const SpacingField& spacing, const Arguments& arguments,
+               Totals& totals) {
   const double start = cpu_seconds();
   try {
     const TetMesh mesh = mesh_volume(leaf, spacing);
-    totals.leaf_tets.push_back(static_cast<double>(mesh.tets.size()));
-    for (const auto& [a, b, c, d] : mesh.tets) {
-      const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
-      const double smallest = dihedral_range(at(a), at(b), at(c), at(d)).min_deg;
-      totals.smallest_dihedral = std::min(totals.smallest_dihedral, smallest);
-      if (smallest < 10) ++totals.tets_below_10_degrees;
+    totals.mesh_seconds += cpu_seconds() - start;
+    const auto tets = static_cast<double>(mesh.tets.size());
+    const double estimate = estimated_elements(leaf, spacing);
+    totals.leaf_tets.push_back(tets);
+    totals.estimated_tets += estimate;
+    totals.worst_estimate = std::max(totals.worst_estimate, std::abs(estimate / tets - 1));
+    if (arguments.is_verbose) {
+      std::printf("%-8s %7zu triangles: %.0f tets of %.0f estimated\n", leaf.path.text().c_str(),
+                  leaf.triangles.size(), tets, estimate);
     }
+    add_shapes(leaf, mesh, spacing, totals);
   } catch (const std::exception& e) {
     ++totals.leaves_not_meshed;
     std::printf("%-8s %7zu triangles: NOT MESHED, %s\n", leaf.path.text().c_str(),
                 leaf.triangles.size(), e.what());
   }
-  totals.mesh_seconds += cpu_seconds() - start;
 }
 
 void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, int parts,
                      const Arguments& arguments, Totals& totals) {
   if (parts > 1) {
     CutOptions options;
+    options.planes = arguments.planes;
     options.left_share = static_cast<double>(parts / 2) / parts;
     const double start = cpu_seconds();
     const CutOutcome outcome = planar_cut(subdomain, spacing, options);
@@ -114,7 +180,7 @@ void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, in
     std::printf("%-8s %7zu triangles: stuck, %s, %.3f s\n", subdomain.path.text().c_str(),
                 subdomain.triangles.size(), outcome.reason.c_str(), seconds);
   }
-  if (arguments.is_meshed) mesh_leaf(subdomain, spacing, totals);
+  if (arguments.is_meshed) mesh_leaf(subdomain, spacing, arguments, totals);
   totals.leaf_work.push_back(estimated_elements(subdomain, spacing));
   totals.volume += enclosed_volume(subdomain.vertices, subdomain.triangles);
 }
@@ -139,7 +205,23 @@ void print(const Arguments& arguments, const SurfaceMesh& surface, Totals totals
       totals.volume / volume - 1, totals.cut_seconds, 100 * totals.cut_seconds / (2e-6 * work));
 }
 
-void print_meshes(const Totals& totals) {
+/// The smallest, the one at a thousandth, and (of angles) how many of 10,000 are below 10 degrees.
+void print_shapes(const char* name, Shapes& shapes) {
+  if (shapes.dihedrals.empty()) return;
+  const auto count = shapes.dihedrals.size();
+  const auto below = std::count_if(shapes.dihedrals.begin(), shapes.dihedrals.end(),
+                                   [](float angle) { return angle < 10; });
+  std::sort(shapes.dihedrals.begin(), shapes.dihedrals.end());
+  std::sort(shapes.heights.begin(), shapes.heights.end());
+  std::printf(
+      "  %-9s %8zu tets: dihedral min %5.2f, 0.1 %% %5.2f, below 10: %.2f of 10^4; height/h "
+      "min %.4f, 0.1 %% %.3f\n",
+      name, count, shapes.dihedrals.front(), shapes.dihedrals[count / 1000],
+      1e4 * static_cast<double>(below) / static_cast<double>(count), shapes.heights.front(),
+      shapes.heights[count / 1000]);
+}
+
+void print_meshes(Totals& totals) {
   double tets = 0;
   double most = 0;
   for (const double n : totals.leaf_tets) {
@@ -147,19 +229,22 @@ void print_meshes(const Totals& totals) {
     most = std::max(most, n);
   }
   std::printf(
-      "  meshed: %d leaves failed, %.0f tets, max/mean %.2f, dihedral min %.2f, below 10: %d, %.2f "
-      "s; "
-      "cutting is %.1f %% of meshing\n",
+      "  meshed: %d leaves failed, %.0f tets, max/mean %.2f, estimate/tets %.3f (a leaf off "
+      "by at most %.0f %%), %.2f s; cutting is %.1f %% of both\n",
       totals.leaves_not_meshed, tets, most * static_cast<double>(totals.leaf_tets.size()) / tets,
-      totals.smallest_dihedral, totals.tets_below_10_degrees, totals.mesh_seconds,
-      100 * totals.cut_seconds / totals.mesh_seconds);
+      totals.estimated_tets / tets, 100 * totals.worst_estimate, totals.mesh_seconds,
+      100 * totals.cut_seconds / (totals.cut_seconds + totals.mesh_seconds));
+  print_shapes("near cuts", totals.near_cuts);
+  print_shapes("elsewhere", totals.elsewhere);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
   if (count < 3) {
-    std::puts("decompose_trial surface N [--box] [--growth g] [--verbose] [--mesh]");
+    std::puts(
+        "decompose_trial surface N [--box] [--growth g] [--planes auto|lattice|axis|inertia]\n"
+        "               [--verbose] [--mesh]");
     return 2;
   }
   const Arguments arguments = parse(count, words);

@@ -9,6 +9,14 @@
 
 namespace tetfarm {
 
+/// Which planes are tried.
+enum class CutPlanes {
+  automatic,  // all, those of the lattice first where they cost little
+  lattice,    // {110} planes of the point lattice: no lattice tet is cut
+  axis,       // orthogonal to the axes
+  inertia,    // orthogonal to the principal axes of the work's inertia
+};
+
 /// u, v, normal: orthonormal and right-handed.
 struct CutPlane {
   Vec3 normal;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "mesh/geometry/box_tree.h"
+#include "mesh/spacing/octree_build.h"
 
 namespace tetfarm {
 namespace {
@@ -87,26 +89,105 @@ void find_rim_triangles(InterdomainMesh& mesh) {
   }
 }
 
+double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 ab{b.x - a.x, b.y - a.y};
+  const Vec2 ap{p.x - a.x, p.y - a.y};
+  const double length2 = ab.x * ab.x + ab.y * ab.y;
+  const double t = length2 > 0 ? std::clamp((ap.x * ab.x + ap.y * ab.y) / length2, 0.0, 1.0) : 0.0;
+  const Vec2 away{ap.x - t * ab.x, ap.y - t * ab.y};
+  return away.x * away.x + away.y * away.y;
+}
+
+/// Near the rim the cut leaves the plane and has nodes of its own.
+std::vector<LatticeNodeOfCut> nodes_clear_of_rim(const std::vector<LatticeNode>& nodes,
+                                                 const InterdomainMesh& mesh,
+                                                 const PlanarRegion& region) {
+  constexpr double least_distance = 0.65;  // in the mean edges of the lattice's tets
+  constexpr double held_from = 1.5;
+  if (nodes.empty()) return {};
+  std::vector<Box3> boxes;
+  for (const auto& [i, j] : region.edges) {
+    Box3 box;
+    box.add(Vec3{region.points[idx(i)].x, region.points[idx(i)].y, 0});
+    box.add(Vec3{region.points[idx(j)].x, region.points[idx(j)].y, 0});
+    boxes.push_back(box);
+  }
+  const BoxTree tree(boxes);
+  std::vector<LatticeNodeOfCut> clear;
+  for (const LatticeNode& node : nodes) {
+    const Vec2 p = mesh.plane.project(node.place());
+    const double h = lattice_ratio * node.cell_edge;
+    const double reach = held_from * h;
+    double nearest2 = reach * reach;
+    tree.query({{p.x - reach, p.y - reach, 0}, {p.x + reach, p.y + reach, 0}}, [&](std::int32_t e) {
+      const auto& [i, j] = region.edges[idx(e)];
+      nearest2 =
+          std::min(nearest2, squared_distance(p, region.points[idx(i)], region.points[idx(j)]));
+    });
+    if (nearest2 < least_distance * least_distance * h * h) continue;
+    clear.push_back({node.place(), nearest2 >= reach * reach});
+  }
+  return clear;
+}
+
+/// Where the lattice gives the nodes, its cells may be larger than the spacing: no more are wanted.
+PlanarSpacing planar_spacing(const InterdomainMesh& mesh, const SpacingField& spacing) {
+  return [&mesh, &spacing](const Vec2& p) {
+    const Vec3 at = mesh.plane.lift(p, 0);
+    const double h = spacing.at(at);
+    return mesh.lattice.empty() ? h : std::max(h, lattice_ratio * spacing.lattice_cell_edge(at));
+  };
+}
+
+/// Lattice nodes that are in no triangle lie outside of the region.
+void drop_lattice_outside(InterdomainMesh& mesh) {
+  if (mesh.lattice.empty()) return;
+  std::vector<std::int32_t> old2new(mesh.planar.points.size(), -1);
+  for (const auto& triangle : mesh.planar.triangles) {
+    for (const std::int32_t v : triangle) old2new[idx(v)] = 0;
+  }
+  std::vector<Vec2> points;
+  std::vector<LatticeNodeOfCut> lattice;
+  for (std::size_t i = 0; i < old2new.size(); ++i) {
+    const bool is_of_lattice =
+        i >= mesh.rim_vertices.size() && i < mesh.rim_vertices.size() + mesh.lattice.size();
+    if (is_of_lattice) {
+      if (old2new[i] < 0) continue;
+      lattice.push_back(mesh.lattice[i - mesh.rim_vertices.size()]);
+    }
+    old2new[i] = static_cast<std::int32_t>(points.size());
+    points.push_back(mesh.planar.points[i]);
+  }
+  for (auto& triangle : mesh.planar.triangles) {
+    for (std::int32_t& v : triangle) v = old2new[idx(v)];
+  }
+  mesh.planar.points = std::move(points);
+  mesh.lattice = std::move(lattice);
+}
+
 }  // namespace
 
 InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
                                    const EdgeLoops& loops, const CutPlane& plane,
-                                   const SpacingField& spacing,
-                                   const std::vector<Chord>& unwanted) {
+                                   const SpacingField& spacing, const InnerNodes& inner) {
   InterdomainResult result;
   InterdomainMesh& mesh = result.mesh;
   mesh.plane = plane;
-  const PlanarRegion region = project_loops(loops, subdomain, mesh);
+  PlanarRegion region = project_loops(loops, subdomain, mesh);
   if (!mesh.rim.empty()) {
     if (twice_signed_area(region) <= 0) return {{}, "loops enclose no region"};
+    mesh.lattice = nodes_clear_of_rim(inner.lattice, mesh, region);
+    for (const LatticeNodeOfCut& node : mesh.lattice) {
+      region.points.push_back(plane.project(node.at));
+    }
     PlanarOptions options;
     options.forbidden_chords = chords_of_surface(mesh, subdomain, topology);
-    options.forbidden_chords.insert(options.forbidden_chords.end(), unwanted.begin(),
-                                    unwanted.end());
-    PlanarResult planar = mesh_region(
-        region, [&](const Vec2& p) { return spacing.at(plane.lift(p, 0)); }, options);
+    options.forbidden_chords.insert(options.forbidden_chords.end(), inner.unwanted_chords.begin(),
+                                    inner.unwanted_chords.end());
+    PlanarResult planar = mesh_region(region, planar_spacing(mesh, spacing), options);
     if (planar.failure) return {{}, "loops tangle in the plane"};
     mesh.planar = std::move(planar.mesh);
+    drop_lattice_outside(mesh);
     find_rim_triangles(mesh);
   }
   for (std::size_t i = 0; i < mesh.planar.points.size(); ++i) {
@@ -143,6 +224,11 @@ std::vector<Chord> chords_of_triangle(const InterdomainMesh& mesh, std::int32_t 
 
 Vec3 node_position(const InterdomainMesh& mesh, const Subdomain& subdomain, std::int32_t node) {
   if (mesh.is_rim_node(node)) return subdomain.vertices[idx(mesh.rim_vertices[idx(node)])];
+  const std::size_t number = idx(node) - mesh.rim_vertices.size();
+  if (number < mesh.lattice.size()) {
+    const Vec3& at = mesh.lattice[number].at;
+    if (mesh.heights[idx(node)] == mesh.plane.height(at)) return at;
+  }
   return mesh.plane.lift(mesh.planar.points[idx(node)], mesh.heights[idx(node)]);
 }
 

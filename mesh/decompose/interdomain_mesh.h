@@ -16,13 +16,22 @@
 
 namespace tetfarm {
 
-/// Planar point i < rim_vertices.size() is the sub-domain's vertex rim_vertices[i]; the rest are
-/// new nodes. Triangles are anticlockwise in the plane: their normals point from left to right.
+/// A node of the job's lattice that is a node of the cut.
+struct LatticeNodeOfCut {
+  Vec3 at;
+  /// Far enough from the rim to stay where it is, bit by bit.
+  bool is_held = false;
+};
+
+/// Planar point i < rim_vertices.size() is the sub-domain's vertex rim_vertices[i]; the
+/// rest are new nodes, those of the lattice first. Triangles are anticlockwise in the plane: their
+/// normals point from left to right.
 struct InterdomainMesh {
   CutPlane plane;
   std::vector<RimEdge> rim;
   std::vector<std::array<std::int32_t, 2>> rim_nodes;  // the planar points of each rim edge
   std::vector<std::int32_t> rim_vertices;
+  std::vector<LatticeNodeOfCut> lattice;
   PlanarMesh planar;
   std::vector<std::int32_t> rim2triangle;  // the planar triangle on each rim edge
   std::vector<double> heights;             // above the plane; of rim nodes as they are
@@ -42,13 +51,20 @@ struct InterdomainResult {
 /// Two rim nodes, as planar points in ascending order.
 using Chord = std::array<std::int32_t, 2>;
 
-/// Heights of new nodes are 0. No inner edge is an edge of the surface, or one of `unwanted`: such
-/// chords have a new node near their middle instead. Fails when projected loops tangle, cross, or
-/// enclose no region. Cost: O(m log m) for m cut triangles.
+/// What is asked of the inside of the cut.
+struct InnerNodes {
+  /// Nodes in the plane that are to be nodes of the cut where they lie in its region and keep clear
+  /// of its rim.
+  std::vector<LatticeNode> lattice;
+  /// Chords that are to have a new node near their middle instead.
+  std::vector<Chord> unwanted_chords;
+};
+
+/// Heights of new nodes are 0. No inner edge is an edge of the surface, or an unwanted chord. Fails
+/// when projected loops tangle, cross, or enclose no region. Cost: O(m log m) for m cut triangles.
 InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopology& topology,
                                    const EdgeLoops& loops, const CutPlane& plane,
-                                   const SpacingField& spacing,
-                                   const std::vector<Chord>& unwanted = {});
+                                   const SpacingField& spacing, const InnerNodes& inner = {});
 
 /// The node of the triangle on rim edge i that is not on the edge.
 std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i);

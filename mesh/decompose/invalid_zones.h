@@ -17,6 +17,7 @@ namespace tetfarm {
 /// For a plane with this normal at each of `offsets`: the area of the input triangles (not of
 /// earlier cuts) within 30 degrees of parallel to it that it passes at less than their own edge
 /// length.
+/// Of many triangles, every n-th stands for n.
 /// @pre `unit_normal` has length 1. Cost: O(triangles + parallel triangles * offsets).
 std::vector<double> area_in_invalid_zones(const Subdomain& subdomain,
                                           const SurfaceTopology& topology, const Vec3& unit_normal,

@@ -5,183 +5,12 @@
 #include <map>
 #include <numbers>
 
-#include "mesh/decompose/cut_check.h"
-#include "mesh/decompose/edge_path_smoothing.h"
-#include "mesh/decompose/intersection_repair.h"
-#include "mesh/decompose/lift_heights.h"
-#include "mesh/decompose/path_relaxation.h"
+#include "mesh/decompose/cut_candidate.h"
 #include "mesh/decompose/planar_placement.h"
 #include "mesh/decompose/split_subdomain.h"
 
 namespace tetfarm {
 namespace {
-
-/// What all candidates share.
-struct Parent {
-  const Subdomain& subdomain;
-  const SpacingField& spacing;
-  SurfaceTopology topology;
-};
-
-/// How far a candidate has come. Work on it goes on where a lower angle limit asks for it again.
-enum class Stage { new_plane, has_loops, has_mesh, refused };
-
-struct Candidate {
-  PlaneCandidate place;
-  Stage stage = Stage::new_plane;
-  FaceColours colours;
-  EdgeLoops loops;
-  std::vector<RimCorner> corners;
-  InterdomainMesh mesh;
-  double cosine =
-      -1;  // of the smallest angle that is possible (has_loops), that there is (has_mesh)
-  std::string problem;
-};
-
-void refuse(Candidate& candidate, const std::string& problem) {
-  PlaneCandidate place = candidate.place;
-  candidate = Candidate{};
-  candidate.place = place;
-  candidate.stage = Stage::refused;
-  candidate.problem = problem;
-}
-
-/// Colours, path and loops (thesis 4.3.1.5 to 4.3.1.8).
-void find_loops(Candidate& candidate, const Parent& parent) {
-  const auto& [subdomain, spacing, topology] = parent;
-  candidate.colours = colour_by_centroid(topology, candidate.place.plane);
-  relax_path(candidate.colours, subdomain, topology, candidate.place.plane);
-  tidy_path(candidate.colours, topology, subdomain.triangles);
-  const auto is_left = [](Side side) { return side == Side::left; };
-  const bool has_left = std::any_of(candidate.colours.begin(), candidate.colours.end(), is_left);
-  const bool has_right = !std::all_of(candidate.colours.begin(), candidate.colours.end(), is_left);
-  if (!has_left || !has_right) return refuse(candidate, "no crossing");
-  candidate.loops = find_edge_loops(candidate.colours, topology, subdomain.triangles);
-  if (!candidate.loops.pinched_nodes.empty()) return refuse(candidate, "pinch");
-  for (const auto& loop : candidate.loops.loops) {
-    for (const RimEdge& edge : loop) {
-      candidate.corners.push_back(rim_corner(subdomain, topology, edge));
-      candidate.cosine = std::max(candidate.cosine, cosine_at_bisector(candidate.corners.back()));
-    }
-  }
-  candidate.stage = Stage::has_loops;
-}
-
-/// The lift of a candidate, and what it has been asked for so far.
-struct Lift {
-  std::vector<double> bisector_weights;
-  std::vector<std::optional<double>> pushed;
-};
-
-/// Solves, and solves again with more weight on rim edges where the angle is still small.
-void lift(Candidate& candidate, const Parent& parent, Lift& state) {
-  constexpr int most_rounds = 4;
-  constexpr double more_weight = 5;
-  const double good_enough = cosine_of_degrees(45);
-  for (int round = 0; round < most_rounds; ++round) {
-    lift_heights(candidate.mesh, candidate.corners, state.bisector_weights, state.pushed);
-    const auto cosines = cosines_at_rim(candidate.mesh, parent.subdomain, candidate.corners);
-    bool is_good = true;
-    for (std::size_t i = 0; i < cosines.size(); ++i) {
-      if (cosines[i] <= good_enough) continue;
-      state.bisector_weights[i] *= more_weight;
-      is_good = false;
-    }
-    if (is_good) return;
-  }
-}
-
-std::ptrdiff_t count_too_near(const std::vector<SurfaceContact>& contacts) {
-  return std::count_if(contacts.begin(), contacts.end(), is_too_near);
-}
-
-/// Lifts the cut and pushes it off the surface until there is no contact, or pushing does not help.
-std::vector<SurfaceContact> lift_and_push(Candidate& candidate, const Parent& parent) {
-  constexpr int most_pushes = 6;
-  constexpr int most_vain_pushes = 2;
-  constexpr double margin = 2;  // in triangle sizes; nodes are pushed by less
-  const double reach = PushOptions{}.too_near;
-  const auto& [subdomain, spacing, topology] = parent;
-  InterdomainMesh& mesh = candidate.mesh;
-  Lift state{std::vector<double>(mesh.rim.size(), usual_bisector_weight), {}};
-  lift(candidate, parent, state);
-  const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);
-  auto contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
-  auto fewest = count_too_near(contacts);
-  int vain = 0;
-  for (int i = 0; i < most_pushes && vain < most_vain_pushes; ++i) {
-    if (push_nodes(mesh, subdomain, candidate.colours, contacts, state.pushed) == 0) break;
-    lift(candidate, parent, state);
-    contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
-    const auto now = count_too_near(contacts);
-    vain = now < fewest ? 0 : vain + 1;
-    fewest = std::min(fewest, now);
-    if (now == 0) break;
-  }
-  return contacts;
-}
-
-/// Chords whose ends keep a cut triangle at a small angle to the surface, or too near to it.
-std::vector<Chord> find_harmful_chords(const Candidate& candidate, const Parent& parent,
-                                       const std::vector<SurfaceContact>& contacts,
-                                       double cosine_limit) {
-  const InterdomainMesh& mesh = candidate.mesh;
-  std::vector<Chord> harmful;
-  const auto add = [&](std::int32_t triangle) {
-    const auto chords = chords_of_triangle(mesh, triangle);
-    harmful.insert(harmful.end(), chords.begin(), chords.end());
-  };
-  for (const SurfaceContact& contact : contacts) {
-    if (is_too_near(contact)) add(contact.cut_triangle);
-  }
-  const auto cosines = cosines_at_rim(mesh, parent.subdomain, candidate.corners);
-  for (std::size_t i = 0; i < cosines.size(); ++i) {
-    if (cosines[i] > cosine_limit) add(mesh.rim2triangle[i]);
-  }
-  std::sort(harmful.begin(), harmful.end());
-  harmful.erase(std::unique(harmful.begin(), harmful.end()), harmful.end());
-  return harmful;
-}
-
-/// The inter-domain mesh, lifted and checked (thesis 4.3.1.9). Chords that do harm are split (fig.
-/// 63).
-void make_mesh(Candidate& candidate, const Parent& parent, double cosine_limit) {
-  constexpr int most_rounds = 3;
-  const double worst_triangle = cosine_of_degrees(8);
-  std::vector<Chord> unwanted;
-  std::vector<SurfaceContact> contacts;
-  for (int round = 0; round < most_rounds; ++round) {
-    InterdomainResult made = mesh_interdomain(parent.subdomain, parent.topology, candidate.loops,
-                                              candidate.place.plane, parent.spacing, unwanted);
-    if (!made.problem.empty()) return refuse(candidate, made.problem);
-    candidate.mesh = std::move(made.mesh);
-    contacts = lift_and_push(candidate, parent);
-    const auto harmful = find_harmful_chords(candidate, parent, contacts, cosine_limit);
-    if (harmful.empty()) break;
-    unwanted.insert(unwanted.end(), harmful.begin(), harmful.end());
-  }
-  const std::string problem = judge_contacts(contacts);
-  if (!problem.empty()) return refuse(candidate, problem);
-  if (!shells_are_on_their_sides(candidate.mesh, parent.subdomain, candidate.colours,
-                                 parent.topology.triangle2shell)) {
-    return refuse(candidate, "shell on the wrong side");
-  }
-  if (cosine_of_smallest_triangle_angle(candidate.mesh, parent.subdomain) > worst_triangle) {
-    return refuse(candidate, "thin triangle");
-  }
-  const auto cosines = cosines_at_rim(candidate.mesh, parent.subdomain, candidate.corners);
-  candidate.cosine = cosines.empty() ? 0 : *std::max_element(cosines.begin(), cosines.end());
-  candidate.stage = Stage::has_mesh;
-}
-
-/// Takes the candidate as far as this limit allows; whether it passes.
-bool passes(Candidate& candidate, const Parent& parent, double cosine_limit) {
-  if (candidate.stage == Stage::new_plane) find_loops(candidate, parent);
-  if (candidate.stage == Stage::has_loops && candidate.cosine <= cosine_limit) {
-    make_mesh(candidate, parent, cosine_limit);
-  }
-  return candidate.stage == Stage::has_mesh && candidate.cosine <= cosine_limit;
-}
 
 /// Why the candidates that were tried did not pass, with counts.
 std::string refusals(const std::vector<Candidate>& candidates, const Candidate* accepted) {
@@ -244,7 +73,8 @@ CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
   const WorkSamples work = sample_work(subdomain, spacing);
   std::vector<Candidate> candidates;
   for (const PlaneCandidate& place :
-       place_planes(subdomain, parent.topology, work, options.left_share, options.candidates)) {
+       place_planes(subdomain, parent.topology, work, spacing,
+                    {options.planes, options.left_share, options.candidates})) {
     candidates.emplace_back().place = place;
   }
   int accept_calls = 0;

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "mesh/core/subdomain.h"
+#include "mesh/decompose/cut_plane.h"
 #include "mesh/spacing/spacing_field.h"
 
 namespace tetfarm {
 
 struct CutOptions {
+  CutPlanes planes = CutPlanes::automatic;
   /// Stop at the first candidate that meets the surface at no smaller angle than this. The next
   /// angle counts when no candidate near the wanted share passes; candidates far from it come one
   /// angle later.

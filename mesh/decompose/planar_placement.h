@@ -2,15 +2,18 @@
 ///
 /// Source: thesis 4.3.1.4: orthogonal to an axis, or to a principal direction of the inertia
 /// matrix. Departures: positions are quantiles of the work, not of boundary faces; several of them,
-/// along all axes, are offered, since the first plane often does not pass the checks.
+/// along all axes, are offered, since the first plane often does not pass the checks. Further
+/// candidates are planes of the point lattice's {110} family (design note decomposition.md).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/core/subdomain.h"
 #include "mesh/decompose/cut_plane.h"
 #include "mesh/decompose/surface_topology.h"
 #include "mesh/decompose/work_estimate.h"
+#include "mesh/spacing/spacing_field.h"
 
 namespace tetfarm {
 
@@ -20,12 +23,22 @@ struct PlaneCandidate {
   double left_share = 0;
   /// Smaller is better: imbalance, size of the cut in elements, invalid zones.
   double penalty = 0;
+  /// Of a plane of the lattice: its nodes are to be nodes of the cut.
+  std::optional<LatticePlane> lattice;
 };
 
-/// At most `most` planes; `left_share` of the work is wanted below the plane.
+struct PlacementOptions {
+  CutPlanes planes = CutPlanes::automatic;
+  /// Of the work, wanted below the plane.
+  double left_share = 0.5;
+  int most = 36;
+};
+
+/// At most `options.most` planes.
 /// Deterministic. Cost: O(s log s) for s samples, and O(triangles) a direction.
 std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
                                          const SurfaceTopology& topology, const WorkSamples& work,
-                                         double left_share, int most);
+                                         const SpacingField& spacing,
+                                         const PlacementOptions& options);
 
 }  // namespace tetfarm

@@ -1,124 +1,33 @@
 #include "mesh/decompose/work_estimate.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/decompose/shadow_grid.h"
+#include "mesh/decompose/surface_contact.h"
 #include "mesh/decompose/surface_topology.h"
-#include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/predicates.h"
+#include "mesh/spacing/octree_build.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr double largest_cell_in_spacings = 3;
-constexpr double smallest_cell_in_spacings = 0.4;
-constexpr std::size_t enough_cells = 3500;
-constexpr int most_levels = 24;
-constexpr int most_roots_per_axis = 32;
+constexpr double elements_per_node = 6;
+constexpr double elements_per_triangle = 1.3;
+constexpr std::size_t samples_for_counting = 40000;
+/// As the volume mesher has it (mesh/volume/point_insertion.h), in mean edges of the lattice's
+/// tets.
+constexpr double face_clearance = 0.5;
+constexpr double node_clearance = 0.6;
 
-/// Position in halves of the finest possible cell, counted in the sub-domain's box.
-using Key = std::array<std::uint32_t, 3>;
-
-struct PendingCell {
-  Vec3 low;
-  int level = 0;
-  Key low_key{};
-};
-
-struct Cell {
-  Vec3 centre;
-  std::uint64_t row = 0;  // cells with equal numbers have the same y and z
-  std::uint32_t x_key = 0;
-  int level = 0;
-  double spacing = 0;
-};
-
-/// Root cells are nearly cubes that fill the box exactly, so that no cell hangs over a flat side.
-struct RootGrid {
-  Box3 box;
-  std::array<int, 3> count{};
-  Vec3 cell;
-};
-
-RootGrid make_root_grid(const Box3& box) {
-  RootGrid grid{box, {}, {}};
-  const Vec3 size = box.size();
-  const double shortest = std::max(std::min({size.x, size.y, size.z}),
-                                   std::max({size.x, size.y, size.z}) / most_roots_per_axis);
-  for (int axis = 0; axis < 3; ++axis) {
-    grid.count[idx(axis)] = std::max(1, static_cast<int>(size[axis] / shortest + 0.5));
-    grid.cell[axis] = size[axis] / grid.count[idx(axis)];
-  }
-  return grid;
-}
-
-Vec3 cell_size(const RootGrid& grid, int level) {
-  return grid.cell / static_cast<double>(1U << static_cast<unsigned>(level));
-}
-
-/// The cells of an octree in which none is larger than `in_spacings` times the spacing at its
-/// centre.
-std::vector<Cell> fill_with_cells(const RootGrid& grid, const SpacingField& spacing,
-                                  double in_spacings) {
-  std::vector<Cell> cells;
-  std::vector<PendingCell> stack;
-  constexpr std::uint32_t root_key = 1U << (most_levels + 1);
-  for (int i = grid.count[0] - 1; i >= 0; --i) {
-    for (int j = grid.count[1] - 1; j >= 0; --j) {
-      for (int k = grid.count[2] - 1; k >= 0; --k) {
-        const auto key = [](int n) { return static_cast<std::uint32_t>(n) * root_key; };
-        stack.push_back({grid.box.low + Vec3{i * grid.cell.x, j * grid.cell.y, k * grid.cell.z},
-                         0,
-                         {key(i), key(j), key(k)}});
-      }
-    }
-  }
-  while (!stack.empty()) {
-    const PendingCell cell = stack.back();
-    stack.pop_back();
-    const Vec3 size = cell_size(grid, cell.level);
-    const Vec3 centre = cell.low + 0.5 * size;
-    const double h = spacing.at(centre);
-    const std::uint32_t half = root_key >> static_cast<unsigned>(cell.level + 1);
-    if (cell.level == most_levels || std::max({size.x, size.y, size.z}) <= in_spacings * h) {
-      const std::uint64_t row = static_cast<std::uint64_t>(cell.low_key[1] + half) << 32U |
-                                static_cast<std::uint64_t>(cell.low_key[2] + half);
-      cells.push_back({centre, row, cell.low_key[0] + half, cell.level, h});
-      continue;
-    }
-    for (unsigned child = 8; child-- > 0;) {
-      PendingCell smaller = cell;
-      ++smaller.level;
-      for (int axis = 0; axis < 3; ++axis) {
-        if ((child >> static_cast<unsigned>(axis) & 1U) == 0) continue;
-        smaller.low[axis] = centre[axis];
-        smaller.low_key[idx(axis)] += half;
-      }
-      stack.push_back(smaller);
-    }
-  }
-  return cells;
-}
-
-std::vector<Cell> fill_with_enough_cells(const RootGrid& grid, const SpacingField& spacing) {
-  double in_spacings = largest_cell_in_spacings;
-  std::vector<Cell> cells = fill_with_cells(grid, spacing, in_spacings);
-  double expected = static_cast<double>(cells.size());
-  bool is_finer = false;
-  while (expected < static_cast<double>(enough_cells) && in_spacings > smallest_cell_in_spacings) {
-    in_spacings *= 0.8;
-    expected /= 0.8 * 0.8 * 0.8;
-    is_finer = true;
-  }
-  return is_finer ? fill_with_cells(grid, spacing, in_spacings) : cells;
-}
-
-struct Crossing {
-  double x = 0;
-  int step = 0;  // +1: the ray goes in, -1: it comes out
+/// A lattice node, and how often the ray that goes from it along -x enters the surface more than it
+/// leaves it: 1 inside, 0 outside.
+struct Probe {
+  Vec3 at;
+  double cell_edge = 0;
+  int depth = 0;
+  bool is_clear = true;
 };
 
 /// Whether the ray that goes up z from p, in the (y, z) projection, crosses the edge ab, and which
@@ -134,127 +43,112 @@ int upward_crossing(const Vec3& a, const Vec3& b, double y, double z) {
   return a_is_right ? 1 : -1;
 }
 
-/// A row of cells along x, and where the line through their centres crosses the surface.
-struct Column {
-  double y = 0;
-  double z = 0;
-  std::size_t first_cell = 0;
-  std::size_t last_cell = 0;
-  std::vector<Crossing> crossings;
+struct Corners {
+  const Vec3& a;
+  const Vec3& b;
+  const Vec3& c;
 };
 
-/// @pre cells are ordered by row.
-std::vector<Column> find_columns(const std::vector<Cell>& cells) {
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i == 0 || cells[i].row != cells[i - 1].row) {
-      columns.push_back({cells[i].centre.y, cells[i].centre.z, i, i, {}});
-    }
-    columns.back().last_cell = i + 1;
-  }
-  return columns;
+/// Counts the triangle where it lies below the probe along x.
+void cross_ray(const Corners& t, Probe& probe) {
+  const double y = probe.at.y;
+  const double z = probe.at.z;
+  const int turns = upward_crossing(t.a, t.b, y, z) + upward_crossing(t.b, t.c, y, z) +
+                    upward_crossing(t.c, t.a, y, z);
+  if (turns == 0) return;
+  const double low = std::min({t.a.x, t.b.x, t.c.x});
+  const double high = std::max({t.a.x, t.b.x, t.c.x});
+  const Vec3 normal = cross(t.b - t.a, t.c - t.a);
+  const double x = t.a.x - (normal.y * (y - t.a.y) + normal.z * (z - t.a.z)) / normal.x;
+  // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
+  if ((x >= low && x <= high ? x : 0.5 * (low + high)) < probe.at.x) probe.depth -= turns;
 }
 
-/// Finds the crossings of all columns, by x.
-void cross_surface(const Subdomain& subdomain, std::vector<Column>& columns) {
-  std::vector<Box3> points;
-  for (const Column& column : columns)
-    points.push_back({{0, column.y, column.z}, {0, column.y, column.z}});
-  const BoxTree tree(points);
+/// Finds out whether the triangle is too near to the probe.
+void keep_clear(const Corners& t, Probe& probe) {
+  if (!probe.is_clear) return;
+  const double h = lattice_ratio * probe.cell_edge;
+  const double from_nodes2 = node_clearance * node_clearance * h * h;
+  for (const Vec3* v : {&t.a, &t.b, &t.c}) {
+    if (norm2(*v - probe.at) < from_nodes2) probe.is_clear = false;
+  }
+  if (closest_in_triangle(probe.at, t.a, t.b, t.c).distance2 <
+      face_clearance * face_clearance * h * h) {
+    probe.is_clear = false;
+  }
+}
+
+void judge(const Subdomain& subdomain, std::vector<Probe>& probes) {
+  std::vector<Box3> neighbourhoods;
+  neighbourhoods.reserve(probes.size());
+  for (const Probe& probe : probes) {
+    const double reach = node_clearance * lattice_ratio * probe.cell_edge;
+    const Vec3 around{reach, reach, reach};
+    neighbourhoods.push_back({probe.at - around, probe.at + around});
+  }
+  const ShadowGrid grid(neighbourhoods);
   for (const Triangle& triangle : subdomain.triangles) {
-    const Vec3& a = subdomain.vertices[idx(triangle[0])];
-    const Vec3& b = subdomain.vertices[idx(triangle[1])];
-    const Vec3& c = subdomain.vertices[idx(triangle[2])];
-    const double low = std::min({a.x, b.x, c.x});
-    const double high = std::max({a.x, b.x, c.x});
-    const Vec3 normal = cross(b - a, c - a);
-    const Box3 shadow{{0, std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-                      {0, std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
-    tree.query(shadow, [&](std::int32_t i) {
-      Column& column = columns[idx(i)];
-      const double y = column.y;
-      const double z = column.z;
-      const int turns =
-          upward_crossing(a, b, y, z) + upward_crossing(b, c, y, z) + upward_crossing(c, a, y, z);
-      if (turns == 0) return;
-      const double x = a.x - (normal.y * (y - a.y) + normal.z * (z - a.z)) / normal.x;
-      // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
-      column.crossings.push_back({x >= low && x <= high ? x : 0.5 * (low + high), -turns});
+    const Corners corners{subdomain.vertices[idx(triangle[0])],
+                          subdomain.vertices[idx(triangle[1])],
+                          subdomain.vertices[idx(triangle[2])]};
+    Box3 box;
+    for (const Vec3* v : {&corners.a, &corners.b, &corners.c}) box.add(*v);
+    grid.query(box, [&](std::int32_t i) {
+      if (probes[idx(i)].at.x > box.low.x) cross_ray(corners, probes[idx(i)]);
+      if (neighbourhoods[idx(i)].overlaps(box)) keep_clear(corners, probes[idx(i)]);
     });
   }
-  for (Column& column : columns) {
-    std::sort(column.crossings.begin(), column.crossings.end(),
-              [](const Crossing& p, const Crossing& q) {
-                return p.x != q.x ? p.x < q.x : p.step > q.step;
-              });
-  }
 }
 
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
-
-std::vector<Interval> inside_intervals(const std::vector<Crossing>& crossings) {
-  std::vector<Interval> inside;
-  int depth = 0;
-  for (const Crossing& crossing : crossings) {
-    if (depth <= 0 && depth + crossing.step > 0) inside.push_back({crossing.x, crossing.x});
-    if (depth > 0 && depth + crossing.step <= 0) inside.back().high = crossing.x;
-    depth += crossing.step;
-  }
-  return inside;
+/// The cube root of a number from 1 to 2^60, within a factor of 1.26, by * and comparison only.
+double about_cube_root(double x) {
+  double root = 1;
+  while (root * root * root * 2 < x) root *= 1.25992104989487;
+  return root;
 }
 
-/// Adds the part of each cell of one row that is inside. `cells` are ordered by x.
-void sample_row(std::span<const Cell> cells, const std::vector<Interval>& inside,
-                const RootGrid& grid, WorkSamples& work) {
-  std::size_t next = 0;
-  for (const Cell& cell : cells) {
-    const Vec3 size = cell_size(grid, cell.level);
-    const double low = cell.centre.x - 0.5 * size.x;
-    const double high = cell.centre.x + 0.5 * size.x;
-    while (next < inside.size() && inside[next].high <= low) ++next;
-    double length = 0;
-    double moment = 0;
-    for (std::size_t i = next; i < inside.size() && inside[i].low < high; ++i) {
-      const double from = std::max(low, inside[i].low);
-      const double to = std::min(high, inside[i].high);
-      length += to - from;
-      moment += (to - from) * 0.5 * (from + to);
-    }
-    if (length <= 0) continue;
-    const double h = cell.spacing;
-    const double elements = SpacingField::elements_per_h3 * length * size.y * size.z / (h * h * h);
-    work.samples.push_back(
-        {{moment / length, cell.centre.y, cell.centre.z}, elements, h, {length, size.y, size.z}});
-    work.total += elements;
+void add_triangles(const Subdomain& subdomain, const SpacingField& spacing, std::size_t most,
+                   WorkSamples& work) {
+  const std::size_t count = subdomain.triangles.size();
+  const std::size_t stride = std::max<std::size_t>(1, (count + most - 1) / most);
+  const double each = elements_per_triangle * static_cast<double>(stride);
+  for (std::size_t t = stride / 2; t < count; t += stride) {
+    const auto& [a, b, c] = subdomain.triangles[t];
+    const Vec3 centre =
+        (subdomain.vertices[idx(a)] + subdomain.vertices[idx(b)] + subdomain.vertices[idx(c)]) / 3;
+    const double h = spacing.at(centre);
+    work.samples.push_back({centre, each, h, h});
+    work.total += each;
   }
 }
 
 }  // namespace
 
-WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing) {
-  const RootGrid grid = make_root_grid(bounding_box(subdomain.vertices));
-  std::vector<Cell> cells = fill_with_enough_cells(grid, spacing);
-  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
-    return a.row != b.row ? a.row < b.row : a.x_key < b.x_key;
-  });
-  std::vector<Column> columns = find_columns(cells);
-  cross_surface(subdomain, columns);
+WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing, std::size_t most) {
+  const LatticeSample lattice = spacing.sample_lattice(bounding_box(subdomain.vertices), most);
+  std::vector<Probe> probes;
+  for (const LatticeNode& node : lattice.nodes) probes.push_back({node.place(), node.cell_edge});
+  judge(subdomain, probes);
   WorkSamples work;
-  for (const Column& column : columns) {
-    sample_row(std::span(cells).subspan(column.first_cell, column.last_cell - column.first_cell),
-               inside_intervals(column.crossings), grid, work);
+  const double each = elements_per_node * lattice.nodes_for_each;
+  // A cell holds two nodes.
+  const double cells = about_cube_root(std::max(1.0, lattice.nodes_for_each / 2));
+  for (const Probe& probe : probes) {
+    if (probe.depth <= 0 || !probe.is_clear) continue;
+    work.samples.push_back({probe.at, each, spacing.at(probe.at), cells * probe.cell_edge});
+    work.total += each;
   }
+  add_triangles(subdomain, spacing, most / 4, work);
   return work;
 }
 
 double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing) {
-  if (subdomain.region > 0) return sample_work(subdomain, spacing).total;
+  if (subdomain.region > 0) return sample_work(subdomain, spacing, samples_for_counting).total;
   double sum = 0;
   for (const std::int32_t region : regions_of(subdomain)) {
-    sum += sample_work(part_of_regions(subdomain, {region}, subdomain.path), spacing).total;
+    sum += sample_work(part_of_regions(subdomain, {region}, subdomain.path), spacing,
+                       samples_for_counting)
+               .total;
   }
   return sum;
 }

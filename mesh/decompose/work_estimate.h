@@ -1,12 +1,13 @@
-/// How many elements a sub-domain will get, and where they lie: sample points of the inside, each
-/// with its share of the work.
+/// How many elements a sub-domain will get, and where they lie.
 ///
-/// Source: thesis 4.3.1 and 4.3.2 balance by the number of boundary faces; a departure: the spacing
-/// h is known, so the work is computed as the integral of elements_per_h3 / h^3 over the inside.
-/// How: cells no larger than a few h; one ray along x through each row of cells tells which part of
-/// each is inside. Rounding can only misjudge cells that the surface passes through.
+/// Source: thesis 4.3.1 and 4.3.2 balance by the number of boundary faces; a departure: the nodes
+/// of the job's lattice are known before there is a mesh, so those are counted that the volume
+/// mesher will take (inside, and clear of the boundary: mesh/volume/point_insertion.h). A mesh has
+/// close to 6 tets for each of them and 1.3 for each boundary triangle (measured:
+/// docs/decomposition.md).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "mesh/core/subdomain.h"
@@ -18,7 +19,7 @@ struct WorkSample {
   Vec3 at;
   double work = 0;     // elements
   double spacing = 0;  // length
-  Vec3 cell;           // edge lengths of the cell that it stands for
+  double width = 0;    // of the cube that it stands for
 };
 
 struct WorkSamples {
@@ -26,9 +27,14 @@ struct WorkSamples {
   double total = 0;
 };
 
-/// At least some thousand samples in a compact sub-domain (the cells shrink for it), and never
-/// cells larger than 3 h. @pre the surface is closed and oriented outward.
-/// Cost: O((s + t) log s) for s samples, t triangles; s is about elements / 100 when large.
-WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing);
+/// Enough for a plane: shares of the work are then within about a percent.
+inline constexpr std::size_t samples_for_placing = 4000;
+
+/// Every n-th lattice node, at most `most` of them, and every m-th boundary triangle, a quarter as
+/// many.
+/// @pre the surface is closed and oriented outward. Cost: O((s + t) log s) for s samples,
+/// t triangles, and O(lattice cells).
+WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing,
+                        std::size_t most = samples_for_placing);
 
 }  // namespace tetfarm

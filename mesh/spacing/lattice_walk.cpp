@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
@@ -25,7 +26,8 @@ std::int32_t first_from(const GridFrame& frame, std::size_t axis, double x, bool
 
 class LatticeWalk {
  public:
-  LatticeWalk(const SpacingOctree& octree, const Box3& box) : octree_(octree) {
+  LatticeWalk(const SpacingOctree& octree, const Box3& box, const LatticeFilter& filter)
+      : octree_(octree), plane_(filter.plane), most_(filter.most) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
       first_[axis] = first_from(octree.frame, axis, box.low[a], false);
@@ -37,6 +39,7 @@ class LatticeWalk {
     visit(0, {0, {}});
     return std::move(nodes_);
   }
+  std::size_t stride() const { return stride_; }
 
  private:
   bool meets(const LatticeCell& cell) const {
@@ -44,7 +47,14 @@ class LatticeWalk {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (cell.low[axis] > last_[axis] || cell.low[axis] + size < first_[axis]) return false;
     }
-    return true;
+    return plane_ == nullptr || meets_plane(cell.low, size);
+  }
+
+  bool meets_plane(const GridPoint& low, std::int32_t size) const {
+    const std::int32_t at_low = low[plane_->axis] + plane_->sign * low[plane_->other_axis];
+    const std::int32_t least = plane_->sign > 0 ? at_low : at_low - size;
+    const std::int32_t largest = plane_->sign > 0 ? at_low + 2 * size : at_low + size;
+    return least <= plane_->sum && plane_->sum <= largest;
   }
 
   void visit(std::size_t node, const LatticeCell& cell) {
@@ -101,23 +111,47 @@ class LatticeWalk {
     const auto bits = static_cast<std::uint8_t>(octree_max_level + 1 - cell.level);
     for (std::size_t k = 0; k < 8; ++k) {
       const GridPoint corner = corner_of(cell.low, size, k);
-      if ((owned >> k & 1U) == 0 || !is_in_box(corner)) continue;
-      nodes_.push_back({octree_.frame.position(corner), edge, corner, bits,
-                        shift_to_coarser(octree_, corner, cell.level)});
+      if ((owned >> k & 1U) == 0 || !is_wanted(corner)) continue;
+      add({octree_.frame.position(corner), edge, corner, bits,
+           shift_to_coarser(octree_, corner, cell.level)});
     }
     const GridPoint centre = corner_of(cell.low, size / 2, 7);
-    if (is_in_box(centre))
-      nodes_.push_back({octree_.frame.position(centre), edge, centre, bits, {}});
+    if (is_wanted(centre)) add({octree_.frame.position(centre), edge, centre, bits, {}});
   }
 
-  bool is_in_box(const GridPoint& p) const {
+  /// To be asked once for each node: counts those to skip.
+  bool is_wanted(const GridPoint& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (p[axis] < first_[axis] || p[axis] > last_[axis]) return false;
     }
+    if (plane_ != nullptr && !meets_plane(p, 0)) return false;
+    if (to_skip_ > 0) {
+      --to_skip_;
+      return false;
+    }
+    to_skip_ = stride_ - 1;
     return true;
   }
 
+  void add(const LatticeNode& node) {
+    nodes_.push_back(node);
+    if (nodes_.size() > most_) drop_every_other();
+  }
+
+  /// Keeps the first, the third…; the next to come is then a whole stride after the last.
+  void drop_every_other() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < nodes_.size(); i += 2) nodes_[kept++] = nodes_[i];
+    to_skip_ += nodes_.size() % 2 == 0 ? 0 : stride_;
+    nodes_.resize(kept);
+    stride_ *= 2;
+  }
+
   const SpacingOctree& octree_;
+  const LatticePlane* plane_;  // may be null
+  std::size_t most_;
+  std::size_t stride_ = 1;
+  std::size_t to_skip_ = 0;
   GridPoint first_{};
   GridPoint last_{};
   std::vector<LatticeNode> nodes_;
@@ -125,8 +159,17 @@ class LatticeWalk {
 
 }  // namespace
 
-std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box) {
-  return LatticeWalk(octree, box).run();
+std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box,
+                                          const LatticeFilter& filter) {
+  return LatticeWalk(octree, box, filter).run();
+}
+
+LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most) {
+  LatticeWalk walk(octree, box, {nullptr, most});
+  LatticeSample sample;
+  sample.nodes = walk.run();
+  sample.nodes_for_each = static_cast<double>(walk.stride());
+  return sample;
 }
 
 }  // namespace tetfarm

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "mesh/spacing/lattice_planes.h"
 #include "mesh/spacing/octree_build.h"
 
 namespace tetfarm {
@@ -95,9 +96,30 @@ double SpacingField::at(const Vec3& point) const {
   return octree_->constant > 0 ? octree_->constant : octree_->at(point);
 }
 
+double SpacingField::lattice_cell_edge(const Vec3& point) const {
+  return octree_->lattice_cell_edge(point);
+}
+
 std::vector<LatticeNode> SpacingField::lattice_nodes(const Box3& box) const {
   if (box.empty()) return {};
   return lattice_nodes_in(*octree_, box);
+}
+
+std::vector<LatticeNode> SpacingField::lattice_nodes_in_plane(const Box3& box,
+                                                              const LatticePlane& plane) const {
+  if (box.empty()) return {};
+  return lattice_nodes_in(*octree_, box, {&plane});
+}
+
+LatticeSample SpacingField::sample_lattice(const Box3& box, std::size_t most) const {
+  if (box.empty() || most == 0) return {};
+  return sample_lattice_in(*octree_, box, most);
+}
+
+std::optional<LatticePlane> SpacingField::roundest_lattice_plane(std::size_t direction,
+                                                                 double least_offset,
+                                                                 double largest_offset) const {
+  return tetfarm::roundest_lattice_plane(octree_->frame, direction, least_offset, largest_offset);
 }
 
 std::string SpacingField::to_bytes() const {

@@ -67,6 +67,27 @@ struct LatticeNode {
   }
 };
 
+/// Some of the nodes of the lattice, evenly spread among them.
+struct LatticeSample {
+  std::vector<LatticeNode> nodes;
+  double nodes_for_each = 1;
+};
+
+/// A plane of the lattice's {110} family. Lattice tets between cells of one size have their faces
+/// in such planes: where its nodes lie in one, none crosses it. It holds the grid points whose
+/// coordinates p, in half-units of the octree, fulfil p[axis] + sign p[other_axis] = sum.
+struct LatticePlane {
+  std::size_t axis = 0;
+  std::size_t other_axis = 1;
+  std::int32_t sign = 1;
+  std::int32_t sum = 0;
+  Vec3 normal;        // of length 1
+  double offset = 0;  // along the normal
+};
+
+/// The six directions of such planes: unit normals.
+std::array<Vec3, 6> lattice_plane_normals();
+
 class SpacingField {
  public:
   /// A constant field: for tests.
@@ -79,11 +100,27 @@ class SpacingField {
   /// Always positive and finite. Cost: well under a microsecond.
   double at(const Vec3& point) const;
 
+  /// The edge of the smallest lattice cell that holds the point, or the nearest one of the octree's
+  /// box. Cost: as at().
+  double lattice_cell_edge(const Vec3& point) const;
+
   /// The nodes of the graded body-centred lattice (corners and centres of the balanced octree's
   /// leaf cells, cell edge about spacing / 0.92) inside the closed box, each once, in the Morton
   /// order of the cells that own them, the same coordinates whatever the box. Cost: O(cells that
   /// meet the box).
   std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
+
+  /// Of those lattice nodes every n-th, n being the power of two that leaves no more than `most`.
+  /// Cost: O(cells that meet the box), some ten nanoseconds each.
+  LatticeSample sample_lattice(const Box3& box, std::size_t most) const;
+
+  /// Of those lattice nodes the ones in a plane. Cost: O(cells of the box that meet the plane).
+  std::vector<LatticeNode> lattice_nodes_in_plane(const Box3& box, const LatticePlane& plane) const;
+
+  /// Of the planes with normal lattice_plane_normals()[direction] and an offset within the bounds,
+  /// the one that holds nodes of the largest cells; nothing when there is none.
+  std::optional<LatticePlane> roundest_lattice_plane(std::size_t direction, double least_offset,
+                                                     double largest_offset) const;
 
   /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV /
   /// h^3.

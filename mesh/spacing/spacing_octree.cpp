@@ -26,17 +26,27 @@ bool children_are_sound(const SpacingOctree& octree, std::size_t node, int level
   return true;
 }
 
+/// A point in half-units, moved into the root where it lies outside, and the grid point below it.
+struct PlaceInGrid {
+  std::array<double, 3> exact{};
+  GridPoint floor{};
+};
+
+PlaceInGrid place_in(const GridFrame& frame, const Vec3& point) {
+  const double per_unit = 1 / frame.unit;
+  PlaceInGrid place;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double x = (point[static_cast<int>(axis)] - frame.coordinate(axis, 0)) * per_unit;
+    place.exact[axis] = x > 0 ? std::min(x, static_cast<double>(octree_span)) : 0.0;
+    place.floor[axis] = std::min(static_cast<std::int32_t>(place.exact[axis]), octree_span - 1);
+  }
+  return place;
+}
+
 }  // namespace
 
 double SpacingOctree::at(const Vec3& point) const {
-  const double per_unit = 1 / frame.unit;
-  std::array<double, 3> u{};
-  GridPoint cell{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double x = (point[static_cast<int>(axis)] - frame.coordinate(axis, 0)) * per_unit;
-    u[axis] = x > 0 ? std::min(x, static_cast<double>(octree_span)) : 0.0;
-    cell[axis] = std::min(static_cast<std::int32_t>(u[axis]), octree_span - 1);
-  }
+  const auto [u, cell] = place_in(frame, point);
   std::int32_t child = child_of[0];
   int shift = octree_max_level;
   for (; child >= 0; --shift) {
@@ -53,6 +63,11 @@ double SpacingOctree::at(const Vec3& point) const {
   const double low = mix(mix(v[0], v[1], t[0]), mix(v[2], v[3], t[0]), t[1]);
   const double high = mix(mix(v[4], v[5], t[0]), mix(v[6], v[7], t[0]), t[1]);
   return mix(low, high, t[2]);
+}
+
+double SpacingOctree::lattice_cell_edge(const Vec3& point) const {
+  const LeafAt found = leaf_at(child_of, place_in(frame, point).floor);
+  return size_at_level(lattice_level[static_cast<std::size_t>(found.leaf)]) * frame.unit;
 }
 
 const char* validate(const SpacingOctree& octree) {

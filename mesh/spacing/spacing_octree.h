@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mesh/core/vec3.h"
@@ -73,6 +74,7 @@ struct SpacingOctree {
 
   std::int32_t leaf_count() const { return static_cast<std::int32_t>(lattice_level.size()); }
   double at(const Vec3& point) const;
+  double lattice_cell_edge(const Vec3& point) const;
 };
 
 /// The first invariant that does not hold, or nullptr.
@@ -89,7 +91,16 @@ LeafAt leaf_at(const std::vector<std::int32_t>& child_of, const GridPoint& p);
 /// equals the one that counts it with the lowest corner number.
 LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node);
 
+/// Which of the lattice nodes are wanted.
+struct LatticeFilter {
+  const LatticePlane* plane = nullptr;  // only those in it, if given
+  /// When there are more, of these only every second; and again.
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+};
+
 /// The lattice_nodes of a field, in the Morton order of the cells that own them.
-std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box);
+std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box,
+                                          const LatticeFilter& filter = {});
+LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most);
 
 }  // namespace tetfarm

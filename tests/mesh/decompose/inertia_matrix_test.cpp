@@ -11,7 +11,7 @@ namespace {
 
 WorkSamples points(const std::vector<Vec3>& at) {
   WorkSamples work;
-  for (const Vec3& p : at) work.samples.push_back({p, 1, 1, {1, 1, 1}});
+  for (const Vec3& p : at) work.samples.push_back({p, 1, 1, 1});
   work.total = static_cast<double>(at.size());
   return work;
 }

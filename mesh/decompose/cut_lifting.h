@@ -1,0 +1,24 @@
+/// Brings an inter-domain mesh from its plane to where it meets the surface well and nothing else.
+///
+/// Source: thesis 4.3.1.9 (mapping back, figures 63 to 65): the lift (lift_heights.h) and the
+/// pushes off the surface (intersection_repair.h) in turn.
+#pragma once
+
+#include <vector>
+
+#include "mesh/decompose/face_colouring.h"
+#include "mesh/decompose/interdomain_mesh.h"
+#include "mesh/decompose/rim_angles.h"
+#include "mesh/decompose/surface_contact.h"
+
+namespace tetfarm {
+
+/// Sets the heights; the contacts with the surface that remain. The nodes of the lattice in the
+/// inter-domain mesh stay in the plane, where nothing but a contact moves them.
+/// Cost: O((n + m) log n) for n surface and m cut triangles.
+std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain& subdomain,
+                                          const SurfaceTopology& topology,
+                                          const FaceColours& colours,
+                                          const std::vector<RimCorner>& corners);
+
+}  // namespace tetfarm

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mesh/geometry/bowyer_watson.h"
+#include "mesh/spacing/spacing_field.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr Box3 box{{-1, -1, -1}, {1, 1, 1}};
+
+SpacingField graded_field() {
+  SpacingOptions options;
+  options.background = 0.4;
+  options.sources = {{{{{0.1, 0.2, 0.3}, 0.05, 0.1, 2}}}};
+  return make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 4), options);
+}
+
+double height_over(const LatticePlane& plane, const Vec3& p) {
+  return dot(plane.normal, p) - plane.offset;
+}
+
+TEST(LatticePlanes, lie_within_the_bounds_asked_for) {
+  const SpacingField field(0.1);
+  for (std::size_t direction = 0; direction < 6; ++direction) {
+    const auto plane = field.roundest_lattice_plane(direction, 0.2, 0.5);
+    ASSERT_TRUE(plane.has_value());
+    EXPECT_EQ(plane->normal, lattice_plane_normals()[direction]);
+    EXPECT_GE(plane->offset, 0.2 - 1e-12);
+    EXPECT_LE(plane->offset, 0.5 + 1e-12);
+  }
+}
+
+TEST(LatticePlanes, hold_the_nodes_of_the_lattice_that_lie_in_them_and_no_others) {
+  const SpacingField field = graded_field();
+  const auto all = field.lattice_nodes(box);
+  for (std::size_t direction = 0; direction < 6; ++direction) {
+    const auto plane = field.roundest_lattice_plane(direction, -0.1, 0.1);
+    ASSERT_TRUE(plane.has_value());
+    const auto found = field.lattice_nodes_in_plane(box, *plane);
+    EXPECT_GT(found.size(), 20U);
+    for (const LatticeNode& node : found) EXPECT_NEAR(height_over(*plane, node.at), 0, 1e-12);
+    const auto in_plane = std::count_if(all.begin(), all.end(), [&](const LatticeNode& node) {
+      return std::fabs(height_over(*plane, node.at)) < 1e-12;
+    });
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(in_plane));
+  }
+}
+
+TEST(LatticePlanes, are_crossed_by_no_tet_of_an_even_lattice) {
+  const SpacingField field(0.25);
+  const auto nodes = field.lattice_nodes(box);
+  std::vector<Vec3> points;
+  for (const LatticeNode& node : nodes) points.push_back(node.at);
+  const DelaunayTets tets = bowyer_watson(points);
+  for (std::size_t direction = 0; direction < 6; ++direction) {
+    const auto plane = field.roundest_lattice_plane(direction, -0.15, 0.15);
+    ASSERT_TRUE(plane.has_value());
+    int touching = 0;
+    int crossing = 0;
+    for (const Tet& tet : tets.complex.nodes) {
+      double low = HUGE_VAL;
+      double high = -HUGE_VAL;
+      bool is_inside = true;
+      for (const std::int32_t v : tet) {
+        if (v < 0 || v >= static_cast<std::int32_t>(points.size())) {
+          is_inside = false;
+          break;
+        }
+        const Vec3& p = points[static_cast<std::size_t>(v)];
+        is_inside = is_inside && std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < 0.7;
+        low = std::min(low, height_over(*plane, p));
+        high = std::max(high, height_over(*plane, p));
+      }
+      if (!is_inside || low > 1e-9 || high < -1e-9) continue;
+      ++touching;
+      if (low < -1e-9 && high > 1e-9) ++crossing;
+    }
+    EXPECT_GT(touching, 50);
+    EXPECT_EQ(crossing, 0);
+  }
+}
+
+TEST(LatticeSample, has_every_nth_node_and_no_more_than_asked_for) {
+  const SpacingField field = graded_field();
+  const auto all = field.lattice_nodes(box);
+  for (const std::size_t most : {std::size_t{1}, std::size_t{100}, all.size(), 2 * all.size()}) {
+    const LatticeSample sample = field.sample_lattice(box, most);
+    EXPECT_LE(sample.nodes.size(), most);
+    EXPECT_NEAR(static_cast<double>(sample.nodes.size()) * sample.nodes_for_each,
+                static_cast<double>(all.size()), sample.nodes_for_each);
+    for (const LatticeNode& node : sample.nodes) {
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                              [&](const LatticeNode& other) { return other.at == node.at; }));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
