@@ -2,11 +2,15 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "base/file_system.h"
 #include "cli/progress_display.h"
+#include "mesh/core/subdomain.h"
 #include "store/artifact_store.h"
 
 namespace tetfarm {
@@ -64,6 +68,18 @@ Json regions_json(const wire::JobStatus& status) {
   return json;
 }
 
+/// Why sub-domains could not be cut, by their ways from the root.
+std::vector<std::pair<std::string, std::string>> uncut_subdomains(const wire::JobStatus& status) {
+  constexpr std::string_view mark = "uncut:";
+  std::map<std::uint64_t, std::string> by_heap;
+  for (const auto& [name, text] : status.texts()) {
+    if (name.starts_with(mark)) by_heap[std::stoull(name.substr(mark.size()))] = text;
+  }
+  std::vector<std::pair<std::string, std::string>> uncut;
+  for (const auto& [heap, reason] : by_heap) uncut.emplace_back(TreePath{heap}.text(), reason);
+  return uncut;
+}
+
 template <class... Arguments>
 std::string format(const char* pattern, Arguments... arguments) {
   char text[240];
@@ -106,6 +122,10 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   json["near_cuts"] = shapes_json(status, "near_cuts_");
   json["away_from_cuts"] = shapes_json(status, "away_from_cuts_");
   json["regions"] = regions_json(status);
+  json["uncut_subdomains"] = Json::object();
+  for (const auto& [path, reason] : uncut_subdomains(status)) {
+    json["uncut_subdomains"][path] = reason;
+  }
   json["seconds"] = seconds;
   json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
   json["attempts_lost"] = status.attempts_lost();
@@ -161,6 +181,9 @@ std::string result_text(const wire::JobStatus& status, double seconds,
             format(": %s tets, dihedral from %.2f deg\n",
                    short_count(number_of(status, region_prefix(i) + "elements")).c_str(),
                    number_of(status, region_prefix(i) + "min_dihedral_deg"));
+  }
+  for (const auto& [path, reason] : uncut_subdomains(status)) {
+    text += "           sub-domain " + path + " is larger than wanted: no cut, " + reason + "\n";
   }
   for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
   return text;

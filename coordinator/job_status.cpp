@@ -44,6 +44,14 @@ void count_task(const TaskRow& task, JobSummary& summary) {
   summary.peak_rss_bytes_worker = std::max(summary.peak_rss_bytes_worker, task.peak_rss_bytes);
 }
 
+/// Of a sub-domain that was to be cut and could not be, as text "uncut:PATH".
+void add_reason_to_stay_whole(const TaskRow& task, JobSummary& summary) {
+  if (task.kind != TaskKind::decompose || task.state != TaskState::done) return;
+  const auto reason = task.texts.find("reason");
+  if (reason == task.texts.end() || !task.outputs.empty()) return;
+  summary.texts["uncut:" + std::to_string(task.path)] = reason->second;
+}
+
 }  // namespace
 
 JobSummary summary_of(const DurableState& durable, const JobRow& job,
@@ -70,8 +78,9 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
     if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
       summary.numbers = task.numbers;
-      summary.texts = task.texts;
+      summary.texts.insert(task.texts.begin(), task.texts.end());
     }
+    add_reason_to_stay_whole(task, summary);
     const bool has_files = job.phase == JobPhase::done ? task.kind == TaskKind::assemble
                                                        : task.state == TaskState::failed;
     if (has_files) {

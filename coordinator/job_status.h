@@ -23,6 +23,7 @@ struct JobSummary {
   std::string message;
   int exit_code = 0;
   std::map<std::string, double> numbers;
+  /// Of the assembled mesh; and why sub-domains could not be cut, as "uncut:" and the heap number.
   std::map<std::string, std::string> texts;
   std::vector<ArtifactRef> files;  ///< results of a done job, evidence of a failed one
   std::uint64_t tasks_done = 0;

@@ -11,9 +11,11 @@ namespace tetfarm {
 namespace {
 
 /// A half that is to be cut again need not recover: its own halves will be tried.
-CutOutcome find_cut(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
-                    std::int64_t left_parts, std::int64_t right_parts) {
+CutOutcome find_cut(TaskIo& io, const JobFile& job, const Subdomain& subdomain,
+                    const SpacingField& spacing, std::int64_t left_parts,
+                    std::int64_t right_parts) {
   CutOptions options;
+  options.planes = cut_planes_of(job);
   options.left_share =
       static_cast<double>(left_parts) / static_cast<double>(left_parts + right_parts);
   options.accept = [&](const Subdomain& left, const Subdomain& right) {
@@ -49,6 +51,12 @@ void publish_halves(TaskIo& io, const Subdomain& left, std::int64_t left_parts,
 
 }  // namespace
 
+CutPlanes cut_planes_of(const JobFile& job) {
+  if (job.plane == "lattice") return CutPlanes::lattice;
+  if (job.plane == "axis") return CutPlanes::axis;
+  return job.plane == "inertia" ? CutPlanes::inertia : CutPlanes::automatic;
+}
+
 bool boundary_recovers(const Subdomain& part, const SpacingField& spacing) {
   try {
     mesh_volume(part, spacing, {.fill = false, .cosmetics = false, .progress = {}});
@@ -61,6 +69,7 @@ bool boundary_recovers(const Subdomain& part, const SpacingField& spacing) {
 }
 
 void decompose_task(TaskIo& io) {
+  const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   const std::int64_t parts = io.whole_parameter("parts");
@@ -72,7 +81,7 @@ void decompose_task(TaskIo& io) {
     return;
   }
   const std::int64_t left_parts = parts / 2;
-  const CutOutcome outcome = find_cut(io, subdomain, spacing, left_parts, parts - left_parts);
+  const CutOutcome outcome = find_cut(io, job, subdomain, spacing, left_parts, parts - left_parts);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
     return;

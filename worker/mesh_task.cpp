@@ -25,6 +25,7 @@ LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spa
   VolumeMeshOptions options = volume_options_of(job);
   options.progress = [&io](const char* stage, std::int64_t tets) { io.progress(stage, tets); };
   CutOptions cutting;
+  cutting.planes = cut_planes_of(job);
   cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
     return boundary_recovers(left, spacing) && boundary_recovers(right, spacing);
   };

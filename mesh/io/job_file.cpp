@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing",
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
 constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
-constexpr std::array<std::string_view, 2> decompose_keys = {"subdomains", "target_elements"};
+constexpr std::array<std::string_view, 3> decompose_keys = {"subdomains", "target_elements",
+                                                            "plane"};
 constexpr std::array<std::string_view, 1> mesh_keys = {"points"};
 constexpr std::array<std::string_view, 1> cosmetics_keys = {"across_cuts"};
 constexpr std::array<std::string_view, 1> quality_keys = {"min_dihedral"};
@@ -42,6 +43,7 @@ constexpr std::array<std::string_view, 1> output_keys = {"formats"};
 constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
 constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
 constexpr std::array<std::string_view, 3> source_kinds = {"point", "line", "triangle"};
+constexpr std::array<std::string_view, 4> kinds_of_planes = {"auto", "lattice", "axis", "inertia"};
 constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
 constexpr std::array<std::string_view, 2> formats = {"vtkhdf", "lb8.ugrid"};
 
@@ -288,6 +290,7 @@ void parse_decompose(const Section& section, JobFile& job) {
   if (section.has("target_elements")) {
     job.target_elements = section.integer("target_elements", 1000);
   }
+  if (section.has("plane")) job.plane = section.one_of("plane", kinds_of_planes);
 }
 
 void parse_mesh(const Section& section, JobFile& job) {

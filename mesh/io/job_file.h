@@ -44,6 +44,7 @@ struct JobFile {
   std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
   std::int64_t subdomains = 0;      // [decompose] subdomains, 0: by target_elements
   std::int64_t target_elements = 2'000'000;       // [decompose] target_elements
+  std::string plane = "auto";                     // [decompose] plane = "auto" | "lattice" | …
   std::string points = "lattice";                 // [mesh] points = "lattice" | "sweeps"
   bool across_cuts = true;                        // [cosmetics] across_cuts
   double min_dihedral_deg = 0;                    // [quality] min_dihedral, a gate; 0: none

@@ -117,6 +117,20 @@ TEST_F(JobStateTest, runs_a_job_from_inspect_to_assemble) {
   EXPECT_EQ(result.tasks_ready + result.tasks_running, 0U);
 }
 
+TEST_F(JobStateTest, the_summary_says_why_a_subdomain_was_not_cut) {
+  submit();
+  worker_ = new_worker();
+  run_all();
+  std::size_t uncut = 0;
+  for (const auto& [id, task] : state_->durable().tasks) {
+    if (task.kind != TaskKind::decompose || !task.outputs.empty()) continue;
+    ++uncut;
+    EXPECT_EQ(summary().texts.at("uncut:" + std::to_string(task.path)), "no valid plane");
+  }
+  EXPECT_GE(uncut, 1U);
+  EXPECT_EQ(summary().texts.size(), uncut);
+}
+
 TEST_F(JobStateTest, the_same_key_is_the_same_job) {
   const SubmitAnswer first = submit();
   const SubmitAnswer second = submit();

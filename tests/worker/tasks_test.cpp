@@ -264,11 +264,29 @@ TEST_F(Tasks, every_region_is_meshed_and_conforms_to_its_neighbours) {
   }
 }
 
+TEST_F(Tasks, the_job_says_which_planes_cut) {
+  const auto left_hash = [this](const std::string& plane) {
+    JobFile job = job_of(2);
+    job.plane = plane;
+    const wire::Envelope inspected = inspect(job, shapes::torus(0.4, 32, 16));
+    return output(run(decompose_task,
+                      {{"job", publish(to_toml(job))},
+                       {"subdomain", output(inspected, "root")},
+                       {"spacing", output(inspected, "spacing")}},
+                      {{"parts", "2"}}),
+                  "left")
+        .hash();
+  };
+  EXPECT_NE(left_hash("axis"), left_hash("lattice"));
+  EXPECT_EQ(left_hash("auto"), left_hash(JobFile{}.plane));
+}
+
 TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
   const SurfaceMesh tetrahedron = shapes::tetrahedron();
   const wire::Envelope result =
       run(decompose_task,
-          {{"subdomain", publish(subdomain_to_bytes(root_subdomain(tetrahedron)))},
+          {{"job", publish(to_toml(job_of(2)))},
+           {"subdomain", publish(subdomain_to_bytes(root_subdomain(tetrahedron)))},
            {"spacing", publish(SpacingField(1.0).to_bytes())}},
           {{"parts", "2"}});
   ASSERT_TRUE(result.has_done()) << result.failed().message();
@@ -278,7 +296,8 @@ TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
 
 TEST_F(Tasks, the_same_inputs_give_the_same_bytes) {
   const wire::Envelope inspected = inspect(job_of(2), shapes::torus(0.4, 16, 10));
-  const Files inputs = {{"subdomain", output(inspected, "root")},
+  const Files inputs = {{"job", publish(to_toml(job_of(2)))},
+                        {"subdomain", output(inspected, "root")},
                         {"spacing", output(inspected, "spacing")}};
   const wire::Envelope once = run(decompose_task, inputs, {{"parts", "2"}});
   const wire::Envelope again = run(decompose_task, inputs, {{"parts", "2"}});

@@ -61,6 +61,7 @@ corner = [
 [decompose]
 subdomains = 12
 target_elements = 5000000000
+plane = "lattice"
 [mesh]
 points = "sweeps"
 [cosmetics]
@@ -82,6 +83,7 @@ void expect_equal(const JobFile& a, const JobFile& b) {
   EXPECT_EQ(a.inherit_surface, b.inherit_surface);
   EXPECT_EQ(a.subdomains, b.subdomains);
   EXPECT_EQ(a.target_elements, b.target_elements);
+  EXPECT_EQ(a.plane, b.plane);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.across_cuts, b.across_cuts);
   EXPECT_EQ(a.min_dihedral_deg, b.min_dihedral_deg);
@@ -120,6 +122,7 @@ TEST(ParseJobFile, reads_every_key) {
   EXPECT_FALSE(job.inherit_surface);
   EXPECT_EQ(job.subdomains, 12);
   EXPECT_EQ(job.target_elements, 5000000000);
+  EXPECT_EQ(job.plane, "lattice");
   EXPECT_EQ(job.points, "sweeps");
   EXPECT_FALSE(job.across_cuts);
   EXPECT_EQ(job.min_dihedral_deg, 5);
@@ -205,6 +208,9 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {geometry + "[decompose]\nsubdomains = 2.5", "must be an integer, not a number"},
       {geometry + "[decompose]\ntarget_elements = 10", "at least 1000"},
       {geometry + "[cosmetics]\nacross_cuts = 1", "`across_cuts` must be true or false, not"},
+      {geometry + "[decompose]\nplane = \"axes\"",
+       "`plane` is \"axes\", not one of \"auto\", \"lattice\", \"axis\", \"inertia\"; "
+       "did you mean `axis`?"},
       {geometry + "[mesh]\npoints = \"sweep\"",
        "`points` is \"sweep\", not one of \"lattice\", \"sweeps\"; did you mean `sweeps`?"},
       {geometry + "[quality]\nmin_dihedral = 75", "must be less than 70.5"},

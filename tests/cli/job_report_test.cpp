@@ -1,0 +1,31 @@
+#include "cli/job_report.h"
+
+#include <gmock/gmock.h>
+
+namespace tetfarm {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+wire::JobStatus status_of_leaf_left_whole() {
+  wire::JobStatus status;
+  (*status.mutable_texts())["digest"] = "d";
+  (*status.mutable_texts())["uncut:5"] = "36 candidates refused: angle 30, intersection 6";
+  return status;
+}
+
+TEST(JobReport, says_which_subdomain_could_not_be_cut_and_why) {
+  const std::string text = result_text(status_of_leaf_left_whole(), 1, {});
+  EXPECT_THAT(text, HasSubstr("sub-domain LR is larger than wanted"));
+  EXPECT_THAT(text, HasSubstr("36 candidates refused: angle 30, intersection 6"));
+  EXPECT_THAT(result_json(status_of_leaf_left_whole(), 1, {}),
+              HasSubstr(R"("uncut_subdomains":{"LR":"36 candidates refused)"));
+}
+
+TEST(JobReport, is_silent_when_all_were_cut) {
+  EXPECT_THAT(result_text(wire::JobStatus(), 1, {}), Not(HasSubstr("larger than wanted")));
+}
+
+}  // namespace
+}  // namespace tetfarm
