@@ -119,30 +119,35 @@ class LatticeWalk {
     if (is_wanted(centre)) add({octree_.frame.position(centre), edge, centre, bits, {}});
   }
 
-  /// To be asked once for each node: counts those to skip.
+  /// To be asked once for each node. Of every `stride_` one is wanted, anywhere among them: always
+  /// the first would be the same corner of every block of cells, and blind to what lies beside it.
   bool is_wanted(const GridPoint& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (p[axis] < first_[axis] || p[axis] > last_[axis]) return false;
     }
     if (plane_ != nullptr && !meets_plane(p, 0)) return false;
-    if (to_skip_ > 0) {
-      --to_skip_;
-      return false;
+    const std::size_t number = seen_++;
+    if ((number & (2 * stride_ - 1)) == 0 && nodes_.size() >= 2 && nodes_.size() + 2 > most_) {
+      drop_one_of_each_two();
     }
-    to_skip_ = stride_ - 1;
-    return true;
+    if ((number & (stride_ - 1)) == 0) chosen_ = number + (scattered(number) & (stride_ - 1));
+    return number == chosen_;
   }
 
-  void add(const LatticeNode& node) {
-    nodes_.push_back(node);
-    if (nodes_.size() > most_) drop_every_other();
+  static std::uint64_t scattered(std::uint64_t x) {
+    x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ x >> 27U) * 0x94d049bb133111ebU;
+    return x ^ x >> 31U;
   }
 
-  /// Keeps the first, the third…; the next to come is then a whole stride after the last.
-  void drop_every_other() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < nodes_.size(); i += 2) nodes_[kept++] = nodes_[i];
-    to_skip_ += nodes_.size() % 2 == 0 ? 0 : stride_;
+  void add(const LatticeNode& node) { nodes_.push_back(node); }
+
+  /// @pre there is an even number of nodes, one for each `stride_`.
+  void drop_one_of_each_two() {
+    const std::size_t kept = nodes_.size() / 2;
+    for (std::size_t i = 0; i < kept; ++i) {
+      nodes_[i] = nodes_[2 * i + (scattered(stride_ * kept + i) & 1U)];
+    }
     nodes_.resize(kept);
     stride_ *= 2;
   }
@@ -151,7 +156,8 @@ class LatticeWalk {
   const LatticePlane* plane_;  // may be null
   std::size_t most_;
   std::size_t stride_ = 1;
-  std::size_t to_skip_ = 0;
+  std::size_t seen_ = 0;
+  std::size_t chosen_ = 0;
   GridPoint first_{};
   GridPoint last_{};
   std::vector<LatticeNode> nodes_;

@@ -110,7 +110,8 @@ class SpacingField {
   /// meet the box).
   std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
 
-  /// Of those lattice nodes every n-th, n being the power of two that leaves no more than `most`.
+  /// Of those lattice nodes one of each n, scattered, n being the power of two that leaves no more
+  /// than `most` (and two).
   /// Cost: O(cells that meet the box), some ten nanoseconds each.
   LatticeSample sample_lattice(const Box3& box, std::size_t most) const;
 

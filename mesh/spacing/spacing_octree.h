@@ -94,7 +94,7 @@ LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node);
 /// Which of the lattice nodes are wanted.
 struct LatticeFilter {
   const LatticePlane* plane = nullptr;  // only those in it, if given
-  /// When there are more, of these only every second; and again.
+  /// When there are more (but for two), one of each two is dropped; and again.
   std::size_t most = std::numeric_limits<std::size_t>::max();
 };
 

@@ -85,18 +85,35 @@ TEST(LatticePlanes, are_crossed_by_no_tet_of_an_even_lattice) {
   }
 }
 
-TEST(LatticeSample, has_every_nth_node_and_no_more_than_asked_for) {
+TEST(LatticeSample, has_one_of_each_n_nodes_and_no_more_than_asked_for) {
   const SpacingField field = graded_field();
   const auto all = field.lattice_nodes(box);
   for (const std::size_t most : {std::size_t{1}, std::size_t{100}, all.size(), 2 * all.size()}) {
     const LatticeSample sample = field.sample_lattice(box, most);
-    EXPECT_LE(sample.nodes.size(), most);
+    EXPECT_LE(sample.nodes.size(), most + 2);
     EXPECT_NEAR(static_cast<double>(sample.nodes.size()) * sample.nodes_for_each,
                 static_cast<double>(all.size()), sample.nodes_for_each);
     for (const LatticeNode& node : sample.nodes) {
       EXPECT_TRUE(std::any_of(all.begin(), all.end(),
                               [&](const LatticeNode& other) { return other.at == node.at; }));
     }
+  }
+}
+
+TEST(LatticeSample, is_not_always_the_same_corner_of_a_block_of_cells) {
+  const SpacingField field(0.02);
+  const Box3 cube{{0, 0, 0}, {1, 1, 1}};
+  const double cell = field.lattice_cell_edge({0.5, 0.5, 0.5});
+  const LatticeSample sample = field.sample_lattice(cube, 4000);
+  ASSERT_GE(sample.nodes_for_each, 64);
+  // Of four layers of cells along x, each has its share.
+  std::array<int, 4> in_layer{};
+  for (const LatticeNode& node : sample.nodes) {
+    ++in_layer[static_cast<std::size_t>(std::floor(node.at.x / cell)) % 4];
+  }
+  for (const int count : in_layer) {
+    EXPECT_NEAR(count, static_cast<double>(sample.nodes.size()) / 4,
+                0.1 * static_cast<double>(sample.nodes.size()));
   }
 }
 
