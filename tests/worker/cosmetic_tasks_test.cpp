@@ -117,9 +117,9 @@ class CosmeticTasks : public ::testing::Test {
 
   void cut(std::uint64_t heap, int parts, const wire::Artifact& subdomain) {
     if (parts > 1) {
-      const wire::Done done =
-          run(decompose_task, heap, {{"subdomain", subdomain}, {"spacing", spacing_}},
-              {{"parts", std::to_string(parts)}});
+      const wire::Done done = run(decompose_task, heap,
+                                  {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}},
+                                  {{"parts", std::to_string(parts)}});
       table_ += "cut " + std::to_string(heap) + " " +
                 std::to_string(std::int64_t(done.numbers().at("interdomain_nodes"))) + "\n";
       cut(2 * heap, parts / 2, output(done, "left"));
