@@ -90,7 +90,7 @@ class Tasks : public ::testing::Test {
   /// task failed; its answer is `last_`.
   bool settle(const wire::Artifact& subdomain, std::int64_t heap, std::int64_t parts,
               const wire::Artifact& spacing, std::string& table, Files& files) {
-    const Files inputs = {{"subdomain", subdomain}, {"spacing", spacing}};
+    const Files inputs = {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}};
     if (parts > 1) {
       last_ = run(decompose_task, inputs, {{"parts", std::to_string(parts)}});
       if (!last_.has_done()) return false;
