@@ -1,6 +1,7 @@
 // What parallel cosmetics does near the cuts: cuts a surface into N leaves and meshes them as the
 // tasks would, gives each its turn, and compares with the uncut mesh:
-//   seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n]
+//   seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n] [--wanted
+//   deg]
 // --uncut also measures the mesh of one piece; --worst prints the n worst tets near cuts.
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,7 @@ struct Arguments {
   double spacing = 0;
   bool uncut = false;
   std::size_t worst = 0;
+  double wanted = 30;
 };
 
 /// Of this process only, so that a busy machine does not count.
@@ -48,6 +50,7 @@ Arguments parse(int count, char** words) {
     if (!std::strcmp(words[i], "--spacing")) a.spacing = std::stod(words[i + 1]);
     if (!std::strcmp(words[i], "--uncut")) a.uncut = true;
     if (!std::strcmp(words[i], "--worst")) a.worst = std::stoul(words[i + 1]);
+    if (!std::strcmp(words[i], "--wanted")) a.wanted = std::stod(words[i + 1]);
   }
   return a;
 }
@@ -222,7 +225,8 @@ struct Turns {
   CosmeticReport report;
 };
 
-Turns give_turns(const CosmeticOrder& order, const std::map<std::uint64_t, std::uint32_t>& interior,
+Turns give_turns(const CosmeticOrder& order, double wanted_deg,
+                 const std::map<std::uint64_t, std::uint32_t>& interior,
                  const SpacingField& spacing, std::map<Sharers, ElementSection>& sections) {
   Turns turns;
   std::vector<ColouredLeaf> leaves = order.leaves;
@@ -243,6 +247,7 @@ Turns give_turns(const CosmeticOrder& order, const std::map<std::uint64_t, std::
       if (shares && sharers.size() > 1) mine.push_back(section);
     }
     SeamOptions options;
+    options.cosmetics.wanted_dihedral_deg = wanted_deg;
     options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
     SeamResult result = improve_seams(mine, turn, options);
     for (ElementSection& section : result.sections) sections[section.sharers] = section;
@@ -273,7 +278,8 @@ Figures uncut_figures(const Subdomain& root, const SpacingField& spacing) {
 int main(int count, char** words) {
   if (count < 3) {
     std::puts(
-        "seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n]");
+        "seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n] "
+        "[--wanted deg]");
     return 2;
   }
   const Arguments arguments = parse(count, words);
@@ -312,7 +318,7 @@ int main(int count, char** words) {
   std::printf(" %zu leaves, meshed in %.2f s\n", leaves.size(), mesh_seconds);
   figures_of(values_of(sections), spacing, true).print("all before");
   figures_of(values_of(sections), spacing, false).print("seams before");
-  const Turns turns = give_turns(order, interior, spacing, sections);
+  const Turns turns = give_turns(order, arguments.wanted, interior, spacing, sections);
   complain(values_of(sections), surface);
   figures_of(values_of(sections), spacing, false).print("seams after");
   figures_of(values_of(sections), spacing, true).print("all after");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/seam_cosmetics.h"
@@ -109,7 +110,7 @@ void cosmetic_task(TaskIo& io) {
   SeamOptions options;
   options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
   io.progress("cosmetic", 0);
-  const SeamResult result = improve_seams(sections, turn, options);
+  const SeamResult result = improve_seams(std::move(sections), turn, options);
   report(io, result, inputs);
   io.publish("elements", elements_to_bytes({{inputs.self}, result.next_node, result.gone, {}},
                                            result.sections));

@@ -1,14 +1,10 @@
 #include "mesh/cosmetics/seam_cosmetics.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 #include "base/error.h"
 #include "mesh/core/validate.h"
-#include "mesh/cosmetics/element_passing.h"
-#include "mesh/geometry/box_tree.h"
-#include "mesh/geometry/predicates.h"
+#include "mesh/cosmetics/element_homes.h"
 
 namespace tetfarm {
 namespace {
@@ -103,85 +99,6 @@ Region region_of(const JoinedElements& joined, std::vector<std::size_t> tets) {
   return region;
 }
 
-using SortedTet = std::array<std::int32_t, 4>;
-
-SortedTet sorted_tet(Tet tet) {
-  std::sort(tet.begin(), tet.end());
-  return tet;
-}
-
-/// Where the tets of a region lay before it was worked on.
-class OldTets {
- public:
-  OldTets(const Region& region, const JoinedElements& joined) : mesh_(region.mesh) {
-    for (std::size_t i = 0; i < region.tets.size(); ++i) {
-      homes_.push_back(joined.tet_home[region.tets[i]]);
-      by_nodes_.emplace_back(sorted_tet(mesh_.tets[i]), static_cast<std::int32_t>(i));
-    }
-    std::sort(by_nodes_.begin(), by_nodes_.end());
-  }
-
-  std::optional<ElementHome> home_of_same(const Tet& tet) const {
-    const SortedTet nodes = sorted_tet(tet);
-    const auto found = std::lower_bound(
-        by_nodes_.begin(), by_nodes_.end(), nodes,
-        [](const auto& item, const SortedTet& wanted) { return item.first < wanted; });
-    if (found == by_nodes_.end() || found->first != nodes) return std::nullopt;
-    return homes_[at(found->second)];
-  }
-
-  /// The home of the tet that held the point; where rounding leaves doubt, of the one that comes
-  /// nearest to holding it.
-  ElementHome home_at(const Vec3& p) {
-    if (tree_.size() == 0) build_tree();
-    Box3 box;
-    box.add(p);
-    std::int32_t best = 0;
-    double best_inside = -HUGE_VAL;
-    tree_.query(box, [&](std::int32_t t) {
-      const double inside = how_far_inside(t, p);
-      if (inside > best_inside || (inside == best_inside && t < best)) {
-        best = t;
-        best_inside = inside;
-      }
-    });
-    return homes_[at(best)];
-  }
-
- private:
-  void build_tree() {
-    std::vector<Box3> boxes(mesh_.tets.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t) {
-      for (const std::int32_t v : mesh_.tets[t]) boxes[t].add(mesh_.nodes[at(v)]);
-    }
-    tree_ = BoxTree(boxes);
-  }
-
-  /// The smallest barycentric coordinate of p, times the volume: negative outside.
-  double how_far_inside(std::int32_t t, const Vec3& p) const {
-    const Tet& tet = mesh_.tets[at(t)];
-    double least = HUGE_VAL;
-    for (std::size_t face = 0; face < 4; ++face) {
-      const auto node = [&](std::size_t i) {
-        return mesh_.nodes[at(tet[at(tet_face_nodes[face][i])])];
-      };
-      least = std::min(least, orient3d(node(0), node(2), node(1), p));
-    }
-    return least;
-  }
-
-  const TetMesh& mesh_;
-  std::vector<ElementHome> homes_;
-  std::vector<std::pair<SortedTet, std::int32_t>> by_nodes_;
-  BoxTree tree_;
-};
-
-Vec3 centroid_of(const TetComplex& complex, const Tet& tet) {
-  Vec3 sum;
-  for (const std::int32_t v : tet) sum += complex.points[at(v)];
-  return 0.25 * sum;
-}
-
 void require_valid(const TetComplex& complex, const Region& region, std::uint64_t self) {
   TetMesh mesh = to_tet_mesh(complex, region.mesh.boundary_nodes);
   std::vector<std::int32_t> number(mesh.nodes.size(), -1);
@@ -226,32 +143,30 @@ std::vector<std::int32_t> return_nodes(const Region& region, const TetComplex& c
 
 /// Puts the tets of the improved region back, behind those that were out of reach.
 void return_tets(const Region& region, const TetComplex& complex,
-                 const std::vector<std::int32_t>& region2joined, JoinedElements& joined) {
-  OldTets old(region, joined);
-  std::vector<Tet> tets;
-  std::vector<ElementHome> homes;
+                 const std::vector<std::int32_t>& region2joined,
+                 const std::vector<ElementHome>& homes, JoinedElements& joined) {
+  std::size_t kept = 0;
   for (std::size_t t = 0, next = 0; t < joined.tets.size(); ++t) {
     if (next < region.tets.size() && region.tets[next] == t) {
       ++next;
       continue;
     }
-    tets.push_back(joined.tets[t]);
-    homes.push_back(joined.tet_home[t]);
+    joined.tets[kept] = joined.tets[t];
+    joined.tet_home[kept++] = joined.tet_home[t];
   }
+  joined.tets.resize(kept);
+  joined.tet_home.resize(kept);
   for (Tet tet : complex.nodes) {
     if (tet[0] < 0) continue;
-    const auto same = old.home_of_same(tet);
-    homes.push_back(same ? *same : old.home_at(centroid_of(complex, tet)));
     for (std::int32_t& v : tet) v = region2joined[at(v)];
-    tets.push_back(tet);
+    joined.tets.push_back(tet);
   }
-  joined.tets = std::move(tets);
-  joined.tet_home = std::move(homes);
+  joined.tet_home.insert(joined.tet_home.end(), homes.begin(), homes.end());
 }
 
 }  // namespace
 
-SeamResult improve_seams(const std::vector<ElementSection>& sections, const SeamTurn& turn,
+SeamResult improve_seams(std::vector<ElementSection> sections, const SeamTurn& turn,
                          const SeamOptions& options) {
   SeamResult result;
   result.next_node = turn.next_node;
@@ -259,12 +174,18 @@ SeamResult improve_seams(const std::vector<ElementSection>& sections, const Seam
   std::vector<Sharers> sharers;
   for (const ElementSection& section : sections) sharers.push_back(section.sharers);
   JoinedElements joined = join_elements(sections);
+  sections = {};
   const Region region = region_of(joined, tets_within_reach(joined, sharers, turn, options));
   TetComplex complex = make_tet_complex(region.mesh);
   result.tets = std::ssize(region.tets);
   result.report = improve_mesh(complex, region.mesh.boundary_nodes, options.cosmetics);
   require_valid(complex, region, turn.self);
-  return_tets(region, complex, return_nodes(region, complex, turn, joined, result), joined);
+  std::vector<ElementHome> homes;
+  for (const std::size_t t : region.tets) homes.push_back(joined.tet_home[t]);
+  homes = find_homes(region.mesh, homes, complex);
+  const auto region2joined = return_nodes(region, complex, turn, joined, result);
+  return_tets(region, complex, region2joined, homes, joined);
+  complex = TetComplex{};
   result.sections = share_out_elements(joined, sharers);
   return result;
 }

@@ -43,7 +43,7 @@ struct SeamResult {
 /// them.
 /// @throws Error when what comes out is not a valid mesh with the same outer faces.
 /// Cost: that of improve_mesh, and O(n log n) for n tets.
-SeamResult improve_seams(const std::vector<ElementSection>& sections, const SeamTurn& turn,
+SeamResult improve_seams(std::vector<ElementSection> sections, const SeamTurn& turn,
                          const SeamOptions& options = {});
 
 }  // namespace tetfarm
