@@ -84,6 +84,7 @@ void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, in
 
 struct Figures {
   double min_dihedral = 180;
+  double max_dihedral = 0;
   double least_height = HUGE_VAL;           ///< in the unit of the surface
   double least_relative_height = HUGE_VAL;  ///< in units of the spacing there
   std::int64_t tets = 0;
@@ -96,6 +97,7 @@ struct Figures {
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
            const SpacingField& spacing) {
     const double angle = dihedral_range(a, b, c, d).min_deg;
+    max_dihedral = std::max(max_dihedral, dihedral_range(a, b, c, d).max_deg);
     const double volume = tet_volume(a, b, c, d);
     double area = 0;
     for (const auto& f : {std::array{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}}) {
@@ -121,11 +123,11 @@ struct Figures {
     };
     std::printf(
         "  %-14s %9lld tets  min dihedral %6.2f  0.1%% %5.1f  1%% %5.1f  below 10/20/30: "
-        "%4lld %5lld %6lld  height %.5g (%.4f h)  mean ratio %.4f\n",
+        "%4lld %5lld %6lld  height %.5g (%.4f h)  mean ratio %.4f  max dihedral %.2f\n",
         what, static_cast<long long>(tets), min_dihedral, quantile(0.001), quantile(0.01),
         static_cast<long long>(below_10), static_cast<long long>(below_20),
         static_cast<long long>(below_30), least_height, least_relative_height,
-        tets > 0 ? sum_ratio / static_cast<double>(tets) : 0);
+        tets > 0 ? sum_ratio / static_cast<double>(tets) : 0, max_dihedral);
   }
 };
 
