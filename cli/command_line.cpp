@@ -36,6 +36,13 @@ void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: by size)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
       ->option_text("N");
+  app.add_option("--groups", job.groups, "Join the sub-domains into this many, of even work")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30))
+      ->option_text("N");
+  app.add_option("--max-memory", job.max_memory, "So many sub-domains that no task needs more")
+      ->option_text("2GiB")
+      ->excludes("--subdomains")
+      ->excludes("--groups");
   app.add_option("--size", job.size, "Target edge length away from the surface")
       ->check(CLI::PositiveNumber)
       ->option_text("H");
@@ -69,6 +76,7 @@ class Parser {
     app_.footer(exit_codes);
     add_run();
     add_check();
+    add_plan();
     add_quality();
     add_render();
     add_shape();
@@ -129,6 +137,13 @@ class Parser {
                    "Where the bad triangles go (NAME.defects.vtp)")
         ->option_text("FILE");
     add_json(sub, check_.json);
+  }
+
+  void add_plan() {
+    CLI::App& sub = add("plan", "Say what would be done, and what each task would take",
+                        "tetfarm plan wing.stl --max-memory 500MB", plan_);
+    add_job(sub, plan_.job);
+    add_json(sub, plan_.job.json);
   }
 
   void add_quality() {
@@ -275,6 +290,7 @@ class Parser {
   Command command_;
   RunOptions run_;
   CheckOptions check_;
+  PlanCommand plan_;
   QualityOptions quality_;
   RenderCommand render_;
   ShapeCommand shape_;

@@ -18,6 +18,8 @@ struct RunOptions {
   std::string output = "out";
   int workers = 0;  ///< 0: one a core
   std::optional<std::int64_t> subdomains;
+  std::optional<std::int64_t> groups;  ///< to assimilate the sub-domains into
+  std::string max_memory;              ///< "2GiB"; "": no limit
   std::optional<double> size;
   std::optional<double> growth;
   std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
@@ -32,6 +34,11 @@ struct CheckOptions {
   std::string input;
   std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
   bool json = false;
+};
+
+/// What would run, without running it.
+struct PlanCommand {
+  RunOptions job;
 };
 
 struct QualityOptions {
@@ -114,9 +121,9 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command = std::variant<NothingToDo, RunOptions, CheckOptions, QualityOptions, RenderCommand,
-                             ShapeCommand, StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
-                             CoordinatorCommand, WorkerCommand, TaskCommand>;
+using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
+                             RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
+                             SubmitCommand, CoordinatorCommand, WorkerCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -13,6 +13,9 @@ namespace tetfarm {
 ExitCode run_command(const RunOptions& options);
 
 ExitCode check_command(const CheckOptions& options);
+
+/// Reads and checks the surface, then prints the tree and the cost of each task.
+ExitCode plan_command(const PlanCommand& command);
 ExitCode quality_command(const QualityOptions& options);
 
 /// `input` itself, or of the meshes in the folder the first by name, .vtkhdf (which knows the

@@ -27,6 +27,14 @@ void set_outer(JobFile& job, const std::string& text) {
   }
 }
 
+void set_max_memory(JobFile& job, const std::string& text) {
+  const auto bytes = parse_memory(text);
+  if (!bytes) throw UsageError("\"" + text + "\" is no amount like 2GiB or 500MB", "--max-memory");
+  job.max_memory_bytes = *bytes;
+  job.subdomains = 0;
+  job.groups = 0;
+}
+
 std::string without_ending(const std::string& name, const std::string& ending) {
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
@@ -45,7 +53,13 @@ JobFile base_job(const std::string& input) {
 JobInput read_job(const RunOptions& options) {
   JobInput input{base_job(options.input), {}, {}};
   JobFile& job = input.job;
+  if (options.subdomains || options.groups) job.max_memory_bytes = 0;
   if (options.subdomains) job.subdomains = *options.subdomains;
+  if (options.groups) job.groups = *options.groups;
+  if (!options.max_memory.empty()) set_max_memory(job, options.max_memory);
+  if (job.subdomains > 0 && job.subdomains < job.groups) {
+    throw UsageError("there are fewer sub-domains to join than groups", "--groups");
+  }
   if (options.size) job.spacing_default = *options.size;
   if (options.growth) job.growth = *options.growth;
   if (options.outer) set_outer(job, *options.outer);

@@ -1,5 +1,6 @@
 #include "cli/job_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -104,6 +105,73 @@ std::string worst_text(const wire::JobStatus& status) {
   return text + "\n";
 }
 
+/// How evenly the work is spread, largest over mean, and what the assimilation came to.
+Json balance_json(const wire::JobStatus& status) {
+  Json json = Json::object();
+  for (const auto& [key, name] :
+       {std::pair{"estimated", "balance_estimated"}, std::pair{"elements", "balance_elements"}}) {
+    if (status.numbers().contains(name)) json[key] = number_of(status, name);
+  }
+  if (!status.numbers().contains("assimilated_groups")) return json;
+  const auto ratio = [&](const std::string& what) {
+    return number_of(status, what + "_max") / number_of(status, what + "_mean");
+  };
+  json["faces"] = ratio("assimilated_faces");
+  json["leaves"] = number_of(status, "assimilated_leaves");
+  json["leaves_estimated"] = ratio("assimilated_leaf_estimated");
+  json["leaves_faces"] = ratio("assimilated_leaf_faces");
+  json["communication_nodes_max"] = number_of(status, "assimilated_communication_nodes_max");
+  json["communication_nodes_sum"] = number_of(status, "assimilated_communication_nodes_sum");
+  return json;
+}
+
+/// What each kind of task took, and what it was expected to take (worker/task_cost.h).
+Json tasks_json(const wire::JobStatus& status) {
+  Json json = Json::object();
+  for (const char* kind : {"inspect", "decompose", "assimilate", "mesh", "order", "extract",
+                           "cosmetic", "number", "assemble"}) {
+    const std::string prefix = std::string("task_") + kind;
+    if (!status.numbers().contains(prefix + "_count")) continue;
+    Json& task = json[kind];
+    for (const char* name :
+         {"count", "bytes", "expected_bytes", "of_expected_bytes", "seconds", "expected_seconds"}) {
+      task[name] = number_of(status, prefix + "_" + name);
+    }
+  }
+  return json;
+}
+
+/// The task that needed most, beside what it was expected to need.
+std::string memory_text(const wire::JobStatus& status) {
+  double bytes = 0;
+  double bound = 0;
+  const Json tasks = tasks_json(status);
+  for (const Json& task : tasks) {
+    bytes = std::max(bytes, task["bytes"].get<double>());
+    bound = std::max(bound, task["expected_bytes"].get<double>());
+  }
+  return format("memory of a task: at most %.0f MB, %.0f MB expected as the limit", bytes / 1e6,
+                bound / 1e6);
+}
+
+/// The same as a line for a person; empty while nothing is known.
+std::string balance_text(const wire::JobStatus& status) {
+  const auto& numbers = status.numbers();
+  if (!numbers.contains("balance_estimated")) return {};
+  std::string text =
+      format("largest/mean: %.3f of estimated elements", number_of(status, "balance_estimated"));
+  if (numbers.contains("balance_elements")) {
+    text += format(", %.3f of elements", number_of(status, "balance_elements"));
+  }
+  if (!numbers.contains("assimilated_groups")) return text;
+  const Json json = balance_json(status);
+  return text +
+         format(", %.3f of faces; %.0f leaves in %.0f groups, at most %.0f communication nodes",
+                json["faces"].get<double>(), number_of(status, "assimilated_leaves"),
+                number_of(status, "assimilated_groups"),
+                number_of(status, "assimilated_communication_nodes_max"));
+}
+
 }  // namespace
 
 std::string result_json(const wire::JobStatus& status, double seconds,
@@ -129,6 +197,8 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   json["seconds"] = seconds;
   json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
   json["attempts_lost"] = status.attempts_lost();
+  json["balance"] = balance_json(status);
+  json["tasks"] = tasks_json(status);
   json["digest"] = text_of(status, "digest");
   json["files"] = Json::array();
   for (const std::filesystem::path& file : files) json["files"].push_back(file.string());
@@ -152,6 +222,7 @@ std::string status_json(const wire::JobStatus& status) {
                      {"attempts_lost", status.attempts_lost()},
                      {"peak_rss_bytes_worker", status.peak_rss_bytes_worker()},
                      {"seconds", status.seconds()},
+                     {"balance", balance_json(status)},
                      {"message", status.message()},
                      {"exit_code", status.exit_code()}};
   return line_of(json);
@@ -185,6 +256,8 @@ std::string result_text(const wire::JobStatus& status, double seconds,
   for (const auto& [path, reason] : uncut_subdomains(status)) {
     text += "           sub-domain " + path + " is larger than wanted: no cut, " + reason + "\n";
   }
+  text += "           " + memory_text(status) + "\n";
+  if (number_of(status, "subdomains") > 1) text += "           " + balance_text(status) + "\n";
   for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
   return text;
 }
@@ -195,6 +268,7 @@ std::string status_text(const wire::StatusReply& reply) {
     text += format("%-8s %-20s %-10s ", status.job().c_str(), status.name().substr(0, 60).c_str(),
                    status.state().c_str()) +
             progress_text(status, 0) + "\n";
+    if (status.leaves_made() > 1) text += "         " + balance_text(status) + "\n";
     if (!status.message().empty()) text += "         " + status.message() + "\n";
   }
   return text;

@@ -100,7 +100,8 @@ ExitCode run_command(const RunOptions& options) {
   const std::filesystem::path folder = std::filesystem::absolute(options.output);
   const std::filesystem::path store = folder / ".tetfarm";
   make_folders(store);
-  const wire::Submit submit = publish_job(ArtifactStore(store), input);
+  wire::Submit submit = publish_job(ArtifactStore(store), input);
+  submit.set_replaces_others(true);
   const std::optional<wire::JobStatus> end = work(options, store, submit);
   if (!end) {
     std::fprintf(stderr, "stopped at a checkpoint\nhelp: the same command goes on from here\n");

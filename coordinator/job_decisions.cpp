@@ -77,10 +77,12 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   task.outputs = result.outputs;
   task.numbers = result.numbers;
   task.texts = result.texts;
+  if (!rules_.program.empty()) task.texts["program"] = rules_.program;
   task.seconds = result.seconds;
   task.peak_rss_bytes = result.peak_rss_bytes;
   task.message.clear();
   set_state(task, TaskState::done);
+  if (!made_before) remember_work(task);
   not_before_ms_.erase(id);
   failed_on_.erase(id);
   stuck_delay_ms_ = 0;
@@ -175,9 +177,11 @@ void JobState::advance(const TaskRow& task, Moment now) {
     case TaskKind::decompose: {
       const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
       carry_out(after_decompose(*inspect, task, self), now);
-      order_when_whole(task.job, now);
       break;
     }
+    case TaskKind::assimilate:
+      carry_out(after_assimilate(*inspect, task, tree_of(task.job)), now);
+      break;
     case TaskKind::mesh:
       put(after_mesh(task, durable_.subdomains.at({task.job, task.path})));
       if (find_task(task.job, TaskKind::order, 0) != nullptr) {
@@ -211,7 +215,26 @@ void JobState::advance(const TaskRow& task, Moment now) {
 
 void JobState::carry_out(const GraphStep& step, Moment now) {
   for (const SubdomainRow& subdomain : step.subdomains) put(subdomain);
+  // Before the meshes: one that an earlier job has done is done at once, and has to find the order.
+  if (!step.subdomains.empty()) tree_has_grown(step.subdomains.front().job, now);
   for (const TaskRow& task : step.tasks) add_task(task, now);
+}
+
+/// When the last cut is made, the leaves are joined where the job asks for it; when that is over,
+/// their order in cosmetics is found.
+void JobState::tree_has_grown(JobId job, Moment now) {
+  if (open_[job] > 0) return;
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
+  if (assimilate == nullptr) {
+    if (const auto task = assimilate_task(*inspect, tree_of(job))) {
+      add_task(*task, now);
+      return;
+    }
+  } else if (assimilate->outputs.empty()) {
+    return;
+  }
+  order_when_whole(job, now);
 }
 
 /// The whole tree is meshed, and had its turns: numbers the nodes, then assembles.
@@ -228,9 +251,11 @@ void JobState::finish_tree(JobId job, Moment now) {
     return task;
   };
   if (number == nullptr) {
-    add_task(with_elements(number_task(*inspect, tree)), now);
+    const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
+    add_task(with_elements(number_task(*inspect, assimilate, tree)), now);
     return;
   }
+  if (number->outputs.empty()) return;  // it was added by what this was called for
   if (order != nullptr) {
     add_task(with_elements(assemble_task(*inspect, *number, {}, {})), now);
     return;
@@ -246,6 +271,7 @@ void JobState::finish_tree(JobId job, Moment now) {
 }
 
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
+  if (submission.replaces_others) cancel_others(submission.key, now);
   const auto known = submission.key.empty() ? keys_.end() : keys_.find(submission.key);
   if (known != keys_.end()) {
     JobRow& job = edit(known->second);
@@ -265,6 +291,12 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
   add_task(inspect_task(job.id, submission.job_file, submission.inputs), now);
   return {job.id, false};
+}
+
+void JobState::cancel_others(const std::string& key, Moment now) {
+  for (const auto& [id, job] : durable_.jobs) {
+    if (job.phase == JobPhase::running && job.key != key) cancel(id, now);
+  }
 }
 
 /// What failed is tried again, with a clean record; what is done stays done.

@@ -1,9 +1,11 @@
 #include "coordinator/job_state.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "base/check.h"
+#include "coordinator/task_reuse.h"
 
 namespace tetfarm {
 namespace {
@@ -35,6 +37,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     index(task);
     const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
     if (had_turn) ++turns_over_[task.job];
+    remember_work(task);
   }
   for (const auto& [id, attempt] : durable_.running_attempts) {
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
@@ -99,9 +102,34 @@ void JobState::add_task(TaskRow task, Moment now) {
   task.id = TaskId{durable_.tasks.empty() ? 1 : durable_.tasks.rbegin()->first.value + 1};
   places_[place] = task.id;
   dirty_tasks_.insert(task.id);
+  const bool served = is_served(task);
   const TaskRow& added = durable_.tasks.emplace(task.id, std::move(task)).first->second;
   index(added);
-  record(now, added, {}, {}, "ready");
+  record(now, added, {}, {}, served ? "served" : "ready",
+         served ? "as an earlier job has done it" : "");
+  if (served) advance(added, now);
+}
+
+void JobState::remember_work(const TaskRow& task) {
+  if (task.state != TaskState::done) return;
+  const auto program = task.texts.find("program");
+  done_work_.emplace(work_name(task) + (program == task.texts.end() ? "" : program->second),
+                     task.id);
+}
+
+/// Gives the task the result of an earlier one that serves for it, if its files are still there.
+bool JobState::is_served(TaskRow& task) const {
+  const auto [first, last] = done_work_.equal_range(work_name(task) + rules_.program);
+  for (auto known = first; known != last; ++known) {
+    const TaskRow& done = durable_.tasks.at(known->second);
+    if (done.state != TaskState::done || !serves(done, task) ||
+        !std::all_of(done.outputs.begin(), done.outputs.end(), has_file_)) {
+      continue;
+    }
+    take_result(done, task);
+    return true;
+  }
+  return false;
 }
 
 /// By rising heap number.

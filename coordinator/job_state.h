@@ -42,6 +42,8 @@ struct FarmRules {
   std::int64_t crash_delay_ms = 1000;  ///< doubled by each crash
   std::int64_t loss_delay_ms = 100;    ///< doubled by each loss
   std::int64_t longest_delay_ms = 30000;
+  /// Names the program: results of another one do not serve.
+  std::string program;
   std::int64_t elsewhere_ms = 5000;  ///< how long a task waits for a worker it has not failed on
 };
 
@@ -69,6 +71,7 @@ struct Submission {
   std::string job_toml;
   ArtifactRef job_file;  ///< job_toml, published
   std::vector<ArtifactRef> inputs;
+  bool replaces_others = false;  ///< running jobs are cancelled: this is the one that is wanted
 };
 
 struct SubmitAnswer {
@@ -157,6 +160,8 @@ class JobState {
   void index(const TaskRow& task);
   void index(const SubdomainRow& subdomain, bool adds);
   void add_task(TaskRow task, Moment now);
+  bool is_served(TaskRow& task) const;
+  void remember_work(const TaskRow& task);
   void record(Moment now, const TaskRow& task, AttemptId attempt, WorkerId worker, const char* what,
               const std::string& message = {});
   const TaskRow* find_task(JobId job, TaskKind kind, std::uint64_t path) const;
@@ -176,6 +181,7 @@ class JobState {
 
   // job_decisions.cpp: results, failures, clients
   void advance(const TaskRow& task, Moment now);
+  void tree_has_grown(JobId job, Moment now);
   void finish_tree(JobId job, Moment now);
   void carry_out(const GraphStep& step, Moment now);
   void fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message, Moment now);
@@ -183,6 +189,7 @@ class JobState {
   void count_crash(TaskRow& task, const std::string& message, Moment now);
   void count_loss(TaskRow& task, const std::string& message, Moment now);
   void resume(JobRow& job, Moment now);
+  void cancel_others(const std::string& key, Moment now);
 
   // job_cosmetics.cpp: turns in cosmetics across cuts
   const TaskRow* find_done(JobId job, TaskKind kind, std::uint64_t path) const;
@@ -212,6 +219,7 @@ class JobState {
   std::map<JobId, std::int64_t> open_;       ///< sub-domains still to be cut
   std::map<JobId, TurnOrder> turns_;
   std::map<JobId, std::int64_t> turns_over_;
+  std::multimap<std::string, TaskId> done_work_;
   std::map<std::string, JobId> keys_;
   std::int64_t stuck_until_ms_ = 0;
   std::int64_t stuck_delay_ms_ = 0;  ///< 0: not stuck

@@ -5,13 +5,43 @@
 namespace tetfarm {
 namespace {
 
+/// The largest over the mean: how evenly the work was spread (thesis figs. 70 and 71).
+struct Evenness {
+  double largest = 0;
+  double sum = 0;
+  double count = 0;
+
+  void add(double amount) {
+    largest = std::max(largest, amount);
+    sum += amount;
+    ++count;
+  }
+  double ratio() const { return sum > 0 ? largest * count / sum : 1; }
+};
+
 void count_subdomains(const DurableState& durable, JobSummary& summary) {
+  Evenness estimated;
+  Evenness actual;
   for (auto node = durable.subdomains.lower_bound({summary.job, 0});
        node != durable.subdomains.end() && node->first.first == summary.job; ++node) {
     if (node->second.state != SubdomainState::leaf) continue;
     ++summary.leaves_made;
+    estimated.add(node->second.work);
+    actual.add(static_cast<double>(node->second.tets));
     if (node->second.meshed) ++summary.leaves_meshed;
     summary.elements += node->second.tets;
+  }
+  if (summary.leaves_made == 0) return;
+  summary.numbers["balance_estimated"] = estimated.ratio();
+  if (summary.leaves_meshed == summary.leaves_made) {
+    summary.numbers["balance_elements"] = actual.ratio();
+  }
+}
+
+/// What is told of the assimilation: leaves, groups, faces and communication (fig. 69).
+void add_assimilation(const TaskRow& assimilate, JobSummary& summary) {
+  for (const auto& [name, number] : assimilate.numbers) {
+    summary.numbers["assimilated_" + name] = number;
   }
 }
 
@@ -24,7 +54,29 @@ void add_estimate(const TaskRow& inspect, JobSummary& summary) {
   }
 }
 
+/// What the tasks of a kind took and were expected to take: the largest memory, all the time.
+void add_cost(const TaskRow& task, JobSummary& summary) {
+  if (task.state != TaskState::done) return;
+  const std::string kind = std::string("task_") + name_of(task.kind);
+  const auto most = [&](const std::string& name, double value) {
+    double& known = summary.numbers[kind + name];
+    known = std::max(known, value);
+  };
+  const auto expected = [&task](const char* name) {
+    const auto found = task.numbers.find(name);
+    return found == task.numbers.end() ? 0 : found->second;
+  };
+  ++summary.numbers[kind + "_count"];
+  summary.numbers[kind + "_seconds"] += task.seconds;
+  summary.numbers[kind + "_expected_seconds"] += expected("expected_seconds");
+  most("_bytes", static_cast<double>(task.peak_rss_bytes));
+  most("_expected_bytes", expected("expected_bytes"));
+  const double bound = expected("expected_bytes");
+  if (bound > 0) most("_of_expected_bytes", static_cast<double>(task.peak_rss_bytes) / bound);
+}
+
 void count_task(const TaskRow& task, JobSummary& summary) {
+  add_cost(task, summary);
   switch (task.state) {
     case TaskState::done:
       ++summary.tasks_done;
@@ -76,8 +128,11 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.state != TaskState::done) stage = std::min(stage, task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
+    if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
+      add_assimilation(task, summary);
+    }
     if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
-      summary.numbers = task.numbers;
+      summary.numbers.insert(task.numbers.begin(), task.numbers.end());
       summary.texts.insert(task.texts.begin(), task.texts.end());
     }
     add_reason_to_stay_whole(task, summary);

@@ -22,7 +22,7 @@ struct JobSummary {
   double estimated_elements = 0;
   std::string message;
   int exit_code = 0;
-  std::map<std::string, double> numbers;
+  std::map<std::string, double> numbers;  ///< balance, assimilation, and of the assembled mesh
   /// Of the assembled mesh; and why sub-domains could not be cut, as "uncut:" and the heap number.
   std::map<std::string, std::string> texts;
   std::vector<ArtifactRef> files;  ///< results of a done job, evidence of a failed one

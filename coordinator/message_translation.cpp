@@ -20,6 +20,8 @@ wire::TaskKind wire_kind(TaskKind kind) {
       return wire::INSPECT;
     case TaskKind::decompose:
       return wire::DECOMPOSE;
+    case TaskKind::assimilate:
+      return wire::ASSIMILATE;
     case TaskKind::mesh:
       return wire::MESH;
     case TaskKind::order:

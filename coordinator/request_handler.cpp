@@ -198,6 +198,7 @@ void RequestHandler::submit(const std::string& connection, const wire::Submit& m
   submission.key = message.key();
   submission.name = message.name();
   submission.job_toml = message.job_toml();
+  submission.replaces_others = message.replaces_others();
   submission.inputs = files_of(message.inputs());
   for (const ArtifactRef& input : submission.inputs) {
     if (store_.has(input.hash, input.size)) continue;

@@ -14,6 +14,7 @@
 
 #include "base/clock.h"
 #include "base/file_system.h"
+#include "base/hash.h"
 #include "coordinator/job_state.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/store_lock.h"
@@ -95,6 +96,7 @@ class Server {
         socket_(context_, zmq::socket_type::router),
         handler_(store_, {options.heartbeat_ms, options.lease_ms}) {
     rules_.lease_ms = options.lease_ms;
+    rules_.program = hash128(read_file("/proc/self/exe")).hex();
     restore();
     bind();
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "base/check.h"
@@ -11,6 +12,8 @@ namespace tetfarm {
 namespace {
 
 constexpr double most_parts = 1e6;
+const std::string leaf_file = "subdomain:";
+const std::string group_file = "group:";
 
 ArtifactRef file_of(std::span<const ArtifactRef> files, const std::string& name) {
   const std::optional<ArtifactRef> file = find_file(files, name);
@@ -41,43 +44,114 @@ std::uint32_t parts_of(const TaskRow& task, const std::string& name) {
   return static_cast<std::uint32_t>(count_of(task.numbers, name, most_parts).value_or(1));
 }
 
-TaskRow task_on_subdomain(const TaskRow& inspect, const SubdomainRow& subdomain) {
+/// How many groups the leaves are to be joined into; 0: they are meshed as they are.
+std::uint64_t groups_of(const TaskRow& inspect) { return count_or_zero(inspect.numbers, "groups"); }
+
+TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {
   TaskRow task;
-  task.job = subdomain.job;
-  task.path = subdomain.path;
-  task.inputs = {file_of(inspect.inputs, "job"),
-                 {"subdomain", subdomain.hash, subdomain.size},
+  task.job = leaf.job;
+  task.kind = TaskKind::mesh;
+  task.path = leaf.path;
+  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
+                 {"subdomain", leaf.hash, leaf.size},
                  file_of(inspect.outputs, "spacing")};
-  if (subdomain.state == SubdomainState::leaf) {
-    task.kind = TaskKind::mesh;
-  } else {
-    task.kind = TaskKind::decompose;
-    task.parameters["parts"] = std::to_string(subdomain.parts);
-  }
+  task.parameters["work"] = std::to_string(std::llround(leaf.work));
   return task;
 }
 
-SubdomainRow new_subdomain(JobId job, std::uint64_t path, std::uint32_t parts,
+/// The wanted parts of the two sides are the parent's, as evenly as can be.
+TaskRow decompose_task(const TaskRow& inspect, const SubdomainRow& subdomain) {
+  TaskRow task;
+  task.job = subdomain.job;
+  task.kind = TaskKind::decompose;
+  task.path = subdomain.path;
+  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
+                 {"subdomain", subdomain.hash, subdomain.size},
+                 file_of(inspect.outputs, "spacing")};
+  const std::uint32_t left_parts = subdomain.parts / 2;
+  task.parameters["left_parts"] = std::to_string(left_parts);
+  task.parameters["right_parts"] = std::to_string(subdomain.parts - left_parts);
+  task.parameters["work"] = std::to_string(std::llround(subdomain.work));
+  const std::uint64_t most_bytes = count_or_zero(inspect.numbers, "most_bytes");
+  if (most_bytes > 0) task.parameters["most_bytes"] = std::to_string(most_bytes);
+  return task;
+}
+
+/// What is to be done with new sub-domains. Leaves that are to be assimilated wait for the others.
+void add_tasks(const TaskRow& inspect, GraphStep& step) {
+  for (const SubdomainRow& subdomain : step.subdomains) {
+    if (subdomain.state == SubdomainState::open) {
+      step.tasks.push_back(decompose_task(inspect, subdomain));
+    } else if (subdomain.state == SubdomainState::leaf && groups_of(inspect) == 0) {
+      step.tasks.push_back(mesh_task(inspect, subdomain));
+    }
+  }
+}
+
+SubdomainRow new_subdomain(JobId job, std::uint64_t path, std::uint32_t parts, double work,
                            const ArtifactRef& file) {
   SubdomainRow subdomain;
   subdomain.job = job;
   subdomain.path = path;
   subdomain.parts = parts;
+  subdomain.work = work;
   subdomain.state = parts > 1 && path < deepest_cut ? SubdomainState::open : SubdomainState::leaf;
   subdomain.hash = file.hash;
   subdomain.size = file.size;
   return subdomain;
 }
 
-std::optional<std::string> problem_with_cut(const TaskRow& task, const TaskResult& result) {
-  if (result.outputs.empty()) return std::nullopt;
-  const auto left = count_of(result.numbers, "left_parts", most_parts);
-  const auto right = count_of(result.numbers, "right_parts", most_parts);
-  if (!left || !right || *left < 1 || *right < 1) return "left_parts or right_parts is missing";
-  const auto parts = task.parameters.find("parts");
-  if (parts != task.parameters.end() && std::to_string(*left + *right) != parts->second) {
-    return "left_parts + right_parts is not " + parts->second;
+/// The parts that a half is to become: as the task found where memory decides, else as it was told.
+std::uint32_t half_parts(const TaskRow& decompose, const std::string& name) {
+  const auto found = count_of(decompose.numbers, name, most_parts);
+  if (found) return std::max(1U, static_cast<std::uint32_t>(*found));
+  const auto told = decompose.parameters.find(name);
+  return told == decompose.parameters.end() ? 1
+                                            : static_cast<std::uint32_t>(std::stoul(told->second));
+}
+
+double work_of(const TaskRow& task, const std::string& name) {
+  const auto found = task.numbers.find(name);
+  return found == task.numbers.end() || !(found->second >= 0) ? 0 : found->second;
+}
+
+std::string text_of(const TaskResult& result, const std::string& name) {
+  const auto found = result.texts.find(name);
+  return found == result.texts.end() ? std::string() : found->second;
+}
+
+/// The lines "HEAP GROUP": leaf HEAP goes into the group whose first leaf is GROUP.
+using Groups = std::map<std::uint64_t, std::uint64_t>;
+
+std::optional<Groups> parse_groups(const std::string& text) {
+  Groups groups;
+  std::istringstream lines(text);
+  std::uint64_t leaf = 0;
+  std::uint64_t group = 0;
+  while (lines >> leaf >> group) {
+    if (!groups.emplace(leaf, group).second) return std::nullopt;
   }
+  return lines.eof() ? std::optional<Groups>(groups) : std::nullopt;
+}
+
+std::optional<std::string> problem_with_groups(const TaskRow& task, const TaskResult& result) {
+  const std::optional<Groups> groups = parse_groups(text_of(result, "groups"));
+  if (!groups) return "the text 'groups' cannot be read";
+  std::size_t leaves = 0;
+  for (const ArtifactRef& input : task.inputs) {
+    if (!input.name.starts_with(leaf_file)) continue;
+    ++leaves;
+    const auto leaf = groups->find(std::stoull(input.name.substr(leaf_file.size())));
+    if (leaf == groups->end()) return "the leaf " + input.name + " is in no group";
+    const auto first = groups->find(leaf->second);
+    if (first == groups->end() || first->second != first->first) {
+      return "the group " + std::to_string(leaf->second) + " is not named by a leaf of its own";
+    }
+    if (!find_file(result.outputs, group_file + std::to_string(leaf->second))) {
+      return "the group " + std::to_string(leaf->second) + " has no file";
+    }
+  }
+  if (leaves != groups->size()) return "there are groups of unknown leaves";
   return std::nullopt;
 }
 
@@ -98,10 +172,12 @@ std::optional<std::string> problem_with_order(const TaskRow& task, const TaskRes
 std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& result) {
   switch (task.kind) {
     case TaskKind::inspect:
-      return {"surface", "spacing", "root"};
+      return {"surface", "spacing", "root", "settings"};
     case TaskKind::decompose:
       if (result.outputs.empty()) return {};
       return {"left", "right"};
+    case TaskKind::assimilate:
+      return {"dropped"};
     case TaskKind::mesh:
       return {"mesh"};
     case TaskKind::order: {
@@ -138,7 +214,7 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
     const auto parts = count_of(result.numbers, "parts", most_parts);
     if (!parts || *parts < 1) return "the number of parts is missing";
   }
-  if (task.kind == TaskKind::decompose) return problem_with_cut(task, result);
+  if (task.kind == TaskKind::assimilate) return problem_with_groups(task, result);
   if (task.kind == TaskKind::order) return problem_with_order(task, result);
   return std::nullopt;
 }
@@ -153,28 +229,78 @@ TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const Art
 }
 
 GraphStep after_inspect(const TaskRow& inspect) {
-  const SubdomainRow root =
-      new_subdomain(inspect.job, 1, parts_of(inspect, "parts"), file_of(inspect.outputs, "root"));
-  return {{root}, {task_on_subdomain(inspect, root)}};
+  GraphStep step;
+  step.subdomains = {new_subdomain(inspect.job, 1, parts_of(inspect, "parts"),
+                                   work_of(inspect, "total_work"),
+                                   file_of(inspect.outputs, "root"))};
+  add_tasks(inspect, step);
+  return step;
 }
 
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                           const SubdomainRow& parent) {
+  GraphStep step;
   SubdomainRow self = parent;
   if (decompose.outputs.empty()) {
     self.state = SubdomainState::leaf;
-    return {{self}, {task_on_subdomain(inspect, self)}};
+    step.subdomains = {self};
+  } else {
+    self.state = SubdomainState::cut;
+    self.interdomain_nodes = count_or_zero(decompose.numbers, "interdomain_nodes");
+    step.subdomains = {
+        self,
+        new_subdomain(parent.job, 2 * parent.path, half_parts(decompose, "left_parts"),
+                      work_of(decompose, "left_work"), file_of(decompose.outputs, "left")),
+        new_subdomain(parent.job, 2 * parent.path + 1, half_parts(decompose, "right_parts"),
+                      work_of(decompose, "right_work"), file_of(decompose.outputs, "right"))};
   }
-  self.state = SubdomainState::cut;
-  self.interdomain_nodes = count_or_zero(decompose.numbers, "interdomain_nodes");
-  const SubdomainRow left =
-      new_subdomain(parent.job, 2 * parent.path, parts_of(decompose, "left_parts"),
-                    file_of(decompose.outputs, "left"));
-  const SubdomainRow right =
-      new_subdomain(parent.job, 2 * parent.path + 1, parts_of(decompose, "right_parts"),
-                    file_of(decompose.outputs, "right"));
-  return {{self, left, right},
-          {task_on_subdomain(inspect, left), task_on_subdomain(inspect, right)}};
+  add_tasks(inspect, step);
+  return step;
+}
+
+std::optional<TaskRow> assimilate_task(const TaskRow& inspect, std::span<const SubdomainRow> tree) {
+  if (groups_of(inspect) == 0) return std::nullopt;
+  TaskRow task;
+  task.job = inspect.job;
+  task.kind = TaskKind::assimilate;
+  task.inputs = {file_of(inspect.inputs, "job")};
+  std::string table;
+  for (const SubdomainRow& node : tree) {
+    if (node.state == SubdomainState::cut) continue;
+    TF_CHECK(node.state == SubdomainState::leaf);
+    const std::string path = std::to_string(node.path);
+    task.inputs.push_back({leaf_file + path, node.hash, node.size});
+    table += path + " " + std::to_string(std::llround(node.work)) + "\n";
+  }
+  task.parameters["table"] = table;
+  return task;
+}
+
+GraphStep after_assimilate(const TaskRow& inspect, const TaskRow& assimilate,
+                           std::span<const SubdomainRow> tree) {
+  const std::optional<Groups> groups = parse_groups(assimilate.texts.at("groups"));
+  TF_CHECK(groups.has_value());
+  std::map<std::uint64_t, double> group2work;
+  for (const SubdomainRow& node : tree) {
+    if (node.state == SubdomainState::leaf) group2work[groups->at(node.path)] += node.work;
+  }
+  GraphStep step;
+  for (const SubdomainRow& node : tree) {
+    if (node.state != SubdomainState::leaf) continue;
+    SubdomainRow& leaf = step.subdomains.emplace_back(node);
+    const std::uint64_t group = groups->at(node.path);
+    if (group != node.path) {
+      leaf.state = SubdomainState::joined;
+      leaf.joined_into = group;
+      continue;
+    }
+    const ArtifactRef file = file_of(assimilate.outputs, group_file + std::to_string(group));
+    leaf.hash = file.hash;
+    leaf.size = file.size;
+    leaf.work = group2work.at(group);
+    step.tasks.push_back(mesh_task(inspect, leaf));
+  }
+  return step;
 }
 
 SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf) {
@@ -185,20 +311,24 @@ SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf) {
 }
 
 bool is_settled(const SubdomainRow& subdomain) {
-  return subdomain.state == SubdomainState::cut ||
+  return subdomain.state == SubdomainState::cut || subdomain.state == SubdomainState::joined ||
          (subdomain.state == SubdomainState::leaf && subdomain.meshed);
 }
 
-TaskRow number_task(const TaskRow& inspect, std::span<const SubdomainRow> tree) {
+TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
+                    std::span<const SubdomainRow> tree) {
   TaskRow task;
   task.job = inspect.job;
   task.kind = TaskKind::number;
-  task.inputs = {file_of(inspect.inputs, "job"), file_of(inspect.outputs, "surface")};
+  task.inputs = {file_of(inspect.outputs, "surface")};
+  if (assimilate != nullptr) task.inputs.push_back(file_of(assimilate->outputs, "dropped"));
   std::string table;
   for (const SubdomainRow& node : tree) {
     const std::string path = std::to_string(node.path);
     if (node.state == SubdomainState::cut) {
       table += "cut " + path + " " + std::to_string(node.interdomain_nodes) + "\n";
+    } else if (node.state == SubdomainState::joined) {
+      table += "joined " + path + " " + std::to_string(node.joined_into) + "\n";
     } else {
       table += "leaf " + path + " " + std::to_string(node.interior_nodes) + " " +
                std::to_string(node.tets) + "\n";

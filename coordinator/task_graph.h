@@ -2,6 +2,8 @@
 ///
 /// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble;
 /// before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
+/// Where the job asks for assimilation, one task between the last cut and the first mesh joins the
+/// leaves into groups; a group is a leaf from then on, under the number of its first leaf.
 /// The graph is a pure function of results; the order in which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
@@ -40,7 +42,7 @@ struct GraphStep {
 /// The file called `name` in a list; nothing when there is none.
 std::optional<ArtifactRef> find_file(std::span<const ArtifactRef> files, const std::string& name);
 
-/// What is wrong with a result: a missing output, parts that do not add up. Nothing when it is
+/// What is wrong with a result: a missing output, leaves in no group. Nothing when it is
 /// usable.
 std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& result);
 
@@ -55,14 +57,25 @@ GraphStep after_inspect(const TaskRow& inspect);
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                           const SubdomainRow& parent);
 
+/// Joins the leaves into groups (thesis 4.3.2); nothing when the job does not ask for it.
+/// @pre `tree` is the whole tree by rising heap number: nothing in it is open or joined.
+std::optional<TaskRow> assimilate_task(const TaskRow& inspect, std::span<const SubdomainRow> tree);
+
+/// The groups as leaves to be meshed, and the leaves that are joined into them.
+/// @pre `assimilate` is done and without problem; `tree` as it was for assimilate_task.
+GraphStep after_assimilate(const TaskRow& inspect, const TaskRow& assimilate,
+                           std::span<const SubdomainRow> tree);
+
 /// The leaf with the figures of its volume mesh.
 SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf);
 
 /// Whether nothing more has to be found out about a sub-domain before the nodes can be numbered.
 bool is_settled(const SubdomainRow& subdomain);
 
-/// @pre `tree` is the whole tree by rising heap number, all of it settled.
-TaskRow number_task(const TaskRow& inspect, std::span<const SubdomainRow> tree);
+/// @pre `tree` is the whole tree by rising heap number, all of it settled; `assimilate` is done, or
+/// null where the job has none.
+TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
+                    std::span<const SubdomainRow> tree);
 
 /// @pre as number_task; `meshes` has the mesh file of every leaf, by heap number. After cosmetics
 /// across cuts both are empty, and add_elements (cosmetic_graph.h) adds the files instead.

@@ -45,9 +45,9 @@ JobPhase phase_of(const std::string& name) {
       name, std::array{JobPhase::running, JobPhase::done, JobPhase::failed, JobPhase::cancelled});
 }
 TaskKind kind_of(const std::string& name) {
-  return value_of(name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::mesh,
-                                   TaskKind::order, TaskKind::extract, TaskKind::cosmetic,
-                                   TaskKind::number, TaskKind::assemble});
+  return value_of(name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::assimilate,
+                                   TaskKind::mesh, TaskKind::order, TaskKind::extract,
+                                   TaskKind::cosmetic, TaskKind::number, TaskKind::assemble});
 }
 TaskState task_state_of(const std::string& name) {
   return value_of(name, std::array{TaskState::waiting, TaskState::ready, TaskState::leased,
@@ -59,8 +59,8 @@ AttemptState attempt_state_of(const std::string& name) {
                                    AttemptState::returned, AttemptState::revoked});
 }
 SubdomainState subdomain_state_of(const std::string& name) {
-  return value_of(name,
-                  std::array{SubdomainState::open, SubdomainState::cut, SubdomainState::leaf});
+  return value_of(name, std::array{SubdomainState::open, SubdomainState::cut, SubdomainState::leaf,
+                                   SubdomainState::joined});
 }
 
 void load_jobs(sqlite3* database, DurableState& state) {
@@ -85,7 +85,7 @@ void load_jobs(sqlite3* database, DurableState& state) {
 void load_subdomains(sqlite3* database, DurableState& state) {
   Statement rows(database,
                  "SELECT job, path, parts, state, interdomain_nodes, interior_nodes, tets, meshed, "
-                 "hash, size FROM subdomains JOIN artifacts USING (hash)");
+                 "hash, size, work, joined_into FROM subdomains JOIN artifacts USING (hash)");
   while (rows.step()) {
     SubdomainRow subdomain;
     subdomain.job = JobId{rows.unsigned_integer()};
@@ -98,6 +98,8 @@ void load_subdomains(sqlite3* database, DurableState& state) {
     subdomain.meshed = rows.integer() != 0;
     subdomain.hash = rows.text();
     subdomain.size = rows.unsigned_integer();
+    subdomain.work = rows.real();
+    subdomain.joined_into = rows.unsigned_integer();
     state.subdomains.emplace(SubdomainKey{subdomain.job, subdomain.path}, std::move(subdomain));
   }
 }
@@ -206,7 +208,7 @@ JobDatabase::JobDatabase(const std::filesystem::path& path) : path_(path.string(
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   execute(opened, is_network_file_system(folder) ? "PRAGMA journal_mode = TRUNCATE"
                                                  : "PRAGMA journal_mode = WAL");
-  execute(opened, "PRAGMA synchronous = FULL");
+  execute(opened, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = OFF;");
   // A table that is built anew is dropped first, which foreign keys would forbid.
   migrate(opened);
   execute(opened, "PRAGMA foreign_keys = ON");

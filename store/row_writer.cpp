@@ -28,16 +28,18 @@ void write_artifact(Statement& insert, const std::string& hash, std::uint64_t si
 void write_subdomains(sqlite3* database, Statement& artifact,
                       const std::vector<SubdomainRow>& subdomains) {
   Statement upsert(database,
-                   "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                   "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
                    "ON CONFLICT (job, path) DO UPDATE SET parts = excluded.parts, "
                    "state = excluded.state, interdomain_nodes = excluded.interdomain_nodes, "
                    "interior_nodes = excluded.interior_nodes, tets = excluded.tets, "
-                   "meshed = excluded.meshed, hash = excluded.hash");
+                   "meshed = excluded.meshed, hash = excluded.hash, "
+                   "work = excluded.work, joined_into = excluded.joined_into");
   for (const SubdomainRow& row : subdomains) {
     write_artifact(artifact, row.hash, row.size);
     upsert.bind(row.job.value).bind(row.path).bind(row.parts);
     upsert.bind(std::string(name_of(row.state))).bind(row.interdomain_nodes);
-    upsert.bind(row.interior_nodes).bind(row.tets).bind(row.meshed ? 1 : 0).bind(row.hash).run();
+    upsert.bind(row.interior_nodes).bind(row.tets).bind(row.meshed ? 1 : 0).bind(row.hash);
+    upsert.bind(row.work).bind(row.joined_into).run();
   }
 }
 

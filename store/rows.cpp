@@ -22,6 +22,8 @@ const char* name_of(TaskKind kind) {
       return "inspect";
     case TaskKind::decompose:
       return "decompose";
+    case TaskKind::assimilate:
+      return "assimilate";
     case TaskKind::mesh:
       return "mesh";
     case TaskKind::order:
@@ -84,6 +86,8 @@ const char* name_of(SubdomainState state) {
       return "cut";
     case SubdomainState::leaf:
       return "leaf";
+    case SubdomainState::joined:
+      return "joined";
   }
   return "?";
 }

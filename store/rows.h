@@ -16,11 +16,22 @@
 namespace tetfarm {
 
 enum class JobPhase { running, done, failed, cancelled };
-enum class TaskKind { inspect, decompose, mesh, order, extract, cosmetic, number, assemble };
+enum class TaskKind {
+  inspect,
+  decompose,
+  assimilate,
+  mesh,
+  order,
+  extract,
+  cosmetic,
+  number,
+  assemble
+};
 /// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.
 enum class TaskState { waiting, ready, leased, done, failed };
 enum class AttemptState { running, done, failed, crashed, killed, lost, returned, revoked };
-enum class SubdomainState { open, cut, leaf };
+/// joined: a leaf that was joined with others into the one that `joined_into` names.
+enum class SubdomainState { open, cut, leaf, joined };
 
 /// A file as a task knows it.
 struct ArtifactRef {
@@ -78,6 +89,8 @@ struct SubdomainRow {
   bool meshed = false;
   std::string hash;  ///< the sub-domain's own file
   std::uint64_t size = 0;
+  double work = 0;  ///< estimated elements; of a leaf with all that it was joined with
+  std::uint64_t joined_into = 0;  ///< of a joined one: the path of the leaf that holds it, else 0
 
   friend bool operator==(const SubdomainRow&, const SubdomainRow&) = default;
 };

@@ -134,7 +134,29 @@ DROP TABLE tasks;
 ALTER TABLE new_tasks RENAME TO tasks;
 )sql";
 
-constexpr std::array<const char*, database_version> migrations = {first_schema, any_kind_of_task};
+/// Assimilation: a state of sub-domains, whose list is left to the reader too, and two columns.
+constexpr const char* joined_subdomains = R"sql(
+CREATE TABLE new_subdomains (
+  job INTEGER NOT NULL REFERENCES jobs (id),
+  path INTEGER NOT NULL CHECK (path >= 1),
+  parts INTEGER NOT NULL CHECK (parts >= 1),
+  state TEXT NOT NULL,
+  interdomain_nodes INTEGER NOT NULL,
+  interior_nodes INTEGER NOT NULL,
+  tets INTEGER NOT NULL,
+  meshed INTEGER NOT NULL CHECK (meshed IN (0, 1)),
+  hash TEXT NOT NULL REFERENCES artifacts (hash),
+  work REAL NOT NULL,
+  joined_into INTEGER NOT NULL,
+  PRIMARY KEY (job, path)
+) STRICT, WITHOUT ROWID;
+INSERT INTO new_subdomains SELECT *, 0, 0 FROM subdomains;
+DROP TABLE subdomains;
+ALTER TABLE new_subdomains RENAME TO subdomains;
+)sql";
+
+constexpr std::array<const char*, database_version> migrations = {first_schema, any_kind_of_task,
+                                                                  joined_subdomains};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

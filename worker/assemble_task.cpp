@@ -14,6 +14,7 @@
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
 #include "worker/part_after_cosmetics.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
@@ -49,6 +50,16 @@ MeshPart read_part(TaskIo& io, const LeafNumbers& leaf) {
   part.mesh = tet_mesh_from_bytes(io.read("mesh:" + heap), part.subdomain, "mesh:" + heap);
   part.is_on_cut = nodes_on_cuts(part.subdomain);
   return part;
+}
+
+/// Elements are counted by now; the model takes estimated ones.
+TaskCost cost_of(const SurfaceMesh& surface, const Numbering& numbering) {
+  SubdomainSize largest;
+  for (const LeafNumbers& leaf : numbering.leaves) {
+    largest.elements = std::max(largest.elements, static_cast<double>(leaf.tets));
+  }
+  return assemble_cost(static_cast<double>(surface.triangles.size()),
+                       static_cast<double>(numbering.tets), largest);
 }
 
 void report_place(TaskIo& io, const std::string& what, const Vec3& at) {
@@ -120,6 +131,7 @@ void assemble_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
   const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
+  report_cost(io, cost_of(surface, numbering));
   std::vector<GrowingFile> files;
   std::vector<GlobalMeshWriter*> writers;
   for (const std::string& format : job.formats) {

@@ -9,6 +9,7 @@
 #include "mesh/cosmetics/seam_cosmetics.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/element_input.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
@@ -105,6 +106,9 @@ void cosmetic_task(TaskIo& io) {
   for (const Sharers& sharers : shared_sections(inputs)) {
     sections.push_back(latest(sharers, inputs));
   }
+  double tets = 0;
+  for (const ElementSection& section : sections) tets += static_cast<double>(section.tets.size());
+  report_cost(io, cosmetic_cost(tets, static_cast<double>(io.input_size("spacing"))));
   SeamTurn turn{inputs.self, {}, inputs.waiting.at(inputs.self).head().next_node};
   for (const auto& [heap, file] : inputs.had_turn) turn.had_turn.push_back(heap);
   SeamOptions options;

@@ -3,27 +3,69 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/region_split.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/volume/volume_mesh.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
 
+/// How many leaves the halves are to become: as was told, or as many as the memory asks for.
+class Wanted {
+ public:
+  Wanted(const TaskIo& io, const SpacingField& spacing)
+      : io_(io),
+        spacing_(spacing),
+        left_(io.whole_parameter("left_parts")),
+        right_(io.whole_parameter("right_parts")),
+        most_bytes_(io.number_parameter("most_bytes", 0)) {}
+
+  double left_share() const {
+    return static_cast<double>(left_) / static_cast<double>(left_ + right_);
+  }
+  std::int64_t parts() const { return left_ + right_; }
+  bool depends_on_memory() const { return most_bytes_ > 0; }
+  std::int64_t left_parts(const Subdomain& left) const { return parts(left, left_); }
+  std::int64_t right_parts(const Subdomain& right) const { return parts(right, right_); }
+
+ private:
+  std::int64_t parts(const Subdomain& half, std::int64_t told) const {
+    if (!depends_on_memory()) return told;
+    const SubdomainSize size = size_of(io_, half, estimated_elements(half, spacing_));
+    return std::max<std::int64_t>(std::ssize(regions_of(half)),
+                                  parts_for_memory(size, most_bytes_));
+  }
+
+  const TaskIo& io_;
+  const SpacingField& spacing_;
+  std::int64_t left_;
+  std::int64_t right_;
+  double most_bytes_;
+};
+
+struct TriedCut {
+  CutOutcome outcome;
+  int trials_refused = 0;
+};
+
 /// A half that is to be cut again need not recover: its own halves will be tried.
-CutOutcome find_cut(TaskIo& io, const JobFile& job, const Subdomain& subdomain,
-                    const SpacingField& spacing, std::int64_t left_parts,
-                    std::int64_t right_parts) {
+TriedCut find_cut(TaskIo& io, const JobFile& job, const Subdomain& subdomain,
+                  const SpacingField& spacing, const Wanted& wanted) {
+  TriedCut tried;
   CutOptions options;
   options.planes = cut_planes_of(job);
-  options.left_share =
-      static_cast<double>(left_parts) / static_cast<double>(left_parts + right_parts);
+  options.left_share = wanted.left_share();
   options.accept = [&](const Subdomain& left, const Subdomain& right) {
     io.progress("trial of a cut", 0);
-    return (left_parts > 1 || boundary_recovers(left, spacing)) &&
-           (right_parts > 1 || boundary_recovers(right, spacing));
+    const bool accepted = (wanted.left_parts(left) > 1 || boundary_recovers(left, spacing)) &&
+                          (wanted.right_parts(right) > 1 || boundary_recovers(right, spacing));
+    if (!accepted) ++tried.trials_refused;
+    return accepted;
   };
-  return planar_cut(subdomain, spacing, options);
+  tried.outcome = planar_cut(subdomain, spacing, options);
+  return tried;
 }
 
 std::int64_t nodes_of_cut(const Subdomain& half, TreePath cut) {
@@ -39,14 +81,33 @@ void require_sound(const Subdomain& half) {
 }
 
 /// Publishes the two halves, which are checked first.
-void publish_halves(TaskIo& io, const Subdomain& left, std::int64_t left_parts,
-                    const Subdomain& right, std::int64_t right_parts) {
+void publish_halves(TaskIo& io, const SpacingField& spacing, const Subdomain& left,
+                    const Subdomain& right) {
   require_sound(left);
   require_sound(right);
-  io.number("left_parts", static_cast<double>(left_parts));
-  io.number("right_parts", static_cast<double>(right_parts));
+  io.number("left_work", estimated_elements(left, spacing));
+  io.number("right_work", estimated_elements(right, spacing));
   io.publish("left", subdomain_to_bytes(left));
   io.publish("right", subdomain_to_bytes(right));
+}
+
+/// Where the coordinator cannot know them: by memory, or by regions.
+void tell_parts(TaskIo& io, std::int64_t left_parts, std::int64_t right_parts) {
+  io.number("left_parts", static_cast<double>(left_parts));
+  io.number("right_parts", static_cast<double>(right_parts));
+}
+
+/// Several regions: by them, not by a plane.
+void divide_regions(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
+                    const Wanted& wanted) {
+  const RegionSplit split = split_regions(subdomain, spacing, wanted.parts());
+  io.number("interdomain_nodes", 0);
+  if (wanted.depends_on_memory()) {
+    tell_parts(io, wanted.left_parts(split.left), wanted.right_parts(split.right));
+  } else {
+    tell_parts(io, split.left_parts, split.right_parts);
+  }
+  publish_halves(io, spacing, split.left, split.right);
 }
 
 }  // namespace
@@ -72,24 +133,23 @@ void decompose_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
-  const std::int64_t parts = io.whole_parameter("parts");
+  report_cost(io, decompose_cost(size_of(io, subdomain, io.number_parameter("work", 0))));
+  const Wanted wanted(io, spacing);
   io.progress("cut", 0);
-  if (subdomain.region == 0) {
-    const RegionSplit split = split_regions(subdomain, spacing, parts);
-    io.number("interdomain_nodes", 0);
-    publish_halves(io, split.left, split.left_parts, split.right, split.right_parts);
-    return;
-  }
-  const std::int64_t left_parts = parts / 2;
-  const CutOutcome outcome = find_cut(io, job, subdomain, spacing, left_parts, parts - left_parts);
+  if (subdomain.region == 0) return divide_regions(io, subdomain, spacing, wanted);
+  const auto [outcome, trials_refused] = find_cut(io, job, subdomain, spacing, wanted);
+  io.number("trials_refused", trials_refused);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
     return;
   }
   const Cut& cut = *outcome.cut;
+  if (wanted.depends_on_memory()) {
+    tell_parts(io, wanted.left_parts(cut.left), wanted.right_parts(cut.right));
+  }
   io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
   io.number("candidates_tried", cut.candidates_tried);
-  publish_halves(io, cut.left, left_parts, cut.right, parts - left_parts);
+  publish_halves(io, spacing, cut.left, cut.right);
 }
 
 }  // namespace tetfarm

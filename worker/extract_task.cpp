@@ -3,6 +3,7 @@
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/element_file.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 
@@ -10,6 +11,8 @@ void extract_task(TaskIo& io) {
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
   const SharedNodes shared = shared_nodes_from_bytes(io.read("shared"), "shared");
+  report_cost(io, extract_cost(static_cast<double>(mesh.tets.size()),
+                               static_cast<double>(leaf.triangles.size())));
   io.progress("extract", std::ssize(mesh.tets));
   const std::vector<ElementSection> sections = extract_elements(leaf, mesh, shared);
   ElementFileHead head;

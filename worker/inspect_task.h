@@ -2,12 +2,15 @@
 ///
 /// Source: thesis 4.3.1.9 (the background mesh is made once, before any cut).
 /// Inputs: "job" (canonical TOML), "input_surface" (the file as it was, unpacked).
-/// Outputs: "surface", "spacing", "root". Numbers: parts, total_work (elements), and the report's.
+/// Outputs: "surface", "spacing", "root"; "settings", the job file as far as the tasks on
+/// sub-domains read it. Numbers: parts, groups (0: no assimilation), most_bytes (0: no limit),
+/// total_work (elements), expected_bytes and expected_seconds (task_cost.h), and the report's.
 #pragma once
 
 #include "mesh/inspect/surface_check.h"
 #include "mesh/io/job_file.h"
 #include "mesh/spacing/spacing_field.h"
+#include "worker/task_cost.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {
@@ -21,9 +24,18 @@ OuterBoundary outer_boundary_of(const JobFile& job);
 SpacingOptions spacing_options_of(const JobFile& job);
 RegionRules region_rules_of(const JobFile& job);
 
-/// How many sub-domains the job wants: as it says, or so many that each holds at most
-/// target_elements; and at least one for each region.
+/// The job without what a sub-domain's mesh does not depend on: its name, its regions' names, its
+/// numbers of sub-domains, its gate and its formats. Jobs that differ in these only have equal
+/// settings, so that their meshes serve each other.
+JobFile mesh_settings_of(const JobFile& job);
+
+/// How many leaves the job wants: as it says, or so many that each holds at most target_elements
+/// and that there are enough to assimilate; and at least one for each region.
 std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions);
+
+/// @throws UsageError when the job's max_memory is less than what the tasks need that do not become
+/// smaller by cutting.
+void require_room(const JobFile& job, double input_bytes, const SubdomainSize& root);
 
 /// All defects as the lines of one message.
 std::string defect_message(const std::vector<SurfaceDefect>& defects);

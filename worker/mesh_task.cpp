@@ -10,6 +10,7 @@
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
 #include "worker/leaf_mesh.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
@@ -74,6 +75,7 @@ void mesh_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
+  report_cost(io, mesh_cost(size_of(io, leaf, io.number_parameter("work", 0))));
   io.progress("recovery", 0);
   const TetMesh mesh = mesh_or_refuse(io, job, leaf, spacing);
   io.progress("validate", static_cast<std::int64_t>(mesh.tets.size()));

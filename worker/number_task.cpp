@@ -7,6 +7,7 @@
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/io/artifact_file.h"
 #include "worker/element_input.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
@@ -43,11 +44,25 @@ struct LeafCounts {
   std::uint64_t tets = 0;
 };
 
-/// A line for each leaf and for nodes that are gone, from the heads of all files.
-std::string leaves_after_cosmetics(const TaskIo& io) {
+/// Nodes of cuts that are on no boundary any more, as sub-domains on both sides were joined.
+std::vector<Origin> dropped_by_assimilation(const TaskIo& io) {
+  std::vector<Origin> dropped;
+  if (!io.has_input("dropped")) return dropped;
+  std::istringstream lines(io.read("dropped"));
+  std::string word;
+  Origin first;
+  std::uint32_t count = 0;
+  while (lines >> word >> first.owner >> first.index >> count) {
+    for (std::uint32_t i = 0; i < count; ++i) dropped.push_back({first.owner, first.index + i});
+  }
+  if (!lines.eof()) throw CorruptFile("a line is wrong", "dropped");
+  return dropped;
+}
+
+/// A line for each leaf, from the heads of all files. What cosmetics removed is added to `gone`.
+std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) {
   const Colours colours = colours_of(io.parameter("order"));
   std::map<std::uint64_t, LeafCounts> counts;
-  std::vector<Origin> gone;
   for (const auto& [heap, colour] : colours) {
     const ElementInput core(io, "core:" + std::to_string(heap));
     const ElementInput turn(io, "elements:" + std::to_string(heap));
@@ -66,16 +81,19 @@ std::string leaves_after_cosmetics(const TaskIo& io) {
     table += "leaf " + std::to_string(heap) + ' ' + std::to_string(leaf.nodes) + ' ' +
              std::to_string(leaf.tets) + '\n';
   }
-  std::sort(gone.begin(), gone.end());
-  return table + dropped_lines(gone);
+  return table;
 }
 
 }  // namespace
 
 void number_task(TaskIo& io) {
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
+  report_cost(io, number_cost(static_cast<double>(surface.triangles.size())));
   std::string table = io.parameter("table");
-  if (io.has_parameter("order")) table = cuts_of(table) + leaves_after_cosmetics(io);
+  std::vector<Origin> gone = dropped_by_assimilation(io);
+  if (io.has_parameter("order")) table = cuts_of(table) + leaves_after_cosmetics(io, gone);
+  std::sort(gone.begin(), gone.end());
+  table += dropped_lines(gone);
   io.publish("numbering", numbering_to_text(number_globally(surface, table)));
 }
 

@@ -8,6 +8,7 @@
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/element_file.h"
+#include "worker/task_cost.h"
 
 namespace tetfarm {
 
@@ -33,11 +34,14 @@ CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>
 void order_task(TaskIo& io) {
   std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves;
   std::int64_t leaves = 0;
+  double triangles = 0;
   for (const wire::Artifact& input : io.assign().inputs()) {
     io.progress("order", leaves++);
     const Subdomain leaf = subdomain_from_bytes(io.read(input.name()), input.name());
+    triangles += static_cast<double>(leaf.triangles.size());
     region2leaves[leaf.region].push_back(interface_nodes(leaf));
   }
+  report_cost(io, order_cost(triangles));
   const CosmeticOrder order = order_by_region(std::move(region2leaves));
   std::string text;
   std::int32_t colours = 0;

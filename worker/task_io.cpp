@@ -61,6 +61,16 @@ std::string TaskIo::parameter(const std::string& name) const {
   return found->second;
 }
 
+std::uint64_t TaskIo::input_size(const std::string& name) const {
+  const wire::Artifact* found = find_input(assign_, name);
+  return found == nullptr ? 0 : found->size();
+}
+
+double TaskIo::number_parameter(const std::string& name, double otherwise) const {
+  return assign_.parameters().contains(name) ? static_cast<double>(whole_parameter(name))
+                                             : otherwise;
+}
+
 std::int64_t TaskIo::whole_parameter(const std::string& name) const {
   const std::string text = parameter(name);
   std::int64_t value = 0;

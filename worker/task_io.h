@@ -67,6 +67,8 @@ class TaskIo {
   /// such input.
   std::string read(const std::string& name) const;
   bool has_input(const std::string& name) const;
+  /// 0 when the task has no such input.
+  std::uint64_t input_size(const std::string& name) const;
   /// Where the checked file of that input lies, for readers of their own. @throws as read does.
   std::filesystem::path path(const std::string& name) const;
   /// What `look` returns, called with the path of that input, for readers that read a part of a
@@ -86,6 +88,8 @@ class TaskIo {
   void publish_file(const std::string& name, const std::filesystem::path& path);
   void number(const std::string& name, double value);
   void text(const std::string& name, const std::string& value);
+  /// A number among the parameters; `otherwise` when it is not there.
+  double number_parameter(const std::string& name, double otherwise) const;
 
   /// Tells the coordinator how far the task is; at most a few times a second are passed on.
   void progress(const std::string& stage, std::int64_t elements);

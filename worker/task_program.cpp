@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "worker/assemble_task.h"
+#include "worker/assimilate_task.h"
 #include "worker/child_task.h"
 #include "worker/cosmetic_task.h"
 #include "worker/decompose_task.h"
@@ -27,6 +28,8 @@ TaskBody body_of(wire::TaskKind kind) {
       return inspect_task;
     case wire::DECOMPOSE:
       return decompose_task;
+    case wire::ASSIMILATE:
+      return assimilate_task;
     case wire::MESH:
       return mesh_task;
     case wire::ORDER:

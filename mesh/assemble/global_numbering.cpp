@@ -37,36 +37,11 @@ std::optional<Line> parse_line(std::string_view text) {
 
 bool is_heap_number(std::uint64_t heap) { return heap >= 1 && heap < std::uint64_t{1} << 63; }
 
-/// The nodes of that cut or leaf; null when there is none. Lines of one owner mostly follow each
-/// other, so the search starts at the end.
-OwnedNodes* nodes_of(std::uint64_t heap, Numbering& numbering) {
-  const auto find = [heap](auto& list) -> OwnedNodes* {
-    const auto found = std::find_if(list.rbegin(), list.rend(),
-                                    [heap](const auto& item) { return item.path.heap == heap; });
-    return found == list.rend() ? nullptr : &found->nodes;
-  };
-  OwnedNodes* of_leaf = find(numbering.leaves);
-  return of_leaf != nullptr ? of_leaf : find(numbering.cuts);
-}
+/// The numbers of a line of dropped nodes, to be added when all cuts and leaves are known.
+using Dropped = std::vector<std::uint64_t>;
 
-/// False when the range does not follow the last of that owner.
-bool add_dropped(const std::vector<std::uint64_t>& n, Numbering& numbering) {
-  OwnedNodes* nodes = nodes_of(n[0], numbering);
-  const auto first = static_cast<std::int64_t>(n[1]);
-  const auto count = static_cast<std::int64_t>(n[2]);
-  if (nodes == nullptr || count < 1 || first + count > nodes->made) return false;
-  std::int64_t before = 0;
-  if (!nodes->dropped.empty()) {
-    const DroppedRange& last = nodes->dropped.back();
-    if (first < last.first + last.count) return false;
-    before = last.before + last.count;
-  }
-  nodes->dropped.push_back({first, count, before});
-  return true;
-}
-
-/// Reads one line of cut, leaf or dropped nodes; false when it is none.
-bool add_line(const Line& line, Numbering& numbering) {
+/// Reads one line of cut, leaf, joined leaf or dropped nodes; false when it is none.
+bool add_line(const Line& line, Numbering& numbering, std::vector<Dropped>& dropped) {
   const std::vector<std::uint64_t>& n = line.numbers;
   for (const std::uint64_t number : std::span(n).subspan(std::min<std::size_t>(1, n.size()))) {
     if (number > static_cast<std::uint64_t>(most_nodes)) return false;
@@ -80,13 +55,27 @@ bool add_line(const Line& line, Numbering& numbering) {
         {{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}, static_cast<std::int64_t>(n[2]), 0});
     return true;
   }
-  return line.kind == "dropped" && n.size() == 3 && add_dropped(n, numbering);
+  if (line.kind == "joined" && n.size() == 2 && is_heap_number(n[0]) && is_heap_number(n[1])) {
+    numbering.joined.push_back({{n[0]}, {n[1]}});
+    return true;
+  }
+  if (line.kind != "dropped" || n.size() != 3) return false;
+  dropped.push_back(n);
+  return true;
+}
+
+bool is_leaf(const Numbering& numbering, TreePath path) {
+  const auto leaf =
+      std::lower_bound(numbering.leaves.begin(), numbering.leaves.end(), path,
+                       [](const LeafNumbers& a, TreePath b) { return comes_before(a.path, b); });
+  return leaf != numbering.leaves.end() && leaf->path == path;
 }
 
 /// What the lines of a whole tree are: walking it depth first, each line is where the walk stands.
 bool is_whole_tree(const Numbering& numbering) {
   std::size_t cut = 0;
   std::size_t leaf = 0;
+  std::size_t joined = 0;
   std::vector<TreePath> to_visit = {{1}};
   while (!to_visit.empty()) {
     const TreePath here = to_visit.back();
@@ -97,17 +86,22 @@ bool is_whole_tree(const Numbering& numbering) {
       to_visit.push_back(here.left());
     } else if (leaf < numbering.leaves.size() && numbering.leaves[leaf].path == here) {
       ++leaf;
+    } else if (joined < numbering.joined.size() && numbering.joined[joined].path == here &&
+               is_leaf(numbering, numbering.joined[joined].into)) {
+      ++joined;
     } else {
       return false;
     }
   }
-  return cut == numbering.cuts.size() && leaf == numbering.leaves.size();
+  return cut == numbering.cuts.size() && leaf == numbering.leaves.size() &&
+         joined == numbering.joined.size();
 }
 
 void sort_by_tree(Numbering& numbering) {
   const auto before = [](const auto& a, const auto& b) { return comes_before(a.path, b.path); };
   std::sort(numbering.cuts.begin(), numbering.cuts.end(), before);
   std::sort(numbering.leaves.begin(), numbering.leaves.end(), before);
+  std::sort(numbering.joined.begin(), numbering.joined.end(), before);
 }
 
 void give_numbers(Numbering& numbering) {
@@ -127,16 +121,37 @@ void give_numbers(Numbering& numbering) {
   numbering.tets = next_tet;
 }
 
-/// What a cut or leaf made; null when there is none of that path.
-const OwnedNodes* find_nodes(const Numbering& numbering, TreePath path) {
-  const auto find = [path](const auto& list) -> const OwnedNodes* {
+/// What a cut or leaf made; null when there is none of that path. @pre the lists are in tree order.
+template <class AnyNumbering>
+auto find_nodes(AnyNumbering& numbering, TreePath path) -> decltype(&numbering.cuts[0].nodes) {
+  const auto find = [path](auto& list) -> decltype(&numbering.cuts[0].nodes) {
     const auto found =
         std::lower_bound(list.begin(), list.end(), path,
                          [](const auto& item, TreePath p) { return comes_before(item.path, p); });
     return found == list.end() || found->path != path ? nullptr : &found->nodes;
   };
-  const OwnedNodes* of_cut = find(numbering.cuts);
+  const auto of_cut = find(numbering.cuts);
   return of_cut != nullptr ? of_cut : find(numbering.leaves);
+}
+
+/// Adds each range to its cut or leaf; false when there is none, or a range does not follow the
+/// last of its owner. @pre cuts and leaves are in tree order.
+bool add_dropped(const std::vector<Dropped>& all, Numbering& numbering) {
+  return std::all_of(all.begin(), all.end(), [&numbering](const Dropped& n) {
+    const auto first = static_cast<std::int64_t>(n[1]);
+    const auto count = static_cast<std::int64_t>(n[2]);
+    if (n[0] == 0) return false;
+    OwnedNodes* nodes = find_nodes(numbering, TreePath{n[0]});
+    if (nodes == nullptr || count < 1 || first + count > nodes->made) return false;
+    std::int64_t before = 0;
+    if (!nodes->dropped.empty()) {
+      const DroppedRange& last = nodes->dropped.back();
+      if (first < last.first + last.count) return false;
+      before = last.before + last.count;
+    }
+    nodes->dropped.push_back({first, count, before});
+    return true;
+  });
 }
 
 /// Which of the kept nodes it is; -1 when it was dropped.
@@ -177,9 +192,10 @@ bool comes_before(TreePath a, TreePath b) {
 
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   Numbering numbering;
+  std::vector<Dropped> dropped;
   for (const std::string_view text : lines_of(table)) {
     const std::optional<Line> line = parse_line(text);
-    if (!line || !add_line(*line, numbering)) {
+    if (!line || !add_line(*line, numbering, dropped)) {
       throw Error(ExitCode::failed,
                   "the table of the tree has the line \"" + std::string(text) + '"');
     }
@@ -187,6 +203,9 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   sort_by_tree(numbering);
   if (!is_whole_tree(numbering)) {
     throw Error(ExitCode::failed, "the table of the tree has not every cut and leaf once");
+  }
+  if (!add_dropped(dropped, numbering)) {
+    throw Error(ExitCode::failed, "the table of the tree drops nodes that are not there");
   }
   std::vector<bool> is_used(surface.vertices.size(), false);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -240,6 +259,10 @@ std::string numbering_to_text(const Numbering& numbering) {
             std::to_string(leaf.tets) + '\n';
     add_dropped_text(leaf.path, leaf.nodes, text);
   }
+  for (const JoinedLeaf& leaf : numbering.joined) {
+    text +=
+        "joined " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.into.heap) + '\n';
+  }
   return text + "end\n";
 }
 
@@ -249,6 +272,7 @@ Numbering numbering_from_text(std::string_view text, const std::string& name) {
   if (lines.size() < 3 || lines.front() != "tetfarm-numbering 1") refuse("not a numbering");
   if (lines.back() != "end") refuse("the end is missing");
   Numbering numbering;
+  std::vector<Dropped> dropped;
   for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
     const std::optional<Line> line = parse_line(lines[i]);
     if (line && line->kind == "surface" && line->numbers.size() == 1 && i == 1 &&
@@ -257,12 +281,13 @@ Numbering numbering_from_text(std::string_view text, const std::string& name) {
     } else if (line && line->kind == "unused" && line->numbers.size() == 1 &&
                line->numbers[0] <= std::numeric_limits<std::int32_t>::max()) {
       numbering.unused_vertices.push_back(static_cast<std::int32_t>(line->numbers[0]));
-    } else if (!line || i == 1 || !add_line(*line, numbering)) {
+    } else if (!line || i == 1 || !add_line(*line, numbering, dropped)) {
       refuse("line " + std::to_string(i + 1) + " is wrong");
     }
   }
   sort_by_tree(numbering);
   if (!is_whole_tree(numbering)) refuse("not every cut and leaf once");
+  if (!add_dropped(dropped, numbering)) refuse("drops nodes that are not there");
   if (!std::is_sorted(numbering.unused_vertices.begin(), numbering.unused_vertices.end())) {
     refuse("unused vertices are not in order");
   }

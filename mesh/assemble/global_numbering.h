@@ -17,7 +17,8 @@
 
 namespace tetfarm {
 
-/// Consecutive nodes that are in no tet of the final mesh, as cosmetics removed them.
+/// Consecutive nodes that are in no tet of the final mesh: cosmetics removed them, or they were on
+/// a cut both sides of which were joined (thesis 4.3.2.2).
 struct DroppedRange {
   std::int64_t first = 0;
   std::int64_t count = 0;
@@ -50,12 +51,19 @@ struct LeafNumbers {
   std::int64_t first_tet = 0;
 };
 
+/// A leaf of the tree that is part of the mesh of another.
+struct JoinedLeaf {
+  TreePath path;
+  TreePath into;
+};
+
 /// All numbers count from 0. Cuts and leaves are in tree order.
 struct Numbering {
   std::int64_t surface_nodes = 0;
   std::vector<std::int32_t> unused_vertices;  ///< of the input surface, ascending
   std::vector<CutNumbers> cuts;
   std::vector<LeafNumbers> leaves;
+  std::vector<JoinedLeaf> joined;  ///< in tree order
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
 };
@@ -64,8 +72,9 @@ struct Numbering {
 bool comes_before(TreePath a, TreePath b);
 
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
-/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS", or, after the line of that cut or
-/// leaf and ascending, "dropped HEAP FIRST COUNT".
+/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS", "joined HEAP INTO" (a leaf that
+/// was joined with the leaf INTO), or "dropped HEAP FIRST COUNT" (nodes of that cut or leaf,
+/// ascending).
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, O(vertices) for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);

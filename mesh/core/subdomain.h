@@ -1,4 +1,5 @@
-/// A sub-domain: a closed oriented surface with its provenance; a node of the decomposition tree.
+/// A sub-domain: a closed oriented surface with its provenance; a node of the decomposition tree,
+/// or several leaves of it joined, under the place of the first.
 ///
 /// Source: thesis 4.3.1. Provenance makes two sub-domains agree on what they share without ever
 /// comparing coordinates, and gives the global numbers of 4.3.4.1.1 by position in the tree.

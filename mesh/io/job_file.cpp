@@ -33,10 +33,11 @@ constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing",
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
 constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
-constexpr std::array<std::string_view, 3> decompose_keys = {"subdomains", "target_elements",
-                                                            "plane"};
 constexpr std::array<std::string_view, 1> mesh_keys = {"points"};
 constexpr std::array<std::string_view, 1> cosmetics_keys = {"across_cuts"};
+constexpr std::array<std::string_view, 5> decompose_keys = {"subdomains", "target_elements",
+                                                            "plane", "max_memory", "assimilate"};
+constexpr std::array<std::string_view, 2> assimilate_keys = {"groups", "method"};
 constexpr std::array<std::string_view, 1> quality_keys = {"min_dihedral"};
 constexpr std::array<std::string_view, 1> output_keys = {"formats"};
 
@@ -45,6 +46,8 @@ constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
 constexpr std::array<std::string_view, 3> source_kinds = {"point", "line", "triangle"};
 constexpr std::array<std::string_view, 4> kinds_of_planes = {"auto", "lattice", "axis", "inertia"};
 constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
+constexpr std::array<std::string_view, 3> assimilate_methods = {"recursive", "k-way",
+                                                                "k-way-volume"};
 constexpr std::array<std::string_view, 2> formats = {"vtkhdf", "lb8.ugrid"};
 
 /// No tet mesh reaches the angles of the regular tet, 70.53 degrees, everywhere.
@@ -291,6 +294,24 @@ void parse_decompose(const Section& section, JobFile& job) {
     job.target_elements = section.integer("target_elements", 1000);
   }
   if (section.has("plane")) job.plane = section.one_of("plane", kinds_of_planes);
+  if (section.has("max_memory")) {
+    const auto bytes = parse_memory(section.text("max_memory"));
+    if (!bytes) section.fail("max_memory", "must be an amount like \"2GiB\" or \"500MB\"");
+    job.max_memory_bytes = *bytes;
+    for (const std::string_view key : {"subdomains", "target_elements", "assimilate"}) {
+      const bool counts = section.has(key) && (key != "subdomains" || job.subdomains > 0);
+      if (counts) section.fail(key, "cannot be given with `max_memory`, which decides it");
+    }
+  }
+  if (!section.has("assimilate")) return;
+  const Section assimilate = section.table("assimilate", assimilate_keys);
+  job.groups = assimilate.integer("groups", 1);
+  if (assimilate.has("method")) {
+    job.assimilate_method = assimilate.one_of("method", assimilate_methods);
+  }
+  if (job.subdomains > 0 && job.subdomains < job.groups) {
+    assimilate.fail("groups", "must not be more than `subdomains`, the leaves to join");
+  }
 }
 
 void parse_mesh(const Section& section, JobFile& job) {
@@ -420,6 +441,7 @@ std::vector<std::string> job_file_keys() {
        {"source", triangle_keys},
        {"source.corner", corner_keys},
        {"decompose", decompose_keys},
+       {"decompose.assimilate", assimilate_keys},
        {"mesh", mesh_keys},
        {"cosmetics", cosmetics_keys},
        {"quality", quality_keys},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,12 +48,19 @@ struct JobFile {
   std::string plane = "auto";                     // [decompose] plane = "auto" | "lattice" | …
   std::string points = "lattice";                 // [mesh] points = "lattice" | "sweeps"
   bool across_cuts = true;                        // [cosmetics] across_cuts
+  std::int64_t max_memory_bytes = 0;              // [decompose] max_memory = "2GiB", 0: no limit
+  std::int64_t groups = 0;                        // [decompose.assimilate] groups, 0: none
+  std::string assimilate_method = "recursive";    // [decompose.assimilate] method
   double min_dihedral_deg = 0;                    // [quality] min_dihedral, a gate; 0: none
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
 };
 
 /// The factor of an outer boundary when none is given: 3 for a box, 5 for a sphere, 0 for "none".
 double default_outer_factor(std::string_view outer_kind);
+
+/// "2GiB", "500MB", "1.5 TiB" or plain bytes: a number and B, kB, MB, GB, TB, KiB, MiB, GiB or TiB,
+/// in any case; nothing for any other text, for less than a byte and for more than 2^62.
+std::optional<std::int64_t> parse_memory(std::string_view text);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named
 /// like `path` without its folder and ending.

@@ -73,12 +73,22 @@ std::string to_toml(const JobFile& job) {
           "\ngrowth = " + number(job.growth) +
           "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
-  text +=
-      "\n[decompose]\nsubdomains = " + std::to_string(job.subdomains) +
-      "\ntarget_elements = " + std::to_string(job.target_elements) +
-      "\nplane = " + quoted_toml(job.plane) + "\n\n[mesh]\npoints = " + quoted_toml(job.points) +
-      "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
-      "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) + "\n\n[output]\nformats = [";
+  text += "\n[decompose]\n";
+  if (job.max_memory_bytes > 0) {
+    text += "max_memory = " + quoted_toml(std::to_string(job.max_memory_bytes) + "B") + "\n";
+  } else {
+    text += "subdomains = " + std::to_string(job.subdomains) +
+            "\ntarget_elements = " + std::to_string(job.target_elements) + "\n";
+  }
+  if (job.groups > 0) {
+    text += "assimilate = { groups = " + std::to_string(job.groups) +
+            ", method = " + quoted_toml(job.assimilate_method) + " }\n";
+  }
+  text += "plane = " + quoted_toml(job.plane) + "\n";
+  text += "\n[mesh]\npoints = " + quoted_toml(job.points) +
+          "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
+          "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
+          "\n\n[output]\nformats = [";
   for (std::size_t i = 0; i < job.formats.size(); ++i) {
     text += (i == 0 ? "" : ", ") + quoted_toml(job.formats[i]);
   }

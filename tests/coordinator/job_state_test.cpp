@@ -62,6 +62,46 @@ class JobStateTest : public testing::Test {
     state_->done(worker, assign.task, assign.attempt, result, now_);
     return answer();
   }
+  /// Submits the job of so many parts and groups, as `run` does, and brings it to its end.
+  JobId run_job(std::uint64_t parts, std::uint64_t groups) {
+    const ArtifactRef file = make_believe_job(parts, groups);
+    files_.insert(file.hash);
+    const SubmitAnswer submitted =
+        state_->submit({file.hash, "wing", "toml", file, {surface_}, true}, now_);
+    commit();
+    if (!worker_) worker_ = new_worker();
+    run_all();
+    return submitted.job;
+  }
+  /// How many tasks of a kind were handed to a worker for this job.
+  std::size_t worked_on(JobId job, TaskKind kind) const {
+    std::size_t count = 0;
+    for (const auto& [id, attempt] : record_.attempts()) {
+      const TaskRow& row = task(attempt.task);
+      if (row.job == job && row.kind == kind) ++count;
+    }
+    return count;
+  }
+  std::size_t tasks(JobId job, TaskKind kind) const {
+    std::size_t count = 0;
+    for (const auto& [id, row] : state_->durable().tasks) {
+      if (row.job == job && row.kind == kind) ++count;
+    }
+    return count;
+  }
+  /// Every file and number of a job, for comparison with another run of it.
+  std::string outcome_of(JobId job) const {
+    std::set<std::string> lines;
+    for (const auto& [id, row] : state_->durable().tasks) {
+      if (row.job != job) continue;
+      std::string line = std::string(name_of(row.kind)) + " " + std::to_string(row.path);
+      for (const ArtifactRef& file : row.outputs) line += " " + file.name + "=" + file.hash;
+      lines.insert(line);
+    }
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+  }
   bool fail(WorkerId worker, const SendAssign& assign, const TaskFailure& failure) {
     state_->failed(worker, assign.task, assign.attempt, failure, now_);
     return answer();
@@ -441,6 +481,85 @@ TEST_F(JobStateTest, an_unusable_result_fails_the_job) {
   commit();
   EXPECT_EQ(job().phase, JobPhase::failed);
   EXPECT_THAT(job().message, HasSubstr("surface"));
+}
+
+class RestartWithAnotherCount : public JobStateTest {
+ protected:
+  /// What a store that knows nothing makes of it.
+  std::string fresh_outcome(std::uint64_t parts, std::uint64_t groups) {
+    record_ = {};
+    files_ = {surface_.hash};
+    worker_ = {};
+    restart();
+    return outcome_of(run_job(parts, groups));
+  }
+};
+
+TEST_F(RestartWithAnotherCount, cuts_that_were_made_are_not_made_again) {
+  run_job(4, 0);
+  const JobId sixteen = run_job(16, 0);
+  EXPECT_EQ(state_->durable().jobs.at(sixteen).phase, JobPhase::done);
+  EXPECT_EQ(tasks(sixteen, TaskKind::decompose) - worked_on(sixteen, TaskKind::decompose), 3U)
+      << "the root and its children were cut for the job of 4";
+  const JobId eight = run_job(8, 0);
+  EXPECT_EQ(tasks(eight, TaskKind::decompose) - worked_on(eight, TaskKind::decompose), 3U)
+      << "the last cut is tried out by meshing, which the job of 16 had no need of";
+}
+
+TEST_F(RestartWithAnotherCount, the_outcome_is_that_of_a_fresh_run) {
+  run_job(4, 0);
+  const std::string sixteen = outcome_of(run_job(16, 0));
+  const std::string eight = outcome_of(run_job(8, 0));
+  const std::string assimilated = outcome_of(run_job(16, 2));
+  EXPECT_EQ(fresh_outcome(16, 0), sixteen);
+  EXPECT_EQ(fresh_outcome(8, 0), eight);
+  EXPECT_EQ(fresh_outcome(16, 2), assimilated);
+}
+
+TEST_F(RestartWithAnotherCount, other_groups_cut_nothing) {
+  run_job(16, 2);
+  const JobId four = run_job(16, 4);
+  EXPECT_EQ(worked_on(four, TaskKind::decompose), 0U);
+  EXPECT_EQ(worked_on(four, TaskKind::assimilate), 1U);
+}
+
+TEST_F(RestartWithAnotherCount, a_result_whose_file_is_gone_does_not_serve) {
+  const JobId first = run_job(4, 0);
+  for (const auto& [id, row] : state_->durable().tasks) {
+    if (row.job == first && row.kind == TaskKind::decompose && row.path == 1) {
+      files_.erase(row.outputs.front().hash);
+    }
+  }
+  const JobId second = run_job(16, 0);
+  EXPECT_EQ(state_->durable().jobs.at(second).phase, JobPhase::done);
+  EXPECT_EQ(tasks(second, TaskKind::decompose) - worked_on(second, TaskKind::decompose), 2U);
+}
+
+TEST_F(RestartWithAnotherCount, results_of_another_program_do_not_serve) {
+  rules_.program = "old";
+  restart();
+  run_job(4, 0);
+  rules_.program = "new";
+  worker_ = {};
+  restart();
+  const JobId second = run_job(16, 0);
+  EXPECT_EQ(tasks(second, TaskKind::decompose), worked_on(second, TaskKind::decompose));
+}
+
+TEST_F(RestartWithAnotherCount, the_job_that_is_replaced_stops) {
+  const ArtifactRef file = make_believe_job(4, 0);
+  files_.insert(file.hash);
+  worker_ = new_worker();
+  state_->submit({"four", "wing", "toml", file, {surface_}, true}, now_);
+  const SendAssign inspect = next(worker_);
+  const JobId sixteen = run_job(16, 0);
+  EXPECT_EQ(job().phase, JobPhase::cancelled);
+  EXPECT_EQ(state_->durable().jobs.at(sixteen).phase, JobPhase::done);
+  EXPECT_FALSE(finish(worker_, inspect)) << "its attempt is stale";
+  state_->submit({"four", "wing", "toml", file, {surface_}, true}, now_);
+  commit();
+  run_all();
+  EXPECT_EQ(job().phase, JobPhase::done);
 }
 
 }  // namespace

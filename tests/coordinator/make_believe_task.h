@@ -2,10 +2,12 @@
 // task's are.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "base/hash.h"
 #include "coordinator/task_graph.h"
+#include "coordinator/task_reuse.h"
 
 namespace tetfarm {
 
@@ -14,36 +16,77 @@ inline ArtifactRef make_believe_file(const std::string& name, const std::string&
   return {name, hash, content.size() + 1};
 }
 
+/// A job file that asks for so many parts and groups; its size tells the make-believe inspect task.
+inline ArtifactRef make_believe_job(std::uint64_t parts, std::uint64_t groups) {
+  const std::uint64_t size = parts * 1000 + groups;
+  return {"job", hash128("job " + std::to_string(size)).hex(), size};
+}
+
+/// Every third leaf goes to the same group.
+inline void assimilate_make_believe(const TaskRow& task, const std::string& seed,
+                                    TaskResult& result) {
+  std::map<std::size_t, std::string> group2first;
+  std::size_t leaves = 0;
+  for (const ArtifactRef& input : task.inputs) {
+    const std::string prefix = "subdomain:";
+    if (!input.name.starts_with(prefix)) continue;
+    const std::string heap = input.name.substr(prefix.size());
+    const std::string first = group2first.emplace(leaves++ % 3, heap).first->second;
+    if (first == heap) {
+      const std::string name = "group:" + heap;
+      result.outputs.push_back(make_believe_file(name, seed + name));
+    }
+    result.texts["groups"] += heap + " " + first + "\n";
+  }
+  result.outputs.push_back(make_believe_file("dropped", seed + "dropped"));
+}
+
+/// A trial that refuses a cut changes it: as in the real task, it is not the cut of no trial.
+inline void decompose_make_believe(const TaskRow& task, const std::string& seed,
+                                   TaskResult& result) {
+  const Hash128 hash = hash128(seed);
+  const bool has_trial =
+      task.parameters.at("left_parts") == "1" || task.parameters.at("right_parts") == "1";
+  const bool is_refused = has_trial && hash.high % 5 == 0;
+  result.numbers["trials_refused"] = is_refused ? 1 : 0;
+  if (hash.high % 7 == 0) {
+    result.texts["reason"] = "no valid plane";
+    return;
+  }
+  for (const char* side : {"left", "right"}) {
+    result.outputs.push_back(make_believe_file(side, seed + side + (is_refused ? "2" : "")));
+  }
+  result.numbers["interdomain_nodes"] = static_cast<double>(hash.low % 50);
+  result.numbers["left_work"] = static_cast<double>(hash.low % 500);
+  result.numbers["right_work"] = static_cast<double>(hash.high % 500);
+}
+
 inline TaskResult run_make_believe(const TaskRow& task) {
-  std::string seed = std::string(name_of(task.kind)) + std::to_string(task.path);
-  for (const ArtifactRef& input : task.inputs) seed += input.name + input.hash;
-  for (const auto& [name, text] : task.parameters) seed += name + text;
+  const std::string seed = work_name(task);
   const Hash128 hash = hash128(seed);
   TaskResult result;
   const auto add = [&](const char* name) {
     result.outputs.push_back(make_believe_file(name, seed + name));
   };
   switch (task.kind) {
-    case TaskKind::inspect:
-      add("surface");
-      add("spacing");
-      add("root");
-      result.numbers = {{"parts", 12}, {"total_work", 1000}, {"across_cuts", 1}};
-      break;
-    case TaskKind::decompose: {
-      const auto parts = static_cast<std::uint64_t>(std::stoul(task.parameters.at("parts")));
-      if (hash.high % 7 == 0) {
-        result.texts["reason"] = "no valid plane";
-        break;
+    case TaskKind::inspect: {
+      // What lies in the surface does not depend on the number of parts.
+      for (const char* name : {"surface", "spacing", "root", "settings"}) {
+        result.outputs.push_back(make_believe_file(name, name));
       }
-      const std::uint64_t left = 1 + hash.low % (parts - 1);
-      add("left");
-      add("right");
-      result.numbers = {{"left_parts", static_cast<double>(left)},
-                        {"right_parts", static_cast<double>(parts - left)},
-                        {"interdomain_nodes", static_cast<double>(hash.low % 50)}};
+      const std::uint64_t size = task.inputs.front().size;
+      result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000)},
+                        {"groups", static_cast<double>(size < 1000 ? 0 : size % 1000)},
+                        {"total_work", 1000},
+                        {"across_cuts", 1}};
       break;
     }
+    case TaskKind::decompose:
+      decompose_make_believe(task, seed, result);
+      break;
+    case TaskKind::assimilate:
+      assimilate_make_believe(task, seed, result);
+      break;
     case TaskKind::mesh:
       add("mesh");
       result.numbers = {{"interior_nodes", static_cast<double>(hash.low % 1000)},

@@ -162,13 +162,11 @@ class ServerTest : public testing::Test {
     auto& numbers = *done.mutable_numbers();
     switch (assign.kind()) {
       case wire::INSPECT:
-        for (const char* name : {"surface", "spacing", "root"}) add(name);
+        for (const char* name : {"surface", "spacing", "root", "settings"}) add(name);
         numbers["parts"] = 3;
         break;
       case wire::DECOMPOSE:
         for (const char* name : {"left", "right"}) add(name);
-        numbers["left_parts"] = 1;
-        numbers["right_parts"] = std::stod(assign.parameters().at("parts")) - 1;
         numbers["interdomain_nodes"] = 4;
         break;
       case wire::MESH:

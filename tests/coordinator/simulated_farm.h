@@ -74,7 +74,8 @@ struct Trouble {
 
 class Farm {
  public:
-  Farm(std::uint64_t seed, const Trouble& trouble) : random_(seed), trouble_(trouble) {
+  Farm(std::uint64_t seed, const Trouble& trouble, const ArtifactRef& job)
+      : random_(seed), trouble_(trouble), job_(job) {
     rules_.lease_ms = 1000;
     rules_.max_crashes = 100000;
     rules_.max_losses = 100000;
@@ -349,7 +350,7 @@ class Farm {
   std::set<std::string> files_;
   std::map<TaskId, std::size_t> accepted_;
   std::map<TaskId, std::size_t> remade_;
-  ArtifactRef job_ = make_believe_file("job", "job");
+  ArtifactRef job_;
   ArtifactRef surface_ = make_believe_file("input_surface", "flange");
 };
 
@@ -401,15 +402,16 @@ inline void run_to_the_end(Farm& farm, std::uint64_t seed) {
 }
 
 /// Runs the farm from each of the seeds and compares its end with that of a farm without trouble.
-inline void expect_the_same_end(std::uint64_t first_seed, std::uint64_t count) {
-  Farm undisturbed(1, Trouble{});
+inline void expect_the_same_end(std::uint64_t first_seed, std::uint64_t count,
+                                const ArtifactRef& job) {
+  Farm undisturbed(1, Trouble{}, job);
   run_to_the_end(undisturbed, 0);
   const std::string expected = final_table(undisturbed.record().state());
   ASSERT_FALSE(testing::Test::HasFailure());
   ASSERT_GE(undisturbed.record().state().tasks.size(), 15U) << expected;
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Farm farm(seed, trouble_of(seed));
+    Farm farm(seed, trouble_of(seed), job);
     run_to_the_end(farm, seed);
     const DurableState& state = farm.record().state();
     EXPECT_EQ(state.jobs.begin()->second.phase, JobPhase::done)

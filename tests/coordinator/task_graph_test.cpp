@@ -14,7 +14,7 @@ using testing::SizeIs;
 TaskRow inspected(double parts) {
   TaskRow task = inspect_task(JobId{1}, make_believe_file("job", "j"), {});
   task.outputs = {make_believe_file("surface", "s"), make_believe_file("spacing", "p"),
-                  make_believe_file("root", "r")};
+                  make_believe_file("root", "r"), make_believe_file("settings", "t")};
   task.numbers["parts"] = parts;
   return task;
 }
@@ -39,16 +39,18 @@ TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
   ASSERT_THAT(first.tasks, SizeIs(1));
   TaskRow cut = first.tasks[0];
   EXPECT_EQ(cut.kind, TaskKind::decompose);
-  EXPECT_EQ(cut.parameters.at("parts"), "3");
+  EXPECT_EQ(cut.parameters.at("left_parts"), "1");
+  EXPECT_EQ(cut.parameters.at("right_parts"), "2");
   cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
-  cut.numbers = {{"left_parts", 2}, {"right_parts", 1}, {"interdomain_nodes", 17}};
+  cut.numbers = {{"interdomain_nodes", 17}, {"left_work", 40}, {"right_work", 90}};
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0]);
   ASSERT_THAT(second.tasks, SizeIs(2));
-  EXPECT_EQ(second.tasks[0].kind, TaskKind::decompose);
+  EXPECT_EQ(second.tasks[0].kind, TaskKind::mesh);
   EXPECT_EQ(second.tasks[0].path, 2U);
-  EXPECT_EQ(second.tasks[1].kind, TaskKind::mesh);
+  EXPECT_EQ(second.tasks[1].kind, TaskKind::decompose);
   EXPECT_EQ(second.tasks[1].path, 3U);
   EXPECT_EQ(second.subdomains[0].interdomain_nodes, 17U);
+  EXPECT_EQ(second.subdomains[2].work, 90);
 }
 
 TEST(TaskGraph, what_cannot_be_cut_stays_whole) {
@@ -77,28 +79,93 @@ TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
   SubdomainRow left{JobId{1}, 2, 1, SubdomainState::leaf, 0, 5, 40, true, "h", 1};
   SubdomainRow right{JobId{1}, 3, 1, SubdomainState::leaf, 0, 6, 50, true, "h", 1};
   const std::vector<SubdomainRow> tree = {cut, left, right};
-  EXPECT_EQ(number_task(inspected(2), tree).parameters.at("table"),
+  EXPECT_EQ(number_task(inspected(2), nullptr, tree).parameters.at("table"),
             "cut 1 9\nleaf 2 5 40\nleaf 3 6 50\n");
 }
 
-TEST(TaskGraph, results_without_their_files_or_numbers_are_unusable) {
+TEST(TaskGraph, results_without_their_files_are_unusable) {
   TaskRow cut;
   cut.kind = TaskKind::decompose;
-  cut.parameters["parts"] = "4";
   TaskResult result;
   EXPECT_FALSE(problem_with(cut, result));
   result.outputs = {make_believe_file("left", "l")};
   EXPECT_TRUE(problem_with(cut, result));
   result.outputs.push_back(make_believe_file("right", "r"));
-  EXPECT_TRUE(problem_with(cut, result));
-  result.numbers = {{"left_parts", 4}, {"right_parts", 0}};
-  EXPECT_TRUE(problem_with(cut, result));
-  result.numbers = {{"left_parts", 2}, {"right_parts", 3}};
-  EXPECT_TRUE(problem_with(cut, result));
-  result.numbers = {{"left_parts", 2.5}, {"right_parts", 1.5}};
-  EXPECT_TRUE(problem_with(cut, result));
-  result.numbers = {{"left_parts", 3}, {"right_parts", 1}};
   EXPECT_FALSE(problem_with(cut, result));
+}
+
+TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) {
+  const TaskRow inspect = inspected(4);
+  const GraphStep first = after_inspect(inspect);
+  TaskRow cut = first.tasks[0];
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
+  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0]);
+  EXPECT_EQ(second.subdomains[1].state, SubdomainState::leaf);
+  EXPECT_EQ(second.subdomains[2].parts, 5U);
+}
+
+/// The cut 1 into the leaves 2 and 3, of a job that asks for groups.
+class Assimilated : public testing::Test {
+ protected:
+  Assimilated() {
+    inspect_.numbers["groups"] = 1;
+    tree_ = {{JobId{1}, 1, 2, SubdomainState::cut, 9, 0, 0, false, "h1", 1, 100, 0},
+             {JobId{1}, 2, 1, SubdomainState::leaf, 0, 0, 0, false, "h2", 1, 40, 0},
+             {JobId{1}, 3, 1, SubdomainState::leaf, 0, 0, 0, false, "h3", 1, 60.4, 0}};
+  }
+
+  TaskRow inspect_ = inspected(2);
+  std::vector<SubdomainRow> tree_;
+};
+
+TEST_F(Assimilated, leaves_wait_for_the_task_that_sees_them_all) {
+  inspect_.numbers["parts"] = 1;
+  const GraphStep step = after_inspect(inspect_);
+  EXPECT_THAT(step.tasks, SizeIs(0));
+  const std::optional<TaskRow> task = assimilate_task(inspect_, tree_);
+  ASSERT_TRUE(task);
+  EXPECT_THAT(names_of(task->inputs), ElementsAre("job", "subdomain:2", "subdomain:3"));
+  EXPECT_EQ(task->parameters.at("table"), "2 40\n3 60\n");
+  EXPECT_FALSE(assimilate_task(inspected(2), tree_));
+}
+
+TEST_F(Assimilated, a_group_is_a_leaf_under_the_number_of_its_first) {
+  TaskRow done = *assimilate_task(inspect_, tree_);
+  done.outputs = {make_believe_file("dropped", "d"), make_believe_file("group:2", "g")};
+  done.texts["groups"] = "2 2\n3 2\n";
+  const GraphStep step = after_assimilate(inspect_, done, tree_);
+  ASSERT_THAT(step.tasks, SizeIs(1));
+  EXPECT_EQ(step.tasks[0].path, 2U);
+  EXPECT_EQ(step.tasks[0].inputs[1].hash, done.outputs[1].hash);
+  ASSERT_THAT(step.subdomains, SizeIs(2));
+  EXPECT_DOUBLE_EQ(step.subdomains[0].work, 100.4);
+  EXPECT_EQ(step.subdomains[1].state, SubdomainState::joined);
+  EXPECT_EQ(step.subdomains[1].joined_into, 2U);
+  const std::vector<SubdomainRow> tree = {tree_[0], step.subdomains[0], step.subdomains[1]};
+  const TaskRow number = number_task(inspect_, &done, tree);
+  EXPECT_EQ(number.parameters.at("table"), "cut 1 9\nleaf 2 0 0\njoined 3 2\n");
+  EXPECT_THAT(names_of(number.inputs), ElementsAre("surface", "dropped"));
+}
+
+TEST_F(Assimilated, groups_that_leave_a_leaf_out_are_unusable) {
+  const TaskRow task = *assimilate_task(inspect_, tree_);
+  TaskResult result;
+  result.outputs = {make_believe_file("dropped", "d"), make_believe_file("group:2", "g"),
+                    make_believe_file("group:3", "g3")};
+  const auto problem = [&](const char* groups) {
+    result.texts["groups"] = groups;
+    return problem_with(task, result).has_value();
+  };
+  EXPECT_FALSE(problem("2 2\n3 2\n"));
+  EXPECT_FALSE(problem("2 2\n3 3\n"));
+  EXPECT_TRUE(problem("2 2\n")) << "a leaf in no group";
+  EXPECT_TRUE(problem("2 3\n3 2\n")) << "groups named by leaves of others";
+  EXPECT_TRUE(problem("2 2\n3 2\n5 2\n")) << "an unknown leaf";
+  EXPECT_TRUE(problem("2 2\n3 2\n3 3\n")) << "a leaf twice";
+  EXPECT_TRUE(problem("2 2\n3 x\n"));
+  result.outputs.pop_back();
+  EXPECT_TRUE(problem("2 2\n3 3\n")) << "a group without a file";
 }
 
 }  // namespace

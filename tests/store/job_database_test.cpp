@@ -230,6 +230,47 @@ TEST(JobDatabase, a_newer_database_is_refused) {
   EXPECT_THROW(JobDatabase{path}, CorruptFile);
 }
 
+TEST(JobDatabase, a_database_of_before_assimilation_is_brought_up_with_its_rows) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "db";
+  { JobDatabase(path).apply(some_changes()); }
+  sqlite3* raw = nullptr;
+  sqlite3_open(path.c_str(), &raw);
+  // The two tables as version 1 had them.
+  execute(raw,
+          "CREATE TABLE old_subdomains (job INTEGER NOT NULL REFERENCES jobs (id), "
+          "path INTEGER NOT NULL, parts INTEGER NOT NULL, "
+          "state TEXT NOT NULL CHECK (state IN ('open', 'cut', 'leaf')), "
+          "interdomain_nodes INTEGER NOT NULL, interior_nodes INTEGER NOT NULL, "
+          "tets INTEGER NOT NULL, meshed INTEGER NOT NULL, "
+          "hash TEXT NOT NULL REFERENCES artifacts (hash), PRIMARY KEY (job, path)) "
+          "STRICT, WITHOUT ROWID;"
+          "INSERT INTO old_subdomains SELECT job, path, parts, state, interdomain_nodes, "
+          "interior_nodes, tets, meshed, hash FROM subdomains;"
+          "DROP TABLE subdomains; ALTER TABLE old_subdomains RENAME TO subdomains;"
+          "PRAGMA user_version = 1");
+  sqlite3_close(raw);
+  JobDatabase database(path);
+  expect_some_changes(database.load());
+  EXPECT_THAT(database.damage(), IsEmpty());
+  ChangeSet later;
+  later.subdomains = some_changes().subdomains;
+  later.subdomains[0].state = SubdomainState::joined;
+  later.subdomains[0].joined_into = 7;
+  later.subdomains[0].work = 1.5;
+  later.tasks = some_changes().tasks;
+  later.tasks[0].id = TaskId{4};
+  later.tasks[0].kind = TaskKind::assimilate;
+  later.tasks[0].state = TaskState::ready;
+  later.tasks[0].attempt = {};
+  database.apply(later);
+  EXPECT_EQ(database.load().subdomains.begin()->second, later.subdomains[0]);
+  EXPECT_EQ(database.load().tasks.at(TaskId{4}), later.tasks[0]);
+  ChangeSet impossible;
+  impossible.attempts = {{AttemptId{10}, TaskId{99}, WorkerId{2}, AttemptState::running, 6, 0, ""}};
+  EXPECT_THROW(database.apply(impossible), IoError) << "foreign keys are checked again";
+}
+
 TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {
   const TempFolder folder;
   const std::string path = folder.path() / "db";

@@ -27,13 +27,51 @@ class Failures : public ::testing::Test {
  protected:
   Failures() : input_(test::sphere_in_box(folder_.path(), 10, 2)) {}
 
+  /// A run of the fixture's surface; groups 0: not assimilated.
+  std::vector<std::string> words(const std::string& output, int workers) const {
+    std::vector<std::string> all = test::run_words(input_, output, workers, subdomains_);
+    if (groups_ > 0) all.insert(all.end(), {"--groups", std::to_string(groups_)});
+    return all;
+  }
+
   /// The digest of an undisturbed run.
   std::string reference() {
-    const Ended ended = run_program(test::run_words(input_, "reference", 2), folder_.path());
+    const Ended ended = run_program(words("reference", 2), folder_.path());
     EXPECT_EQ(ended.code, 0) << ended.err;
     return test::digest_of(ended);
   }
 
+  void kill_at_random(int wanted_kills) {
+    const unsigned seed = std::random_device()();
+    std::printf("seed %u\n", seed);
+    std::mt19937 random(seed);
+    const std::string digest = reference();
+    int kills = 0;
+    for (int round = 0; kills < wanted_kills; ++round) {
+      const std::string output = "out" + std::to_string(round);
+      int code = -1;
+      while (code != 0) {
+        Program run(words(output, 1 + static_cast<int>(random() % 4)), folder_.path());
+        for (int i = 0; i < 8 && kills < wanted_kills; ++i) {
+          pause_ms(20 + static_cast<int>(random() % 300));
+          if (!run.is_running()) break;
+          std::vector<pid_t> victims = test::descendants(run.process());
+          victims.push_back(run.process());
+          ::kill(victims[random() % victims.size()], SIGKILL);
+          ++kills;
+        }
+        const Ended ended = run.wait();
+        code = ended.code;
+        ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << code << "\n" << ended.err;
+        if (code == 0) {
+          ASSERT_EQ(test::digest_of(ended), digest) << "seed " << seed;
+        }
+      }
+    }
+  }
+
+  int subdomains_ = 4;
+  int groups_ = 0;
   TemporaryFolder folder_;
   std::string input_;
 };
@@ -68,35 +106,12 @@ TEST_F(Failures, the_files_do_not_depend_on_where_the_surface_lies) {
   EXPECT_EQ(test::digest_of(ended), digest);
 }
 
-TEST_F(Failures, twenty_random_kills_of_any_process_change_nothing) {
-  constexpr int wanted_kills = 24;
-  const unsigned seed = std::random_device()();
-  std::printf("seed %u\n", seed);
-  std::mt19937 random(seed);
-  const std::string digest = reference();
-  int kills = 0;
-  for (int round = 0; kills < wanted_kills; ++round) {
-    const std::string output = "out" + std::to_string(round);
-    int code = -1;
-    while (code != 0) {
-      Program run(test::run_words(input_, output, 1 + static_cast<int>(random() % 4)),
-                  folder_.path());
-      for (int i = 0; i < 8 && kills < wanted_kills; ++i) {
-        pause_ms(20 + static_cast<int>(random() % 300));
-        if (!run.is_running()) break;
-        std::vector<pid_t> victims = test::descendants(run.process());
-        victims.push_back(run.process());
-        ::kill(victims[random() % victims.size()], SIGKILL);
-        ++kills;
-      }
-      const Ended ended = run.wait();
-      code = ended.code;
-      ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << code << "\n" << ended.err;
-      if (code == 0) {
-        ASSERT_EQ(test::digest_of(ended), digest) << "seed " << seed;
-      }
-    }
-  }
+TEST_F(Failures, twenty_random_kills_of_any_process_change_nothing) { kill_at_random(24); }
+
+TEST_F(Failures, random_kills_change_nothing_of_an_assimilated_mesh) {
+  subdomains_ = 12;
+  groups_ = 3;
+  kill_at_random(16);
 }
 
 TEST_F(Failures, stopped_half_way_it_goes_on_with_other_workers) {

@@ -119,7 +119,8 @@ class CosmeticTasks : public ::testing::Test {
     if (parts > 1) {
       const wire::Done done = run(decompose_task, heap,
                                   {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}},
-                                  {{"parts", std::to_string(parts)}});
+                                  {{"left_parts", std::to_string(parts / 2)},
+                                   {"right_parts", std::to_string(parts - parts / 2)}});
       table_ += "cut " + std::to_string(heap) + " " +
                 std::to_string(std::int64_t(done.numbers().at("interdomain_nodes"))) + "\n";
       cut(2 * heap, parts / 2, output(done, "left"));

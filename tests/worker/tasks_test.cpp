@@ -16,6 +16,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
 #include "worker/assemble_task.h"
+#include "worker/assimilate_task.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
 #include "worker/inspect_task.h"
@@ -92,7 +93,9 @@ class Tasks : public ::testing::Test {
               const wire::Artifact& spacing, std::string& table, Files& files) {
     const Files inputs = {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}};
     if (parts > 1) {
-      last_ = run(decompose_task, inputs, {{"parts", std::to_string(parts)}});
+      last_ = run(decompose_task, inputs,
+                  {{"left_parts", std::to_string(parts / 2)},
+                   {"right_parts", std::to_string(parts - parts / 2)}});
       if (!last_.has_done()) return false;
       if (last_.done().outputs_size() > 0) {
         const wire::Envelope cut = last_;
@@ -101,9 +104,11 @@ class Tasks : public ::testing::Test {
         };
         table += "cut " + std::to_string(heap) + " " + std::to_string(number("interdomain_nodes")) +
                  "\n";
-        return settle(output(cut, "left"), 2 * heap, number("left_parts"), spacing, table, files) &&
-               settle(output(cut, "right"), 2 * heap + 1, number("right_parts"), spacing, table,
-                      files);
+        const bool told = cut.done().numbers().contains("left_parts");
+        const std::int64_t left = told ? number("left_parts") : parts / 2;
+        const std::int64_t right = told ? number("right_parts") : parts - parts / 2;
+        return settle(output(cut, "left"), 2 * heap, left, spacing, table, files) &&
+               settle(output(cut, "right"), 2 * heap + 1, right, spacing, table, files);
       }
     }
     last_ =
@@ -180,6 +185,12 @@ TEST_F(Tasks, parts_follow_from_the_wanted_size_when_not_given) {
   EXPECT_EQ(wanted_parts(job, 1001, 1), 11);
   EXPECT_EQ(wanted_parts(job, 99, 1), 1);
   EXPECT_EQ(wanted_parts(job, 0, 1), 1);
+  job.target_elements = 1'000'000;
+  job.groups = 4;
+  EXPECT_EQ(wanted_parts(job, 1e9, 1), 1000);
+  EXPECT_EQ(wanted_parts(job, 1e6, 1), 64) << "sixteen to a group";
+  EXPECT_EQ(wanted_parts(job, 20'000, 1), 20) << "but no leaves of a few hundred elements";
+  EXPECT_EQ(wanted_parts(job, 100, 1), 4);
 }
 
 TEST_F(Tasks, each_region_is_a_part_at_least) {
@@ -273,12 +284,93 @@ TEST_F(Tasks, the_job_says_which_planes_cut) {
                       {{"job", publish(to_toml(job))},
                        {"subdomain", output(inspected, "root")},
                        {"spacing", output(inspected, "spacing")}},
-                      {{"parts", "2"}}),
+                      {{"left_parts", "1"}, {"right_parts", "1"}}),
                   "left")
         .hash();
   };
   EXPECT_NE(left_hash("axis"), left_hash("lattice"));
   EXPECT_EQ(left_hash("auto"), left_hash(JobFile{}.plane));
+}
+
+TEST_F(Tasks, jobs_that_differ_in_their_subdomains_only_have_the_same_settings_and_files) {
+  JobFile other = job_of(7);
+  other.name = "other";
+  other.groups = 2;
+  other.formats = {"vtkhdf"};
+  other.min_dihedral_deg = 3;
+  const SurfaceMesh surface = shapes::sphere({0, 0, 0}, 1, 1);
+  const wire::Envelope one = inspect(job_of(2), surface);
+  const wire::Envelope two = inspect(other, surface);
+  for (const char* name : {"surface", "spacing", "root", "settings"}) {
+    EXPECT_EQ(output(one, name).hash(), output(two, name).hash()) << name;
+  }
+  other.points = "sweeps";
+  EXPECT_NE(output(one, "settings").hash(), output(inspect(other, surface), "settings").hash());
+}
+
+TEST_F(Tasks, assimilated_leaves_are_meshed_and_assembled_as_one) {
+  JobFile job = job_of(4);
+  job.groups = 2;
+  const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 3));
+  EXPECT_EQ(inspected.done().numbers().at("groups"), 2);
+  const wire::Artifact spacing = output(inspected, "spacing");
+  Files leaves = {{"1", output(inspected, "root")}};
+  std::ostringstream table;
+  for (const int parent : {1, 2, 3}) {
+    const std::string parts = parent == 1 ? "2" : "1";
+    const wire::Envelope cut = run(decompose_task,
+                                   {{"job", output(inspected, "settings")},
+                                    {"subdomain", leaves.at(std::to_string(parent))},
+                                    {"spacing", spacing}},
+                                   {{"left_parts", parts}, {"right_parts", parts}});
+    leaves.erase(std::to_string(parent));
+    leaves[std::to_string(2 * parent)] = output(cut, "left");
+    leaves[std::to_string(2 * parent + 1)] = output(cut, "right");
+    table << "cut " << parent << " " << cut.done().numbers().at("interdomain_nodes") << "\n";
+  }
+  Files all = {{"job", publish(to_toml(job))}};
+  for (const auto& [heap, leaf] : leaves) all["subdomain:" + heap] = leaf;
+  // 4 and 6 are as heavy as 5 and 7 together.
+  const wire::Envelope assimilated =
+      run(assimilate_task, all, {{"table", "4 300\n5 200\n6 300\n7 200\n"}});
+  ASSERT_TRUE(assimilated.has_done()) << assimilated.failed().message();
+  const auto& figures = assimilated.done().numbers();
+  EXPECT_EQ(figures.at("leaves"), 4);
+  EXPECT_EQ(figures.at("groups"), 2);
+  EXPECT_EQ(figures.at("estimated_max"), 500);
+  EXPECT_EQ(figures.at("estimated_mean"), 500);
+  EXPECT_EQ(figures.at("leaf_estimated_max"), 300);
+  EXPECT_GT(figures.at("communication_nodes_max"), 0);
+  EXPECT_LT(figures.at("faces_max"), 4 * figures.at("leaf_faces_max"));
+  std::istringstream lines(assimilated.done().texts().at("groups"));
+  std::string heap;
+  std::string group;
+  Files files = {{"job", all.at("job")}, {"surface", output(inspected, "surface")}};
+  while (lines >> heap >> group) {
+    if (heap != group) {
+      table << "joined " << heap << " " << group << "\n";
+      continue;
+    }
+    files["subdomain:" + heap] = output(assimilated, "group:" + heap);
+    const wire::Envelope meshed = run(mesh_task, {{"job", output(inspected, "settings")},
+                                                  {"subdomain", files.at("subdomain:" + heap)},
+                                                  {"spacing", spacing}});
+    ASSERT_TRUE(meshed.has_done()) << meshed.failed().message();
+    files["mesh:" + heap] = output(meshed, "mesh");
+    table << "leaf " << heap << " " << meshed.done().numbers().at("interior_nodes") << " "
+          << meshed.done().numbers().at("tets") << "\n";
+  }
+  const wire::Envelope numbered = run(
+      number_task, {{"surface", files.at("surface")}, {"dropped", output(assimilated, "dropped")}},
+      {{"table", table.str()}});
+  files["numbering"] = output(numbered, "numbering");
+  const wire::Envelope assembled = run(assemble_task, files);
+  ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+  EXPECT_EQ(assembled.done().numbers().at("subdomains"), 2);
+  const std::string path = folder_ + "/ball.lb8.ugrid";
+  std::filesystem::copy_file(store_.path_of(output(assembled, "ball.lb8.ugrid").hash()), path);
+  const MeshReport report = report_on(read_global_mesh(path));
+  EXPECT_TRUE(report.complaints.empty()) << report.complaints.front();
 }
 
 TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
@@ -288,7 +380,7 @@ TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
           {{"job", publish(to_toml(job_of(2)))},
            {"subdomain", publish(subdomain_to_bytes(root_subdomain(tetrahedron)))},
            {"spacing", publish(SpacingField(1.0).to_bytes())}},
-          {{"parts", "2"}});
+          {{"left_parts", "1"}, {"right_parts", "1"}});
   ASSERT_TRUE(result.has_done()) << result.failed().message();
   EXPECT_EQ(result.done().outputs_size(), 0);
   EXPECT_FALSE(result.done().texts().at("reason").empty());
@@ -299,8 +391,10 @@ TEST_F(Tasks, the_same_inputs_give_the_same_bytes) {
   const Files inputs = {{"job", publish(to_toml(job_of(2)))},
                         {"subdomain", output(inspected, "root")},
                         {"spacing", output(inspected, "spacing")}};
-  const wire::Envelope once = run(decompose_task, inputs, {{"parts", "2"}});
-  const wire::Envelope again = run(decompose_task, inputs, {{"parts", "2"}});
+  const wire::Envelope once =
+      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}});
+  const wire::Envelope again =
+      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}});
   EXPECT_EQ(once.done().SerializeAsString().size(), again.done().SerializeAsString().size());
   EXPECT_EQ(output(once, "left").hash(), output(again, "left").hash());
   EXPECT_EQ(output(once, "right").hash(), output(again, "right").hash());

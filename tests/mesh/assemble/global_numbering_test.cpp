@@ -124,8 +124,51 @@ TEST(GlobalNumbering, text_gives_the_same_numbering) {
   EXPECT_EQ(again.leaves[2].nodes.first_node, numbering.leaves[2].nodes.first_node);
 }
 
+/// The leaves 4 and 6 are joined; cut 1 loses its nodes 2, 3 and 7, cut 2 all but its first.
+constexpr const char* joined_table =
+    "cut 1 10\ncut 2 20\ncut 3 30\nleaf 4 40 400\nleaf 5 50 500\njoined 6 4\nleaf 7 70 700\n"
+    "dropped 1 2 2\ndropped 1 7 1\ndropped 2 1 19\n";
+
+TEST(GlobalNumbering, dropped_nodes_leave_no_gap) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), joined_table);
+  EXPECT_EQ(numbering.cuts[0].nodes.kept(), 7);
+  EXPECT_EQ(numbering.cuts[1].nodes.first_node, 8 + 7);
+  EXPECT_EQ(numbering.leaves[0].nodes.first_node, 8 + 7 + 1 + 30);
+  EXPECT_EQ(numbering.leaves.size(), 3U);
+  std::vector<std::int64_t> kept;
+  for (const std::uint32_t node : {0U, 1U, 4U, 5U, 6U, 8U, 9U}) {
+    kept.push_back(global_number(numbering, {1, node}));
+  }
+  EXPECT_THAT(kept, ElementsAre(8, 9, 10, 11, 12, 13, 14));
+  for (const std::uint32_t node : {2U, 3U, 7U, 10U}) {
+    EXPECT_THROW(global_number(numbering, {1, node}), Error) << node;
+  }
+  EXPECT_EQ(global_number(numbering, {2, 0}), 15);
+  EXPECT_THROW(global_number(numbering, {2, 19}), Error);
+}
+
+TEST(GlobalNumbering, refuses_joins_and_drops_that_make_no_sense) {
+  const std::string tree = "cut 1 5\nleaf 2 1 1\n";
+  for (const char* wrong :
+       {"joined 3 3\n", "joined 3 4\n", "joined 3\n", "joined 3 2\njoined 3 2\n",
+        "joined 3 2\ndropped 2 0 2\n", "joined 3 2\ndropped 1 0 6\n",
+        "joined 3 2\ndropped 1 2 2\ndropped 1 3 1\n", "joined 3 2\ndropped 1 0 0\n"}) {
+    EXPECT_THROW(number_globally(shapes::unit_cube(), tree + wrong), Error) << wrong;
+  }
+  EXPECT_NO_THROW(number_globally(shapes::unit_cube(), tree + "joined 3 2\ndropped 1 0 5\n"));
+}
+
+TEST(GlobalNumbering, text_keeps_what_was_joined_and_dropped) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), joined_table);
+  const std::string text = numbering_to_text(numbering);
+  const Numbering again = numbering_from_text(text, "n");
+  EXPECT_EQ(numbering_to_text(again), text);
+  EXPECT_EQ(again.nodes, numbering.nodes);
+  EXPECT_EQ(global_number(again, {1, 9}), 14);
+}
+
 TEST(GlobalNumbering, damaged_text_is_refused) {
-  const std::string text = numbering_to_text(number_globally(shapes::unit_cube(), table));
+  const std::string text = numbering_to_text(number_globally(shapes::unit_cube(), joined_table));
   EXPECT_THROW(numbering_from_text("", "n"), CorruptFile);
   for (std::size_t length = 0; length + 1 < text.size(); ++length) {
     EXPECT_THROW(numbering_from_text(text.substr(0, length), "n"), CorruptFile) << length;

@@ -62,6 +62,7 @@ corner = [
 subdomains = 12
 target_elements = 5000000000
 plane = "lattice"
+assimilate = { groups = 3, method = "k-way" }
 [mesh]
 points = "sweeps"
 [cosmetics]
@@ -86,6 +87,8 @@ void expect_equal(const JobFile& a, const JobFile& b) {
   EXPECT_EQ(a.plane, b.plane);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.across_cuts, b.across_cuts);
+  EXPECT_EQ(a.groups, b.groups);
+  EXPECT_EQ(a.assimilate_method, b.assimilate_method);
   EXPECT_EQ(a.min_dihedral_deg, b.min_dihedral_deg);
   EXPECT_EQ(a.formats, b.formats);
   ASSERT_EQ(a.sources.size(), b.sources.size());
@@ -125,6 +128,8 @@ TEST(ParseJobFile, reads_every_key) {
   EXPECT_EQ(job.plane, "lattice");
   EXPECT_EQ(job.points, "sweeps");
   EXPECT_FALSE(job.across_cuts);
+  EXPECT_EQ(job.groups, 3);
+  EXPECT_EQ(job.assimilate_method, "k-way");
   EXPECT_EQ(job.min_dihedral_deg, 5);
   EXPECT_THAT(job.formats, ElementsAre("lb8.ugrid", "vtkhdf"));
   ASSERT_EQ(job.sources.size(), 3U);
@@ -213,6 +218,18 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
        "did you mean `axis`?"},
       {geometry + "[mesh]\npoints = \"sweep\"",
        "`points` is \"sweep\", not one of \"lattice\", \"sweeps\"; did you mean `sweeps`?"},
+      {geometry + "[decompose]\nmax_memory = 2", "`max_memory` must be a string"},
+      {geometry + "[decompose]\nmax_memory = \"2 GibiBytes\"", "must be an amount like"},
+      {geometry + "[decompose]\nmax_memory = \"2GiB\"\nsubdomains = 4",
+       "`subdomains` cannot be given with `max_memory`"},
+      {geometry + "[decompose]\nmax_memory = \"2GiB\"\nassimilate = { groups = 4 }",
+       "`assimilate` cannot be given with `max_memory`"},
+      {geometry + "[decompose]\nassimilate = 8", "`assimilate` must be a table"},
+      {geometry + "[decompose.assimilate]\nmethod = \"k-way\"", "`groups` is missing"},
+      {geometry + "[decompose.assimilate]\ngroups = 0", "`groups` must be at least 1"},
+      {geometry + "[decompose.assimilate]\ngroups = 2\nmethod = \"k_way\"", "did you mean `k-way`"},
+      {geometry + "[decompose]\nsubdomains = 4\nassimilate = { groups = 5 }",
+       "must not be more than `subdomains`"},
       {geometry + "[quality]\nmin_dihedral = 75", "must be less than 70.5"},
       {geometry + "[output]\nformats = []", "`formats` must name a format"},
       {geometry + "[output]\nformats = \"vtkhdf\"", "`formats` must be an array, not a string"},
@@ -273,7 +290,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 4);
+  EXPECT_EQ(blocks, 6);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist) {
@@ -285,6 +302,25 @@ TEST(Examples, are_jobs_whose_surfaces_exist) {
     ++jobs;
   }
   EXPECT_GE(jobs, 2);
+}
+
+TEST(ParseMemory, knows_decimal_and_binary_units) {
+  EXPECT_EQ(parse_memory("2GiB"), std::int64_t{2} << 30);
+  EXPECT_EQ(parse_memory("500MB"), 500'000'000);
+  EXPECT_EQ(parse_memory("1.5 kib"), 1536);
+  EXPECT_EQ(parse_memory("77"), 77);
+  EXPECT_EQ(parse_memory("77B"), 77);
+  for (const char* wrong :
+       {"", "GB", "-1GB", "0", "1 GB ", "1  GB", "1GBit", "nan", "inf", "1e30"}) {
+    EXPECT_EQ(parse_memory(wrong), std::nullopt) << wrong;
+  }
+}
+
+TEST(ToToml, keeps_a_limit_of_memory) {
+  const JobFile job = parse_job_file(
+      "geometry.surface = \"a.stl\"\ndecompose.max_memory = \"1.5GiB\"", "/x/a.toml");
+  EXPECT_EQ(job.max_memory_bytes, 1'610'612'736);
+  EXPECT_EQ(parse_job_file(to_toml(job), "/x/b.toml").max_memory_bytes, job.max_memory_bytes);
 }
 
 }  // namespace

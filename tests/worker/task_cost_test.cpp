@@ -1,0 +1,52 @@
+#include "worker/task_cost.h"
+
+#include <gmock/gmock.h>
+
+namespace tetfarm {
+namespace {
+
+constexpr double megabyte = 1e6;
+
+TEST(TaskCost, more_elements_triangles_and_spacing_take_more) {
+  const SubdomainSize size{1e6, 5e4, 4e6};
+  for (const auto& larger :
+       {SubdomainSize{2e6, 5e4, 4e6}, SubdomainSize{1e6, 9e4, 4e6}, SubdomainSize{1e6, 5e4, 8e6}}) {
+    EXPECT_GT(mesh_cost(larger).bytes, mesh_cost(size).bytes);
+    EXPECT_GT(decompose_cost(larger).bytes, decompose_cost(size).bytes);
+  }
+  EXPECT_GT(mesh_cost({2e6, 5e4, 4e6}).seconds, 1.5 * mesh_cost(size).seconds);
+}
+
+TEST(TaskCost, a_subdomain_that_fits_is_one_part_and_one_that_does_not_is_more) {
+  const SubdomainSize size{1e6, 2e4, 1e6};
+  const double own = mesh_cost(size).bytes;
+  EXPECT_EQ(parts_for_memory(size, own), 1);
+  EXPECT_EQ(parts_for_memory(size, own - 1), 2);
+  EXPECT_GE(parts_for_memory(size, 100 * megabyte), 4);
+}
+
+TEST(TaskCost, as_many_equal_parts_as_it_says_fit) {
+  for (const double most : {60 * megabyte, 100 * megabyte, 300 * megabyte, 1000 * megabyte}) {
+    const SubdomainSize size{3e6, 6e4, 2e6};
+    const auto parts = static_cast<double>(parts_for_memory(size, most));
+    EXPECT_LE(mesh_cost({size.elements / parts, size.triangles / parts, size.spacing_bytes}).bytes,
+              most);
+  }
+}
+
+TEST(TaskCost, no_limit_below_the_process_itself_gives_endless_parts) {
+  EXPECT_EQ(parts_for_memory({1e6, 1e4, 1e6}, 1), 1'000'000);
+}
+
+TEST(TaskCost, the_least_memory_has_room_for_every_task_that_does_not_shrink) {
+  const SubdomainSize root{1e7, 2e5, 9e6};
+  const double least = least_memory(1e7, root);
+  EXPECT_GE(least, inspect_cost(1e7, root.triangles, root.spacing_bytes).bytes);
+  EXPECT_GE(least, decompose_cost(root).bytes);
+  EXPECT_GE(least, number_cost(root.triangles).bytes);
+  EXPECT_LT(least, mesh_cost(root).bytes) << "else nothing is gained by cutting";
+  EXPECT_LT(parts_for_memory(root, least), 1'000'000);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,138 @@
+#include "worker/task_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetfarm {
+namespace {
+
+/// A process that has loaded the program and read a job.
+constexpr double process_bytes = 19e6;
+
+/// Elements that come out for each estimated one, at most but for the smallest sub-domains.
+constexpr double elements_in_estimate = 1.3;
+constexpr double mesh_bytes_per_element = 320;
+constexpr double mesh_bytes_per_triangle = 800;
+constexpr double mesh_seconds_per_element = 3.5e-6;
+constexpr double mesh_seconds_per_triangle = 12e-6;
+
+constexpr double decompose_bytes_per_triangle = 450;
+constexpr double decompose_bytes_per_element = 3;
+constexpr double decompose_bytes = 5e6;
+constexpr double decompose_seconds_per_triangle = 8e-6;
+constexpr double decompose_seconds_per_element = 0.1e-6;
+
+constexpr double inspect_spacing_copies = 8;
+constexpr double inspect_bytes_per_triangle = 150;
+constexpr double inspect_input_copies = 1.2;
+constexpr double inspect_seconds_per_triangle = 12e-6;
+
+constexpr double assimilate_bytes_per_triangle = 8;
+constexpr double assimilate_bytes_in_group = 500;
+constexpr double assimilate_seconds_per_triangle = 1.5e-6;
+
+constexpr double order_bytes_per_triangle = 200;
+constexpr double order_seconds_per_triangle = 1e-6;
+
+constexpr double extract_bytes_per_element = 250;
+constexpr double extract_bytes_per_triangle = 200;
+constexpr double extract_seconds_per_element = 0.3e-6;
+
+constexpr double cosmetic_bytes = 4e6;
+constexpr double cosmetic_bytes_per_element = 400;
+constexpr double cosmetic_seconds_per_element = 4e-6;
+
+constexpr double number_bytes_per_triangle = 60;
+
+constexpr double assemble_bytes_per_triangle = 170;
+constexpr double assemble_bytes_per_element = 130;
+constexpr double assemble_seconds_per_element = 0.8e-6;
+
+constexpr double process_seconds = 0.02;
+constexpr double most_parts = 1e6;
+
+}  // namespace
+
+TaskCost inspect_cost(double input_bytes, double triangles, double spacing_bytes) {
+  return {process_bytes + inspect_input_copies * input_bytes +
+              inspect_bytes_per_triangle * triangles + inspect_spacing_copies * spacing_bytes,
+          process_seconds + inspect_seconds_per_triangle * triangles};
+}
+
+TaskCost decompose_cost(const SubdomainSize& size) {
+  return {process_bytes + size.spacing_bytes + decompose_bytes +
+              decompose_bytes_per_triangle * size.triangles +
+              decompose_bytes_per_element * size.elements,
+          process_seconds + decompose_seconds_per_triangle * size.triangles +
+              decompose_seconds_per_element * size.elements};
+}
+
+TaskCost mesh_cost(const SubdomainSize& size) {
+  const double elements = elements_in_estimate * size.elements;
+  return {process_bytes + size.spacing_bytes + mesh_bytes_per_element * elements +
+              mesh_bytes_per_triangle * size.triangles,
+          process_seconds + mesh_seconds_per_element * elements +
+              mesh_seconds_per_triangle * size.triangles};
+}
+
+TaskCost assimilate_cost(double triangles, double largest_group) {
+  return {process_bytes + assimilate_bytes_per_triangle * triangles +
+              assimilate_bytes_in_group * largest_group,
+          process_seconds + assimilate_seconds_per_triangle * triangles};
+}
+
+TaskCost order_cost(double triangles) {
+  return {process_bytes + order_bytes_per_triangle * triangles,
+          process_seconds + order_seconds_per_triangle * triangles};
+}
+
+TaskCost extract_cost(double elements, double triangles) {
+  return {
+      process_bytes + extract_bytes_per_element * elements + extract_bytes_per_triangle * triangles,
+      process_seconds + extract_seconds_per_element * elements};
+}
+
+TaskCost cosmetic_cost(double elements, double spacing_bytes) {
+  return {process_bytes + cosmetic_bytes + spacing_bytes + cosmetic_bytes_per_element * elements,
+          process_seconds + cosmetic_seconds_per_element * elements};
+}
+
+TaskCost number_cost(double surface_triangles) {
+  return {process_bytes + number_bytes_per_triangle * surface_triangles, process_seconds};
+}
+
+TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
+  return {process_bytes + assemble_bytes_per_triangle * surface_triangles +
+              assemble_bytes_per_element * elements_in_estimate * largest.elements,
+          process_seconds + assemble_seconds_per_element * elements_in_estimate * elements};
+}
+
+SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements) {
+  return {elements, static_cast<double>(subdomain.triangles.size()),
+          static_cast<double>(io.input_size("spacing"))};
+}
+
+void report_cost(TaskIo& io, const TaskCost& cost) {
+  io.number("expected_bytes", cost.bytes);
+  io.number("expected_seconds", cost.seconds);
+}
+
+std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes) {
+  if (mesh_cost(size).bytes <= most_bytes) return 1;
+  const double fixed = process_bytes + size.spacing_bytes;
+  const double room = most_bytes - fixed;
+  if (room <= 0) return static_cast<std::int64_t>(most_parts);
+  const double parts = std::ceil((mesh_cost(size).bytes - fixed) / room);
+  return static_cast<std::int64_t>(std::clamp(parts, 2.0, most_parts));
+}
+
+double least_memory(double input_bytes, const SubdomainSize& root) {
+  const SubdomainSize nothing{0, 0, root.spacing_bytes};
+  // Half a process more than a mesh task without elements: leaves of a useful size have to fit.
+  return std::max({inspect_cost(input_bytes, root.triangles, root.spacing_bytes).bytes,
+                   decompose_cost(root).bytes, number_cost(root.triangles).bytes,
+                   assemble_cost(root.triangles, 0, nothing).bytes,
+                   process_bytes / 2 + mesh_cost(nothing).bytes});
+}
+
+}  // namespace tetfarm

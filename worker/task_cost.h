@@ -1,0 +1,59 @@
+/// What a task will take: memory, as a bound, and seconds, as an expectation; and how many
+/// sub-domains keep every task below a limit of memory (`[decompose] max_memory`).
+///
+/// The thesis lets the user choose the number of sub-domains (4.3.1); here the size of a task is
+/// known before it runs: its surface's triangles, its estimated elements, and the spacing's bytes,
+/// which every task reads whole. The coefficients are measured:
+/// docs/decisions/0012-decompose-memory.md. Units: bytes of the process that runs the task (peak
+/// resident set); seconds of one core.
+#pragma once
+
+#include <cstdint>
+
+#include "mesh/core/subdomain.h"
+#include "worker/task_io.h"
+
+namespace tetfarm {
+
+struct TaskCost {
+  double bytes = 0;
+  double seconds = 0;
+};
+
+/// The size of a sub-domain, and of what a task on it reads besides.
+struct SubdomainSize {
+  double elements = 0;   ///< estimated
+  double triangles = 0;  ///< of its surface
+  double spacing_bytes = 0;
+};
+
+TaskCost inspect_cost(double input_bytes, double triangles, double spacing_bytes);
+TaskCost decompose_cost(const SubdomainSize& size);
+TaskCost mesh_cost(const SubdomainSize& size);
+/// `triangles` of all leaves together, and of the largest group when joined.
+TaskCost assimilate_cost(double triangles, double largest_group);
+/// `triangles` of all sub-domains together.
+TaskCost order_cost(double triangles);
+/// `elements` counted.
+TaskCost extract_cost(double elements, double triangles);
+/// `elements` counted: of all sections that the turn reads.
+TaskCost cosmetic_cost(double elements, double spacing_bytes);
+TaskCost number_cost(double surface_triangles);
+/// `largest` is the largest sub-domain, `elements` all of them.
+TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest);
+
+/// The size of the task's sub-domain; `elements` are estimated.
+SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements);
+
+/// As numbers expected_bytes and expected_seconds of the task's result, for the job's report.
+void report_cost(TaskIo& io, const TaskCost& cost);
+
+/// How many leaves a sub-domain has to become for its mesh tasks to stay within `most_bytes`: 1
+/// exactly when its own does. Never more than a million.
+std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes);
+
+/// The least limit that the tasks leave room for that are as large however finely is cut: reading
+/// and checking the surface, cutting the root, numbering, assembling.
+double least_memory(double input_bytes, const SubdomainSize& root);
+
+}  // namespace tetfarm
