@@ -431,7 +431,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 13> sections = {
+  const std::array<std::pair<std::string_view, Words>, 14> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
        {"region", region_keys},
