@@ -16,9 +16,9 @@ constexpr double mesh_bytes_per_triangle = 800;
 constexpr double mesh_seconds_per_element = 3.5e-6;
 constexpr double mesh_seconds_per_triangle = 12e-6;
 
-constexpr double decompose_bytes_per_triangle = 450;
-constexpr double decompose_bytes_per_element = 3;
-constexpr double decompose_bytes = 5e6;
+constexpr double decompose_bytes_per_triangle = 260;
+constexpr double decompose_bytes_per_element = 1;
+constexpr double decompose_bytes = 13e6;
 constexpr double decompose_seconds_per_triangle = 8e-6;
 constexpr double decompose_seconds_per_element = 0.1e-6;
 
@@ -44,7 +44,7 @@ constexpr double cosmetic_seconds_per_element = 4e-6;
 
 constexpr double number_bytes_per_triangle = 60;
 
-constexpr double assemble_bytes_per_triangle = 170;
+constexpr double assemble_bytes_per_triangle = 250;
 constexpr double assemble_bytes_per_element = 130;
 constexpr double assemble_seconds_per_element = 0.8e-6;
 

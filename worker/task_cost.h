@@ -4,8 +4,8 @@
 /// The thesis lets the user choose the number of sub-domains (4.3.1); here the size of a task is
 /// known before it runs: its surface's triangles, its estimated elements, and the spacing's bytes,
 /// which every task reads whole. The coefficients are measured:
-/// docs/decisions/0012-decompose-memory.md. Units: bytes of the process that runs the task (peak
-/// resident set); seconds of one core.
+/// docs/decisions/0012-decompose-assimilation.md. Units: bytes of the process that runs the task
+/// (peak resident set); seconds of one core.
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ double triangles_of(const Part& part) {
 
 struct Plane {
   int axis = 0;
-  double offset = 0;
+  double offset = -HUGE_VAL;
   double triangles = HUGE_VAL;  ///< of the cut
 };
 
@@ -52,19 +52,30 @@ double triangles_in(const WorkSample& sample, int axis, double offset) {
   return triangles_per_h2 * area_in_h2;
 }
 
+/// Halfway between two samples, where the work below is nearest to what is wanted: nodes of a
+/// lattice lie in layers, and a plane in one would meet three cubes at a place instead of two.
 Plane plane_at_share(const std::vector<WorkSample>& work, int axis, double wanted) {
   std::vector<std::pair<double, double>> along;
   for (const WorkSample& sample : work) along.emplace_back(sample.at[axis], sample.work);
   std::sort(along.begin(), along.end());
+  Plane plane{axis, -HUGE_VAL, HUGE_VAL};
   double below = 0;
-  std::size_t i = 0;
-  while (i + 1 < along.size() && below + along[i].second < wanted) below += along[i++].second;
-  Plane plane{axis, along[i].first, 0};
+  double least_miss = HUGE_VAL;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    below += along[i].second;
+    const double miss = std::fabs(below - wanted);
+    if (along[i].first == along[i + 1].first || miss >= least_miss) continue;
+    least_miss = miss;
+    plane.offset = 0.5 * (along[i].first + along[i + 1].first);
+  }
+  if (least_miss == HUGE_VAL) return plane;
+  plane.triangles = 0;
   for (const WorkSample& sample : work) plane.triangles += triangles_in(sample, axis, plane.offset);
   return plane;
 }
 
-/// The smallest of the cuts orthogonal to the axes that leave the wanted work below.
+/// The smallest of the cuts orthogonal to the axes that leave the wanted work below; where no two
+/// samples lie apart, one with everything on its right.
 Plane smallest_plane(const std::vector<WorkSample>& work, double wanted) {
   Plane smallest;
   for (int axis = 0; axis < 3; ++axis) {
