@@ -22,6 +22,7 @@
 #include "worker/inspect_task.h"
 #include "worker/mesh_task.h"
 #include "worker/number_task.h"
+#include "worker/order_task.h"
 #include "worker/run_task.h"
 
 namespace tetfarm {
@@ -290,6 +291,22 @@ TEST_F(Tasks, the_job_says_which_planes_cut) {
   };
   EXPECT_NE(left_hash("axis"), left_hash("lattice"));
   EXPECT_EQ(left_hash("auto"), left_hash(JobFile{}.plane));
+}
+
+TEST_F(Tasks, leaves_of_different_regions_pass_no_elements_though_their_cuts_meet) {
+  const auto neighbours_with_regions = [this](std::int32_t first, std::int32_t second) {
+    Files files;
+    for (const std::uint64_t heap : {4, 5}) {
+      Subdomain leaf = root_subdomain(shapes::unit_cube());
+      leaf.path = {heap};
+      leaf.region = heap == 4 ? first : second;
+      leaf.triangle_origin[0] = {heap / 2, 0};
+      files["subdomain:" + std::to_string(heap)] = publish(subdomain_to_bytes(leaf));
+    }
+    return run(order_task, files).done().texts().at("order");
+  };
+  EXPECT_EQ(neighbours_with_regions(1, 1), "4 0 5\n5 1 4\n");
+  EXPECT_EQ(neighbours_with_regions(1, 2), "4 0\n5 0\n");
 }
 
 TEST_F(Tasks, jobs_that_differ_in_their_subdomains_only_have_the_same_settings_and_files) {

@@ -140,6 +140,33 @@ TEST(Regions, of_nested_shells_are_void_in_turn_unless_the_job_says_otherwise) {
   EXPECT_THAT(both.surface.region_names, ElementsAre("region 1", "core"));
 }
 
+TEST(Regions, are_found_by_points_however_deep_and_in_whatever_order_the_shells_come) {
+  const auto cube = [](double low, double high) {
+    return shapes::box({low, low, low}, {high, high, high}, 2);
+  };
+  const std::vector<RegionWish> wishes = {{{3.5, 3.5, 3.6}, "kernel", false},
+                                          {{2.5, 2.5, 2.6}, "shell", false},
+                                          {{1.5, 1.5, 1.6}, "void", true},
+                                          {{0.5, 0.5, 0.6}, "skin", false}};
+  const SurfaceMesh inward = joined(joined(cube(0, 8), cube(1, 7)), joined(cube(2, 6), cube(3, 5)));
+  const SurfaceMesh outward =
+      joined(joined(cube(3, 5), cube(2, 6)), joined(cube(1, 7), cube(0, 8)));
+  for (const SurfaceMesh& mesh : {inward, outward}) {
+    const CheckedSurface checked =
+        check_surface(mesh, {.wishes = wishes, .is_outside_meshed = false});
+    expect_closed_regions(checked);
+    std::map<std::string, double> volume_of;
+    for (const RegionFigures& region : checked.report.regions) {
+      volume_of[region.name] = region.volume;
+    }
+    EXPECT_NEAR(volume_of["kernel"], 8, 1e-12);
+    EXPECT_NEAR(volume_of["shell"], 64 - 8, 1e-12);
+    EXPECT_NEAR(volume_of["void"], 216 - 64, 1e-12);
+    EXPECT_NEAR(volume_of["skin"], 512 - 216, 1e-12);
+    EXPECT_NEAR(checked.report.volume, 512 - 216 + 64, 1e-9);
+  }
+}
+
 TEST(Regions, may_be_declared_void) {
   const CheckedSurface checked = check_surface(
       row_of_cubes(3), {.wishes = {{{1.5, 0.5, 0.5}, "", true}, {{2.5, 0.5, 0.5}, "right", false}},
