@@ -170,11 +170,75 @@ class Joining {
   std::vector<std::vector<bool>> is_shared_;     ///< by leaf and triangle
 };
 
+/// One group for each piece at least; each further one goes where the groups are heaviest, and
+/// where there are leaves for it.
+std::vector<std::int32_t> shares_of_pieces(const SubdomainGraph& graph,
+                                           const std::vector<std::vector<std::int32_t>>& pieces,
+                                           std::int32_t groups) {
+  std::vector<double> works;
+  for (const std::vector<std::int32_t>& piece : pieces) {
+    double& work = works.emplace_back(0);
+    for (const std::int32_t leaf : piece) work += graph.work[at(leaf)];
+  }
+  std::vector<std::int32_t> shares(pieces.size(), 1);
+  for (auto given = std::ssize(pieces); given < groups; ++given) {
+    std::size_t heaviest = pieces.size();
+    const auto load = [&](std::size_t i) { return works[i] / shares[i]; };
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (shares[i] == std::ssize(pieces[i])) continue;
+      if (heaviest == pieces.size() || load(i) > load(heaviest)) heaviest = i;
+    }
+    if (heaviest == pieces.size()) break;
+    ++shares[heaviest];
+  }
+  return shares;
+}
+
+/// @pre `leaves` ascend and have no neighbours but each other.
+SubdomainGraph part_of(const SubdomainGraph& graph, const std::vector<std::int32_t>& leaves) {
+  SubdomainGraph part;
+  for (const std::int32_t leaf : leaves) {
+    part.path.push_back(graph.path[at(leaf)]);
+    part.work.push_back(graph.work[at(leaf)]);
+    part.faces.push_back(graph.faces[at(leaf)]);
+    part.interface_nodes.push_back(graph.interface_nodes[at(leaf)]);
+    std::vector<Neighbour>& neighbours = part.neighbours.emplace_back();
+    for (const auto& [other, triangles] : graph.neighbours[at(leaf)]) {
+      const auto place = std::lower_bound(leaves.begin(), leaves.end(), other) - leaves.begin();
+      neighbours.push_back({static_cast<std::int32_t>(place), triangles});
+    }
+  }
+  return part;
+}
+
+std::vector<std::int32_t> numbered_by_first_leaf(const std::vector<std::int32_t>& leaf2group) {
+  std::map<std::int32_t, std::int32_t> group2number;
+  std::vector<std::int32_t> numbers;
+  for (const std::int32_t group : leaf2group) {
+    const auto next = static_cast<std::int32_t>(group2number.size());
+    numbers.push_back(group2number.emplace(group, next).first->second);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> assimilate(const SubdomainGraph& graph, std::int32_t groups,
                                      PartitionMethod method) {
-  return refine_groups(graph, partition_graph(graph, groups, method));
+  const std::vector<std::vector<std::int32_t>> pieces = connected_pieces(graph);
+  const std::vector<std::int32_t> shares = shares_of_pieces(graph, pieces, groups);
+  std::vector<std::int32_t> mixed(graph.size(), 0);
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SubdomainGraph piece = part_of(graph, pieces[i]);
+    const std::vector<std::int32_t> leaf2group =
+        refine_groups(piece, partition_graph(piece, shares[i], method));
+    for (std::size_t leaf = 0; leaf < pieces[i].size(); ++leaf) {
+      mixed[at(pieces[i][leaf])] = next + leaf2group[leaf];
+    }
+    next += 1 + *std::max_element(leaf2group.begin(), leaf2group.end());
+  }
+  return numbered_by_first_leaf(mixed);
 }
 
 Subdomain join_subdomains(std::span<const Subdomain> leaves) { return Joining(leaves).result(); }

@@ -18,7 +18,9 @@ namespace tetfarm {
 
 /// The group of each leaf, numbered from 0 in the order of their first leaves. Every group is
 /// connected through shared triangles. There are `groups` of them, or fewer where there are fewer
-/// leaves, or more where the domain is in more pieces. @pre 1 <= groups, the graph has a leaf.
+/// leaves, or more where the domain is in more pieces. Pieces (the regions of a domain, for
+/// instance) are grouped each by itself, with groups shared out by their work. @pre 1 <= groups,
+/// the graph has a leaf.
 std::vector<std::int32_t> assimilate(const SubdomainGraph& graph, std::int32_t groups,
                                      PartitionMethod method);
 

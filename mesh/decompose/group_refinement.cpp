@@ -259,6 +259,12 @@ std::vector<std::int32_t> refine_groups(const SubdomainGraph& graph,
   return refinement.result();
 }
 
+std::vector<std::vector<std::int32_t>> connected_pieces(const SubdomainGraph& graph) {
+  Leaves all(graph.size());
+  std::iota(all.begin(), all.end(), 0);
+  return pieces_of(graph, all);
+}
+
 bool groups_are_connected(const SubdomainGraph& graph, std::span<const std::int32_t> leaf2group) {
   std::map<std::int32_t, Leaves> groups;
   for (std::size_t leaf = 0; leaf < leaf2group.size(); ++leaf) {

@@ -28,6 +28,9 @@ std::vector<std::int32_t> refine_groups(const SubdomainGraph& graph,
                                         std::span<const std::int32_t> leaf2group,
                                         const RefinementOptions& options = {});
 
+/// The leaves of each part of the graph that hangs together, ascending; by their first leaves.
+std::vector<std::vector<std::int32_t>> connected_pieces(const SubdomainGraph& graph);
+
 /// Whether the leaves of each group hang together through shared triangles.
 bool groups_are_connected(const SubdomainGraph& graph, std::span<const std::int32_t> leaf2group);
 

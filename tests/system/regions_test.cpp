@@ -93,5 +93,24 @@ TEST(RunWithRegions, of_a_real_part_gives_the_same_mesh_with_any_number_of_worke
   }
 }
 
+TEST(RunWithRegions, leaves_of_different_regions_are_never_joined) {
+  const char* data = std::getenv("TETFARM_DATA");
+  if (data == nullptr) GTEST_SKIP() << "TETFARM_DATA is not set";
+  const std::string input = std::string(data) + "/gmsh_piece_4vol/gmsh_piece_4vol.msh";
+  const std::map<int, int> wanted2got = {{1, 4}, {6, 6}};
+  for (const auto& [wanted, got] : wanted2got) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words = test::run_words(input, "out", 2, 24);
+    words.insert(words.end(), {"--groups", std::to_string(wanted)});
+    const Ended ended = run_program(words, folder.path(), 300);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const nlohmann::json result = test::result_of(ended);
+    EXPECT_EQ(result["balance"]["leaves"], 24);
+    EXPECT_EQ(result["subdomains"], got);
+    EXPECT_EQ(result["regions"].size(), 4U);
+    EXPECT_EQ(run_program({"quality", "out"}, folder.path()).code, 0);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -184,6 +184,27 @@ TEST(Assimilation, pieces_of_the_domain_that_touch_nothing_stay_groups_of_their_
   EXPECT_THAT(assimilate(apart, 1, PartitionMethod::recursive), ElementsAre(0, 1, 2));
 }
 
+TEST(Assimilation, pieces_of_the_domain_get_groups_by_their_work) {
+  SubdomainGraph graph = test::uneven_grid(4, 1.2, 3);
+  const SubdomainGraph light = test::leaf_grid(2);
+  const auto first = static_cast<std::int32_t>(graph.size());
+  for (std::size_t leaf = 0; leaf < light.size(); ++leaf) {
+    graph.path.push_back({1000 + leaf});
+    graph.work.push_back(2700);
+    graph.faces.push_back(60);
+    graph.interface_nodes.push_back(20);
+    graph.neighbours.push_back(light.neighbours[leaf]);
+    for (Neighbour& other : graph.neighbours.back()) other.leaf += first;
+  }
+  const std::vector<std::int32_t> leaf2group = assimilate(graph, 8, PartitionMethod::recursive);
+  EXPECT_TRUE(groups_are_connected(graph, leaf2group));
+  const std::set<std::int32_t> of_first(leaf2group.begin(), leaf2group.begin() + first);
+  const std::set<std::int32_t> of_second(leaf2group.begin() + first, leaf2group.end());
+  EXPECT_EQ(of_first.size(), 6U) << "with three quarters of the work";
+  EXPECT_THAT(of_second, ElementsAre(6, 7)) << "numbered by their first leaves";
+  EXPECT_LE(balance_of(sums_of_groups(graph.work, leaf2group)).ratio(), 1.1);
+}
+
 TEST(Assimilation, balance_is_the_largest_over_the_mean) {
   const std::vector<double> amounts = {1, 2, 3};
   EXPECT_DOUBLE_EQ(balance_of(amounts).ratio(), 1.5);
