@@ -2,7 +2,8 @@
 """Other compilers, optimisation and processor features make the same bytes.
 
 Builds tests/builds/kernel_digests.cpp, and the kernel with it, in other ways, and compares what it prints
-with what the build's own prints. Arguments: the root of the repository, a folder for the other builds, the
+with what the build's own prints. Then looks for fused multiply-adds in the kernel's machine code: the surfaces may
+not come by one. Arguments: the root of the repository, a folder for the other builds, the
 program of the own build. Real models count when TETFARM_DATA names their folder.
 
 Ends with 77, a skipped test, where there is no clang; where CI is set that is a failure.
@@ -11,6 +12,7 @@ Ends with 77, a skipped test, where there is no clang; where CI is set that is a
 import os
 import pathlib
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +21,8 @@ SKIPPED = 77
 
 # What x86-64-v3 asks for beyond what every 64-bit processor has, as /proc/cpuinfo calls it.
 V3_FLAGS = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"}
+
+FUSED = re.compile(r"\bvfn?m(add|sub)\w*")
 
 
 def processor_flags():
@@ -69,6 +73,20 @@ def differences(own, other):
     return found
 
 
+def fused_instructions(folder):
+    """The kernel's functions with x86's fused multiply-adds (vfmadd132sd, vfnmsub..., vfmaddsub...), one of each."""
+    found = {}
+    for library in sorted(folder.glob("libmesh_*.a")):
+        function = ""
+        for line in run(["objdump", "-d", "-C", "--no-show-raw-insn", str(library)]).splitlines():
+            if line.endswith(">:"):
+                function = line.split(" ", 1)[1]
+            instruction = FUSED.search(line)
+            if instruction:
+                found[library.name + " " + function] = instruction.group()
+    return found
+
+
 def main():
     root, folder, program = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
     if shutil.which("clang++") is None:
@@ -81,7 +99,10 @@ def main():
         print(f"{compiler} {flags}: {len(own)} digests, {len(found)} cases differ")
         for case, step in found.items():
             print(f"  {case}: first in {step}")
-        failed = failed or bool(found)
+        fused = fused_instructions(folder / name)
+        for function, instruction in fused.items():
+            print(f"  {instruction} in {function}")
+        failed = failed or bool(found) or bool(fused)
     return 1 if failed else 0
 
 
