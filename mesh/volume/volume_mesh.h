@@ -33,7 +33,6 @@ struct VolumeMeshReport {
   std::int64_t missing_faces = 0;
   std::int64_t boundary_steiner_points = 0;  // for a while, to recover the rest
   std::int64_t interior_steiner_points = 0;  // of these, the ones that are left, inside
-  double seconds_of_recovery = 0;
 };
 
 /// The surface could not be recovered: which sub-domain triangles are missing.

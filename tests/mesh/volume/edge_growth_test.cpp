@@ -83,8 +83,8 @@ TEST_P(EdgesWhereSpacingGrows, are_as_long_as_asked_at_every_size) {
 
 INSTANTIATE_TEST_SUITE_P(By, EdgesWhereSpacingGrows,
                          testing::Values(InteriorPoints::lattice, InteriorPoints::sweeps),
-                         [](const auto& info) {
-                           return info.param == InteriorPoints::lattice ? "lattice" : "sweeps";
+                         [](const auto& parameter) {
+                           return parameter.param == InteriorPoints::lattice ? "lattice" : "sweeps";
                          });
 
 }  // namespace
