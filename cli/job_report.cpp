@@ -133,8 +133,8 @@ Json tasks_json(const wire::JobStatus& status) {
     const std::string prefix = std::string("task_") + kind;
     if (!status.numbers().contains(prefix + "_count")) continue;
     Json& task = json[kind];
-    for (const char* name :
-         {"count", "bytes", "expected_bytes", "of_expected_bytes", "seconds", "expected_seconds"}) {
+    for (const char* name : {"count", "bytes", "expected_bytes", "of_expected_bytes", "seconds",
+                             "cpu_seconds", "expected_seconds"}) {
       task[name] = number_of(status, prefix + "_" + name);
     }
   }

@@ -25,6 +25,7 @@ struct Plan {
   double input_bytes = 0;
   SubdomainSize root;
   std::int64_t groups = 0;
+  bool across_cuts = true;
 };
 
 SurfaceMesh domain_of(const JobInput& input, CheckedSurface checked) {
@@ -44,6 +45,7 @@ Plan make_plan(const JobInput& input) {
   const Subdomain root = root_subdomain(domain);
   Plan plan;
   plan.groups = input.job.groups;
+  plan.across_cuts = input.job.across_cuts;
   plan.input_bytes = static_cast<double>(input.surface.size());
   plan.root = {estimated_elements(root, spacing), static_cast<double>(root.triangles.size()),
                static_cast<double>(spacing.to_bytes().size())};
@@ -76,48 +78,69 @@ struct KindCost {
   }
 };
 
-/// A group has as many elements as its leaves, and at most their triangles.
-void add_groups(const Plan& plan, double leaf_triangles, std::size_t leaves, KindCost& mesh) {
-  const auto groups = static_cast<double>(plan.groups);
-  const double in_group = static_cast<double>(leaves) / groups;
-  // Surfaces of joined leaves grow as the power 2/3 of their number.
-  const double triangles = leaf_triangles / groups / std::cbrt(in_group);
-  for (std::int64_t i = 0; i < plan.groups; ++i) {
-    mesh.add(mesh_cost({plan.root.elements / groups, triangles, plan.root.spacing_bytes}));
+std::vector<SubdomainSize> leaves_of_tree(const Plan& plan) {
+  std::vector<SubdomainSize> leaves;
+  for (const PlannedSubdomain& node : plan.tree) {
+    if (node.parts == 1) leaves.push_back(size_of_node(plan, node));
   }
+  return leaves;
 }
 
-std::vector<std::pair<const char*, KindCost>> cost_of_kinds(const Plan& plan) {
+double sum_of_triangles(const std::vector<SubdomainSize>& leaves) {
+  double sum = 0;
+  for (const SubdomainSize& leaf : leaves) sum += leaf.triangles;
+  return sum;
+}
+
+/// Groups of equal work. Surfaces of joined leaves grow as the power 2/3 of their number.
+std::vector<SubdomainSize> joined(const Plan& plan, const std::vector<SubdomainSize>& leaves) {
+  const auto groups = static_cast<double>(plan.groups);
+  const double in_group = std::max(1.0, static_cast<double>(leaves.size()) / groups);
+  const double triangles = sum_of_triangles(leaves) / groups / std::cbrt(in_group);
+  const SubdomainSize group{plan.root.elements / groups, triangles, plan.root.spacing_bytes};
+  return std::vector<SubdomainSize>(static_cast<std::size_t>(plan.groups), group);
+}
+
+using KindCosts = std::vector<std::pair<const char*, KindCost>>;
+
+/// In the order in which the kinds of tasks come.
+KindCosts cost_of_kinds(const Plan& plan) {
   KindCost inspect;
   KindCost decompose;
+  KindCost assimilate;
   KindCost mesh;
+  KindCost order;
+  KindCost extract;
+  KindCost cosmetic;
   KindCost number;
   KindCost assemble;
-  SubdomainSize largest{0, 0, plan.root.spacing_bytes};
-  double leaf_triangles = 0;
-  std::size_t leaves = 0;
   inspect.add(inspect_cost(plan.input_bytes, plan.root.triangles, plan.root.spacing_bytes));
   for (const PlannedSubdomain& node : plan.tree) {
-    if (node.parts > 1) {
-      decompose.add(decompose_cost(size_of_node(plan, node)));
-      continue;
-    }
-    ++leaves;
-    leaf_triangles += node.triangles;
-    largest.elements = std::max(largest.elements, node.elements);
-    if (plan.groups == 0) mesh.add(mesh_cost(size_of_node(plan, node)));
+    if (node.parts > 1) decompose.add(decompose_cost(size_of_node(plan, node)));
   }
+  std::vector<SubdomainSize> leaves = leaves_of_tree(plan);
   if (plan.groups > 0) {
-    add_groups(plan, leaf_triangles, leaves, mesh);
-    largest.elements = plan.root.elements / static_cast<double>(plan.groups);
+    const double triangles = sum_of_triangles(leaves);
+    leaves = joined(plan, leaves);
+    assimilate.add(assimilate_cost(triangles, leaves.front().triangles));
+  }
+  const bool has_turns = plan.across_cuts && leaves.size() > 1;
+  if (has_turns) order.add(order_cost(sum_of_triangles(leaves)));
+  SubdomainSize largest;
+  for (const SubdomainSize& leaf : leaves) {
+    mesh.add(mesh_cost(leaf));
+    if (leaf.elements > largest.elements) largest = leaf;
+    if (!has_turns) continue;
+    extract.add(extract_cost(leaf.elements, leaf.triangles));
+    cosmetic.add(cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes));
   }
   number.add(number_cost(plan.root.triangles));
   assemble.add(assemble_cost(plan.root.triangles, plan.root.elements, largest));
-  return {{"inspect", inspect},
-          {"decompose", decompose},
-          {"mesh", mesh},
-          {"number", number},
-          {"assemble", assemble}};
+  KindCosts all = {{"inspect", inspect},   {"decompose", decompose}, {"assimilate", assimilate},
+                   {"mesh", mesh},         {"order", order},         {"extract", extract},
+                   {"cosmetic", cosmetic}, {"number", number},       {"assemble", assemble}};
+  std::erase_if(all, [](const auto& kind) { return kind.second.count == 0; });
+  return all;
 }
 
 TaskCost cost_of_node(const Plan& plan, const PlannedSubdomain& node) {
@@ -169,7 +192,6 @@ void print_text(const Plan& plan) {
   std::printf("\n%-12s %8s %16s %12s\n", "tasks", "number", "MB, at most", "seconds");
   double seconds = 0;
   for (const auto& [kind, total] : cost_of_kinds(plan)) {
-    if (total.count == 0) continue;
     seconds += total.cost.seconds;
     std::printf("%-12s %8zu %16.0f %12.2f\n", kind, total.count, total.cost.bytes / 1e6,
                 total.cost.seconds);

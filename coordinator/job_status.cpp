@@ -62,16 +62,17 @@ void add_cost(const TaskRow& task, JobSummary& summary) {
     double& known = summary.numbers[kind + name];
     known = std::max(known, value);
   };
-  const auto expected = [&task](const char* name) {
+  const auto told = [&task](const char* name) {
     const auto found = task.numbers.find(name);
     return found == task.numbers.end() ? 0 : found->second;
   };
   ++summary.numbers[kind + "_count"];
   summary.numbers[kind + "_seconds"] += task.seconds;
-  summary.numbers[kind + "_expected_seconds"] += expected("expected_seconds");
+  summary.numbers[kind + "_cpu_seconds"] += told("cpu_seconds");
+  summary.numbers[kind + "_expected_seconds"] += told("expected_seconds");
   most("_bytes", static_cast<double>(task.peak_rss_bytes));
-  most("_expected_bytes", expected("expected_bytes"));
-  const double bound = expected("expected_bytes");
+  most("_expected_bytes", told("expected_bytes"));
+  const double bound = told("expected_bytes");
   if (bound > 0) most("_of_expected_bytes", static_cast<double>(task.peak_rss_bytes) / bound);
 }
 

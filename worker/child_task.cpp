@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,6 +24,10 @@ constexpr std::size_t largest_frame = std::size_t{64} << 20;
 void close_fd(int& fd) {
   if (fd >= 0) ::close(fd);
   fd = -1;
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 std::array<int, 2> make_pipe() {
@@ -222,7 +225,7 @@ std::optional<wire::Envelope> ChildTask::poll(
   read_last_words();
   read_frames(progress);
   process_ = -1;
-  return outcome(status, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+  return outcome(status, usage);
 }
 
 std::string ChildTask::how_it_ended(int status) const {
@@ -238,7 +241,7 @@ std::string ChildTask::how_it_ended(int status) const {
   return words.empty() ? text : text + "; it said: " + words;
 }
 
-wire::Envelope ChildTask::outcome(int status, std::uint64_t peak_rss_bytes) {
+wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
   const bool clean = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   wire::Envelope envelope;
   if (clean && answer_) {
@@ -258,7 +261,9 @@ wire::Envelope ChildTask::outcome(int status, std::uint64_t peak_rss_bytes) {
     envelope.mutable_done()->set_task(task_);
     envelope.mutable_done()->set_attempt(attempt_);
     envelope.mutable_done()->set_seconds(seconds.count());
-    envelope.mutable_done()->set_peak_rss_bytes(peak_rss_bytes);
+    envelope.mutable_done()->set_peak_rss_bytes(static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+    (*envelope.mutable_done()->mutable_numbers())["cpu_seconds"] =
+        seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   } else {
     envelope.mutable_failed()->set_task(task_);
     envelope.mutable_failed()->set_attempt(attempt_);

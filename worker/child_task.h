@@ -6,6 +6,7 @@
 /// standard error is kept for the message of a failure. It dies with the thread that started it.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -45,8 +46,8 @@ class ChildTask {
   std::uint64_t attempt() const { return attempt_; }
 
   /// Reads what the child said. Calls `progress` for its news; when it has ended returns Done or
-  /// Failed (an Envelope without a version), with peak memory and time filled in. Does not block
-  /// while it runs.
+  /// Failed (an Envelope without a version), with peak memory, time and the number
+  /// cpu_seconds filled in. Does not block while it runs.
   std::optional<wire::Envelope> poll(const std::function<void(const wire::Progress&)>& progress);
 
   /// Ends the child now; poll() then returns Failed.
@@ -56,7 +57,7 @@ class ChildTask {
   void read_frames(const std::function<void(const wire::Progress&)>& progress);
   void take_frames(const std::function<void(const wire::Progress&)>& progress);
   void read_last_words();
-  wire::Envelope outcome(int status, std::uint64_t peak_rss_bytes);
+  wire::Envelope outcome(int status, const rusage& usage);
   std::string how_it_ended(int status) const;
 
   std::uint64_t task_;

@@ -12,12 +12,21 @@
 namespace tetfarm {
 namespace {
 
+/// Estimated elements of the halves. Counting takes time: once for each cut.
+struct Works {
+  double left = 0;
+  double right = 0;
+};
+
+Works works_of(const Subdomain& left, const Subdomain& right, const SpacingField& spacing) {
+  return {estimated_elements(left, spacing), estimated_elements(right, spacing)};
+}
+
 /// How many leaves the halves are to become: as was told, or as many as the memory asks for.
 class Wanted {
  public:
-  Wanted(const TaskIo& io, const SpacingField& spacing)
+  explicit Wanted(const TaskIo& io)
       : io_(io),
-        spacing_(spacing),
         left_(io.whole_parameter("left_parts")),
         right_(io.whole_parameter("right_parts")),
         most_bytes_(io.number_parameter("most_bytes", 0)) {}
@@ -27,19 +36,22 @@ class Wanted {
   }
   std::int64_t parts() const { return left_ + right_; }
   bool depends_on_memory() const { return most_bytes_ > 0; }
-  std::int64_t left_parts(const Subdomain& left) const { return parts(left, left_); }
-  std::int64_t right_parts(const Subdomain& right) const { return parts(right, right_); }
+  std::int64_t left_parts(const Subdomain& left, const Works& works) const {
+    return parts(left, works.left, left_);
+  }
+  std::int64_t right_parts(const Subdomain& right, const Works& works) const {
+    return parts(right, works.right, right_);
+  }
 
  private:
-  std::int64_t parts(const Subdomain& half, std::int64_t told) const {
+  std::int64_t parts(const Subdomain& half, double work, std::int64_t told) const {
     if (!depends_on_memory()) return told;
-    const SubdomainSize size = size_of(io_, half, estimated_elements(half, spacing_));
+    const SubdomainSize size = size_of(io_, half, work);
     return std::max<std::int64_t>(std::ssize(regions_of(half)),
                                   parts_for_memory(size, most_bytes_));
   }
 
   const TaskIo& io_;
-  const SpacingField& spacing_;
   std::int64_t left_;
   std::int64_t right_;
   double most_bytes_;
@@ -47,6 +59,7 @@ class Wanted {
 
 struct TriedCut {
   CutOutcome outcome;
+  Works works;  ///< of the halves, where there is a cut
   int trials_refused = 0;
 };
 
@@ -59,8 +72,10 @@ TriedCut find_cut(TaskIo& io, const JobFile& job, const Subdomain& subdomain,
   options.left_share = wanted.left_share();
   options.accept = [&](const Subdomain& left, const Subdomain& right) {
     io.progress("trial of a cut", 0);
-    const bool accepted = (wanted.left_parts(left) > 1 || boundary_recovers(left, spacing)) &&
-                          (wanted.right_parts(right) > 1 || boundary_recovers(right, spacing));
+    tried.works = works_of(left, right, spacing);
+    const bool accepted =
+        (wanted.left_parts(left, tried.works) > 1 || boundary_recovers(left, spacing)) &&
+        (wanted.right_parts(right, tried.works) > 1 || boundary_recovers(right, spacing));
     if (!accepted) ++tried.trials_refused;
     return accepted;
   };
@@ -81,12 +96,11 @@ void require_sound(const Subdomain& half) {
 }
 
 /// Publishes the two halves, which are checked first.
-void publish_halves(TaskIo& io, const SpacingField& spacing, const Subdomain& left,
-                    const Subdomain& right) {
+void publish_halves(TaskIo& io, const Works& works, const Subdomain& left, const Subdomain& right) {
   require_sound(left);
   require_sound(right);
-  io.number("left_work", estimated_elements(left, spacing));
-  io.number("right_work", estimated_elements(right, spacing));
+  io.number("left_work", works.left);
+  io.number("right_work", works.right);
   io.publish("left", subdomain_to_bytes(left));
   io.publish("right", subdomain_to_bytes(right));
 }
@@ -101,13 +115,14 @@ void tell_parts(TaskIo& io, std::int64_t left_parts, std::int64_t right_parts) {
 void divide_regions(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
                     const Wanted& wanted) {
   const RegionSplit split = split_regions(subdomain, spacing, wanted.parts());
+  const Works works = works_of(split.left, split.right, spacing);
   io.number("interdomain_nodes", 0);
   if (wanted.depends_on_memory()) {
-    tell_parts(io, wanted.left_parts(split.left), wanted.right_parts(split.right));
+    tell_parts(io, wanted.left_parts(split.left, works), wanted.right_parts(split.right, works));
   } else {
     tell_parts(io, split.left_parts, split.right_parts);
   }
-  publish_halves(io, spacing, split.left, split.right);
+  publish_halves(io, works, split.left, split.right);
 }
 
 }  // namespace
@@ -134,10 +149,10 @@ void decompose_task(TaskIo& io) {
   const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   report_cost(io, decompose_cost(size_of(io, subdomain, io.number_parameter("work", 0))));
-  const Wanted wanted(io, spacing);
+  const Wanted wanted(io);
   io.progress("cut", 0);
   if (subdomain.region == 0) return divide_regions(io, subdomain, spacing, wanted);
-  const auto [outcome, trials_refused] = find_cut(io, job, subdomain, spacing, wanted);
+  const auto [outcome, works, trials_refused] = find_cut(io, job, subdomain, spacing, wanted);
   io.number("trials_refused", trials_refused);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
@@ -145,11 +160,11 @@ void decompose_task(TaskIo& io) {
   }
   const Cut& cut = *outcome.cut;
   if (wanted.depends_on_memory()) {
-    tell_parts(io, wanted.left_parts(cut.left), wanted.right_parts(cut.right));
+    tell_parts(io, wanted.left_parts(cut.left, works), wanted.right_parts(cut.right, works));
   }
   io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
   io.number("candidates_tried", cut.candidates_tried);
-  publish_halves(io, spacing, cut.left, cut.right);
+  publish_halves(io, works, cut.left, cut.right);
 }
 
 }  // namespace tetfarm

@@ -100,10 +100,17 @@ std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regi
 }
 
 void require_room(const JobFile& job, double input_bytes, const SubdomainSize& root) {
-  const double least = least_memory(input_bytes, root);
-  if (job.max_memory_bytes == 0 || static_cast<double>(job.max_memory_bytes) >= least) return;
+  if (job.max_memory_bytes == 0) return;
+  const auto most_bytes = static_cast<double>(job.max_memory_bytes);
+  double least = least_memory(input_bytes, root);
+  if (job.across_cuts && most_bytes >= least) {
+    const auto parts = static_cast<double>(parts_for_memory(root, most_bytes));
+    if (parts > 1) least = order_cost(triangles_of_leaves(root, parts)).bytes;
+  }
+  if (most_bytes >= least) return;
   throw UsageError("this surface needs at least " + std::to_string(std::llround(least / 1e6)) +
-                       "MB, however finely it is cut: to be checked, cut at first, and assembled",
+                       "MB, however finely it is cut: to be checked, cut at first, put in order, "
+                       "and assembled",
                    "[decompose] max_memory");
 }
 

@@ -10,9 +10,10 @@ namespace {
 constexpr double process_bytes = 19e6;
 
 /// Elements that come out for each estimated one, at most but for the smallest sub-domains.
-constexpr double elements_in_estimate = 1.3;
-constexpr double mesh_bytes_per_element = 320;
-constexpr double mesh_bytes_per_triangle = 800;
+constexpr double elements_in_estimate = 1.15;
+constexpr double mesh_bytes = 2e6;
+constexpr double mesh_bytes_per_element = 330;
+constexpr double mesh_bytes_per_triangle = 700;
 constexpr double mesh_seconds_per_element = 3.5e-6;
 constexpr double mesh_seconds_per_triangle = 12e-6;
 
@@ -22,8 +23,9 @@ constexpr double decompose_bytes = 13e6;
 constexpr double decompose_seconds_per_triangle = 8e-6;
 constexpr double decompose_seconds_per_element = 0.1e-6;
 
-constexpr double inspect_spacing_copies = 8;
-constexpr double inspect_bytes_per_triangle = 150;
+constexpr double inspect_bytes = 8e6;
+constexpr double inspect_spacing_copies = 2.5;
+constexpr double inspect_bytes_per_triangle = 220;
 constexpr double inspect_input_copies = 1.2;
 constexpr double inspect_seconds_per_triangle = 12e-6;
 
@@ -31,16 +33,20 @@ constexpr double assimilate_bytes_per_triangle = 8;
 constexpr double assimilate_bytes_in_group = 500;
 constexpr double assimilate_seconds_per_triangle = 1.5e-6;
 
-constexpr double order_bytes_per_triangle = 200;
+constexpr double order_bytes_per_triangle = 90;
 constexpr double order_seconds_per_triangle = 1e-6;
 
-constexpr double extract_bytes_per_element = 250;
+constexpr double extract_bytes_per_element = 190;
 constexpr double extract_bytes_per_triangle = 200;
 constexpr double extract_seconds_per_element = 0.3e-6;
 
 constexpr double cosmetic_bytes = 4e6;
-constexpr double cosmetic_bytes_per_element = 400;
+constexpr double cosmetic_bytes_per_element = 360;
 constexpr double cosmetic_seconds_per_element = 4e-6;
+/// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
+/// leaves these are all, and as many again of the neighbours.
+constexpr double turn_elements_of_leaf = 2.5;
+constexpr double turn_elements_per_triangle = 23;
 
 constexpr double number_bytes_per_triangle = 60;
 
@@ -54,7 +60,7 @@ constexpr double most_parts = 1e6;
 }  // namespace
 
 TaskCost inspect_cost(double input_bytes, double triangles, double spacing_bytes) {
-  return {process_bytes + inspect_input_copies * input_bytes +
+  return {process_bytes + inspect_bytes + inspect_input_copies * input_bytes +
               inspect_bytes_per_triangle * triangles + inspect_spacing_copies * spacing_bytes,
           process_seconds + inspect_seconds_per_triangle * triangles};
 }
@@ -69,7 +75,7 @@ TaskCost decompose_cost(const SubdomainSize& size) {
 
 TaskCost mesh_cost(const SubdomainSize& size) {
   const double elements = elements_in_estimate * size.elements;
-  return {process_bytes + size.spacing_bytes + mesh_bytes_per_element * elements +
+  return {process_bytes + mesh_bytes + size.spacing_bytes + mesh_bytes_per_element * elements +
               mesh_bytes_per_triangle * size.triangles,
           process_seconds + mesh_seconds_per_element * elements +
               mesh_seconds_per_triangle * size.triangles};
@@ -97,6 +103,23 @@ TaskCost cosmetic_cost(double elements, double spacing_bytes) {
           process_seconds + cosmetic_seconds_per_element * elements};
 }
 
+double turn_elements(const SubdomainSize& leaf) {
+  return std::min(turn_elements_of_leaf * leaf.elements,
+                  turn_elements_per_triangle * leaf.triangles);
+}
+
+double leaf_bytes(const SubdomainSize& leaf) {
+  return std::max({mesh_cost(leaf).bytes,
+                   cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes).bytes,
+                   extract_cost(elements_in_estimate * leaf.elements, leaf.triangles).bytes});
+}
+
+double triangles_of_leaves(const SubdomainSize& root, double parts) {
+  // A cube of e elements has 6 faces of (e / 8.5)^(2/3) h^2, with 2.31 triangles each.
+  constexpr double of_cube = 3.33;
+  return root.triangles + of_cube * std::cbrt(parts) * std::pow(std::cbrt(root.elements), 2);
+}
+
 TaskCost number_cost(double surface_triangles) {
   return {process_bytes + number_bytes_per_triangle * surface_triangles, process_seconds};
 }
@@ -118,21 +141,22 @@ void report_cost(TaskIo& io, const TaskCost& cost) {
 }
 
 std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes) {
-  if (mesh_cost(size).bytes <= most_bytes) return 1;
-  const double fixed = process_bytes + size.spacing_bytes;
+  if (leaf_bytes(size) <= most_bytes) return 1;
+  const double fixed = leaf_bytes({0, 0, size.spacing_bytes});
   const double room = most_bytes - fixed;
   if (room <= 0) return static_cast<std::int64_t>(most_parts);
-  const double parts = std::ceil((mesh_cost(size).bytes - fixed) / room);
+  const double parts = std::ceil((leaf_bytes(size) - fixed) / room);
   return static_cast<std::int64_t>(std::clamp(parts, 2.0, most_parts));
 }
 
 double least_memory(double input_bytes, const SubdomainSize& root) {
   const SubdomainSize nothing{0, 0, root.spacing_bytes};
-  // Half a process more than a mesh task without elements: leaves of a useful size have to fit.
+  // Half a process more than the tasks of a leaf without elements: leaves of a useful size have to
+  // fit.
   return std::max({inspect_cost(input_bytes, root.triangles, root.spacing_bytes).bytes,
                    decompose_cost(root).bytes, number_cost(root.triangles).bytes,
                    assemble_cost(root.triangles, 0, nothing).bytes,
-                   process_bytes / 2 + mesh_cost(nothing).bytes});
+                   process_bytes / 2 + leaf_bytes(nothing)});
 }
 
 }  // namespace tetfarm

@@ -48,8 +48,18 @@ SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double eleme
 /// As numbers expected_bytes and expected_seconds of the task's result, for the job's report.
 void report_cost(TaskIo& io, const TaskCost& cost);
 
-/// How many leaves a sub-domain has to become for its mesh tasks to stay within `most_bytes`: 1
-/// exactly when its own does. Never more than a million.
+/// How many elements the cosmetic turn of a leaf reads, at most: its own near cuts and those of its
+/// neighbours.
+double turn_elements(const SubdomainSize& leaf);
+
+/// The most that a task on a leaf takes: meshing it, extracting its elements near cuts, its turn.
+double leaf_bytes(const SubdomainSize& leaf);
+
+/// Triangles of all leaves together, those of cuts on both sides, when they are about cubes.
+double triangles_of_leaves(const SubdomainSize& root, double parts);
+
+/// How many leaves a sub-domain has to become for leaf_bytes to stay within `most_bytes`: 1
+/// exactly when its own do. Never more than a million.
 std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes);
 
 /// The least limit that the tasks leave room for that are as large however finely is cut: reading

@@ -9,13 +9,19 @@ ShadowGrid::ShadowGrid(std::span<const Box3> boxes) : boxes_(boxes.begin(), boxe
   constexpr double most_cells_per_axis = 256;
   Box3 all;
   for (const Box3& box : boxes) all.add(box);
-  size_ = static_cast<int>(
-      std::clamp(std::sqrt(static_cast<double>(boxes.size())), 1.0, most_cells_per_axis));
   if (!boxes.empty()) {
     low_ = all.low;
+    const auto count = static_cast<double>(boxes.size());
     for (const int axis : {1, 2}) {
       const double extent = all.high[axis] - all.low[axis];
-      per_cell_[axis] = extent > 0 ? size_ / extent : 0;
+      double widths = 0;
+      for (const Box3& box : boxes) widths += box.high[axis] - box.low[axis];
+      // Cells smaller than the boxes would hold each box many times.
+      const double useful =
+          widths > 0 ? std::min(std::sqrt(count), extent * count / widths) : std::sqrt(count);
+      const int size = static_cast<int>(std::clamp(useful, 1.0, most_cells_per_axis));
+      size_[static_cast<std::size_t>(axis)] = size;
+      per_cell_[axis] = extent > 0 ? size / extent : 0;
     }
   }
   const auto for_each_cell = [this](const Box3& box, auto&& visit) {
@@ -23,7 +29,7 @@ ShadowGrid::ShadowGrid(std::span<const Box3> boxes) : boxes_(boxes.begin(), boxe
       for (int k = index_on(2, box.low.z); k <= index_on(2, box.high.z); ++k) visit(cell(j, k));
     }
   };
-  first_.assign(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_) + 1, 0);
+  first_.assign(cell(size_[1] - 1, size_[2] - 1) + 2, 0);
   for (const Box3& box : boxes_) {
     for_each_cell(box, [this](std::size_t c) { ++first_[c + 1]; });
   }

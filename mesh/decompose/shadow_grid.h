@@ -4,6 +4,7 @@
 /// long. Cost: build O(boxes + cells they cover); a query O(boxes in the cells that it covers).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,15 +26,16 @@ class ShadowGrid {
   /// A row or column of the grid; outside of it, the nearest.
   int index_on(int axis, double x) const {
     const double i = (x - low_[axis]) * per_cell_[axis];
-    return i > 0 ? (i < size_ - 1 ? static_cast<int>(i) : size_ - 1) : 0;
+    const int last = size_[static_cast<std::size_t>(axis)] - 1;
+    return i > 0 ? (i < last ? static_cast<int>(i) : last) : 0;
   }
   std::size_t cell(int j, int k) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size_) +
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size_[2]) +
            static_cast<std::size_t>(k);
   }
 
   std::vector<Box3> boxes_;
-  int size_ = 1;  // cells on each axis
+  std::array<int, 3> size_{1, 1, 1};  // cells on each axis; x is not divided
   Vec3 low_;
   Vec3 per_cell_;
   std::vector<std::int32_t> first_;  // of each cell in items_, and the end of all

@@ -1,6 +1,7 @@
 #include "mesh/decompose/work_estimate.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/planar_cut.h"
@@ -21,12 +22,13 @@ constexpr std::size_t samples_for_counting = 40000;
 constexpr double face_clearance = 0.5;
 constexpr double node_clearance = 0.6;
 
-/// A lattice node, and how often the ray that goes from it along -x enters the surface more than it
-/// leaves it: 1 inside, 0 outside.
+/// A lattice node. A ray from it along -x enters the surface once more than it leaves it when the
+/// node is inside: `entered` counts what lies between it and the probe before it on the line.
 struct Probe {
   Vec3 at;
   double cell_edge = 0;
-  int depth = 0;
+  std::size_t number = 0;
+  int entered = 0;
   bool is_clear = true;
 };
 
@@ -49,19 +51,14 @@ struct Corners {
   const Vec3& c;
 };
 
-/// Counts the triangle where it lies below the probe along x.
-void cross_ray(const Corners& t, Probe& probe) {
-  const double y = probe.at.y;
-  const double z = probe.at.z;
-  const int turns = upward_crossing(t.a, t.b, y, z) + upward_crossing(t.b, t.c, y, z) +
-                    upward_crossing(t.c, t.a, y, z);
-  if (turns == 0) return;
+/// Where the line along x at (y, z), which crosses the triangle, meets it.
+double crossing_of(const Corners& t, double y, double z) {
   const double low = std::min({t.a.x, t.b.x, t.c.x});
   const double high = std::max({t.a.x, t.b.x, t.c.x});
   const Vec3 normal = cross(t.b - t.a, t.c - t.a);
   const double x = t.a.x - (normal.y * (y - t.a.y) + normal.z * (z - t.a.z)) / normal.x;
   // A nearly vertical triangle may give anything, even a NaN: any point of it will do.
-  if ((x >= low && x <= high ? x : 0.5 * (low + high)) < probe.at.x) probe.depth -= turns;
+  return x >= low && x <= high ? x : 0.5 * (low + high);
 }
 
 /// Finds out whether the triangle is too near to the probe.
@@ -78,26 +75,103 @@ void keep_clear(const Corners& t, Probe& probe) {
   }
 }
 
-void judge(const Subdomain& subdomain, std::vector<Probe>& probes) {
-  std::vector<Box3> neighbourhoods;
-  neighbourhoods.reserve(probes.size());
-  for (const Probe& probe : probes) {
-    const double reach = node_clearance * lattice_ratio * probe.cell_edge;
-    const Vec3 around{reach, reach, reach};
-    neighbourhoods.push_back({probe.at - around, probe.at + around});
+double reach_of(const Probe& probe) { return node_clearance * lattice_ratio * probe.cell_edge; }
+
+/// Probes on one line along x: nodes of a lattice lie in rows, which a triangle crosses or not.
+struct Row {
+  double y = 0;
+  double z = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;  // past the end
+  double reach = 0;      // the largest of its probes
+};
+
+/// @pre the probes are sorted by row.
+std::vector<Row> rows_of(const std::vector<Probe>& probes) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const Vec3& at = probes[i].at;
+    if (rows.empty() || rows.back().y != at.y || rows.back().z != at.z) {
+      rows.push_back({at.y, at.z, i, i, 0});
+    }
+    rows.back().last = i + 1;
+    rows.back().reach = std::max(rows.back().reach, reach_of(probes[i]));
   }
-  const ShadowGrid grid(neighbourhoods);
+  return rows;
+}
+
+/// Of a sorted row, the first probe beyond x.
+std::size_t first_beyond(const std::vector<Probe>& probes, const Row& row, double x) {
+  const auto begin = probes.begin();
+  const auto found = std::upper_bound(
+      begin + static_cast<std::ptrdiff_t>(row.first), begin + static_cast<std::ptrdiff_t>(row.last),
+      x, [](double limit, const Probe& probe) { return limit < probe.at.x; });
+  return static_cast<std::size_t>(found - begin);
+}
+
+void keep_row_clear(const Corners& t, const Box3& box, const Row& row, std::vector<Probe>& probes) {
+  // Twice the reach, so that no rounding leaves out what the box then decides.
+  const double far = 2 * row.reach;
+  for (std::size_t i = first_beyond(probes, row, box.low.x - far); i < row.last; ++i) {
+    Probe& probe = probes[i];
+    if (probe.at.x > box.high.x + far) break;
+    const double reach = reach_of(probe);
+    const Vec3 around{reach, reach, reach};
+    if (Box3{probe.at - around, probe.at + around}.overlaps(box)) keep_clear(t, probe);
+  }
+}
+
+/// By y, z, x: row by row.
+void sort_by_row(std::vector<Probe>& probes) {
+  std::sort(probes.begin(), probes.end(), [](const Probe& a, const Probe& b) {
+    return std::tie(a.at.y, a.at.z, a.at.x) < std::tie(b.at.y, b.at.z, b.at.x);
+  });
+}
+
+/// @pre the probes are sorted by row.
+void judge(const Subdomain& subdomain, const std::vector<Row>& rows, std::vector<Probe>& probes) {
+  std::vector<Box3> shadows;
+  shadows.reserve(rows.size());
+  for (const Row& row : rows) {
+    shadows.push_back(
+        {{0, row.y - row.reach, row.z - row.reach}, {0, row.y + row.reach, row.z + row.reach}});
+  }
+  const ShadowGrid grid(shadows);
   for (const Triangle& triangle : subdomain.triangles) {
     const Corners corners{subdomain.vertices[idx(triangle[0])],
                           subdomain.vertices[idx(triangle[1])],
                           subdomain.vertices[idx(triangle[2])]};
     Box3 box;
     for (const Vec3* v : {&corners.a, &corners.b, &corners.c}) box.add(*v);
-    grid.query(box, [&](std::int32_t i) {
-      if (probes[idx(i)].at.x > box.low.x) cross_ray(corners, probes[idx(i)]);
-      if (neighbourhoods[idx(i)].overlaps(box)) keep_clear(corners, probes[idx(i)]);
+    grid.query(box, [&](std::int32_t r) {
+      const Row& row = rows[idx(r)];
+      const int turns = upward_crossing(corners.a, corners.b, row.y, row.z) +
+                        upward_crossing(corners.b, corners.c, row.y, row.z) +
+                        upward_crossing(corners.c, corners.a, row.y, row.z);
+      if (turns != 0) {
+        const std::size_t i = first_beyond(probes, row, crossing_of(corners, row.y, row.z));
+        if (i < row.last) probes[i].entered -= turns;
+      }
+      keep_row_clear(corners, box, row, probes);
     });
   }
+}
+
+/// Of each probe, by number, whether the mesher would put a node there: inside, and clear of the
+/// surface.
+std::vector<bool> are_nodes(const Subdomain& subdomain, std::vector<Probe> probes) {
+  sort_by_row(probes);
+  const std::vector<Row> rows = rows_of(probes);
+  judge(subdomain, rows, probes);
+  std::vector<bool> is_node(probes.size(), false);
+  for (const Row& row : rows) {
+    int depth = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      depth += probes[i].entered;
+      is_node[probes[i].number] = depth > 0 && probes[i].is_clear;
+    }
+  }
+  return is_node;
 }
 
 /// The cube root of a number from 1 to 2^60, within a factor of 1.26, by * and comparison only.
@@ -127,14 +201,16 @@ void add_triangles(const Subdomain& subdomain, const SpacingField& spacing, std:
 WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing, std::size_t most) {
   const LatticeSample lattice = spacing.sample_lattice(bounding_box(subdomain.vertices), most);
   std::vector<Probe> probes;
-  for (const LatticeNode& node : lattice.nodes) probes.push_back({node.place(), node.cell_edge});
-  judge(subdomain, probes);
+  for (const LatticeNode& node : lattice.nodes) {
+    probes.push_back({node.place(), node.cell_edge, probes.size()});
+  }
+  const std::vector<bool> is_node = are_nodes(subdomain, probes);
   WorkSamples work;
   const double each = elements_per_node * lattice.nodes_for_each;
   // A cell holds two nodes.
   const double cells = about_cube_root(std::max(1.0, lattice.nodes_for_each / 2));
   for (const Probe& probe : probes) {
-    if (probe.depth <= 0 || !probe.is_clear) continue;
+    if (!is_node[probe.number]) continue;
     work.samples.push_back({probe.at, each, spacing.at(probe.at), cells * probe.cell_edge});
     work.total += each;
   }

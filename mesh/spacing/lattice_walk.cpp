@@ -87,22 +87,37 @@ class LatticeWalk {
     }
   }
 
-  /// Strictly inside a block all cells are equal, so each node is owned as corner 0.
   unsigned owned_in_block(const LatticeCell& cell, const LatticeCell& block) const {
-    const std::int32_t size = size_at_level(cell.level);
-    const std::int32_t block_size = size_at_level(block.level);
     unsigned owned = 0;
     for (std::size_t k = 0; k < 8; ++k) {
-      const GridPoint node = corner_of(cell.low, size, k);
-      bool inside = true;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::int32_t i = node[axis] - block.low[axis];
-        inside = inside && i > 0 && i < block_size;
-      }
-      const bool owns = inside ? k == 0 : owner_of(octree_, node).low == cell.low;
-      if (owns) owned |= 1U << k;
+      if (owns_in_block(cell, k, block)) owned |= 1U << k;
     }
     return owned;
+  }
+
+  /// As owner_of has it, but most cells of a block are known without looking them up: they are as
+  /// large as this one. Corner 0 comes first, as it wins among equals.
+  bool owns_in_block(const LatticeCell& cell, std::size_t k, const LatticeCell& block) const {
+    const std::int32_t block_size = size_at_level(block.level);
+    const GridPoint node = corner_of(cell.low, size_at_level(cell.level), k);
+    for (std::size_t other = 0; other < 8; ++other) {
+      if (other == k) continue;
+      bool is_in_octree = true;
+      bool is_in_block = true;
+      GridPoint p = node;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        p[axis] -= static_cast<int>((other >> axis) & 1U);
+        const std::int32_t i = p[axis] - block.low[axis];
+        is_in_block = is_in_block && i >= 0 && i < block_size;
+        is_in_octree = is_in_octree && p[axis] >= 0 && p[axis] < octree_span;
+      }
+      if (is_in_block && other < k) return false;
+      if (is_in_block || !is_in_octree) continue;
+      const LatticeCell there = lattice_cell_at(octree_, p);
+      const bool wins = there.level > cell.level || (there.level == cell.level && other < k);
+      if (wins && corner_of(there.low, size_at_level(there.level), other) == node) return false;
+    }
+    return true;
   }
 
   void emit(const LatticeCell& cell, unsigned owned) {

@@ -106,6 +106,14 @@ LeafAt leaf_at(const std::vector<std::int32_t>& child_of, const GridPoint& p) {
   return found;
 }
 
+LatticeCell lattice_cell_at(const SpacingOctree& octree, const GridPoint& p) {
+  const LeafAt found = leaf_at(octree.child_of, p);
+  const int level = octree.lattice_level[static_cast<std::size_t>(found.leaf)];
+  if (level <= found.cell.level) return found.cell;
+  const std::int32_t mask = ~(size_at_level(level) - 1);
+  return {level, {p[0] & mask, p[1] & mask, p[2] & mask}};
+}
+
 LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node) {
   LatticeCell owner{-1, {}};
   for (std::size_t k = 0; k < 8; ++k) {
@@ -113,13 +121,7 @@ LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node) {
     GridPoint p = node;
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis] -= static_cast<int>((k >> axis) & 1U);
     if (std::ranges::any_of(p, [](std::int32_t i) { return i < 0 || i >= octree_span; })) continue;
-    const LeafAt found = leaf_at(octree.child_of, p);
-    LatticeCell cell = found.cell;
-    const int lattice_level = octree.lattice_level[static_cast<std::size_t>(found.leaf)];
-    if (lattice_level > cell.level) {
-      const std::int32_t mask = ~(size_at_level(lattice_level) - 1);
-      cell = {lattice_level, {p[0] & mask, p[1] & mask, p[2] & mask}};
-    }
+    const LatticeCell cell = lattice_cell_at(octree, p);
     if (cell.level <= owner.level) continue;
     if (corner_of(cell.low, size_at_level(cell.level), k) == node) owner = cell;
   }

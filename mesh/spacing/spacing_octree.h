@@ -87,6 +87,9 @@ struct LeafAt {
 /// The leaf that holds the smallest cell at `p`. @pre each of `p` is in [0, octree_span).
 LeafAt leaf_at(const std::vector<std::int32_t>& child_of, const GridPoint& p);
 
+/// The lattice's cell that holds the smallest cell at `p`. @pre as leaf_at.
+LatticeCell lattice_cell_at(const SpacingOctree& octree, const GridPoint& p);
+
 /// A node belongs to several lattice cells; its owner is the smallest that has it as a corner, of
 /// equals the one that counts it with the lowest corner number.
 LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node);

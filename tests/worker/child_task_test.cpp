@@ -52,6 +52,7 @@ TEST(ChildTask, result_carries_task_attempt_time_and_peak_memory) {
   EXPECT_EQ(outcome.done().attempt(), 3U);
   EXPECT_EQ(outcome.done().numbers().at("elements"), 42);
   EXPECT_GT(outcome.done().peak_rss_bytes(), 0U);
+  EXPECT_GT(outcome.done().numbers().at("cpu_seconds"), 0);
 }
 
 TEST(ChildTask, progress_arrives_before_the_result) {

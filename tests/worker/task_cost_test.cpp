@@ -19,7 +19,7 @@ TEST(TaskCost, more_elements_triangles_and_spacing_take_more) {
 
 TEST(TaskCost, a_subdomain_that_fits_is_one_part_and_one_that_does_not_is_more) {
   const SubdomainSize size{1e6, 2e4, 1e6};
-  const double own = mesh_cost(size).bytes;
+  const double own = leaf_bytes(size);
   EXPECT_EQ(parts_for_memory(size, own), 1);
   EXPECT_EQ(parts_for_memory(size, own - 1), 2);
   EXPECT_GE(parts_for_memory(size, 100 * megabyte), 4);
@@ -29,9 +29,18 @@ TEST(TaskCost, as_many_equal_parts_as_it_says_fit) {
   for (const double most : {60 * megabyte, 100 * megabyte, 300 * megabyte, 1000 * megabyte}) {
     const SubdomainSize size{3e6, 6e4, 2e6};
     const auto parts = static_cast<double>(parts_for_memory(size, most));
-    EXPECT_LE(mesh_cost({size.elements / parts, size.triangles / parts, size.spacing_bytes}).bytes,
+    EXPECT_LE(leaf_bytes({size.elements / parts, size.triangles / parts, size.spacing_bytes}),
               most);
   }
+}
+
+TEST(TaskCost, a_leaf_is_no_larger_than_its_turn_in_cosmetics_allows) {
+  const SubdomainSize small{2e4, 4e3, 1e6};
+  EXPECT_GT(turn_elements(small), small.elements) << "those of the neighbours too";
+  EXPECT_GT(leaf_bytes(small), mesh_cost(small).bytes);
+  const SubdomainSize large{4e6, 4e4, 1e6};
+  EXPECT_LT(turn_elements(large), large.elements) << "those near cuts only";
+  EXPECT_EQ(leaf_bytes(large), mesh_cost(large).bytes);
 }
 
 TEST(TaskCost, no_limit_below_the_process_itself_gives_endless_parts) {
