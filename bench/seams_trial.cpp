@@ -1,30 +1,32 @@
 // What parallel cosmetics does near the cuts: cuts a surface into N leaves and meshes them as the
 // tasks would, gives each its turn, and compares with the uncut mesh:
 //   seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n] [--wanted
-//   deg]
-// --uncut also measures the mesh of one piece; --worst prints the n worst tets near cuts.
+//   deg] [--height h] [--least h] [--lowest n]
+// --uncut also measures the mesh of one piece; --worst and --lowest print the n worst tets near
+// cuts by angle and by height; --height and --least are the heights wanted, in spacings and in
+// smallest spacings. For domains of one region.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "bench/cut_as_tasks.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
 #include "mesh/cosmetics/element_passing.h"
+#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/seam_cosmetics.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
-#include "mesh/decompose/planar_cut.h"
 #include "mesh/inspect/outer_boundary.h"
 #include "mesh/io/read_surface.h"
-#include "mesh/volume/volume_mesh.h"
 
 namespace {
 
 using namespace tetfarm;
+using trial::cpu_seconds;
 
 struct Arguments {
   std::string surface;
@@ -34,11 +36,11 @@ struct Arguments {
   double spacing = 0;
   bool uncut = false;
   std::size_t worst = 0;
+  std::size_t lowest = 0;
   double wanted = 30;
+  double height = 0.35;
+  double least = 0.55;
 };
-
-/// Of this process only, so that a busy machine does not count.
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Arguments parse(int count, char** words) {
   Arguments a;
@@ -51,35 +53,11 @@ Arguments parse(int count, char** words) {
     if (!std::strcmp(words[i], "--uncut")) a.uncut = true;
     if (!std::strcmp(words[i], "--worst")) a.worst = std::stoul(words[i + 1]);
     if (!std::strcmp(words[i], "--wanted")) a.wanted = std::stod(words[i + 1]);
+    if (!std::strcmp(words[i], "--height")) a.height = std::stod(words[i + 1]);
+    if (!std::strcmp(words[i], "--least")) a.least = std::stod(words[i + 1]);
+    if (!std::strcmp(words[i], "--lowest")) a.lowest = std::stoul(words[i + 1]);
   }
   return a;
-}
-
-void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, int parts,
-                     std::vector<Subdomain>& leaves) {
-  if (parts > 1) {
-    CutOptions options;
-    options.left_share = static_cast<double>(parts / 2) / parts;
-    const auto recovers = [&spacing](const Subdomain& part) {
-      try {
-        mesh_volume(part, spacing, {.fill = false, .cosmetics = false, .progress = {}});
-        return true;
-      } catch (const std::exception&) {
-        return false;
-      }
-    };
-    const int left = parts / 2;
-    options.accept = [&](const Subdomain& a, const Subdomain& b) {
-      return (left > 1 || recovers(a)) && (parts - left > 1 || recovers(b));
-    };
-    const CutOutcome outcome = planar_cut(subdomain, spacing, options);
-    if (outcome.cut) {
-      cut_recursively(outcome.cut->left, spacing, left, leaves);
-      cut_recursively(outcome.cut->right, spacing, parts - left, leaves);
-      return;
-    }
-  }
-  leaves.push_back(subdomain);
 }
 
 struct Figures {
@@ -163,8 +141,17 @@ std::vector<ElementSection> values_of(const std::map<Sharers, ElementSection>& s
   return list;
 }
 
+double smallest_dihedral_deg(const std::array<Vec3, 4>& p) {
+  return dihedral_range(p[0], p[1], p[2], p[3]).min_deg;
+}
+double smallest_height(const std::array<Vec3, 4>& p) {
+  return std::sqrt(cosmetics::smallest_height2(p[0], p[1], p[2], p[3]));
+}
+
 /// The worst tets of the seams: where they are, and which of their nodes the surface holds.
-void print_worst(const std::vector<ElementSection>& sections, std::size_t count) {
+void print_worst(const std::vector<ElementSection>& sections, std::size_t count,
+                 double (*measure)(const std::array<Vec3, 4>&)) {
+  if (count == 0) return;
   struct Item {
     double angle;
     std::string text;
@@ -180,13 +167,12 @@ void print_worst(const std::vector<ElementSection>& sections, std::size_t count)
         origins += " " + std::to_string(section.node_origin[v].owner) + ":" +
                    std::to_string(section.node_origin[v].index);
       }
-      const double angle = dihedral_range(p[0], p[1], p[2], p[3]).min_deg;
-      if (angle > 12) continue;
+      const double angle = measure(p);
       const Vec3 c = 0.25 * (p[0] + p[1] + p[2] + p[3]);
       std::string sharers;
       for (const std::uint64_t s : section.sharers) sharers += " " + std::to_string(s);
       char text[300];
-      std::snprintf(text, sizeof text, "%.3f at %.6g %.6g %.6g nodes%s sharers%s triangles %d",
+      std::snprintf(text, sizeof text, "%.5g at %.6g %.6g %.6g nodes%s sharers%s triangles %d",
                     angle, c.x, c.y, c.z, origins.c_str(), sharers.c_str(),
                     static_cast<int>(std::count_if(
                         section.triangles.begin(), section.triangles.end(), [&](const Triangle& f) {
@@ -227,7 +213,7 @@ struct Turns {
   CosmeticReport report;
 };
 
-Turns give_turns(const CosmeticOrder& order, double wanted_deg,
+Turns give_turns(const CosmeticOrder& order, const Arguments& arguments,
                  const std::map<std::uint64_t, std::uint32_t>& interior,
                  const SpacingField& spacing, std::map<Sharers, ElementSection>& sections) {
   Turns turns;
@@ -249,7 +235,10 @@ Turns give_turns(const CosmeticOrder& order, double wanted_deg,
       if (shares && sharers.size() > 1) mine.push_back(section);
     }
     SeamOptions options;
-    options.cosmetics.wanted_dihedral_deg = wanted_deg;
+    options.cosmetics.wanted_dihedral_deg = arguments.wanted;
+    options.cosmetics.height_in_spacings = arguments.height;
+    options.cosmetics.height_in_smallest_spacings = arguments.least;
+    options.cosmetics.smallest_spacing = spacing.smallest();
     options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
     SeamResult result = improve_seams(mine, turn, options);
     for (ElementSection& section : result.sections) sections[section.sharers] = section;
@@ -296,16 +285,26 @@ int main(int count, char** words) {
   const SpacingField spacing = make_spacing_field(surface, options);
   const Subdomain root = root_subdomain(surface);
   if (arguments.uncut) uncut_figures(root, spacing).print("uncut");
-  std::vector<Subdomain> leaves;
-  cut_recursively(root, spacing, arguments.parts, leaves);
+  const trial::CutLeaves made = trial::cut_as_tasks(root, spacing, arguments.parts);
+  const std::vector<Subdomain>& leaves = made.leaves;
+  std::printf(" %d cuts, %d not made, %d planes tried, smallest angle %.1f, %.2f s\n", made.cuts,
+              made.uncut, made.planes_tried, made.smallest_angle_deg, made.seconds);
   std::vector<InterfaceNodes> nodes;
   for (const Subdomain& leaf : leaves) nodes.push_back(interface_nodes(leaf));
   const CosmeticOrder order = colour_subdomains(std::move(nodes));
   std::vector<ElementSection> pieces;
   std::map<std::uint64_t, std::uint32_t> interior;
-  double mesh_seconds = -cpu_seconds();
+  double mesh_seconds = 0;
+  double estimated = 0;
+  double worst_estimate = 0;
   for (const Subdomain& leaf : leaves) {
+    mesh_seconds -= cpu_seconds();
     const TetMesh mesh = mesh_volume(leaf, spacing);
+    mesh_seconds += cpu_seconds();
+    const double estimate = estimated_elements(leaf, spacing);
+    const double off = estimate / static_cast<double>(mesh.tets.size()) - 1;
+    estimated += estimate;
+    if (std::fabs(off) > std::fabs(worst_estimate)) worst_estimate = off;
     const auto place = std::find_if(order.shared.begin(), order.shared.end(),
                                     [&](const SharedNodes& s) { return s.path == leaf.path; });
     for (ElementSection& piece : extract_elements(leaf, mesh, *place)) {
@@ -313,18 +312,19 @@ int main(int count, char** words) {
     }
     interior[leaf.path.heap] = static_cast<std::uint32_t>(mesh.nodes.size() - leaf.vertices.size());
   }
-  mesh_seconds += cpu_seconds();
   std::map<Sharers, ElementSection> sections = joined_by_sharers(pieces);
   pieces.clear();
   complain(values_of(sections), surface);
   std::printf(" %zu leaves, meshed in %.2f s\n", leaves.size(), mesh_seconds);
+  std::printf(" estimate %.0f, worst leaf %+.1f %%\n", estimated, 100 * worst_estimate);
   figures_of(values_of(sections), spacing, true).print("all before");
   figures_of(values_of(sections), spacing, false).print("seams before");
-  const Turns turns = give_turns(order, arguments.wanted, interior, spacing, sections);
+  const Turns turns = give_turns(order, arguments, interior, spacing, sections);
   complain(values_of(sections), surface);
   figures_of(values_of(sections), spacing, false).print("seams after");
   figures_of(values_of(sections), spacing, true).print("all after");
-  print_worst(values_of(sections), arguments.worst);
+  print_worst(values_of(sections), arguments.worst, smallest_dihedral_deg);
+  print_worst(values_of(sections), arguments.lowest, smallest_height);
   std::printf(
       "  %d colours, at most %zu neighbours, largest region %lld tets, %.2f s; %lld swaps, %lld "
       "moves, %lld collapses, %lld splits\n",

@@ -113,6 +113,7 @@ void cosmetic_task(TaskIo& io) {
   for (const auto& [heap, file] : inputs.had_turn) turn.had_turn.push_back(heap);
   SeamOptions options;
   options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
+  options.cosmetics.smallest_spacing = spacing.smallest();
   io.progress("cosmetic", 0);
   const SeamResult result = improve_seams(std::move(sections), turn, options);
   report(io, result, inputs);

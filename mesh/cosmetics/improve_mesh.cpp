@@ -10,6 +10,7 @@
 #include "mesh/cosmetics/element_collapse.h"
 #include "mesh/cosmetics/element_splitting.h"
 #include "mesh/cosmetics/face_swapping.h"
+#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/relaxation.h"
 #include "mesh/cosmetics/small_polyhedron_reconnection.h"
@@ -29,6 +30,12 @@ constexpr double enough_deg = 40;
 /// An edge from a collapse is no longer, one from a split no shorter, than this times the spacing.
 constexpr double longest_collapse = 1.6;
 constexpr double shortest_split = 0.4;
+/// For tets that are not so bad: one more node in a thin place would cost height and elements.
+constexpr double shortest_mild_split = 0.6;
+/// What is still worse than this at the end may be split at a shorter distance: where the surface's
+/// own nodes lie that near to each other, no node at the other distance can help.
+constexpr double desperate_deg = 8;
+constexpr double shortest_desperate_split = 0.1;
 
 /// A tet to work on. Stale when the tet is dead or its goodness has changed: it is then queued
 /// anew.
@@ -140,11 +147,11 @@ bool is_short_enough(const Improver& improver, const Replacement& collapse, std:
   return true;
 }
 
-bool collapse(Improver& improver, const BadTet& bad) {
+bool collapse(Improver& improver, const BadTet& bad, double least) {
   WorkMesh& work = improver.work;
   const Tet tet = work.tet(bad.tet);
   std::optional<Replacement> best;
-  double beat = bad.goodness;
+  double beat = std::max(bad.goodness, least);
   for (const std::int32_t node : tet) {
     if (!work.may_move(node)) continue;
     const std::vector<std::int32_t> ball = cosmetics::ball_of_node(work, node);
@@ -162,18 +169,27 @@ bool collapse(Improver& improver, const BadTet& bad) {
   return true;
 }
 
-bool split(Improver& improver, const BadTet& bad) {
+bool split(Improver& improver, const BadTet& bad, double shortest, double least) {
   cosmetics::SplitOptions options{improver.enough, 0};
   if (improver.options.spacing) {
     const Tet& tet = improver.work.tet(bad.tet);
     Vec3 centre;
     for (const std::int32_t v : tet) centre += 0.25 * improver.work.point(v);
-    options.least_distance = shortest_split * improver.options.spacing(centre);
+    options.least_distance = shortest * improver.options.spacing(centre);
   }
   const auto found = cosmetics::find_split(improver.work, bad.tet, options);
-  if (!found || !apply(improver, *found)) return false;
+  if (!found || found->new_worst < least || !apply(improver, *found)) return false;
   ++improver.report.splits;
   return true;
+}
+
+/// Collapses or splits a tet that is bad enough for any gain, or that can be made good.
+bool rebuild(Improver& improver, const BadTet& bad) {
+  const bool takes_any = bad.goodness < improver.rebuilt;
+  if (!takes_any && !improver.options.rebuilds_to_wanted) return false;
+  const double least = takes_any ? 0 : improver.wanted;
+  const double shortest = takes_any ? shortest_split : shortest_mild_split;
+  return collapse(improver, bad, least) || split(improver, bad, shortest, least);
 }
 
 /// Works the queue off, worst first. Collapses and splits change the number of nodes and cost most,
@@ -184,8 +200,7 @@ void run_pass(Improver& improver, bool thorough) {
     improver.queue.pop();
     if (!improver.is_current(bad)) continue;
     if (swap(improver, bad) || smooth(improver, bad)) continue;
-    const bool rebuild = thorough && bad.goodness < improver.rebuilt;
-    if (rebuild && (collapse(improver, bad) || split(improver, bad))) continue;
+    if (thorough && rebuild(improver, bad)) continue;
     improver.given_up.push_back({bad, improver.work.changes});
   }
 }
@@ -200,7 +215,9 @@ void requeue(Improver& improver, bool thorough) {
     const bool changed = std::any_of(tet.begin(), tet.end(), [&](std::int32_t v) {
       return improver.work.node2change[at(v)] > item.changes;
     });
-    if (changed || (thorough && item.bad.goodness < improver.rebuilt)) {
+    const bool rebuildable =
+        item.bad.goodness < improver.rebuilt || improver.options.rebuilds_to_wanted;
+    if (changed || (thorough && rebuildable)) {
       improver.queue.push(item.bad);
     } else {
       kept.push_back(item);
@@ -209,25 +226,52 @@ void requeue(Improver& improver, bool thorough) {
   improver.given_up = std::move(kept);
 }
 
-/// The last resort: small cavities round the tets that were given up are searched for their best
-/// filling. What gets better may give others room, so all operations are tried there once more.
-void reconnect_worst(Improver& improver) {
+/// The tets that were given up below this goodness, worst first.
+std::vector<BadTet> worst_given_up(const Improver& improver, double below) {
   std::vector<BadTet> worst;
   for (const GivenUp& item : improver.given_up) {
-    if (improver.is_current(item.bad) && item.bad.goodness < improver.rebuilt) {
-      worst.push_back(item.bad);
-    }
+    if (improver.is_current(item.bad) && item.bad.goodness < below) worst.push_back(item.bad);
   }
   std::sort(worst.begin(), worst.end(), [](const BadTet& a, const BadTet& b) { return b < a; });
+  return worst;
+}
+
+/// A last resort: small cavities round the tets that were given up are searched for their best
+/// filling. What gets better may give others room, so all operations are tried there once more.
+void reconnect_worst(Improver& improver) {
   cosmetics::ReconnectionOptions options;
   options.enough = improver.enough;
-  for (const BadTet& bad : worst) {
+  for (const BadTet& bad : worst_given_up(improver, improver.rebuilt)) {
     if (!improver.is_current(bad)) continue;
     const auto found = cosmetics::find_reconnection(improver.work, bad.tet, options);
     if (!found || !apply(improver, *found)) continue;
     ++improver.report.reconnections;
     run_pass(improver, true);
   }
+}
+
+/// The very last resort, for the few that nothing helped.
+void split_desperate(Improver& improver) {
+  for (const BadTet& bad : worst_given_up(improver, cosmetics::goodness_of_angle(desperate_deg))) {
+    if (!improver.is_current(bad)) continue;
+    if (split(improver, bad, shortest_desperate_split, 0)) run_pass(improver, true);
+  }
+}
+
+void try_last_resorts(Improver& improver) {
+  reconnect_worst(improver);
+  split_desperate(improver);
+}
+
+cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor) {
+  cosmetics::HeightOptions heights;
+  heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
+  heights.floor = floor;
+  if (options.spacing) {
+    heights.wanted_spacings = options.height_in_spacings;
+    heights.spacing = options.spacing;
+  }
+  return heights;
 }
 
 struct Scan {
@@ -279,11 +323,12 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   if (complex.live_tets() == 0) return {};
   const Limits limits{cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
                       cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
+  const cosmetics::HeightOptions heights = heights_of(options, limits.wanted);
   Scan before = scan(complex, limits);
   CosmeticReport report;
   report.min_dihedral_before_deg = before.min_dihedral_deg;
   report.min_dihedral_after_deg = before.min_dihedral_deg;
-  if (before.bad.empty() && before.to_relax.empty()) return report;
+  if (before.bad.empty() && before.to_relax.empty() && !heights.wants_any()) return report;
   Improver improver{
       .work = WorkMesh(complex, fixed_nodes),
       .options = options,
@@ -300,8 +345,15 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
     requeue(improver, pass == 0);
     if (improver.queue.empty()) break;
   }
-  reconnect_worst(improver);
+  try_last_resorts(improver);
   improver.report.moves += cosmetics::relax_nodes(improver.work, before.to_relax, improver.wanted);
+  // Rounder surroundings may have given them room.
+  requeue(improver, false);
+  run_pass(improver, true);
+  try_last_resorts(improver);
+  if (heights.wants_any()) {
+    improver.report.moves += cosmetics::raise_heights(improver.work, heights);
+  }
   improver.report.min_dihedral_after_deg = scan(complex, {}).min_dihedral_deg;
   return improver.report;
 }

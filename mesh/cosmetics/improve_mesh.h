@@ -18,11 +18,21 @@ struct CosmeticOptions {
   double wanted_dihedral_deg = 30;
   /// Tets below this that swaps and moves did not help are collapsed or split.
   double rebuilt_dihedral_deg = 20;
+  /// Those above it too, where all that comes of them is as wanted. For small meshes: each costs
+  /// some 0.1 ms.
+  bool rebuilds_to_wanted = false;
   /// Nodes of tets below this are relaxed at the end, for rounder tets on average. 0: none.
   double relaxed_dihedral_deg = 45;
   int most_passes = 6;
   /// Target edge length at a point: a guard for collapses and splits. Empty: no guard.
   std::function<double(const Vec3&)> spacing;
+  /// The smallest target edge length of the job: what an explicit solver's time step hangs on. 0:
+  /// not known.
+  double smallest_spacing = 0;
+  /// Tets lower than this many smallest spacings are raised at the end, and those lower than this
+  /// many spacings of their own place. 0: none.
+  double height_in_smallest_spacings = 0.55;
+  double height_in_spacings = 0;
 };
 
 struct CosmeticReport {

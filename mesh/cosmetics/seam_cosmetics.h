@@ -15,11 +15,19 @@
 
 namespace tetfarm {
 
+/// More is asked for near cuts than elsewhere: there are few elements, and heights count.
+inline CosmeticOptions cosmetics_near_cuts() {
+  CosmeticOptions options;
+  options.rebuilds_to_wanted = true;
+  options.height_in_spacings = 0.35;
+  return options;
+}
+
 struct SeamOptions {
   /// Layers of a neighbour's elements that are worked on when it had no turn yet, and when it had.
   int first_layers = 2;
   int later_layers = 4;
-  CosmeticOptions cosmetics;
+  CosmeticOptions cosmetics = cosmetics_near_cuts();
 };
 
 /// A sub-domain whose turn it is.

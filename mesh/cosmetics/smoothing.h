@@ -8,17 +8,9 @@
 #include <optional>
 
 #include "mesh/cosmetics/cavity.h"
+#include "mesh/cosmetics/climbing.h"
 
 namespace tetfarm::cosmetics {
-
-/// The faces that a node sees, each such that (face, node) is a positive tet.
-using Star = std::vector<std::array<Vec3, 3>>;
-
-/// A place for a node, and the smallest goodness of its star there.
-struct Place {
-  Vec3 point;
-  double worst = 0;
-};
 
 /// The smallest goodness of the star with its node at p; any value below `least` once it is below.
 double worst_at(const Star& star, const Vec3& p, double least);
@@ -26,8 +18,8 @@ double worst_at(const Star& star, const Vec3& p, double least);
 /// The star of a node in its ball.
 Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node);
 
-/// Climbs from `start` (which may see faces from behind) until the worst is `enough`, or no more
-/// progress is made.
+/// Climbs from `start` (which may see faces from behind) until the worst goodness is `enough`, or
+/// no more progress is made.
 /// Cost: at most some 60 goodnesses a face.
 Place climb(const Star& star, const Vec3& start, double enough);
 

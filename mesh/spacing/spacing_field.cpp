@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -94,6 +95,14 @@ SpacingField::~SpacingField() = default;
 
 double SpacingField::at(const Vec3& point) const {
   return octree_->constant > 0 ? octree_->constant : octree_->at(point);
+}
+
+double SpacingField::smallest() const {
+  if (octree_->constant > 0) return octree_->constant;
+  float smallest = std::numeric_limits<float>::max();
+  for (const auto& corners : octree_->values)
+    smallest = std::min(smallest, std::ranges::min(corners));
+  return smallest;
 }
 
 double SpacingField::lattice_cell_edge(const Vec3& point) const {

@@ -100,6 +100,9 @@ class SpacingField {
   /// Always positive and finite. Cost: well under a microsecond.
   double at(const Vec3& point) const;
 
+  /// Not more than the spacing is anywhere, and nearly as much somewhere. Cost: O(cells).
+  double smallest() const;
+
   /// The edge of the smallest lattice cell that holds the point, or the nearest one of the octree's
   /// box. Cost: as at().
   double lattice_cell_edge(const Vec3& point) const;

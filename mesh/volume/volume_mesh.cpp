@@ -127,6 +127,7 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     tell("cosmetics", kept.complex.live_tets());
     CosmeticOptions cosmetics;
     cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
+    cosmetics.smallest_spacing = spacing.smallest();
     improve_mesh(kept.complex, boundary_nodes, cosmetics);
   }
   TetMesh mesh = compact_mesh(kept.complex, boundary_nodes);

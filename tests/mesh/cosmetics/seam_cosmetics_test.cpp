@@ -8,6 +8,7 @@
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
 #include "mesh/cosmetics/element_passing.h"
+#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "tests/mesh/cosmetics/cut_bar.h"
 
@@ -160,6 +161,31 @@ TEST(SeamCosmetics, the_mesh_is_valid_and_its_worst_no_worse_after_every_turn) {
       }
     }
     EXPECT_GT(worst, at_first + 5) << seed;
+  }
+}
+
+double smallest_height_of(const JoinedElements& joined) {
+  double lowest2 = HUGE_VAL;
+  for (const Tet& tet : joined.tets) {
+    const auto p = [&](std::size_t i) { return joined.nodes[static_cast<std::size_t>(tet[i])]; };
+    lowest2 = std::min(lowest2, cosmetics::smallest_height2(p(0), p(1), p(2), p(3)));
+  }
+  return std::sqrt(lowest2);
+}
+
+TEST(SeamCosmetics, low_elements_are_raised_where_the_spacing_is_known) {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const CutBar bar({8, 8, 8}, octant, disturbed(8, seed, 0.24));
+    Farm by_shape(bar);
+    by_shape.options.cosmetics.spacing = [](const Vec3&) { return 1.4; };
+    Farm by_height = by_shape;
+    by_shape.options.cosmetics.height_in_spacings = 0;
+    by_shape.give_all_turns();
+    by_height.give_all_turns();
+    const JoinedElements joined = by_height.joined();
+    EXPECT_GT(smallest_height_of(joined), 1.05 * smallest_height_of(by_shape.joined())) << seed;
+    EXPECT_GT(worst_dihedral_deg(joined), 0.98 * worst_dihedral_deg(by_shape.joined())) << seed;
+    EXPECT_THAT(complaints_of(joined), IsEmpty());
   }
 }
 

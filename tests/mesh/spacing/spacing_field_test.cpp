@@ -59,6 +59,14 @@ TEST(SpacingField, constant_is_exact_everywhere) {
   EXPECT_EQ(field.at({-1e9, 3, 1e12}), 0.1);
 }
 
+TEST(SpacingField, its_smallest_is_nowhere_undercut_and_nearly_reached) {
+  EXPECT_EQ(SpacingField(0.1).smallest(), 0.1);
+  const SpacingField field = graded_field();
+  Dice dice;
+  for (int i = 0; i < 1000; ++i) EXPECT_LE(field.smallest(), field.at(dice.in(unit_box)));
+  EXPECT_GT(field.smallest(), 0.95 * field.at({0.3, 0.4, 0.5}));
+}
+
 TEST(SpacingField, is_the_background_where_nobody_asks) {
   SpacingOptions options;
   options.background = 0.25;

@@ -1,0 +1,27 @@
+#include "mesh/cosmetics/climbing.h"
+
+namespace tetfarm::cosmetics {
+
+Vec3 shortest_in_hull(std::span<const Vec3> vectors) {
+  Vec3 now = vectors[0];
+  for (int i = 0; i < 24; ++i) {
+    const auto nearest =
+        std::min_element(vectors.begin(), vectors.end(),
+                         [&](const Vec3& a, const Vec3& b) { return dot(a, now) < dot(b, now); });
+    const Vec3 towards = *nearest - now;
+    const double gain = -dot(now, towards);
+    if (gain <= 1e-3 * norm2(now)) break;
+    now += std::min(1.0, gain / norm2(towards)) * towards;
+  }
+  return now;
+}
+
+double shortest_distance2(const Star& star, const Vec3& p) {
+  double shortest = HUGE_VAL;
+  for (const StarFace& face : star) {
+    for (const Vec3& corner : face) shortest = std::min(shortest, norm2(corner - p));
+  }
+  return shortest;
+}
+
+}  // namespace tetfarm::cosmetics

@@ -1,0 +1,133 @@
+#include "mesh/cosmetics/height_raising.h"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+
+#include "mesh/cosmetics/quality.h"
+#include "mesh/cosmetics/smoothing.h"
+
+namespace tetfarm::cosmetics {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Below 1 while a tet is too low. Where its goodness nears the floor it counts as low too, at the
+/// floor itself as low as the lowest was at first: no rise of the smallest measure goes below it.
+struct HeightMeasure {
+  double wanted2 = 0;
+  double floor = 0;
+  double lowest_at_first = 0;
+
+  double operator()(const StarFace& face, const Vec3& p) const {
+    constexpr double slope = 20;
+    return std::min(smallest_height2(face[0], face[1], face[2], p) / wanted2,
+                    lowest_at_first + slope * (goodness(face[0], face[1], face[2], p) - floor));
+  }
+};
+
+/// The height that is wanted at a point, squared.
+double wanted2_at(const Vec3& p, const HeightOptions& options) {
+  double wanted = options.wanted_length;
+  if (options.wanted_spacings > 0) {
+    wanted = std::max(wanted, options.wanted_spacings * options.spacing(p));
+  }
+  return wanted * wanted;
+}
+
+struct LowTet {
+  double share2 = 0;  ///< of the wanted height, squared
+  std::int32_t tet = -1;
+
+  /// The lowest comes first out of a priority queue.
+  friend bool operator<(const LowTet& a, const LowTet& b) {
+    return a.share2 != b.share2 ? a.share2 > b.share2 : a.tet > b.tet;
+  }
+};
+
+struct HeightRaiser {
+  WorkMesh& work;
+  const HeightOptions& options;
+  std::priority_queue<LowTet> queue;
+  /// Number of changes when no better place was found for a node.
+  std::vector<std::int64_t> node2settled;
+
+  double share2_of(std::int32_t t) const {
+    const auto& [a, b, c, d] = work.tet(t);
+    const Vec3 centre = 0.25 * (work.point(a) + work.point(b) + work.point(c) + work.point(d));
+    return smallest_height2(work.point(a), work.point(b), work.point(c), work.point(d)) /
+           wanted2_at(centre, options);
+  }
+  void queue_if_low(std::int32_t t) {
+    const double share2 = share2_of(t);
+    if (share2 < 1) queue.push({share2, t});
+  }
+};
+
+std::optional<Place> find_higher_place(const WorkMesh& work, const std::vector<std::int32_t>& ball,
+                                       std::int32_t node, const HeightOptions& options) {
+  const Star star = star_of(work, ball, node);
+  const Vec3& here = work.point(node);
+  HeightMeasure measure{wanted2_at(here, options), 0, HUGE_VAL};
+  const double worst = worst_at(star, here, -HUGE_VAL);
+  measure.lowest_at_first = worst_at(star, here, -HUGE_VAL, measure);
+  measure.floor = std::min(options.floor, worst);
+  if (!(measure.lowest_at_first < 1)) return std::nullopt;
+  const Place best = climb(star, here, 1, measure);
+  if (!is_worth(measure.lowest_at_first, best.worst)) return std::nullopt;
+  return best;
+}
+
+/// Moves the nodes of the tet; true when one of them moved.
+bool raise(HeightRaiser& raiser, const LowTet& low) {
+  WorkMesh& work = raiser.work;
+  bool moved = false;
+  for (const std::int32_t node : Tet(work.tet(low.tet))) {
+    std::int64_t& settled = raiser.node2settled[at(node)];
+    if (!work.may_move(node) || settled >= work.node2change[at(node)]) continue;
+    const std::vector<std::int32_t> ball = ball_of_node(work, node);
+    const auto place = is_inner(work, ball, node)
+                           ? find_higher_place(work, ball, node, raiser.options)
+                           : std::nullopt;
+    if (!place || !move_node(work, ball, node, place->point)) {
+      settled = work.changes;
+      continue;
+    }
+    for (const std::int32_t t : ball) raiser.queue_if_low(t);
+    moved = true;
+  }
+  return moved;
+}
+
+}  // namespace
+
+double smallest_height2(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ad = d - a;
+  const Vec3 normal_b = cross(ad, ac);
+  const Vec3 normal_c = cross(ab, ad);
+  const Vec3 normal_d = cross(ac, ab);
+  const double volume6 = -dot(normal_d, ad);
+  if (!(volume6 > 0)) return 0;
+  const double largest = std::max(std::max(norm2(normal_b + normal_c + normal_d), norm2(normal_b)),
+                                  std::max(norm2(normal_c), norm2(normal_d)));
+  return volume6 * volume6 / largest;
+}
+
+std::int64_t raise_heights(WorkMesh& work, const HeightOptions& options) {
+  HeightRaiser raiser{work, options, {}, std::vector<std::int64_t>(work.node2change.size(), -1)};
+  for (std::size_t t = 0; t < work.complex.nodes.size(); ++t) {
+    const auto tet = static_cast<std::int32_t>(t);
+    if (work.complex.is_live(tet)) raiser.queue_if_low(tet);
+  }
+  const std::int64_t before = work.changes;
+  while (!raiser.queue.empty()) {
+    const LowTet low = raiser.queue.top();
+    raiser.queue.pop();
+    if (raiser.share2_of(low.tet) == low.share2) raise(raiser, low);
+  }
+  return work.changes - before;
+}
+
+}  // namespace tetfarm::cosmetics
