@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "cli/keys_command_line.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
@@ -56,11 +57,22 @@ void add_job(CLI::App& app, RunOptions& job) {
       ->option_text("F,...");
 }
 
+void add_keys_of_a_peer(CLI::App& app, KeyFiles& keys) {
+  app.add_option("--key", keys.own, "The secret key to be known by (default: none, plain text)")
+      ->envname("TETFARM_KEY")
+      ->option_text("NAME.key");
+  app.add_option("--coordinator-key", keys.coordinator,
+                 "The coordinator's public key (default: coordinator.pub of the store)")
+      ->envname("TETFARM_COORDINATOR_KEY")
+      ->option_text("FILE.pub");
+}
+
 void add_client(CLI::App& app, ClientOptions& client) {
   app.add_option("--connect", client.endpoint, "The coordinator")
       ->envname("TETFARM_COORDINATOR")
       ->required()
       ->option_text("tcp://HOST:PORT");
+  add_keys_of_a_peer(app, client.keys);
   app.add_option("--timeout", client.timeout_s, "How long to wait for an answer (10)")
       ->check(CLI::PositiveNumber)
       ->option_text("SECONDS");
@@ -81,7 +93,9 @@ class Parser {
     add_render();
     add_shape();
     add_clients();
-    add_servers();
+    add_coordinator();
+    add_worker();
+    add_keys(app_, keys_, [this] { command_ = keys_; });
   }
 
   Command parse(int argc, const char* const* argv) {
@@ -122,6 +136,9 @@ class Parser {
     sub.add_option("-j,--workers", run_.workers, "Worker processes (default: one a core)")
         ->check(CLI::Range(1, 4096))
         ->option_text("N");
+    sub.add_option("--database", run_.database,
+                   "Folder of the database, on a disk of this host (default: in the output)")
+        ->option_text("DIR");
     sub.add_option("--grace", run_.grace_s, "How long running tasks may go on after Ctrl-C (5)")
         ->check(CLI::NonNegativeNumber)
         ->option_text("SECONDS");
@@ -216,9 +233,11 @@ class Parser {
         add("submit", "Hand a job to a coordinator",
             "tetfarm submit wing.stl --connect tcp://head:5555 --store /shared/farm", submit_);
     add_job(submit, submit_.job);
-    submit.add_option("--store", submit_.job.store, "The coordinator's store, as seen from here")
+    submit
+        .add_option("--store", submit_.job.store,
+                    "The coordinator's store, as seen from here, to put the surface into; without "
+                    "it the coordinator fetches the file, if it lies where it allows")
         ->envname("TETFARM_STORE")
-        ->required()
         ->option_text("DIR");
     add_client(submit, submit_.client);
 
@@ -243,12 +262,24 @@ class Parser {
     add_client(cancel, cancel_.client);
   }
 
-  void add_servers() {
+  void add_coordinator() {
     CLI::App& coordinator =
         add("coordinator", "Serve jobs to workers",
             "tetfarm coordinator --store /shared/farm --listen tcp://127.0.0.1:5555", coordinator_);
     coordinator.add_option("--store", coordinator_.store, "Folder of everything durable")
         ->required()
+        ->option_text("DIR");
+    coordinator
+        .add_option("--database", coordinator_.database,
+                    "Folder of the database, on a disk of this host (default: the store)")
+        ->option_text("DIR");
+    coordinator
+        .add_option("--keys", coordinator_.keys,
+                    "Folder of the keys, see `tetfarm keys` (default: keys beside the database)")
+        ->option_text("DIR");
+    coordinator
+        .add_option("--allow-root", coordinator_.allowed_roots,
+                    "A folder that jobs may name surfaces in, besides the store; may be repeated")
         ->option_text("DIR");
     coordinator.add_option("--listen", coordinator_.endpoints, "Where to listen; may be repeated")
         ->required()
@@ -258,10 +289,17 @@ class Parser {
         ->check(CLI::Range(10, 600'000));
     coordinator.add_option("--lease-ms", coordinator_.lease_ms, "A silent worker is lost (10000)")
         ->check(CLI::Range(50, 86'400'000));
+    coordinator.add_option("--max-connections", coordinator_.max_connections, "At once (16384)")
+        ->check(CLI::Range(1, 1'000'000));
+    coordinator.add_option("--max-workers", coordinator_.max_workers, "At once (10000)")
+        ->check(CLI::Range(1, 1'000'000));
     coordinator.add_flag("--insecure", coordinator_.insecure,
-                         "Also listen where other hosts can reach it: messages are plain text");
+                         "Plain text and no keys, also where other hosts can reach it: whoever "
+                         "comes may do anything");
     coordinator.add_flag("-q,--quiet", coordinator_.quiet, "Warnings only");
+  }
 
+  void add_worker() {
     CLI::App& worker =
         add("worker", "Work for a coordinator, one task at a time",
             "tetfarm worker --connect tcp://head:5555 --store /shared/farm", worker_);
@@ -269,6 +307,7 @@ class Parser {
         ->envname("TETFARM_COORDINATOR")
         ->required()
         ->option_text("tcp://HOST:PORT");
+    add_keys_of_a_peer(worker, worker_.keys);
     worker.add_option("--store", worker_.store, "The coordinator's store, as seen from here")
         ->envname("TETFARM_STORE")
         ->required()
@@ -300,6 +339,7 @@ class Parser {
   CancelCommand cancel_;
   CoordinatorCommand coordinator_;
   WorkerCommand worker_;
+  KeysCommand keys_;
   TaskCommand task_;
 };
 

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "proto/peer_security.h"
+
 namespace tetfarm {
 
 enum class ProgressStyle { automatic, plain, none };
@@ -26,7 +28,8 @@ struct RunOptions {
   std::vector<std::string> formats;
   bool json = false;
   ProgressStyle progress = ProgressStyle::automatic;
-  std::string store;  ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
+  std::string store;     ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
+  std::string database;  ///< of run: folder of the database, "": the store
   double grace_s = 5;
 };
 
@@ -73,6 +76,7 @@ struct ShapeCommand {
 /// status, wait, cancel and submit talk to a running coordinator.
 struct ClientOptions {
   std::string endpoint;
+  KeyFiles keys;
   std::string job;  ///< "": all
   bool json = false;
   double timeout_s = 10;
@@ -96,7 +100,12 @@ struct SubmitCommand {
 
 struct CoordinatorCommand {
   std::string store;
+  std::string database;  ///< "": the store
+  std::string keys;      ///< "": "keys" beside the database
   std::vector<std::string> endpoints;
+  std::vector<std::string> allowed_roots;
+  std::size_t max_connections = 16384;
+  std::size_t max_workers = 10'000;
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
   bool insecure = false;
@@ -105,10 +114,21 @@ struct CoordinatorCommand {
 
 struct WorkerCommand {
   std::string endpoint;
+  KeyFiles keys;
   std::string store;
   double grace_s = 30;
   std::uint64_t memory_limit_bytes = 0;
   bool quiet = false;
+};
+
+struct KeysCommand {
+  enum class Action { make, authorize, revoke, list };
+  Action action = Action::list;
+  std::string subject;  ///< make: a name; authorize: a .pub file or a key's digits; revoke: a name
+  std::string name;     ///< of authorize; "": the file's
+  std::string role;
+  std::string folder;  ///< of the keys
+  bool json = false;
 };
 
 /// What a worker starts for each task; not for people.
@@ -121,9 +141,10 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
-                             RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
-                             SubmitCommand, CoordinatorCommand, WorkerCommand, TaskCommand>;
+using Command =
+    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, RenderCommand,
+                 ShapeCommand, StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
+                 CoordinatorCommand, WorkerCommand, KeysCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

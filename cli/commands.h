@@ -35,6 +35,8 @@ ExitCode cancel_command(const CancelCommand& command);
 
 ExitCode coordinator_command(const CoordinatorCommand& command);
 ExitCode worker_command(const WorkerCommand& command);
+/// Makes keys, and says who may speak with a coordinator.
+ExitCode keys_command(const KeysCommand& command);
 ExitCode task_command(const TaskCommand& command);
 
 }  // namespace tetfarm

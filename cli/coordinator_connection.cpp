@@ -28,9 +28,12 @@ wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
 struct CoordinatorConnection::Socket {
   zmq::context_t context{1};
   zmq::socket_t dealer{context, zmq::socket_type::dealer};
+  HandshakeWatch handshakes{context, dealer};
 };
 
-CoordinatorConnection::CoordinatorConnection(const std::string& endpoint) : endpoint_(endpoint) {
+CoordinatorConnection::CoordinatorConnection(const std::string& endpoint,
+                                             const std::optional<PeerKeys>& keys)
+    : endpoint_(endpoint), keys_(keys) {
   connect();
 }
 
@@ -43,11 +46,21 @@ void CoordinatorConnection::connect() {
   socket_->dealer.set(zmq::sockopt::reconnect_ivl, 20);
   socket_->dealer.set(zmq::sockopt::reconnect_ivl_max, 1000);
   socket_->dealer.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
+  secure(socket_->dealer, keys_);
   try {
     socket_->dealer.connect(endpoint_);
   } catch (const zmq::error_t& error) {
     throw UsageError(std::string("not an endpoint: ") + error.what(), endpoint_);
   }
+}
+
+/// @throws Error when trying again is of no use.
+void CoordinatorConnection::heed_handshake() {
+  const HandshakeWatch::Outcome outcome = socket_->handshakes.take();
+  if (outcome == HandshakeWatch::Outcome::none) return;
+  trouble_ = "; " + explanation_of(outcome);
+  if (outcome == HandshakeWatch::Outcome::broken) return;
+  throw Error(ExitCode::failed, endpoint_ + ": " + explanation_of(outcome));
 }
 
 /// The answer, or an Envelope without a body when `until` comes first.
@@ -65,7 +78,8 @@ wire::Envelope CoordinatorConnection::wait_for(wire::Envelope::BodyCase wanted,
     }
     Decoded decoded = decode(message.to_string_view());
     if (decoded.envelope.has_refused()) {
-      throw Error(ExitCode::failed,
+      const int code = decoded.envelope.refused().exit_code();
+      throw Error(code > 0 && code < 256 ? static_cast<ExitCode>(code) : ExitCode::failed,
                   "the coordinator refuses: " + decoded.envelope.refused().reason());
     }
     if (decoded.state == WireState::good && decoded.envelope.body_case() == wanted) {
@@ -78,6 +92,7 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
   const std::int64_t until = steady_ms() + timeout_ms;
   const std::string bytes = encode(question);
   while (steady_ms() < until) {
+    heed_handshake();
     const std::int64_t again = std::min(until, steady_ms() + ask_again_ms);
     socket_->dealer.set(zmq::sockopt::sndtimeo, static_cast<int>(again - steady_ms()));
     try {
@@ -89,7 +104,8 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
     wire::Envelope answer = wait_for(answer_to(question), again);
     if (answer.body_case() != wire::Envelope::BODY_NOT_SET) return answer;
   }
-  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there");
+  heed_handshake();
+  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there" + trouble_);
 }
 
 wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int64_t timeout_ms) {
@@ -120,6 +136,14 @@ wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {
   artifact.set_name("input_surface");
   artifact.set_hash(surface.hash);
   artifact.set_size(surface.size);
+  return submit;
+}
+
+wire::Submit name_job(const JobInput& input) {
+  wire::Submit submit;
+  submit.set_job_toml(to_toml(input.job));
+  submit.set_name(input.job.name);
+  submit.set_surface_path(std::filesystem::absolute(input.path).string());
   return submit;
 }
 

@@ -50,7 +50,7 @@ JobFile base_job(const std::string& input) {
 
 }  // namespace
 
-JobInput read_job(const RunOptions& options) {
+JobInput describe_job(const RunOptions& options) {
   JobInput input{base_job(options.input), {}, {}};
   JobFile& job = input.job;
   if (options.subdomains || options.groups) job.max_memory_bytes = 0;
@@ -65,8 +65,13 @@ JobInput read_job(const RunOptions& options) {
   if (options.outer) set_outer(job, *options.outer);
   if (!options.formats.empty()) job.formats = options.formats;
   input.path = job.surface;
-  input.surface = read_maybe_gzip(job.surface);
   job.surface = std::filesystem::path(without_ending(job.surface, ".gz")).filename().string();
+  return input;
+}
+
+JobInput read_job(const RunOptions& options) {
+  JobInput input = describe_job(options);
+  input.surface = read_maybe_gzip(input.path);
   return input;
 }
 

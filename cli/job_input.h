@@ -18,6 +18,9 @@ struct JobInput {
 /// Options win over the job file. @throws UsageError, InvalidInput, IoError.
 JobInput read_job(const RunOptions& options);
 
+/// The same without the surface's bytes, for a surface that somebody else is to read.
+JobInput describe_job(const RunOptions& options);
+
 /// The same job file and the same surface have the same key, wherever they lie.
 std::string key_of(const JobInput& input);
 

@@ -262,8 +262,28 @@ std::string result_text(const wire::JobStatus& status, double seconds,
   return text;
 }
 
+std::string farm_json(const wire::StatusReply& reply) {
+  Json json = {{"type", "farm"},
+               {"workers", reply.workers()},
+               {"jobs", reply.jobs_size()},
+               {"security", reply.security()},
+               {"connections", reply.connections()},
+               {"authorized_keys", reply.authorized_keys()},
+               {"refused", Json::object()}};
+  // A map of the wire has no order of its own.
+  const std::map<std::string, std::uint64_t> refused(reply.refused().begin(),
+                                                     reply.refused().end());
+  for (const auto& [kind, count] : refused) json["refused"][kind] = count;
+  return line_of(json);
+}
+
 std::string status_text(const wire::StatusReply& reply) {
-  std::string text = format("%u workers, %d jobs\n", reply.workers(), reply.jobs_size());
+  std::string text =
+      format("%u workers, %d jobs, %llu messages and handshakes refused\n", reply.workers(),
+             reply.jobs_size(), static_cast<unsigned long long>(reply.dropped_messages()));
+  if (reply.security() == "insecure") {
+    text += "INSECURE: whoever reaches this coordinator may submit, cancel and give results\n";
+  }
   for (const wire::JobStatus& status : reply.jobs()) {
     text += format("%-8s %-20s %-10s ", status.job().c_str(), status.name().substr(0, 60).c_str(),
                    status.state().c_str()) +

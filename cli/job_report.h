@@ -16,6 +16,9 @@ std::string result_json(const wire::JobStatus& status, double seconds,
 /// {"type":"job", …} of one job of `status --json`.
 std::string status_json(const wire::JobStatus& status);
 
+/// {"type":"farm", …}: the first line of `status --json` of all jobs.
+std::string farm_json(const wire::StatusReply& reply);
+
 /// The same for a person, with line ends.
 std::string result_text(const wire::JobStatus& status, double seconds,
                         const std::vector<std::filesystem::path>& files);

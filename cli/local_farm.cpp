@@ -113,8 +113,11 @@ LocalFarm::~LocalFarm() {
 }
 
 std::vector<std::string> LocalFarm::coordinator_command() const {
-  return {this_program(), "coordinator",    "--quiet", "--store",    options_.store, "--listen",
-          endpoint_,      "--heartbeat-ms", "500",     "--lease-ms", "5000"};
+  std::vector<std::string> words = {this_program(), "coordinator", "--quiet", "--store",
+                                    options_.store, "--listen",    endpoint_, "--heartbeat-ms",
+                                    "500",          "--lease-ms",  "5000"};
+  if (!options_.database.empty()) words.insert(words.end(), {"--database", options_.database});
+  return words;
 }
 
 std::vector<std::string> LocalFarm::worker_command() const {

@@ -19,6 +19,7 @@ namespace tetfarm {
 
 struct FarmOptions {
   std::filesystem::path store;
+  std::filesystem::path database;  ///< "": the store
   int workers = 1;
   double grace_s = 5;
 };

@@ -15,7 +15,7 @@ namespace {
 const char* help_for(ExitCode code) {
   switch (code) {
     case ExitCode::usage:
-      return "see `tetfarm --help` and docs/job_file.md";
+      return "see `tetfarm --help`, docs/job_file.md and docs/security.md";
     case ExitCode::bad_geometry:
       return "repair the surface there; `tetfarm check` shows every defect";
     case ExitCode::not_found:
@@ -57,6 +57,7 @@ struct Execute {
     return coordinator_command(command);
   }
   ExitCode operator()(const WorkerCommand& command) const { return worker_command(command); }
+  ExitCode operator()(const KeysCommand& command) const { return keys_command(command); }
   ExitCode operator()(const TaskCommand& command) const { return task_command(command); }
 };
 

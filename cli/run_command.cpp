@@ -73,7 +73,10 @@ std::optional<wire::JobStatus> follow(LocalFarm& farm, CoordinatorConnection& co
 
 std::optional<wire::JobStatus> work(const RunOptions& options, const std::filesystem::path& store,
                                     const wire::Submit& submit) {
-  LocalFarm farm({.store = store, .workers = worker_count(options), .grace_s = options.grace_s});
+  LocalFarm farm({.store = store,
+                  .database = options.database,
+                  .workers = worker_count(options),
+                  .grace_s = options.grace_s});
   CoordinatorConnection connection(farm.endpoint());
   ProgressDisplay display(options.progress);
   try {

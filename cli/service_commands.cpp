@@ -20,6 +20,10 @@ namespace {
 
 std::int64_t in_ms(double seconds) { return static_cast<std::int64_t>(seconds * 1000); }
 
+CoordinatorConnection connect(const ClientOptions& client, const std::string& store) {
+  return CoordinatorConnection(client.endpoint, read_peer_keys(client.keys, store));
+}
+
 wire::JobStatus status_of_job(CoordinatorConnection& connection, const ClientOptions& client) {
   const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
   if (reply.jobs_size() == 0) {
@@ -38,12 +42,13 @@ void log_to_stderr(bool quiet) {
 
 ExitCode status_command(const StatusCommand& command) {
   const ClientOptions& client = command.client;
-  CoordinatorConnection connection(client.endpoint);
+  CoordinatorConnection connection = connect(client, "");
   const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
   if (!client.job.empty() && reply.jobs_size() == 0) {
     throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
   }
   if (!client.json) std::printf("%s", status_text(reply).c_str());
+  if (client.json && client.job.empty()) std::printf("%s\n", farm_json(reply).c_str());
   for (const wire::JobStatus& status : reply.jobs()) {
     if (client.json) std::printf("%s\n", status_json(status).c_str());
   }
@@ -51,11 +56,12 @@ ExitCode status_command(const StatusCommand& command) {
 }
 
 ExitCode submit_command(const SubmitCommand& command) {
-  const JobInput input = read_job(command.job);
-  const ArtifactStore store = ArtifactStore::open_existing(command.job.store);
-  CoordinatorConnection connection(command.client.endpoint);
-  const wire::Submitted submitted =
-      connection.submit(publish_job(store, input), in_ms(command.client.timeout_s));
+  const std::string& store = command.job.store;
+  const wire::Submit submit =
+      store.empty() ? name_job(describe_job(command.job))
+                    : publish_job(ArtifactStore::open_existing(store), read_job(command.job));
+  CoordinatorConnection connection = connect(command.client, store);
+  const wire::Submitted submitted = connection.submit(submit, in_ms(command.client.timeout_s));
   if (command.client.json) {
     std::printf("{\"type\":\"submitted\",\"job\":\"%s\",\"existed\":%s}\n", submitted.job().c_str(),
                 submitted.existed() ? "true" : "false");
@@ -70,7 +76,7 @@ ExitCode wait_command(const WaitCommand& command) {
   if (!client.output.empty() && command.store.empty()) {
     throw UsageError("to bring the files, say where the store is", "--output needs --store");
   }
-  CoordinatorConnection connection(client.endpoint);
+  CoordinatorConnection connection = connect(client, command.store);
   ProgressDisplay display(client.progress);
   wire::JobStatus status = status_of_job(connection, client);
   while (!has_ended(status)) {
@@ -87,7 +93,7 @@ ExitCode wait_command(const WaitCommand& command) {
 
 ExitCode cancel_command(const CancelCommand& command) {
   const ClientOptions& client = command.client;
-  CoordinatorConnection connection(client.endpoint);
+  CoordinatorConnection connection = connect(client, "");
   const bool found = connection.cancel(client.job, in_ms(client.timeout_s)).found();
   if (!found) throw Error(ExitCode::not_found, "no running job " + client.job);
   if (client.json) {
@@ -102,7 +108,12 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   log_to_stderr(command.quiet);
   CoordinatorOptions options;
   options.store = command.store;
+  options.database = command.database;
+  options.keys = command.keys;
   options.endpoints = command.endpoints;
+  options.allowed_roots.assign(command.allowed_roots.begin(), command.allowed_roots.end());
+  options.max_connections = command.max_connections;
+  options.max_workers = command.max_workers;
   options.heartbeat_ms = command.heartbeat_ms;
   options.lease_ms = command.lease_ms;
   options.insecure = command.insecure;
@@ -121,6 +132,7 @@ ExitCode worker_command(const WorkerCommand& command) {
   WorkerOptions options;
   options.endpoint = command.endpoint;
   options.store = std::filesystem::absolute(command.store);
+  options.keys = command.keys;
   options.task_command = {"/proc/self/exe", "task"};
   options.memory_limit_bytes = command.memory_limit_bytes;
   options.grace_ms = in_ms(command.grace_s);

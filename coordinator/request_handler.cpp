@@ -1,10 +1,10 @@
 #include "coordinator/request_handler.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "coordinator/job_status.h"
 #include "coordinator/message_translation.h"
 #include "proto/wire.h"
@@ -13,19 +13,23 @@ namespace tetfarm {
 namespace {
 
 constexpr std::size_t longest_text = 4096;
-
-bool comes_from_a_worker(const wire::Envelope& envelope) {
-  switch (envelope.body_case()) {
-    case wire::Envelope::kReady:
-    case wire::Envelope::kProgress:
-    case wire::Envelope::kDone:
-    case wire::Envelope::kFailed:
-    case wire::Envelope::kHeartbeat:
-    case wire::Envelope::kGoodbye:
-      return true;
+Refusal refusal_of(WireState state) {
+  switch (state) {
+    case WireState::too_large:
+      return Refusal::too_large;
+    case WireState::wrong_version:
+      return Refusal::wrong_version;
+    case WireState::no_body:
+      return Refusal::senseless;
     default:
-      return false;
+      return Refusal::garbage;
   }
+}
+
+std::string who(const Sender& sender) {
+  if (sender.is_plain()) return "somebody without a key";
+  if (!sender.role) return "key " + sender.key;
+  return std::string(name_of(*sender.role)) + " " + sender.name;
 }
 
 }  // namespace
@@ -38,7 +42,7 @@ std::vector<std::string> RequestHandler::take_complaints() {
 
 WorkerId RequestHandler::worker_of(const std::string& connection) const {
   const auto found = workers_.find(connection);
-  return found == workers_.end() ? WorkerId{} : found->second;
+  return found == workers_.end() ? WorkerId{} : found->second.worker;
 }
 
 void RequestHandler::forget_workers() {
@@ -46,14 +50,8 @@ void RequestHandler::forget_workers() {
   connections_.clear();
 }
 
-void RequestHandler::drop(const std::string& connection, const std::string& why) {
-  ++dropped_;
-  // A flood must not fill the log: 1, 2, 4, 8 … are told.
-  if (!std::has_single_bit(dropped_)) return;
-  complaints_.push_back("message " + std::to_string(dropped_) + " dropped: " + why +
-                        (worker_of(connection)
-                             ? " (worker " + std::to_string(worker_of(connection).value) + ")"
-                             : ""));
+void RequestHandler::drop(const Sender& sender, const std::string& why, Moment now) {
+  refusals_.count(Refusal::garbage, who(sender) + ": " + why, now.steady_ms);
 }
 
 void RequestHandler::answer(const std::string& connection, wire::Envelope envelope,
@@ -61,47 +59,105 @@ void RequestHandler::answer(const std::string& connection, wire::Envelope envelo
   replies_.push_back({connection, std::move(envelope), needs_commit});
 }
 
-void RequestHandler::handle(const std::string& connection, std::string_view bytes, JobState& state,
-                            Moment now) {
-  const Decoded decoded = decode(bytes);
-  if (decoded.state == WireState::wrong_version) {
-    drop(connection, "protocol version " + std::to_string(decoded.envelope.version()));
-    answer(connection,
-           refused_message("this coordinator speaks protocol version " +
-                               std::to_string(protocol_version) + ", not " +
-                               std::to_string(decoded.envelope.version()),
-                           false, static_cast<int>(ExitCode::usage)),
-           false);
-    return;
+void RequestHandler::refuse(const std::string& connection, const std::string& reason,
+                            ExitCode code) {
+  answer(connection, refused_message(reason, false, static_cast<int>(code)), false);
+}
+
+/// Whether the sender may speak at all, on this connection.
+bool RequestHandler::is_welcome(const Sender& sender, Moment now) {
+  if (!sender.is_plain() && !sender.role) {
+    refusals_.count(Refusal::revoked_key, who(sender), now.steady_ms);
+    refuse(sender.connection, "this key is not authorised any longer", ExitCode::failed);
+    return false;
   }
+  const auto known = workers_.find(sender.connection);
+  if (known != workers_.end() && known->second.key != sender.key) {
+    refusals_.count(
+        Refusal::foreign_connection,
+        who(sender) + " on the connection of worker " + std::to_string(known->second.worker.value),
+        now.steady_ms);
+    return false;
+  }
+  return true;
+}
+
+void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobState& state,
+                            Moment now) {
+  if (!is_welcome(sender, now)) return;
+  const Decoded decoded = decode(bytes);
   if (decoded.state != WireState::good) {
-    drop(connection, name_of(decoded.state));
-    return;
+    refusals_.count(refusal_of(decoded.state), who(sender), now.steady_ms);
   }
   const wire::Envelope& envelope = decoded.envelope;
+  switch (decoded.state) {
+    case WireState::good:
+      break;
+    case WireState::wrong_version:
+      return refuse(sender.connection,
+                    "this coordinator speaks protocol version " + std::to_string(protocol_version) +
+                        ", not " + std::to_string(envelope.version()),
+                    ExitCode::usage);
+    case WireState::too_large:
+      return refuse(sender.connection,
+                    "a message may have " + std::to_string(max_message_size) + " bytes",
+                    ExitCode::usage);
+    default:
+      return;
+  }
+  if (!is_for_the_coordinator(envelope.body_case())) {
+    refusals_.count(Refusal::senseless, who(sender) + ": " + name_of(envelope.body_case()),
+                    now.steady_ms);
+    return;
+  }
+  if (!sender.may_send(envelope.body_case())) {
+    const std::string what = who(sender) + " may not send " + name_of(envelope.body_case());
+    refusals_.count(Refusal::wrong_role, what, now.steady_ms);
+    return refuse(sender.connection, what, ExitCode::failed);
+  }
+  dispatch(sender, envelope, state, now);
+}
+
+void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelope, JobState& state,
+                              Moment now) {
+  const std::string& connection = sender.connection;
   switch (envelope.body_case()) {
     case wire::Envelope::kHello:
-      hello(connection, envelope.hello(), state, now);
-      break;
+      return hello(sender, envelope.hello(), state, now);
     case wire::Envelope::kSubmit:
-      submit(connection, envelope.submit(), state, now);
-      break;
+      return submit(connection, envelope.submit(), state, now);
     case wire::Envelope::kStatusRequest:
       questions_.push_back({connection, envelope.status_request().job()});
-      break;
+      return;
     case wire::Envelope::kCancel: {
       wire::Envelope reply;
       reply.mutable_cancelled()->set_found(
           state.cancel(parse_job_name(envelope.cancel().job()), now));
-      answer(connection, std::move(reply));
-      break;
+      return answer(connection, std::move(reply));
     }
     default:
-      if (comes_from_a_worker(envelope)) {
-        handle_worker(connection, envelope, state, now);
-      } else {
-        drop(connection, "a message that only the coordinator may send");
-      }
+      return handle_worker(connection, envelope, state, now);
+  }
+}
+
+void RequestHandler::forget(WorkerId worker) {
+  const auto connection = connections_.find(worker);
+  if (connection == connections_.end()) return;
+  workers_.erase(connection->second);
+  connections_.erase(connection);
+}
+
+void RequestHandler::expel(const Door& door, JobState& state, Moment now) {
+  std::vector<WorkerId> gone;
+  for (const auto& [connection, known] : workers_) {
+    if (!door.admits_worker(known.key)) gone.push_back(known.worker);
+  }
+  for (const WorkerId worker : gone) {
+    refuse(connections_.at(worker), "this key is not authorised any longer", ExitCode::failed);
+    if (state.knows_worker(worker)) state.worker_left(worker, true, now);
+    complaints_.push_back("worker " + std::to_string(worker.value) +
+                          " is turned out: its key is not authorised any longer");
+    forget(worker);
   }
 }
 
@@ -109,8 +165,7 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
                                    JobState& state, Moment now) {
   const WorkerId worker = worker_of(connection);
   if (!worker || !state.knows_worker(worker)) {
-    if (worker) connections_.erase(worker);
-    workers_.erase(connection);
+    forget(worker);
     if (envelope.has_goodbye()) return;
     answer(connection, refused_message("unknown worker", true, 0), false);
     return;
@@ -133,20 +188,17 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
     failed(worker, envelope.failed(), state, now);
   } else {
     state.worker_left(worker, false, now);
-    connections_.erase(worker);
-    workers_.erase(connection);
+    forget(worker);
   }
 }
 
-void RequestHandler::hello(const std::string& connection, const wire::Hello& hello, JobState& state,
+void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobState& state,
                            Moment now) {
+  const std::string& connection = sender.connection;
   if (hello.store_probe() != store_.probe()) {
-    answer(connection,
-           refused_message(
-               "worker " + hello.host() + " does not see the store " + store_.folder().string(),
-               false, static_cast<int>(ExitCode::usage)),
-           false);
-    return;
+    return refuse(connection,
+                  "worker " + hello.host() + " does not see the store " + store_.folder().string(),
+                  ExitCode::usage);
   }
   const TaskId task{hello.running_task()};
   const AttemptId attempt{hello.running_attempt()};
@@ -155,9 +207,15 @@ void RequestHandler::hello(const std::string& connection, const wire::Hello& hel
     state.greet_again(known, task, attempt, now);
     return;
   }
-  if (known) connections_.erase(known);
+  forget(known);
+  if (state.worker_count() >= options_.max_workers) {
+    refusals_.count(Refusal::too_many_workers, who(sender), now.steady_ms);
+    return refuse(connection,
+                  "there are " + std::to_string(options_.max_workers) + " workers already",
+                  ExitCode::out_of_resources);
+  }
   const WorkerId worker = state.add_worker(worker_info_of(hello), task, attempt, now);
-  workers_[connection] = worker;
+  workers_[connection] = {worker, sender.key};
   connections_[worker] = connection;
 }
 
@@ -192,75 +250,44 @@ void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobSta
   state.failed(worker, TaskId{message.task()}, AttemptId{message.attempt()}, failure, now);
 }
 
-void RequestHandler::submit(const std::string& connection, const wire::Submit& message,
-                            JobState& state, Moment now) {
+/// @throws Error when the input is not there, or is no place that jobs may name.
+Submission RequestHandler::submission_of(const wire::Submit& message) const {
   Submission submission;
   submission.key = message.key();
   submission.name = message.name();
   submission.job_toml = message.job_toml();
   submission.replaces_others = message.replaces_others();
   submission.inputs = files_of(message.inputs());
+  if (!message.surface_path().empty()) {
+    const StoredArtifact surface = roots_.take(message.surface_path(), store_);
+    submission.inputs.push_back({"input_surface", surface.hash, surface.size});
+    if (submission.key.empty()) submission.key = hash128(message.job_toml() + surface.hash).hex();
+  }
   for (const ArtifactRef& input : submission.inputs) {
     if (store_.has(input.hash, input.size)) continue;
-    answer(connection,
-           refused_message("the input '" + input.name + "' is not in the store", false,
-                           static_cast<int>(ExitCode::not_found)),
-           false);
-    return;
+    throw Error(ExitCode::not_found, "the input '" + input.name + "' is not in the store");
   }
+  const StoredArtifact job_file = store_.publish(message.job_toml());
+  submission.job_file = {"job", job_file.hash, job_file.size};
+  return submission;
+}
+
+void RequestHandler::submit(const std::string& connection, const wire::Submit& message,
+                            JobState& state, Moment now) {
+  Submission submission;
   try {
-    const StoredArtifact job_file = store_.publish(message.job_toml());
-    submission.job_file = {"job", job_file.hash, job_file.size};
+    submission = submission_of(message);
+  } catch (const OutsideRoots& error) {
+    refusals_.count(Refusal::outside_roots, error.what(), now.steady_ms);
+    return refuse(connection, error.what(), error.code());
   } catch (const Error& error) {
-    answer(connection, refused_message(error.what(), false, static_cast<int>(error.code())), false);
-    return;
+    return refuse(connection, error.what(), error.code());
   }
   const SubmitAnswer submitted = state.submit(submission, now);
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);
   answer(connection, std::move(reply));
-}
-
-void RequestHandler::answer_questions(const JobState& state, Moment now) {
-  for (const auto& [connection, job] : questions_) {
-    wire::Envelope reply;
-    wire::StatusReply& status = *reply.mutable_status_reply();
-    status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
-    status.set_dropped_messages(dropped_);
-    for (const auto& [id, row] : state.durable().jobs) {
-      if (!job.empty() && job != job_name(id)) continue;
-      *status.add_jobs() = status_message(summary_of(
-          state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
-    }
-    answer(connection, std::move(reply), false);
-  }
-  questions_.clear();
-}
-
-void RequestHandler::carry_out(JobState& state) {
-  for (const Command& command : state.take_commands()) send(command, state);
-}
-
-void RequestHandler::send(const Command& command, const JobState& state) {
-  const WorkerId worker =
-      std::visit([](const auto& command_of_kind) { return command_of_kind.worker; }, command);
-  const auto connection = connections_.find(worker);
-  if (connection == connections_.end()) return;
-  if (const auto* welcome = std::get_if<SendWelcome>(&command)) {
-    wire::Envelope envelope;
-    wire::Welcome& message = *envelope.mutable_welcome();
-    message.set_worker(worker.value);
-    message.set_heartbeat_ms(static_cast<std::uint32_t>(options_.heartbeat_ms));
-    message.set_lease_ms(static_cast<std::uint32_t>(options_.lease_ms));
-    message.set_keep_running(welcome->keep_running);
-    answer(connection->second, std::move(envelope));
-  } else if (const auto* assign = std::get_if<SendAssign>(&command)) {
-    answer(connection->second,
-           assign_message(state.durable().tasks.at(assign->task), assign->attempt));
-  } else {
-    answer(connection->second, accepted_message(std::get<SendAccepted>(command)));
-  }
 }
 
 }  // namespace tetfarm

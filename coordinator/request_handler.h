@@ -10,7 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "coordinator/door.h"
 #include "coordinator/job_state.h"
+#include "coordinator/refusals.h"
+#include "coordinator/surface_roots.h"
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
 
@@ -19,6 +22,8 @@ namespace tetfarm {
 struct HandlerOptions {
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
+  std::size_t max_workers = 10'000;
+  std::string security = "plain";  ///< for StatusReply
 };
 
 /// A message to send to a connection.
@@ -30,26 +35,33 @@ struct Reply {
 
 class RequestHandler {
  public:
-  RequestHandler(const ArtifactStore& store, const HandlerOptions& options)
-      : store_(store), options_(options) {}
+  RequestHandler(const ArtifactStore& store, const SurfaceRoots& roots,
+                 const HandlerOptions& options, Refusals& refusals)
+      : store_(store), roots_(roots), options_(options), refusals_(refusals) {}
 
-  /// Takes one message. Unreadable and senseless ones are counted and dropped.
-  void handle(const std::string& connection, std::string_view bytes, JobState& state, Moment now);
+  /// Takes one message. What its sender may not say is refused; what cannot be read is dropped.
+  /// Both are counted.
+  void handle(const Sender& sender, std::string_view bytes, JobState& state, Moment now);
 
   /// A message that had not even the right number of parts.
-  void drop(const std::string& connection, const std::string& why);
+  void drop(const Sender& sender, const std::string& why, Moment now);
+
+  /// The list of authorised keys has changed: workers whose key is no worker's any longer lose
+  /// what they hold.
+  void expel(const Door& door, JobState& state, Moment now);
+
+  void set_security(const std::string& security) { options_.security = security; }
 
   /// Turns what job_state wants sent into replies.
-  void carry_out(JobState& state);
+  void carry_out(JobState& state, Moment now);
 
   /// Answers the questions for a status that came since the last call, with the state as it is:
   /// after a commit, or after a failed one once the state is again what the database holds.
-  void answer_questions(const JobState& state, Moment now);
+  void answer_questions(const JobState& state, const Door& door, Moment now);
 
   std::vector<Reply> take_replies();
-  /// Complaints about messages since the last call, for the log; bounded.
+  /// Troubles with files since the last call, for the log.
   std::vector<std::string> take_complaints();
-  std::uint64_t dropped() const { return dropped_; }
 
   /// The worker of a connection; 0 when it has none.
   WorkerId worker_of(const std::string& connection) const;
@@ -58,19 +70,34 @@ class RequestHandler {
   void forget_workers();
 
  private:
+  // request_handler.cpp: who speaks, and what it comes to
   void answer(const std::string& connection, wire::Envelope envelope, bool needs_commit = true);
+  void refuse(const std::string& connection, const std::string& reason, ExitCode code);
+  bool is_welcome(const Sender& sender, Moment now);
+  void dispatch(const Sender& sender, const wire::Envelope& envelope, JobState& state, Moment now);
   void handle_worker(const std::string& connection, const wire::Envelope& envelope, JobState& state,
                      Moment now);
-  void hello(const std::string& connection, const wire::Hello& hello, JobState& state, Moment now);
+  void hello(const Sender& sender, const wire::Hello& hello, JobState& state, Moment now);
+  void forget(WorkerId worker);
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
   void submit(const std::string& connection, const wire::Submit& message, JobState& state,
               Moment now);
+  Submission submission_of(const wire::Submit& message) const;
   bool is_damaged(const ArtifactRef& file);
-  void send(const Command& command, const JobState& state);
+  // request_replies.cpp: what was decided, put into words
+  void send(const Command& command, const JobState& state, Moment now);
+  void forget_lost_workers(const JobState& state);
+
+  struct Known {
+    WorkerId worker;
+    std::string key;  ///< with which it said Hello, "": none
+  };
 
   const ArtifactStore& store_;
+  const SurfaceRoots& roots_;
   HandlerOptions options_;
-  std::map<std::string, WorkerId> workers_;
+  Refusals& refusals_;
+  std::map<std::string, Known> workers_;  ///< by connection
   std::map<WorkerId, std::string> connections_;
   struct Question {
     std::string connection;
@@ -79,7 +106,6 @@ class RequestHandler {
   std::vector<Question> questions_;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
-  std::uint64_t dropped_ = 0;
 };
 
 }  // namespace tetfarm

@@ -15,9 +15,14 @@
 #include "base/clock.h"
 #include "base/file_system.h"
 #include "base/hash.h"
+#include "coordinator/door.h"
 #include "coordinator/job_state.h"
+#include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/start_rules.h"
 #include "coordinator/store_lock.h"
+#include "coordinator/surface_roots.h"
+#include "proto/peer_security.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "store/job_database.h"
@@ -76,11 +81,10 @@ spdlog::logger make_log(const CoordinatorOptions& options) {
   return log;
 }
 
-bool is_local(const std::string& endpoint) {
-  constexpr std::array<const char*, 5> local = {"ipc://", "inproc://", "tcp://127.",
-                                                "tcp://localhost:", "tcp://[::1]:"};
-  return std::any_of(local.begin(), local.end(),
-                     [&](const char* prefix) { return endpoint.starts_with(prefix); });
+/// The folder of keys, "" when this coordinator has none or shall not use them.
+std::filesystem::path keys_folder(const CoordinatorOptions& options) {
+  if (options.insecure) return {};
+  return keys_in_use(options.keys, database_folder(options.store, options.database));
 }
 
 Moment now() { return {steady_ms(), wall_ms()}; }
@@ -92,11 +96,22 @@ class Server {
         store_(options.store),
         lock_(options.store),
         log_(make_log(options)),
-        database_(options.store / "tetfarm.db"),
+        database_(prepared_database(options.store, options.database, store_.probe())),
+        roots_(with_store(options.allowed_roots, options.store)),
+        door_(context_,
+              {.keys_folder = keys_folder(options),
+               .max_connections = options.max_connections,
+               .handshake_ms = options.handshake_ms},
+              refusals_),
         socket_(context_, zmq::socket_type::router),
-        handler_(store_, {options.heartbeat_ms, options.lease_ms}) {
+        handler_(store_, roots_,
+                 {.heartbeat_ms = options.heartbeat_ms,
+                  .lease_ms = options.lease_ms,
+                  .max_workers = options.max_workers},
+                 refusals_) {
     rules_.lease_ms = options.lease_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
+    allow_open_files(2 * options.max_connections);
     restore();
     bind();
   }
@@ -104,6 +119,7 @@ class Server {
   void run() {
     const SignalGuard signals(options_.handle_signals);
     log_.info("started, protocol {}, store {}", protocol_version, options_.store.string());
+    tell_security();
     if (options_.on_listening) options_.on_listening(endpoints_);
     while (!signals.stopped() && !(options_.stop != nullptr && options_.stop->load())) turn();
     remove_file(endpoints_file(options_.store));
@@ -126,73 +142,115 @@ class Server {
     }
   }
 
+  static std::vector<std::filesystem::path> with_store(std::vector<std::filesystem::path> roots,
+                                                       const std::filesystem::path& store) {
+    roots.push_back(store);
+    return roots;
+  }
+
   void bind() {
     if (options_.endpoints.empty()) throw UsageError("no endpoint to listen on", "coordinator");
     socket_.set(zmq::sockopt::router_mandatory, true);
-    socket_.set(zmq::sockopt::router_handover, true);
-    socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
+    // No handover: whoever claims the name of another's connection is not heard.
     socket_.set(zmq::sockopt::linger, linger_ms);
-    socket_.set(zmq::sockopt::rcvhwm, 0);
     socket_.set(zmq::sockopt::heartbeat_ivl, 2000);
     socket_.set(zmq::sockopt::heartbeat_timeout, 6000);
+    door_.guard(socket_);
     std::string list;
     for (const std::string& endpoint : options_.endpoints) {
-      if (!options_.insecure && !is_local(endpoint)) {
-        throw UsageError("other hosts can reach it, and messages are not encrypted: --insecure",
-                         endpoint);
-      }
-      try {
-        socket_.bind(endpoint);
-      } catch (const zmq::error_t& error) {
-        throw UsageError(std::string("cannot listen: ") + error.what(), endpoint);
-      }
-      endpoints_.push_back(socket_.get(zmq::sockopt::last_endpoint));
+      listen(endpoint);
       list += endpoints_.back() + "\n";
     }
     write_file_atomically(endpoints_file(options_.store), list);
+    if (door_.has_keys()) {
+      write_public_key(published_key_path(options_.store), door_.public_key());
+    } else {
+      remove_file(published_key_path(options_.store));
+    }
     store_.sweep_scratch(scratch_age_ms);
+  }
+
+  void listen(const std::string& endpoint) {
+    if (!options_.insecure && !door_.has_keys() && !is_local(endpoint)) {
+      throw UsageError(
+          "other hosts can reach it, and this coordinator has no key: tetfarm keys new coordinator "
+          "--keys " +
+              (database_folder(options_.store, options_.database) / "keys").string() +
+              ", or --insecure to let in whoever comes",
+          endpoint);
+    }
+    door_.make_next_listener(socket_, door_.has_keys() && !is_ipc(endpoint));
+    try {
+      socket_.bind(endpoint);
+    } catch (const zmq::error_t& error) {
+      throw UsageError(std::string("cannot listen: ") + error.what(), endpoint);
+    }
+    endpoints_.push_back(socket_.get(zmq::sockopt::last_endpoint));
+  }
+
+  void tell_security() {
+    const bool is_open =
+        std::any_of(options_.endpoints.begin(), options_.endpoints.end(),
+                    [](const std::string& endpoint) { return !is_local(endpoint); });
+    if (door_.has_keys()) {
+      handler_.set_security("keys");
+      log_.info("encrypted, {} authorised keys", door_.authorized());
+    } else if (is_open) {
+      handler_.set_security("insecure");
+      log_.warn("INSECURE: whoever reaches this coordinator may submit, cancel and give results");
+    }
   }
 
   void turn() {
     receive();
     state_->tick(now());
-    handler_.carry_out(*state_);
+    handler_.carry_out(*state_, now());
     const ChangeSet changes = state_->take_changes();
     const bool committed = commit(changes);
     if (committed) write_log(changes);
-    for (const std::string& complaint : handler_.take_complaints()) log_.warn("{}", complaint);
+    write_complaints();
     for (Reply& reply : handler_.take_replies()) {
       if (committed || !reply.needs_commit) send(std::move(reply));
     }
     if (!committed) start_over();
-    handler_.answer_questions(*state_, now());
+    handler_.answer_questions(*state_, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
   }
 
   void receive() {
-    zmq::pollitem_t item{socket_.handle(), 0, ZMQ_POLLIN, 0};
+    std::vector<zmq::pollitem_t> items = door_.poll_items();
+    items.push_back({socket_.handle(), 0, ZMQ_POLLIN, 0});
     try {
-      zmq::poll(&item, 1, std::chrono::milliseconds(turn_ms));
+      zmq::poll(items, std::chrono::milliseconds(turn_ms));
     } catch (const zmq::error_t& error) {
       if (error.num() != EINTR) throw;
       return;
     }
+    door_.serve(now().steady_ms);
     for (int i = 0; i < messages_per_commit; ++i) {
       std::vector<zmq::message_t> parts;
       const auto count =
           zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait);
+      // What has changed until now counts for this message already.
+      if (door_.has_new_list()) handler_.expel(door_, *state_, now());
       if (!count) return;
-      const std::string connection = parts.front().to_string();
+      const Sender sender = door_.sender_of(parts.back(), parts.front().to_string());
       try {
         if (parts.size() != 2) {
-          handler_.drop(connection, std::to_string(parts.size()) + " frames");
+          handler_.drop(sender, std::to_string(parts.size()) + " frames", now());
         } else {
-          handler_.handle(connection, parts[1].to_string_view(), *state_, now());
+          handler_.handle(sender, parts[1].to_string_view(), *state_, now());
         }
       } catch (const Error& error) {
         log_.error("while answering a message: {}", error.what());
       }
     }
+  }
+
+  void write_complaints() {
+    for (const std::string& line : door_.take_complaints()) log_.warn("{}", line);
+    for (const std::string& line : refusals_.take_complaints()) log_.warn("{}", line);
+    for (const std::string& line : handler_.take_complaints()) log_.warn("{}", line);
   }
 
   /// False when the disk is full or the database is locked by somebody: to be tried again.
@@ -249,7 +307,10 @@ class Server {
   mutable spdlog::logger log_;
   JobDatabase database_;
   FarmRules rules_;
+  SurfaceRoots roots_;
+  Refusals refusals_;
   zmq::context_t context_;
+  Door door_;
   zmq::socket_t socket_;
   RequestHandler handler_;
   std::unique_ptr<JobState> state_;

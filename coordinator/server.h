@@ -17,11 +17,17 @@
 namespace tetfarm {
 
 struct CoordinatorOptions {
-  std::filesystem::path store;         ///< made when missing; the database wants a local disk
+  std::filesystem::path store;         ///< made when missing; may lie on a network file system
+  std::filesystem::path database;      ///< folder of the database, on a local disk; "": the store
+  std::filesystem::path keys;          ///< folder of the keys; "": "keys" beside the database
   std::vector<std::string> endpoints;  ///< "ipc:///path", or "tcp://127.0.0.1:*" for any free port
-  std::int64_t heartbeat_ms = 1000;    ///< how often workers shall speak
-  std::int64_t lease_ms = 10000;       ///< how long a silent worker keeps its task
-  bool insecure = false;       ///< also bind addresses that other hosts can reach, in plain text
+  std::vector<std::filesystem::path> allowed_roots;  ///< folders that jobs may name surfaces in
+  std::int64_t heartbeat_ms = 1000;                  ///< how often workers shall speak
+  std::int64_t lease_ms = 10000;                     ///< how long a silent worker keeps its task
+  std::size_t max_connections = 16384;
+  std::size_t max_workers = 10'000;
+  int handshake_ms = 10'000;   ///< a connection that takes longer to say who it is is closed
+  bool insecure = false;       ///< every address in plain text, whoever can reach it
   bool log_to_stderr = false;  ///< everything, not only warnings
   bool handle_signals = true;  ///< SIGTERM and SIGINT stop it cleanly; off in a thread
   const std::atomic<bool>* stop = nullptr;  ///< looked at every 100 ms
@@ -36,8 +42,13 @@ std::filesystem::path endpoints_file(const std::filesystem::path& store);
 
 /// Runs until it is told to stop (signal or `stop`). All state lies in the store: killing it at any
 /// instant and running it again goes on where it was.
-/// @throws IoError when the store cannot be used, UsageError when an endpoint cannot be bound or
-/// another coordinator holds the store.
+///
+/// With a coordinator's key in the folder of keys, all tcp endpoints are encrypted and take
+/// authorised keys only. Without one, only ipc and loopback addresses may be bound, unless
+/// `insecure`. ipc is always plain: its folder's permissions say who may come in.
+/// @throws IoError when the store cannot be used, UsageError when an endpoint cannot be bound,
+/// the keys are not in order, another coordinator holds the store, or the database belongs to
+/// another store or would lie on a network file system.
 ExitCode run_coordinator(const CoordinatorOptions& options);
 
 }  // namespace tetfarm

@@ -1,15 +1,14 @@
 #include "store/job_database.h"
 
 #include <sqlite3.h>
-#include <sys/vfs.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "store/network_file_system.h"
 #include "store/row_writer.h"
 #include "store/schema.h"
 #include "store/sqlite_statement.h"
@@ -19,17 +18,16 @@ namespace {
 
 constexpr int busy_timeout_ms = 5000;
 
-/// The write-ahead log needs memory shared between processes, which network file systems do not
-/// give.
-bool is_network_file_system(const std::filesystem::path& folder) {
-  constexpr std::array<std::uint64_t, 6> magics = {0x6969,     0x0BD00BD0, 0x65735546,
-                                                   0xFF534D42, 0x47504653, 0x00C36400};
-  struct statfs status {};
-  if (::statfs(folder.c_str(), &status) != 0) {
-    throw IoError("cannot look at its file system", folder.string(), errno);
-  }
-  const auto magic = static_cast<std::uint64_t>(status.f_type) & 0xFFFFFFFFU;
-  return std::find(magics.begin(), magics.end(), magic) != magics.end();
+/// The write-ahead log needs memory that processes share, and all of SQLite needs locks that hold:
+/// a network file system promises neither, and the damage would show much later.
+void refuse_network_file_system(const std::filesystem::path& folder) {
+  const std::string kind = network_file_system_of(folder);
+  if (kind.empty()) return;
+  throw UsageError("the database cannot lie on a network file system (" + kind +
+                       "): its locks do not hold there, and it would be damaged; name a folder on "
+                       "a disk of this "
+                       "host with --database DIR (the store itself may stay where it is)",
+                   folder.string());
 }
 
 template <class Enum, std::size_t count>
@@ -197,6 +195,7 @@ std::uint64_t highest(sqlite3* database, const char* sql) {
 void JobDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 JobDatabase::JobDatabase(const std::filesystem::path& path) : path_(path.string()) {
+  refuse_network_file_system(path.has_parent_path() ? path.parent_path() : ".");
   sqlite3* opened = nullptr;
   const int code =
       sqlite3_open_v2(path_.c_str(), &opened,
@@ -205,9 +204,7 @@ JobDatabase::JobDatabase(const std::filesystem::path& path) : path_(path.string(
   if (code != SQLITE_OK) throw_sqlite_error(opened, code, "cannot open " + path_);
   sqlite3_extended_result_codes(opened, 1);
   sqlite3_busy_timeout(opened, busy_timeout_ms);
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  execute(opened, is_network_file_system(folder) ? "PRAGMA journal_mode = TRUNCATE"
-                                                 : "PRAGMA journal_mode = WAL");
+  execute(opened, "PRAGMA journal_mode = WAL");
   execute(opened, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = OFF;");
   // A table that is built anew is dropped first, which foreign keys would forbid.
   migrate(opened);

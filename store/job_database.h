@@ -20,9 +20,9 @@ inline constexpr int database_version = 3;
 
 class JobDatabase {
  public:
-  /// Opens or makes the database. WAL on a local disk; a rollback journal where WAL cannot work
-  /// (network file systems).
-  /// @throws IoError, CorruptFile when it is no database of ours, or one of a newer program.
+  /// Opens or makes the database, with a write-ahead log.
+  /// @throws UsageError on a network file system; IoError, CorruptFile when it is no database of
+  /// ours, or one of a newer program.
   explicit JobDatabase(const std::filesystem::path& path);
   ~JobDatabase();
   JobDatabase(const JobDatabase&) = delete;

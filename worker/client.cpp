@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <csignal>
 #include <memory>
 #include <optional>
@@ -74,6 +75,7 @@ class Client {
     while (!finished_) {
       wait();
       take_signals();
+      heed_handshake();
       take_messages();
       take_outcome();
       keep_time();
@@ -85,15 +87,30 @@ class Client {
   bool is_idle() const { return !child_ && !unaccepted_; }
 
   void connect() {
+    handshakes_.reset();
     socket_ = std::make_unique<zmq::socket_t>(context_, zmq::socket_type::dealer);
     socket_->set(zmq::sockopt::linger, linger_ms);
     socket_->set(zmq::sockopt::immediate, 1);
     socket_->set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
     socket_->set(zmq::sockopt::reconnect_ivl, 100);
     socket_->set(zmq::sockopt::reconnect_ivl_max, 2000);
+    secure(*socket_, read_peer_keys(options_.keys, options_.store));
+    handshakes_.emplace(context_, *socket_);
     socket_->connect(options_.endpoint);
     registered_ = false;
     say_hello();
+  }
+
+  /// A broken handshake is tried again: the coordinator may just have been ended.
+  void heed_handshake() {
+    const HandshakeWatch::Outcome outcome = handshakes_->take();
+    if (outcome == HandshakeWatch::Outcome::none) return;
+    if (outcome != HandshakeWatch::Outcome::broken) {
+      throw Error(ExitCode::failed, options_.endpoint + ": " + explanation_of(outcome));
+    }
+    if (std::has_single_bit(++broken_handshakes_)) {
+      spdlog::warn("{}: {}", options_.endpoint, explanation_of(outcome));
+    }
   }
 
   void send(const wire::Envelope& envelope) {
@@ -306,6 +323,8 @@ class Client {
   DrainSignals signals_;
   zmq::context_t context_{1};
   std::unique_ptr<zmq::socket_t> socket_;
+  std::optional<HandshakeWatch> handshakes_;  // goes before its socket
+  std::uint64_t broken_handshakes_ = 0;
 
   bool registered_ = false;
   bool missed_store_ = false;

@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "base/error.h"
+#include "proto/peer_security.h"
 
 namespace tetfarm {
 
 struct WorkerOptions {
   std::string endpoint;                      ///< "tcp://host:5555", "ipc:///path"
+  KeyFiles keys;                             ///< read again at each connection
   std::filesystem::path store;               ///< the store's folder, as this machine sees it
   std::vector<std::string> task_command;     ///< the child's program; its store is appended
   std::uint64_t memory_limit_bytes = 0;      ///< of a task; 0: none
@@ -28,7 +30,7 @@ struct WorkerOptions {
 /// Runs until it is drained: by SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2 (as batch systems send
 /// before they take a machine away) or by the coordinator. A second signal hands the task back at
 /// once.
-/// @throws Error when the coordinator refuses this worker.
+/// @throws Error when the coordinator refuses this worker, or does not know its key.
 ExitCode run_worker(const WorkerOptions& options);
 
 }  // namespace tetfarm

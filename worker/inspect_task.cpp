@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/io/artifact_file.h"
+#include "mesh/io/gzip.h"
 #include "mesh/io/read_surface.h"
 #include "worker/evidence.h"
 
@@ -28,6 +30,11 @@ void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport&
   std::string remarks;
   for (const std::string& remark : report.remarks) remarks += remark + "\n";
   if (!remarks.empty()) io.text("remarks", remarks);
+}
+
+/// A file that the coordinator took as it was may be packed.
+std::string unpacked(std::string bytes) {
+  return is_gzip(bytes) ? unpack_gzip(bytes, "input_surface") : std::move(bytes);
 }
 
 }  // namespace
@@ -125,7 +132,7 @@ std::string defect_message(const std::vector<SurfaceDefect>& defects) {
 void inspect_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   io.progress("read", 0);
-  const std::string input = io.read("input_surface");
+  const std::string input = unpacked(io.read("input_surface"));
   const auto input_bytes = static_cast<double>(input.size());
   SurfaceMesh surface = read_surface_bytes(input, job.surface);
   io.progress("check", 0);

@@ -394,6 +394,11 @@ toml::table parse_toml(std::string_view text, const std::string& path) {
   }
 }
 
+bool is_plain_name(const std::string& name) {
+  return name != "." && name != ".." && name.find('/') == std::string::npos &&
+         name.find('\0') == std::string::npos;
+}
+
 }  // namespace
 
 double default_outer_factor(std::string_view outer_kind) {
@@ -411,6 +416,8 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   JobFile job;
   job.name = top.has("name") ? top.text("name") : fs::path(path).stem().string();
   if (job.name.empty()) top.fail("name", "must not be empty");
+  // It names the files of the result: it must not lead them out of their folder.
+  if (!is_plain_name(job.name)) top.fail("name", "must be a plain name, without `/`");
   const Section geometry = top.table("geometry", geometry_keys);
   const std::string surface = geometry.text("surface");
   if (surface.empty()) geometry.fail("surface", "must not be empty");

@@ -2,12 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <fstream>
 #include <optional>
 #include <random>
@@ -20,101 +18,14 @@
 #include "store/artifact_store.h"
 #include "store/job_database.h"
 #include "tests/base/temp_folder.h"
+#include "tests/coordinator/child_coordinator.h"
 
 namespace tetfarm {
 namespace {
 
+using test::ChildCoordinator;
+using test::Dealer;
 using testing::HasSubstr;
-
-constexpr int repeat_ms = 500;
-constexpr int patience_ms = 20000;
-
-/// A coordinator in a process of its own, so that it can be killed.
-class ChildCoordinator {
- public:
-  explicit ChildCoordinator(const std::filesystem::path& store)
-      : endpoint_("ipc://" + (store / "socket").string()) {
-    process_ = fork();
-    if (process_ != 0) return;
-    CoordinatorOptions options;
-    options.store = store;
-    options.endpoints = {endpoint_};
-    options.heartbeat_ms = 50;
-    options.lease_ms = 60000;
-    try {
-      run_coordinator(options);
-    } catch (const std::exception& error) {
-      fprintf(stderr, "%s\n", error.what());
-      _exit(1);
-    }
-    _exit(0);
-  }
-  ~ChildCoordinator() { stop(SIGKILL); }
-
-  int stop(int signal_number) {
-    if (process_ == 0) return 0;
-    kill(process_, signal_number);
-    int status = 0;
-    waitpid(process_, &status, 0);
-    process_ = 0;
-    return status;
-  }
-  /// The coordinator's files may not grow beyond this: what a full disk or quota looks like to it.
-  void limit_file_size(rlim_t bytes) const {
-    const rlimit limit{bytes, RLIM_INFINITY};
-    EXPECT_EQ(prlimit(process_, RLIMIT_FSIZE, &limit, nullptr), 0);
-  }
-  const std::string& endpoint() const { return endpoint_; }
-
- private:
-  std::string endpoint_;
-  pid_t process_ = 0;
-};
-
-/// A hand-written worker or client.
-class Dealer {
- public:
-  explicit Dealer(const std::string& endpoint) : socket_(context_, zmq::socket_type::dealer) {
-    socket_.set(zmq::sockopt::linger, 0);
-    socket_.set(zmq::sockopt::rcvtimeo, patience_ms);
-    socket_.set(zmq::sockopt::reconnect_ivl, 10);
-    socket_.connect(endpoint);
-  }
-  void send_bytes(const std::string& bytes) { socket_.send(zmq::buffer(bytes)); }
-  void send(const wire::Envelope& envelope) { send_bytes(encode(envelope)); }
-
-  /// The next message that is no heartbeat.
-  wire::Envelope receive() {
-    for (;;) {
-      zmq::message_t message;
-      if (!socket_.recv(message)) {
-        ADD_FAILURE() << "no answer";
-        return {};
-      }
-      Decoded decoded = decode(message.to_string_view());
-      EXPECT_EQ(decoded.state, WireState::good);
-      if (!decoded.envelope.has_heartbeat()) return decoded.envelope;
-    }
-  }
-  wire::Envelope ask(const wire::Envelope& envelope) {
-    send(envelope);
-    return receive();
-  }
-  /// For a coordinator that cannot commit: what it was asked in that turn it never answers.
-  wire::Envelope ask_until_answered(const wire::Envelope& envelope) {
-    for (int i = 0; i < patience_ms / repeat_ms; ++i) {
-      send(envelope);
-      zmq::pollitem_t item{socket_.handle(), 0, ZMQ_POLLIN, 0};
-      if (zmq::poll(&item, 1, std::chrono::milliseconds(repeat_ms)) > 0) return receive();
-    }
-    ADD_FAILURE() << "no answer";
-    return {};
-  }
-
- private:
-  zmq::context_t context_;
-  zmq::socket_t socket_;
-};
 
 class ServerTest : public testing::Test {
  protected:

@@ -1,0 +1,64 @@
+#include "cli/keys_command_line.h"
+
+namespace tetfarm {
+namespace {
+
+CLI::App& add_action(CLI::App& keys, const char* name, const char* what, const char* example,
+                     KeysCommand::Action action, KeysCommand& command,
+                     const std::function<void()>& chosen) {
+  CLI::App& sub = *keys.add_subcommand(name, what);
+  sub.footer(std::string("Example: ") + example);
+  sub.callback([action, &command, chosen] {
+    command.action = action;
+    chosen();
+  });
+  return sub;
+}
+
+void add_folder(CLI::App& sub, KeysCommand& command, const char* what) {
+  sub.add_option("--keys", command.folder, what)->envname("TETFARM_KEYS")->option_text("DIR");
+}
+
+constexpr const char* farm_folder = "The coordinator's folder of keys";
+
+}  // namespace
+
+void add_keys(CLI::App& app, KeysCommand& keys, const std::function<void()>& chosen) {
+  CLI::App& all =
+      *app.add_subcommand("keys", "Make keys, and say who may speak with a coordinator");
+  all.require_subcommand(1);
+  using Action = KeysCommand::Action;
+
+  CLI::App& make = add_action(all, "new", "Make a key: NAME.key, secret, and NAME.pub",
+                              "tetfarm keys new coordinator --keys /var/lib/tetfarm/keys",
+                              Action::make, keys, chosen);
+  make.add_option("NAME", keys.subject, "Of the key's files; a coordinator's is \"coordinator\"")
+      ->required();
+  add_folder(make, keys, "Where it goes (the current folder)");
+
+  CLI::App& authorize =
+      add_action(all, "authorize", "Let the holder of a key in; a running coordinator heeds it",
+                 "tetfarm keys authorize anna.pub --role submitter --keys /var/lib/tetfarm/keys",
+                 Action::authorize, keys, chosen);
+  authorize.add_option("KEY", keys.subject, "A .pub file, or the key's 64 digits")->required();
+  authorize.add_option("--role", keys.role, "What the holder may do")
+      ->required()
+      ->check(CLI::IsMember({"worker", "submitter", "viewer"}))
+      ->option_text("worker|submitter|viewer");
+  authorize.add_option("--name", keys.name, "To be known by (default: the file's name)")
+      ->option_text("NAME");
+  add_folder(authorize, keys, farm_folder);
+
+  CLI::App& revoke = add_action(all, "revoke", "Shut a key out, at once",
+                                "tetfarm keys revoke anna --keys /var/lib/tetfarm/keys",
+                                Action::revoke, keys, chosen);
+  revoke.add_option("NAME", keys.subject, "A name of the list, or a key's 64 digits")->required();
+  add_folder(revoke, keys, farm_folder);
+
+  CLI::App& list = add_action(all, "list", "Who is let in", "tetfarm keys list --json",
+                              Action::list, keys, chosen);
+  add_folder(list, keys, farm_folder);
+  list.add_flag("--json", keys.json, "Print one JSON object a line on standard output");
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,78 @@
+#include "coordinator/job_status.h"
+#include "coordinator/message_translation.h"
+#include "coordinator/request_handler.h"
+
+namespace tetfarm {
+namespace {
+
+/// Workers that the state has forgotten may be remembered here until there are that many.
+constexpr std::size_t lost_workers_kept = 64;
+
+}  // namespace
+
+/// Each reconnection leaves one; without this they would be remembered for ever.
+void RequestHandler::forget_lost_workers(const JobState& state) {
+  if (workers_.size() < 2 * state.worker_count() + lost_workers_kept) return;
+  std::erase_if(workers_,
+                [&](const auto& known) { return !state.knows_worker(known.second.worker); });
+  std::erase_if(connections_, [&](const auto& known) { return !state.knows_worker(known.first); });
+}
+
+void RequestHandler::answer_questions(const JobState& state, const Door& door, Moment now) {
+  for (const auto& [connection, job] : questions_) {
+    wire::Envelope reply;
+    wire::StatusReply& status = *reply.mutable_status_reply();
+    status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
+    status.set_dropped_messages(refusals_.total());
+    for (std::size_t kind = 0; kind < refusal_kinds; ++kind) {
+      const auto refusal = static_cast<Refusal>(kind);
+      (*status.mutable_refused())[name_of(refusal)] = refusals_.of(refusal);
+    }
+    status.set_security(options_.security);
+    status.set_connections(static_cast<std::uint32_t>(door.connections()));
+    status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
+    for (const auto& [id, row] : state.durable().jobs) {
+      if (!job.empty() && job != job_name(id)) continue;
+      *status.add_jobs() = status_message(summary_of(
+          state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
+    }
+    answer(connection, std::move(reply), false);
+  }
+  questions_.clear();
+}
+
+void RequestHandler::carry_out(JobState& state, Moment now) {
+  for (const Command& command : state.take_commands()) send(command, state, now);
+  forget_lost_workers(state);
+}
+
+void RequestHandler::send(const Command& command, const JobState& state, Moment now) {
+  const WorkerId worker =
+      std::visit([](const auto& command_of_kind) { return command_of_kind.worker; }, command);
+  const auto connection = connections_.find(worker);
+  if (connection == connections_.end()) return;
+  if (const auto* welcome = std::get_if<SendWelcome>(&command)) {
+    wire::Envelope envelope;
+    wire::Welcome& message = *envelope.mutable_welcome();
+    message.set_worker(worker.value);
+    message.set_heartbeat_ms(static_cast<std::uint32_t>(options_.heartbeat_ms));
+    message.set_lease_ms(static_cast<std::uint32_t>(options_.lease_ms));
+    message.set_keep_running(welcome->keep_running);
+    answer(connection->second, std::move(envelope));
+  } else if (const auto* assign = std::get_if<SendAssign>(&command)) {
+    answer(connection->second,
+           assign_message(state.durable().tasks.at(assign->task), assign->attempt));
+  } else {
+    const auto& accepted = std::get<SendAccepted>(command);
+    if (!accepted.taken) {
+      refusals_.count(Refusal::stale,
+                      "worker " + std::to_string(worker.value) + " with attempt " +
+                          std::to_string(accepted.attempt.value) + " of task " +
+                          std::to_string(accepted.task.value),
+                      now.steady_ms);
+    }
+    answer(connection->second, accepted_message(accepted));
+  }
+}
+
+}  // namespace tetfarm

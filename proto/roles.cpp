@@ -1,0 +1,79 @@
+#include "proto/roles.h"
+
+#include <algorithm>
+
+namespace tetfarm {
+namespace {
+
+using Kind = wire::Envelope;
+
+struct Permission {
+  wire::Envelope::BodyCase kind;
+  bool worker;
+  bool submitter;
+  bool viewer;
+};
+
+constexpr std::array<Permission, 10> permissions = {{
+    // kind                 worker submitter viewer
+    {Kind::kHello, true, false, false},
+    {Kind::kReady, true, false, false},
+    {Kind::kProgress, true, false, false},
+    {Kind::kDone, true, false, false},
+    {Kind::kFailed, true, false, false},
+    {Kind::kHeartbeat, true, false, false},
+    {Kind::kGoodbye, true, false, false},
+    {Kind::kSubmit, false, true, false},
+    {Kind::kCancel, false, true, false},
+    {Kind::kStatusRequest, false, true, true},
+}};
+
+const Permission* find(wire::Envelope::BodyCase kind) {
+  const auto* const found = std::find_if(permissions.begin(), permissions.end(),
+                                         [&](const Permission& line) { return line.kind == kind; });
+  return found == permissions.end() ? nullptr : found;
+}
+
+}  // namespace
+
+const char* name_of(Role role) {
+  switch (role) {
+    case Role::worker:
+      return "worker";
+    case Role::submitter:
+      return "submitter";
+    case Role::viewer:
+      return "viewer";
+  }
+  return "nobody";
+}
+
+std::optional<Role> role_of_name(const std::string& name) {
+  for (const Role role : all_roles) {
+    if (name == name_of(role)) return role;
+  }
+  return std::nullopt;
+}
+
+bool may_send(Role role, wire::Envelope::BodyCase kind) {
+  const Permission* line = find(kind);
+  if (line == nullptr) return false;
+  switch (role) {
+    case Role::worker:
+      return line->worker;
+    case Role::submitter:
+      return line->submitter;
+    case Role::viewer:
+      return line->viewer;
+  }
+  return false;
+}
+
+bool is_for_the_coordinator(wire::Envelope::BodyCase kind) { return find(kind) != nullptr; }
+
+std::string name_of(wire::Envelope::BodyCase kind) {
+  const auto* field = wire::Envelope::descriptor()->FindFieldByNumber(static_cast<int>(kind));
+  return field == nullptr ? "nothing" : field->name();
+}
+
+}  // namespace tetfarm

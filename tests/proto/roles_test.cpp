@@ -1,0 +1,51 @@
+#include "proto/roles.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace tetfarm {
+namespace {
+
+using testing::UnorderedElementsAre;
+
+std::set<std::string> sendable(Role role) {
+  std::set<std::string> names;
+  const auto* body = wire::Envelope::descriptor()->FindOneofByName("body");
+  for (int i = 0; i < body->field_count(); ++i) {
+    const auto kind = static_cast<wire::Envelope::BodyCase>(body->field(i)->number());
+    if (may_send(role, kind)) names.insert(name_of(kind));
+  }
+  return names;
+}
+
+TEST(Roles, each_may_send_what_is_its_business_and_nothing_else) {
+  EXPECT_THAT(sendable(Role::worker), UnorderedElementsAre("hello", "ready", "progress", "done",
+                                                           "failed", "heartbeat", "goodbye"));
+  EXPECT_THAT(sendable(Role::submitter),
+              UnorderedElementsAre("submit", "cancel", "status_request"));
+  EXPECT_THAT(sendable(Role::viewer), UnorderedElementsAre("status_request"));
+}
+
+// A new kind of message has to be put into the table, or here.
+TEST(Roles, every_message_of_the_protocol_is_somebodys) {
+  const std::set<std::string> from_the_coordinator = {"welcome",      "refused",  "assign",
+                                                      "accepted",     "drain",    "submitted",
+                                                      "status_reply", "cancelled"};
+  const auto* body = wire::Envelope::descriptor()->FindOneofByName("body");
+  for (int i = 0; i < body->field_count(); ++i) {
+    const auto kind = static_cast<wire::Envelope::BodyCase>(body->field(i)->number());
+    EXPECT_NE(is_for_the_coordinator(kind), from_the_coordinator.contains(name_of(kind)))
+        << name_of(kind);
+  }
+  EXPECT_FALSE(is_for_the_coordinator(wire::Envelope::BODY_NOT_SET));
+}
+
+TEST(Roles, have_names) {
+  for (const Role role : all_roles) EXPECT_EQ(role_of_name(name_of(role)), role);
+  EXPECT_FALSE(role_of_name("root"));
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,155 @@
+// A farm with keys over TCP: the same mesh as from one machine, and nobody else gets in.
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include <thread>
+
+#include "tests/system/farm_cases.h"
+
+namespace tetfarm {
+namespace {
+
+using test::Ended;
+using test::Program;
+using test::run_program;
+using test::TemporaryFolder;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+void pack(const std::filesystem::path& file) {
+  const std::string bytes = test::contents(file);
+  gzFile packed = ::gzopen((file.string() + ".gz").c_str(), "wb");
+  ::gzwrite(packed, bytes.data(), static_cast<unsigned>(bytes.size()));
+  ::gzclose(packed);
+}
+
+class KeyedFarm : public ::testing::Test {
+ protected:
+  KeyedFarm() {
+    run({"keys", "new", "coordinator", "--keys", "state/keys"});
+    for (const auto& [name, role] :
+         {std::pair{"node-1", "worker"}, {"anna", "submitter"}, {"eve", "viewer"}}) {
+      run({"keys", "new", name});
+      run({"keys", "authorize", std::string(name) + ".pub", "--role", role, "--keys",
+           "state/keys"});
+    }
+    run({"keys", "new", "stranger"});
+    std::filesystem::create_directory(folder_.path() / "surfaces");
+  }
+
+  Ended run(const std::vector<std::string>& words) const {
+    Ended ended = run_program(words, folder_.path());
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended;
+  }
+  void start() {
+    coordinator_.emplace(
+        std::vector<std::string>{"coordinator", "--store", "store", "--database", "state",
+                                 "--allow-root", "surfaces", "--listen", "tcp://127.0.0.1:*"},
+        folder_.path());
+    while (endpoint_.empty() && coordinator_->is_running()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const std::string said = coordinator_->out_so_far();
+      if (said.find('\n') == std::string::npos) continue;
+      endpoint_ = said.substr(said.find("tcp://"), said.find('\n') - said.find("tcp://"));
+    }
+  }
+  /// With the key of `name`; without one when that is "".
+  Ended ask(std::vector<std::string> words, const std::string& name) const {
+    words.insert(words.end(), {"--connect", endpoint_, "--timeout", "5"});
+    if (!name.empty()) {
+      words.insert(words.end(),
+                   {"--key", name + ".key", "--coordinator-key", "state/keys/coordinator.pub"});
+    }
+    return run_program(words, folder_.path());
+  }
+  std::vector<std::string> worker_words(const std::string& name) const {
+    return {"worker", "--connect", endpoint_, "--store", "store", "--key", name + ".key"};
+  }
+
+  TemporaryFolder folder_;
+  std::string endpoint_;
+  std::optional<Program> coordinator_;
+};
+
+TEST_F(KeyedFarm, gives_the_mesh_that_a_local_run_gives) {
+  start();
+  const std::string input = test::sphere_in_box(folder_.path() / "surfaces", 4, 1);
+  pack(folder_.path() / "surfaces" / input);
+  const Program worker(worker_words("node-1"), folder_.path());
+  const Ended submitted = ask({"submit", "surfaces/" + input + ".gz", "--subdomains", "3"}, "anna");
+  ASSERT_EQ(submitted.code, 0) << submitted.err;
+  const std::string job = submitted.out.substr(0, submitted.out.find('\n'));
+  const Ended remote =
+      ask({"wait", job, "-o", "out", "--store", "store", "--json", "--progress", "none"}, "anna");
+  ASSERT_EQ(remote.code, 0) << remote.err;
+  const Ended local =
+      run_program(test::run_words("surfaces/" + input, "local", 2, 3), folder_.path());
+  EXPECT_EQ(test::digest_of(remote).size(), 32U);
+  EXPECT_EQ(test::digest_of(remote), test::digest_of(local));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "state/tetfarm.db"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "store/tetfarm.db"));
+}
+
+TEST_F(KeyedFarm, tells_each_who_is_turned_away_why) {
+  start();
+  EXPECT_THAT(ask({"status"}, "").err, HasSubstr("one side wants keys"));
+  EXPECT_THAT(ask({"status"}, "stranger").err, HasSubstr("not authorised"));
+  EXPECT_THAT(ask({"cancel", "job-1"}, "eve").err, HasSubstr("viewer eve may not send cancel"));
+  const Ended worker = run_program(worker_words("stranger"), folder_.path());
+  EXPECT_EQ(worker.code, 1);
+  EXPECT_THAT(worker.err, HasSubstr("not authorised"));
+  test::write_contents(folder_.path() / "outside.off", "OFF");
+  EXPECT_THAT(ask({"submit", "outside.off"}, "anna").err,
+              AllOf(HasSubstr("outside.off: not a place that jobs may name"),
+                    HasSubstr((folder_.path() / "surfaces").string())));
+  const Ended status = ask({"status", "--json"}, "eve");
+  const nlohmann::json farm = nlohmann::json::parse(status.out, nullptr, false);
+  ASSERT_TRUE(farm.is_object()) << status.out;
+  EXPECT_EQ(farm["security"], "keys");
+  EXPECT_GE(farm["refused"]["unknown_key"], 2);
+  EXPECT_GE(farm["refused"]["broken_handshake"], 1);
+  EXPECT_EQ(farm["refused"]["wrong_role"], 1);
+  EXPECT_EQ(farm["refused"]["outside_roots"], 1);
+}
+
+TEST_F(KeyedFarm, a_revoked_worker_ends_and_a_revoked_client_is_shut_out) {
+  start();
+  Program worker(worker_words("node-1"), folder_.path());
+  nlohmann::json farm;
+  do {
+    farm = nlohmann::json::parse(ask({"status", "--json"}, "eve").out, nullptr, false);
+    ASSERT_TRUE(farm.is_object());
+  } while (farm["workers"] != 1);
+  run({"keys", "revoke", "node-1", "--keys", "state/keys"});
+  const Ended ended = worker.wait(20);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("not authorised any longer"));
+  run({"keys", "revoke", "eve", "--keys", "state/keys"});
+  EXPECT_NE(ask({"status"}, "eve").code, 0);
+  EXPECT_EQ(ask({"status"}, "anna").code, 0);
+  EXPECT_THAT(run({"keys", "list", "--keys", "state/keys"}).out,
+              AllOf(HasSubstr("submitter anna"), testing::Not(HasSubstr("eve"))));
+}
+
+TEST_F(KeyedFarm, other_hosts_are_let_in_only_with_keys_or_when_asked_for) {
+  const Ended refused = run_program(
+      {"coordinator", "--store", "bare", "--listen", "tcp://0.0.0.0:*"}, folder_.path());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("keys new coordinator"), HasSubstr("--insecure")));
+}
+
+TEST_F(KeyedFarm, a_key_that_others_may_read_is_refused_by_every_command) {
+  start();
+  std::filesystem::permissions(folder_.path() / "anna.key",
+                               static_cast<std::filesystem::perms>(0640));
+  const Ended ended = ask({"status"}, "anna");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("others may use this secret key"));
+  std::filesystem::rename(folder_.path() / "anna.key", folder_.path() / "node-1.key");
+  EXPECT_THAT(run_program(worker_words("node-1"), folder_.path()).err,
+              HasSubstr("others may use this secret key"));
+}
+
+}  // namespace
+}  // namespace tetfarm
