@@ -50,7 +50,7 @@ constexpr double turn_elements_per_triangle = 23;
 
 constexpr double number_bytes_per_triangle = 60;
 
-constexpr double assemble_bytes_per_triangle = 250;
+constexpr double assemble_bytes_per_triangle = 290;
 constexpr double assemble_bytes_per_element = 130;
 constexpr double assemble_seconds_per_element = 0.8e-6;
 
