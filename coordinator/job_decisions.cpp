@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "coordinator/assimilation_graph.h"
 #include "coordinator/job_state.h"
 
 namespace tetfarm {

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "base/check.h"
+#include "coordinator/assimilation_graph.h"
 #include "coordinator/cosmetic_graph.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr double most_parts = 1e6;
-const std::string leaf_file = "subdomain:";
-const std::string group_file = "group:";
 
 ArtifactRef file_of(std::span<const ArtifactRef> files, const std::string& name) {
   const std::optional<ArtifactRef> file = find_file(files, name);
@@ -44,21 +42,6 @@ std::uint32_t parts_of(const TaskRow& task, const std::string& name) {
   return static_cast<std::uint32_t>(count_of(task.numbers, name, most_parts).value_or(1));
 }
 
-/// How many groups the leaves are to be joined into; 0: they are meshed as they are.
-std::uint64_t groups_of(const TaskRow& inspect) { return count_or_zero(inspect.numbers, "groups"); }
-
-TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {
-  TaskRow task;
-  task.job = leaf.job;
-  task.kind = TaskKind::mesh;
-  task.path = leaf.path;
-  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
-                 {"subdomain", leaf.hash, leaf.size},
-                 file_of(inspect.outputs, "spacing")};
-  task.parameters["work"] = std::to_string(std::llround(leaf.work));
-  return task;
-}
-
 /// The wanted parts of the two sides are the parent's, as evenly as can be.
 TaskRow decompose_task(const TaskRow& inspect, const SubdomainRow& subdomain) {
   TaskRow task;
@@ -82,7 +65,7 @@ void add_tasks(const TaskRow& inspect, GraphStep& step) {
   for (const SubdomainRow& subdomain : step.subdomains) {
     if (subdomain.state == SubdomainState::open) {
       step.tasks.push_back(decompose_task(inspect, subdomain));
-    } else if (subdomain.state == SubdomainState::leaf && groups_of(inspect) == 0) {
+    } else if (subdomain.state == SubdomainState::leaf && !is_assimilated(inspect)) {
       step.tasks.push_back(mesh_task(inspect, subdomain));
     }
   }
@@ -113,46 +96,6 @@ std::uint32_t half_parts(const TaskRow& decompose, const std::string& name) {
 double work_of(const TaskRow& task, const std::string& name) {
   const auto found = task.numbers.find(name);
   return found == task.numbers.end() || !(found->second >= 0) ? 0 : found->second;
-}
-
-std::string text_of(const TaskResult& result, const std::string& name) {
-  const auto found = result.texts.find(name);
-  return found == result.texts.end() ? std::string() : found->second;
-}
-
-/// The lines "HEAP GROUP": leaf HEAP goes into the group whose first leaf is GROUP.
-using Groups = std::map<std::uint64_t, std::uint64_t>;
-
-std::optional<Groups> parse_groups(const std::string& text) {
-  Groups groups;
-  std::istringstream lines(text);
-  std::uint64_t leaf = 0;
-  std::uint64_t group = 0;
-  while (lines >> leaf >> group) {
-    if (!groups.emplace(leaf, group).second) return std::nullopt;
-  }
-  return lines.eof() ? std::optional<Groups>(groups) : std::nullopt;
-}
-
-std::optional<std::string> problem_with_groups(const TaskRow& task, const TaskResult& result) {
-  const std::optional<Groups> groups = parse_groups(text_of(result, "groups"));
-  if (!groups) return "the text 'groups' cannot be read";
-  std::size_t leaves = 0;
-  for (const ArtifactRef& input : task.inputs) {
-    if (!input.name.starts_with(leaf_file)) continue;
-    ++leaves;
-    const auto leaf = groups->find(std::stoull(input.name.substr(leaf_file.size())));
-    if (leaf == groups->end()) return "the leaf " + input.name + " is in no group";
-    const auto first = groups->find(leaf->second);
-    if (first == groups->end() || first->second != first->first) {
-      return "the group " + std::to_string(leaf->second) + " is not named by a leaf of its own";
-    }
-    if (!find_file(result.outputs, group_file + std::to_string(leaf->second))) {
-      return "the group " + std::to_string(leaf->second) + " has no file";
-    }
-  }
-  if (leaves != groups->size()) return "there are groups of unknown leaves";
-  return std::nullopt;
 }
 
 /// Every leaf that the task was given has its turn.
@@ -219,6 +162,18 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
   return std::nullopt;
 }
 
+TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {
+  TaskRow task;
+  task.job = leaf.job;
+  task.kind = TaskKind::mesh;
+  task.path = leaf.path;
+  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
+                 {"subdomain", leaf.hash, leaf.size},
+                 file_of(inspect.outputs, "spacing")};
+  task.parameters["work"] = std::to_string(std::llround(leaf.work));
+  return task;
+}
+
 TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const ArtifactRef> inputs) {
   TaskRow task;
   task.job = job;
@@ -255,51 +210,6 @@ GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                       work_of(decompose, "right_work"), file_of(decompose.outputs, "right"))};
   }
   add_tasks(inspect, step);
-  return step;
-}
-
-std::optional<TaskRow> assimilate_task(const TaskRow& inspect, std::span<const SubdomainRow> tree) {
-  if (groups_of(inspect) == 0) return std::nullopt;
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::assimilate;
-  task.inputs = {file_of(inspect.inputs, "job")};
-  std::string table;
-  for (const SubdomainRow& node : tree) {
-    if (node.state == SubdomainState::cut) continue;
-    TF_CHECK(node.state == SubdomainState::leaf);
-    const std::string path = std::to_string(node.path);
-    task.inputs.push_back({leaf_file + path, node.hash, node.size});
-    table += path + " " + std::to_string(std::llround(node.work)) + "\n";
-  }
-  task.parameters["table"] = table;
-  return task;
-}
-
-GraphStep after_assimilate(const TaskRow& inspect, const TaskRow& assimilate,
-                           std::span<const SubdomainRow> tree) {
-  const std::optional<Groups> groups = parse_groups(assimilate.texts.at("groups"));
-  TF_CHECK(groups.has_value());
-  std::map<std::uint64_t, double> group2work;
-  for (const SubdomainRow& node : tree) {
-    if (node.state == SubdomainState::leaf) group2work[groups->at(node.path)] += node.work;
-  }
-  GraphStep step;
-  for (const SubdomainRow& node : tree) {
-    if (node.state != SubdomainState::leaf) continue;
-    SubdomainRow& leaf = step.subdomains.emplace_back(node);
-    const std::uint64_t group = groups->at(node.path);
-    if (group != node.path) {
-      leaf.state = SubdomainState::joined;
-      leaf.joined_into = group;
-      continue;
-    }
-    const ArtifactRef file = file_of(assimilate.outputs, group_file + std::to_string(group));
-    leaf.hash = file.hash;
-    leaf.size = file.size;
-    leaf.work = group2work.at(group);
-    step.tasks.push_back(mesh_task(inspect, leaf));
-  }
   return step;
 }
 

@@ -2,8 +2,8 @@
 ///
 /// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble;
 /// before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
-/// Where the job asks for assimilation, one task between the last cut and the first mesh joins the
-/// leaves into groups; a group is a leaf from then on, under the number of its first leaf.
+/// Where the job asks for assimilation, the leaves are joined before they are meshed
+/// (assimilation_graph.h).
 /// The graph is a pure function of results; the order in which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
@@ -49,6 +49,9 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
 /// The first task of a job. @pre `job_file` is published.
 TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const ArtifactRef> inputs);
 
+/// @pre `inspect` is done and without problem.
+TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf);
+
 /// The root sub-domain and what to do with it. @pre `inspect` is done and without problem.
 GraphStep after_inspect(const TaskRow& inspect);
 
@@ -56,15 +59,6 @@ GraphStep after_inspect(const TaskRow& inspect);
 /// @pre `decompose` is done and without problem; `parent` is its sub-domain.
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                           const SubdomainRow& parent);
-
-/// Joins the leaves into groups (thesis 4.3.2); nothing when the job does not ask for it.
-/// @pre `tree` is the whole tree by rising heap number: nothing in it is open or joined.
-std::optional<TaskRow> assimilate_task(const TaskRow& inspect, std::span<const SubdomainRow> tree);
-
-/// The groups as leaves to be meshed, and the leaves that are joined into them.
-/// @pre `assimilate` is done and without problem; `tree` as it was for assimilate_task.
-GraphStep after_assimilate(const TaskRow& inspect, const TaskRow& assimilate,
-                           std::span<const SubdomainRow> tree);
 
 /// The leaf with the figures of its volume mesh.
 SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf);

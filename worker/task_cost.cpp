@@ -50,7 +50,8 @@ constexpr double turn_elements_per_triangle = 23;
 
 constexpr double number_bytes_per_triangle = 60;
 
-constexpr double assemble_bytes_per_triangle = 290;
+constexpr double assemble_bytes = 4e6;
+constexpr double assemble_bytes_per_triangle = 250;
 constexpr double assemble_bytes_per_element = 130;
 constexpr double assemble_seconds_per_element = 0.8e-6;
 
@@ -125,7 +126,7 @@ TaskCost number_cost(double surface_triangles) {
 }
 
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
-  return {process_bytes + assemble_bytes_per_triangle * surface_triangles +
+  return {process_bytes + assemble_bytes + assemble_bytes_per_triangle * surface_triangles +
               assemble_bytes_per_element * elements_in_estimate * largest.elements,
           process_seconds + assemble_seconds_per_element * elements_in_estimate * elements};
 }

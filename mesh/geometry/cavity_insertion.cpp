@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/check.h"
 #include "mesh/geometry/predicates.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// Room for so many tets and hull faces; larger cavities make more.
 constexpr std::size_t usual_cavity = 64;
+/// Nodes of a hull whose edges are looked up in a table of all pairs: 4 MB.
+constexpr std::size_t largest_edge_table = 1024;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -185,10 +188,30 @@ void CavityInsertion::take_tets() {
   if (constrained_ != nullptr) constrained_->resize(complex_.nodes.size(), 0);
 }
 
+// The star tet on the base a b c is (a, c, b, node). Each directed edge of the hull names the face
+// of the star on it; the same edge the other way round is that of the neighbour.
+template <class FaceOfEdge>
+void CavityInsertion::link_star(const FaceOfEdge& face_of_edge) {
+  for (const Base& base : bases_) {
+    const std::size_t a = at(base.local[0]), b = at(base.local[1]), c = at(base.local[2]);
+    complex_.nodes[at(base.tet)] = {base.nodes[0], base.nodes[2], base.nodes[1], node_};
+    complex_.neighbours[at(base.tet)] = {face_of_edge(c, b), face_of_edge(b, a), face_of_edge(a, c),
+                                         base.outside};
+    if (base.outside != no_face) {
+      complex_.neighbours[at(tet_of(base.outside))][at(face_of(base.outside))] =
+          face_handle(base.tet, 3);
+    }
+    // The last tet of a node stays.
+    for (const std::size_t k : {a, b, c}) hull_tets_[k] = base.tet;
+  }
+}
+
 void CavityInsertion::glue_star() {
-  // The star tet on the base a b c is (a, c, b, node). Each directed edge of the hull names the
-  // face of the star on it; the same edge the other way round is that of the neighbour.
   const std::size_t side = hull_nodes_.size();
+  if (side > largest_edge_table) {
+    glue_large_star();
+    return;
+  }
   if (edge_table_.size() < side * side) edge_table_.resize(side * side);
   FaceHandle* const table = edge_table_.data();
   for (const Base& base : bases_) {
@@ -197,18 +220,28 @@ void CavityInsertion::glue_star() {
     table[b * side + c] = face_handle(base.tet, 0);
     table[c * side + a] = face_handle(base.tet, 2);
   }
+  link_star([table, side](std::size_t from, std::size_t to) { return table[from * side + to]; });
+}
+
+/// The middle of a ball sees all of its surface at once: a table of all pairs of nodes would be
+/// gigabytes.
+void CavityInsertion::glue_large_star() {
+  const std::size_t side = hull_nodes_.size();
+  std::vector<std::pair<std::size_t, FaceHandle>> edges;
+  edges.reserve(3 * bases_.size());
   for (const Base& base : bases_) {
     const std::size_t a = at(base.local[0]), b = at(base.local[1]), c = at(base.local[2]);
-    complex_.nodes[at(base.tet)] = {base.nodes[0], base.nodes[2], base.nodes[1], node_};
-    complex_.neighbours[at(base.tet)] = {table[c * side + b], table[b * side + a],
-                                         table[a * side + c], base.outside};
-    if (base.outside != no_face) {
-      complex_.neighbours[at(tet_of(base.outside))][at(face_of(base.outside))] =
-          face_handle(base.tet, 3);
-    }
-    // The last tet of a node stays.
-    for (const std::size_t k : {a, b, c}) hull_tets_[k] = base.tet;
+    edges.emplace_back(a * side + b, face_handle(base.tet, 1));
+    edges.emplace_back(b * side + c, face_handle(base.tet, 0));
+    edges.emplace_back(c * side + a, face_handle(base.tet, 2));
   }
+  std::sort(edges.begin(), edges.end());
+  link_star([&edges, side](std::size_t from, std::size_t to) {
+    const std::pair<std::size_t, FaceHandle> wanted(from * side + to, FaceHandle{});
+    return std::lower_bound(edges.begin(), edges.end(), wanted,
+                            [](const auto& x, const auto& y) { return x.first < y.first; })
+        ->second;
+  });
 }
 
 std::int32_t CavityInsertion::fill() {

@@ -54,6 +54,9 @@ class CavityInsertion {
   void gather_bases();
   void take_tets();
   void glue_star();
+  void glue_large_star();
+  template <class FaceOfEdge>
+  void link_star(const FaceOfEdge& face_of_edge);
 
   TetComplex& complex_;
   std::vector<std::uint8_t>* constrained_;
