@@ -93,6 +93,7 @@ class Parser {
     add_render();
     add_shape();
     add_clients();
+    add_operators();
     add_coordinator();
     add_worker();
     add_keys(app_, keys_, [this] { command_ = keys_; });
@@ -244,6 +245,7 @@ class Parser {
     CLI::App& status = add("status", "Show the jobs of a coordinator",
                            "tetfarm status job-7 --connect tcp://head:5555", status_);
     status.add_option("JOB", status_.client.job, "One job (default: all)");
+    status.add_flag("--workers", status_.workers, "Also name every worker and what it runs");
     add_client(status, status_.client);
 
     CLI::App& wait = add("wait", "Wait until a job ends; its exit code is the job's",
@@ -260,6 +262,25 @@ class Parser {
     CLI::App& cancel = add("cancel", "Cancel a job", "tetfarm cancel job-7", cancel_);
     cancel.add_option("JOB", cancel_.client.job, "The job")->required();
     add_client(cancel, cancel_.client);
+  }
+
+  void add_operators() {
+    CLI::App& retry = add("retry", "Take failed tasks, or a host, out of quarantine",
+                          "tetfarm retry job-7 31", retry_);
+    CLI::Option* job = retry.add_option("JOB", retry_.client.job, "The job");
+    retry.add_option("TASK", retry_.task, "One task (default: all of the job)")
+        ->check(CLI::PositiveNumber);
+    retry.add_option("--host", retry_.host, "A host instead of a job")
+        ->excludes(job)
+        ->option_text("NAME");
+    add_client(retry, retry_.client);
+
+    CLI::App& drain = add("drain", "Let workers finish what they do, and leave",
+                          "tetfarm drain worker-7", drain_);
+    CLI::Option* worker =
+        drain.add_option("WORKER", drain_.worker, "As `status --workers` names it");
+    drain.add_flag("--all", drain_.all, "Every worker that is here now")->excludes(worker);
+    add_client(drain, drain_.client);
   }
 
   void add_coordinator() {
@@ -293,6 +314,11 @@ class Parser {
         ->check(CLI::Range(1, 1'000'000));
     coordinator.add_option("--max-workers", coordinator_.max_workers, "At once (10000)")
         ->check(CLI::Range(1, 1'000'000));
+    coordinator
+        .add_option("--task-limit", coordinator_.task_limit_s,
+                    "A task may run so long, or 20 times what is expected of its kind (3600)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
     coordinator.add_flag("--insecure", coordinator_.insecure,
                          "Plain text and no keys, also where other hosts can reach it: whoever "
                          "comes may do anything");
@@ -315,9 +341,16 @@ class Parser {
     worker.add_option("--grace", worker_.grace_s, "To finish a task in after SIGTERM (30)")
         ->check(CLI::NonNegativeNumber)
         ->option_text("SECONDS");
-    worker.add_option("--memory-limit", worker_.memory_limit_bytes, "Of a task (default: none)")
+    worker
+        .add_option("--memory,--memory-limit", worker_.memory_bytes,
+                    "For its tasks (default: what the machine has)")
         ->transform(CLI::AsSizeValue(false))
         ->option_text("SIZE");
+    worker
+        .add_option("--walltime", worker_.walltime_s,
+                    "It will be ended then (default: as the batch system says)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
     worker.add_flag("-q,--quiet", worker_.quiet, "Warnings only");
 
     CLI::App& task = add("task", "", "", task_);
@@ -337,6 +370,8 @@ class Parser {
   StatusCommand status_;
   WaitCommand wait_;
   CancelCommand cancel_;
+  RetryCommand retry_;
+  DrainCommand drain_;
   CoordinatorCommand coordinator_;
   WorkerCommand worker_;
   KeysCommand keys_;

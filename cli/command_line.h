@@ -85,6 +85,7 @@ struct ClientOptions {
 };
 struct StatusCommand {
   ClientOptions client;
+  bool workers = false;  ///< a line for each
 };
 struct WaitCommand {
   ClientOptions client;
@@ -92,6 +93,17 @@ struct WaitCommand {
 };
 struct CancelCommand {
   ClientOptions client;
+};
+/// Takes tasks, or a host, out of quarantine.
+struct RetryCommand {
+  ClientOptions client;
+  std::uint64_t task = 0;  ///< 0: all of the job
+  std::string host;        ///< instead of a job
+};
+struct DrainCommand {
+  ClientOptions client;
+  std::string worker;  ///< "worker-7"
+  bool all = false;
 };
 struct SubmitCommand {
   ClientOptions client;
@@ -108,6 +120,7 @@ struct CoordinatorCommand {
   std::size_t max_workers = 10'000;
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
+  double task_limit_s = 3600;
   bool insecure = false;
   bool quiet = false;
 };
@@ -117,7 +130,8 @@ struct WorkerCommand {
   KeyFiles keys;
   std::string store;
   double grace_s = 30;
-  std::uint64_t memory_limit_bytes = 0;
+  std::uint64_t memory_bytes = 0;  ///< 0: what the machine has
+  double walltime_s = 0;           ///< 0: as the batch system says, if it does
   bool quiet = false;
 };
 
@@ -141,10 +155,10 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command =
-    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, RenderCommand,
-                 ShapeCommand, StatusCommand, WaitCommand, CancelCommand, SubmitCommand,
-                 CoordinatorCommand, WorkerCommand, KeysCommand, TaskCommand>;
+using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
+                             RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
+                             RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
+                             WorkerCommand, KeysCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -32,6 +32,8 @@ ExitCode status_command(const StatusCommand& command);
 ExitCode submit_command(const SubmitCommand& command);
 ExitCode wait_command(const WaitCommand& command);
 ExitCode cancel_command(const CancelCommand& command);
+ExitCode retry_command(const RetryCommand& command);
+ExitCode drain_command(const DrainCommand& command);
 
 ExitCode coordinator_command(const CoordinatorCommand& command);
 ExitCode worker_command(const WorkerCommand& command);

@@ -18,6 +18,10 @@ wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
       return wire::Envelope::kSubmitted;
     case wire::Envelope::kCancel:
       return wire::Envelope::kCancelled;
+    case wire::Envelope::kRetry:
+      return wire::Envelope::kRetried;
+    case wire::Envelope::kDrainWorkers:
+      return wire::Envelope::kDraining;
     default:
       return wire::Envelope::kStatusReply;
   }
@@ -124,6 +128,18 @@ wire::Cancelled CoordinatorConnection::cancel(const std::string& job, std::int64
   wire::Envelope question;
   question.mutable_cancel()->set_job(job);
   return ask(question, timeout_ms).cancelled();
+}
+
+wire::Retried CoordinatorConnection::retry(const wire::Retry& retry, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  *question.mutable_retry() = retry;
+  return ask(question, timeout_ms).retried();
+}
+
+wire::Draining CoordinatorConnection::drain(std::uint64_t worker, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  question.mutable_drain_workers()->set_worker(worker);
+  return ask(question, timeout_ms).draining();
 }
 
 wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {

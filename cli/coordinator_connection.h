@@ -27,6 +27,8 @@ class CoordinatorConnection {
   wire::StatusReply status(const std::string& job, std::int64_t timeout_ms);
   wire::Submitted submit(const wire::Submit& submit, std::int64_t timeout_ms);
   wire::Cancelled cancel(const std::string& job, std::int64_t timeout_ms);
+  wire::Retried retry(const wire::Retry& retry, std::int64_t timeout_ms);
+  wire::Draining drain(std::uint64_t worker, std::int64_t timeout_ms);
 
  private:
   wire::Envelope ask(const wire::Envelope& question, std::int64_t timeout_ms);

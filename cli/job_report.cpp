@@ -205,6 +205,18 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   return line_of(json);
 }
 
+Json quarantine_json(const wire::JobStatus& status) {
+  Json list = Json::array();
+  for (const wire::TaskInQuarantine& task : status.quarantine()) {
+    list.push_back({{"task", task.task()},
+                    {"kind", task.kind()},
+                    {"path", task.path()},
+                    {"reason", task.reason()},
+                    {"exit_code", task.exit_code()}});
+  }
+  return list;
+}
+
 std::string status_json(const wire::JobStatus& status) {
   const Json json = {{"type", "job"},
                      {"job", status.job()},
@@ -220,6 +232,9 @@ std::string status_json(const wire::JobStatus& status) {
                      {"tasks_ready", status.tasks_ready()},
                      {"tasks_running", status.tasks_running()},
                      {"attempts_lost", status.attempts_lost()},
+                     {"crashes", status.crashes()},
+                     {"out_of_memory", status.starvings()},
+                     {"quarantine", quarantine_json(status)},
                      {"peak_rss_bytes_worker", status.peak_rss_bytes_worker()},
                      {"seconds", status.seconds()},
                      {"balance", balance_json(status)},
@@ -290,8 +305,57 @@ std::string status_text(const wire::StatusReply& reply) {
             progress_text(status, 0) + "\n";
     if (status.leaves_made() > 1) text += "         " + balance_text(status) + "\n";
     if (!status.message().empty()) text += "         " + status.message() + "\n";
+    if (status.state() != "running") continue;  // its message names them
+    for (const wire::TaskInQuarantine& task : status.quarantine()) {
+      text += format("         in quarantine: task %llu, %s %llu: ",
+                     static_cast<unsigned long long>(task.task()), task.kind().c_str(),
+                     static_cast<unsigned long long>(task.path())) +
+              task.reason() + "\n";
+    }
+  }
+  for (const wire::HostInQuarantine& host : reply.hosts()) {
+    text += "host in quarantine: " + host.host() + ": " + host.reason() +
+            " (tetfarm retry --host " + host.host() + ")\n";
   }
   return text;
+}
+
+std::string workers_text(const wire::StatusReply& reply) {
+  std::string text;
+  for (const wire::WorkerStatus& worker : reply.at_work()) {
+    text += format("worker-%-6llu %s process %lld, %llu MiB",
+                   static_cast<unsigned long long>(worker.worker()), worker.host().c_str(),
+                   static_cast<long long>(worker.process()),
+                   static_cast<unsigned long long>(worker.memory_bytes() >> 20U));
+    if (worker.task() != 0) {
+      text += format(", task %llu", static_cast<unsigned long long>(worker.task()));
+    }
+    text += worker.drains() ? ", drains\n" : "\n";
+  }
+  return text;
+}
+
+std::string farm_events_json(const wire::StatusReply& reply, bool with_workers) {
+  std::string lines;
+  for (const wire::HostInQuarantine& host : reply.hosts()) {
+    lines += line_of({{"type", "host_in_quarantine"},
+                      {"host", host.host()},
+                      {"reason", host.reason()},
+                      {"since_ms", host.since_ms()}}) +
+             "\n";
+  }
+  if (!with_workers) return lines;
+  for (const wire::WorkerStatus& worker : reply.at_work()) {
+    lines += line_of({{"type", "worker"},
+                      {"worker", "worker-" + std::to_string(worker.worker())},
+                      {"host", worker.host()},
+                      {"process", worker.process()},
+                      {"task", worker.task()},
+                      {"drains", worker.drains()},
+                      {"memory_bytes", worker.memory_bytes()}}) +
+             "\n";
+  }
+  return lines;
 }
 
 std::string error_json(const std::string& message, int exit_code) {

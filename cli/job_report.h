@@ -24,6 +24,12 @@ std::string result_text(const wire::JobStatus& status, double seconds,
                         const std::vector<std::filesystem::path>& files);
 std::string status_text(const wire::StatusReply& reply);
 
+/// A line for each worker that is here.
+std::string workers_text(const wire::StatusReply& reply);
+
+/// Hosts in quarantine, and on demand the workers, as lines of JSON.
+std::string farm_events_json(const wire::StatusReply& reply, bool with_workers);
+
 /// {"type":"error","message":…,"exit_code":…}.
 std::string error_json(const std::string& message, int exit_code);
 

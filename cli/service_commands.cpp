@@ -1,10 +1,13 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
+#include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
 #include "cli/job_outcome.h"
@@ -13,6 +16,7 @@
 #include "coordinator/server.h"
 #include "worker/child_task.h"
 #include "worker/client.h"
+#include "worker/machine.h"
 #include "worker/task_program.h"
 
 namespace tetfarm {
@@ -22,6 +26,16 @@ std::int64_t in_ms(double seconds) { return static_cast<std::int64_t>(seconds * 
 
 CoordinatorConnection connect(const ClientOptions& client, const std::string& store) {
   return CoordinatorConnection(client.endpoint, read_peer_keys(client.keys, store));
+}
+
+/// The 7 of "worker-7"; 0 when it is anything else.
+std::uint64_t parse_worker_name(const std::string& name) {
+  const std::string prefix = "worker-";
+  if (!name.starts_with(prefix)) return 0;
+  std::uint64_t worker = 0;
+  const char* end = name.data() + name.size();
+  const auto [stopped, error] = std::from_chars(name.data() + prefix.size(), end, worker);
+  return error == std::errc{} && stopped == end ? worker : 0;
 }
 
 wire::JobStatus status_of_job(CoordinatorConnection& connection, const ClientOptions& client) {
@@ -49,6 +63,8 @@ ExitCode status_command(const StatusCommand& command) {
   }
   if (!client.json) std::printf("%s", status_text(reply).c_str());
   if (client.json && client.job.empty()) std::printf("%s\n", farm_json(reply).c_str());
+  if (!client.json && command.workers) std::printf("%s", workers_text(reply).c_str());
+  if (client.json) std::printf("%s", farm_events_json(reply, command.workers).c_str());
   for (const wire::JobStatus& status : reply.jobs()) {
     if (client.json) std::printf("%s\n", status_json(status).c_str());
   }
@@ -104,6 +120,42 @@ ExitCode cancel_command(const CancelCommand& command) {
   return ExitCode::ok;
 }
 
+ExitCode retry_command(const RetryCommand& command) {
+  const ClientOptions& client = command.client;
+  if (client.job.empty() == command.host.empty()) throw UsageError("name a job or a host", "retry");
+  wire::Retry retry;
+  retry.set_job(client.job);
+  retry.set_task(command.task);
+  retry.set_host(command.host);
+  CoordinatorConnection connection = connect(client, "");
+  const std::uint64_t count = connection.retry(retry, in_ms(client.timeout_s)).count();
+  const std::string& what = command.host.empty() ? client.job : command.host;
+  if (count == 0) throw Error(ExitCode::not_found, what + ": nothing there is in quarantine");
+  if (client.json) {
+    std::printf("{\"type\":\"retried\",\"count\":%llu}\n", static_cast<unsigned long long>(count));
+  } else {
+    std::printf("%s goes on\n", what.c_str());
+  }
+  return ExitCode::ok;
+}
+
+ExitCode drain_command(const DrainCommand& command) {
+  const ClientOptions& client = command.client;
+  const std::uint64_t worker = parse_worker_name(command.worker);
+  if (command.all == (worker != 0)) throw UsageError("name one worker, or --all", "drain");
+  CoordinatorConnection connection = connect(client, "");
+  const std::uint64_t count = connection.drain(worker, in_ms(client.timeout_s)).count();
+  if (count == 0 && !command.all) {
+    throw Error(ExitCode::not_found, "no " + command.worker + " at " + client.endpoint);
+  }
+  if (client.json) {
+    std::printf("{\"type\":\"draining\",\"count\":%llu}\n", static_cast<unsigned long long>(count));
+  } else {
+    std::printf("%llu workers drain\n", static_cast<unsigned long long>(count));
+  }
+  return ExitCode::ok;
+}
+
 ExitCode coordinator_command(const CoordinatorCommand& command) {
   log_to_stderr(command.quiet);
   CoordinatorOptions options;
@@ -116,6 +168,7 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   options.max_workers = command.max_workers;
   options.heartbeat_ms = command.heartbeat_ms;
   options.lease_ms = command.lease_ms;
+  options.task_limit_ms = in_ms(command.task_limit_s);
   options.insecure = command.insecure;
   options.log_to_stderr = !command.quiet;
   options.on_listening = [&command](const std::vector<std::string>& endpoints) {
@@ -134,7 +187,13 @@ ExitCode worker_command(const WorkerCommand& command) {
   options.store = std::filesystem::absolute(command.store);
   options.keys = command.keys;
   options.task_command = {"/proc/self/exe", "task"};
-  options.memory_limit_bytes = command.memory_limit_bytes;
+  options.memory_bytes = command.memory_bytes;
+  const auto environment = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  options.ends_in_ms =
+      command.walltime_s > 0 ? in_ms(command.walltime_s) : walltime_left_ms(environment, wall_ms());
   options.grace_ms = in_ms(command.grace_s);
   return run_worker(options);
 }

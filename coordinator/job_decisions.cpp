@@ -12,44 +12,18 @@ namespace {
 
 constexpr int exit_failed = static_cast<int>(ExitCode::failed);
 
+}  // namespace
+
 std::string place_of(const TaskRow& task) {
   std::string place = name_of(task.kind);
   if (task.path != 0) place += " of sub-domain " + std::to_string(task.path);
   return place;
 }
 
-/// Where a person finds the inputs of a task, relative to the store's folder.
-std::string inputs_of(const TaskRow& task) {
-  std::string list;
-  for (const ArtifactRef& input : task.inputs) {
-    if (!list.empty()) list += ", ";
-    list += input.name + " artifacts/" + input.hash.substr(0, 2) + "/" + input.hash;
-    if (list.size() > 500) return list + ", …";
-  }
-  return list;
-}
-
-/// Whether the files of a task that is not done are the outputs of an earlier run, which other
-/// tasks build upon; otherwise they are the evidence of a failure.
-bool was_done_before(const TaskRow& task) {
-  TaskResult earlier;
-  earlier.outputs = task.outputs;
-  earlier.numbers = task.numbers;
-  return !task.outputs.empty() && task.kind != TaskKind::assemble && !problem_with(task, earlier);
-}
-
-std::int64_t delay_ms(std::int64_t first_ms, std::uint32_t count, std::int64_t longest_ms) {
-  std::int64_t delay = first_ms;
-  for (std::uint32_t i = 1; i < count && delay < longest_ms; ++i) delay *= 2;
-  return std::min(delay, longest_ms);
-}
-
-}  // namespace
-
 void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
                     Moment now) {
   sessions_.at(worker).heard_ms = now.steady_ms;
-  if (!is_current(id, attempt)) {
+  if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
     return;
   }
@@ -75,6 +49,8 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
     return;
   }
   end_attempt(attempt, AttemptState::done, "", now);
+  revoke_attempts(task, "another attempt was faster", now);
+  task.attempt = attempt;
   task.outputs = result.outputs;
   task.numbers = result.numbers;
   task.texts = result.texts;
@@ -84,6 +60,8 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   task.message.clear();
   set_state(task, TaskState::done);
   if (!made_before) remember_work(task);
+  expectation_.learn(task);
+  host2crashes_.erase(workers_.at(worker).host);
   not_before_ms_.erase(id);
   failed_on_.erase(id);
   stuck_delay_ms_ = 0;
@@ -95,14 +73,18 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
 void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
                       Moment now) {
   sessions_.at(worker).heard_ms = now.steady_ms;
-  if (!is_current(id, attempt)) {
+  if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, false});
     return;
   }
   commands_.emplace_back(SendAccepted{worker, id, attempt, true});
-  TaskRow& task = edit(id);
+  take_failure(edit(id), worker, attempt, failure, now);
+}
+
+void JobState::take_failure(TaskRow& task, WorkerId worker, AttemptId attempt,
+                            const TaskFailure& failure, Moment now) {
   const bool for_good = !failure.may_retry && !failure.out_of_resources && !failure.killed &&
-                        failure.damaged_inputs.empty();
+                        !failure.out_of_memory && failure.damaged_inputs.empty();
   if (for_good) {
     end_attempt(attempt, AttemptState::failed, failure.message, now);
     if (task.outputs.empty()) {
@@ -112,8 +94,12 @@ void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskF
     fail_task(task, failure.exit_code, failure.message, now);
   } else if (!failure.damaged_inputs.empty()) {
     lose_attempt(attempt, AttemptState::returned, failure.message, now);
-    settle_waiting(id, now);
+    settle_waiting(task.id, now);
     if (task.state == TaskState::ready) count_loss(task, failure.message, now);
+  } else if (failure.out_of_memory) {
+    const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
+    lose_attempt(attempt, AttemptState::starved, failure.message, now);
+    count_starving(task, had_bytes, failure, now);
   } else if (failure.out_of_resources) {
     lose_attempt(attempt, AttemptState::returned, failure.message, now);
     out_of_resources(failure.message, now);
@@ -122,50 +108,8 @@ void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskF
     count_loss(task, failure.message, now);
   } else {
     lose_attempt(attempt, AttemptState::crashed, failure.message, now);
-    count_crash(task, failure.message, now);
+    count_crash(task, worker, failure.message, now);
   }
-}
-
-void JobState::count_crash(TaskRow& task, const std::string& message, Moment now) {
-  ++task.crashes;
-  task.message = message;
-  not_before_ms_[task.id] =
-      now.steady_ms + delay_ms(rules_.crash_delay_ms, task.crashes, rules_.longest_delay_ms);
-  if (task.crashes < rules_.max_crashes) return;
-  fail_task(task, exit_failed,
-            "poisoned: crashed " + std::to_string(task.crashes) + " times, at last: " + message +
-                "; its inputs in the store: " + inputs_of(task),
-            now);
-}
-
-void JobState::count_loss(TaskRow& task, const std::string& message, Moment now) {
-  ++task.losses;
-  task.message = message;
-  not_before_ms_[task.id] =
-      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.losses, rules_.longest_delay_ms);
-  if (task.losses < rules_.max_losses) return;
-  fail_task(task, exit_failed,
-            "poisoned: lost or killed " + std::to_string(task.losses) +
-                " times, at last: " + message + "; its inputs in the store: " + inputs_of(task),
-            now);
-}
-
-void JobState::fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message,
-                         Moment now) {
-  task.exit_code = exit_code == 0 ? exit_failed : exit_code;
-  task.message = message;
-  task.attempt = {};
-  set_state(task, TaskState::failed);
-  fail_job(task.job, task.exit_code, place_of(task) + ": " + message, now);
-}
-
-void JobState::fail_job(JobId id, std::int32_t exit_code, const std::string& message, Moment now) {
-  JobRow& job = edit(id);
-  if (job.phase != JobPhase::running) return;
-  job.exit_code = exit_code;
-  job.message = message;
-  set_phase(job, JobPhase::failed, now);
-  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "job failed", message});
 }
 
 void JobState::advance(const TaskRow& task, Moment now) {
@@ -300,28 +244,6 @@ void JobState::cancel_others(const std::string& key, Moment now) {
   }
 }
 
-/// What failed is tried again, with a clean record; what is done stays done.
-void JobState::resume(JobRow& job, Moment now) {
-  job.exit_code = 0;
-  job.message.clear();
-  set_phase(job, JobPhase::running, now);
-  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
-  for (const TaskId id : tasks_of(job.id)) {
-    TaskRow& task = durable_.tasks.at(id);
-    if (task.state != TaskState::failed && task.state != TaskState::ready) continue;
-    edit(id);
-    if (task.state == TaskState::failed && !was_done_before(task)) task.outputs.clear();
-    task.crashes = 0;
-    task.losses = 0;
-    task.exit_code = 0;
-    task.message.clear();
-    not_before_ms_.erase(id);
-    failed_on_.erase(id);
-    set_state(task, TaskState::ready);
-  }
-  wake_waiting(job.id, now);
-}
-
 bool JobState::cancel(JobId id, Moment now) {
   const auto found = durable_.jobs.find(id);
   if (found == durable_.jobs.end()) return false;
@@ -329,14 +251,8 @@ bool JobState::cancel(JobId id, Moment now) {
   set_phase(edit(id), JobPhase::cancelled, now);
   new_events_.push_back({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
   for (const TaskId task : tasks_of(id)) {
-    const TaskRow& row = durable_.tasks.at(task);
-    if (row.state != TaskState::leased) continue;
-    const AttemptId attempt = row.attempt;
-    const WorkerId worker = durable_.running_attempts.at(attempt).worker;
-    lose_attempt(attempt, AttemptState::revoked, "the job was cancelled", now);
-    if (sessions_.contains(worker)) {
-      commands_.emplace_back(SendAccepted{worker, task, attempt, false});
-    }
+    if (durable_.tasks.at(task).state != TaskState::leased) continue;
+    revoke_attempts(edit(task), "the job was cancelled", now);
   }
   return true;
 }

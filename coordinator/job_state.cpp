@@ -38,9 +38,12 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
     if (had_turn) ++turns_over_[task.job];
     remember_work(task);
+    if (task.state == TaskState::done) expectation_.learn(task);
   }
   for (const auto& [id, attempt] : durable_.running_attempts) {
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
+    started_ms_[id] = now.steady_ms;
+    if (attempt.is_rival) rivals_[attempt.task] = id;
   }
   for (const auto& [id, job] : durable_.jobs) {
     if (job.phase == JobPhase::running) wake_waiting(id, now);
@@ -64,6 +67,17 @@ void JobState::index(const TaskRow& task) {
   } else {
     offers_.erase(offer);
   }
+  const auto belongs = [&task](std::map<JobId, std::set<TaskId>>& lists, bool should) {
+    std::set<TaskId>& list = lists[task.job];
+    if (should) {
+      list.insert(task.id);
+    } else {
+      list.erase(task.id);
+    }
+    if (list.empty()) lists.erase(task.job);
+  };
+  belongs(active_, task.state == TaskState::ready || task.state == TaskState::leased);
+  belongs(failed_, task.state == TaskState::failed);
 }
 
 void JobState::index(const SubdomainRow& subdomain, bool adds) {
@@ -173,12 +187,14 @@ ChangeSet JobState::take_changes() {
   for (const TaskId id : dirty_tasks_) changes.tasks.push_back(durable_.tasks.at(id));
   for (auto& [id, worker] : dirty_workers_) changes.workers.push_back(std::move(worker));
   for (auto& [id, attempt] : dirty_attempts_) changes.attempts.push_back(std::move(attempt));
+  for (auto& [name, host] : dirty_hosts_) changes.hosts.push_back(std::move(host));
   changes.events = std::exchange(new_events_, {});
   dirty_jobs_.clear();
   dirty_subdomains_.clear();
   dirty_tasks_.clear();
   dirty_workers_.clear();
   dirty_attempts_.clear();
+  dirty_hosts_.clear();
   return changes;
 }
 
@@ -199,17 +215,27 @@ std::vector<std::string> JobState::validate() const {
     if (offered != should) report(id, "wrongly on offer or not on offer");
   }
   for (const auto& [id, attempt] : durable_.running_attempts) {
-    if (durable_.tasks.at(attempt.task).attempt != id) report(attempt.task, "has a stray attempt");
+    const auto rival = rivals_.find(attempt.task);
+    const bool races = rival != rivals_.end() && rival->second == id;
+    if (races != attempt.is_rival) report(attempt.task, "has a rival that is none, or reverse");
+    const bool is_first = durable_.tasks.at(attempt.task).attempt == id;
+    if (is_first == races) report(attempt.task, "has a stray attempt");
+    if (!started_ms_.contains(id)) report(attempt.task, "runs since nobody knows when");
     if (!lease_ends_ms_.contains(id)) report(attempt.task, "runs without a lease");
   }
   if (lease_ends_ms_.size() != durable_.running_attempts.size()) {
     broken.emplace_back("a lease without a running attempt");
+  }
+  for (const auto& [task, rival] : rivals_) {
+    if (!durable_.running_attempts.contains(rival)) report(task, "is raced by nobody");
   }
   for (const auto& [id, session] : sessions_) {
     if (!session.attempt) continue;
     const auto found = durable_.running_attempts.find(session.attempt);
     if (found == durable_.running_attempts.end() || found->second.worker != id) {
       broken.push_back("worker " + std::to_string(id.value) + " holds what is not its own");
+    } else if (found->second.nonce != session.nonce) {
+      broken.push_back("worker " + std::to_string(id.value) + " holds another process's attempt");
     }
   }
   return broken;

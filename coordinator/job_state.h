@@ -6,10 +6,13 @@
 ///
 /// States and transitions of a task: coordinator/task_states.dot. Messages: proto/protocol.md.
 /// Invariants, checked by validate():
-///  1. A task is leased exactly when its attempt is the one running attempt of that task.
+///  1. A task is leased exactly when its attempt is running; at most one other, its rival, runs
+///  too.
 ///  2. A done task names the attempt that was accepted; no other is ever accepted for it.
-///  3. Every running attempt has a lease; a worker holds at most one.
+///  3. Every running attempt has a lease; a worker holds at most one, and only the process that was
+///     given an attempt holds it.
 ///  4. A task is on offer exactly when it is ready and its job is running.
+///  5. A host in quarantine gets no tasks.
 /// Units: times in milliseconds.
 #pragma once
 
@@ -23,6 +26,7 @@
 #include <vector>
 
 #include "coordinator/cosmetic_graph.h"
+#include "coordinator/task_expectation.h"
 #include "coordinator/task_graph.h"
 #include "store/rows.h"
 
@@ -36,23 +40,35 @@ struct Moment {
 
 struct FarmRules {
   std::int64_t lease_ms = 10000;
-  std::uint32_t max_crashes = 3;  ///< of the task's own doing; then it is poisoned
+  std::uint32_t max_crashes = 3;  ///< errors, of the task's own doing; then it is in quarantine
   std::uint32_t max_losses =
       50;  ///< kills and lost leases: operators and schedulers kill processes
+  std::uint32_t max_starvings = 12;    ///< out of memory, each time with twice the room
+  std::uint32_t host_tasks = 3;        ///< that failed on a host, none done between: its quarantine
   std::int64_t crash_delay_ms = 1000;  ///< doubled by each crash
   std::int64_t loss_delay_ms = 100;    ///< doubled by each loss
   std::int64_t longest_delay_ms = 30000;
   /// Names the program: results of another one do not serve.
   std::string program;
   std::int64_t elsewhere_ms = 5000;  ///< how long a task waits for a worker it has not failed on
+  // A worker ends an attempt after this many times what is expected of its kind, at least …
+  std::int64_t limit_factor = 20;
+  std::int64_t least_limit_ms = 3'600'000;
+  std::int64_t unknown_limit_ms = 86'400'000;  ///< where nothing is expected
+  // A second attempt races one that takes this many times what is expected, at least …
+  std::int64_t late_factor = 3;
+  std::int64_t least_late_ms = 10'000;
 };
 
 struct WorkerInfo {
-  std::string host;
+  std::string host = {};
   std::int64_t process = 0;
   std::uint32_t cores = 0;
   std::uint64_t memory_bytes = 0;
-  std::string program_version;
+  std::string program_version = {};
+  std::string nonce = {};       ///< random, of this process: the same on each of its connections
+  bool shares_memory = true;    ///< memory_bytes are the host's, not this worker's own
+  std::int64_t ends_in_ms = 0;  ///< until its batch system ends it; 0: not known
 };
 
 struct TaskFailure {
@@ -61,6 +77,8 @@ struct TaskFailure {
   bool may_retry = false;
   bool out_of_resources = false;
   bool killed = false;
+  bool out_of_memory = false;
+  std::uint64_t peak_rss_bytes = 0;
   std::vector<std::string> damaged_inputs;  ///< hashes; the shell has checked that they are damaged
   std::vector<ArtifactRef> evidence;
 };
@@ -79,6 +97,13 @@ struct SubmitAnswer {
   bool existed = false;
 };
 
+/// A worker that is here.
+struct WorkerAtWork {
+  WorkerRow row;
+  TaskId task;  ///< that it runs, 0: none
+  bool drains = false;
+};
+
 struct SendWelcome {
   WorkerId worker;
   bool keep_running = false;
@@ -87,6 +112,10 @@ struct SendAssign {
   WorkerId worker;
   TaskId task;
   AttemptId attempt;
+  std::int64_t limit_ms = 0;
+};
+struct SendDrain {
+  WorkerId worker;
 };
 struct SendAccepted {
   WorkerId worker;
@@ -94,7 +123,7 @@ struct SendAccepted {
   AttemptId attempt;
   bool taken = false;
 };
-using Command = std::variant<SendWelcome, SendAssign, SendAccepted>;
+using Command = std::variant<SendWelcome, SendAssign, SendAccepted, SendDrain>;
 
 class JobState {
  public:
@@ -110,7 +139,8 @@ class JobState {
   /// A worker that says Hello; `task` and `attempt` are what it still works on, 0 for nothing.
   WorkerId add_worker(const WorkerInfo& info, TaskId task, AttemptId attempt, Moment now);
   /// Hello again on a known connection.
-  void greet_again(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
+  void greet_again(WorkerId worker, const WorkerInfo& info, TaskId task, AttemptId attempt,
+                   Moment now);
   void worker_is_ready(WorkerId worker, Moment now);
   void heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
   void done(WorkerId worker, TaskId task, AttemptId attempt, const TaskResult& result, Moment now);
@@ -122,6 +152,13 @@ class JobState {
   // Clients.
   SubmitAnswer submit(const Submission& submission, Moment now);
   bool cancel(JobId job, Moment now);
+  /// Takes a task out of quarantine, or (task 0) all of the job; it goes on. How many were taken
+  /// out; 0 when there is no such job or task in quarantine.
+  std::size_t retry(JobId job, TaskId task, Moment now);
+  /// False when the host is not in quarantine.
+  bool let_host_go(const std::string& host, Moment now);
+  /// The worker, or (0) every one that is here, gets no more tasks and is told to leave. How many.
+  std::size_t drain(WorkerId worker);
 
   /// The disk is full: nothing is handed out for a while.
   void out_of_resources(const std::string& message, Moment now);
@@ -136,6 +173,7 @@ class JobState {
 
   const DurableState& durable() const { return durable_; }
   std::size_t worker_count() const { return sessions_.size(); }
+  std::vector<WorkerAtWork> workers_at_work() const;
   bool is_stuck() const { return stuck_delay_ms_ > 0; }
   const std::string& stuck_message() const { return stuck_message_; }
 
@@ -146,6 +184,10 @@ class JobState {
   struct Session {
     AttemptId attempt;  ///< running there, 0: none
     bool ready = false;
+    bool drains = false;
+    bool shares_memory = true;
+    std::string nonce;
+    std::int64_t ends_ms = 0;  ///< 0: not known
     std::int64_t heard_ms = 0;
   };
   using Offer = std::tuple<int, TaskId>;  ///< rank, task
@@ -170,26 +212,50 @@ class JobState {
 
   // job_workers.cpp: sessions, leases, handing out
   bool is_current(TaskId task, AttemptId attempt) const;
+  bool holds(WorkerId worker, TaskId task, AttemptId attempt) const;
+  void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
   bool take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
   AttemptRow end_attempt(AttemptId attempt, AttemptState state, const std::string& message,
                          Moment now);
   void lose_attempt(AttemptId attempt, AttemptState state, const std::string& message, Moment now);
   void hand_out(Moment now);
+  bool may_work(WorkerId worker, const Session& session) const;
+  bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
   TaskId pick_for(WorkerId worker, Moment now);
   void lease(WorkerId worker, TaskId task, Moment now);
+
+  // job_races.cpp: time and room
+  std::int64_t limit_ms(const TaskRow& task) const;
+  std::uint64_t largest_memory() const;
+  std::uint64_t memory_for(const TaskRow& task) const;
+  std::uint64_t free_memory(WorkerId worker) const;
+  bool has_time_for(const Session& session, const TaskRow& task, Moment now) const;
+  std::vector<TaskId> late_tasks(Moment now) const;
+  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late, Moment now) const;
+  void leave_race(const AttemptRow& ended);
+  void revoke_attempts(TaskRow& task, const std::string& why, Moment now);
 
   // job_decisions.cpp: results, failures, clients
   void advance(const TaskRow& task, Moment now);
   void tree_has_grown(JobId job, Moment now);
   void finish_tree(JobId job, Moment now);
   void carry_out(const GraphStep& step, Moment now);
+  void take_failure(TaskRow& task, WorkerId worker, AttemptId attempt, const TaskFailure& failure,
+                    Moment now);
+  void cancel_others(const std::string& key, Moment now);
+
+  // job_quarantine.cpp: what fails again and again
   void fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message, Moment now);
   void fail_job(JobId job, std::int32_t exit_code, const std::string& message, Moment now);
-  void count_crash(TaskRow& task, const std::string& message, Moment now);
+  void end_hopeless_jobs(Moment now);
+  void count_crash(TaskRow& task, WorkerId worker, const std::string& message, Moment now);
   void count_loss(TaskRow& task, const std::string& message, Moment now);
+  void count_starving(TaskRow& task, std::uint64_t had_bytes, const TaskFailure& failure,
+                      Moment now);
+  bool suspect_host(TaskId task, WorkerId worker, const std::string& message, Moment now);
+  void forgive(TaskId task);
   void resume(JobRow& job, Moment now);
-  void cancel_others(const std::string& key, Moment now);
 
   // job_cosmetics.cpp: turns in cosmetics across cuts
   const TaskRow* find_done(JobId job, TaskKind kind, std::uint64_t path) const;
@@ -210,10 +276,18 @@ class JobState {
   HasFile has_file_;
 
   std::map<WorkerId, Session> sessions_;
+  std::multiset<std::uint64_t> memories_;  ///< of the workers that are here
   std::map<AttemptId, std::int64_t> lease_ends_ms_;
+  std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
+  std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first
+  TaskExpectation expectation_;
   std::set<Offer> offers_;
   std::map<TaskId, std::int64_t> not_before_ms_;
   std::map<TaskId, WorkerId> failed_on_;
+  /// Crashes on a host since a task was last done there.
+  std::map<std::string, std::map<TaskId, std::uint32_t>> host2crashes_;
+  std::map<JobId, std::set<TaskId>> active_;  ///< ready or leased
+  std::map<JobId, std::set<TaskId>> failed_;  ///< in quarantine
   std::map<Place, TaskId> places_;
   std::map<JobId, std::int64_t> unsettled_;  ///< sub-domains still to be cut or meshed
   std::map<JobId, std::int64_t> open_;       ///< sub-domains still to be cut
@@ -230,9 +304,13 @@ class JobState {
   std::set<SubdomainKey> dirty_subdomains_;
   std::map<AttemptId, AttemptRow> dirty_attempts_;
   std::map<WorkerId, WorkerRow> dirty_workers_;
+  std::map<std::string, HostRow> dirty_hosts_;
   std::map<WorkerId, WorkerRow> workers_;
   std::vector<EventRow> new_events_;
   std::vector<Command> commands_;
 };
+
+/// "mesh of sub-domain 5", for people.
+std::string place_of(const TaskRow& task);
 
 }  // namespace tetfarm

@@ -5,6 +5,8 @@
 namespace tetfarm {
 namespace {
 
+constexpr std::size_t most_named = 100;
+
 /// The largest over the mean: how evenly the work was spread (thesis figs. 70 and 71).
 struct Evenness {
   double largest = 0;
@@ -90,10 +92,12 @@ void count_task(const TaskRow& task, JobSummary& summary) {
       ++summary.tasks_ready;
       break;
     case TaskState::failed:
+      if (summary.quarantine.size() < most_named) summary.quarantine.push_back(task);
       break;
   }
   summary.attempts_lost += task.losses;
   summary.crashes += task.crashes;
+  summary.starvings += task.starvings;
   summary.peak_rss_bytes_worker = std::max(summary.peak_rss_bytes_worker, task.peak_rss_bytes);
 }
 

@@ -31,6 +31,8 @@ struct JobSummary {
   std::uint64_t tasks_running = 0;
   std::uint64_t attempts_lost = 0;
   std::uint64_t crashes = 0;
+  std::uint64_t starvings = 0;      ///< times that a task was out of memory
+  std::vector<TaskRow> quarantine;  ///< tasks that failed; at most 100 of them
   std::uint64_t peak_rss_bytes_worker = 0;
   double seconds = 0;
 };

@@ -12,6 +12,11 @@ bool JobState::is_current(TaskId task, AttemptId attempt) const {
   return found != durable_.running_attempts.end() && found->second.task == task;
 }
 
+/// Only the process that was given an attempt can bring its result.
+bool JobState::holds(WorkerId worker, TaskId task, AttemptId attempt) const {
+  return is_current(task, attempt) && durable_.running_attempts.at(attempt).worker == worker;
+}
+
 bool JobState::was_accepted(TaskId task, AttemptId attempt) const {
   const auto found = durable_.tasks.find(task);
   return found != durable_.tasks.end() && attempt && found->second.attempt == attempt &&
@@ -30,7 +35,8 @@ WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId att
   row.seen_ms = now.wall_ms;
   workers_[id] = row;
   dirty_workers_[id] = row;
-  sessions_[id].heard_ms = now.steady_ms;
+  memories_.insert(row.memory_bytes);
+  note_terms(id, info, now);
   new_events_.push_back({now.wall_ms,
                          {},
                          {},
@@ -42,16 +48,31 @@ WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId att
   return id;
 }
 
-void JobState::greet_again(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
+  Session& session = sessions_[worker];
+  session.heard_ms = now.steady_ms;
+  session.nonce = info.nonce;
+  session.shares_memory = info.shares_memory;
+  session.ends_ms = info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0;
+}
+
+void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task, AttemptId attempt,
+                           Moment now) {
+  const AttemptId held = sessions_.at(worker).attempt;
+  const bool is_another = sessions_.at(worker).nonce != info.nonce;
+  if (held && is_another) {
+    lose_attempt(held, AttemptState::lost, "another process took its place", now);
+  }
+  note_terms(worker, info, now);
   commands_.emplace_back(SendWelcome{worker, take_over(worker, task, attempt, now)});
 }
 
 /// The attempt moves to `worker`, which is the same process on a new connection. False when it is
-/// stale.
+/// stale, or another process's.
 bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
   if (!attempt || !is_current(task, attempt)) return false;
   AttemptRow& row = durable_.running_attempts.at(attempt);
+  if (row.nonce != sessions_.at(worker).nonce) return false;
   if (row.worker != worker) {
     const AttemptId held = sessions_.at(worker).attempt;
     if (held) lose_attempt(held, AttemptState::lost, "its worker went on with another", now);
@@ -73,8 +94,10 @@ void JobState::worker_is_ready(WorkerId worker, Moment now) {
   Session& session = sessions_.at(worker);
   session.heard_ms = now.steady_ms;
   if (session.attempt) {
-    const TaskId task = durable_.running_attempts.at(session.attempt).task;
-    commands_.emplace_back(SendAssign{worker, task, session.attempt});
+    const TaskRow& task = durable_.tasks.at(durable_.running_attempts.at(session.attempt).task);
+    commands_.emplace_back(SendAssign{worker, task.id, session.attempt, limit_ms(task)});
+  } else if (session.drains) {
+    commands_.emplace_back(SendDrain{worker});
   } else {
     session.ready = true;
   }
@@ -83,7 +106,7 @@ void JobState::worker_is_ready(WorkerId worker, Moment now) {
 void JobState::heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
   sessions_.at(worker).heard_ms = now.steady_ms;
   if (!attempt) return;
-  if (is_current(task, attempt) && durable_.running_attempts.at(attempt).worker == worker) {
+  if (holds(worker, task, attempt)) {
     lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
   } else {
     commands_.emplace_back(SendAccepted{worker, task, attempt, was_accepted(task, attempt)});
@@ -100,6 +123,7 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
   }
   sessions_.erase(worker);
   auto row = workers_.extract(worker);
+  memories_.erase(memories_.find(row.mapped().memory_bytes));
   row.mapped().gone = true;
   dirty_workers_[worker] = row.mapped();
   new_events_.push_back(
@@ -117,6 +141,8 @@ AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const st
   row.ended_ms = now.wall_ms;
   dirty_attempts_[attempt] = row;
   lease_ends_ms_.erase(attempt);
+  started_ms_.erase(attempt);
+  leave_race(row);
   const auto session = sessions_.find(row.worker);
   if (session != sessions_.end() && session->second.attempt == attempt) {
     session->second.attempt = {};
@@ -129,10 +155,9 @@ void JobState::lose_attempt(AttemptId attempt, AttemptState state, const std::st
                             Moment now) {
   const AttemptRow row = end_attempt(attempt, state, message, now);
   TaskRow& task = edit(row.task);
-  task.attempt = {};
   failed_on_[task.id] = row.worker;
   not_before_ms_[task.id] = now.steady_ms;
-  set_state(task, TaskState::ready);
+  if (!task.attempt) set_state(task, TaskState::ready);
   if (state == AttemptState::lost) count_loss(task, message, now);
 }
 
@@ -159,31 +184,72 @@ void JobState::tick(Moment now) {
   }
   for (const WorkerId worker : silent) worker_left(worker, true, now);
   if (!is_stuck() || now.steady_ms >= stuck_until_ms_) hand_out(now);
+  end_hopeless_jobs(now);
 }
 
+std::size_t JobState::drain(WorkerId worker) {
+  std::size_t count = 0;
+  for (auto& [id, session] : sessions_) {
+    if (worker && id != worker) continue;
+    session.drains = true;
+    session.ready = false;
+    commands_.emplace_back(SendDrain{id});
+    ++count;
+  }
+  return count;
+}
+
+std::vector<WorkerAtWork> JobState::workers_at_work() const {
+  std::vector<WorkerAtWork> all;
+  for (const auto& [id, session] : sessions_) {
+    const auto attempt = durable_.running_attempts.find(session.attempt);
+    const TaskId task =
+        attempt == durable_.running_attempts.end() ? TaskId{} : attempt->second.task;
+    all.push_back({workers_.at(id), task, session.drains});
+  }
+  return all;
+}
+
+bool JobState::may_work(WorkerId worker, const Session& session) const {
+  return session.ready && !session.attempt &&
+         !durable_.quarantined_hosts.contains(workers_.at(worker).host);
+}
+
+/// Who has nothing else to do races a task that is late.
 void JobState::hand_out(Moment now) {
+  std::vector<TaskId> late = late_tasks(now);
   for (auto& [worker, session] : sessions_) {
-    if (offers_.empty()) return;
-    if (!session.ready || session.attempt) continue;
-    const TaskId task = pick_for(worker, now);
+    if (offers_.empty() && late.empty()) return;
+    if (!may_work(worker, session)) continue;
+    TaskId task = pick_for(worker, now);
+    if (!task) task = pick_late(worker, late, now);
     if (task) lease(worker, task, now);
   }
+}
+
+/// Whether a ready task may go to the worker now: not before its back-off is over, elsewhere than
+/// where it failed for a while, with time and room for it.
+bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Moment now) const {
+  const auto not_before = not_before_ms_.find(id);
+  const std::int64_t from_ms = not_before == not_before_ms_.end() ? 0 : not_before->second;
+  if (not_before != not_before_ms_.end() && now.steady_ms < from_ms) return false;
+  const auto failed_on = failed_on_.find(id);
+  const bool failed_here = failed_on != failed_on_.end() && failed_on->second == worker;
+  if (failed_here && sessions_.size() > 1 && now.steady_ms < from_ms + rules_.elsewhere_ms) {
+    return false;
+  }
+  const TaskRow& task = durable_.tasks.at(id);
+  return memory_for(task) <= free_bytes && has_time_for(sessions_.at(worker), task, now);
 }
 
 /// The best task for a worker; 0 when there is none for it now. Tasks whose inputs turn out to be
 /// gone start to wait.
 TaskId JobState::pick_for(WorkerId worker, Moment now) {
+  const std::uint64_t free_bytes = offers_.empty() ? 0 : free_memory(worker);
   std::vector<TaskId> incomplete;
   TaskId picked;
   for (const auto& [rank, id] : offers_) {
-    const auto not_before = not_before_ms_.find(id);
-    const std::int64_t from_ms = not_before == not_before_ms_.end() ? 0 : not_before->second;
-    if (not_before != not_before_ms_.end() && now.steady_ms < from_ms) continue;
-    const auto failed_on = failed_on_.find(id);
-    const bool failed_here = failed_on != failed_on_.end() && failed_on->second == worker;
-    if (failed_here && sessions_.size() > 1 && now.steady_ms < from_ms + rules_.elsewhere_ms) {
-      continue;
-    }
+    if (!suits(worker, id, free_bytes, now)) continue;
     const std::vector<ArtifactRef>& inputs = durable_.tasks.at(id).inputs;
     if (std::all_of(inputs.begin(), inputs.end(), has_file_)) {
       picked = id;
@@ -202,16 +268,24 @@ void JobState::lease(WorkerId worker, TaskId task, Moment now) {
   attempt.task = task;
   attempt.worker = worker;
   attempt.started_ms = now.wall_ms;
+  TaskRow& row = edit(task);
+  attempt.nonce = session.nonce;
+  attempt.memory_bytes = session.shares_memory ? memory_for(row) : workers_.at(worker).memory_bytes;
+  attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);
   dirty_attempts_[attempt.id] = attempt;
   lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
   session.attempt = attempt.id;
+  started_ms_[attempt.id] = now.steady_ms;
   session.ready = false;
-  TaskRow& row = edit(task);
-  row.attempt = attempt.id;
-  set_state(row, TaskState::leased);
-  record(now, row, attempt.id, worker, "assigned");
-  commands_.emplace_back(SendAssign{worker, task, attempt.id});
+  if (attempt.is_rival) {
+    rivals_[task] = attempt.id;
+  } else {
+    row.attempt = attempt.id;
+    set_state(row, TaskState::leased);
+  }
+  record(now, row, attempt.id, worker, attempt.is_rival ? "races" : "assigned");
+  commands_.emplace_back(SendAssign{worker, task, attempt.id, limit_ms(row)});
 }
 
 }  // namespace tetfarm

@@ -5,6 +5,9 @@
 namespace tetfarm {
 namespace {
 
+/// Longer than any walltime, and far from where sums of times overflow.
+constexpr std::uint64_t longest_ms = std::uint64_t{1} << 50U;
+
 /// A name that cannot lead out of a folder.
 std::string plain_name(std::string name) {
   std::replace_if(
@@ -53,6 +56,9 @@ WorkerInfo worker_info_of(const wire::Hello& hello) {
   info.cores = hello.cores();
   info.memory_bytes = hello.memory_bytes();
   info.program_version = hello.program_version();
+  info.nonce = hello.nonce();
+  info.shares_memory = !hello.own_memory();
+  info.ends_in_ms = static_cast<std::int64_t>(std::min(hello.ends_in_ms(), longest_ms));
   return info;
 }
 
@@ -81,6 +87,8 @@ TaskFailure failure_of(const wire::Failed& failed) {
   failure.may_retry = failed.may_retry();
   failure.out_of_resources = failed.out_of_resources();
   failure.killed = failed.killed();
+  failure.out_of_memory = failed.out_of_memory();
+  failure.peak_rss_bytes = failed.peak_rss_bytes();
   failure.evidence = files_of(failed.evidence());
   return failure;
 }
@@ -114,6 +122,24 @@ wire::Envelope refused_message(const std::string& reason, bool hello_again, int 
   return envelope;
 }
 
+void add_farm(const JobState& state, wire::StatusReply& message) {
+  for (const auto& [name, row] : state.durable().quarantined_hosts) {
+    wire::HostInQuarantine& host = *message.add_hosts();
+    host.set_host(name);
+    host.set_reason(row.reason);
+    host.set_since_ms(row.since_ms);
+  }
+  for (const WorkerAtWork& at_work : state.workers_at_work()) {
+    wire::WorkerStatus& worker = *message.add_at_work();
+    worker.set_worker(at_work.row.id.value);
+    worker.set_host(at_work.row.host);
+    worker.set_process(at_work.row.process);
+    worker.set_task(at_work.task.value);
+    worker.set_drains(at_work.drains);
+    worker.set_memory_bytes(at_work.row.memory_bytes);
+  }
+}
+
 wire::JobStatus status_message(const JobSummary& summary) {
   wire::JobStatus message;
   message.set_job(job_name(summary.job));
@@ -134,6 +160,15 @@ wire::JobStatus status_message(const JobSummary& summary) {
   message.set_tasks_running(summary.tasks_running);
   message.set_attempts_lost(summary.attempts_lost);
   message.set_crashes(summary.crashes);
+  message.set_starvings(summary.starvings);
+  for (const TaskRow& failed : summary.quarantine) {
+    wire::TaskInQuarantine& task = *message.add_quarantine();
+    task.set_task(failed.id.value);
+    task.set_kind(name_of(failed.kind));
+    task.set_path(failed.path);
+    task.set_reason(failed.message);
+    task.set_exit_code(failed.exit_code);
+  }
   message.set_peak_rss_bytes_worker(summary.peak_rss_bytes_worker);
   message.set_leaves_mended(summary.leaves_mended);
   message.set_seconds(summary.seconds);

@@ -19,6 +19,8 @@ std::vector<ArtifactRef> files_of(const google::protobuf::RepeatedPtrField<wire:
 wire::Envelope assign_message(const TaskRow& task, AttemptId attempt);
 wire::Envelope accepted_message(const SendAccepted& accepted);
 wire::Envelope refused_message(const std::string& reason, bool hello_again, int exit_code);
+/// Who is here, and which hosts are in quarantine.
+void add_farm(const JobState& state, wire::StatusReply& message);
 wire::JobStatus status_message(const JobSummary& summary);
 
 }  // namespace tetfarm

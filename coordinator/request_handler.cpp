@@ -135,6 +135,13 @@ void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelo
           state.cancel(parse_job_name(envelope.cancel().job()), now));
       return answer(connection, std::move(reply));
     }
+    case wire::Envelope::kRetry:
+      return retry(connection, envelope.retry(), state, now);
+    case wire::Envelope::kDrainWorkers: {
+      wire::Envelope reply;
+      reply.mutable_draining()->set_count(state.drain(WorkerId{envelope.drain_workers().worker()}));
+      return answer(connection, std::move(reply));
+    }
     default:
       return handle_worker(connection, envelope, state, now);
   }
@@ -204,7 +211,7 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
   const AttemptId attempt{hello.running_attempt()};
   const WorkerId known = worker_of(connection);
   if (known && state.knows_worker(known)) {
-    state.greet_again(known, task, attempt, now);
+    state.greet_again(known, worker_info_of(hello), task, attempt, now);
     return;
   }
   forget(known);
@@ -287,6 +294,16 @@ void RequestHandler::submit(const std::string& connection, const wire::Submit& m
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);
+  answer(connection, std::move(reply));
+}
+
+void RequestHandler::retry(const std::string& connection, const wire::Retry& message,
+                           JobState& state, Moment now) {
+  wire::Envelope reply;
+  reply.mutable_retried()->set_count(
+      message.job().empty()
+          ? (state.let_host_go(message.host(), now) ? 1 : 0)
+          : state.retry(parse_job_name(message.job()), TaskId{message.task()}, now));
   answer(connection, std::move(reply));
 }
 

@@ -83,6 +83,8 @@ class RequestHandler {
   void submit(const std::string& connection, const wire::Submit& message, JobState& state,
               Moment now);
   Submission submission_of(const wire::Submit& message) const;
+  void retry(const std::string& connection, const wire::Retry& message, JobState& state,
+             Moment now);
   bool is_damaged(const ArtifactRef& file);
   // request_replies.cpp: what was decided, put into words
   void send(const Command& command, const JobState& state, Moment now);

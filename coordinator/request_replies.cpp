@@ -29,6 +29,7 @@ void RequestHandler::answer_questions(const JobState& state, const Door& door, M
       (*status.mutable_refused())[name_of(refusal)] = refusals_.of(refusal);
     }
     status.set_security(options_.security);
+    add_farm(state, status);
     status.set_connections(static_cast<std::uint32_t>(door.connections()));
     status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
     for (const auto& [id, row] : state.durable().jobs) {
@@ -60,8 +61,14 @@ void RequestHandler::send(const Command& command, const JobState& state, Moment 
     message.set_keep_running(welcome->keep_running);
     answer(connection->second, std::move(envelope));
   } else if (const auto* assign = std::get_if<SendAssign>(&command)) {
-    answer(connection->second,
-           assign_message(state.durable().tasks.at(assign->task), assign->attempt));
+    wire::Envelope envelope =
+        assign_message(state.durable().tasks.at(assign->task), assign->attempt);
+    envelope.mutable_assign()->set_limit_ms(static_cast<std::uint64_t>(assign->limit_ms));
+    answer(connection->second, std::move(envelope));
+  } else if (std::holds_alternative<SendDrain>(command)) {
+    wire::Envelope envelope;
+    envelope.mutable_drain();
+    answer(connection->second, std::move(envelope));
   } else {
     const auto& accepted = std::get<SendAccepted>(command);
     if (!accepted.taken) {

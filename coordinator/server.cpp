@@ -110,6 +110,7 @@ class Server {
                   .max_workers = options.max_workers},
                  refusals_) {
     rules_.lease_ms = options.lease_ms;
+    rules_.least_limit_ms = options.task_limit_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
     allow_open_files(2 * options.max_connections);
     restore();

@@ -26,10 +26,11 @@ struct CoordinatorOptions {
   std::int64_t lease_ms = 10000;                     ///< how long a silent worker keeps its task
   std::size_t max_connections = 16384;
   std::size_t max_workers = 10'000;
-  int handshake_ms = 10'000;   ///< a connection that takes longer to say who it is is closed
-  bool insecure = false;       ///< every address in plain text, whoever can reach it
-  bool log_to_stderr = false;  ///< everything, not only warnings
-  bool handle_signals = true;  ///< SIGTERM and SIGINT stop it cleanly; off in a thread
+  int handshake_ms = 10'000;  ///< a connection that takes longer to say who it is is closed
+  bool insecure = false;      ///< every address in plain text, whoever can reach it
+  std::int64_t task_limit_ms = 3'600'000;   ///< at least; see FarmRules::least_limit_ms
+  bool log_to_stderr = false;               ///< everything, not only warnings
+  bool handle_signals = true;               ///< SIGTERM and SIGINT stop it cleanly; off in a thread
   const std::atomic<bool>* stop = nullptr;  ///< looked at every 100 ms
 
   /// Called once, when clients and workers may connect, with the endpoints as bound.

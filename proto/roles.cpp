@@ -14,7 +14,7 @@ struct Permission {
   bool viewer;
 };
 
-constexpr std::array<Permission, 10> permissions = {{
+constexpr std::array<Permission, 12> permissions = {{
     // kind                 worker submitter viewer
     {Kind::kHello, true, false, false},
     {Kind::kReady, true, false, false},
@@ -25,6 +25,8 @@ constexpr std::array<Permission, 10> permissions = {{
     {Kind::kGoodbye, true, false, false},
     {Kind::kSubmit, false, true, false},
     {Kind::kCancel, false, true, false},
+    {Kind::kRetry, false, true, false},
+    {Kind::kDrainWorkers, false, true, false},
     {Kind::kStatusRequest, false, true, true},
 }};
 

@@ -52,9 +52,10 @@ TaskState task_state_of(const std::string& name) {
                                    TaskState::done, TaskState::failed});
 }
 AttemptState attempt_state_of(const std::string& name) {
-  return value_of(name, std::array{AttemptState::running, AttemptState::done, AttemptState::failed,
-                                   AttemptState::crashed, AttemptState::killed, AttemptState::lost,
-                                   AttemptState::returned, AttemptState::revoked});
+  return value_of(name,
+                  std::array{AttemptState::running, AttemptState::done, AttemptState::failed,
+                             AttemptState::crashed, AttemptState::killed, AttemptState::lost,
+                             AttemptState::returned, AttemptState::revoked, AttemptState::starved});
 }
 SubdomainState subdomain_state_of(const std::string& name) {
   return value_of(name, std::array{SubdomainState::open, SubdomainState::cut, SubdomainState::leaf,
@@ -136,7 +137,7 @@ void load_values(sqlite3* database, DurableState& state) {
 void load_tasks(sqlite3* database, DurableState& state) {
   Statement rows(database,
                  "SELECT id, job, kind, path, state, attempt, crashes, losses, exit_code, message, "
-                 "seconds, peak_rss_bytes FROM tasks");
+                 "seconds, peak_rss_bytes, starvings, memory_bytes FROM tasks");
   while (rows.step()) {
     TaskRow task;
     task.id = TaskId{rows.unsigned_integer()};
@@ -151,6 +152,8 @@ void load_tasks(sqlite3* database, DurableState& state) {
     task.message = rows.text();
     task.seconds = rows.real();
     task.peak_rss_bytes = rows.unsigned_integer();
+    task.starvings = static_cast<std::uint32_t>(rows.integer());
+    task.memory_bytes = rows.unsigned_integer();
     state.tasks.emplace(task.id, std::move(task));
   }
   load_artifacts(database,
@@ -166,7 +169,9 @@ void load_tasks(sqlite3* database, DurableState& state) {
 
 std::vector<AttemptRow> read_attempts(sqlite3* database, const char* where) {
   const std::string sql =
-      std::string("SELECT id, task, worker, state, started_ms, ended_ms, message FROM attempts ") +
+      std::string(
+          "SELECT id, task, worker, state, started_ms, ended_ms, message, nonce, rival, "
+          "memory_bytes FROM attempts ") +
       where + " ORDER BY id";
   Statement rows(database, sql.c_str());
   std::vector<AttemptRow> attempts;
@@ -179,9 +184,23 @@ std::vector<AttemptRow> read_attempts(sqlite3* database, const char* where) {
     attempt.started_ms = rows.integer();
     attempt.ended_ms = rows.integer();
     attempt.message = rows.text();
+    attempt.nonce = rows.text();
+    attempt.is_rival = rows.integer() != 0;
+    attempt.memory_bytes = rows.unsigned_integer();
     attempts.push_back(std::move(attempt));
   }
   return attempts;
+}
+
+void load_hosts(sqlite3* database, DurableState& state) {
+  Statement rows(database, "SELECT host, since_ms, reason FROM hosts WHERE quarantined = 1");
+  while (rows.step()) {
+    HostRow host;
+    host.host = rows.text();
+    host.since_ms = rows.integer();
+    host.reason = rows.text();
+    state.quarantined_hosts.emplace(host.host, std::move(host));
+  }
 }
 
 std::uint64_t highest(sqlite3* database, const char* sql) {
@@ -237,6 +256,7 @@ DurableState JobDatabase::load() const {
   for (AttemptRow& attempt : read_attempts(database_.get(), "WHERE state = 'running'")) {
     state.running_attempts.emplace(attempt.id, std::move(attempt));
   }
+  load_hosts(database_.get(), state);
   state.last_attempt = highest(database_.get(), "SELECT coalesce(max(id), 0) FROM attempts");
   state.last_worker = highest(database_.get(), "SELECT coalesce(max(id), 0) FROM workers");
   return state;

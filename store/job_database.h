@@ -16,7 +16,7 @@ struct sqlite3;
 namespace tetfarm {
 
 /// The schema that this program writes; older databases are brought up to it when they are opened.
-inline constexpr int database_version = 3;
+inline constexpr int database_version = 4;
 
 class JobDatabase {
  public:

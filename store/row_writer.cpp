@@ -78,17 +78,19 @@ void write_values(sqlite3* database, const TaskRow& task) {
 
 void write_tasks(sqlite3* database, Statement& artifact, const std::vector<TaskRow>& tasks) {
   Statement upsert(database,
-                   "INSERT INTO tasks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                   "INSERT INTO tasks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
                    "ON CONFLICT (id) DO UPDATE SET state = excluded.state, "
                    "attempt = excluded.attempt, crashes = excluded.crashes, "
                    "losses = excluded.losses, exit_code = excluded.exit_code, "
                    "message = excluded.message, seconds = excluded.seconds, "
-                   "peak_rss_bytes = excluded.peak_rss_bytes");
+                   "peak_rss_bytes = excluded.peak_rss_bytes, "
+                   "starvings = excluded.starvings, memory_bytes = excluded.memory_bytes");
   for (const TaskRow& task : tasks) {
     upsert.bind(task.id.value).bind(task.job.value).bind(std::string(name_of(task.kind)));
     upsert.bind(task.path).bind(std::string(name_of(task.state))).bind(task.attempt.value);
     upsert.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
-    upsert.bind(task.seconds).bind(task.peak_rss_bytes).run();
+    upsert.bind(task.seconds).bind(task.peak_rss_bytes);
+    upsert.bind(task.starvings).bind(task.memory_bytes).run();
     write_files(database, artifact, task.id, task.inputs, "task_inputs");
     write_files(database, artifact, task.id, task.outputs, "task_outputs");
     write_values(database, task);
@@ -108,14 +110,26 @@ void write_workers(sqlite3* database, const std::vector<WorkerRow>& workers) {
 
 void write_attempts(sqlite3* database, const std::vector<AttemptRow>& attempts) {
   Statement upsert(database,
-                   "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?) "
+                   "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
                    "ON CONFLICT (id) DO UPDATE SET worker = excluded.worker, "
                    "state = excluded.state, ended_ms = excluded.ended_ms, "
-                   "message = excluded.message");
+                   "message = excluded.message, rival = excluded.rival");
   for (const AttemptRow& attempt : attempts) {
     upsert.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
     upsert.bind(std::string(name_of(attempt.state))).bind(attempt.started_ms);
-    upsert.bind(attempt.ended_ms).bind(attempt.message).run();
+    upsert.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce);
+    upsert.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes).run();
+  }
+}
+
+void write_hosts(sqlite3* database, const std::vector<HostRow>& hosts) {
+  Statement upsert(database,
+                   "INSERT INTO hosts VALUES (?, ?, ?, ?) "
+                   "ON CONFLICT (host) DO UPDATE SET quarantined = excluded.quarantined, "
+                   "since_ms = excluded.since_ms, reason = excluded.reason");
+  for (const HostRow& host : hosts) {
+    upsert.bind(host.host).bind(host.is_quarantined ? 1 : 0);
+    upsert.bind(host.since_ms).bind(host.reason).run();
   }
 }
 
@@ -137,6 +151,7 @@ void write_rows(sqlite3* database, const ChangeSet& changes) {
   write_tasks(database, artifact, changes.tasks);
   write_workers(database, changes.workers);
   write_attempts(database, changes.attempts);
+  write_hosts(database, changes.hosts);
   write_events(database, changes.events);
 }
 

@@ -74,6 +74,8 @@ const char* name_of(AttemptState state) {
       return "returned";
     case AttemptState::revoked:
       return "revoked";
+    case AttemptState::starved:
+      return "starved";
   }
   return "?";
 }

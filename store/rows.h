@@ -29,7 +29,17 @@ enum class TaskKind {
 };
 /// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.
 enum class TaskState { waiting, ready, leased, done, failed };
-enum class AttemptState { running, done, failed, crashed, killed, lost, returned, revoked };
+enum class AttemptState {
+  running,
+  done,
+  failed,
+  crashed,
+  killed,
+  lost,
+  returned,
+  revoked,
+  starved
+};
 /// joined: a leaf that was joined with others into the one that `joined_into` names.
 enum class SubdomainState { open, cut, leaf, joined };
 
@@ -62,12 +72,14 @@ struct TaskRow {
   TaskKind kind = TaskKind::inspect;
   std::uint64_t path = 0;  ///< heap number of the sub-domain, 0: none
   TaskState state = TaskState::ready;
-  AttemptId attempt;           ///< the one that holds the lease, or that was accepted; 0: none
-  std::uint32_t crashes = 0;   ///< the child's own doing
-  std::uint32_t losses = 0;    ///< lost leases and kills from outside
-  std::int32_t exit_code = 0;  ///< of a failed task
-  std::string message;         ///< why the last attempt failed
-  double seconds = 0;          ///< of the accepted attempt
+  AttemptId attempt;               ///< the one that holds the lease, or that was accepted; 0: none
+  std::uint32_t crashes = 0;       ///< errors: the task's own doing
+  std::uint32_t losses = 0;        ///< lost leases and kills from outside
+  std::uint32_t starvings = 0;     ///< out of memory
+  std::uint64_t memory_bytes = 0;  ///< asked for after it was out of memory; 0: not known
+  std::int32_t exit_code = 0;      ///< of a failed task
+  std::string message;             ///< why the last attempt failed
+  double seconds = 0;              ///< of the accepted attempt
   std::uint64_t peak_rss_bytes = 0;
   std::vector<ArtifactRef> inputs;   ///< fixed when the task is made
   std::vector<ArtifactRef> outputs;  ///< of a done task; of a failed one the evidence
@@ -103,6 +115,9 @@ struct AttemptRow {
   std::int64_t started_ms = 0;
   std::int64_t ended_ms = 0;
   std::string message;
+  std::string nonce;      ///< of the worker's process: nobody else may go on with it
+  bool is_rival = false;  ///< races another attempt of its task, which is `TaskRow::attempt`
+  std::uint64_t memory_bytes = 0;  ///< room that it was given; 0: not known
 
   friend bool operator==(const AttemptRow&, const AttemptRow&) = default;
 };
@@ -118,6 +133,16 @@ struct WorkerRow {
   bool gone = false;
 
   friend bool operator==(const WorkerRow&, const WorkerRow&) = default;
+};
+
+/// A host that gets no tasks because different ones fail there, until a person lets it go.
+struct HostRow {
+  std::string host;
+  bool is_quarantined = true;
+  std::int64_t since_ms = 0;
+  std::string reason;
+
+  friend bool operator==(const HostRow&, const HostRow&) = default;
 };
 
 /// One line of history. Ids of 0 do not apply.
@@ -141,6 +166,7 @@ struct DurableState {
   std::map<SubdomainKey, SubdomainRow> subdomains;
   std::map<TaskId, TaskRow> tasks;
   std::map<AttemptId, AttemptRow> running_attempts;
+  std::map<std::string, HostRow> quarantined_hosts;
   std::uint64_t last_attempt = 0;  ///< the highest id ever given out
   std::uint64_t last_worker = 0;
 };
@@ -152,11 +178,12 @@ struct ChangeSet {
   std::vector<TaskRow> tasks;
   std::vector<WorkerRow> workers;
   std::vector<AttemptRow> attempts;
+  std::vector<HostRow> hosts;
   std::vector<EventRow> events;
 
   bool empty() const {
     return jobs.empty() && subdomains.empty() && tasks.empty() && workers.empty() &&
-           attempts.empty() && events.empty();
+           attempts.empty() && hosts.empty() && events.empty();
   }
 };
 

@@ -155,8 +155,37 @@ DROP TABLE subdomains;
 ALTER TABLE new_subdomains RENAME TO subdomains;
 )sql";
 
+/// Out of memory is counted apart; an attempt knows whose process it is and what room it has; two
+/// attempts of a task may race; hosts may be in quarantine.
+constexpr const char* quarantine = R"sql(
+ALTER TABLE tasks ADD COLUMN starvings INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE tasks ADD COLUMN memory_bytes INTEGER NOT NULL DEFAULT 0;
+CREATE TABLE new_attempts (
+  id INTEGER PRIMARY KEY,
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  worker INTEGER NOT NULL REFERENCES workers (id),
+  state TEXT NOT NULL,
+  started_ms INTEGER NOT NULL,
+  ended_ms INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  nonce TEXT NOT NULL,
+  rival INTEGER NOT NULL CHECK (rival IN (0, 1)),
+  memory_bytes INTEGER NOT NULL
+) STRICT;
+INSERT INTO new_attempts SELECT *, '', 0, 0 FROM attempts;
+DROP TABLE attempts;
+ALTER TABLE new_attempts RENAME TO attempts;
+CREATE UNIQUE INDEX one_running_attempt ON attempts (task, rival) WHERE state = 'running';
+CREATE TABLE hosts (
+  host TEXT PRIMARY KEY,
+  quarantined INTEGER NOT NULL CHECK (quarantined IN (0, 1)),
+  since_ms INTEGER NOT NULL,
+  reason TEXT NOT NULL
+) STRICT, WITHOUT ROWID;
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {first_schema, any_kind_of_task,
-                                                                  joined_subdomains};
+                                                                  joined_subdomains, quarantine};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

@@ -97,7 +97,7 @@ struct ChildFds {
   ::close_range(task_result_fd + 1, ~0U, 0);
   if (memory_limit > 0) {
     const rlimit limit{memory_limit, memory_limit};
-    ::setrlimit(RLIMIT_AS, &limit);
+    ::setrlimit(RLIMIT_DATA, &limit);
   }
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -162,6 +162,11 @@ ChildTask::~ChildTask() {
 
 void ChildTask::kill() {
   if (process_ > 0) ::kill(process_, SIGKILL);
+}
+
+void ChildTask::end_overdue(std::int64_t limit_ms) {
+  overdue_ms_ = limit_ms;
+  kill();
 }
 
 void ChildTask::read_last_words() {
@@ -230,6 +235,10 @@ std::optional<wire::Envelope> ChildTask::poll(
 
 std::string ChildTask::how_it_ended(int status) const {
   std::string text = "the task's process ";
+  if (overdue_ms_ > 0) {
+    text = "it hung, or took longer than its limit of " + std::to_string(overdue_ms_ / 1000) +
+           " s; the task's process ";
+  }
   if (WIFSIGNALED(status)) {
     text += "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
             ::strsignal(WTERMSIG(status)) + ")";
@@ -247,14 +256,16 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
   if (clean && answer_) {
     envelope = std::move(*answer_);
   } else {
-    const bool starved = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL &&
-                         kernel_oom_kills() > oom_kills_before_;
+    const bool was_killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    const bool starved =
+        overdue_ms_ == 0 && ((was_killed && kernel_oom_kills() > oom_kills_before_) ||
+                             last_words_.find("std::bad_alloc") != std::string::npos);
     wire::Failed& failed = *envelope.mutable_failed();
-    failed.set_message(how_it_ended(status) + (starved ? "; the machine is out of memory" : ""));
+    failed.set_message(how_it_ended(status) + (starved ? "; it was out of memory" : ""));
     failed.set_exit_code(static_cast<int>(starved ? ExitCode::out_of_resources : ExitCode::failed));
     failed.set_may_retry(true);
-    failed.set_out_of_resources(starved);
-    failed.set_killed(!starved && was_ended_from_outside(status));
+    failed.set_out_of_memory(starved);
+    failed.set_killed(!starved && overdue_ms_ == 0 && was_ended_from_outside(status));
   }
   if (envelope.has_done()) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
@@ -267,6 +278,7 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
   } else {
     envelope.mutable_failed()->set_task(task_);
     envelope.mutable_failed()->set_attempt(attempt_);
+    envelope.mutable_failed()->set_peak_rss_bytes(peak_rss_bytes);
   }
   return envelope;
 }

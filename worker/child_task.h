@@ -26,7 +26,8 @@ inline constexpr int task_result_fd = 3;
 struct ChildTaskOptions {
   /// The program and its arguments.
   std::vector<std::string> command;
-  /// Limit of the child's address space; 0: none.
+  /// Limit of what the child may write to (heap, stacks, private maps; not files and shared ones
+  /// that it maps); 0: none.
   std::uint64_t memory_limit_bytes = 0;
 };
 
@@ -52,6 +53,8 @@ class ChildTask {
 
   /// Ends the child now; poll() then returns Failed.
   void kill();
+  /// The same, for one that took longer than it may: an error of its own, not a kill from outside.
+  void end_overdue(std::int64_t limit_ms);
 
  private:
   void read_frames(const std::function<void(const wire::Progress&)>& progress);
@@ -68,6 +71,7 @@ class ChildTask {
   int frames_fd_ = -1;
   int words_fd_ = -1;
   bool frames_ended_ = false;
+  std::int64_t overdue_ms_ = 0;  ///< the limit that it broke, 0: none
   std::string unread_;
   std::string last_words_;
   std::optional<wire::Envelope> answer_;

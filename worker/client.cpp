@@ -13,9 +13,11 @@
 #include <zmq.hpp>
 
 #include "base/clock.h"
+#include "base/ids.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "worker/child_task.h"
+#include "worker/machine.h"
 
 namespace tetfarm {
 namespace {
@@ -26,11 +28,6 @@ constexpr std::int64_t result_again_ms = 1'000;
 constexpr std::int64_t tick_ms = 100;
 constexpr std::int64_t flag_tick_ms = 10;
 constexpr int linger_ms = 500;
-
-std::uint64_t machine_memory() {
-  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE));
-}
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -68,7 +65,11 @@ class DrainSignals {
 class Client {
  public:
   explicit Client(const WorkerOptions& options)
-      : options_(options), signals_(options.handle_signals) {}
+      : options_(options),
+        signals_(options.handle_signals),
+        nonce_(random_hex(16)),
+        memory_bytes_(options.memory_bytes > 0 ? options.memory_bytes : machine_memory()),
+        ends_at_(options.ends_in_ms > 0 ? steady_ms() + options.ends_in_ms : 0) {}
 
   ExitCode run() {
     connect();
@@ -135,7 +136,13 @@ class Client {
     hello.set_host(host_name());
     hello.set_process(::getpid());
     hello.set_cores(static_cast<std::uint32_t>(::sysconf(_SC_NPROCESSORS_ONLN)));
-    hello.set_memory_bytes(machine_memory());
+    hello.set_memory_bytes(memory_bytes_);
+    hello.set_own_memory(options_.memory_bytes > 0);
+    hello.set_nonce(nonce_);
+    if (ends_at_ > 0) {
+      hello.set_ends_in_ms(
+          static_cast<std::uint64_t>(std::max<std::int64_t>(1, ends_at_ - steady_ms())));
+    }
     hello.set_running_task(task_);
     hello.set_running_attempt(attempt_);
     send(envelope);
@@ -174,6 +181,10 @@ class Client {
   void take_signals() {
     if (signals_.take_one()) start_drain(draining_ ? 0 : options_.grace_ms);
     if (!draining_ && options_.drain != nullptr && options_.drain->load()) {
+      start_drain(options_.grace_ms);
+    }
+    if (!draining_ && ends_at_ > 0 && steady_ms() >= ends_at_ - options_.grace_ms) {
+      spdlog::info("this worker's time is nearly over");
       start_drain(options_.grace_ms);
     }
   }
@@ -242,8 +253,9 @@ class Client {
     attempt_ = assign.attempt();
     spdlog::info("{} task {} attempt {}: {} {}", assign.job(), task_, attempt_,
                  wire::TaskKind_Name(assign.kind()), assign.path());
-    ChildTaskOptions child{.command = options_.task_command,
-                           .memory_limit_bytes = options_.memory_limit_bytes};
+    ChildTaskOptions child{.command = options_.task_command, .memory_limit_bytes = memory_bytes_};
+    limit_ms_ = static_cast<std::int64_t>(assign.limit_ms());
+    assigned_at_ = steady_ms();
     child.command.push_back(options_.store.string());
     try {
       child_.emplace(child, assign);
@@ -299,6 +311,7 @@ class Client {
       forget_task();
       return say_ready_or_leave();
     }
+    if (child_ && limit_ms_ > 0 && now - assigned_at_ > limit_ms_) child_->end_overdue(limit_ms_);
     if (!registered_) {
       if (now >= hello_at_) say_hello();
       return;
@@ -321,6 +334,9 @@ class Client {
 
   const WorkerOptions& options_;
   DrainSignals signals_;
+  const std::string nonce_;
+  const std::uint64_t memory_bytes_;
+  const std::int64_t ends_at_;  ///< 0: not known
   zmq::context_t context_{1};
   std::unique_ptr<zmq::socket_t> socket_;
   std::optional<HandshakeWatch> handshakes_;  // goes before its socket
@@ -343,6 +359,8 @@ class Client {
   std::int64_t heartbeat_at_ = 0;
   std::int64_t result_at_ = 0;
   std::int64_t drain_until_ = 0;
+  std::int64_t limit_ms_ = 0;
+  std::int64_t assigned_at_ = 0;
 };
 
 }  // namespace

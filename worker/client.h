@@ -21,14 +21,16 @@ struct WorkerOptions {
   KeyFiles keys;                             ///< read again at each connection
   std::filesystem::path store;               ///< the store's folder, as this machine sees it
   std::vector<std::string> task_command;     ///< the child's program; its store is appended
-  std::uint64_t memory_limit_bytes = 0;      ///< of a task; 0: none
+  std::uint64_t memory_bytes = 0;            ///< for its tasks; 0: what the machine has
+  std::int64_t ends_in_ms = 0;               ///< until its batch system ends it; 0: not known
   std::int64_t grace_ms = 30'000;            ///< how long a running task may go on after SIGTERM
   bool handle_signals = true;                ///< off in a thread
   const std::atomic<bool>* drain = nullptr;  ///< looked at every 10 ms; as SIGTERM
 };
 
 /// Runs until it is drained: by SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2 (as batch systems send
-/// before they take a machine away) or by the coordinator. A second signal hands the task back at
+/// before they take a machine away), by the coordinator, or by itself a grace time before it is
+/// ended. A second signal hands the task back at
 /// once.
 /// @throws Error when the coordinator refuses this worker, or does not know its key.
 ExitCode run_worker(const WorkerOptions& options);

@@ -1,5 +1,6 @@
 #include "worker/run_task.h"
 
+#include <cerrno>
 #include <new>
 
 #include "base/error.h"
@@ -14,6 +15,12 @@ wire::Failed failure(const std::string& message, ExitCode code, bool may_retry) 
   failed.set_may_retry(may_retry);
   failed.set_out_of_resources(code == ExitCode::out_of_resources);
   return failed;
+}
+
+/// Not the disk, which all tasks share: this one needs more room than it had.
+void call_out_of_memory(wire::Failed& failed) {
+  failed.set_out_of_memory(true);
+  failed.set_out_of_resources(false);
 }
 
 /// Evidence that cannot be stored must not hide the reason itself.
@@ -44,6 +51,10 @@ wire::Failed caught_failure(const ArtifactStore* store) {
     wire::Failed failed = failure(error.what(), error.code(), true);
     failed.add_damaged_inputs(error.hash());
     return failed;
+  } catch (const IoError& error) {
+    wire::Failed failed = failure(error.what(), error.code(), true);
+    if (error.error_number() == ENOMEM) call_out_of_memory(failed);
+    return failed;
   } catch (const InvalidInput& error) {
     return failure(error.what(), error.code(), false);
   } catch (const UsageError& error) {
@@ -51,7 +62,9 @@ wire::Failed caught_failure(const ArtifactStore* store) {
   } catch (const Error& error) {
     return failure(error.what(), error.code(), true);
   } catch (const std::bad_alloc&) {
-    return failure("out of memory", ExitCode::out_of_resources, true);
+    wire::Failed failed = failure("out of memory", ExitCode::out_of_resources, true);
+    call_out_of_memory(failed);
+    return failed;
   } catch (const std::exception& error) {
     return failure(error.what(), ExitCode::failed, true);
   }

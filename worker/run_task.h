@@ -13,8 +13,8 @@ namespace tetfarm {
 using TaskBody = std::function<void(TaskIo&)>;
 
 /// Runs the body. Done with its outputs, or Failed:
-/// bad input (InvalidInput, RefusedInput) and a wrong job file may not be retried; a full disk and
-/// a lack of memory are out_of_resources; everything else is worth another try.
+/// bad input (InvalidInput, RefusedInput) and a wrong job file may not be retried; a full disk is
+/// out_of_resources, a lack of memory out_of_memory; everything else is worth another try.
 wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
                         const TaskBody& body, const TaskIo::Say& say);
 

@@ -81,7 +81,7 @@ TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
 TEST(CommandLine, sizes_may_have_units) {
   const Command command =
       parse({"worker", "--connect", "tcp://h:1", "--store", "s", "--memory-limit", "2GB"});
-  EXPECT_EQ(std::get<WorkerCommand>(command).memory_limit_bytes, std::uint64_t{2} << 30);
+  EXPECT_EQ(std::get<WorkerCommand>(command).memory_bytes, std::uint64_t{2} << 30);
 }
 
 }  // namespace

@@ -22,6 +22,10 @@ class DurableRecord {
       state_.last_worker = std::max(state_.last_worker, worker.id.value);
     }
     for (const AttemptRow& attempt : changes.attempts) put(attempt);
+    for (const HostRow& host : changes.hosts) {
+      state_.quarantined_hosts.erase(host.host);
+      if (host.is_quarantined) state_.quarantined_hosts[host.host] = host;
+    }
     events_ += changes.events.size();
   }
 

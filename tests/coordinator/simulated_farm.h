@@ -42,7 +42,7 @@ struct FailedSaid {
 struct Bye {};
 using ToCoordinator = std::variant<Hello, Ready, Beat, DoneSaid, FailedSaid, Bye>;
 struct HelloAgain {};
-using ToWorker = std::variant<SendWelcome, SendAssign, SendAccepted, HelloAgain>;
+using ToWorker = std::variant<SendWelcome, SendAssign, SendAccepted, SendDrain, HelloAgain>;
 
 /// A worker process as the protocol describes it; a new one gets a new connection number.
 struct FakeWorker {
@@ -211,7 +211,7 @@ class Farm {
     const bool is_known = known != connection2worker_.end() && state_->knows_worker(known->second);
     if (const auto* hello = std::get_if<Hello>(&message)) {
       if (is_known) {
-        state_->greet_again(known->second, hello->task, hello->attempt, now_);
+        state_->greet_again(known->second, {}, hello->task, hello->attempt, now_);
       } else {
         connection2worker_[connection] = state_->add_worker({}, hello->task, hello->attempt, now_);
       }

@@ -86,7 +86,7 @@ TEST_F(RunTask, a_full_disk_and_lack_of_memory_are_no_crash) {
   EXPECT_TRUE(disk.failed().out_of_resources());
   EXPECT_EQ(disk.failed().exit_code(), 6);
   const wire::Envelope memory = run([](TaskIo&) { throw std::bad_alloc(); });
-  EXPECT_TRUE(memory.failed().out_of_resources());
+  EXPECT_TRUE(memory.failed().out_of_memory());
   EXPECT_TRUE(memory.failed().may_retry());
 }
 

@@ -1,0 +1,224 @@
+/// JobState, the part about what fails again and again: errors, losses and lack of memory are
+/// counted apart; tasks and hosts go into quarantine, and come out when a person says so.
+#include <algorithm>
+
+#include "base/error.h"
+#include "coordinator/job_state.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int exit_failed = static_cast<int>(ExitCode::failed);
+constexpr std::size_t most_named = 20;
+
+std::int64_t delay_ms(std::int64_t first_ms, std::uint32_t count, std::int64_t longest_ms) {
+  std::int64_t delay = first_ms;
+  for (std::uint32_t i = 1; i < count && delay < longest_ms; ++i) delay *= 2;
+  return std::min(delay, longest_ms);
+}
+
+/// Where a person finds the inputs of a task, relative to the store's folder.
+std::string inputs_of(const TaskRow& task) {
+  std::string list;
+  for (const ArtifactRef& input : task.inputs) {
+    if (!list.empty()) list += ", ";
+    list += input.name + " artifacts/" + input.hash.substr(0, 2) + "/" + input.hash;
+    if (list.size() > 500) return list + ", …";
+  }
+  return list;
+}
+
+std::string quarantine_reason(const TaskRow& task, const std::string& what, std::uint32_t count,
+                              const std::string& message) {
+  return "quarantined: " + what + " " + std::to_string(count) + " times, at last: " + message +
+         "; its inputs in the store: " + inputs_of(task);
+}
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
+
+/// Whether the files of a task that is not done are the outputs of an earlier run, which other
+/// tasks build upon; otherwise they are the evidence of a failure.
+bool was_done_before(const TaskRow& task) {
+  TaskResult earlier;
+  earlier.outputs = task.outputs;
+  earlier.numbers = task.numbers;
+  earlier.texts = task.texts;
+  return !task.outputs.empty() && task.kind != TaskKind::assemble && !problem_with(task, earlier);
+}
+
+}  // namespace
+
+void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& message, Moment now) {
+  ++task.crashes;
+  task.message = message;
+  not_before_ms_[task.id] =
+      now.steady_ms + delay_ms(rules_.crash_delay_ms, task.crashes, rules_.longest_delay_ms);
+  if (suspect_host(task.id, worker, message, now)) return;
+  if (task.crashes < rules_.max_crashes) return;
+  fail_task(task, exit_failed, quarantine_reason(task, "crashed", task.crashes, message), now);
+}
+
+void JobState::count_loss(TaskRow& task, const std::string& message, Moment now) {
+  ++task.losses;
+  task.message = message;
+  not_before_ms_[task.id] =
+      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.losses, rules_.longest_delay_ms);
+  if (task.losses < rules_.max_losses) return;
+  fail_task(task, exit_failed, quarantine_reason(task, "lost or killed", task.losses, message),
+            now);
+}
+
+/// The next try asks for twice the room, up to all that a worker has; when that was not enough,
+/// none will be.
+void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const TaskFailure& failure,
+                              Moment now) {
+  ++task.starvings;
+  task.message = failure.message;
+  not_before_ms_[task.id] =
+      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.starvings, rules_.longest_delay_ms);
+  const std::uint64_t largest = largest_memory();
+  const std::uint64_t knew = std::max({task.memory_bytes, had_bytes, failure.peak_rss_bytes});
+  const bool had_all = largest == 0 || had_bytes >= largest;
+  if (had_all || task.starvings >= rules_.max_starvings) {
+    fail_task(task, static_cast<int>(ExitCode::out_of_resources),
+              quarantine_reason(task, "out of memory", task.starvings, failure.message) +
+                  "; it had " + mebibytes(had_bytes) + ", the largest worker has " +
+                  mebibytes(largest) + ": cut finer (--max-memory, --subdomains), or start a " +
+                  "larger worker and retry",
+              now);
+    return;
+  }
+  task.memory_bytes = std::min(largest, std::max<std::uint64_t>(2 * knew, 1));
+}
+
+/// The task is in quarantine until somebody says retry; the others of its job go on.
+void JobState::fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message,
+                         Moment now) {
+  revoke_attempts(task, "its task is in quarantine", now);
+  task.exit_code = exit_code == 0 ? exit_failed : exit_code;
+  task.message = message;
+  task.attempt = {};
+  set_state(task, TaskState::failed);
+  record(now, task, {}, {}, "quarantined", message);
+}
+
+void JobState::fail_job(JobId id, std::int32_t exit_code, const std::string& message, Moment now) {
+  JobRow& job = edit(id);
+  if (job.phase != JobPhase::running) return;
+  job.exit_code = exit_code;
+  job.message = message;
+  set_phase(job, JobPhase::failed, now);
+  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "job failed", message});
+}
+
+/// A job with tasks in quarantine ends when nothing else of it can go on. What waits for a file of
+/// such a task cannot.
+void JobState::end_hopeless_jobs(Moment now) {
+  for (const auto& [job, tasks] : failed_) {
+    if (durable_.jobs.at(job).phase != JobPhase::running || !active_[job].empty()) continue;
+    const TaskRow& first = durable_.tasks.at(*tasks.begin());
+    std::string message = place_of(first) + ": " + first.message;
+    if (tasks.size() > 1) {
+      message = std::to_string(tasks.size()) + " tasks are in quarantine: ";
+      std::size_t named = 0;
+      for (const TaskId id : tasks) {
+        if (named++ == most_named) break;
+        const TaskRow& task = durable_.tasks.at(id);
+        message += (named > 1 ? "; " : "") + place_of(task) + " (task " + std::to_string(id.value) +
+                   "): " + task.message;
+      }
+      if (tasks.size() > most_named) message += "; …";
+    }
+    fail_job(job, first.exit_code, message, now);
+  }
+}
+
+/// Different tasks that fail on one host, with none done there in between, speak against the host:
+/// it gets no more, and the tasks are not blamed. Only where there is another host to go on with.
+bool JobState::suspect_host(TaskId task, WorkerId worker, const std::string& message, Moment now) {
+  const auto row = workers_.find(worker);
+  if (row == workers_.end()) return false;
+  const std::string& host = row->second.host;
+  std::map<TaskId, std::uint32_t>& crashes = host2crashes_[host];
+  ++crashes[task];
+  if (durable_.quarantined_hosts.contains(host)) return false;
+  const bool has_another =
+      std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) {
+        const std::string& other = workers_.at(session.first).host;
+        return other != host && !durable_.quarantined_hosts.contains(other);
+      });
+  if (crashes.size() < rules_.host_tasks || !has_another) return false;
+  for (const auto& [id, count] : crashes) {
+    TaskRow& blamed = edit(id);
+    blamed.crashes -= std::min(blamed.crashes, count);
+  }
+  const HostRow quarantined{
+      host, true, now.wall_ms,
+      std::to_string(crashes.size()) + " different tasks failed there, at last: " + message};
+  durable_.quarantined_hosts[host] = quarantined;
+  dirty_hosts_[host] = quarantined;
+  host2crashes_.erase(host);
+  new_events_.push_back(
+      {now.wall_ms, {}, task, {}, worker, "host quarantined", host + ": " + quarantined.reason});
+  return true;
+}
+
+bool JobState::let_host_go(const std::string& host, Moment now) {
+  const auto found = durable_.quarantined_hosts.find(host);
+  if (found == durable_.quarantined_hosts.end()) return false;
+  HostRow row = found->second;
+  row.is_quarantined = false;
+  row.since_ms = now.wall_ms;
+  dirty_hosts_[host] = row;
+  durable_.quarantined_hosts.erase(found);
+  new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "host let go", host});
+  return true;
+}
+
+void JobState::forgive(TaskId id) {
+  TaskRow& task = edit(id);
+  if (task.state == TaskState::failed && !was_done_before(task)) task.outputs.clear();
+  task.crashes = 0;
+  task.losses = 0;
+  task.starvings = 0;
+  task.memory_bytes = 0;
+  task.exit_code = 0;
+  task.message.clear();
+  not_before_ms_.erase(id);
+  failed_on_.erase(id);
+  set_state(task, TaskState::ready);
+}
+
+/// What failed is tried again, with a clean record; what is done stays done.
+void JobState::resume(JobRow& job, Moment now) {
+  job.exit_code = 0;
+  job.message.clear();
+  set_phase(job, JobPhase::running, now);
+  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
+  for (const TaskId id : tasks_of(job.id)) {
+    const TaskState state = durable_.tasks.at(id).state;
+    if (state == TaskState::failed || state == TaskState::ready) forgive(id);
+  }
+  wake_waiting(job.id, now);
+}
+
+std::size_t JobState::retry(JobId id, TaskId task, Moment now) {
+  const auto found = durable_.jobs.find(id);
+  if (found == durable_.jobs.end() || found->second.phase == JobPhase::done) return 0;
+  const std::set<TaskId> quarantined = failed_[id];
+  if (!task) {
+    resume(edit(id), now);
+    return std::max<std::size_t>(quarantined.size(), 1);
+  }
+  if (!quarantined.contains(task)) return 0;
+  JobRow& job = edit(id);
+  job.exit_code = 0;
+  job.message.clear();
+  set_phase(job, JobPhase::running, now);
+  forgive(task);
+  record(now, durable_.tasks.at(task), {}, {}, "retried");
+  wake_waiting(id, now);
+  return 1;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,126 @@
+// Tasks and hosts that fail again and again.
+#include "tests/coordinator/job_state_fixture.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+class Quarantine : public JobStateTest {};
+
+TEST_F(Quarantine, the_other_tasks_go_on_when_one_is_in_quarantine_and_the_job_ends_with_its_name) {
+  submit();
+  worker_ = new_worker();
+  run_until_meshes();
+  const SendAssign bad = held_;
+  fail(worker_, bad, {});
+  EXPECT_EQ(job().phase, JobPhase::running);
+  EXPECT_EQ(task(bad.task).state, TaskState::failed);
+  std::size_t meshed = 0;
+  for (SendAssign assign = next(worker_); assign.attempt; assign = next(worker_)) {
+    if (task(assign.task).kind == TaskKind::mesh) ++meshed;
+    ASSERT_TRUE(finish(worker_, assign));
+  }
+  EXPECT_EQ(meshed + 1, tasks(JobId{1}, TaskKind::mesh)) << "every other leaf is meshed";
+  EXPECT_EQ(job().phase, JobPhase::failed);
+  EXPECT_THAT(job().message, HasSubstr(place_of(task(bad.task))));
+}
+
+TEST_F(Quarantine, a_job_names_every_task_in_quarantine) {
+  submit();
+  worker_ = new_worker();
+  run_until_meshes();
+  const SendAssign first = held_;
+  fail(worker_, first, {});
+  run_until_meshes();
+  const SendAssign second = held_;
+  fail(worker_, second, {});
+  run_all();
+  EXPECT_EQ(job().phase, JobPhase::failed);
+  EXPECT_THAT(job().message, HasSubstr("2 tasks are in quarantine"));
+  EXPECT_THAT(job().message, HasSubstr(place_of(task(first.task))));
+  EXPECT_THAT(job().message, HasSubstr(place_of(task(second.task))));
+}
+
+TEST_F(Quarantine, retry_takes_one_task_out_of_quarantine_or_all_of_them) {
+  submit();
+  worker_ = new_worker();
+  run_until_meshes();
+  const SendAssign first = held_;
+  fail(worker_, first, {});
+  run_until_meshes();
+  const SendAssign second = held_;
+  fail(worker_, second, {});
+  run_all();
+  EXPECT_EQ(state_->retry(JobId{7}, {}, now_), 0U);
+  EXPECT_EQ(state_->retry(JobId{1}, TaskId{1}, now_), 0U) << "it is done, not in quarantine";
+  EXPECT_EQ(state_->retry(JobId{1}, first.task, now_), 1U);
+  run_all();
+  EXPECT_EQ(task(first.task).state, TaskState::done);
+  EXPECT_EQ(job().phase, JobPhase::failed) << "the other is still in quarantine";
+  restart();
+  worker_ = new_worker();
+  EXPECT_EQ(state_->retry(JobId{1}, {}, now_), 1U);
+  run_all();
+  EXPECT_EQ(job().phase, JobPhase::done);
+  EXPECT_EQ(state_->retry(JobId{1}, {}, now_), 0U) << "a job that is done has nothing to retry";
+}
+
+TEST_F(Quarantine,
+       a_host_on_which_different_tasks_crash_is_quarantined_and_the_tasks_are_not_blamed) {
+  submit();
+  worker_ = new_worker();
+  run_until_meshes();
+  state_->worker_left(worker_, false, now_);
+  commit();
+  const WorkerId bad = add_worker({.host = "bad"});
+  const WorkerId good = add_worker({.host = "good"});
+  std::set<TaskId> crashed;
+  for (std::uint32_t i = 0; i < rules_.host_tasks; ++i) {
+    EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
+    const SendAssign assign = next(bad);
+    ASSERT_TRUE(assign.attempt);
+    crashed.insert(assign.task);
+    fail(bad, assign, crash());
+  }
+  ASSERT_THAT(crashed, SizeIs(rules_.host_tasks));
+  ASSERT_TRUE(state_->durable().quarantined_hosts.contains("bad"));
+  for (const TaskId id : crashed) EXPECT_EQ(task(id).crashes, 0U);
+  now_.steady_ms += rules_.lease_ms / 2;
+  EXPECT_FALSE(next(bad).attempt);
+  EXPECT_TRUE(next(good).attempt);
+  restart();
+  EXPECT_FALSE(next(add_worker({.host = "bad"})).attempt) << "it stays so after a restart";
+  EXPECT_FALSE(state_->let_host_go("good", now_));
+  EXPECT_TRUE(state_->let_host_go("bad", now_));
+  EXPECT_TRUE(next(add_worker({.host = "bad"})).attempt);
+}
+
+TEST_F(Quarantine, the_only_host_is_never_quarantined) {
+  submit();
+  worker_ = new_worker();
+  run_until_meshes();
+  for (std::uint32_t i = 0; i < rules_.host_tasks + 1; ++i) {
+    const SendAssign assign = i == 0 ? held_ : next(worker_);
+    if (assign.attempt) fail(worker_, assign, crash());
+  }
+  EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
+}
+
+TEST_F(Quarantine, one_task_that_crashes_everywhere_does_not_speak_against_its_hosts) {
+  submit();
+  const WorkerId a = add_worker({.host = "a"});
+  const WorkerId b = add_worker({.host = "b"});
+  for (std::uint32_t i = 0; i < rules_.max_crashes; ++i) {
+    now_.steady_ms += 60000;
+    for (const WorkerId worker : {a, b}) state_->heartbeat(worker, {}, {}, now_);
+    const WorkerId worker = i % 2 == 0 ? a : b;
+    fail(worker, next(worker), crash());
+  }
+  EXPECT_EQ(job().phase, JobPhase::failed);
+  EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
+}
+
+}  // namespace
+}  // namespace tetfarm
