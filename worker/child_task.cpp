@@ -252,6 +252,7 @@ std::string ChildTask::how_it_ended(int status) const {
 
 wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
   const bool clean = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const std::uint64_t peak_rss_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   wire::Envelope envelope;
   if (clean && answer_) {
     envelope = std::move(*answer_);
@@ -272,7 +273,7 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
     envelope.mutable_done()->set_task(task_);
     envelope.mutable_done()->set_attempt(attempt_);
     envelope.mutable_done()->set_seconds(seconds.count());
-    envelope.mutable_done()->set_peak_rss_bytes(static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+    envelope.mutable_done()->set_peak_rss_bytes(peak_rss_bytes);
     (*envelope.mutable_done()->mutable_numbers())["cpu_seconds"] =
         seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   } else {
