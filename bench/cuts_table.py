@@ -76,7 +76,7 @@ def trial(build, surface, outer, subdomains):
 def row(name, subdomains, mesh, whole, others):
     near = mesh["near_cuts"]
     if near is None:
-        return f"| {name} | {subdomains} | {mesh['subdomains']} | no cuts | | | | | |"
+        return f"| {name} | {subdomains} | {mesh['subdomains']} | no cuts | | | | | | |"
     uncut = len(mesh["uncut_subdomains"])
     angle, height = near["min_dihedral_deg"], near["smallest_height"]
     text = (f"| {name} | {subdomains} | {mesh['subdomains']} | {uncut} | "
