@@ -25,7 +25,7 @@ constexpr std::int64_t ns_per_s = 1'000'000'000;
 constexpr std::int64_t largest_frame = static_cast<std::int64_t>(max_message_size) + (1 << 20);
 // Messages that wait for us, and answers that wait for a peer, for each connection.
 constexpr int waiting_in = 128;
-constexpr int waiting_out = 128;
+constexpr int waiting_out = 256;
 
 }  // namespace
 

@@ -1,0 +1,21 @@
+// What is fed with bytes that nobody checked: each takes any input, and ends the process when
+// something that must hold does not. libFuzzer calls them (preset `fuzz`), and replay_test.cpp
+// with the inputs that are kept in tests/fuzz/corpus.
+#pragma once
+
+#include <string_view>
+
+namespace tetfarm::fuzz {
+
+/// Messages to a coordinator, each after two bytes of length: no message ends it, and the
+/// invariants of its state hold after each. The store is an empty one with the id "fuzz".
+void wire(std::string_view input);
+
+/// A job file: it is refused with an error of ours, or its canonical text gives the same job.
+void job_file(std::string_view input);
+
+/// One of the files that tasks read, by the first byte modulo the number of kinds; the checksum is
+/// put right, so that what it guards is reached too.
+void artifact(std::string_view input);
+
+}  // namespace tetfarm::fuzz
