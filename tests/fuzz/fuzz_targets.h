@@ -7,8 +7,9 @@
 
 namespace tetfarm::fuzz {
 
-/// Messages to a coordinator, each after two bytes of length: no message ends it, and the
-/// invariants of its state hold after each. The store is an empty one with the id "fuzz".
+/// Messages to a coordinator, each after two bytes: 14 bits of length, 2 of who speaks. No message
+/// ends it, and the invariants of its state hold after each. The store is an empty one with the id
+/// "fuzz".
 void wire(std::string_view input);
 
 /// A job file: it is refused with an error of ours, or its canonical text gives the same job.

@@ -52,7 +52,8 @@ void wire(std::string_view input) {
       {}, {}, [](const ArtifactRef& file) { return store.has(file.hash, file.size); }, now);
   while (input.size() >= 2) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(input[i]); };
-    const std::size_t size = byte(0) + 256U * byte(1);
+    const std::size_t size = byte(0) + 256U * (byte(1) & 63U);
+    const unsigned who = byte(1) >> 6U;
     input.remove_prefix(2);
     // The lowest bits of the size choose who speaks: three connections, one with a revoked key.
     const Sender sender{
