@@ -55,9 +55,8 @@ void wire(std::string_view input) {
     const std::size_t size = byte(0) + 256U * (byte(1) & 63U);
     const unsigned who = byte(1) >> 6U;
     input.remove_prefix(2);
-    // The lowest bits of the size choose who speaks: three connections, one with a revoked key.
-    const Sender sender{
-        "connection " + std::to_string(size % 3), size % 16 == 7 ? "key" : "", {}, ""};
+    // Three plain connections, and one with a key that is authorised no longer.
+    const Sender sender{"connection " + std::to_string(who), who == 3 ? "key" : "", {}, ""};
     handler.handle(sender, input.substr(0, size), state, now);
     take_turn(handler, state, door, now);
     input.remove_prefix(std::min(size, input.size()));
