@@ -78,6 +78,13 @@ struct ChildFds {
   int frames = -1;
 };
 
+// A sanitizer's shadow of the address space counts as data, and is larger than any machine's memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool can_limit_memory = false;
+#else
+constexpr bool can_limit_memory = true;
+#endif
+
 /// Between fork and exec: async-signal-safe calls only.
 [[noreturn]] void become_task(char* const* arguments, pid_t parent, ChildFds fds,
                               std::uint64_t memory_limit) {
@@ -95,7 +102,7 @@ struct ChildFds {
   ::dup2(fds.words, STDERR_FILENO);
   ::dup2(fds.frames, task_result_fd);
   ::close_range(task_result_fd + 1, ~0U, 0);
-  if (memory_limit > 0) {
+  if (can_limit_memory && memory_limit > 0) {
     const rlimit limit{memory_limit, memory_limit};
     ::setrlimit(RLIMIT_DATA, &limit);
   }

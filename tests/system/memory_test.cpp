@@ -15,6 +15,11 @@ constexpr double megabyte = 1e6;
 
 class Memory : public ::testing::Test {
  protected:
+  void SetUp() override {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer's memory is not the program's";
+#endif
+  }
   Memory() {
     run_program({"shape", "sphere-in-sphere", "-o", "ball.off", "--spacing", "0.08"},
                 folder_.path());
