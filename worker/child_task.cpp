@@ -78,7 +78,8 @@ struct ChildFds {
   int frames = -1;
 };
 
-// A sanitizer's shadow of the address space counts as data, and is larger than any machine's memory.
+// A sanitizer's shadow of the address space counts as data, and is larger than any machine's
+// memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool can_limit_memory = false;
 #else

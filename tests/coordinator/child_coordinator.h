@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -41,6 +42,7 @@ class ChildCoordinator {
       wait_until_it_listens();
       return;
     }
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is stopped leaves no coordinator behind
     try {
       run_coordinator(options);
     } catch (const std::exception& error) {

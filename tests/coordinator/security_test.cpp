@@ -465,7 +465,7 @@ TEST_F(Security, a_frame_that_is_cut_short_does_no_harm) {
   // come.
   std::string greeting("\xff\0\0\0\0\0\0\0\1\x7f\3\0NULL", 16);
   greeting.resize(64, '\0');
-  const std::string body("\5READY\13Socket-Type\0\0\0\6DEALER", 32);
+  const std::string body("\5READY\13Socket-Type\0\0\0\6DEALER", 28);
   RawSocket half(endpoint());
   half.send(greeting + '\4' + static_cast<char>(body.size()) + body);
   half.send(std::string("\2\0\0\0\0\0\0\3\xe8", 9) + "truncated");
