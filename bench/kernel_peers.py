@@ -5,6 +5,7 @@ tables in Markdown.
   bench/kernel_peers.py                    about 0.1 and 0.8 million tets, a million points
   bench/kernel_peers.py --large            also about 5 million tets, 20 of ours alone, 10 million points
   bench/kernel_peers.py --cases wing-0.1M --runs 5
+  bench/kernel_peers.py --real             the insides of surfaces of TETFARM_DATA, needle triangles and all
 
 All get the same closed surface and keep its triangles; the edge lengths of the surface spread inside. The
 size of the others is scaled until they make about as many tets, where they let it. The programs run in turn,
@@ -14,12 +15,14 @@ program that is not installed is left out.
 """
 
 import argparse
+import gzip
 import json
 import os
 import pathlib
 import re
 import shutil
 import statistics
+import struct
 import subprocess
 import sys
 import tempfile
@@ -42,11 +45,22 @@ LARGE = {
 # Only ours is run: whether the time for a tet grows with their number.
 ALONE = {"spheres-20M"}
 
+# name of the case: a surface of TETFARM_DATA, growth of our spacing. Meshed inside.
+REAL = {
+    "onera_m6": ("onera_m6_sharp_te/onera_m6_sharp_te.stl", 0.3),
+    "d150": ("d150_aircraft/d150_aircraft.stl", 0.3),
+    "dtc_hull": ("dtc_hull/dtc_hull.off.gz", 0.3),
+    "prime": ("prime_open_duct/prime_open_duct.stl", 0.3),
+    "pipe": ("pipe/pipe.stl", 0.3),
+    "flange": ("flange/flange.stl", 0.3),
+}
+
 # name of the case: the kind of points, and how many.
 POINTS = {"uniform-1e6": ("uniform", 1000000), "clustered-1e6": ("clustered", 1000000)}
 LARGE_POINTS = {"uniform-1e7": ("uniform", 10000000)}
 
 CLOSE_ENOUGH = 0.15
+STL_HEADER, STL_TRIANGLE = 84, struct.Struct("<12x36s2x")
 SCALINGS = 4
 
 
@@ -56,6 +70,18 @@ def read_off(path):
     points = lines[2:2 + vertices]
     triangles = [line.split()[1:4] for line in lines[2 + vertices:2 + vertices + faces]]
     return points, [[int(v) for v in triangle] for triangle in triangles]
+
+
+def write_off(stl, path):
+    """A binary STL with its equal corners made one."""
+    nodes, triangles = {}, []
+    for (corners,) in STL_TRIANGLE.iter_unpack(stl.read_bytes()[STL_HEADER:]):
+        places = [struct.unpack_from("<3f", corners, 12 * corner) for corner in range(3)]
+        triangles.append([nodes.setdefault(place, len(nodes)) for place in places])
+    lines = ["OFF", f"{len(nodes)} {len(triangles)} 0"]
+    lines += [f"{x!r} {y!r} {z!r}" for x, y, z in nodes]
+    lines += [f"3 {a} {b} {c}" for a, b, c in triangles]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
 def mean_edges(points, triangles):
@@ -178,15 +204,28 @@ class Contest:
 
     def __init__(self, options, name, case, folder):
         self.options, self.name, self.folder = options, name, folder
-        shape, spacing, self.growth, holes = case
         self.surface = folder / "surface.off"
-        subprocess.run([options.program, "shape", shape, "-o", str(self.surface), "--spacing",
-                        str(spacing)], check=True, capture_output=True)
+        holes = self.make_surface(case)
         points, self.triangles = read_off(self.surface)
         self.peers = [peer(folder, points, self.triangles, holes) for peer in (Gmsh, TetGen)
                       if name not in ALONE and shutil.which(peer.program)]
         self.scale = {}
         self.runs = {}
+
+    def make_surface(self, case):
+        """The surface's file and the growth; a point in each hole is returned."""
+        if self.name in REAL:
+            file, self.growth = case
+            file = pathlib.Path(os.environ["TETFARM_DATA"]) / file
+            if file.suffix == ".gz":
+                self.surface.write_bytes(gzip.decompress(file.read_bytes()))
+            else:
+                write_off(file, self.surface)
+            return []
+        shape, spacing, self.growth, holes = case
+        subprocess.run([self.options.program, "shape", shape, "-o", str(self.surface), "--spacing",
+                        str(spacing)], check=True, capture_output=True)
+        return holes
 
     def run_ours(self):
         said, *_ = run([self.options.bench, "mesh", str(self.surface), str(self.growth)], self.folder,
@@ -310,6 +349,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--large", action="store_true", help="also the large cases")
+    parser.add_argument("--real", action="store_true", help="real surfaces instead")
     parser.add_argument("--cases", default="", help="names, with commas between them")
     parser.add_argument("--runs", type=int, default=5, help="of each program; the median is told")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/tetfarm"))
@@ -320,9 +360,10 @@ def parse_arguments():
 
 def main():
     options = parse_arguments()
-    cases = {**CASES, **LARGE}
+    cases = {**CASES, **LARGE, **REAL}
     points = {**POINTS, **LARGE_POINTS}
     usual = [*CASES, *POINTS, *([*LARGE, *LARGE_POINTS] if options.large else [])]
+    usual = [*REAL] if options.real else usual
     chosen = options.cases.split(",") if options.cases else usual
     unknown = sorted(set(chosen) - {*cases, *points})
     if unknown:
