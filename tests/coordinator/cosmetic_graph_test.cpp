@@ -42,12 +42,6 @@ TaskRow inspected(double across_cuts) {
   return task;
 }
 
-std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) {
-  std::vector<std::string> names;
-  for (const ArtifactRef& file : files) names.push_back(file.name);
-  return names;
-}
-
 TEST(CosmeticGraph, reads_the_order_of_turns) {
   const auto turns = turn_order_of(three_in_a_row);
   ASSERT_TRUE(turns.has_value());

@@ -7,7 +7,23 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-class Quarantine : public JobStateTest {};
+class Quarantine : public JobStateTest {
+ protected:
+  /// Two mesh tasks fail for good; all the others are done.
+  void run_with_two_poisoned() {
+    submit();
+    worker_ = new_worker();
+    for (TaskId* poisoned : {&first_, &second_}) {
+      run_until_meshes();
+      *poisoned = held_.task;
+      fail(worker_, held_, {});
+    }
+    run_all();
+  }
+
+  TaskId first_;
+  TaskId second_;
+};
 
 TEST_F(Quarantine, the_other_tasks_go_on_when_one_is_in_quarantine_and_the_job_ends_with_its_name) {
   submit();
@@ -28,36 +44,20 @@ TEST_F(Quarantine, the_other_tasks_go_on_when_one_is_in_quarantine_and_the_job_e
 }
 
 TEST_F(Quarantine, a_job_names_every_task_in_quarantine) {
-  submit();
-  worker_ = new_worker();
-  run_until_meshes();
-  const SendAssign first = held_;
-  fail(worker_, first, {});
-  run_until_meshes();
-  const SendAssign second = held_;
-  fail(worker_, second, {});
-  run_all();
+  run_with_two_poisoned();
   EXPECT_EQ(job().phase, JobPhase::failed);
   EXPECT_THAT(job().message, HasSubstr("2 tasks are in quarantine"));
-  EXPECT_THAT(job().message, HasSubstr(place_of(task(first.task))));
-  EXPECT_THAT(job().message, HasSubstr(place_of(task(second.task))));
+  EXPECT_THAT(job().message, HasSubstr(place_of(task(first_))));
+  EXPECT_THAT(job().message, HasSubstr(place_of(task(second_))));
 }
 
 TEST_F(Quarantine, retry_takes_one_task_out_of_quarantine_or_all_of_them) {
-  submit();
-  worker_ = new_worker();
-  run_until_meshes();
-  const SendAssign first = held_;
-  fail(worker_, first, {});
-  run_until_meshes();
-  const SendAssign second = held_;
-  fail(worker_, second, {});
-  run_all();
+  run_with_two_poisoned();
   EXPECT_EQ(state_->retry(JobId{7}, {}, now_), 0U);
   EXPECT_EQ(state_->retry(JobId{1}, TaskId{1}, now_), 0U) << "it is done, not in quarantine";
-  EXPECT_EQ(state_->retry(JobId{1}, first.task, now_), 1U);
+  EXPECT_EQ(state_->retry(JobId{1}, first_, now_), 1U);
   run_all();
-  EXPECT_EQ(task(first.task).state, TaskState::done);
+  EXPECT_EQ(task(first_).state, TaskState::done);
   EXPECT_EQ(job().phase, JobPhase::failed) << "the other is still in quarantine";
   restart();
   worker_ = new_worker();

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/hash.h"
 #include "coordinator/task_graph.h"
@@ -14,6 +15,21 @@ namespace tetfarm {
 inline ArtifactRef make_believe_file(const std::string& name, const std::string& content) {
   const std::string hash = hash128(content).hex();
   return {name, hash, content.size() + 1};
+}
+
+inline std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) {
+  std::vector<std::string> names;
+  for (const ArtifactRef& file : files) names.push_back(file.name);
+  return names;
+}
+
+/// The inspect task of a job of so many parts, done.
+inline TaskRow inspected(double parts) {
+  TaskRow task = inspect_task(JobId{1}, make_believe_file("job", "j"), {});
+  task.outputs = {make_believe_file("surface", "s"), make_believe_file("spacing", "p"),
+                  make_believe_file("root", "r"), make_believe_file("settings", "t")};
+  task.numbers["parts"] = parts;
+  return task;
 }
 
 /// A job file that asks for so many parts and groups; its size tells the make-believe inspect task.

@@ -11,20 +11,6 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-TaskRow inspected(double parts) {
-  TaskRow task = inspect_task(JobId{1}, make_believe_file("job", "j"), {});
-  task.outputs = {make_believe_file("surface", "s"), make_believe_file("spacing", "p"),
-                  make_believe_file("root", "r"), make_believe_file("settings", "t")};
-  task.numbers["parts"] = parts;
-  return task;
-}
-
-std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) {
-  std::vector<std::string> names;
-  for (const ArtifactRef& file : files) names.push_back(file.name);
-  return names;
-}
-
 TEST(TaskGraph, one_part_is_meshed_without_a_cut) {
   const GraphStep step = after_inspect(inspected(1));
   ASSERT_THAT(step.tasks, SizeIs(1));
