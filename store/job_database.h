@@ -5,25 +5,34 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "store/database_file.h"
+#include "store/job_history.h"
 #include "store/rows.h"
-
-struct sqlite3;
 
 namespace tetfarm {
 
 /// The schema that this program writes; older databases are brought up to it when they are opened.
-inline constexpr int database_version = 4;
+inline constexpr int database_version = 5;
+
+/// How much history is kept: the newest so many.
+struct HistoryBounds {
+  std::uint64_t events = 200'000;  ///< about 25 MB
+  std::uint64_t logs = 20'000;     ///< of attempts, by their ids; each at most longest_log bytes
+};
 
 class JobDatabase {
  public:
   /// Opens or makes the database, with a write-ahead log.
   /// @throws UsageError on a network file system; IoError, CorruptFile when it is no database of
   /// ours, or one of a newer program.
-  explicit JobDatabase(const std::filesystem::path& path);
+  explicit JobDatabase(const std::filesystem::path& path, const HistoryBounds& bounds = {});
+  /// Opens one that is there, whether a coordinator runs or not, and never changes it: an older
+  /// schema is brought up in a copy in memory. apply() then fails.
+  /// @throws IoError (not_found when there is none), CorruptFile.
+  static JobDatabase open_to_read(const std::filesystem::path& path);
   ~JobDatabase();
   JobDatabase(const JobDatabase&) = delete;
   JobDatabase& operator=(const JobDatabase&) = delete;
@@ -35,21 +44,17 @@ class JobDatabase {
   /// Everything that decides what happens next. Cost: one pass over the tables.
   DurableState load() const;
 
-  /// The history of a job, oldest first.
-  std::vector<EventRow> events_of(JobId job) const;
-
-  /// Every attempt ever made, by rising id.
-  std::vector<AttemptRow> all_attempts() const;
+  /// What happened, for people. @pre this outlives it.
+  JobHistory history() const;
 
   /// What SQLite's own check finds wrong; empty when all is well. Cost: reads the whole database.
   std::vector<std::string> damage() const;
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const;
-  };
-  std::string path_;
-  std::unique_ptr<sqlite3, Close> database_;
+  explicit JobDatabase(SqlitePtr database);
+
+  HistoryBounds bounds_;
+  SqlitePtr database_;
 };
 
 }  // namespace tetfarm

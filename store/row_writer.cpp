@@ -110,15 +110,19 @@ void write_workers(sqlite3* database, const std::vector<WorkerRow>& workers) {
 
 void write_attempts(sqlite3* database, const std::vector<AttemptRow>& attempts) {
   Statement upsert(database,
-                   "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                   "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
                    "ON CONFLICT (id) DO UPDATE SET worker = excluded.worker, "
                    "state = excluded.state, ended_ms = excluded.ended_ms, "
-                   "message = excluded.message, rival = excluded.rival");
+                   "message = excluded.message, rival = excluded.rival, "
+                   "peak_rss_bytes = excluded.peak_rss_bytes");
+  Statement log(database, "INSERT OR REPLACE INTO attempt_logs VALUES (?, ?)");
   for (const AttemptRow& attempt : attempts) {
     upsert.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
     upsert.bind(std::string(name_of(attempt.state))).bind(attempt.started_ms);
     upsert.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce);
-    upsert.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes).run();
+    upsert.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes);
+    upsert.bind(attempt.peak_rss_bytes).run();
+    if (!attempt.log.empty()) log.bind(attempt.id.value).bind(attempt.log).run();
   }
 }
 

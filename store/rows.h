@@ -5,6 +5,7 @@
 /// own. Units: times are milliseconds since 1970 (for people; no decision depends on them).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -42,6 +43,9 @@ enum class AttemptState {
 };
 /// joined: a leaf that was joined with others into the one that `joined_into` names.
 enum class SubdomainState { open, cut, leaf, joined };
+
+/// The end of what an attempt's process said that is kept.
+inline constexpr std::size_t longest_log = 8192;
 
 /// A file as a task knows it.
 struct ArtifactRef {
@@ -117,7 +121,9 @@ struct AttemptRow {
   std::string message;
   std::string nonce;      ///< of the worker's process: nobody else may go on with it
   bool is_rival = false;  ///< races another attempt of its task, which is `TaskRow::attempt`
-  std::uint64_t memory_bytes = 0;  ///< room that it was given; 0: not known
+  std::uint64_t memory_bytes = 0;    ///< room that it was given; 0: not known
+  std::uint64_t peak_rss_bytes = 0;  ///< of an ended one, as far as its worker said
+  std::string log = {};  ///< what its process said, its end; kept apart and not read with the row
 
   friend bool operator==(const AttemptRow&, const AttemptRow&) = default;
 };

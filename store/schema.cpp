@@ -184,8 +184,22 @@ CREATE TABLE hosts (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array<const char*, database_version> migrations = {first_schema, any_kind_of_task,
-                                                                  joined_subdomains, quarantine};
+/// What an attempt took and said, for people; ids that a restored database must not give out again.
+constexpr const char* history = R"sql(
+ALTER TABLE attempts ADD COLUMN peak_rss_bytes INTEGER NOT NULL DEFAULT 0;
+CREATE INDEX attempts_of_task ON attempts (task);
+CREATE TABLE attempt_logs (
+  attempt INTEGER PRIMARY KEY REFERENCES attempts (id),
+  log TEXT NOT NULL
+) STRICT;
+CREATE TABLE floors (
+  name TEXT PRIMARY KEY CHECK (name = 'attempt'),
+  value INTEGER NOT NULL CHECK (value >= 0)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array<const char*, database_version> migrations = {
+    first_schema, any_kind_of_task, joined_subdomains, quarantine, history};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);
@@ -194,6 +208,10 @@ std::int64_t pragma(sqlite3* database, const char* sql) {
 }
 
 }  // namespace
+
+int schema_version(sqlite3* database) {
+  return static_cast<int>(pragma(database, "PRAGMA user_version"));
+}
 
 void migrate(sqlite3* database) {
   const std::int64_t version = pragma(database, "PRAGMA user_version");

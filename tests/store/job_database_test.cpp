@@ -72,7 +72,9 @@ TEST(JobDatabase, what_is_written_is_read_back_by_another_connection) {
   first.apply(some_changes());
   const JobDatabase second(folder.path() / "db");
   expect_some_changes(second.load());
-  EXPECT_THAT(second.events_of(JobId{1}), testing::ElementsAre(some_changes().events[0]));
+  const std::vector<PastEvent> events = second.history().events({.job = JobId{1}});
+  ASSERT_THAT(events, SizeIs(1));
+  EXPECT_EQ(events[0].row, some_changes().events[0]);
   EXPECT_THAT(second.damage(), IsEmpty());
 }
 
@@ -231,52 +233,6 @@ TEST(JobDatabase, a_newer_database_is_refused) {
   EXPECT_THROW(JobDatabase{path}, CorruptFile);
 }
 
-/// What version 4 added, taken away: counts of lack of memory, nonces, races, hosts in quarantine.
-void back_to_version_3(sqlite3* raw) {
-  execute(raw,
-          "DROP TABLE hosts; ALTER TABLE tasks DROP COLUMN starvings; "
-          "ALTER TABLE tasks DROP COLUMN memory_bytes; "
-          "CREATE TABLE old_attempts (id INTEGER PRIMARY KEY, "
-          "task INTEGER NOT NULL REFERENCES tasks (id), "
-          "worker INTEGER NOT NULL REFERENCES workers (id), state TEXT NOT NULL CHECK (state IN "
-          "('running', 'done', 'failed', 'crashed', 'killed', 'lost', 'returned', 'revoked')), "
-          "started_ms INTEGER NOT NULL, ended_ms INTEGER NOT NULL, message TEXT NOT NULL) STRICT;"
-          "INSERT INTO old_attempts SELECT id, task, worker, state, started_ms, ended_ms, message "
-          "FROM attempts; DROP TABLE attempts; ALTER TABLE old_attempts RENAME TO attempts;"
-          "CREATE UNIQUE INDEX one_running_attempt ON attempts (task) WHERE state = 'running';"
-          "PRAGMA user_version = 3");
-}
-
-TEST(JobDatabase, a_database_of_before_quarantine_is_brought_up_with_its_rows) {
-  const TempFolder folder;
-  const std::string path = folder.path() / "db";
-  { JobDatabase(path).apply(some_changes()); }
-  sqlite3* raw = nullptr;
-  sqlite3_open(path.c_str(), &raw);
-  back_to_version_3(raw);
-  sqlite3_close(raw);
-  JobDatabase database(path);
-  expect_some_changes(database.load());
-  EXPECT_THAT(database.damage(), IsEmpty());
-  ChangeSet later;
-  later.tasks = some_changes().tasks;
-  later.tasks[0].starvings = 2;
-  later.tasks[0].memory_bytes = std::uint64_t{3} << 30U;
-  later.attempts = {
-      {AttemptId{10}, TaskId{3}, WorkerId{2}, AttemptState::running, 6, 0, "", "a nonce", true, 7}};
-  later.hosts = {{"bad-host", true, 8, "three tasks failed there"}};
-  database.apply(later);
-  const DurableState state = database.load();
-  EXPECT_EQ(state.tasks.at(TaskId{3}), later.tasks[0]);
-  EXPECT_EQ(state.running_attempts.at(AttemptId{10}), later.attempts[0]);
-  EXPECT_EQ(state.quarantined_hosts.at("bad-host"), later.hosts[0]);
-  later.attempts[0].state = AttemptState::starved;
-  later.hosts[0].is_quarantined = false;
-  database.apply(later);
-  EXPECT_THAT(database.load().running_attempts, SizeIs(1));
-  EXPECT_THAT(database.load().quarantined_hosts, IsEmpty());
-}
-
 TEST(JobDatabase, a_rival_and_its_first_may_run_at_a_time_but_no_third) {
   const TempFolder folder;
   JobDatabase database(folder.path() / "db");
@@ -289,49 +245,6 @@ TEST(JobDatabase, a_rival_and_its_first_may_run_at_a_time_but_no_third) {
   EXPECT_THAT(database.load().running_attempts, SizeIs(2));
   rival.attempts[0].id = AttemptId{11};
   EXPECT_THROW(database.apply(rival), IoError);
-}
-
-TEST(JobDatabase, a_database_of_before_assimilation_is_brought_up_with_its_rows) {
-  const TempFolder folder;
-  const std::string path = folder.path() / "db";
-  { JobDatabase(path).apply(some_changes()); }
-  sqlite3* raw = nullptr;
-  sqlite3_open(path.c_str(), &raw);
-  back_to_version_3(raw);
-  // The two tables as version 1 had them.
-  execute(raw,
-          "CREATE TABLE old_subdomains (job INTEGER NOT NULL REFERENCES jobs (id), "
-          "path INTEGER NOT NULL, parts INTEGER NOT NULL, "
-          "state TEXT NOT NULL CHECK (state IN ('open', 'cut', 'leaf')), "
-          "interdomain_nodes INTEGER NOT NULL, interior_nodes INTEGER NOT NULL, "
-          "tets INTEGER NOT NULL, meshed INTEGER NOT NULL, "
-          "hash TEXT NOT NULL REFERENCES artifacts (hash), PRIMARY KEY (job, path)) "
-          "STRICT, WITHOUT ROWID;"
-          "INSERT INTO old_subdomains SELECT job, path, parts, state, interdomain_nodes, "
-          "interior_nodes, tets, meshed, hash FROM subdomains;"
-          "DROP TABLE subdomains; ALTER TABLE old_subdomains RENAME TO subdomains;"
-          "PRAGMA user_version = 1");
-  sqlite3_close(raw);
-  JobDatabase database(path);
-  expect_some_changes(database.load());
-  EXPECT_THAT(database.damage(), IsEmpty());
-  ChangeSet later;
-  later.subdomains = some_changes().subdomains;
-  later.subdomains[0].state = SubdomainState::joined;
-  later.subdomains[0].joined_into = 7;
-  later.subdomains[0].work = 1.5;
-  later.tasks = some_changes().tasks;
-  later.tasks[0].id = TaskId{4};
-  later.tasks[0].kind = TaskKind::assimilate;
-  later.tasks[0].state = TaskState::ready;
-  later.tasks[0].attempt = {};
-  database.apply(later);
-  EXPECT_EQ(database.load().subdomains.begin()->second, later.subdomains[0]);
-  EXPECT_EQ(database.load().tasks.at(TaskId{4}), later.tasks[0]);
-  ChangeSet impossible;
-  impossible.attempts = {
-      {AttemptId{10}, TaskId{99}, WorkerId{2}, AttemptState::running, 6, 0, "", "", false, 0}};
-  EXPECT_THROW(database.apply(impossible), IoError) << "foreign keys are checked again";
 }
 
 TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {
