@@ -345,38 +345,57 @@ void parse_output(const Section& section, JobFile& job) {
   if (job.formats.empty()) section.fail("formats", "must name a format");
 }
 
+/// False for the second and later bytes of a character of UTF-8.
+bool starts_character(char byte) { return (byte & 0xc0) != 0x80; }
+
+bool is_ascii(char byte) { return static_cast<unsigned char>(byte) < 0x80; }
+
+[[noreturn]] void refuse_character(std::string_view text, std::size_t at, const std::string& where,
+                                   const std::string& path) {
+  const std::string_view before = text.substr(0, at);
+  const std::string_view in_line = before.substr(before.rfind('\n') + 1);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto column = 1 + std::count_if(in_line.begin(), in_line.end(), starts_character);
+  throw UsageError("a character that is not ASCII " + where,
+                   path + ":" + std::to_string(line) + ":" + std::to_string(column));
+}
+
+/// What a backslash at `at` in a string joins to it: no letter beyond ASCII, neither at once nor
+/// behind blanks and line ends.
+void check_ascii_behind_backslash(std::string_view text, std::size_t at, const std::string& path) {
+  const std::size_t next = text.find_first_not_of(" \t\r\n", at + 1);
+  if (next != std::string_view::npos && !is_ascii(text[next])) {
+    refuse_character(text, next, "behind a backslash", path);
+  }
+}
+
 /// Behind the string that begins at `at`: a line's end closes it too, unless it has three quotes.
-std::size_t end_of_string(std::string_view text, std::size_t at) {
+std::size_t end_of_string(std::string_view text, std::size_t at, const std::string& path) {
   const char quote = text[at];
   const std::string mark(text.substr(at, 3) == std::string(3, quote) ? 3 : 1, quote);
   for (at += mark.size(); at < text.size(); ++at) {
     if (text.substr(at, mark.size()) == mark) return at + mark.size();
     if (mark.size() == 1 && text[at] == '\n') return at;
-    if (quote == '"' && text[at] == '\\') ++at;
+    if (quote == '"' && text[at] == '\\') {
+      check_ascii_behind_backslash(text, at, path);
+      ++at;
+    }
   }
   return text.size();
 }
 
-/// False for the second and later bytes of a character of UTF-8.
-bool starts_character(char byte) { return (byte & 0xc0) != 0x80; }
-
-/// Letters beyond ASCII may be in strings and comments only. toml++ 3.3 has undefined behaviour
-/// when it finds one elsewhere.
+/// Letters beyond ASCII may be in strings and comments only, and not behind a backslash. toml++ 3.3
+/// has undefined behaviour when it asks of another whether it is a blank.
 void check_ascii_outside_strings(std::string_view text, const std::string& path) {
   std::size_t at = text.starts_with("\xef\xbb\xbf") ? 3 : 0;
   while (at < text.size()) {
     const char c = text[at];
     if (c == '"' || c == '\'') {
-      at = end_of_string(text, at);
+      at = end_of_string(text, at, path);
     } else if (c == '#') {
       at = std::min(text.find('\n', at), text.size());
-    } else if (static_cast<unsigned char>(c) >= 0x80) {
-      const std::string_view before = text.substr(0, at);
-      const std::string_view in_line = before.substr(before.rfind('\n') + 1);
-      const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-      const auto column = 1 + std::count_if(in_line.begin(), in_line.end(), starts_character);
-      throw UsageError("a character that is not ASCII outside of quotes and comments",
-                       path + ":" + std::to_string(line) + ":" + std::to_string(column));
+    } else if (!is_ascii(c)) {
+      refuse_character(text, at, "outside of quotes and comments", path);
     } else {
       ++at;
     }

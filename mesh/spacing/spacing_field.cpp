@@ -46,6 +46,7 @@ void append(std::string& bytes, const std::vector<T>& items) {
 
 template <typename T>
 void take(std::string_view& bytes, std::vector<T>& items, std::uint64_t count) {
+  if (count == 0) return;
   items.resize(static_cast<std::size_t>(count));
   std::memcpy(items.data(), bytes.data(), items.size() * sizeof(T));
   bytes.remove_prefix(items.size() * sizeof(T));

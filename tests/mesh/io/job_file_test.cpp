@@ -195,6 +195,8 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {"# ö\nname = 'ö \\'\n grö = 1", "job.toml:3:4: a character that is not ASCII"},
       {"name = \"ö\\\"ö\"\n[\xc2\xa1]", "job.toml:2:2: a character that is not ASCII"},
       {"name = \"\"\"ö\n\" ö\"\"\" ö", "job.toml:2:8: a character that is not ASCII"},
+      {"name = \"\"\"a\\\xef\xba\xbf", "job.toml:1:13: a character that is not ASCII behind"},
+      {"name = \"\"\"a \\ \n  ö", "job.toml:2:3: a character that is not ASCII behind"},
       {geometry + "surface = \"b.stl\"", "job.toml:3:"},
       {geometry + "[spacing]\ngrwoth = 1",
        "job.toml:4:1: unknown key `grwoth` in [spacing]; did you mean `growth`?"},
