@@ -122,10 +122,12 @@ std::int64_t raise_heights(WorkMesh& work, const HeightOptions& options) {
     if (work.complex.is_live(tet)) raiser.queue_if_low(tet);
   }
   const std::int64_t before = work.changes;
-  while (!raiser.queue.empty()) {
+  std::int64_t stuck = 0;
+  while (!raiser.queue.empty() && stuck < options.most_stuck) {
     const LowTet low = raiser.queue.top();
     raiser.queue.pop();
-    if (raiser.share2_of(low.tet) == low.share2) raise(raiser, low);
+    if (raiser.share2_of(low.tet) != low.share2) continue;
+    if (!raise(raiser, low)) ++stuck;
   }
   return work.changes - before;
 }

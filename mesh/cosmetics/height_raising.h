@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 #include "mesh/cosmetics/cavity.h"
 
@@ -19,6 +20,9 @@ struct HeightOptions {
   double wanted_length = 0;
   /// No goodness falls below this, or below the smallest that was round the node.
   double floor = 0;
+  /// After so many tets that cannot be raised nothing more is tried: all others are higher than
+  /// they, and the smallest height of the mesh is what it is.
+  std::int64_t most_stuck = std::numeric_limits<std::int64_t>::max();
   /// Target edge length at a point; asked for only where spacings are wanted.
   std::function<double(const Vec3&)> spacing;
 

@@ -36,6 +36,9 @@ constexpr double shortest_mild_split = 0.6;
 /// own nodes lie that near to each other, no node at the other distance can help.
 constexpr double desperate_deg = 8;
 constexpr double shortest_desperate_split = 0.1;
+/// The lowest tet that is stuck bounds the time step, whatever is done to the others; a few more
+/// are tried, as now and then raising them sets it free.
+constexpr std::int64_t most_stuck_heights = 4;
 
 /// A tet to work on. Stale when the tet is dead or its goodness has changed: it is then queued
 /// anew.
@@ -267,6 +270,7 @@ cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor
   cosmetics::HeightOptions heights;
   heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
   heights.floor = floor;
+  if (options.height_in_spacings == 0) heights.most_stuck = most_stuck_heights;
   if (options.spacing) {
     heights.wanted_spacings = options.height_in_spacings;
     heights.spacing = options.spacing;

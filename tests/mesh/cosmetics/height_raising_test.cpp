@@ -83,6 +83,27 @@ TEST(HeightRaising, nothing_moves_where_all_are_high_enough) {
   EXPECT_GT(raise_heights(work, wanting(1.2 * wanted)), 0);
 }
 
+TEST(HeightRaising, a_few_stuck_tets_end_it_when_the_lowest_are_raised) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const TetMesh mesh = trial::kuhn_box(6, 0.6, seed);
+    const auto raised = [&mesh](std::int64_t most_stuck) {
+      TetComplex complex = make_tet_complex(mesh);
+      WorkMesh work(complex, mesh.boundary_nodes);
+      HeightOptions options = wanting(0.7, goodness_of_angle(20));
+      options.most_stuck = most_stuck;
+      const std::int64_t moves = raise_heights(work, options);
+      return std::pair(moves, lowest2(work));
+    };
+    const double lowest_at_first = raised(0).second;
+    const auto [few, lowest_of_few] = raised(4);
+    const std::int64_t all = raised(1'000'000).first;
+    EXPECT_EQ(raised(0).first, 0);
+    EXPECT_GT(few, 5) << seed;
+    EXPECT_LT(2 * few, all) << seed;
+    EXPECT_GT(lowest_of_few, 1.2 * lowest_at_first) << seed;
+  }
+}
+
 TEST(HeightRaising, a_low_tet_is_as_high_as_is_wanted_where_spacings_are_small) {
   const TetMesh mesh = trial::kuhn_box(6, 0.6, 3);
   TetComplex complex = make_tet_complex(mesh);
