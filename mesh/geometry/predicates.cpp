@@ -7,6 +7,7 @@
 
 #include "mesh/geometry/double_double.h"
 #include "mesh/geometry/expansion.h"
+#include "mesh/geometry/integer_sphere.h"
 #include "mesh/geometry/sphere_filter.h"
 
 namespace tetfarm {
@@ -124,8 +125,6 @@ Wide minor_of(const GridPoints<count>& v, std::size_t p, std::size_t q, std::siz
   return pair(1, 2) * v[r][0] + pair(2, 0) * v[r][1] + pair(0, 1) * v[r][2];
 }
 
-int sign_of(Wide x) { return (x > 0) - (x < 0); }
-
 /// By integers if the points are on a grid, else by expansions.
 double decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   GridPoints<3> v;
@@ -168,17 +167,9 @@ int insphere_by_double_doubles(const Vec3& a, const Vec3& b, const Vec3& c, cons
 }
 
 double decide_insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
-  GridPoints<4> v;
-  // 24 bits: each of the four terms is below 3 · 2^48 · 5.2 · 2^72, and their sum below 2^127.
-  if (scale_to_grid<4>({a, b, c, d}, e, 24, v) == 0) {
-    const int sign = insphere_by_double_doubles(a, b, c, d, e);
-    return sign != 0 ? sign : insphere_exact(a, b, c, d, e);
-  }
-  const auto lift = [&v](std::size_t p) {
-    return v[p][0] * v[p][0] + v[p][1] * v[p][1] + v[p][2] * v[p][2];
-  };
-  return sign_of(minor_of(v, 1, 2, 3) * lift(0) - minor_of(v, 0, 2, 3) * lift(1) +
-                 (minor_of(v, 0, 1, 3) * lift(2) - minor_of(v, 0, 1, 2) * lift(3)));
+  if (const auto sign = integer_insphere(a, b, c, d, e)) return *sign;
+  const int sign = insphere_by_double_doubles(a, b, c, d, e);
+  return sign != 0 ? sign : insphere_exact(a, b, c, d, e);
 }
 
 }  // namespace
