@@ -125,6 +125,33 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
+std::string read_part_of_file(const fs::path& path, std::uint64_t offset, std::size_t size) {
+  OpenFile file(path, O_RDONLY);
+  if (::lseek(file.descriptor(), static_cast<off_t>(offset), SEEK_SET) < 0) {
+    throw IoError("cannot seek", path.string(), errno);
+  }
+  std::string bytes(size, '\0');
+  std::size_t filled = 0;
+  while (filled < size) {
+    const std::size_t got = file.read(bytes.data() + filled, size - filled);
+    if (got == 0) break;
+    filled += got;
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+void append_to_file(const fs::path& path, std::uint64_t offset, std::string_view bytes) {
+  OpenFile file(path, O_WRONLY | O_CREAT | O_APPEND, file_mode);
+  try {
+    file.write(bytes);
+    file.close_checked();
+  } catch (const IoError&) {
+    ::truncate(path.c_str(), static_cast<off_t>(offset));
+    throw;
+  }
+}
+
 std::optional<std::uint64_t> size_of_file(const fs::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) return static_cast<std::uint64_t>(status.st_size);

@@ -15,12 +15,24 @@ namespace tetfarm {
 /// The whole file. @throws IoError (not_found when there is none).
 std::string read_file(const std::filesystem::path& path);
 
+/// `size` bytes from `offset` on; fewer where the file ends. @throws IoError (not_found when there
+/// is none).
+std::string read_part_of_file(const std::filesystem::path& path, std::uint64_t offset,
+                              std::size_t size);
+
 /// Size in bytes; nothing when there is no such file. @throws IoError for any other trouble.
 std::optional<std::uint64_t> size_of_file(const std::filesystem::path& path);
 
 /// Replaces or makes `path` in one step; a failing write leaves neither a new nor a temporary file.
 /// @throws IoError (out_of_resources when the disk or the quota is full).
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Puts bytes behind the first `offset` bytes of a file in the making, which is made when missing.
+/// Not durable by itself; when it fails the file has `offset` bytes again.
+/// @pre the file has `offset` bytes.
+/// @throws IoError (out_of_resources when the disk or the quota is full).
+void append_to_file(const std::filesystem::path& path, std::uint64_t offset,
+                    std::string_view bytes);
 
 /// Gives the finished file `from` the name `to` durably: fsync, rename (over an older file), fsync
 /// of the folder.

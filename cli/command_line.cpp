@@ -334,10 +334,23 @@ class Parser {
         ->required()
         ->option_text("tcp://HOST:PORT");
     add_keys_of_a_peer(worker, worker_.keys);
-    worker.add_option("--store", worker_.store, "The coordinator's store, as seen from here")
+    worker
+        .add_option("--store", worker_.store,
+                    "The coordinator's store, as seen from here (default: files come over the "
+                    "connection)")
         ->envname("TETFARM_STORE")
-        ->required()
         ->option_text("DIR");
+    worker.add_flag("--no-shared-store", worker_.no_shared_store,
+                    "Files come over the connection, whether it sees the store or not");
+    worker
+        .add_option("--cache", worker_.cache,
+                    "For files that come over the connection (default: in $TMPDIR)")
+        ->option_text("DIR");
+    worker
+        .add_option("--cache-size", worker_.cache_bytes,
+                    "How much of them is kept from task to task (10GiB)")
+        ->transform(CLI::AsSizeValue(false))
+        ->option_text("SIZE");
     worker.add_option("--grace", worker_.grace_s, "To finish a task in after SIGTERM (30)")
         ->check(CLI::NonNegativeNumber)
         ->option_text("SECONDS");

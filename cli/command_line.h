@@ -128,7 +128,10 @@ struct CoordinatorCommand {
 struct WorkerCommand {
   std::string endpoint;
   KeyFiles keys;
-  std::string store;
+  std::string store;             ///< "": it sees none
+  bool no_shared_store = false;  ///< takes `store` for the coordinator's key only
+  std::string cache;             ///< "": default_cache_folder()
+  std::uint64_t cache_bytes = std::uint64_t{10} << 30U;
   double grace_s = 30;
   std::uint64_t memory_bytes = 0;  ///< 0: what the machine has
   double walltime_s = 0;           ///< 0: as the batch system says, if it does

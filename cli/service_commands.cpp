@@ -184,8 +184,17 @@ ExitCode worker_command(const WorkerCommand& command) {
   log_to_stderr(command.quiet);
   WorkerOptions options;
   options.endpoint = command.endpoint;
-  options.store = std::filesystem::absolute(command.store);
   options.keys = command.keys;
+  if (!command.store.empty()) {
+    options.store = std::filesystem::absolute(command.store);
+    if (options.keys.coordinator.empty() && !options.keys.own.empty() && command.no_shared_store) {
+      options.keys.coordinator = published_key_path(options.store);
+    }
+  }
+  if (command.no_shared_store) options.store.clear();
+  options.cache = std::filesystem::absolute(
+      command.cache.empty() ? default_cache_folder() : std::filesystem::path(command.cache));
+  options.cache_bytes = command.cache_bytes;
   options.task_command = {"/proc/self/exe", "task"};
   options.memory_bytes = command.memory_bytes;
   const auto environment = [](const char* name) {

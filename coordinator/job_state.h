@@ -136,6 +136,8 @@ class JobState {
 
   // Workers. An unknown worker id is a mistake of the caller: ask knows_worker first.
   bool knows_worker(WorkerId worker) const { return sessions_.contains(worker); }
+  /// Whether the attempt is running there: what else comes in its name is refused.
+  bool holds(WorkerId worker, TaskId task, AttemptId attempt) const;
   /// A worker that says Hello; `task` and `attempt` are what it still works on, 0 for nothing.
   WorkerId add_worker(const WorkerInfo& info, TaskId task, AttemptId attempt, Moment now);
   /// Hello again on a known connection.
@@ -212,7 +214,6 @@ class JobState {
 
   // job_workers.cpp: sessions, leases, handing out
   bool is_current(TaskId task, AttemptId attempt) const;
-  bool holds(WorkerId worker, TaskId task, AttemptId attempt) const;
   void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
   bool take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now);

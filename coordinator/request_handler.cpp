@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_system.h"
 #include "base/hash.h"
 #include "coordinator/job_status.h"
 #include "coordinator/message_translation.h"
@@ -13,6 +14,12 @@ namespace tetfarm {
 namespace {
 
 constexpr std::size_t longest_text = 4096;
+constexpr std::size_t longest_probe = 256;
+
+bool is_about_files(const wire::Envelope& envelope) {
+  return envelope.has_fetch_file() || envelope.has_offer_file() || envelope.has_file_chunk();
+}
+
 Refusal refusal_of(WireState state) {
   switch (state) {
     case WireState::too_large:
@@ -48,6 +55,7 @@ WorkerId RequestHandler::worker_of(const std::string& connection) const {
 void RequestHandler::forget_workers() {
   workers_.clear();
   connections_.clear();
+  transfers_.forget_connections();
 }
 
 void RequestHandler::drop(const Sender& sender, const std::string& why, Moment now) {
@@ -193,24 +201,53 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
     state.done(worker, TaskId{done.task()}, AttemptId{done.attempt()}, result_of(done), now);
   } else if (envelope.has_failed()) {
     failed(worker, envelope.failed(), state, now);
+  } else if (is_about_files(envelope)) {
+    files(connection, worker, envelope, state, now);
   } else {
     state.worker_left(worker, false, now);
     forget(worker);
   }
 }
 
+/// Who sends or gets files is alive; of an attempt that is over it is told so.
+void RequestHandler::files(const std::string& connection, WorkerId worker,
+                           const wire::Envelope& envelope, JobState& state, Moment now) {
+  const auto beat = [&](const auto& message) {
+    state.heartbeat(worker, TaskId{message.task()}, AttemptId{message.attempt()}, now);
+    return state.holds(worker, TaskId{message.task()}, AttemptId{message.attempt()});
+  };
+  const bool is_current = envelope.has_fetch_file()   ? beat(envelope.fetch_file())
+                          : envelope.has_offer_file() ? beat(envelope.offer_file())
+                                                      : beat(envelope.file_chunk());
+  if (!is_current || transfers_.take(connection, worker, envelope, state, now)) return;
+  refusals_.count(Refusal::senseless,
+                  "worker " + std::to_string(worker.value) + ": " + name_of(envelope.body_case()),
+                  now.steady_ms);
+}
+
+/// Whether what the worker has just written into its store's scratch folder is in ours: the mark of
+/// the store alone would be the same in a copy.
+bool RequestHandler::sees_store(const wire::Hello& hello) const {
+  if (hello.store_probe() != store_.probe() || !ArtifactStore::is_hash(hello.probe_file()) ||
+      hello.probe_text().empty()) {
+    return false;
+  }
+  try {
+    const std::filesystem::path path = probe_path(store_, hello.probe_file());
+    return read_part_of_file(path, 0, longest_probe) == hello.probe_text();
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
 void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobState& state,
                            Moment now) {
   const std::string& connection = sender.connection;
-  if (hello.store_probe() != store_.probe()) {
-    return refuse(connection,
-                  "worker " + hello.host() + " does not see the store " + store_.folder().string(),
-                  ExitCode::usage);
-  }
   const TaskId task{hello.running_task()};
   const AttemptId attempt{hello.running_attempt()};
   const WorkerId known = worker_of(connection);
   if (known && state.knows_worker(known)) {
+    workers_[connection].sees_store = sees_store(hello);
     state.greet_again(known, worker_info_of(hello), task, attempt, now);
     return;
   }
@@ -222,7 +259,7 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
                   ExitCode::out_of_resources);
   }
   const WorkerId worker = state.add_worker(worker_info_of(hello), task, attempt, now);
-  workers_[connection] = {worker, sender.key};
+  workers_[connection] = {worker, sender.key, sees_store(hello)};
   connections_[worker] = connection;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coordinator/door.h"
+#include "coordinator/file_transfers.h"
 #include "coordinator/job_state.h"
 #include "coordinator/refusals.h"
 #include "coordinator/surface_roots.h"
@@ -59,6 +60,9 @@ class RequestHandler {
   /// after a commit, or after a failed one once the state is again what the database holds.
   void answer_questions(const JobState& state, const Door& door, Moment now);
 
+  /// Files of workers that do not see the store.
+  FileTransfers& transfers() { return transfers_; }
+
   std::vector<Reply> take_replies();
   /// Troubles with files since the last call, for the log.
   std::vector<std::string> take_complaints();
@@ -78,6 +82,9 @@ class RequestHandler {
   void handle_worker(const std::string& connection, const wire::Envelope& envelope, JobState& state,
                      Moment now);
   void hello(const Sender& sender, const wire::Hello& hello, JobState& state, Moment now);
+  void files(const std::string& connection, WorkerId worker, const wire::Envelope& envelope,
+             JobState& state, Moment now);
+  bool sees_store(const wire::Hello& hello) const;
   void forget(WorkerId worker);
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
   void submit(const std::string& connection, const wire::Submit& message, JobState& state,
@@ -93,6 +100,7 @@ class RequestHandler {
   struct Known {
     WorkerId worker;
     std::string key;  ///< with which it said Hello, "": none
+    bool sees_store = true;
   };
 
   const ArtifactStore& store_;
@@ -106,6 +114,7 @@ class RequestHandler {
     std::string job;  ///< empty: all
   };
   std::vector<Question> questions_;
+  FileTransfers transfers_;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
 };

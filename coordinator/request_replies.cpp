@@ -59,6 +59,7 @@ void RequestHandler::send(const Command& command, const JobState& state, Moment 
     message.set_heartbeat_ms(static_cast<std::uint32_t>(options_.heartbeat_ms));
     message.set_lease_ms(static_cast<std::uint32_t>(options_.lease_ms));
     message.set_keep_running(welcome->keep_running);
+    message.set_sees_store(workers_.at(connection->second).sees_store);
     answer(connection->second, std::move(envelope));
   } else if (const auto* assign = std::get_if<SendAssign>(&command)) {
     wire::Envelope envelope =

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <memory>
+#include <set>
 #include <utility>
 #include <zmq_addon.hpp>
 
@@ -16,15 +17,16 @@
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "coordinator/door.h"
+#include "coordinator/file_thread.h"
 #include "coordinator/job_state.h"
 #include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/start_rules.h"
-#include "coordinator/store_lock.h"
 #include "coordinator/surface_roots.h"
 #include "proto/peer_security.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
+#include "store/folder_lock.h"
 #include "store/job_database.h"
 
 namespace tetfarm {
@@ -94,7 +96,7 @@ class Server {
   explicit Server(const CoordinatorOptions& options)
       : options_(options),
         store_(options.store),
-        lock_(options.store),
+        lock_(FolderLock::of_store(options.store)),
         log_(make_log(options)),
         database_(prepared_database(options.store, options.database, store_.probe())),
         roots_(with_store(options.allowed_roots, options.store)),
@@ -108,12 +110,14 @@ class Server {
                  {.heartbeat_ms = options.heartbeat_ms,
                   .lease_ms = options.lease_ms,
                   .max_workers = options.max_workers},
-                 refusals_) {
+                 refusals_),
+        files_(store_) {
     rules_.lease_ms = options.lease_ms;
     rules_.least_limit_ms = options.task_limit_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
     allow_open_files(2 * options.max_connections);
     restore();
+    drop_stale_uploads();
     bind();
   }
 
@@ -132,6 +136,12 @@ class Server {
     state_ = std::make_unique<JobState>(
         database_.load(), rules_, [this](const ArtifactRef& file) { return has_file(file); },
         now());
+  }
+
+  void drop_stale_uploads() {
+    std::set<AttemptId> running;
+    for (const auto& [id, attempt] : state_->durable().running_attempts) running.insert(id);
+    drop_uploads_but(running, store_);
   }
 
   bool has_file(const ArtifactRef& file) const {
@@ -214,12 +224,27 @@ class Server {
       if (committed || !reply.needs_commit) send(std::move(reply));
     }
     if (!committed) start_over();
+    move_files();
     handler_.answer_questions(*state_, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
   }
 
+  /// After the commit: an attempt whose end is not durable may still bring its files.
+  void move_files() {
+    FileTransfers& transfers = handler_.transfers();
+    for (FileAnswer& answer : files_.take_answers()) {
+      transfers.note_answer(answer.connection);
+      if (!answer.trouble.empty()) log_.warn("{}", answer.trouble);
+      if (answer.is_out_of_room) state_->out_of_resources(answer.trouble, now());
+      if (answer.envelope.body_case() == wire::Envelope::BODY_NOT_SET) continue;
+      send({answer.connection, std::move(answer.envelope), false});
+    }
+    for (FileOrder& order : transfers.take_orders(*state_, now())) files_.give(std::move(order));
+  }
+
   void receive() {
     std::vector<zmq::pollitem_t> items = door_.poll_items();
+    items.push_back({nullptr, files_.fd(), ZMQ_POLLIN, 0});
     items.push_back({socket_.handle(), 0, ZMQ_POLLIN, 0});
     try {
       zmq::poll(items, std::chrono::milliseconds(turn_ms));
@@ -304,7 +329,7 @@ class Server {
 
   CoordinatorOptions options_;
   ArtifactStore store_;
-  StoreLock lock_;
+  FolderLock lock_;
   mutable spdlog::logger log_;
   JobDatabase database_;
   FarmRules rules_;
@@ -314,6 +339,7 @@ class Server {
   Door door_;
   zmq::socket_t socket_;
   RequestHandler handler_;
+  FileThread files_;
   std::unique_ptr<JobState> state_;
   std::vector<std::string> endpoints_;
   std::string commit_trouble_;

@@ -14,7 +14,7 @@ struct Permission {
   bool viewer;
 };
 
-constexpr std::array<Permission, 12> permissions = {{
+constexpr std::array<Permission, 15> permissions = {{
     // kind                 worker submitter viewer
     {Kind::kHello, true, false, false},
     {Kind::kReady, true, false, false},
@@ -23,6 +23,9 @@ constexpr std::array<Permission, 12> permissions = {{
     {Kind::kFailed, true, false, false},
     {Kind::kHeartbeat, true, false, false},
     {Kind::kGoodbye, true, false, false},
+    {Kind::kFetchFile, true, false, false},
+    {Kind::kOfferFile, true, false, false},
+    {Kind::kFileChunk, true, false, false},
     {Kind::kSubmit, false, true, false},
     {Kind::kCancel, false, true, false},
     {Kind::kRetry, false, true, false},

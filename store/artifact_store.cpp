@@ -51,6 +51,10 @@ StoredArtifact checksum_of_file(const fs::path& path) {
   return artifact;
 }
 
+fs::path probe_path(const ArtifactStore& store, const std::string& name) {
+  return store.scratch_folder() / ("probe-" + name);
+}
+
 ArtifactStore::ArtifactStore(fs::path folder, std::string probe)
     : folder_(std::move(folder)), probe_(std::move(probe)) {}
 
@@ -83,7 +87,20 @@ StoredArtifact ArtifactStore::publish(std::string_view bytes) const {
 
 StoredArtifact ArtifactStore::publish_file(const fs::path& path) const {
   const StoredArtifact artifact = checksum_of_file(path);
-  const fs::path target = path_of(artifact.hash);
+  adopt_checked_file(path, artifact.hash);
+  return artifact;
+}
+
+void ArtifactStore::adopt_file(const fs::path& path, const StoredArtifact& announced) const {
+  if (checksum_of_file(path) != announced) {
+    remove_file(path);
+    throw CorruptFile("is not what was announced as " + announced.hash, path.string());
+  }
+  adopt_checked_file(path, announced.hash);
+}
+
+void ArtifactStore::adopt_checked_file(const fs::path& path, const std::string& hash) const {
+  const fs::path target = path_of(hash);
   make_folders(target.parent_path());
   try {
     publish_by_rename(path, target);
@@ -92,7 +109,6 @@ StoredArtifact ArtifactStore::publish_file(const fs::path& path) const {
     link_or_copy_file(path, target);
     remove_file(path);
   }
-  return artifact;
 }
 
 bool ArtifactStore::has(const std::string& hash, std::uint64_t size) const {

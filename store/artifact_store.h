@@ -22,6 +22,12 @@ struct StoredArtifact {
 /// Checksum and size of a file. @throws IoError. Cost: one pass, constant memory.
 StoredArtifact checksum_of_file(const std::filesystem::path& path);
 
+class ArtifactStore;
+
+/// Where a worker that wants to know whether it sees the coordinator's store leaves a file of that
+/// name.
+std::filesystem::path probe_path(const ArtifactStore& store, const std::string& name);
+
 class ArtifactStore {
  public:
   /// Opens the store in `folder`, and makes its folders and its id file when they are missing.
@@ -39,6 +45,12 @@ class ArtifactStore {
   /// Publishes a finished file: moves it when it lies on the store's file system (in
   /// scratch_folder()), copies it otherwise. `path` is gone afterwards. @throws IoError.
   StoredArtifact publish_file(const std::filesystem::path& path) const;
+
+  /// As publish_file, of a file that came over a network: it must be what was announced.
+  /// @throws CorruptFile when it is not; it is removed.
+  void adopt_file(const std::filesystem::path& path, const StoredArtifact& announced) const;
+  /// The same of a file whose checksum the caller has computed. @throws IoError.
+  void adopt_checked_file(const std::filesystem::path& path, const std::string& hash) const;
 
   /// Where the artifact lies, or would lie. @pre is_hash(hash).
   std::filesystem::path path_of(const std::string& hash) const;

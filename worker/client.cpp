@@ -1,13 +1,10 @@
 #include "worker/client.h"
 
 #include <spdlog/spdlog.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <zmq.hpp>
@@ -15,9 +12,11 @@
 #include "base/clock.h"
 #include "base/ids.h"
 #include "proto/wire.h"
-#include "store/artifact_store.h"
 #include "worker/child_task.h"
+#include "worker/drain_signals.h"
+#include "worker/file_exchange.h"
 #include "worker/machine.h"
+#include "worker/store_probe.h"
 
 namespace tetfarm {
 namespace {
@@ -29,39 +28,6 @@ constexpr std::int64_t tick_ms = 100;
 constexpr std::int64_t flag_tick_ms = 10;
 constexpr int linger_ms = 500;
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  ::gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
-
-/// The signals that ask for a drain, as a file descriptor.
-class DrainSignals {
- public:
-  explicit DrainSignals(bool wanted) {
-    if (!wanted) return;
-    sigset_t set;
-    ::sigemptyset(&set);
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2}) ::sigaddset(&set, signal);
-    ::sigprocmask(SIG_BLOCK, &set, nullptr);
-    fd_ = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
-  }
-  ~DrainSignals() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  DrainSignals(const DrainSignals&) = delete;
-  DrainSignals& operator=(const DrainSignals&) = delete;
-
-  bool take_one() const {
-    signalfd_siginfo info{};
-    return fd_ >= 0 && ::read(fd_, &info, sizeof info) == sizeof info;
-  }
-  int fd() const { return fd_; }
-
- private:
-  int fd_ = -1;
-};
-
 class Client {
  public:
   explicit Client(const WorkerOptions& options)
@@ -69,7 +35,9 @@ class Client {
         signals_(options.handle_signals),
         nonce_(random_hex(16)),
         memory_bytes_(options.memory_bytes > 0 ? options.memory_bytes : machine_memory()),
-        ends_at_(options.ends_in_ms > 0 ? steady_ms() + options.ends_in_ms : 0) {}
+        ends_at_(options.ends_in_ms > 0 ? steady_ms() + options.ends_in_ms : 0),
+        probe_(options.store),
+        files_(options.cache, options.cache_bytes) {}
 
   ExitCode run() {
     connect();
@@ -78,6 +46,7 @@ class Client {
       take_signals();
       heed_handshake();
       take_messages();
+      move_files();
       take_outcome();
       keep_time();
     }
@@ -85,7 +54,7 @@ class Client {
   }
 
  private:
-  bool is_idle() const { return !child_ && !unaccepted_; }
+  bool is_idle() const { return attempt_ == 0; }
 
   void connect() {
     handshakes_.reset();
@@ -125,13 +94,7 @@ class Client {
     hello_again_ms_ = std::min(2 * hello_again_ms_, slowest_hello_again_ms);
     wire::Envelope envelope;
     wire::Hello& hello = *envelope.mutable_hello();
-    try {
-      hello.set_store_probe(ArtifactStore::open_existing(options_.store).probe());
-    } catch (const IoError& error) {
-      if (!missed_store_) spdlog::warn("waiting for the store: {}", error.what());
-      missed_store_ = true;
-      return;
-    }
+    if (!probe_.put_into(hello, steady_ms())) return;
     hello.set_program_version(program_version);
     hello.set_host(host_name());
     hello.set_process(::getpid());
@@ -164,6 +127,11 @@ class Client {
     unaccepted_.reset();
     task_ = 0;
     attempt_ = 0;
+    try {
+      files_.forget_task();
+    } catch (const IoError& error) {
+      spdlog::warn("{}", error.what());
+    }
   }
 
   void wait() {
@@ -218,6 +186,9 @@ class Client {
         return take_assign(envelope.assign());
       case wire::Envelope::kAccepted:
         return take_accepted(envelope.accepted());
+      case wire::Envelope::kFileChunk:
+      case wire::Envelope::kFileStored:
+        return with_files([&] { files_.take(envelope, heard_at_); });
       case wire::Envelope::kDrain:
         return start_drain(options_.grace_ms);
       default:
@@ -227,7 +198,8 @@ class Client {
 
   void take_welcome(const wire::Welcome& welcome) {
     registered_ = true;
-    missed_store_ = false;
+    probe_.remove();
+    note_store(welcome.sees_store());
     hello_again_ms_ = first_hello_again_ms;
     heartbeat_ms_ = std::max<std::int64_t>(welcome.heartbeat_ms(), 10);
     lease_ms_ = std::max<std::int64_t>(welcome.lease_ms(), 2 * heartbeat_ms_);
@@ -235,8 +207,18 @@ class Client {
       spdlog::info("task {} attempt {} is not wanted any more", task_, attempt_);
       forget_task();
     }
+    files_.ask_again();
     if (unaccepted_) send_result();
     if (is_idle()) say_ready_or_leave();
+  }
+
+  /// Counts from the next task on.
+  void note_store(bool sees_store) {
+    if (sees_store_ && !sees_store) {
+      spdlog::info("files come and go over the connection, and are kept in {}",
+                   options_.cache.string());
+    }
+    sees_store_ = sees_store;
   }
 
   void take_refused(const wire::Refused& refused) {
@@ -244,6 +226,7 @@ class Client {
       throw Error(ExitCode::failed, "the coordinator refuses this worker: " + refused.reason());
     }
     registered_ = false;
+    probe_.remove();
     say_hello();
   }
 
@@ -253,23 +236,69 @@ class Client {
     attempt_ = assign.attempt();
     spdlog::info("{} task {} attempt {}: {} {}", assign.job(), task_, attempt_,
                  wire::TaskKind_Name(assign.kind()), assign.path());
+    assign_ = assign;
+    is_apart_ = !sees_store_;
+    if (!is_apart_) return start_child(options_.store);
+    with_files([&] { files_.fetch_inputs(assign_); });
+    if (child_ || unaccepted_ || files_.is_fetching()) return;
+    start_child_apart();
+  }
+
+  void start_child_apart() {
+    with_files([&] { start_child(files_.store().folder()); });
+  }
+
+  void start_child(const std::filesystem::path& store) {
     ChildTaskOptions child{.command = options_.task_command, .memory_limit_bytes = memory_bytes_};
-    limit_ms_ = static_cast<std::int64_t>(assign.limit_ms());
+    child.command.push_back(store.string());
+    limit_ms_ = static_cast<std::int64_t>(assign_.limit_ms());
     assigned_at_ = steady_ms();
-    child.command.push_back(options_.store.string());
     try {
-      child_.emplace(child, assign);
+      child_.emplace(child, assign_);
     } catch (const IoError& error) {
-      unaccepted_.emplace();
-      wire::Failed& failed = *unaccepted_->mutable_failed();
-      failed.set_task(task_);
-      failed.set_attempt(attempt_);
-      failed.set_message(error.what());
-      failed.set_exit_code(static_cast<int>(error.code()));
-      failed.set_may_retry(true);
-      failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
-      send_result();
+      fail(error);
     }
+  }
+
+  /// The attempt ends here because of the world around it.
+  void fail(const Error& error, const std::string& damaged_input = "") {
+    child_.reset();
+    unaccepted_.emplace();
+    wire::Failed& failed = *unaccepted_->mutable_failed();
+    failed.set_task(task_);
+    failed.set_attempt(attempt_);
+    failed.set_message(error.what());
+    failed.set_exit_code(static_cast<int>(error.code()));
+    failed.set_may_retry(true);
+    failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
+    if (!damaged_input.empty()) failed.add_damaged_inputs(damaged_input);
+    files_.forget_task();
+    send_result();
+  }
+
+  template <class Action>
+  void with_files(const Action& action) {
+    try {
+      action();
+    } catch (const IoError& error) {
+      fail(error);
+    }
+  }
+
+  /// Inputs that come, outputs that go; the task starts, and its result is told, when they are
+  /// there.
+  void move_files() {
+    if (!is_apart_ || is_idle() || !registered_) return;
+    if (!files_.damaged_input().empty()) {
+      const std::string hash = files_.damaged_input();
+      return fail(Error(ExitCode::failed, "the coordinator has no sound file " + hash), hash);
+    }
+    const bool was_sending = files_.is_sending();
+    with_files([&] {
+      for (const wire::Envelope& message : files_.due(steady_ms())) send(message);
+    });
+    if (!child_ && !unaccepted_ && !files_.is_fetching()) start_child_apart();
+    if (was_sending && !files_.is_sending() && unaccepted_) send_result();
   }
 
   void take_accepted(const wire::Accepted& accepted) {
@@ -292,6 +321,7 @@ class Client {
     if (!outcome) return;
     child_.reset();
     unaccepted_ = std::move(outcome);
+    if (is_apart_) with_files([&] { files_.send_outputs(*unaccepted_); });
     if (unaccepted_->has_failed()) {
       spdlog::warn("task {} attempt {}: {}", task_, attempt_, unaccepted_->failed().message());
     }
@@ -299,6 +329,7 @@ class Client {
   }
 
   void send_result() {
+    if (files_.is_sending()) return;
     result_at_ = steady_ms() + result_again_ms;
     if (registered_) send(*unaccepted_);
   }
@@ -342,8 +373,13 @@ class Client {
   std::optional<HandshakeWatch> handshakes_;  // goes before its socket
   std::uint64_t broken_handshakes_ = 0;
 
+  StoreProbe probe_;
+  FileExchange files_;
+  bool sees_store_ = true;
+  bool is_apart_ = false;  ///< of the task at hand: it runs in the worker's own store
+  wire::Assign assign_;
+
   bool registered_ = false;
-  bool missed_store_ = false;
   bool draining_ = false;
   bool finished_ = false;
   std::uint64_t task_ = 0;

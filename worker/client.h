@@ -17,9 +17,11 @@
 namespace tetfarm {
 
 struct WorkerOptions {
-  std::string endpoint;                      ///< "tcp://host:5555", "ipc:///path"
-  KeyFiles keys;                             ///< read again at each connection
-  std::filesystem::path store;               ///< the store's folder, as this machine sees it
+  std::string endpoint;         ///< "tcp://host:5555", "ipc:///path"
+  KeyFiles keys;                ///< read again at each connection
+  std::filesystem::path store;  ///< the store's folder, as this machine sees it; "": not
+  std::filesystem::path cache;  ///< for files when it does not see the store
+  std::uint64_t cache_bytes = std::uint64_t{10} << 30U;  ///< that are kept from task to task
   std::vector<std::string> task_command;     ///< the child's program; its store is appended
   std::uint64_t memory_bytes = 0;            ///< for its tasks; 0: what the machine has
   std::int64_t ends_in_ms = 0;               ///< until its batch system ends it; 0: not known

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <optional>
@@ -40,6 +41,16 @@ std::uint64_t machine_memory() {
                        static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE));
   const std::optional<std::int64_t> group = group_limit();
   return group ? std::min(machine, static_cast<std::uint64_t>(*group)) : machine;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+std::filesystem::path default_cache_folder() {
+  return std::filesystem::temp_directory_path() / ("tetfarm-cache-" + std::to_string(::geteuid()));
 }
 
 std::int64_t walltime_left_ms(const Environment& environment, std::int64_t wall_ms) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -9,6 +10,11 @@ namespace tetfarm {
 
 /// Bytes: of the machine, or of the control group that this process lives in where that has less.
 std::uint64_t machine_memory();
+
+std::string host_name();
+
+/// Where a worker keeps files when nobody says where: in $TMPDIR, else /tmp, of this user alone.
+std::filesystem::path default_cache_folder();
 
 /// A variable of the environment; "" when it is not set.
 using Environment = std::function<std::string(const char*)>;

@@ -139,11 +139,22 @@ TEST_F(ServerTest, refuses_another_version_and_goes_on) {
   EXPECT_TRUE(stranger.ask(hello()).has_welcome());
 }
 
-TEST_F(ServerTest, refuses_a_worker_that_sees_another_store) {
+TEST_F(ServerTest, believes_that_a_worker_sees_the_store_when_it_finds_what_the_worker_left_there) {
   Dealer worker(coordinator_.endpoint());
-  wire::Envelope other = hello();
-  other.mutable_hello()->set_store_probe("other");
-  EXPECT_THAT(worker.ask(other).refused().reason(), HasSubstr("store"));
+  wire::Envelope with_probe = hello();
+  EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store()) << "a copy has the same mark";
+  const std::string name(32, 'a');
+  with_probe.mutable_hello()->set_probe_file(name);
+  with_probe.mutable_hello()->set_probe_text("text");
+  EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store()) << "no such file here";
+  std::ofstream(probe_path(store_, name)) << "other";
+  EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store()) << "another's file";
+  std::ofstream(probe_path(store_, name)) << "text";
+  EXPECT_TRUE(worker.ask(with_probe).welcome().sees_store());
+  with_probe.mutable_hello()->set_store_probe("other");
+  EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store());
+  with_probe.mutable_hello()->set_probe_file("../../etc/passwd");
+  EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store());
 }
 
 TEST_F(ServerTest, asks_an_unknown_worker_to_say_hello) {

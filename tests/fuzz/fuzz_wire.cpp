@@ -28,13 +28,17 @@ ArtifactStore make_store() {
   return ArtifactStore(folder);
 }
 
-void take_turn(RequestHandler& handler, JobState& state, const Door& door, Moment now) {
+void take_turn(RequestHandler& handler, JobState& state, const ArtifactStore& store,
+               const Door& door, Moment now) {
   state.tick(now);
   handler.carry_out(state, now);
   state.take_changes();
   handler.answer_questions(state, door, now);
   handler.take_replies();
   handler.take_complaints();
+  for (const FileOrder& order : handler.transfers().take_orders(state, now)) {
+    handler.transfers().note_answer(carry_out(order, store).connection);
+  }
   TF_CHECK(state.validate().empty());
 }
 
@@ -58,7 +62,7 @@ void wire(std::string_view input) {
     // Three plain connections, and one with a key that is authorised no longer.
     const Sender sender{"connection " + std::to_string(who), who == 3 ? "key" : "", {}, ""};
     handler.handle(sender, input.substr(0, size), state, now);
-    take_turn(handler, state, door, now);
+    take_turn(handler, state, store, door, now);
     input.remove_prefix(std::min(size, input.size()));
     now.steady_ms += 700;
     now.wall_ms += 700;

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "base/file_system.h"
+#include "base/hash.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/element_file.h"
 #include "mesh/io/job_file.h"
 #include "mesh/spacing/spacing_field.h"
+#include "proto/file_chunks.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "tests/support/shapes.h"
@@ -39,6 +41,29 @@ wire::Envelope with(void (*fill)(wire::Envelope&)) {
   wire::Envelope envelope;
   fill(envelope);
   return envelope;
+}
+
+/// A worker that does not see the store: an input comes, an output goes, then the attempt is over.
+void write_files(const fs::path& folder, std::vector<wire::Envelope> messages) {
+  const auto add = [&messages](auto* body, const std::string& hash) {
+    body->set_task(1);
+    body->set_attempt(1);
+    body->set_hash(hash);
+  };
+  add(messages.emplace_back().mutable_fetch_file(),
+      hash128(messages.front().submit().job_toml()).hex());
+  const std::string hash = hash128("output").hex();
+  wire::OfferFile* offer = messages.emplace_back().mutable_offer_file();
+  add(offer, hash);
+  offer->set_size(6);
+  for (const char* bytes : {"outpux", "output"}) {
+    wire::FileChunk* chunk = messages.emplace_back().mutable_file_chunk();
+    add(chunk, hash);
+    fill_chunk(*chunk, bytes);
+  }
+  messages.emplace_back().mutable_cancel()->set_job("job-1");
+  add(messages.emplace_back().mutable_offer_file(), hash);
+  write(folder / "files", framed(messages));
 }
 
 /// A job, a worker of the same connection (the length of its Hello says which), its first task
@@ -77,6 +102,7 @@ void write_messages(const fs::path& folder) {
   const auto goodbye = with([](wire::Envelope& e) { e.mutable_goodbye(); });
   const auto path = with(
       [](wire::Envelope& e) { e.mutable_submit()->set_surface_path("/dev/shm/../../etc/passwd"); });
+  write_files(folder, {submit, hello, ready});
   write(folder / "done", framed({submit, hello, ready, beat, done, ready, status}));
   write(folder / "failed", framed({submit, hello, ready, failed, ready, goodbye}));
   write(folder / "cancelled", framed({submit, hello, ready, cancel, beat, done, status}));

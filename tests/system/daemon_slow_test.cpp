@@ -126,18 +126,5 @@ TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
   EXPECT_EQ(ended.code, 0) << ended.err;
 }
 
-TEST_F(Daemon, a_worker_of_another_store_is_refused) {
-  std::filesystem::create_directory(folder_.path() / "other");
-  Program other_coordinator({"coordinator", "--store", "other", "--listen", "tcp://127.0.0.1:*"},
-                            folder_.path());
-  while (other_coordinator.out_so_far().find('\n') == std::string::npos) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  const Ended worker =
-      run_program({"worker", "--connect", endpoint_, "--store", "other"}, folder_.path());
-  EXPECT_EQ(worker.code, 1);
-  EXPECT_THAT(worker.err, HasSubstr("refuses this worker"));
-}
-
 }  // namespace
 }  // namespace tetfarm

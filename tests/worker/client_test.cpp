@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 #include <thread>
 #include <zmq.hpp>
 
@@ -82,6 +83,7 @@ class WorkerClient : public ::testing::Test {
     envelope.mutable_welcome()->set_heartbeat_ms(20);
     envelope.mutable_welcome()->set_lease_ms(lease_ms);
     envelope.mutable_welcome()->set_keep_running(keep_running);
+    envelope.mutable_welcome()->set_sees_store(true);
     say(envelope);
   }
 
@@ -126,7 +128,12 @@ std::string say_done() {
 TEST_F(WorkerClient, shows_the_stores_mark_and_asks_for_work) {
   start("exit 1");
   const wire::Envelope hello = hear(Body::kHello);
-  EXPECT_EQ(hello.hello().store_probe(), ArtifactStore(folder_ + "/store").probe());
+  const ArtifactStore store(folder_ + "/store");
+  EXPECT_EQ(hello.hello().store_probe(), store.probe());
+  std::ifstream probe(probe_path(store, hello.hello().probe_file()));
+  std::string text;
+  EXPECT_TRUE(probe >> text);
+  EXPECT_EQ(text, hello.hello().probe_text());
   EXPECT_GT(hello.hello().cores(), 0U);
   welcome();
   hear(Body::kReady);

@@ -1,0 +1,54 @@
+/// What is done with the store's files for workers that do not see it, chunk by chunk.
+///
+/// An order is carried out by the thread of files (file_thread.h): reading, writing and syncing a
+/// file must not make the others wait. A file that comes lies in the store's scratch folder, under
+/// the name of its attempt, until all of it is there and has been checked; what is there of it when
+/// a connection or the coordinator is lost is gone on from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "proto/messages.pb.h"
+#include "store/artifact_store.h"
+#include "store/rows.h"
+
+namespace tetfarm {
+
+struct FileOrder {
+  enum class Kind {
+    read,    ///< the chunk at `offset`
+    open,    ///< how much of the offered file is there already?
+    append,  ///< the chunk behind what is there
+    drop     ///< the file will not be finished
+  };
+  Kind kind = Kind::read;
+  std::string connection;
+  TaskId task;
+  AttemptId attempt;
+  StoredArtifact file;
+  std::uint64_t offset = 0;
+  wire::FileChunk chunk;  ///< of append
+};
+
+struct FileAnswer {
+  std::string connection;
+  wire::Envelope envelope;  ///< without a body: nothing to say
+  std::string trouble;      ///< for the log
+  bool is_out_of_room = false;
+};
+
+/// Never throws: a failing disk is an answer. Cost: a chunk in memory; the last chunk of a file is
+/// followed by one pass over all of it.
+FileAnswer carry_out(const FileOrder& order, const ArtifactStore& store) noexcept;
+
+/// Removes what came of files for other attempts than these. @throws IoError.
+void drop_uploads_but(const std::set<AttemptId>& running, const ArtifactStore& store);
+
+/// Where a file of the attempt grows.
+std::filesystem::path upload_path(const ArtifactStore& store, AttemptId attempt,
+                                  const std::string& hash);
+
+}  // namespace tetfarm

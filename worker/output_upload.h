@@ -1,0 +1,50 @@
+/// Brings the outputs of a task from the worker's own store to the coordinator, before the result
+/// is told.
+///
+/// Without a socket: it says what to send, and is told how much of it is there. What is sent is at
+/// most `chunks_at_once` chunks ahead of that; after a break it goes on from there.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "proto/messages.pb.h"
+#include "worker/chunk_window.h"
+#include "worker/task_cache.h"
+
+namespace tetfarm {
+
+class OutputUpload {
+ public:
+  /// The outputs of a Done, or the evidence of a Failed. `cache` outlives it.
+  OutputUpload(const TaskCache& cache, const wire::Envelope& outcome);
+
+  bool is_complete() const { return files_.empty(); }
+
+  /// What to send now. @throws IoError when a file cannot be read.
+  std::vector<wire::Envelope> due(std::int64_t now_ms);
+  void take(const wire::FileStored& stored, std::int64_t now_ms);
+  /// The connection is new.
+  void ask_again() { offered_ms_ = never; }
+
+ private:
+  static constexpr std::int64_t never = -(std::int64_t{1} << 60);
+  static constexpr std::int64_t resend_pause_ms = 500;
+
+  wire::Envelope offer() const;
+  wire::Envelope chunk_at(std::uint64_t offset) const;
+
+  const TaskCache& cache_;
+  std::uint64_t task_;
+  std::uint64_t attempt_;
+  std::vector<StoredArtifact> files_;  ///< still to go; the last is the one that goes
+  bool is_open_ = false;               ///< the coordinator has said where to begin
+  std::int64_t offered_ms_ = never;
+  std::int64_t heard_ms_ = never;
+  std::int64_t resent_ms_ = never;
+  std::uint64_t there_ = 0;
+  ChunkWindow window_;
+};
+
+}  // namespace tetfarm

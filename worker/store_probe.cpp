@@ -1,0 +1,49 @@
+#include "worker/store_probe.h"
+
+#include <spdlog/spdlog.h>
+
+#include "base/error.h"
+#include "base/file_system.h"
+#include "base/ids.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t random_bytes = 16;
+
+}  // namespace
+
+bool StoreProbe::put_into(wire::Hello& hello, std::int64_t now_ms) {
+  if (folder_.empty()) return true;
+  remove();
+  try {
+    const ArtifactStore store = ArtifactStore::open_existing(folder_);
+    const std::string name = random_hex(random_bytes);
+    const std::string text = random_hex(random_bytes);
+    write_file_atomically(probe_path(store, name), text);
+    file_ = probe_path(store, name);
+    hello.set_store_probe(store.probe());
+    hello.set_probe_file(name);
+    hello.set_probe_text(text);
+    missed_since_ms_.reset();
+    return true;
+  } catch (const IoError& error) {
+    if (!missed_since_ms_) {
+      spdlog::warn("waiting for the store: {}", error.what());
+      missed_since_ms_ = now_ms;
+    }
+    return now_ms - *missed_since_ms_ >= patience_ms;
+  }
+}
+
+void StoreProbe::remove() noexcept {
+  if (file_.empty()) return;
+  try {
+    remove_file(file_);
+  } catch (const IoError& error) {
+    spdlog::warn("{}", error.what());
+  }
+  file_.clear();
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,36 @@
+/// Does this worker see the coordinator's store? It leaves a file with a random name and content
+/// there, and the coordinator says whether it finds it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "proto/messages.pb.h"
+#include "store/artifact_store.h"
+
+namespace tetfarm {
+
+class StoreProbe {
+ public:
+  /// `store` "": it sees none.
+  explicit StoreProbe(std::filesystem::path store) : folder_(std::move(store)) {}
+  ~StoreProbe() { remove(); }
+  StoreProbe(const StoreProbe&) = delete;
+  StoreProbe& operator=(const StoreProbe&) = delete;
+
+  /// Makes a new file and names it in the message. Where there is no store yet, the message says so
+  /// once `patience_ms` are over since the first call; until then false: ask again later.
+  bool put_into(wire::Hello& hello, std::int64_t now_ms);
+
+  /// When the coordinator has answered.
+  void remove() noexcept;
+
+  static constexpr std::int64_t patience_ms = 10'000;
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path file_;
+  std::optional<std::int64_t> missed_since_ms_;
+};
+
+}  // namespace tetfarm
