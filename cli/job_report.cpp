@@ -129,7 +129,7 @@ Json balance_json(const wire::JobStatus& status) {
 Json tasks_json(const wire::JobStatus& status) {
   Json json = Json::object();
   for (const char* kind : {"inspect", "decompose", "assimilate", "mesh", "order", "extract",
-                           "cosmetic", "number", "assemble"}) {
+                           "cosmetic", "number", "write", "assemble"}) {
     const std::string prefix = std::string("task_") + kind;
     if (!status.numbers().contains(prefix + "_count")) continue;
     Json& task = json[kind];

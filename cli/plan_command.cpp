@@ -113,6 +113,7 @@ KindCosts cost_of_kinds(const Plan& plan) {
   KindCost extract;
   KindCost cosmetic;
   KindCost number;
+  KindCost write;
   KindCost assemble;
   inspect.add(inspect_cost(plan.input_bytes, plan.root.triangles, plan.root.spacing_bytes));
   for (const PlannedSubdomain& node : plan.tree) {
@@ -129,6 +130,7 @@ KindCosts cost_of_kinds(const Plan& plan) {
   SubdomainSize largest;
   for (const SubdomainSize& leaf : leaves) {
     mesh.add(mesh_cost(leaf));
+    write.add(write_cost(plan.root.triangles, leaf.elements));
     if (leaf.elements > largest.elements) largest = leaf;
     if (!has_turns) continue;
     extract.add(extract_cost(leaf.elements, leaf.triangles));
@@ -138,7 +140,7 @@ KindCosts cost_of_kinds(const Plan& plan) {
   assemble.add(assemble_cost(plan.root.triangles, plan.root.elements, largest));
   KindCosts all = {{"inspect", inspect},   {"decompose", decompose}, {"assimilate", assimilate},
                    {"mesh", mesh},         {"order", order},         {"extract", extract},
-                   {"cosmetic", cosmetic}, {"number", number},       {"assemble", assemble}};
+                   {"cosmetic", cosmetic}, {"number", number},       {"write", write}, {"assemble", assemble}};
   std::erase_if(all, [](const auto& kind) { return kind.second.count == 0; });
   return all;
 }

@@ -45,6 +45,10 @@ bool fits(const TurnOrder& turns, std::uint64_t heap, const Turn& turn) {
   });
 }
 
+std::string line_of(std::uint64_t heap, std::int32_t colour) {
+  return std::to_string(heap) + ' ' + std::to_string(colour) + '\n';
+}
+
 }  // namespace
 
 std::optional<TurnOrder> turn_order_of(const std::string& text) {
@@ -96,16 +100,13 @@ std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& tu
   const TaskRow* own = find(TaskKind::extract, leaf);
   if (own == nullptr) return std::nullopt;
   const Turn& turn = turns.at(leaf);
-  const auto line = [](std::uint64_t heap, std::int32_t colour) {
-    return std::to_string(heap) + ' ' + std::to_string(colour) + '\n';
-  };
   TaskRow task;
   task.job = inspect.job;
   task.kind = TaskKind::cosmetic;
   task.path = leaf;
   task.inputs = {file_of(inspect.outputs, "spacing"),
                  renamed(file_of(own->outputs, "elements"), "own")};
-  std::string colours = line(leaf, turn.colour);
+  std::string colours = line_of(leaf, turn.colour);
   for (const std::uint64_t other : turn.neighbours) {
     const std::int32_t its_colour = turns.at(other).colour;
     const bool had_turn = its_colour < turn.colour;
@@ -113,23 +114,41 @@ std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& tu
     if (made == nullptr) return std::nullopt;
     task.inputs.push_back(renamed(file_of(made->outputs, "elements"),
                                   (had_turn ? "had_turn:" : "waits:") + std::to_string(other)));
-    colours += line(other, its_colour);
+    colours += line_of(other, its_colour);
   }
   task.parameters["colours"] = colours;
   return task;
 }
 
-void add_elements(TaskRow& task, const TaskRow& order, const TurnOrder& turns,
+void add_elements(TaskRow& number, const TaskRow& order, const TurnOrder& turns,
                   const FindDone& find) {
-  task.parameters["order"] = order.texts.at("order");
+  number.parameters["order"] = order.texts.at("order");
   for (const auto& [leaf, turn] : turns) {
     const std::string heap = std::to_string(leaf);
     const TaskRow* extracted = find(TaskKind::extract, leaf);
     const TaskRow* mended = find(TaskKind::cosmetic, leaf);
     TF_CHECK(extracted != nullptr && mended != nullptr);
-    task.inputs.push_back(renamed(file_of(extracted->outputs, "elements"), "core:" + heap));
-    task.inputs.push_back(renamed(file_of(mended->outputs, "elements"), "elements:" + heap));
+    number.inputs.push_back(renamed(file_of(extracted->outputs, "elements"), "core:" + heap));
+    number.inputs.push_back(renamed(file_of(mended->outputs, "elements"), "elements:" + heap));
   }
+}
+
+void add_final_elements(TaskRow& write, const TurnOrder& turns, const FindDone& find) {
+  const Turn& turn = turns.at(write.path);
+  const auto add = [&](TaskKind maker, std::uint64_t leaf, const std::string& name) {
+    const TaskRow* made = find(maker, leaf);
+    TF_CHECK(made != nullptr);
+    write.inputs.push_back(
+        renamed(file_of(made->outputs, "elements"), name + std::to_string(leaf)));
+  };
+  add(TaskKind::extract, write.path, "core:");
+  add(TaskKind::cosmetic, write.path, "elements:");
+  std::string colours = line_of(write.path, turn.colour);
+  for (const std::uint64_t other : turn.neighbours) {
+    add(TaskKind::cosmetic, other, "elements:");
+    colours += line_of(other, turns.at(other).colour);
+  }
+  write.parameters["colours"] = colours;
 }
 
 }  // namespace tetfarm

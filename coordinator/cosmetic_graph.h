@@ -51,9 +51,13 @@ using FindDone = std::function<const TaskRow*(TaskKind kind, std::uint64_t leaf)
 std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& turns,
                                      std::uint64_t leaf, const FindDone& find);
 
-/// Gives number and assemble what they need after the last turn: the order and the files of all
-/// leaves. @pre every leaf had its turn.
-void add_elements(TaskRow& task, const TaskRow& order, const TurnOrder& turns,
+/// Gives number what it needs after the last turn: the order and the files of all leaves.
+/// @pre every leaf had its turn.
+void add_elements(TaskRow& number, const TaskRow& order, const TurnOrder& turns,
                   const FindDone& find);
+
+/// Gives a write task the files that the elements of its leaf are in after the last turn: its own
+/// and those of its neighbours. @pre every leaf had its turn.
+void add_final_elements(TaskRow& write, const TurnOrder& turns, const FindDone& find);
 
 }  // namespace tetfarm

@@ -132,7 +132,7 @@ void JobState::advance(const TaskRow& task, Moment now) {
       if (find_task(task.job, TaskKind::order, 0) != nullptr) {
         extract_when_ordered(task.job, task.path, now);
       } else if (unsettled_.at(task.job) == 0) {
-        finish_tree(task.job, now);
+        number_tree(task.job, now);
       }
       break;
     case TaskKind::order:
@@ -146,10 +146,14 @@ void JobState::advance(const TaskRow& task, Moment now) {
     case TaskKind::cosmetic:
       ++turns_over_[task.job];
       give_turns_round(task.job, task.path, now);
-      if (had_all_turns(task.job)) finish_tree(task.job, now);
+      if (had_all_turns(task.job)) number_tree(task.job, now);
       break;
     case TaskKind::number:
-      finish_tree(task.job, now);
+      write_leaves(task, now);
+      break;
+    case TaskKind::write:
+      ++written_[task.job];
+      assemble_when_written(task.job, now);
       break;
     case TaskKind::assemble:
       set_phase(edit(task.job), JobPhase::done, now);
@@ -182,37 +186,50 @@ void JobState::tree_has_grown(JobId job, Moment now) {
   order_when_whole(job, now);
 }
 
-/// The whole tree is meshed, and had its turns: numbers the nodes, then assembles.
-void JobState::finish_tree(JobId job, Moment now) {
-  const std::vector<SubdomainRow> tree = tree_of(job);
+/// The whole tree is meshed, and had its turns: the nodes can be numbered.
+void JobState::number_tree(JobId job, Moment now) {
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
-  const TaskRow* number = find_task(job, TaskKind::number, 0);
   const TaskRow* order = find_task(job, TaskKind::order, 0);
-  const auto with_elements = [&](TaskRow task) {
-    if (order == nullptr) return task;
-    add_elements(task, *order, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+  const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
+  TaskRow number = number_task(*inspect, assimilate, tree_of(job));
+  if (order != nullptr) {
+    add_elements(number, *order, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
       return find_done(job, kind, path);
     });
-    return task;
-  };
-  if (number == nullptr) {
-    const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
-    add_task(with_elements(number_task(*inspect, assimilate, tree)), now);
-    return;
   }
-  if (number->outputs.empty()) return;  // it was added by what this was called for
-  if (order != nullptr) {
-    add_task(with_elements(assemble_task(*inspect, *number, {}, {})), now);
-    return;
-  }
-  std::map<std::uint64_t, ArtifactRef> meshes;
-  for (const SubdomainRow& node : tree) {
+  add_task(std::move(number), now);
+}
+
+/// The nodes have their numbers: every leaf is written, in any order.
+void JobState::write_leaves(const TaskRow& number, Moment now) {
+  const JobId job = number.job;
+  const TaskRow inspect = *find_task(job, TaskKind::inspect, 0);
+  const bool is_mended = find_task(job, TaskKind::order, 0) != nullptr;
+  const TaskRow numbered = number;
+  for (const SubdomainRow& node : tree_of(job)) {
     if (node.state != SubdomainState::leaf) continue;
-    const TaskRow* mesh = find_task(job, TaskKind::mesh, node.path);
-    TF_CHECK(mesh != nullptr);
-    meshes[node.path] = *find_file(mesh->outputs, "mesh");
+    TaskRow write = write_task(inspect, numbered, node.path);
+    if (is_mended) {
+      add_final_elements(write, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+        return find_done(job, kind, path);
+      });
+    } else {
+      const TaskRow* mesh = find_done(job, TaskKind::mesh, node.path);
+      TF_CHECK(mesh != nullptr);
+      add_mesh(*mesh, write);
+    }
+    add_task(std::move(write), now);
   }
-  add_task(assemble_task(*inspect, *number, tree, meshes), now);
+}
+
+void JobState::assemble_when_written(JobId job, Moment now) {
+  if (written_[job] < leaves_.at(job)) return;
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* number = find_task(job, TaskKind::number, 0);
+  const auto find_written = [this, job](std::uint64_t leaf) {
+    return find_done(job, TaskKind::write, leaf);
+  };
+  add_task(assemble_task(*inspect, *number, tree_of(job), find_written), now);
 }
 
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {

@@ -37,6 +37,8 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     index(task);
     const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
     if (had_turn) ++turns_over_[task.job];
+    const bool is_written = task.kind == TaskKind::write && find_file(task.outputs, "portion");
+    if (is_written) ++written_[task.job];
     remember_work(task);
     if (task.state == TaskState::done) expectation_.learn(task);
   }
@@ -84,6 +86,7 @@ void JobState::index(const SubdomainRow& subdomain, bool adds) {
   const std::int64_t change = adds ? 1 : -1;
   if (!is_settled(subdomain)) unsettled_[subdomain.job] += change;
   if (subdomain.state == SubdomainState::open) open_[subdomain.job] += change;
+  if (subdomain.state == SubdomainState::leaf) leaves_[subdomain.job] += change;
 }
 
 void JobState::set_state(TaskRow& task, TaskState state) {

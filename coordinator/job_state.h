@@ -240,7 +240,9 @@ class JobState {
   // job_decisions.cpp: results, failures, clients
   void advance(const TaskRow& task, Moment now);
   void tree_has_grown(JobId job, Moment now);
-  void finish_tree(JobId job, Moment now);
+  void number_tree(JobId job, Moment now);
+  void write_leaves(const TaskRow& number, Moment now);
+  void assemble_when_written(JobId job, Moment now);
   void carry_out(const GraphStep& step, Moment now);
   void take_failure(TaskRow& task, WorkerId worker, AttemptId attempt, const TaskFailure& failure,
                     Moment now);
@@ -292,6 +294,8 @@ class JobState {
   std::map<Place, TaskId> places_;
   std::map<JobId, std::int64_t> unsettled_;  ///< sub-domains still to be cut or meshed
   std::map<JobId, std::int64_t> open_;       ///< sub-domains still to be cut
+  std::map<JobId, std::int64_t> leaves_;
+  std::map<JobId, std::int64_t> written_;  ///< leaves of which there is, or was, the portion
   std::map<JobId, TurnOrder> turns_;
   std::map<JobId, std::int64_t> turns_over_;
   std::multimap<std::string, TaskId> done_work_;

@@ -35,6 +35,8 @@ wire::TaskKind wire_kind(TaskKind kind) {
       return wire::COSMETIC;
     case TaskKind::number:
       return wire::NUMBER;
+    case TaskKind::write:
+      return wire::WRITE;
     case TaskKind::assemble:
       return wire::ASSEMBLE;
   }

@@ -135,6 +135,8 @@ std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& resul
       return {"elements"};
     case TaskKind::number:
       return {"numbering"};
+    case TaskKind::write:
+      return {"portion"};
     case TaskKind::assemble:
       return {};
   }
@@ -248,19 +250,33 @@ TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
   return task;
 }
 
+TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t leaf) {
+  TaskRow task;
+  task.job = inspect.job;
+  task.kind = TaskKind::write;
+  task.path = leaf;
+  task.inputs = {file_of(inspect.outputs, "surface"), file_of(number.outputs, "numbering")};
+  return task;
+}
+
+void add_mesh(const TaskRow& mesh, TaskRow& write) {
+  write.inputs.push_back(file_of(mesh.inputs, "subdomain"));
+  write.inputs.push_back(file_of(mesh.outputs, "mesh"));
+}
+
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
-                      std::span<const SubdomainRow> tree,
-                      const std::map<std::uint64_t, ArtifactRef>& meshes) {
+                      std::span<const SubdomainRow> tree, const FindWritten& find_written) {
   TaskRow task;
   task.job = inspect.job;
   task.kind = TaskKind::assemble;
   task.inputs = {file_of(inspect.inputs, "job"), file_of(inspect.outputs, "surface"),
-                 file_of(inspect.outputs, "spacing"), file_of(number.outputs, "numbering")};
+                 file_of(number.outputs, "numbering")};
   for (const SubdomainRow& node : tree) {
     if (node.state != SubdomainState::leaf) continue;
-    const std::string path = std::to_string(node.path);
-    task.inputs.push_back({"subdomain:" + path, node.hash, node.size});
-    task.inputs.push_back(renamed(meshes.at(node.path), "mesh:" + path));
+    const TaskRow* written = find_written(node.path);
+    TF_CHECK(written != nullptr);
+    task.inputs.push_back(
+        renamed(file_of(written->outputs, "portion"), "portion:" + std::to_string(node.path)));
   }
   return task;
 }

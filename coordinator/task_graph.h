@@ -1,7 +1,7 @@
 /// Which tasks a job is made of: what a finished task brings into being.
 ///
-/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → assemble;
-/// before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
+/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → one write
+/// task per leaf → assemble; before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
 /// Where the job asks for assimilation, the leaves are joined before they are meshed
 /// (assimilation_graph.h).
 /// The graph is a pure function of results; the order in which they arrive does not matter.
@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -71,10 +72,19 @@ bool is_settled(const SubdomainRow& subdomain);
 TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
                     std::span<const SubdomainRow> tree);
 
-/// @pre as number_task; `meshes` has the mesh file of every leaf, by heap number. After cosmetics
-/// across cuts both are empty, and add_elements (cosmetic_graph.h) adds the files instead.
+/// What gives the elements of a leaf their global numbers; without the leaf's own files, which
+/// add_mesh or, after cosmetics across cuts, add_final_elements (cosmetic_graph.h) add.
+/// @pre `number` is done and without problem.
+TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t leaf);
+
+/// @pre `mesh` is that of the leaf of `write`, done and without problem.
+void add_mesh(const TaskRow& mesh, TaskRow& write);
+
+/// The write task of a leaf.
+using FindWritten = std::function<const TaskRow*(std::uint64_t leaf)>;
+
+/// @pre the write task of every leaf of `tree` is done and without problem: `find_written` finds it.
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
-                      std::span<const SubdomainRow> tree,
-                      const std::map<std::uint64_t, ArtifactRef>& meshes);
+                      std::span<const SubdomainRow> tree, const FindWritten& find_written);
 
 }  // namespace tetfarm

@@ -34,6 +34,8 @@ const char* name_of(TaskKind kind) {
       return "cosmetic";
     case TaskKind::number:
       return "number";
+    case TaskKind::write:
+      return "write";
     case TaskKind::assemble:
       return "assemble";
   }

@@ -26,6 +26,7 @@ enum class TaskKind {
   extract,
   cosmetic,
   number,
+  write,
   assemble
 };
 /// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.

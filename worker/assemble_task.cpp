@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -10,10 +9,8 @@
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/write_ugrid.h"
 #include "mesh/assemble/write_vtkhdf.h"
-#include "mesh/core/subdomain_regions.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
-#include "worker/part_after_cosmetics.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -41,15 +38,6 @@ GrowingFile start_file(TaskIo& io, const std::string& format, const JobFile& job
                      "[output] formats");
   }
   return file;
-}
-
-MeshPart read_part(TaskIo& io, const LeafNumbers& leaf) {
-  const std::string heap = std::to_string(leaf.path.heap);
-  MeshPart part;
-  part.subdomain = subdomain_from_bytes(io.read("subdomain:" + heap), "subdomain:" + heap);
-  part.mesh = tet_mesh_from_bytes(io.read("mesh:" + heap), part.subdomain, "mesh:" + heap);
-  part.is_on_cut = nodes_on_cuts(part.subdomain);
-  return part;
 }
 
 /// Elements are counted by now; the model takes estimated ones.
@@ -138,16 +126,12 @@ void assemble_task(TaskIo& io) {
     files.push_back(start_file(io, format, job, surface, numbering));
     writers.push_back(files.back().writer.get());
   }
-  std::optional<Colours> colours;
-  if (io.has_parameter("order")) colours = colours_of(io.parameter("order"));
   std::int64_t tets = 0;
   const auto read = [&](const LeafNumbers& leaf) {
     tets += leaf.tets;
     io.progress("assemble", tets);
-    if (!colours) return read_part(io, leaf);
-    MeshPart part = part_after_cosmetics(io, leaf.path, *colours);
-    part.subdomain.region = region_of_leaf(leaf.path, region_count(surface));
-    return part;
+    const std::string name = "portion:" + std::to_string(leaf.path.heap);
+    return portion_from_bytes(io.read(name), name);
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, writers);
   for (GrowingFile& file : files) {

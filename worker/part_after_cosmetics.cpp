@@ -1,6 +1,7 @@
 #include "worker/part_after_cosmetics.h"
 
-#include <set>
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "mesh/cosmetics/element_passing.h"
@@ -9,19 +10,21 @@ namespace tetfarm {
 namespace {
 
 /// Adds the origins of the nodes of tets that are not the leaf's.
-void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::set<Origin>& nodes) {
+void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::vector<Origin>& nodes) {
+  std::vector<bool> is_of_others(section.nodes.size(), false);
   for (std::size_t t = 0; t < section.tets.size(); ++t) {
     if (section.sharers[section.tet_owner[t]] == leaf.heap) continue;
-    for (const std::int32_t v : section.tets[t]) {
-      nodes.insert(section.node_origin[static_cast<std::size_t>(v)]);
-    }
+    for (const std::int32_t v : section.tets[t]) is_of_others[static_cast<std::size_t>(v)] = true;
+  }
+  for (std::size_t v = 0; v < is_of_others.size(); ++v) {
+    if (is_of_others[v]) nodes.push_back(section.node_origin[v]);
   }
 }
 
 /// The sections that the leaf shares, as the last turns left them, and its core; what is not its
 /// own is left out, but for the origins of nodes there.
 std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, const Colours& colours,
-                                           std::set<Origin>& nodes_of_others) {
+                                           std::vector<Origin>& nodes_of_others) {
   const std::string heap = std::to_string(leaf.heap);
   ElementInput core(io, "core:" + heap);
   std::vector<ElementSection> sections = {core.read(0)};
@@ -46,11 +49,15 @@ std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, cons
 }  // namespace
 
 MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours) {
-  std::set<Origin> nodes_of_others;
+  std::vector<Origin> nodes_of_others;
   JoinedElements joined = join_elements(final_sections(io, leaf, colours, nodes_of_others));
   MeshPart part;
+  std::sort(nodes_of_others.begin(), nodes_of_others.end());
+  // Both ascend.
+  auto other = nodes_of_others.begin();
   for (const Origin& origin : joined.node_origin) {
-    part.is_on_cut.push_back(nodes_of_others.contains(origin));
+    while (other != nodes_of_others.end() && *other < origin) ++other;
+    part.is_on_cut.push_back(other != nodes_of_others.end() && *other == origin);
   }
   part.subdomain.path = leaf;
   part.subdomain.vertices = joined.nodes;

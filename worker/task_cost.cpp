@@ -50,10 +50,15 @@ constexpr double turn_elements_per_triangle = 23;
 
 constexpr double number_bytes_per_triangle = 60;
 
+constexpr double write_bytes = 4e6;
+constexpr double write_bytes_per_triangle = 250;
+constexpr double write_bytes_per_element = 150;
+constexpr double write_seconds_per_element = 0.8e-6;
+
 constexpr double assemble_bytes = 4e6;
 constexpr double assemble_bytes_per_triangle = 250;
 constexpr double assemble_bytes_per_element = 130;
-constexpr double assemble_seconds_per_element = 0.8e-6;
+constexpr double assemble_seconds_per_element = 0.1e-6;
 
 constexpr double process_seconds = 0.02;
 constexpr double most_parts = 1e6;
@@ -123,6 +128,12 @@ double triangles_of_leaves(const SubdomainSize& root, double parts) {
 
 TaskCost number_cost(double surface_triangles) {
   return {process_bytes + number_bytes_per_triangle * surface_triangles, process_seconds};
+}
+
+TaskCost write_cost(double surface_triangles, double elements) {
+  return {process_bytes + write_bytes + write_bytes_per_triangle * surface_triangles +
+              write_bytes_per_element * elements,
+          process_seconds + write_seconds_per_element * elements};
 }
 
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {

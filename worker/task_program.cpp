@@ -17,6 +17,7 @@
 #include "worker/number_task.h"
 #include "worker/order_task.h"
 #include "worker/run_task.h"
+#include "worker/write_task.h"
 
 namespace tetfarm {
 namespace {
@@ -40,6 +41,8 @@ TaskBody body_of(wire::TaskKind kind) {
       return cosmetic_task;
     case wire::NUMBER:
       return number_task;
+    case wire::WRITE:
+      return write_task;
     case wire::ASSEMBLE:
       return assemble_task;
     default:

@@ -41,20 +41,22 @@ std::uint64_t hash_of_face(std::array<std::uint64_t, 3> nodes) {
 
 }  // namespace
 
-void FaceBalance::add(const NumberedPart& part) {
+std::uint64_t face_sum_of(const NumberedPart& part) {
+  std::uint64_t sum = 0;
   std::vector<std::uint64_t> hashes(part.nodes.size());
   for (std::size_t v = 0; v < hashes.size(); ++v) {
     hashes[v] = hash_of_node(part.local2global[v], part.nodes[v]);
   }
   for (const Tet& tet : part.tets) {
     for (const auto& [i, j, k] : tet_face_nodes) {
-      sum_ +=
+      sum +=
           hash_of_face({hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]});
     }
   }
   for (const Triangle& face : part.faces) {
-    sum_ -= hash_of_face({hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]});
+    sum -= hash_of_face({hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]});
   }
+  return sum;
 }
 
 }  // namespace tetfarm

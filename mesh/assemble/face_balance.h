@@ -9,19 +9,12 @@
 
 #include <cstdint>
 
-#include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/portion.h"
 
 namespace tetfarm {
 
-class FaceBalance {
- public:
-  /// Cost: some 10 ns a face, 8 bytes a node of the part.
-  void add(const NumberedPart& part);
-  /// True when nothing is left over: certain when false, and true by chance once in 2^64.
-  bool is_even() const { return sum_ == 0; }
-
- private:
-  std::uint64_t sum_ = 0;
-};
+/// The sum of a part, modulo 2^64. Those of all parts add up to 0 where they fit: certain when they
+/// do not, and by chance once in 2^64. Cost: some 10 ns a face, 8 bytes a node of the part.
+std::uint64_t face_sum_of(const NumberedPart& part);
 
 }  // namespace tetfarm

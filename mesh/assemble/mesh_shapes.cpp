@@ -42,4 +42,15 @@ void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int
   here.volume += volume;
 }
 
+void add_shapes(const MeshShapes& subdomain, MeshShapes& all) {
+  all.all.add(subdomain.all);
+  all.near_cuts.add(subdomain.near_cuts);
+  all.away_from_cuts.add(subdomain.away_from_cuts);
+  all.regions.resize(std::max(all.regions.size(), subdomain.regions.size()));
+  for (std::size_t i = 0; i < subdomain.regions.size(); ++i) {
+    all.regions[i].volume += subdomain.regions[i].volume;
+    all.regions[i].shapes.add(subdomain.regions[i].shapes);
+  }
+}
+
 }  // namespace tetfarm

@@ -34,4 +34,8 @@ struct MeshShapes {
 void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
                 std::vector<bool> is_on_cut, MeshShapes& shapes);
 
+/// Adds the figures of one sub-domain to those of the ones before it. Sums are sums of the
+/// sub-domains' sums, so that they do not depend on who worked them out.
+void add_shapes(const MeshShapes& subdomain, MeshShapes& all);
+
 }  // namespace tetfarm

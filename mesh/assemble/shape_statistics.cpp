@@ -55,4 +55,21 @@ void ShapeStatistics::add(const TetShape& shape) {
   ++tets;
 }
 
+void ShapeStatistics::add(const ShapeStatistics& later) {
+  if (later.tets == 0) return;
+  for (std::size_t bin = 0; bin < dihedral_histogram.size(); ++bin) {
+    dihedral_histogram[bin] += later.dihedral_histogram[bin];
+  }
+  max_dihedral_deg = std::max(max_dihedral_deg, later.max_dihedral_deg);
+  if (later.min_dihedral_deg < min_dihedral_deg) {
+    min_dihedral_deg = later.min_dihedral_deg;
+    worst_centroid = later.worst_centroid;
+  }
+  min_radius_ratio = std::min(min_radius_ratio, later.min_radius_ratio);
+  sum_radius_ratio += later.sum_radius_ratio;
+  smallest_height =
+      tets == 0 ? later.smallest_height : std::min(smallest_height, later.smallest_height);
+  tets += later.tets;
+}
+
 }  // namespace tetfarm

@@ -35,6 +35,8 @@ struct ShapeStatistics {
     return tets > 0 ? sum_radius_ratio / static_cast<double>(tets) : 0;
   }
   void add(const TetShape& shape);
+  /// Adds tets that come after those that are here.
+  void add(const ShapeStatistics& later);
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     add(tet_shape(a, b, c, d));
   }

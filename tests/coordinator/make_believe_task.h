@@ -131,6 +131,9 @@ inline TaskResult run_make_believe(const TaskRow& task) {
     case TaskKind::number:
       add("numbering");
       break;
+    case TaskKind::write:
+      add("portion");
+      break;
     case TaskKind::assemble:
       add("mesh.vtu");
       result.numbers = {{"tets", static_cast<double>(hash.high % 100000)}};

@@ -22,6 +22,7 @@
 #include "worker/number_task.h"
 #include "worker/order_task.h"
 #include "worker/run_task.h"
+#include "worker/write_task.h"
 
 namespace tetfarm {
 namespace {
@@ -185,10 +186,17 @@ class CosmeticTasks : public ::testing::Test {
     with_table["table"] = table_;
     Files to_number = files;
     to_number["surface"] = surface_;
-    files["numbering"] = output(run(number_task, 0, to_number, with_table), "numbering");
-    files["job"] = job_;
-    files["surface"] = surface_;
-    return run(assemble_task, 0, files, order);
+    Files to_assemble = {{"job", job_}, {"surface", surface_}};
+    to_assemble["numbering"] = output(run(number_task, 0, to_number, with_table), "numbering");
+    for (const auto& [heap, leaf] : leaves_) {
+      Files to_write = files;
+      to_write["surface"] = surface_;
+      to_write["numbering"] = to_assemble.at("numbering");
+      const Parameters colours = {{"colours", order_.texts().at("order")}};
+      to_assemble["portion:" + std::to_string(heap)] =
+          output(run(write_task, heap, to_write, colours), "portion");
+    }
+    return run(assemble_task, 0, to_assemble);
   }
 
   TempFolder folder_;

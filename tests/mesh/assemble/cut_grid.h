@@ -18,8 +18,10 @@ struct CutGrid {
   std::string table;
 
   Numbering numbering() const { return number_globally(surface, table); }
-  ReadPart reader() const {
-    return [this](const LeafNumbers& leaf) { return parts.at(leaf.path.heap); };
+  ReadPortion reader() const {
+    return [this](const LeafNumbers& leaf) {
+      return make_portion(parts.at(leaf.path.heap), surface, numbering());
+    };
   }
 };
 

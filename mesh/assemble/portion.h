@@ -1,0 +1,62 @@
+/// What one sub-domain is of the global mesh: its elements with their global numbers, and the
+/// figures and sums of them that the whole needs. Portions are made one by one, in any order, by
+/// whoever has time; what is left for assembling is to put them in a row.
+///
+/// Source: thesis 4.3.4.2.2; that the leaves do it side by side is not the thesis's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/assemble/global_numbering.h"
+#include "mesh/assemble/mesh_shapes.h"
+#include "mesh/core/subdomain.h"
+#include "mesh/core/tet_mesh.h"
+
+namespace tetfarm {
+
+/// A leaf of the tree as the tasks published it. After cosmetics across cuts its cuts are not those
+/// of the decomposition any more, and its nodes may come from anywhere: then all nodes are vertices
+/// of `subdomain`, with their origins, and its triangles are those of the surface alone.
+struct MeshPart {
+  Subdomain subdomain;
+  TetMesh mesh;
+  std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
+};
+
+/// Of each vertex of a sub-domain as it was cut, whether it is on a triangle of a cut.
+std::vector<bool> nodes_on_cuts(const Subdomain& subdomain);
+
+/// A part with its global numbers: what is written and hashed. Faces are the triangles of the input
+/// surface that the part has, normals out of the part's region.
+struct NumberedPart {
+  std::int32_t number = 0;  ///< of the sub-domain, from 0 in tree order
+  std::int32_t region = 1;
+  std::vector<Vec3> nodes;
+  std::vector<Tet> tets;        ///< local node numbers
+  std::vector<Triangle> faces;  ///< local node numbers
+  std::vector<std::int32_t> patch_of_face;
+  std::vector<std::int64_t> local2global;
+};
+
+struct Portion {
+  NumberedPart part;
+  std::vector<std::uint32_t> surface_triangles;  ///< of the input, that the faces are
+  MeshShapes shapes;
+  std::uint64_t face_sum = 0;  ///< see face_balance.h
+};
+
+/// Numbers the leaf, and takes its figures. Its nodes of the surface lie where the surface has
+/// them, and its triangles of the surface have the nodes that they have there.
+/// @pre `surface` and `numbering` belong together.
+/// @throws Error when the part does not fit to them. Cost: O(n log n); memory of the part twice.
+Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering& numbering);
+
+/// The grammar is in store/formats.md.
+std::string portion_to_bytes(const Portion& portion);
+/// @throws CorruptFile naming `name`, also when a local number is that of no node.
+Portion portion_from_bytes(std::string_view bytes, const std::string& name);
+
+}  // namespace tetfarm

@@ -1,0 +1,148 @@
+/// The bytes of a portion (portion.h).
+#include <algorithm>
+
+#include "base/hash.h"
+#include "mesh/assemble/portion.h"
+#include "mesh/io/byte_stream.h"
+
+namespace tetfarm {
+namespace {
+
+static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
+
+constexpr std::string_view magic = "TFPORT\r\n";
+constexpr std::uint32_t version = 1;
+constexpr std::size_t checksum_size = 16;
+
+void write_vector(const Vec3& v, ByteWriter& writer) {
+  for (const double x : {v.x, v.y, v.z}) writer.number(x);
+}
+
+Vec3 read_vector(ByteReader& reader) {
+  Vec3 v;
+  for (double* x : {&v.x, &v.y, &v.z}) *x = reader.number<double>();
+  return v;
+}
+
+void write_shapes(const ShapeStatistics& shapes, ByteWriter& writer) {
+  writer.number(shapes.tets);
+  writer.number(shapes.min_dihedral_deg);
+  writer.number(shapes.max_dihedral_deg);
+  for (const std::int64_t count : shapes.dihedral_histogram) writer.number(count);
+  writer.number(shapes.min_radius_ratio);
+  writer.number(shapes.sum_radius_ratio);
+  writer.number(shapes.smallest_height);
+  write_vector(shapes.worst_centroid, writer);
+}
+
+ShapeStatistics read_shapes(ByteReader& reader) {
+  ShapeStatistics shapes;
+  shapes.tets = reader.number<std::int64_t>();
+  shapes.min_dihedral_deg = reader.number<double>();
+  shapes.max_dihedral_deg = reader.number<double>();
+  for (std::int64_t& count : shapes.dihedral_histogram) count = reader.number<std::int64_t>();
+  shapes.min_radius_ratio = reader.number<double>();
+  shapes.sum_radius_ratio = reader.number<double>();
+  shapes.smallest_height = reader.number<double>();
+  shapes.worst_centroid = read_vector(reader);
+  return shapes;
+}
+
+/// The part's own region is the last one that has figures.
+void write_all_shapes(const MeshShapes& shapes, ByteWriter& writer) {
+  write_shapes(shapes.all, writer);
+  write_shapes(shapes.near_cuts, writer);
+  write_shapes(shapes.away_from_cuts, writer);
+  writer.number(shapes.regions.empty() ? 0.0 : shapes.regions.back().volume);
+}
+
+MeshShapes read_all_shapes(ByteReader& reader, std::int32_t region) {
+  MeshShapes shapes;
+  shapes.all = read_shapes(reader);
+  shapes.near_cuts = read_shapes(reader);
+  shapes.away_from_cuts = read_shapes(reader);
+  shapes.regions.resize(static_cast<std::size_t>(region));
+  shapes.regions.back() = {reader.number<double>(), shapes.all};
+  return shapes;
+}
+
+template <class Element>
+void check_indices(const std::vector<Element>& elements, std::size_t nodes,
+                   const ByteReader& reader) {
+  for (const Element& element : elements) {
+    for (const std::int32_t v : element) {
+      if (v < 0 || static_cast<std::size_t>(v) >= nodes) reader.fail("has an element of no node");
+    }
+  }
+}
+
+/// What lies between the version and the checksum.
+std::string_view body_of(std::string_view bytes, const std::string& name) {
+  if (bytes.substr(0, magic.size()) != magic) {
+    throw CorruptFile("does not start as the expected kind of file", name);
+  }
+  if (bytes.size() < magic.size() + sizeof version + checksum_size) {
+    throw CorruptFile("is cut short", name);
+  }
+  const std::string_view checked = bytes.substr(0, bytes.size() - checksum_size);
+  ByteReader end(bytes.substr(checked.size()), name);
+  const auto low = end.number<std::uint64_t>();
+  const auto high = end.number<std::uint64_t>();
+  if (hash128(checked) != Hash128{high, low}) throw CorruptFile("its checksum is wrong", name);
+  return checked.substr(magic.size());
+}
+
+}  // namespace
+
+std::string portion_to_bytes(const Portion& portion) {
+  const NumberedPart& part = portion.part;
+  ByteWriter writer;
+  writer.array(std::vector<char>(magic.begin(), magic.end()));
+  writer.number(version);
+  writer.number(part.number);
+  writer.number(part.region);
+  writer.number<std::uint64_t>(part.nodes.size());
+  writer.number<std::uint64_t>(part.tets.size());
+  writer.number<std::uint64_t>(part.faces.size());
+  writer.array(part.nodes);
+  writer.array(part.local2global);
+  writer.array(part.tets);
+  writer.array(part.faces);
+  writer.array(part.patch_of_face);
+  writer.array(portion.surface_triangles);
+  writer.number(portion.face_sum);
+  write_all_shapes(portion.shapes, writer);
+  const Hash128 checksum = hash128(writer.bytes());
+  writer.number(checksum.low);
+  writer.number(checksum.high);
+  return writer.take();
+}
+
+Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
+  ByteReader reader(body_of(bytes, name), name);
+  const auto found = reader.number<std::uint32_t>();
+  if (found != version) reader.fail("has the format version " + std::to_string(found));
+  Portion portion;
+  NumberedPart& part = portion.part;
+  part.number = reader.number<std::int32_t>();
+  part.region = reader.number<std::int32_t>();
+  constexpr std::int32_t most_regions = 1 << 20;
+  if (part.region < 1 || part.region > most_regions) reader.fail("is of no region");
+  const std::size_t nodes = reader.count();
+  const std::size_t tets = reader.count();
+  const std::size_t faces = reader.count();
+  part.nodes = reader.array<Vec3>(nodes);
+  part.local2global = reader.array<std::int64_t>(nodes);
+  part.tets = reader.array<Tet>(tets);
+  part.faces = reader.array<Triangle>(faces);
+  part.patch_of_face = reader.array<std::int32_t>(faces);
+  portion.surface_triangles = reader.array<std::uint32_t>(faces);
+  portion.face_sum = reader.number<std::uint64_t>();
+  portion.shapes = read_all_shapes(reader, part.region);
+  reader.expect_end();
+  check_indices(part.tets, nodes, reader);
+  check_indices(part.faces, nodes, reader);
+  return portion;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,93 @@
+#include "mesh/assemble/portion.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.h"
+#include "tests/mesh/assemble/cut_grid.h"
+
+namespace tetfarm {
+namespace {
+
+Portion portion_of(const CutGrid& grid, std::uint64_t leaf) {
+  return make_portion(grid.parts.at(leaf), grid.surface, grid.numbering());
+}
+
+TEST(Portion, survives_its_file_bit_by_bit) {
+  const CutGrid grid = cut_grid(4);
+  for (const std::uint64_t leaf : {2U, 6U, 7U}) {
+    const std::string bytes = portion_to_bytes(portion_of(grid, leaf));
+    const Portion read = portion_from_bytes(bytes, "portion");
+    EXPECT_EQ(portion_to_bytes(read), bytes) << leaf;
+    EXPECT_EQ(read.part.tets, grid.parts.at(leaf).mesh.tets);
+    EXPECT_EQ(read.part.nodes, grid.parts.at(leaf).mesh.nodes);
+  }
+}
+
+TEST(Portion, a_file_that_is_cut_short_or_differs_in_one_byte_is_refused) {
+  const std::string bytes = portion_to_bytes(portion_of(cut_grid(2), 2));
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    EXPECT_THROW(portion_from_bytes(bytes.substr(0, size), "portion"), CorruptFile) << size;
+  }
+  for (std::size_t place = 0; place < bytes.size(); place += 5) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 1);
+    EXPECT_THROW(portion_from_bytes(damaged, "portion"), CorruptFile) << place;
+  }
+}
+
+TEST(Portion, an_element_of_no_node_is_refused) {
+  for (const std::int32_t wrong : {-1, std::numeric_limits<std::int32_t>::max()}) {
+    Portion portion = portion_of(cut_grid(2), 7);
+    portion.part.tets.back()[2] = wrong;
+    EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);
+    portion = portion_of(cut_grid(2), 7);
+    portion.part.faces.back()[0] = wrong;
+    EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);
+  }
+}
+
+TEST(Portion, a_portion_in_the_place_of_another_is_not_assembled) {
+  const CutGrid grid = cut_grid(4);
+  const auto swapped = [&](const LeafNumbers& leaf) {
+    const std::uint64_t heap = leaf.path.heap;
+    return portion_of(grid, heap == 6 ? 7 : heap == 7 ? 6 : heap);
+  };
+  EXPECT_THROW(assemble_global_mesh(grid.surface, grid.numbering(), swapped, {}), Error);
+}
+
+TEST(Portion, a_global_number_of_no_node_is_not_assembled) {
+  const CutGrid grid = cut_grid(4);
+  for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{125}}) {
+    const auto damaged = [&](const LeafNumbers& leaf) {
+      Portion portion = portion_of(grid, leaf.path.heap);
+      portion.part.local2global.back() = wrong;
+      return portion;
+    };
+    EXPECT_THROW(assemble_global_mesh(grid.surface, grid.numbering(), damaged, {}), Error);
+  }
+}
+
+TEST(Portion, figures_of_the_portions_add_up_to_those_of_the_whole) {
+  const CutGrid grid = cut_grid(4);
+  MeshShapes sum;
+  ShapeStatistics one_by_one;
+  for (const std::uint64_t leaf : {2U, 6U, 7U}) {
+    add_shapes(portion_of(grid, leaf).shapes, sum);
+    const TetMesh& mesh = grid.parts.at(leaf).mesh;
+    for (const Tet& t : mesh.tets) {
+      const auto at = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(t[i])]; };
+      one_by_one.add(at(0), at(1), at(2), at(3));
+    }
+  }
+  EXPECT_EQ(sum.all.tets, one_by_one.tets);
+  EXPECT_EQ(sum.all.dihedral_histogram, one_by_one.dihedral_histogram);
+  EXPECT_EQ(sum.all.min_dihedral_deg, one_by_one.min_dihedral_deg);
+  EXPECT_EQ(sum.all.smallest_height, one_by_one.smallest_height);
+  EXPECT_NEAR(sum.all.sum_radius_ratio, one_by_one.sum_radius_ratio, 1e-12);
+  EXPECT_EQ(sum.near_cuts.tets + sum.away_from_cuts.tets, sum.all.tets);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,44 @@
+#include "worker/write_task.h"
+
+#include <utility>
+
+#include "mesh/assemble/portion.h"
+#include "mesh/core/subdomain_regions.h"
+#include "mesh/io/artifact_file.h"
+#include "worker/part_after_cosmetics.h"
+#include "worker/task_cost.h"
+
+namespace tetfarm {
+namespace {
+
+MeshPart part_as_meshed(const TaskIo& io) {
+  MeshPart part;
+  part.subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
+  part.mesh = tet_mesh_from_bytes(io.read("mesh"), part.subdomain, "mesh");
+  part.is_on_cut = nodes_on_cuts(part.subdomain);
+  return part;
+}
+
+MeshPart read_part(const TaskIo& io, const SurfaceMesh& surface) {
+  if (!io.has_parameter("colours")) return part_as_meshed(io);
+  const TreePath leaf{io.assign().path()};
+  MeshPart part = part_after_cosmetics(io, leaf, colours_of(io.parameter("colours")));
+  part.subdomain.region = region_of_leaf(leaf, region_count(surface));
+  return part;
+}
+
+}  // namespace
+
+void write_task(TaskIo& io) {
+  const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
+  const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
+  io.progress("write", 0);
+  MeshPart part = read_part(io, surface);
+  const auto tets = static_cast<double>(part.mesh.tets.size());
+  report_cost(io, write_cost(static_cast<double>(surface.triangles.size()), tets));
+  const Portion portion = make_portion(std::move(part), surface, numbering);
+  io.number("tets", tets);
+  io.publish("portion", portion_to_bytes(portion));
+}
+
+}  // namespace tetfarm
