@@ -140,7 +140,8 @@ KindCosts cost_of_kinds(const Plan& plan) {
   assemble.add(assemble_cost(plan.root.triangles, plan.root.elements, largest));
   KindCosts all = {{"inspect", inspect},   {"decompose", decompose}, {"assimilate", assimilate},
                    {"mesh", mesh},         {"order", order},         {"extract", extract},
-                   {"cosmetic", cosmetic}, {"number", number},       {"write", write}, {"assemble", assemble}};
+                   {"cosmetic", cosmetic}, {"number", number},       {"write", write},
+                   {"assemble", assemble}};
   std::erase_if(all, [](const auto& kind) { return kind.second.count == 0; });
   return all;
 }

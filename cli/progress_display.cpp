@@ -26,7 +26,9 @@ double share_done(const wire::JobStatus& status) {
   }
   const bool is_mending =
       status.stage() == "order" || status.stage() == "extract" || status.stage() == "cosmetic";
-  if (is_mending || status.stage() == "number" || status.stage() == "write" || status.stage() == "assemble") return 1;
+  if (is_mending || status.stage() == "number" || status.stage() == "write" ||
+      status.stage() == "assemble")
+    return 1;
   return 0;
 }
 

@@ -1,10 +1,10 @@
 /// Which tasks a job is made of: what a finished task brings into being.
 ///
 /// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → one write
-/// task per leaf → assemble; before number the tasks of cosmetics across cuts (cosmetic_graph.h), where the job asks for it.
-/// Where the job asks for assimilation, the leaves are joined before they are meshed
-/// (assimilation_graph.h).
-/// The graph is a pure function of results; the order in which they arrive does not matter.
+/// task per leaf → assemble; before number the tasks of cosmetics across cuts (cosmetic_graph.h),
+/// where the job asks for it. Where the job asks for assimilation, the leaves are joined before
+/// they are meshed (assimilation_graph.h). The graph is a pure function of results; the order in
+/// which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
 /// The files and numbers of each kind of task are listed in proto/protocol.md.
@@ -83,7 +83,8 @@ void add_mesh(const TaskRow& mesh, TaskRow& write);
 /// The write task of a leaf.
 using FindWritten = std::function<const TaskRow*(std::uint64_t leaf)>;
 
-/// @pre the write task of every leaf of `tree` is done and without problem: `find_written` finds it.
+/// @pre the write task of every leaf of `tree` is done and without problem: `find_written` finds
+/// it.
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
                       std::span<const SubdomainRow> tree, const FindWritten& find_written);
 

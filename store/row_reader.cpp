@@ -158,10 +158,10 @@ std::uint64_t highest(sqlite3* database, const char* sql) {
 }  // namespace
 
 TaskKind task_kind_of(const std::string& name) {
-  return value_of(name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::assimilate,
-                                   TaskKind::mesh, TaskKind::order, TaskKind::extract,
-                                   TaskKind::cosmetic, TaskKind::number, TaskKind::write,
-                                   TaskKind::assemble});
+  return value_of(
+      name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::assimilate, TaskKind::mesh,
+                       TaskKind::order, TaskKind::extract, TaskKind::cosmetic, TaskKind::number,
+                       TaskKind::write, TaskKind::assemble});
 }
 
 AttemptState attempt_state_of(const std::string& name) {

@@ -49,8 +49,7 @@ std::uint64_t face_sum_of(const NumberedPart& part) {
   }
   for (const Tet& tet : part.tets) {
     for (const auto& [i, j, k] : tet_face_nodes) {
-      sum +=
-          hash_of_face({hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]});
+      sum += hash_of_face({hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]});
     }
   }
   for (const Triangle& face : part.faces) {

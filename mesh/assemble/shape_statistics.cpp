@@ -11,43 +11,59 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
-/// The angle at edge pq between the faces to r and to s. Only reported: acos may differ between
-/// machines in the last digit.
-double dihedral_deg(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
-  const Vec3 edge = normalized(q - p);
-  const Vec3 to_r = (r - p) - dot(r - p, edge) * edge;
-  const Vec3 to_s = (s - p) - dot(s - p, edge) * edge;
-  const double length = norm(to_r) * norm(to_s);
-  if (!(length > 0)) return 0;
-  return std::acos(std::clamp(dot(to_r, to_s) / length, -1.0, 1.0)) * degrees_per_radian;
+/// Of the angle between two faces, by their normals into the tet; 1, no angle, where one has no
+/// area.
+double cosine_between(const Vec3& n, const Vec3& m, double norms) {
+  return norms > 0 ? std::clamp(-dot(n, m) / norms, -1.0, 1.0) : 1.0;
 }
 
-/// Of the largest face stands the smallest height: three volumes over its area.
-double smallest_height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const double largest2 = std::max({norm2(cross(b - a, c - a)), norm2(cross(b - a, d - a)),
-                                    norm2(cross(c - a, d - a)), norm2(cross(c - b, d - b))});
-  return largest2 > 0 ? 6 * tet_volume(a, b, c, d) / std::sqrt(largest2) : 0;
+/// Cosines of 10, 20, … 170 degrees. Only reported: they may differ between machines in the last
+/// digit.
+std::array<double, 17> cosines_of_bins() {
+  std::array<double, 17> cosines;
+  for (std::size_t i = 0; i < cosines.size(); ++i) {
+    cosines[i] = std::cos(static_cast<double>(10 * (i + 1)) / degrees_per_radian);
+  }
+  return cosines;
 }
+
+/// How many of the limits the angle has reached.
+std::size_t bin_of(double cosine) {
+  static const std::array<double, 17> limits = cosines_of_bins();
+  std::size_t bin = 0;
+  for (const double limit : limits) bin += cosine <= limit ? 1 : 0;
+  return bin;
+}
+
+double degrees_of(double cosine) { return std::acos(cosine) * degrees_per_radian; }
 
 }  // namespace
 
 TetShape tet_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return {{dihedral_deg(a, b, c, d), dihedral_deg(a, c, b, d), dihedral_deg(a, d, b, c),
-           dihedral_deg(b, c, a, d), dihedral_deg(b, d, a, c), dihedral_deg(c, d, a, b)},
+  // Of the faces opposite a, b, c and d.
+  const std::array<Vec3, 4> n = {cross(d - b, c - b), cross(c - a, d - a), cross(d - a, b - a),
+                                 cross(b - a, c - a)};
+  const std::array<double, 4> areas = {norm(n[0]), norm(n[1]), norm(n[2]), norm(n[3])};
+  const auto cosine = [&](std::size_t i, std::size_t j) {
+    return cosine_between(n[i], n[j], areas[i] * areas[j]);
+  };
+  const double largest = *std::max_element(areas.begin(), areas.end());
+  // At the edges ab, ac, ad, bc, bd, cd.
+  return {{cosine(2, 3), cosine(1, 3), cosine(1, 2), cosine(0, 3), cosine(0, 2), cosine(0, 1)},
           radius_ratio(a, b, c, d),
-          smallest_height(a, b, c, d),
+          // Over the largest face stands the smallest height.
+          largest > 0 ? 6 * tet_volume(a, b, c, d) / largest : 0,
           0.25 * (a + b + c + d)};
 }
 
 void ShapeStatistics::add(const TetShape& shape) {
-  for (const double angle : shape.dihedral_deg) {
-    const auto bin = static_cast<std::size_t>(angle / 10);
-    ++dihedral_histogram[std::min(bin, dihedral_histogram.size() - 1)];
-    max_dihedral_deg = std::max(max_dihedral_deg, angle);
-    if (angle < min_dihedral_deg) {
-      min_dihedral_deg = angle;
-      worst_centroid = shape.centroid;
-    }
+  for (const double cosine : shape.dihedral_cosines) ++dihedral_histogram[bin_of(cosine)];
+  const auto [least, most] =
+      std::minmax_element(shape.dihedral_cosines.begin(), shape.dihedral_cosines.end());
+  max_dihedral_deg = std::max(max_dihedral_deg, degrees_of(*least));
+  if (const double angle = degrees_of(*most); angle < min_dihedral_deg) {
+    min_dihedral_deg = angle;
+    worst_centroid = shape.centroid;
   }
   min_radius_ratio = std::min(min_radius_ratio, shape.radius_ratio);
   sum_radius_ratio += shape.radius_ratio;

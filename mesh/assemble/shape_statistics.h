@@ -10,7 +10,7 @@ namespace tetfarm {
 
 /// The figures of one tet.
 struct TetShape {
-  std::array<double, 6> dihedral_deg{};
+  std::array<double, 6> dihedral_cosines{};
   double radius_ratio = 0;  ///< 3 inradius / circumradius
   double height = 0;        ///< the smallest of a node over the face opposite
   Vec3 centroid;

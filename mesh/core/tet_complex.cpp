@@ -77,8 +77,12 @@ bool are_opposite(const TetComplex& complex, FaceHandle a, FaceHandle b) {
   return false;
 }
 
-bool has_positive_volume(const TetComplex& complex, const Tet& tet) {
-  using Real = long double;
+/// Differences of doubles are exact in it: tells a flat tet's volume from zero where long double
+/// cannot.
+__extension__ typedef __float128 Quad;
+
+template <typename Real>
+bool is_volume_positive(const TetComplex& complex, const Tet& tet) {
   const Vec3& origin = complex.points[at(tet[0])];
   std::array<std::array<Real, 3>, 3> m;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -89,6 +93,10 @@ bool has_positive_volume(const TetComplex& complex, const Tet& tet) {
              m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
              m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) >
          0;
+}
+
+bool has_positive_volume(const TetComplex& complex, const Tet& tet) {
+  return is_volume_positive<long double>(complex, tet) || is_volume_positive<Quad>(complex, tet);
 }
 
 /// What is wrong with the nodes of tet t; empty when nothing is.

@@ -56,7 +56,7 @@ TetComplex make_tet_complex(const TetMesh& mesh);
 /// The live tets in their order; nodes keep their numbers.
 TetMesh to_tet_mesh(const TetComplex& complex, std::int32_t boundary_nodes);
 
-/// What breaks the invariants, a line each (at most 20). Volumes as computed in long double.
+/// What breaks the invariants, a line each (at most 20). Volumes in long double or 113 bits.
 std::vector<std::string> validate(const TetComplex& complex);
 
 }  // namespace tetfarm

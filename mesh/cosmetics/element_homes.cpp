@@ -23,16 +23,22 @@ SortedTet sorted_tet(Tet tet) {
 /// Where the tets lay before they were worked on.
 class OldTets {
  public:
+  /// @pre `now` has at least as many places for tets as `before` has tets.
   OldTets(const TetMesh& before, const std::vector<ElementHome>& homes, const TetComplex& now)
       : mesh_(before), homes_(homes), now_(now), is_same_(before.tets.size(), false) {
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      is_same_[t] = sorted_tet(mesh_.tets[t]) == sorted_tet(now_.nodes[t]);
+      if (is_same_[t]) continue;
       by_nodes_.emplace_back(sorted_tet(mesh_.tets[t]), static_cast<std::int32_t>(t));
     }
     std::sort(by_nodes_.begin(), by_nodes_.end());
   }
 
-  /// The home of the tet that had the same nodes.
-  std::optional<ElementHome> home_of_same(const Tet& tet) {
+  /// The home of the tet that had the same nodes: most tets are where they were. `t` is its number
+  /// now.
+  std::optional<ElementHome> home_of_same(std::size_t t) {
+    if (t < mesh_.tets.size() && is_same_[t]) return homes_[t];
+    const Tet& tet = now_.nodes[t];
     const SortedTet nodes = sorted_tet(tet);
     const auto found = std::lower_bound(
         by_nodes_.begin(), by_nodes_.end(), nodes,
@@ -117,8 +123,8 @@ std::vector<ElementHome> find_homes(const TetMesh& before,
                                     const TetComplex& now) {
   OldTets old(before, homes_before, now);
   std::vector<std::optional<ElementHome>> same;
-  for (const Tet& tet : now.nodes) {
-    if (tet[0] >= 0) same.push_back(old.home_of_same(tet));
+  for (std::size_t t = 0; t < now.nodes.size(); ++t) {
+    if (now.nodes[t][0] >= 0) same.push_back(old.home_of_same(t));
   }
   std::vector<ElementHome> homes;
   for (const Tet& tet : now.nodes) {

@@ -14,8 +14,9 @@ namespace tetfarm {
 /// The home of each live tet of `now`, in their order: that of the tet with the same nodes before,
 /// or else of the one that held its centroid.
 /// @pre `now` fills the same space as `before`, its first points are the nodes of `before` (which
-/// may have moved, or be in no tet any more); homes_before has one for each tet of `before`. Cost:
-/// O(n log n), some 40 bytes a tet.
+/// may have moved, or be in no tet any more); it has a place, dead or live, for each tet of
+/// `before`; homes_before has one for each. Cost: O(n + m log m) for m tets that are not in their
+/// old place.
 std::vector<ElementHome> find_homes(const TetMesh& before,
                                     const std::vector<ElementHome>& homes_before,
                                     const TetComplex& now);

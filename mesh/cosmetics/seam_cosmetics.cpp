@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "mesh/core/validate.h"
 #include "mesh/cosmetics/element_homes.h"
 
 namespace tetfarm {
@@ -15,6 +14,7 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 /// faces come first: they stay.
 struct Region {
   TetMesh mesh;
+  TetComplex complex;  ///< the mesh with neighbours; sorting for them once is enough
   std::vector<Triangle> outer_faces;
   std::vector<std::int32_t> region2joined;
   std::vector<std::size_t> tets;  ///< in the joined sections, ascending
@@ -40,6 +40,7 @@ std::vector<std::size_t> tets_within_reach(const JoinedElements& joined,
 std::vector<Triangle> outer_faces_of(const TetComplex& complex) {
   std::vector<Triangle> faces;
   for (std::size_t t = 0; t < complex.nodes.size(); ++t) {
+    if (complex.nodes[t][0] < 0) continue;
     for (std::size_t face = 0; face < 4; ++face) {
       if (complex.neighbours[t][face] != no_face) continue;
       const auto& [i, j, k] = tet_face_nodes[face];
@@ -73,6 +74,13 @@ void put_outer_nodes_first(Region& region) {
   for (Triangle& face : region.outer_faces) {
     for (std::int32_t& v : face) v = number[at(v)];
   }
+  std::vector<std::int32_t> node2tet(is_outer.size());
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    node2tet[at(number[v])] = region.complex.node2tet[v];
+  }
+  region.complex.node2tet = std::move(node2tet);
+  region.complex.nodes = region.mesh.tets;
+  region.complex.points = nodes;
   region.mesh.nodes = std::move(nodes);
   region.mesh.boundary_nodes = static_cast<std::int32_t>(outer_nodes);
   region.region2joined = std::move(region2joined);
@@ -94,25 +102,29 @@ Region region_of(const JoinedElements& joined, std::vector<std::size_t> tets) {
     }
     region.mesh.tets.push_back(tet);
   }
-  region.outer_faces = outer_faces_of(make_tet_complex(region.mesh));
+  region.complex = make_tet_complex(region.mesh);
+  region.outer_faces = outer_faces_of(region.complex);
   put_outer_nodes_first(region);
   return region;
 }
 
+/// As sets: each face begins with its smallest node, and they ascend.
+std::vector<Triangle> in_order(std::vector<Triangle> faces) {
+  for (Triangle& face : faces) {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// Tets of positive volume that agree with their neighbours fill what their outer faces enclose,
+/// each point once: that these are as before is all that is left to ask, and nothing need be sorted
+/// but them.
 void require_valid(const TetComplex& complex, const Region& region, std::uint64_t self) {
-  TetMesh mesh = to_tet_mesh(complex, region.mesh.boundary_nodes);
-  std::vector<std::int32_t> number(mesh.nodes.size(), -1);
-  std::int32_t count = 0;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (complex.node2tet[v] < 0 && at(v) >= at(mesh.boundary_nodes)) continue;
-    number[v] = count;
-    mesh.nodes[at(count++)] = mesh.nodes[v];
+  std::vector<std::string> complaints = validate(complex);
+  if (complaints.empty() && in_order(outer_faces_of(complex)) != in_order(region.outer_faces)) {
+    complaints.emplace_back("its outer faces are not what they were");
   }
-  mesh.nodes.resize(at(count));
-  for (Tet& tet : mesh.tets) {
-    for (std::int32_t& v : tet) v = number[at(v)];
-  }
-  const std::vector<std::string> complaints = validate(mesh, region.outer_faces);
   if (complaints.empty()) return;
   throw Error(ExitCode::failed, "cosmetics round sub-domain " + TreePath{self}.text() +
                                     " made an invalid mesh: " + complaints.front());
@@ -175,8 +187,8 @@ SeamResult improve_seams(std::vector<ElementSection> sections, const SeamTurn& t
   for (const ElementSection& section : sections) sharers.push_back(section.sharers);
   JoinedElements joined = join_elements(sections);
   sections = {};
-  const Region region = region_of(joined, tets_within_reach(joined, sharers, turn, options));
-  TetComplex complex = make_tet_complex(region.mesh);
+  Region region = region_of(joined, tets_within_reach(joined, sharers, turn, options));
+  TetComplex complex = std::move(region.complex);
   result.tets = std::ssize(region.tets);
   result.report = improve_mesh(complex, region.mesh.boundary_nodes, options.cosmetics);
   require_valid(complex, region, turn.self);

@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -62,8 +63,11 @@ class LatticeWalk {
     const std::int32_t child = octree_.child_of[node];
     if (child < 0) {
       const auto leaf = static_cast<std::size_t>(~child);
-      if (octree_.lattice_level[leaf] > cell.level) {
-        visit_block(cell, cell, octree_.lattice_level[leaf]);
+      const int lattice_level = octree_.lattice_level[leaf];
+      if (lattice_level > cell.level && is_among_equals(cell, lattice_level)) {
+        visit_even_block(cell, lattice_level);
+      } else if (lattice_level > cell.level) {
+        visit_block(cell, cell, lattice_level);
       } else {
         emit(cell, octree_.owned_corners[leaf]);
       }
@@ -75,8 +79,92 @@ class LatticeWalk {
     }
   }
 
+  /// Whether all that touches the block, and the block itself, has cells of that level.
+  bool is_among_equals(const LatticeCell& block, int lattice_level) const {
+    const std::int32_t size = size_at_level(block.level);
+    GridPoint low = block.low;
+    GridPoint high = block.low;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] -= 1;
+      high[axis] += size;
+      if (low[axis] < 0 || high[axis] >= octree_span) return false;
+    }
+    return has_one_level(0, {0, {}}, {low, high}, lattice_level);
+  }
+
+  struct GridBox {
+    GridPoint low{};
+    GridPoint high{};
+  };
+
+  bool has_one_level(std::size_t node, const LatticeCell& cell, const GridBox& box,
+                     int lattice_level) const {
+    const std::int32_t size = size_at_level(cell.level);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell.low[axis] > box.high[axis] || cell.low[axis] + size <= box.low[axis]) return true;
+    }
+    const std::int32_t child = octree_.child_of[node];
+    if (child < 0) return octree_.lattice_level[static_cast<std::size_t>(~child)] == lattice_level;
+    const std::int32_t half = size_at_level(cell.level + 1);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const LatticeCell part{cell.level + 1, corner_of(cell.low, half, k)};
+      if (!has_one_level(static_cast<std::size_t>(child) + k, part, box, lattice_level)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Among cells of one size each owns its corner 0 and its centre: nothing is looked up, and what
+  /// holds no wanted node is counted without being visited.
+  void visit_even_block(const LatticeCell& cell, int lattice_level) {
+    if (!meets(cell)) return;
+    const auto finer = static_cast<unsigned>(lattice_level - cell.level);
+    if (is_inside(cell) && pass_over(std::size_t{2} << 3 * finer)) return;
+    if (finer == 0) {
+      emit(cell, 1);
+      return;
+    }
+    const std::int32_t half = size_at_level(cell.level + 1);
+    for (std::size_t k = 0; k < 8; ++k) {
+      visit_even_block({cell.level + 1, corner_of(cell.low, half, k)}, lattice_level);
+    }
+  }
+
+  /// Whether every node of the cell is one that is asked for.
+  bool is_inside(const LatticeCell& cell) const {
+    if (plane_ != nullptr) return false;
+    const std::int32_t size = size_at_level(cell.level);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell.low[axis] < first_[axis] || cell.low[axis] + size > last_[axis]) return false;
+    }
+    return true;
+  }
+
+  /// Counts that many nodes at once; false, and nothing is counted, when one of them is wanted or
+  /// the choice changes among them.
+  bool pass_over(std::size_t count) {
+    const std::size_t end = seen_ + count;
+    const std::size_t next_choice = (seen_ + stride_ - 1) & ~(stride_ - 1);
+    if (next_choice < end || (chosen_ >= seen_ && chosen_ < end)) return false;
+    seen_ = end;
+    return true;
+  }
+
+  /// Whether the cell touches no face of the block, so that only cells of the block touch it.
+  static bool is_deep_in(const LatticeCell& cell, const LatticeCell& block) {
+    const std::int32_t size = size_at_level(cell.level);
+    const std::int32_t block_size = size_at_level(block.level);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int32_t low = cell.low[axis] - block.low[axis];
+      if (low <= 0 || low + size >= block_size) return false;
+    }
+    return true;
+  }
+
   void visit_block(const LatticeCell& cell, const LatticeCell& block, int lattice_level) {
     if (!meets(cell)) return;
+    if (is_deep_in(cell, block)) return visit_even_block(cell, lattice_level);
     if (cell.level == lattice_level) {
       emit(cell, owned_in_block(cell, block));
       return;
@@ -121,6 +209,7 @@ class LatticeWalk {
   }
 
   void emit(const LatticeCell& cell, unsigned owned) {
+    if (is_inside(cell) && pass_over(1 + static_cast<std::size_t>(std::popcount(owned)))) return;
     const std::int32_t size = size_at_level(cell.level);
     const double edge = size * octree_.frame.unit;
     const auto bits = static_cast<std::uint8_t>(octree_max_level + 1 - cell.level);

@@ -85,7 +85,7 @@ TEST(Portion, figures_of_the_portions_add_up_to_those_of_the_whole) {
   EXPECT_EQ(sum.all.dihedral_histogram, one_by_one.dihedral_histogram);
   EXPECT_EQ(sum.all.min_dihedral_deg, one_by_one.min_dihedral_deg);
   EXPECT_EQ(sum.all.smallest_height, one_by_one.smallest_height);
-  EXPECT_NEAR(sum.all.sum_radius_ratio, one_by_one.sum_radius_ratio, 1e-12);
+  EXPECT_NEAR(sum.all.sum_radius_ratio, one_by_one.sum_radius_ratio, 1e-9);
   EXPECT_EQ(sum.near_cuts.tets + sum.away_from_cuts.tets, sum.all.tets);
 }
 

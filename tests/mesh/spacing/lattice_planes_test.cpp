@@ -100,6 +100,55 @@ TEST(LatticeSample, has_one_of_each_n_nodes_and_no_more_than_asked_for) {
   }
 }
 
+/// The choice of sample_lattice, made of a list of all nodes.
+std::vector<LatticeNode> chosen_of(const std::vector<LatticeNode>& all, std::size_t most) {
+  const auto scattered = [](std::uint64_t x) {
+    x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ x >> 27U) * 0x94d049bb133111ebU;
+    return x ^ x >> 31U;
+  };
+  std::vector<LatticeNode> nodes;
+  std::size_t stride = 1;
+  std::size_t chosen = 0;
+  for (std::size_t number = 0; number < all.size(); ++number) {
+    if (number % (2 * stride) == 0 && nodes.size() >= 2 && nodes.size() + 2 > most) {
+      const std::size_t kept = nodes.size() / 2;
+      for (std::size_t i = 0; i < kept; ++i) {
+        nodes[i] = nodes[2 * i + (scattered(stride * kept + i) & 1U)];
+      }
+      nodes.resize(kept);
+      stride *= 2;
+    }
+    if (number % stride == 0) chosen = number + (scattered(number) & (stride - 1));
+    if (number == chosen) nodes.push_back(all[number]);
+  }
+  return nodes;
+}
+
+TEST(LatticeSample, nodes_that_are_passed_over_count_as_if_each_were_looked_at) {
+  const Box3 cube{{0, 0, 0}, {1, 1, 1}};
+  const Box3 slab{{0.1, 0.2, 0.3}, {0.37, 1, 0.9}};
+  SpacingOptions nearly_even;
+  nearly_even.background = 0.05;
+  nearly_even.sources = {{{{{0.9, 0.9, 0.9}, 0.02, 0.05, 0.2}}}};
+  const SpacingField even_blocks =
+      make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 8), nearly_even);
+  for (const auto& [field, where] :
+       {std::pair{graded_field(), box}, std::pair{even_blocks, box},
+        std::pair{SpacingField(0.02), cube}, std::pair{SpacingField(0.02), slab}}) {
+    const auto all = field.lattice_nodes(where);
+    for (const std::size_t most : {3U, 100U, 4000U}) {
+      const std::vector<LatticeNode> expected = chosen_of(all, most);
+      const LatticeSample sample = field.sample_lattice(where, most);
+      ASSERT_EQ(sample.nodes.size(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(sample.nodes[i].grid, expected[i].grid);
+        EXPECT_EQ(sample.nodes[i].place(), expected[i].place());
+      }
+    }
+  }
+}
+
 TEST(LatticeSample, is_not_always_the_same_corner_of_a_block_of_cells) {
   const SpacingField field(0.02);
   const Box3 cube{{0, 0, 0}, {1, 1, 1}};
