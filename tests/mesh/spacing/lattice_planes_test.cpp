@@ -125,28 +125,28 @@ std::vector<LatticeNode> chosen_of(const std::vector<LatticeNode>& all, std::siz
   return nodes;
 }
 
+void expect_samples_of_the_definition(const SpacingField& field, const Box3& where) {
+  const auto all = field.lattice_nodes(where);
+  for (const std::size_t most : {3U, 100U, 4000U}) {
+    const std::vector<LatticeNode> expected = chosen_of(all, most);
+    const LatticeSample sample = field.sample_lattice(where, most);
+    ASSERT_EQ(sample.nodes.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(sample.nodes[i].grid, expected[i].grid);
+      EXPECT_EQ(sample.nodes[i].place(), expected[i].place());
+    }
+  }
+}
+
 TEST(LatticeSample, nodes_that_are_passed_over_count_as_if_each_were_looked_at) {
-  const Box3 cube{{0, 0, 0}, {1, 1, 1}};
-  const Box3 slab{{0.1, 0.2, 0.3}, {0.37, 1, 0.9}};
+  expect_samples_of_the_definition(graded_field(), box);
+  expect_samples_of_the_definition(SpacingField(0.02), {{0, 0, 0}, {1, 1, 1}});
+  expect_samples_of_the_definition(SpacingField(0.02), {{0.1, 0.2, 0.3}, {0.37, 1, 0.9}});
   SpacingOptions nearly_even;
   nearly_even.background = 0.05;
   nearly_even.sources = {{{{{0.9, 0.9, 0.9}, 0.02, 0.05, 0.2}}}};
-  const SpacingField even_blocks =
-      make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 8), nearly_even);
-  for (const auto& [field, where] :
-       {std::pair{graded_field(), box}, std::pair{even_blocks, box},
-        std::pair{SpacingField(0.02), cube}, std::pair{SpacingField(0.02), slab}}) {
-    const auto all = field.lattice_nodes(where);
-    for (const std::size_t most : {3U, 100U, 4000U}) {
-      const std::vector<LatticeNode> expected = chosen_of(all, most);
-      const LatticeSample sample = field.sample_lattice(where, most);
-      ASSERT_EQ(sample.nodes.size(), expected.size());
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_EQ(sample.nodes[i].grid, expected[i].grid);
-        EXPECT_EQ(sample.nodes[i].place(), expected[i].place());
-      }
-    }
-  }
+  expect_samples_of_the_definition(
+      make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 8), nearly_even), box);
 }
 
 TEST(LatticeSample, is_not_always_the_same_corner_of_a_block_of_cells) {
