@@ -5,11 +5,12 @@
 
 namespace tetfarm {
 
-/// A task of which it is known what it made: done, or done once and running again for a lost file.
+/// A task of which it is known what it made: done, or done once and made again for a lost file, be
+/// it that it is in quarantine by now.
 const TaskRow* JobState::find_done(JobId job, TaskKind kind, std::uint64_t path) const {
   const TaskRow* task = find_task(job, kind, path);
-  if (task == nullptr || task->outputs.empty() || task->state == TaskState::failed) return nullptr;
-  return task;
+  if (task == nullptr || task->outputs.empty()) return nullptr;
+  return task->state == TaskState::failed && !was_done_before(*task) ? nullptr : task;
 }
 
 const TurnOrder& JobState::turns_of(JobId job) {

@@ -36,8 +36,8 @@ std::string quarantine_reason(const TaskRow& task, const std::string& what, std:
 
 std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
 
-/// Whether the files of a task that is not done are the outputs of an earlier run, which other
-/// tasks build upon; otherwise they are the evidence of a failure.
+}  // namespace
+
 bool was_done_before(const TaskRow& task) {
   TaskResult earlier;
   earlier.outputs = task.outputs;
@@ -45,8 +45,6 @@ bool was_done_before(const TaskRow& task) {
   earlier.texts = task.texts;
   return !task.outputs.empty() && task.kind != TaskKind::assemble && !problem_with(task, earlier);
 }
-
-}  // namespace
 
 void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& message, Moment now) {
   ++task.crashes;

@@ -46,6 +46,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
     started_ms_[id] = now.steady_ms;
     if (attempt.is_rival) rivals_[attempt.task] = id;
+    if (!attempt.nonce.empty()) process2attempt_[attempt.nonce] = id;
   }
   for (const auto& [id, job] : durable_.jobs) {
     if (job.phase == JobPhase::running) wake_waiting(id, now);

@@ -9,8 +9,9 @@
 ///  1. A task is leased exactly when its attempt is running; at most one other, its rival, runs
 ///  too.
 ///  2. A done task names the attempt that was accepted; no other is ever accepted for it.
-///  3. Every running attempt has a lease; a worker holds at most one, and only the process that was
-///     given an attempt holds it.
+///  3. Every running attempt has a lease; a process holds at most one, whatever its connections,
+///  and
+///     only the process that was given an attempt holds it.
 ///  4. A task is on offer exactly when it is ready and its job is running.
 ///  5. A host in quarantine gets no tasks.
 /// Units: times in milliseconds.
@@ -162,8 +163,10 @@ class JobState {
   /// The worker, or (0) every one that is here, gets no more tasks and is told to leave. How many.
   std::size_t drain(WorkerId worker);
 
-  /// The disk is full: nothing is handed out for a while.
+  /// The disk is full: nothing is handed out for a while, which is recorded.
   void out_of_resources(const std::string& message, Moment now);
+  /// The same without a record, which a full disk would not take. False when it was so already.
+  bool hold_back(const std::string& message, Moment now);
 
   /// Ends leases that have run out and hands out what is ready. Call after every batch of events,
   /// and every now and then.
@@ -212,11 +215,16 @@ class JobState {
   std::vector<TaskId> tasks_of(JobId job) const;
   std::vector<SubdomainRow> tree_of(JobId job) const;
 
-  // job_workers.cpp: sessions, leases, handing out
+  // job_processes.cpp: who is who
   bool is_current(TaskId task, AttemptId attempt) const;
   void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
+  bool settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
+  void forget_process(WorkerId worker);
   bool take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
+  void move_attempt(AttemptId attempt, WorkerId worker, Moment now);
+
+  // job_workers.cpp: sessions, leases, handing out
   AttemptRow end_attempt(AttemptId attempt, AttemptState state, const std::string& message,
                          Moment now);
   void lose_attempt(AttemptId attempt, AttemptState state, const std::string& message, Moment now);
@@ -279,7 +287,9 @@ class JobState {
   HasFile has_file_;
 
   std::map<WorkerId, Session> sessions_;
-  std::multiset<std::uint64_t> memories_;  ///< of the workers that are here
+  std::map<std::string, WorkerId> process2worker_;    ///< by nonce; its newest connection
+  std::map<std::string, AttemptId> process2attempt_;  ///< by nonce; running ones
+  std::multiset<std::uint64_t> memories_;             ///< of the workers that are here
   std::map<AttemptId, std::int64_t> lease_ends_ms_;
   std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
   std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first
@@ -317,5 +327,9 @@ class JobState {
 
 /// "mesh of sub-domain 5", for people.
 std::string place_of(const TaskRow& task);
+
+/// Whether the files of a task that is not done are the outputs of an earlier run, which other
+/// tasks build upon; otherwise they are the evidence of a failure.
+bool was_done_before(const TaskRow& task);
 
 }  // namespace tetfarm

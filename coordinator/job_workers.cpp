@@ -7,89 +7,6 @@
 
 namespace tetfarm {
 
-bool JobState::is_current(TaskId task, AttemptId attempt) const {
-  const auto found = durable_.running_attempts.find(attempt);
-  return found != durable_.running_attempts.end() && found->second.task == task;
-}
-
-/// Only the process that was given an attempt can bring its result.
-bool JobState::holds(WorkerId worker, TaskId task, AttemptId attempt) const {
-  return is_current(task, attempt) && durable_.running_attempts.at(attempt).worker == worker;
-}
-
-bool JobState::was_accepted(TaskId task, AttemptId attempt) const {
-  const auto found = durable_.tasks.find(task);
-  return found != durable_.tasks.end() && attempt && found->second.attempt == attempt &&
-         found->second.state == TaskState::done;
-}
-
-WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId attempt, Moment now) {
-  const WorkerId id{++durable_.last_worker};
-  WorkerRow row;
-  row.id = id;
-  row.host = info.host;
-  row.process = info.process;
-  row.cores = info.cores;
-  row.memory_bytes = info.memory_bytes;
-  row.program_version = info.program_version;
-  row.seen_ms = now.wall_ms;
-  workers_[id] = row;
-  dirty_workers_[id] = row;
-  memories_.insert(row.memory_bytes);
-  note_terms(id, info, now);
-  new_events_.push_back({now.wall_ms,
-                         {},
-                         {},
-                         {},
-                         id,
-                         "worker",
-                         info.host + " process " + std::to_string(info.process)});
-  commands_.emplace_back(SendWelcome{id, take_over(id, task, attempt, now)});
-  return id;
-}
-
-void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
-  Session& session = sessions_[worker];
-  session.heard_ms = now.steady_ms;
-  session.nonce = info.nonce;
-  session.shares_memory = info.shares_memory;
-  session.ends_ms = info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0;
-}
-
-void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task, AttemptId attempt,
-                           Moment now) {
-  const AttemptId held = sessions_.at(worker).attempt;
-  const bool is_another = sessions_.at(worker).nonce != info.nonce;
-  if (held && is_another) {
-    lose_attempt(held, AttemptState::lost, "another process took its place", now);
-  }
-  note_terms(worker, info, now);
-  commands_.emplace_back(SendWelcome{worker, take_over(worker, task, attempt, now)});
-}
-
-/// The attempt moves to `worker`, which is the same process on a new connection. False when it is
-/// stale, or another process's.
-bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  if (!attempt || !is_current(task, attempt)) return false;
-  AttemptRow& row = durable_.running_attempts.at(attempt);
-  if (row.nonce != sessions_.at(worker).nonce) return false;
-  if (row.worker != worker) {
-    const AttemptId held = sessions_.at(worker).attempt;
-    if (held) lose_attempt(held, AttemptState::lost, "its worker went on with another", now);
-    if (sessions_.contains(row.worker)) {
-      sessions_.at(row.worker).attempt = {};
-      worker_left(row.worker, false, now);
-    }
-    row.worker = worker;
-    dirty_attempts_[attempt] = row;
-    record(now, durable_.tasks.at(task), attempt, worker, "reconnected");
-  }
-  sessions_.at(worker).attempt = attempt;
-  sessions_.at(worker).ready = false;
-  lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
-  return true;
-}
-
 void JobState::worker_is_ready(WorkerId worker, Moment now) {
   Session& session = sessions_.at(worker);
   session.heard_ms = now.steady_ms;
@@ -121,6 +38,7 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
     lose_attempt(attempt, lost ? AttemptState::lost : AttemptState::returned,
                  lost ? "the worker was lost" : "handed back", now);
   }
+  forget_process(worker);
   sessions_.erase(worker);
   auto row = workers_.extract(worker);
   memories_.erase(memories_.find(row.mapped().memory_bytes));
@@ -140,6 +58,7 @@ AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const st
   row.message = message;
   row.ended_ms = now.wall_ms;
   dirty_attempts_[attempt] = row;
+  process2attempt_.erase(row.nonce);
   lease_ends_ms_.erase(attempt);
   started_ms_.erase(attempt);
   leave_race(row);
@@ -161,12 +80,17 @@ void JobState::lose_attempt(AttemptId attempt, AttemptState state, const std::st
   if (state == AttemptState::lost) count_loss(task, message, now);
 }
 
-void JobState::out_of_resources(const std::string& message, Moment now) {
+bool JobState::hold_back(const std::string& message, Moment now) {
   stuck_message_ = message;
-  if (is_stuck() && now.steady_ms < stuck_until_ms_) return;
+  if (is_stuck() && now.steady_ms < stuck_until_ms_) return false;
   stuck_delay_ms_ =
       is_stuck() ? std::min(2 * stuck_delay_ms_, rules_.longest_delay_ms) : rules_.crash_delay_ms;
   stuck_until_ms_ = now.steady_ms + stuck_delay_ms_;
+  return true;
+}
+
+void JobState::out_of_resources(const std::string& message, Moment now) {
+  if (!hold_back(message, now)) return;
   new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "stuck", message});
 }
 
@@ -176,6 +100,8 @@ void JobState::tick(Moment now) {
     if (end_ms < now.steady_ms) ended.push_back(attempt);
   }
   for (const AttemptId attempt : ended) {
+    // Losing the one before may have put the task that both worked on into quarantine.
+    if (!lease_ends_ms_.contains(attempt)) continue;
     lose_attempt(attempt, AttemptState::lost, "its lease ran out", now);
   }
   std::vector<WorkerId> silent;
@@ -274,6 +200,7 @@ void JobState::lease(WorkerId worker, TaskId task, Moment now) {
   attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);
   dirty_attempts_[attempt.id] = attempt;
+  if (!attempt.nonce.empty()) process2attempt_[attempt.nonce] = attempt.id;
   lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
   session.attempt = attempt.id;
   started_ms_[attempt.id] = now.steady_ms;

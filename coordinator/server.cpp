@@ -296,8 +296,7 @@ class Server {
   void start_over() {
     handler_.forget_workers();
     restore();
-    state_->out_of_resources(commit_trouble_, now());
-    state_->take_changes();
+    state_->hold_back(commit_trouble_, now());
   }
 
   void write_log(const ChangeSet& changes) {

@@ -1,28 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "tests/coordinator/simulated_farm.h"
+#include "tests/coordinator/farm_schedules.h"
 
 namespace tetfarm {
 namespace {
 
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+TEST(SimulatedFarm, a_hundred_thousand_schedules_end_as_an_undisturbed_farm) {
+  simulation::run_schedules(100'000, 100'000, false);
 }
 
-// TETFARM_SIMULATION_SEEDS sets how many; TETFARM_SIMULATION_FIRST_SEED which is the first.
-TEST(JobStateSimulation, thousands_of_schedules_end_with_the_same_table) {
-  simulation::expect_the_same_end(from_environment("TETFARM_SIMULATION_FIRST_SEED", 1000),
-                                  from_environment("TETFARM_SIMULATION_SEEDS", 3000),
-                                  make_believe_job(12, 0));
-}
-
-TEST(JobStateSimulation, thousands_of_schedules_with_assimilation_end_with_the_same_table) {
-  simulation::expect_the_same_end(from_environment("TETFARM_SIMULATION_FIRST_SEED", 1000),
-                                  from_environment("TETFARM_SIMULATION_SEEDS", 3000),
-                                  make_believe_job(12, 3));
+TEST(SimulatedFarm, a_thousand_schedules_with_the_real_database_on_a_disk_that_fails) {
+  simulation::run_schedules(2'000'000, 1000, true);
 }
 
 }  // namespace

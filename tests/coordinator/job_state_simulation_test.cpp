@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
-#include "tests/coordinator/simulated_farm.h"
+#include "tests/coordinator/farm_schedules.h"
 
 namespace tetfarm {
 namespace {
 
-TEST(JobStateSimulation, every_schedule_ends_with_the_same_table_and_each_task_accepted_once) {
-  simulation::expect_the_same_end(1, 200, make_believe_job(12, 0));
+TEST(SimulatedFarm, whatever_fails_the_invariants_hold_and_the_end_is_that_of_an_undisturbed_farm) {
+  simulation::run_schedules(1, 2000, false);
 }
 
-TEST(JobStateSimulation, the_same_holds_when_leaves_are_assimilated) {
-  simulation::expect_the_same_end(1, 200, make_believe_job(12, 3));
+TEST(SimulatedFarm, the_same_holds_with_the_real_database_on_a_disk_that_fails) {
+  simulation::run_schedules(1'000'001, 60, true);
 }
 
 }  // namespace

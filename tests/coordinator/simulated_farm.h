@@ -1,429 +1,300 @@
-// Days of the life of a farm in a loop: messages lost, doubled, late and out of order, workers that
-// die, hang and come back, files that vanish, disks that fill, a coordinator that is killed before
-// or after its commit. From each seed the job must end with every task accepted once and the same
-// table.
+// A whole farm in one process, under a seed: a coordinator with its database
+// (simulated_coordinator.h, simulated_database.h), worker processes on several hosts
+// (simulated_worker.h), clients, a disk, a network and clocks, all of which fail
+// (simulated_world.h). Invariants are asked after every commit and every restart
+// (farm_invariants.h).
 #pragma once
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <random>
-#include <set>
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "coordinator/job_state.h"
-#include "tests/coordinator/durable_record.h"
-#include "tests/coordinator/make_believe_task.h"
+#include "tests/coordinator/simulated_clients.h"
+#include "tests/coordinator/simulated_coordinator.h"
+#include "tests/coordinator/simulated_worker.h"
 
 namespace tetfarm::simulation {
 
-struct Hello {
-  TaskId task;
-  AttemptId attempt;
-};
-struct Ready {};
-struct Beat {
-  TaskId task;
-  AttemptId attempt;
-};
-struct DoneSaid {
-  TaskId task;
-  AttemptId attempt;
-};
-struct FailedSaid {
-  TaskId task;
-  AttemptId attempt;
-  TaskFailure failure;
-};
-struct Bye {};
-using ToCoordinator = std::variant<Hello, Ready, Beat, DoneSaid, FailedSaid, Bye>;
-struct HelloAgain {};
-using ToWorker = std::variant<SendWelcome, SendAssign, SendAccepted, SendDrain, HelloAgain>;
-
-/// A worker process as the protocol describes it; a new one gets a new connection number.
-struct FakeWorker {
-  int connection = 0;
-  bool is_alive = true;
-  std::int64_t hangs_until_ms = 0;
-  bool is_registered = false;
-  bool is_drained = false;
-  TaskId task;
-  AttemptId attempt;
-  std::int64_t finishes_ms = 0;
-  std::optional<ToCoordinator> unanswered;
-  std::int64_t next_beat_ms = 0;
-  std::int64_t heard_ms = 0;
-};
-
-struct Trouble {
-  double lost = 0;  ///< chance that a message vanishes
-  double doubled = 0;
-  double death = 0;  ///< chance per worker and step
-  double hang = 0;
-  double crash = 0;    ///< chance that an attempt ends in a crash or a kill
-  double restart = 0;  ///< chance per step that the coordinator dies
-  double vanish = 0;   ///< chance per step that a file vanishes
-  double full_disk = 0;
-  double jump = 0;  ///< chance per step that the clock leaps ahead
-  std::int64_t latest_ms = 20;
-};
-
 class Farm {
  public:
-  Farm(std::uint64_t seed, const Trouble& trouble, const ArtifactRef& job)
-      : random_(seed), trouble_(trouble), job_(job) {
-    rules_.lease_ms = 1000;
-    rules_.max_crashes = 100000;
-    rules_.max_losses = 100000;
-    rules_.crash_delay_ms = 50;
-    rules_.loss_delay_ms = 10;
-    rules_.longest_delay_ms = 500;
-    rules_.elsewhere_ms = 300;
-    files_.insert(job_.hash);
-    files_.insert(surface_.hash);
-    start_coordinator();
-    for (int i = 0; i < 4; ++i) start_worker();
-    submit();
+  Farm(std::uint64_t seed, const Trouble& trouble, const Wish& wish, bool has_real_database)
+      : random_(seed),
+        trouble_(trouble),
+        wish_(wish),
+        database_(has_real_database, Random(seed + 1)),
+        rules_(rules_of(trouble)),
+        jobs_(submissions()),
+        surroundings_(surroundings()),
+        coordinator_(shared_with_coordinator(), rules_),
+        clients_(random_, trouble_, jobs_, wish_, state(),
+                 [this](ToCoordinator message) { post(0, std::move(message)); }) {
+    for (const Submission& job : jobs_) disk_.publish_input(job.job_file);
+    disk_.publish_input(surface());
+    while (workers_.size() < 4) start_worker();
+  }
+  Farm(const Farm&) = delete;
+  Farm& operator=(const Farm&) = delete;
+
+  /// True when every job has come to its end.
+  bool step() {
+    go_to_the_next_event();
+    make_trouble();
+    deliver();
+    for (Worker& worker : workers_) worker.live(surroundings_);
+    replace_workers();
+    clients_.act(now_ms_, surroundings_.bad_host.empty(), coordinator_.any_worker());
+    if (now_ms_ >= turn_ms_ || heard_) {
+      heard_ = false;
+      turn_ms_ = now_ms_ + longest_turn_ms;
+      coordinator_.turn();
+    }
+    return clients_.are_content();
   }
 
-  /// True when the job has come to an end.
-  bool step() {
-    now_.steady_ms += 1 + pick(40);
-    if (chance(trouble_.jump)) now_.steady_ms += 3000;
-    now_.wall_ms = 7 + now_.steady_ms;
-    if (chance(trouble_.restart)) start_coordinator();
-    if (chance(trouble_.vanish)) lose_a_file();
-    deliver();
-    for (FakeWorker& worker : workers_) live(worker);
-    while (std::count_if(workers_.begin(), workers_.end(),
-                         [](const FakeWorker& worker) { return worker.is_alive; }) < 3) {
-      start_worker();
-    }
-    if (record_.state().jobs.empty()) submit();  // the client had no answer
-    turn();
-    const auto& jobs = record_.state().jobs;
-    return !jobs.empty() && jobs.begin()->second.phase != JobPhase::running;
+  /// From now on nothing goes wrong.
+  void calm() {
+    trouble_ = Trouble{};
+    trouble_.is_strict = rules_.max_crashes < 10;
+    surroundings_.bad_host.clear();
   }
+
+  const DurableState& state() const { return database_.record().state(); }
+  Invariants& invariants() { return invariants_; }
 
   std::string report() const {
-    std::string text;
-    for (const auto& [id, task] : record_.state().tasks) {
-      text += std::to_string(id.value) + " " + name_of(task.kind) + " " + name_of(task.state) +
-              " attempt " + std::to_string(task.attempt.value) + " " + task.message + "\n";
+    std::string text = "at " + std::to_string(now_ms_) + " ms\n";
+    for (const auto& [id, job] : state().jobs) {
+      text += job.key + " " + name_of(job.phase) + " " + job.message.substr(0, 200) + "\n";
     }
-    for (const FakeWorker& worker : workers_) {
-      if (!worker.is_alive) continue;
-      text += "worker " + std::to_string(worker.connection) + " attempt " +
-              std::to_string(worker.attempt.value) + (worker.unanswered ? " waits" : "") + "\n";
+    for (const auto& [id, task] : state().tasks) {
+      text += std::to_string(id.value) + " " + name_of(task.kind) + " " +
+              std::to_string(task.path) + " " + name_of(task.state) + " attempt " +
+              std::to_string(task.attempt.value) + " " + task.message.substr(0, 80) + "\n";
+    }
+    for (const Worker& worker : workers_) {
+      text += "worker " + std::to_string(worker.connection()) + " on " + worker.host() +
+              " attempt " + std::to_string(worker.attempt().value) + "\n";
     }
     return text;
-  }
-  void calm() { trouble_ = Trouble{}; }
-  const DurableRecord& record() const { return record_; }
-  std::size_t accepted(TaskId task) const {
-    const auto found = accepted_.find(task);
-    return found == accepted_.end() ? 0 : found->second;
-  }
-  std::size_t remade(TaskId task) const {
-    const auto found = remade_.find(task);
-    return found == remade_.end() ? 0 : found->second;
   }
 
  private:
   struct Travelling {
-    std::int64_t arrives_ms = 0;
     int connection = 0;
     std::variant<ToCoordinator, ToWorker> message;
   };
 
-  bool chance(double probability) {
-    return std::uniform_real_distribution<double>(0, 1)(random_) < probability;
-  }
-  std::int64_t pick(std::int64_t count) {
-    return std::uniform_int_distribution<std::int64_t>(0, count - 1)(random_);
-  }
-
-  void start_coordinator() {
-    connection2worker_.clear();
-    state_ = std::make_unique<JobState>(
-        record_.state(), rules_,
-        [this](const ArtifactRef& file) { return files_.contains(file.hash); }, now_);
-    EXPECT_THAT(state_->validate(), testing::IsEmpty());
-  }
-
-  void submit() { state_->submit({"key", "wing", "", job_, {surface_}}, now_); }
-
-  void start_worker() {
-    FakeWorker worker;
-    worker.connection = ++last_connection_;
-    worker.heard_ms = now_.steady_ms;
-    workers_.push_back(worker);
-    say(worker, Hello{});
+  static FarmRules rules_of(const Trouble& trouble) {
+    FarmRules rules;
+    rules.lease_ms = 1000;
+    rules.max_crashes = trouble.is_strict ? 3 : 100000;
+    rules.max_losses = trouble.is_strict ? 8 : 100000;
+    rules.max_starvings = trouble.is_strict ? 6 : 100000;
+    rules.crash_delay_ms = 50;
+    rules.loss_delay_ms = 10;
+    rules.longest_delay_ms = 500;
+    rules.elsewhere_ms = 300;
+    rules.least_limit_ms = 4000;
+    rules.unknown_limit_ms = 6000;
+    rules.least_late_ms = 500;
+    return rules;
   }
 
-  void lose_a_file() {
-    if (files_.size() < 3) return;
-    auto file = files_.begin();
-    std::advance(file, pick(static_cast<std::int64_t>(files_.size())));
-    if (*file != job_.hash && *file != surface_.hash) files_.erase(file);
+  std::vector<Submission> submissions() const {
+    std::vector<Submission> jobs;
+    for (const ArtifactRef& job : wish_.jobs) {
+      jobs.push_back({"key-" + std::to_string(jobs.size()), "wing", "", job, {surface()}});
+    }
+    return jobs;
   }
 
-  template <class Message>
-  void post(int connection, const Message& message) {
-    if (chance(trouble_.lost)) return;
-    const int copies = chance(trouble_.doubled) ? 2 : 1;
-    for (int i = 0; i < copies; ++i) {
-      travelling_.push_back({now_.steady_ms + pick(trouble_.latest_ms), connection, message});
+  Surroundings surroundings() {
+    return {random_,
+            trouble_,
+            disk_,
+            state().tasks,
+            state().running_attempts,
+            [this](const TaskRow& task) { return is_hopeless(wish_, task); },
+            trouble_.has_bad_host ? "host-1" : "",
+            now_ms_,
+            [this](int connection, ToCoordinator message) {
+              note_result(connection, message);
+              post(connection, std::move(message));
+            },
+            [this] { return ++last_connection_; }};
+  }
+
+  Coordinator::Farm shared_with_coordinator() {
+    return {random_,
+            trouble_,
+            disk_,
+            invariants_,
+            database_,
+            jobs_,
+            now_ms_,
+            [this](int connection, ToWorker message) { post(connection, std::move(message)); },
+            [this](int connection) { return has_worker_at(connection); }};
+  }
+
+  bool has_worker_at(int connection) const {
+    return std::any_of(workers_.begin(), workers_.end(), [connection](const Worker& worker) {
+      return worker.connection() == connection;
+    });
+  }
+
+  static ArtifactRef surface() { return make_believe_file("input_surface", "flange"); }
+
+  // ---- time and trouble
+  void go_to_the_next_event() {
+    std::int64_t next = std::min(turn_ms_, clients_.wake_ms());
+    if (!travelling_.empty()) next = std::min(next, travelling_.begin()->first);
+    for (const Worker& worker : workers_) next = std::min(next, worker.wakes_ms());
+    now_ms_ = std::max(now_ms_ + 1, next);
+    surroundings_.now_ms = now_ms_;
+  }
+
+  void make_trouble() {
+    if (random_.chance(trouble_.leap)) coordinator_.leap(3000);
+    if (random_.chance(trouble_.wall_jump))
+      coordinator_.set_wall_clock(random_.pick(200000) - 100000);
+    if (random_.chance(trouble_.vanish)) disk_.lose_one(random_);
+    if (random_.chance(trouble_.power)) lose_power(host_name(random_.pick(hosts)));
+    if (random_.chance(trouble_.forgery)) forge();
+    if (now_ms_ > first_ms + 15000) surroundings_.bad_host.clear();
+    for (Worker& worker : workers_) {
+      if (random_.chance(trouble_.stop)) worker.stop(now_ms_ + random_.pick(4000));
+      if (random_.chance(trouble_.vacate)) worker.start_drain(surroundings_);
+      if (random_.chance(trouble_.break_off)) {
+        break_connection(worker.connection());
+        worker.change_connection(++last_connection_);
+      }
+    }
+    if (trouble_.death > 0) {
+      std::erase_if(workers_, [this](const Worker&) { return random_.chance(trouble_.death); });
     }
   }
-  void say(const FakeWorker& worker, const ToCoordinator& message) {
-    post(worker.connection, message);
+
+  Worker& any_worker() {
+    return workers_[static_cast<std::size_t>(
+        random_.pick(static_cast<std::int64_t>(workers_.size())))];
+  }
+
+  /// A copy of a process (restored from an image, say) claims its attempt, under a new nonce or on
+  /// the connection of another, and has an empty result.
+  void forge() {
+    if (workers_.empty()) return;
+    const Worker& victim = any_worker();
+    const Worker& thief = any_worker();
+    if (!victim.attempt() || &victim == &thief) return;
+    WorkerInfo copy{.host = victim.host(), .nonce = "copy-" + std::to_string(++last_process_)};
+    copy.memory_bytes = std::uint64_t{800} << 20U;
+    invariants_.worker_starts(copy);
+    const int connection = ++last_connection_;
+    post(connection, ToCoordinator{Hello{copy, victim.task(), victim.attempt()}});
+    for (const int from : {connection, thief.connection()}) {
+      post(from, ToCoordinator{DoneSaid{victim.task(), victim.attempt(), {}}});
+    }
+  }
+
+  static std::string host_name(std::int64_t number) { return "host-" + std::to_string(number); }
+
+  void lose_power(const std::string& host) {
+    std::erase_if(workers_, [&host](const Worker& worker) { return worker.host() == host; });
+    disk_.lose_power(host);
+  }
+
+  void break_connection(int connection) {
+    std::erase_if(travelling_, [connection](const auto& entry) {
+      return entry.second.connection == connection;
+    });
+  }
+
+  void replace_workers() {
+    std::erase_if(workers_, [](const Worker& worker) { return worker.is_gone(); });
+    while (workers_.size() < 3) start_worker();
+  }
+
+  void start_worker() {
+    const std::int64_t host = random_.pick(hosts);
+    WorkerInfo info;
+    info.host = host_name(host);
+    info.nonce = "process-" + std::to_string(++last_process_);
+    info.shares_memory = random_.chance(0.7);
+    info.memory_bytes = (info.shares_memory ? host_memory_mb[static_cast<std::size_t>(host)] : 800)
+                        << 20U;
+    if (random_.chance(trouble_.walltime)) info.ends_in_ms = 1000 + random_.pick(8000);
+    invariants_.worker_starts(info);
+    workers_.emplace_back(info, surroundings_);
+  }
+
+  // ---- the network
+  template <class Message>
+  void post(int connection, Message message) {
+    if (random_.chance(trouble_.lost)) return;
+    const int copies = random_.chance(trouble_.doubled) ? 2 : 1;
+    for (int i = 0; i < copies; ++i) {
+      const std::int64_t arrives_ms = now_ms_ + random_.pick(trouble_.latest_ms);
+      travelling_.emplace(arrives_ms, Travelling{connection, message});
+    }
+  }
+
+  void note_result(int connection, const ToCoordinator& message) {
+    const auto* done = std::get_if<DoneSaid>(&message);
+    if (done == nullptr) return;
+    for (const Worker& worker : workers_) {
+      if (worker.connection() == connection) invariants_.result_said(done->attempt, worker.nonce());
+    }
   }
 
   void deliver() {
     std::vector<Travelling> due;
-    std::erase_if(travelling_, [&](const Travelling& message) {
-      if (message.arrives_ms > now_.steady_ms) return false;
-      due.push_back(message);
-      return true;
-    });
-    std::shuffle(due.begin(), due.end(), random_);
+    while (!travelling_.empty() && travelling_.begin()->first <= now_ms_) {
+      due.push_back(std::move(travelling_.extract(travelling_.begin()).mapped()));
+    }
+    random_.shuffle(due);
     for (const Travelling& message : due) {
       if (const auto* up = std::get_if<ToCoordinator>(&message.message)) {
-        receive(message.connection, *up);
+        heard_ = true;
+        coordinator_.receive(message.connection, *up);
       } else {
-        for (FakeWorker& worker : workers_) {
-          const bool hears = worker.connection == message.connection && worker.is_alive &&
-                             worker.hangs_until_ms <= now_.steady_ms;
-          if (hears) obey(worker, std::get<ToWorker>(message.message));
+        for (Worker& worker : workers_) {
+          if (worker.connection() != message.connection) continue;
+          worker.hear(std::get<ToWorker>(message.message), surroundings_);
         }
       }
     }
   }
 
-  // ---- what the server does
-  void receive(int connection, const ToCoordinator& message) {
-    const auto known = connection2worker_.find(connection);
-    const bool is_known = known != connection2worker_.end() && state_->knows_worker(known->second);
-    if (const auto* hello = std::get_if<Hello>(&message)) {
-      if (is_known) {
-        state_->greet_again(known->second, {}, hello->task, hello->attempt, now_);
-      } else {
-        connection2worker_[connection] = state_->add_worker({}, hello->task, hello->attempt, now_);
-      }
-      return;
-    }
-    if (!is_known) {
-      post(connection, ToWorker{HelloAgain{}});
-      return;
-    }
-    const WorkerId worker = known->second;
-    if (std::holds_alternative<Ready>(message)) state_->worker_is_ready(worker, now_);
-    if (std::holds_alternative<Bye>(message)) state_->worker_left(worker, false, now_);
-    if (const auto* beat = std::get_if<Beat>(&message)) {
-      state_->heartbeat(worker, beat->task, beat->attempt, now_);
-    }
-    if (const auto* done = std::get_if<DoneSaid>(&message)) {
-      const TaskRow& task = state_->durable().tasks.at(done->task);
-      state_->done(worker, done->task, done->attempt, run_make_believe(task), now_);
-    }
-    if (const auto* failed = std::get_if<FailedSaid>(&message)) {
-      state_->failed(worker, failed->task, failed->attempt, failed->failure, now_);
-    }
-  }
+  static constexpr std::int64_t hosts = 3;
+  static constexpr std::array<std::uint64_t, 3> host_memory_mb = {1000, 1500, 800};
+  static constexpr std::int64_t first_ms = 1000000;
+  static constexpr std::int64_t longest_turn_ms = 50;
 
-  void turn() {
-    state_->tick(now_);
-    const std::vector<std::string> broken = state_->validate();
-    EXPECT_TRUE(broken.empty()) << broken.front();
-    const ChangeSet changes = state_->take_changes();
-    const std::vector<Command> commands = state_->take_commands();
-    if (chance(trouble_.restart)) return start_coordinator();  // killed before the commit
-    for (const AttemptRow& attempt : changes.attempts) {
-      if (attempt.state == AttemptState::done) ++accepted_[attempt.task];
-    }
-    for (const EventRow& event : changes.events) {
-      if (event.what == "again") ++remade_[event.task];
-    }
-    record_.apply(changes);
-    if (chance(trouble_.restart)) return start_coordinator();  // killed before the replies
-    for (const Command& command : commands) {
-      const WorkerId worker = std::visit([](const auto& any) { return any.worker; }, command);
-      for (const auto& [connection, id] : connection2worker_) {
-        if (id != worker) continue;
-        post(connection, std::visit([](const auto& any) -> ToWorker { return any; }, command));
-      }
-    }
-  }
-
-  // ---- what a worker does
-  void live(FakeWorker& worker) {
-    if (!worker.is_alive) return;
-    if (chance(trouble_.death)) worker.is_alive = false;
-    if (chance(trouble_.hang)) worker.hangs_until_ms = now_.steady_ms + pick(5000);
-    if (!worker.is_alive || worker.hangs_until_ms > now_.steady_ms) return;
-    if (worker.attempt && !worker.unanswered && now_.steady_ms >= worker.finishes_ms) {
-      finish(worker);
-    }
-    if (now_.steady_ms < worker.next_beat_ms) return;
-    worker.next_beat_ms = now_.steady_ms + 100;
-    if (!worker.is_registered || now_.steady_ms > worker.heard_ms + 3000) {
-      say(worker, Hello{worker.task, worker.attempt});
-      return;
-    }
-    if (worker.unanswered) {
-      say(worker, *worker.unanswered);
-    } else if (!worker.attempt) {
-      if (chance(trouble_.death)) {
-        say(worker, Bye{});
-        worker.is_alive = false;
-        return;
-      }
-      say(worker, Ready{});
-    }
-    say(worker, Beat{worker.task, worker.attempt});
-  }
-
-  void finish(FakeWorker& worker) {
-    const auto task = record_.state().tasks.find(worker.task);
-    ASSERT_NE(task, record_.state().tasks.end());
-    TaskFailure failure;
-    failure.message = "make-believe";
-    for (const ArtifactRef& input : task->second.inputs) {
-      if (!files_.contains(input.hash)) failure.damaged_inputs.push_back(input.hash);
-    }
-    failure.may_retry = !failure.damaged_inputs.empty();
-    if (chance(trouble_.crash)) {
-      failure.may_retry = true;
-      failure.killed = chance(0.5);
-    } else if (chance(trouble_.full_disk)) {
-      failure.out_of_resources = true;
-    }
-    if (failure.may_retry || failure.out_of_resources) {
-      worker.unanswered = FailedSaid{worker.task, worker.attempt, failure};
-    } else {
-      for (const ArtifactRef& file : run_make_believe(task->second).outputs) {
-        files_.insert(file.hash);
-      }
-      worker.unanswered = DoneSaid{worker.task, worker.attempt};
-    }
-    say(worker, *worker.unanswered);
-  }
-
-  void obey(FakeWorker& worker, const ToWorker& message) {
-    worker.heard_ms = now_.steady_ms;
-    const auto forget = [&worker] {
-      worker.task = {};
-      worker.attempt = {};
-      worker.unanswered.reset();
-    };
-    if (std::holds_alternative<HelloAgain>(message)) {
-      worker.is_registered = false;
-      say(worker, Hello{worker.task, worker.attempt});
-    } else if (const auto* welcome = std::get_if<SendWelcome>(&message)) {
-      worker.is_registered = true;
-      if (!welcome->keep_running) forget();
-    } else if (const auto* accepted = std::get_if<SendAccepted>(&message)) {
-      if (accepted->attempt == worker.attempt) forget();
-    } else if (const auto* assign = std::get_if<SendAssign>(&message)) {
-      if (worker.attempt) return;
-      worker.task = assign->task;
-      worker.attempt = assign->attempt;
-      worker.finishes_ms = now_.steady_ms + 20 + pick(chance(0.1) ? 5000 : 600);
-    }
-  }
-
-  std::mt19937_64 random_;
+  Random random_;
   Trouble trouble_;
-  FarmRules rules_;
-  Moment now_{1000000, 1000007};
-  DurableRecord record_;
-  std::unique_ptr<JobState> state_;
-  std::map<int, WorkerId> connection2worker_;
+  Wish wish_;
+  Disk disk_;
+  FarmDatabase database_;
+  Invariants invariants_;
+  std::int64_t now_ms_ = first_ms;
+  std::int64_t turn_ms_ = 0;
+  bool heard_ = false;
   int last_connection_ = 0;
-  std::vector<FakeWorker> workers_;
-  std::vector<Travelling> travelling_;
-  std::set<std::string> files_;
-  std::map<TaskId, std::size_t> accepted_;
-  std::map<TaskId, std::size_t> remade_;
-  ArtifactRef job_;
-  ArtifactRef surface_ = make_believe_file("input_surface", "flange");
+  int last_process_ = 0;
+  std::vector<Worker> workers_;
+  std::multimap<std::int64_t, Travelling> travelling_;
+  FarmRules rules_;
+  std::vector<Submission> jobs_;
+  Surroundings surroundings_;
+  Coordinator coordinator_;
+  Clients clients_;
 };
-
-/// What must not depend on the course of events.
-inline std::string final_table(const DurableState& state) {
-  std::map<std::string, std::string> lines;
-  for (const auto& [id, task] : state.tasks) {
-    std::string line;
-    for (const ArtifactRef& file : task.outputs) line += " " + file.name + "=" + file.hash;
-    const auto table = task.parameters.find("table");
-    if (table != task.parameters.end()) line += "\n" + table->second;
-    lines[std::string(name_of(task.kind)) + " " + std::to_string(task.path)] = line;
-  }
-  std::string text;
-  for (const auto& [name, line] : lines) text += name + " " + line + "\n";
-  return text;
-}
-
-inline Trouble trouble_of(std::uint64_t seed) {
-  std::mt19937_64 random(seed * 7919);
-  const auto some = [&random](double most) {
-    return random() % 3 == 0 ? 0.0 : std::uniform_real_distribution<double>(0, most)(random);
-  };
-  Trouble trouble;
-  trouble.lost = some(0.3);
-  trouble.doubled = some(0.3);
-  trouble.death = some(0.01);
-  trouble.hang = some(0.01);
-  trouble.crash = some(0.3);
-  trouble.restart = some(0.02);
-  trouble.vanish = some(0.02);
-  trouble.full_disk = some(0.2);
-  trouble.jump = some(0.005);
-  trouble.latest_ms = 1 + static_cast<std::int64_t>(some(2000));
-  return trouble;
-}
-
-inline void run_to_the_end(Farm& farm, std::uint64_t seed) {
-  constexpr int wild_steps = 4000;
-  constexpr int calm_steps = 20000;
-  for (int i = 0; i < wild_steps; ++i) {
-    if (farm.step() || testing::Test::HasFailure()) return;
-  }
-  farm.calm();
-  for (int i = 0; i < calm_steps; ++i) {
-    if (farm.step() || testing::Test::HasFailure()) return;
-  }
-  FAIL() << "the job of seed " << seed << " does not come to an end\n" << farm.report();
-}
-
-/// Runs the farm from each of the seeds and compares its end with that of a farm without trouble.
-inline void expect_the_same_end(std::uint64_t first_seed, std::uint64_t count,
-                                const ArtifactRef& job) {
-  Farm undisturbed(1, Trouble{}, job);
-  run_to_the_end(undisturbed, 0);
-  const std::string expected = final_table(undisturbed.record().state());
-  ASSERT_FALSE(testing::Test::HasFailure());
-  ASSERT_GE(undisturbed.record().state().tasks.size(), 15U) << expected;
-  for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Farm farm(seed, trouble_of(seed), job);
-    run_to_the_end(farm, seed);
-    const DurableState& state = farm.record().state();
-    EXPECT_EQ(state.jobs.begin()->second.phase, JobPhase::done)
-        << state.jobs.begin()->second.message;
-    EXPECT_EQ(final_table(state), expected);
-    for (const auto& [id, task] : state.tasks) {
-      // A lost file that turned out not to be needed may still be in the making.
-      const std::size_t in_the_making = task.state == TaskState::done ? 0 : 1;
-      EXPECT_EQ(farm.accepted(id) + in_the_making, 1 + farm.remade(id)) << "task " << id.value;
-    }
-    if (testing::Test::HasFailure()) return;
-  }
-}
 
 }  // namespace tetfarm::simulation
