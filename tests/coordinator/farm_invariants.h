@@ -113,7 +113,7 @@ class Invariants {
       const WorkerInfo& process = processes_.at(attempt.nonce);
       EXPECT_LE(attempt.memory_bytes, process.memory_bytes) << "more room than there is";
     }
-    EXPECT_LE(state.tasks.size(), 5 * (state.subdomains.size() + state.jobs.size()));
+    EXPECT_LE(state.tasks.size(), 6 * (state.subdomains.size() + state.jobs.size()));
   }
 
   /// 6. What was committed is all that is needed: decisions go on from it.
@@ -174,8 +174,7 @@ class Invariants {
   static std::set<std::uint64_t> leaves_named(const TaskRow& assemble) {
     std::set<std::uint64_t> leaves;
     for (const ArtifactRef& file : assemble.inputs) {
-      const bool is_mesh = file.name.starts_with("mesh:") || file.name.starts_with("elements:");
-      if (!is_mesh) continue;
+      if (!file.name.starts_with("portion:")) continue;
       const std::uint64_t leaf = std::stoull(file.name.substr(file.name.find(':') + 1));
       leaves.insert(leaves.contains(leaf) ? 0 : leaf);
     }

@@ -24,7 +24,8 @@ class FileTransfersTest : public ::testing::Test {
     const StoredArtifact surface = store_.publish(surface_bytes);
     submission.inputs = {{"input_surface", surface.hash, surface.size}};
     state_.submit(submission, now_);
-    const WorkerId worker = state_.add_worker({.host = "h", .nonce = "n"}, {}, {}, now_);
+    const std::string process = "process-" + std::to_string(state_.worker_count());
+    const WorkerId worker = state_.add_worker({.host = "h", .nonce = process}, {}, {}, now_);
     state_.worker_is_ready(worker, now_);
     state_.tick(now_);
     return worker;
