@@ -41,6 +41,14 @@ struct WorkMesh {
     const Tet& nodes = tet(t);
     return nodes[0] == node ? 0 : nodes[1] == node ? 1 : nodes[2] == node ? 2 : 3;
   }
+  /// Whether no tet of its nodes was changed.
+  bool is_untouched(std::int32_t t) const {
+    const auto& [a, b, c, d] = tet(t);
+    return (change_of(a) | change_of(b) | change_of(c) | change_of(d)) == 0;
+  }
+  std::int64_t change_of(std::int32_t node) const {
+    return node2change[static_cast<std::size_t>(node)];
+  }
   /// Computed when first asked for, and kept until the tet changes.
   double goodness_of(std::int32_t t) const;
   /// Forgets the gathered set.

@@ -119,7 +119,11 @@ std::int64_t raise_heights(WorkMesh& work, const HeightOptions& options) {
   HeightRaiser raiser{work, options, {}, std::vector<std::int64_t>(work.node2change.size(), -1)};
   for (std::size_t t = 0; t < work.complex.nodes.size(); ++t) {
     const auto tet = static_cast<std::int32_t>(t);
-    if (work.complex.is_live(tet)) raiser.queue_if_low(tet);
+    if (!work.complex.is_live(tet)) continue;
+    if (options.is_high_at_first && options.is_high_at_first(tet) && work.is_untouched(tet)) {
+      continue;
+    }
+    raiser.queue_if_low(tet);
   }
   const std::int64_t before = work.changes;
   std::int64_t stuck = 0;

@@ -25,6 +25,9 @@ struct HeightOptions {
   std::int64_t most_stuck = std::numeric_limits<std::int64_t>::max();
   /// Target edge length at a point; asked for only where spacings are wanted.
   std::function<double(const Vec3&)> spacing;
+  /// Whether a tet is known to be high enough as long as no tet of its nodes has changed; may be
+  /// empty.
+  std::function<bool(std::int32_t)> is_high_at_first;
 
   bool wants_any() const { return wanted_spacings > 0 || wanted_length > 0; }
 };

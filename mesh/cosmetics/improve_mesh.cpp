@@ -270,6 +270,10 @@ cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor
   cosmetics::HeightOptions heights;
   heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
   heights.floor = floor;
+  const RegularTets& regular = options.regular;
+  if (regular.least_height > heights.wanted_length && options.height_in_spacings == 0) {
+    heights.is_high_at_first = [&regular](std::int32_t t) { return regular.holds(t); };
+  }
   if (options.height_in_spacings == 0) heights.most_stuck = most_stuck_heights;
   if (options.spacing) {
     heights.wanted_spacings = options.height_in_spacings;
@@ -292,13 +296,35 @@ struct Limits {
   double relaxed = 0;
 };
 
-Scan scan(const TetComplex& complex, const Limits& limits) {
+/// The cosine of the smallest angle of all tets that are added.
+class SmallestAngle {
+ public:
+  void add(const TetComplex& complex, const Tet& tet, double its_goodness) {
+    // A tet with a smaller angle than the smallest so far cannot have a larger goodness.
+    if (its_goodness > goodness_) return;
+    const auto point = [&](std::size_t i) { return complex.points[at(tet[i])]; };
+    const double cosine = dihedral_cosines(point(0), point(1), point(2), point(3)).of_smallest;
+    if (cosine <= cosine_) return;
+    cosine_ = cosine;
+    goodness_ = (1 - cosine) * (1 + cosine) * (1 + 1e-6) + 1e-12;
+  }
+  double degrees() const { return std::acos(cosine_) * 180 / std::numbers::pi; }
+
+ private:
+  double cosine_ = -1;
+  double goodness_ = HUGE_VAL;
+};
+
+/// Regular tets are looked at where they may be bad.
+Scan scan(const TetComplex& complex, const Limits& limits, const CosmeticOptions& options) {
+  const RegularTets& regular = options.regular;
+  constexpr double goodness_of_regular = 0.75;
+  const bool skips_regular = std::max(limits.wanted, limits.relaxed) < goodness_of_regular;
   Scan result;
-  double largest_cosine = -1;
-  double its_goodness = HUGE_VAL;
-  result.tet2goodness.resize(complex.nodes.size());
+  SmallestAngle smallest;
+  result.tet2goodness.assign(complex.nodes.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
-    if (!complex.is_live(t)) continue;
+    if (!complex.is_live(t) || (skips_regular && regular.holds(t) && t != regular.first)) continue;
     const Tet& tet = complex.nodes[at(t)];
     const double now = cosmetics::goodness(complex, tet);
     result.tet2goodness[at(t)] = now;
@@ -307,17 +333,20 @@ Scan scan(const TetComplex& complex, const Limits& limits) {
       if (result.to_relax.empty()) result.to_relax.resize(complex.points.size());
       for (const std::int32_t v : tet) result.to_relax[at(v)] = true;
     }
-    // A tet with a smaller angle than the smallest so far cannot have a larger goodness.
-    if (now > its_goodness) continue;
-    const double cosine = dihedral_cosines(complex.points[at(tet[0])], complex.points[at(tet[1])],
-                                           complex.points[at(tet[2])], complex.points[at(tet[3])])
-                              .of_smallest;
-    if (cosine <= largest_cosine) continue;
-    largest_cosine = cosine;
-    its_goodness = (1 - cosine) * (1 + cosine) * (1 + 1e-6) + 1e-12;
+    if (options.measures_angles) smallest.add(complex, tet, now);
   }
-  result.min_dihedral_deg = std::acos(largest_cosine) * 180 / std::numbers::pi;
+  if (options.measures_angles) result.min_dihedral_deg = smallest.degrees();
   return result;
+}
+
+double min_dihedral_deg(const WorkMesh& work, const RegularTets& regular) {
+  SmallestAngle smallest;
+  for (std::int32_t t = 0; at(t) < work.complex.nodes.size(); ++t) {
+    if (!work.complex.is_live(t)) continue;
+    if (regular.holds(t) && t != regular.first && work.is_untouched(t)) continue;
+    smallest.add(work.complex, work.tet(t), work.goodness_of(t));
+  }
+  return smallest.degrees();
 }
 
 }  // namespace
@@ -328,7 +357,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   const Limits limits{cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
                       cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
   const cosmetics::HeightOptions heights = heights_of(options, limits.wanted);
-  Scan before = scan(complex, limits);
+  Scan before = scan(complex, limits, options);
   CosmeticReport report;
   report.min_dihedral_before_deg = before.min_dihedral_deg;
   report.min_dihedral_after_deg = before.min_dihedral_deg;
@@ -358,7 +387,9 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   if (heights.wants_any()) {
     improver.report.moves += cosmetics::raise_heights(improver.work, heights);
   }
-  improver.report.min_dihedral_after_deg = scan(complex, {}).min_dihedral_deg;
+  if (options.measures_angles) {
+    improver.report.min_dihedral_after_deg = min_dihedral_deg(improver.work, options.regular);
+  }
   return improver.report;
 }
 

@@ -10,14 +10,15 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr int coordinate_bits = 60;
+constexpr int coordinate_bits = 62;
+constexpr int row_bits = 59;
 constexpr int mantissa_bits = 52;
 
 /// (x, y, z) of a, b, c, d, e in this order, as multiples of a power of two.
 using Coordinates = std::array<std::int64_t, 15>;
-/// The rows of the determinant: a, b, c and d as seen from e.
-template <class Number>
-using Rows = std::array<std::array<Number, 3>, 4>;
+using Row = std::array<std::int64_t, 3>;
+/// Of the determinant: a, b, c and d as seen from e.
+using Rows = std::array<Row, 4>;
 
 int exponent_of(std::uint64_t bits) { return static_cast<int>(bits >> mantissa_bits & 0x7ffU); }
 std::uint64_t mantissa_of(std::uint64_t bits) {
@@ -50,7 +51,7 @@ bool make_whole(const std::array<double, 15>& from, Coordinates& to) {
 }
 
 /// The rows, shifted as far as all have zeros at their ends; gives the bits that the largest takes.
-int make_rows(const Coordinates& c, Rows<std::int64_t>& rows) {
+int make_rows(const Coordinates& c, Rows& rows) {
   std::uint64_t sizes = 0;
   std::uint64_t ends = 0;
   for (std::size_t i = 0; i < 12; ++i) {
@@ -72,67 +73,99 @@ int sign_of(Number x) {
   return (x > 0) - (x < 0);
 }
 
+/// The cross product of two rows, whose products `Number` holds.
+template <class Number>
+[[gnu::always_inline]] inline std::array<Number, 3> cross(const Row& p, const Row& q) {
+  const auto pair = [&](std::size_t i, std::size_t j) {
+    return Number{p[i]} * q[j] - Number{p[j]} * q[i];
+  };
+  return {pair(1, 2), pair(2, 0), pair(0, 1)};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Number lift(const Row& p) {
+  return Number{p[0]} * p[0] + Number{p[1]} * p[1] + Number{p[2]} * p[2];
+}
+
+// The determinant of the rows a, b, c, d and their squared lengths is
+//   bcd |a|² - acd |b|² + abd |c|² - abc |d|²
+// with the products of three rows bcd = (c x d) b, acd = (c x d) a, abd = (a x b) d, abc = (a x b)
+// c.
+
 /// Of rows that `Number` has room for: five times their bits, and six more.
 template <class Number>
-int sign_in_one_number(const Rows<std::int64_t>& v) {
-  const auto pair = [&v](std::size_t p, std::size_t q, std::size_t i, std::size_t j) {
-    return Number{v[p][i] * v[q][j] - v[p][j] * v[q][i]};
+int sign_in_one_number(const Rows& v) {
+  const auto ab = cross<Number>(v[0], v[1]);
+  const auto cd = cross<Number>(v[2], v[3]);
+  const auto product = [](const std::array<Number, 3>& pair, const Row& row) {
+    return pair[0] * row[0] + pair[1] * row[1] + pair[2] * row[2];
   };
-  const auto minor = [&](std::size_t p, std::size_t q, std::size_t r) {
-    return pair(p, q, 1, 2) * v[r][0] + pair(p, q, 2, 0) * v[r][1] + pair(p, q, 0, 1) * v[r][2];
-  };
-  const auto lift = [&v](std::size_t p) {
-    return v[p][0] * v[p][0] + v[p][1] * v[p][1] + v[p][2] * v[p][2];
-  };
-  return sign_of<Number>(minor(1, 2, 3) * lift(0) - minor(0, 2, 3) * lift(1) +
-                         (minor(0, 1, 3) * lift(2) - minor(0, 1, 2) * lift(3)));
+  return sign_of<Number>(
+      (product(cd, v[1]) * lift<Number>(v[0]) - product(cd, v[0]) * lift<Number>(v[1])) +
+      (product(ab, v[3]) * lift<Number>(v[2]) - product(ab, v[2]) * lift<Number>(v[3])));
 }
 
-constexpr int digit_bits = 56;
+constexpr int digit_bits = 60;
 constexpr Wide digit_mask = (Wide{1} << digit_bits) - 1;
 
-/// Moves what is above the digits of the columns up; the last keeps all, and the sign.
-template <std::size_t count>
-std::array<std::int64_t, count> carried(std::array<Wide, count> columns) {
-  std::array<std::int64_t, count> digits;
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    columns[i + 1] += columns[i] >> digit_bits;
-    digits[i] = static_cast<std::int64_t>(columns[i] & digit_mask);
-  }
-  digits[count - 1] = static_cast<std::int64_t>(columns[count - 1]);
-  return digits;
+std::int64_t low_digit(Wide x) { return static_cast<std::int64_t>(x & digit_mask); }
+std::int64_t above_low_digit(Wide x) { return static_cast<std::int64_t>(x >> digit_bits); }
+
+/// Of at most 120 bits and a sign, which is that of the high digit.
+struct TwoDigits {
+  std::int64_t low;
+  std::int64_t high;
+
+  explicit TwoDigits(Wide x) : low(low_digit(x)), high(above_low_digit(x)) {}
+};
+
+/// The same in three: products of three rows, at most 180 bits.
+struct ThreeDigits {
+  std::int64_t low;
+  std::int64_t middle;
+  std::int64_t high;
+};
+
+[[gnu::always_inline]] inline ThreeDigits product(const std::array<TwoDigits, 3>& pair,
+                                                  const Row& row) {
+  const Wide low =
+      Wide{pair[0].low} * row[0] + Wide{pair[1].low} * row[1] + Wide{pair[2].low} * row[2];
+  const Wide high = Wide{pair[0].high} * row[0] + Wide{pair[1].high} * row[1] +
+                    Wide{pair[2].high} * row[2] + (low >> digit_bits);
+  return {low_digit(low), low_digit(high), above_low_digit(high)};
 }
 
-/// Determinant of three rows of 61 bits: 186 bits.
-std::array<std::int64_t, 4> minor_digits(const Rows<std::int64_t>& v, std::size_t p, std::size_t q,
-                                         std::size_t r) {
-  std::array<Wide, 4> columns{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    const auto pair = carried<3>({Wide{v[p][j]} * v[q][k] - Wide{v[p][k]} * v[q][j], 0, 0});
-    for (std::size_t digit = 0; digit < 3; ++digit) columns[digit] += Wide{pair[digit]} * v[r][i];
-  }
-  return carried(columns);
-}
+/// A sum of products; what is above each digit is still to be carried on. 2^120 times the number of
+/// products in a column is its bound.
+struct Columns {
+  std::array<Wide, 4> at{};
 
-/// Of rows of 61 bits: 312 bits.
-int sign_in_digits(const Rows<std::int64_t>& v) {
-  static constexpr std::array<std::array<std::size_t, 3>, 4> others = {
-      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};  // turned so that all terms are added
-  std::array<Wide, 6> columns{};
-  for (std::size_t p = 0; p < 4; ++p) {
-    const auto minor = minor_digits(v, others[p][0], others[p][1], others[p][2]);
-    Wide lift = 0;
-    for (const std::int64_t x : v[p]) lift += Wide{x} * x;
-    const auto lift_digits = carried<3>({lift, 0, 0});
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) columns[i + j] += Wide{minor[i]} * lift_digits[j];
-    }
+  [[gnu::always_inline]] void add(const ThreeDigits& x, const TwoDigits& y) {
+    at[0] += Wide{x.low} * y.low;
+    at[1] += Wide{x.low} * y.high + Wide{x.middle} * y.low;
+    at[2] += Wide{x.middle} * y.high + Wide{x.high} * y.low;
+    at[3] += Wide{x.high} * y.high;
   }
-  const auto digits = carried(columns);
-  if (digits[5] != 0) return sign_of(digits[5]);
-  return std::any_of(digits.begin(), digits.end(), [](std::int64_t x) { return x != 0; }) ? 1 : 0;
+  int sign() {
+    for (std::size_t i = 0; i < 3; ++i) at[i + 1] += at[i] >> digit_bits;
+    if (at[3] != 0) return sign_of(at[3]);
+    return ((at[0] | at[1] | at[2]) & digit_mask) != 0 ? 1 : 0;
+  }
+};
+
+/// Of rows of row_bits.
+int sign_in_digits(const Rows& v) {
+  const auto digits_of = [](const std::array<Wide, 3>& x) {
+    return std::array<TwoDigits, 3>{TwoDigits(x[0]), TwoDigits(x[1]), TwoDigits(x[2])};
+  };
+  const auto ab = digits_of(cross<Wide>(v[0], v[1]));
+  const auto cd = digits_of(cross<Wide>(v[2], v[3]));
+  Columns sum;
+  sum.add(product(cd, v[1]), TwoDigits(lift<Wide>(v[0])));
+  sum.add(product(cd, v[0]), TwoDigits(-lift<Wide>(v[1])));
+  sum.add(product(ab, v[3]), TwoDigits(lift<Wide>(v[2])));
+  sum.add(product(ab, v[2]), TwoDigits(-lift<Wide>(v[3])));
+  return sum.sign();
 }
 
 }  // namespace
@@ -144,12 +177,13 @@ std::optional<int> integer_insphere(const Vec3& a, const Vec3& b, const Vec3& c,
                   whole)) {
     return std::nullopt;
   }
-  Rows<std::int64_t> rows;
+  Rows rows;
   const int bits = make_rows(whole, rows);
   // Each of the four terms is at most 3 · 5.2 times the fifth power of the largest number.
   if (bits <= 11) return sign_in_one_number<std::int64_t>(rows);
   if (bits <= 24) return sign_in_one_number<Wide>(rows);
-  return sign_in_digits(rows);
+  if (bits <= row_bits) return sign_in_digits(rows);
+  return std::nullopt;
 }
 
 }  // namespace tetfarm

@@ -122,7 +122,7 @@ class LatticeWalk {
     const auto finer = static_cast<unsigned>(lattice_level - cell.level);
     if (is_inside(cell) && pass_over(std::size_t{2} << 3 * finer)) return;
     if (finer == 0) {
-      emit(cell, 1);
+      emit(cell, 1, true);
       return;
     }
     const std::int32_t half = size_at_level(cell.level + 1);
@@ -208,7 +208,8 @@ class LatticeWalk {
     return true;
   }
 
-  void emit(const LatticeCell& cell, unsigned owned) {
+  /// Nodes among cells of one size are not shifted.
+  void emit(const LatticeCell& cell, unsigned owned, bool is_among_equal_cells = false) {
     if (is_inside(cell) && pass_over(1 + static_cast<std::size_t>(std::popcount(owned)))) return;
     const std::int32_t size = size_at_level(cell.level);
     const double edge = size * octree_.frame.unit;
@@ -217,7 +218,8 @@ class LatticeWalk {
       const GridPoint corner = corner_of(cell.low, size, k);
       if ((owned >> k & 1U) == 0 || !is_wanted(corner)) continue;
       add({octree_.frame.position(corner), edge, corner, bits,
-           shift_to_coarser(octree_, corner, cell.level)});
+           is_among_equal_cells ? std::array<std::int8_t, 3>{}
+                                : shift_to_coarser(octree_, corner, cell.level)});
     }
     const GridPoint centre = corner_of(cell.low, size / 2, 7);
     if (is_wanted(centre)) add({octree_.frame.position(centre), edge, centre, bits, {}});

@@ -4,104 +4,13 @@
 #include <utility>
 
 #include "base/check.h"
-#include "mesh/geometry/box_tree.h"
-#include "mesh/geometry/triangle_distance.h"
 
 namespace tetfarm {
 namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// --- which nodes ---------------------------------------------------------------------------------
-
-bool is_cell(const LatticeGrid& grid, std::int32_t slot) {
-  return slot != LatticeGrid::none && grid.centre(slot) != LatticeGrid::none;
-}
-
-bool is_in_deep_block(const LatticeGrid& grid, std::int32_t slot) {
-  return grid.is_deep(slot / LatticeGrid::slots_in_block);
-}
-
-bool has_equal_cells_across_faces(const LatticeGrid& grid, std::int32_t slot) {
-  return is_cell(grid, grid.neighbour(slot, -1, 0, 0)) &&
-         is_cell(grid, grid.neighbour(slot, 1, 0, 0)) &&
-         is_cell(grid, grid.neighbour(slot, 0, -1, 0)) &&
-         is_cell(grid, grid.neighbour(slot, 0, 1, 0)) &&
-         is_cell(grid, grid.neighbour(slot, 0, 0, -1)) &&
-         is_cell(grid, grid.neighbour(slot, 0, 0, 1));
-}
-
-/// The 26 cells round it are as large. Then the spheres at its centre, which reach 1.12 edges far,
-/// hold no node of a smaller cell.
-bool has_equal_cells_around(const LatticeGrid& grid, std::int32_t slot) {
-  for (int z = -1; z <= 1; ++z) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        if (!is_cell(grid, grid.neighbour(slot, x, y, z))) return false;
-      }
-    }
-  }
-  for (std::size_t k = 0; k < 8; ++k) {
-    if (grid.corner(slot, k) == LatticeGrid::none) return false;
-  }
-  return true;
-}
-
-/// The same for the low corner of the cell: the eight cells at it, and those across their faces.
-bool has_equal_cells_at_corner(const LatticeGrid& grid, std::int32_t slot,
-                               const std::vector<std::uint8_t>& across_faces) {
-  for (int k = 0; k < 8; ++k) {
-    const std::int32_t cell = grid.neighbour(slot, -(k & 1), -(k >> 1 & 1), -(k >> 2 & 1));
-    if (cell == LatticeGrid::none || across_faces[at(cell)] == 0) return false;
-  }
-  return true;
-}
-
-Box3 box_round(const Vec3& p, double reach) {
-  const Vec3 d{reach, reach, reach};
-  return {p - d, p + d};
-}
-
-/// Asks for whole blocks first: most are far from everything.
-class Clearance {
- public:
-  Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain)
-      : nodes_(nodes),
-        grid_(grid),
-        subdomain_(subdomain),
-        boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {}
-
-  void enter_block(std::int32_t first_slot) {
-    Box3 box;
-    for (std::int32_t slot = first_slot; slot < first_slot + LatticeGrid::slots_in_block; ++slot) {
-      for (const std::int32_t node : {grid_.centre(slot), grid_.low_corner(slot)}) {
-        if (node == LatticeGrid::none) continue;
-        const LatticeNode& n = nodes_[at(node)];
-        box.add(box_round(n.at, core_reach * n.cell_edge));
-      }
-    }
-    block_is_clear_ = !boundary_.any(box, [](std::int32_t) { return true; });
-  }
-  bool is_clear(std::int32_t node) const {
-    if (block_is_clear_) return true;
-    const Vec3& p = nodes_[at(node)].at;
-    const double reach = core_reach * nodes_[at(node)].cell_edge;
-    return !boundary_.any(box_round(p, reach), [&](std::int32_t i) {
-      const Triangle& t = subdomain_.triangles[at(i)];
-      const auto corner = [&](std::size_t k) { return subdomain_.vertices[at(t[k])]; };
-      return is_nearer_to_triangle(p, corner(0), corner(1), corner(2), reach);
-    });
-  }
-
- private:
-  std::span<const LatticeNode> nodes_;
-  const LatticeGrid& grid_;
-  const Subdomain& subdomain_;
-  BoxTree boundary_;
-  bool block_is_clear_ = false;
-};
-
-// --- which tets ----------------------------------------------------------------------------------
+// Which tets.
 //
 // Type 4 * axis + 2 * along + side of a cell: the tet on the cell's high face normal to `axis`.
 // With u and v the axes after it, the tet's edge runs along u at the low or high side of v (along
@@ -132,35 +41,6 @@ std::int32_t step(const LatticeGrid& grid, std::int32_t slot, int axis, int by) 
 }
 
 }  // namespace
-
-std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
-                                          const LatticeGrid& grid, const Subdomain& subdomain) {
-  std::vector<std::uint8_t> across_faces(at(grid.slot_count()), 0);
-  for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
-    across_faces[at(slot)] =
-        is_in_deep_block(grid, slot) ||
-                (is_cell(grid, slot) && has_equal_cells_across_faces(grid, slot))
-            ? 1
-            : 0;
-  }
-  std::vector<std::uint8_t> is_core(nodes.size(), 0);
-  Clearance clearance(nodes, grid, subdomain);
-  for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
-    if (slot % LatticeGrid::slots_in_block == 0) clearance.enter_block(slot);
-    const bool is_deep = is_in_deep_block(grid, slot);
-    const std::int32_t centre = grid.centre(slot);
-    if (centre != LatticeGrid::none && across_faces[at(slot)] != 0 &&
-        (is_deep || has_equal_cells_around(grid, slot))) {
-      is_core[at(centre)] = clearance.is_clear(centre) ? 1 : 0;
-    }
-    const std::int32_t corner = grid.low_corner(slot);
-    if (corner != LatticeGrid::none &&
-        (is_deep || has_equal_cells_at_corner(grid, slot, across_faces))) {
-      is_core[at(corner)] = clearance.is_clear(corner) ? 1 : 0;
-    }
-  }
-  return is_core;
-}
 
 LatticeCore::LatticeCore(LatticeGrid grid, std::vector<std::uint8_t> is_core)
     : grid_(std::move(grid)), is_core_(std::move(is_core)) {

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "mesh/volume/core_graft.h"
+#include "mesh/volume/core_nodes.h"
 
 namespace tetfarm {
 namespace {
@@ -80,14 +81,17 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
     listed = misfits(pending.core, seat, round >= most_rounds);
     pending.core.leave_out(listed);
   }
-  for (const std::int32_t v : pending.core.core_nodes())
+  pending.smallest_cell_edge = HUGE_VAL;
+  for (const std::int32_t v : pending.core.core_nodes()) {
     pending.places.push_back(nodes[at(v)].place());
+    pending.smallest_cell_edge = std::min(pending.smallest_cell_edge, nodes[at(v)].cell_edge);
+  }
   return pending;
 }
 
-void graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                        PendingCore pending, std::int32_t first_moved, std::int32_t moved) {
-  if (pending.core.tet_count() == 0) return;
+GraftedCore graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                               PendingCore pending, std::int32_t first_moved, std::int32_t moved) {
+  if (pending.core.tet_count() == 0) return {};
   for (std::int32_t& v : pending.node_numbers) {
     if (v >= first_moved) v -= moved;
   }
@@ -97,6 +101,10 @@ void graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrai
   complex.points.insert(complex.points.end(), pending.places.begin(), pending.places.end());
   complex.node2tet.resize(complex.points.size(), -1);
   graft_core(complex, constrained, pending.core, pending.node_numbers, seat);
+  // Edges and faces of a lattice tet give it one height, the root of a half of the cell's edge.
+  constexpr double height_in_edges = 0.7071;
+  const auto last = static_cast<std::int32_t>(complex.nodes.size());
+  return {last - pending.core.tet_count(), last, height_in_edges * pending.smallest_cell_edge};
 }
 
 }  // namespace tetfarm

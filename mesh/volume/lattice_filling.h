@@ -26,6 +26,16 @@ struct PendingCore {
   std::vector<std::int32_t> node_numbers;
   /// The places of the core nodes, in their order.
   std::vector<Vec3> places;
+  /// Of the cells round core nodes.
+  double smallest_cell_edge = 0;
+};
+
+/// Where the core's tets are in the complex after it was grafted.
+struct GraftedCore {
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+  /// No tet of the core has a smaller height.
+  double least_height = 0;
 };
 
 /// Inserts what is not core. `inside` tells the tets of the domain before.
@@ -35,7 +45,7 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
 
 /// Puts the core in. Points from `first_moved` on lie `moved` places lower in the complex than they
 /// did in insert_shell.
-void graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                        PendingCore pending, std::int32_t first_moved, std::int32_t moved);
+GraftedCore graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
+                               PendingCore pending, std::int32_t first_moved, std::int32_t moved);
 
 }  // namespace tetfarm

@@ -1,6 +1,7 @@
 #include "mesh/volume/point_insertion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -9,7 +10,7 @@
 #include "mesh/geometry/point_location.h"
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/spacing/octree_build.h"
-#include "mesh/volume/lattice_core.h"
+#include "mesh/volume/core_nodes.h"
 
 namespace tetfarm {
 namespace {
@@ -53,16 +54,24 @@ std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
   std::vector<std::uint8_t> is_inside(nodes.size(), 0);
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
-  std::size_t last_core = nodes.size();
+  // Core nodes that were last met, the latest first: neighbours come one after the other.
+  std::array<std::size_t, 4> cores;
+  cores.fill(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_core[i] != 0 && last_core < nodes.size() && reaches(nodes[last_core], nodes[i].at)) {
-      is_inside[i] = is_inside[last_core];
+    const auto near = std::find_if(cores.begin(), cores.end(), [&](std::size_t core) {
+      return core < nodes.size() && reaches(nodes[core], nodes[i].place());
+    });
+    if (near != cores.end()) {
+      is_inside[i] = is_inside[*near];
     } else {
       const Location location = locate(complex, nodes[i].place(), last);
       if (location.tet >= 0) last = location.tet;
       is_inside[i] = location.tet >= 0 ? inside[at(location.tet)] : 0;
     }
-    if (is_core[i] != 0) last_core = i;
+    if (is_core[i] != 0) {
+      std::copy_backward(cores.begin(), cores.end() - 1, cores.end());
+      cores[0] = i;
+    }
   }
   return is_inside;
 }

@@ -23,8 +23,8 @@ struct PointInsertionOptions {
   std::function<void(std::int64_t tets)> progress;
 };
 
-/// A byte for each node: 1 when it lies in a tet with `inside` set. Of core nodes (lattice_core.h)
-/// that lie near each other only the first is looked up.
+/// A byte for each node: 1 when it lies in a tet with `inside` set. Nodes near a core node
+/// (lattice_core.h) that was met shortly before are not looked up.
 std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
                                             const std::vector<std::uint8_t>& inside,
                                             const std::vector<LatticeNode>& nodes,

@@ -121,13 +121,15 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
-  graft_pending_core(kept.complex, kept.constrained, std::move(core), boundary_nodes,
-                     enclosing_nodes);
+  const GraftedCore grafted = graft_pending_core(kept.complex, kept.constrained, std::move(core),
+                                                 boundary_nodes, enclosing_nodes);
   if (options.fill && options.cosmetics) {
     tell("cosmetics", kept.complex.live_tets());
     CosmeticOptions cosmetics;
     cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
     cosmetics.smallest_spacing = spacing.smallest();
+    cosmetics.measures_angles = false;
+    cosmetics.regular = {grafted.first, grafted.last, grafted.least_height};
     improve_mesh(kept.complex, boundary_nodes, cosmetics);
   }
   TetMesh mesh = compact_mesh(kept.complex, boundary_nodes);

@@ -8,6 +8,7 @@
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/predicates.h"
 #include "mesh/geometry/triangle_distance.h"
+#include "mesh/volume/core_nodes.h"
 #include "tests/mesh/volume/lattice_cases.h"
 
 namespace tetfarm {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/core/tet_quality.h"
+#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/improve_mesh.h"
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/volume/boundary_recovery.h"
 #include "mesh/volume/core_graft.h"
@@ -44,6 +47,7 @@ struct Sphere {
   Subdomain domain;
   TetComplex complex;
   std::vector<std::uint8_t> constrained;
+  GraftedCore core;
 };
 
 Sphere filled(double radius, const SpacingField& field, const PointInsertionOptions& options = {}) {
@@ -52,8 +56,8 @@ Sphere filled(double radius, const SpacingField& field, const PointInsertionOpti
                                      sphere.domain, field, options);
   EXPECT_TRUE(validate(sphere.complex).empty());
   sphere.keep_inside_only();
-  graft_pending_core(sphere.complex, sphere.constrained, std::move(pending),
-                     sphere.boundary_nodes(), enclosing_nodes);
+  sphere.core = graft_pending_core(sphere.complex, sphere.constrained, std::move(pending),
+                                   sphere.boundary_nodes(), enclosing_nodes);
   return sphere;
 }
 
@@ -118,6 +122,40 @@ struct Hollow {
   Sphere sphere;
   PendingCore pending;
 };
+
+TEST(LatticeFilling, tells_which_tets_are_regular_and_how_low_they_are) {
+  const Sphere sphere = filled(1.6, lattice_cases::graded());
+  const TetComplex& complex = sphere.complex;
+  ASSERT_GT(sphere.core.last - sphere.core.first, 100);
+  double lowest = HUGE_VAL;
+  for (std::int32_t t = sphere.core.first; t < sphere.core.last; ++t) {
+    const Tet& tet = complex.nodes[at(t)];
+    const auto point = [&](std::size_t i) { return complex.points[at(tet[i])]; };
+    const DihedralRange range = dihedral_range(point(0), point(1), point(2), point(3));
+    ASSERT_NEAR(range.min_deg, 60, 1e-6);
+    ASSERT_NEAR(range.max_deg, 90, 1e-6);
+    lowest = std::min(
+        lowest, std::sqrt(cosmetics::smallest_height2(point(0), point(1), point(2), point(3))));
+  }
+  EXPECT_GE(lowest, sphere.core.least_height);
+  EXPECT_LT(lowest, 1.001 * sphere.core.least_height);
+}
+
+TEST(LatticeFilling, cosmetics_does_the_same_whether_it_knows_the_regular_tets_or_not) {
+  Sphere first = filled(1.6, lattice_cases::graded());
+  Sphere second = first;
+  CosmeticOptions options;
+  options.smallest_spacing = 1.4 * first.core.least_height;
+  options.height_in_smallest_spacings = 0.7;
+  const CosmeticReport plain = improve_mesh(first.complex, first.boundary_nodes(), options);
+  options.regular = {second.core.first, second.core.last, second.core.least_height};
+  const CosmeticReport known = improve_mesh(second.complex, second.boundary_nodes(), options);
+  EXPECT_GT(plain.moves, 10);
+  EXPECT_EQ(first.complex.points, second.complex.points);
+  EXPECT_EQ(first.complex.nodes, second.complex.nodes);
+  EXPECT_EQ(plain.min_dihedral_before_deg, known.min_dihedral_before_deg);
+  EXPECT_EQ(plain.min_dihedral_after_deg, known.min_dihedral_after_deg);
+}
 
 TEST(CoreGraft, finds_the_hollow_and_its_filling) {
   const Hollow hollow;
