@@ -12,6 +12,10 @@
 namespace tetfarm {
 namespace {
 
+/// Lattice nodes looked at for each half: its work sizes tasks, where a figure that is shown has
+/// more.
+constexpr std::size_t samples_of_half = 16000;
+
 /// Estimated elements of the halves. Counting takes time: once for each cut.
 struct Works {
   double left = 0;
@@ -19,7 +23,8 @@ struct Works {
 };
 
 Works works_of(const Subdomain& left, const Subdomain& right, const SpacingField& spacing) {
-  return {estimated_elements(left, spacing), estimated_elements(right, spacing)};
+  return {estimated_elements(left, spacing, samples_of_half),
+          estimated_elements(right, spacing, samples_of_half)};
 }
 
 /// How many leaves the halves are to become: as was told, or as many as the memory asks for.

@@ -27,13 +27,30 @@ std::array<double, 17> cosines_of_bins() {
   return cosines;
 }
 
-/// How many of the limits the angle has reached.
-std::size_t bin_of(double cosine) {
-  static const std::array<double, 17> limits = cosines_of_bins();
-  std::size_t bin = 0;
-  for (const double limit : limits) bin += cosine <= limit ? 1 : 0;
-  return bin;
-}
+/// The bins of a histogram of angles, found by cosine. Of the 64 steps from -1 to 1 each holds one
+/// limit at most: a look-up and one comparison tell the bin.
+class AngleBins {
+ public:
+  AngleBins() : limits_(cosines_of_bins()) {
+    for (std::size_t step = 0; step < first_bin_.size(); ++step) {
+      const double end = static_cast<double>(step + 1) / half_steps - 1;
+      first_bin_[step] = static_cast<std::size_t>(std::count_if(
+          limits_.begin(), limits_.end(), [end](double limit) { return end <= limit; }));
+    }
+  }
+
+  /// How many of the limits the angle has reached. @pre from -1 to 1.
+  std::size_t bin_of(double cosine) const {
+    const auto step = static_cast<std::size_t>((cosine + 1) * half_steps);
+    const std::size_t bin = first_bin_[std::min(step, first_bin_.size() - 1)];
+    return bin < limits_.size() && cosine <= limits_[bin] ? bin + 1 : bin;
+  }
+
+ private:
+  static constexpr double half_steps = 32;
+  std::array<double, 17> limits_;
+  std::array<std::size_t, 64> first_bin_{};
+};
 
 double degrees_of(double cosine) { return std::acos(cosine) * degrees_per_radian; }
 
@@ -57,7 +74,8 @@ TetShape tet_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 void ShapeStatistics::add(const TetShape& shape) {
-  for (const double cosine : shape.dihedral_cosines) ++dihedral_histogram[bin_of(cosine)];
+  static const AngleBins bins;
+  for (const double cosine : shape.dihedral_cosines) ++dihedral_histogram[bins.bin_of(cosine)];
   const auto [least, most] =
       std::minmax_element(shape.dihedral_cosines.begin(), shape.dihedral_cosines.end());
   max_dihedral_deg = std::max(max_dihedral_deg, degrees_of(*least));

@@ -12,26 +12,29 @@ constexpr std::int32_t no_patch = -1;
 /// The cells of a part: tets first, then boundary triangles.
 struct Cells {
   std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets = {0};
+  std::vector<std::int64_t> offsets;
   std::vector<std::uint8_t> types;
   std::vector<std::int32_t> patches;
-
-  template <class Nodes>
-  void add(const Nodes& nodes, std::uint8_t type, std::int32_t patch) {
-    connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
-    offsets.push_back(std::ssize(connectivity));
-    types.push_back(type);
-    patches.push_back(patch);
-  }
 };
 
 Cells cells_of(const NumberedPart& part) {
+  const std::size_t count = part.tets.size() + part.faces.size();
   Cells cells;
   cells.connectivity.reserve(part.tets.size() * 4 + part.faces.size() * 3);
-  for (const Tet& tet : part.tets) cells.add(tet, vtk_tetra, no_patch);
-  for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    cells.add(part.faces[i], vtk_triangle, part.patch_of_face[i]);
+  for (const Tet& tet : part.tets) {
+    for (const std::int32_t v : tet) cells.connectivity.push_back(v);
   }
+  for (const Triangle& face : part.faces) {
+    for (const std::int32_t v : face) cells.connectivity.push_back(v);
+  }
+  cells.offsets.resize(count + 1);
+  for (std::size_t i = 1; i <= count; ++i) {
+    cells.offsets[i] = cells.offsets[i - 1] + (i <= part.tets.size() ? 4 : 3);
+  }
+  cells.types.assign(part.tets.size(), vtk_tetra);
+  cells.types.resize(count, vtk_triangle);
+  cells.patches.assign(part.tets.size(), no_patch);
+  cells.patches.insert(cells.patches.end(), part.patch_of_face.begin(), part.patch_of_face.end());
   return cells;
 }
 

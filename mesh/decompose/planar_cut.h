@@ -52,8 +52,12 @@ struct CutOutcome {
 CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
                       const CutOptions& options = {});
 
+/// Enough lattice nodes for an estimate that is shown.
+inline constexpr std::size_t samples_for_counting = 40000;
+
 /// Estimated elements: ∫ elements_per_h3 / h^3 dV over the inside (thesis counts boundary faces; a
 /// departure: work is known, so it is computed). Cost: O(n log n).
-double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing);
+double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing,
+                          std::size_t samples = samples_for_counting);
 
 }  // namespace tetfarm

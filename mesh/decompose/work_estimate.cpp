@@ -16,7 +16,6 @@ namespace {
 
 constexpr double elements_per_node = 6;
 constexpr double elements_per_triangle = 1.3;
-constexpr std::size_t samples_for_counting = 40000;
 /// As the volume mesher has it (mesh/volume/point_insertion.h), in mean edges of the lattice's
 /// tets.
 constexpr double face_clearance = 0.5;
@@ -218,13 +217,13 @@ WorkSamples sample_work(const Subdomain& subdomain, const SpacingField& spacing,
   return work;
 }
 
-double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing) {
-  if (subdomain.region > 0) return sample_work(subdomain, spacing, samples_for_counting).total;
+double estimated_elements(const Subdomain& subdomain, const SpacingField& spacing,
+                          std::size_t samples) {
+  if (subdomain.region > 0) return sample_work(subdomain, spacing, samples).total;
   double sum = 0;
   for (const std::int32_t region : regions_of(subdomain)) {
-    sum += sample_work(part_of_regions(subdomain, {region}, subdomain.path), spacing,
-                       samples_for_counting)
-               .total;
+    sum +=
+        sample_work(part_of_regions(subdomain, {region}, subdomain.path), spacing, samples).total;
   }
   return sum;
 }

@@ -14,6 +14,11 @@ std::size_t slot_of(std::uint64_t key, std::size_t table_size) {
   return static_cast<std::size_t>(h) & (table_size - 1);
 }
 
+/// Number by number: comparing arrays calls memcmp, which took an eighth of the whole inspection.
+bool is_same(const GridPoint& a, const GridPoint& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 }  // namespace
 
 CornerSpacing::CornerSpacing() : table_(first_table_size, 0) {}
@@ -38,7 +43,7 @@ std::uint32_t CornerSpacing::find_or_add(const GridPoint& p,
   if (2 * corners_.size() >= table_.size()) grow_table();
   std::size_t slot = slot_of(key_of(p), table_.size());
   for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
-    if (corners_[table_[slot] - 1].at == p) return table_[slot] - 1;
+    if (is_same(corners_[table_[slot] - 1].at, p)) return table_[slot] - 1;
   }
   corners_.push_back({p, spacing(p), 0, -1, 8});
   table_[slot] = static_cast<std::uint32_t>(corners_.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/spacing/spacing_field.h"
@@ -100,6 +101,40 @@ TEST(LatticeSample, has_one_of_each_n_nodes_and_no_more_than_asked_for) {
   }
 }
 
+/// Blocks of even cells beside finer and coarser ones.
+SpacingField nearly_even_field() {
+  SpacingOptions options;
+  options.background = 0.1;
+  options.sources = {{{{{0.9, 0.9, 0.9}, 0.02, 0.05, 0.6}}}};
+  options.inherit_surface = false;
+  return make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 4), options);
+}
+
+TEST(LatticeNodes, every_corner_of_a_cell_is_there_once) {
+  const SpacingField field = nearly_even_field();
+  std::set<std::array<std::int32_t, 3>> there;
+  const auto all = field.lattice_nodes(box);
+  for (const LatticeNode& node : all) EXPECT_TRUE(there.insert(node.grid).second);
+  std::set<std::int32_t> sizes;
+  for (const LatticeNode& node : all) {
+    const std::int32_t half = node.cell_size() / 2;
+    if ((node.grid[0] & half) == 0) continue;  // no centre
+    sizes.insert(node.cell_size());
+    for (int k = 0; k < 8; ++k) {
+      auto corner = node.grid;
+      Vec3 at = node.at;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int sign = (k >> axis & 1) != 0 ? 1 : -1;
+        corner[axis] += sign * half;
+        at[static_cast<int>(axis)] += sign * 0.5 * node.cell_edge;
+      }
+      if (std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) > 0.999) continue;
+      EXPECT_TRUE(there.contains(corner));
+    }
+  }
+  EXPECT_GE(sizes.size(), 3U);
+}
+
 /// The choice of sample_lattice, made of a list of all nodes.
 std::vector<LatticeNode> chosen_of(const std::vector<LatticeNode>& all, std::size_t most) {
   const auto scattered = [](std::uint64_t x) {
@@ -142,11 +177,7 @@ TEST(LatticeSample, nodes_that_are_passed_over_count_as_if_each_were_looked_at) 
   expect_samples_of_the_definition(graded_field(), box);
   expect_samples_of_the_definition(SpacingField(0.02), {{0, 0, 0}, {1, 1, 1}});
   expect_samples_of_the_definition(SpacingField(0.02), {{0.1, 0.2, 0.3}, {0.37, 1, 0.9}});
-  SpacingOptions nearly_even;
-  nearly_even.background = 0.05;
-  nearly_even.sources = {{{{{0.9, 0.9, 0.9}, 0.02, 0.05, 0.2}}}};
-  expect_samples_of_the_definition(
-      make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 8), nearly_even), box);
+  expect_samples_of_the_definition(nearly_even_field(), box);
 }
 
 TEST(LatticeSample, is_not_always_the_same_corner_of_a_block_of_cells) {
