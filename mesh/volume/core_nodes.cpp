@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
@@ -101,41 +102,48 @@ struct NearTriangle {
   }
 };
 
-/// Drops the candidates with a boundary triangle nearer than core_reach: triangle by triangle.
+/// Drops the candidates with a boundary triangle nearer than core_reach. The triangles near a block
+/// are found once for all its nodes.
 class Clearance {
  public:
   explicit Clearance(const Subdomain& subdomain)
       : subdomain_(subdomain), boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {}
 
-  void keep_clear(Candidates& candidates) const {
+  void keep_clear(Candidates& candidates) {
     if (candidates.size() == 0) return;
     const double reach = core_reach * candidates.cell_edge;
     Box3 box;
     for (const Vec3& p : candidates.at) box.add(p);
     box.low -= Vec3{reach, reach, reach};
     box.high += Vec3{reach, reach, reach};
-    boundary_.any(box, [&](std::int32_t i) {
+    triangles_.clear();
+    boundary_.query(box, [&](std::int32_t i) {
       const auto& [a, b, c] = subdomain_.triangles[at(i)];
-      drop_near({subdomain_.vertices[at(a)], subdomain_.vertices[at(b)], subdomain_.vertices[at(c)],
-                 reach},
-                reach, candidates);
-      return candidates.size() == 0;
+      triangles_.emplace_back(subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
+                              subdomain_.vertices[at(c)], reach);
     });
+    for (std::size_t i = candidates.size(); i-- > 0;) {
+      if (is_near_any(candidates.at[i], reach)) candidates.drop(i);
+    }
   }
 
  private:
-  static void drop_near(const NearTriangle& triangle, double reach, Candidates& candidates) {
-    for (std::size_t i = candidates.size(); i-- > 0;) {
-      const Vec3& p = candidates.at[i];
-      if (triangle.may_be_near(p) &&
-          is_nearer_to_triangle(p, triangle.a, triangle.b, triangle.c, reach)) {
-        candidates.drop(i);
+  /// What is near comes first for the next node, which is a neighbour.
+  bool is_near_any(const Vec3& p, double reach) {
+    for (NearTriangle& triangle : triangles_) {
+      if (!triangle.may_be_near(p) ||
+          !is_nearer_to_triangle(p, triangle.a, triangle.b, triangle.c, reach)) {
+        continue;
       }
+      std::swap(triangle, triangles_.front());
+      return true;
     }
+    return false;
   }
 
   const Subdomain& subdomain_;
   BoxTree boundary_;
+  std::vector<NearTriangle> triangles_;
 };
 
 }  // namespace
@@ -151,7 +159,7 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
             : 0;
   }
   std::vector<std::uint8_t> is_core(nodes.size(), 0);
-  const Clearance clearance(subdomain);
+  Clearance clearance(subdomain);
   Candidates candidates;
   for (std::int32_t first = 0; first < grid.slot_count(); first += LatticeGrid::slots_in_block) {
     candidates.clear();
