@@ -91,6 +91,8 @@ std::string defects_file(const std::string& asked, const std::string& job) {
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
+  if (!options.store.empty()) return check_store_command(options);
+  if (options.input.empty()) throw UsageError("name a surface, a job file, or --store", "check");
   RunOptions job_options;
   job_options.input = options.input;
   const JobInput input = read_job(job_options);

@@ -88,6 +88,7 @@ class Parser {
     app_.footer(exit_codes);
     add_run();
     add_check();
+    add_gc();
     add_plan();
     add_quality();
     add_render();
@@ -150,11 +151,31 @@ class Parser {
   void add_check() {
     CLI::App& sub = add("check", "Say whether a surface can be meshed, and what is wrong where",
                         "tetfarm check wing.stl", check_);
-    sub.add_option("INPUT", check_.input, "A surface or a job.toml")->required();
+    CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job.toml");
+    CLI::Option* store =
+        sub.add_option("--store", check_.store,
+                       "Instead: are the files of this store (or folder of a run) there and whole?")
+            ->option_text("DIR")
+            ->excludes(input);
+    sub.add_option("--database", check_.database, "Folder of the store's database")
+        ->option_text("DIR")
+        ->needs(store);
     sub.add_option("-o,--output", check_.defects_file,
                    "Where the bad triangles go (NAME.defects.vtp)")
         ->option_text("FILE");
     add_json(sub, check_.json);
+  }
+
+  void add_gc() {
+    CLI::App& sub = add("gc", "Remove from a store what no job needs; no coordinator may run on it",
+                        "tetfarm gc /shared/farm --dry-run", gc_);
+    sub.add_option("STORE", gc_.store, "A store, or the folder of a run")->required();
+    sub.add_option("--database", gc_.database, "Folder of its database (default: the store)")
+        ->option_text("DIR");
+    sub.add_flag("--dry-run", gc_.dry_run, "Only say what would be removed");
+    sub.add_flag("--all-finished", gc_.all_finished,
+                 "Of finished jobs keep the results and what they were made from only");
+    add_json(sub, gc_.json);
   }
 
   void add_plan() {
@@ -375,6 +396,7 @@ class Parser {
   Command command_;
   RunOptions run_;
   CheckOptions check_;
+  GcCommand gc_;
   PlanCommand plan_;
   QualityOptions quality_;
   RenderCommand render_;

@@ -36,6 +36,8 @@ struct RunOptions {
 struct CheckOptions {
   std::string input;
   std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
+  std::string store;         ///< instead of an input: a store or the folder of a run
+  std::string database;      ///< of the store: the folder of its database, "": the store
   bool json = false;
 };
 
@@ -138,6 +140,15 @@ struct WorkerCommand {
   bool quiet = false;
 };
 
+/// Removes from a store what no job needs.
+struct GcCommand {
+  std::string store;     ///< or the folder of a run
+  std::string database;  ///< "": the store
+  bool dry_run = false;
+  bool all_finished = false;  ///< of done jobs only the results and their inputs stay
+  bool json = false;
+};
+
 struct KeysCommand {
   enum class Action { make, authorize, revoke, list };
   Action action = Action::list;
@@ -161,7 +172,7 @@ struct NothingToDo {
 using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
                              RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
                              RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                             WorkerCommand, KeysCommand, TaskCommand>;
+                             WorkerCommand, GcCommand, KeysCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

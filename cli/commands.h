@@ -13,6 +13,9 @@ namespace tetfarm {
 ExitCode run_command(const RunOptions& options);
 
 ExitCode check_command(const CheckOptions& options);
+/// The same command with --store: rows against files. Never changes anything.
+ExitCode check_store_command(const CheckOptions& options);
+ExitCode gc_command(const GcCommand& command);
 
 /// Reads and checks the surface, then prints the tree and the cost of each task.
 ExitCode plan_command(const PlanCommand& command);

@@ -45,6 +45,7 @@ struct Execute {
   }
   ExitCode operator()(const RunOptions& options) const { return run_command(options); }
   ExitCode operator()(const CheckOptions& options) const { return check_command(options); }
+  ExitCode operator()(const GcCommand& command) const { return gc_command(command); }
   ExitCode operator()(const PlanCommand& command) const { return plan_command(command); }
   ExitCode operator()(const QualityOptions& options) const { return quality_command(options); }
   ExitCode operator()(const RenderCommand& command) const { return render_command(command); }

@@ -94,6 +94,21 @@ std::optional<wire::JobStatus> work(const RunOptions& options, const std::filesy
   }
 }
 
+/// Result files that were damaged since they were made; whether there were any. They are set aside,
+/// so that the job makes them again.
+bool set_damaged_aside(const wire::JobStatus& status, const ArtifactStore& store) {
+  bool is_damaged = false;
+  for (const wire::Artifact& file : status.files()) {
+    try {
+      store.verify(file.hash(), file.size());
+    } catch (const CorruptFile&) {
+      store.set_aside(file.hash());
+      is_damaged = true;
+    }
+  }
+  return is_damaged;
+}
+
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
@@ -105,7 +120,10 @@ ExitCode run_command(const RunOptions& options) {
   make_folders(store);
   wire::Submit submit = publish_job(ArtifactStore(store), input);
   submit.set_replaces_others(true);
-  const std::optional<wire::JobStatus> end = work(options, store, submit);
+  std::optional<wire::JobStatus> end = work(options, store, submit);
+  if (end && end->state() == "done" && set_damaged_aside(*end, ArtifactStore(store))) {
+    end = work(options, store, submit);
+  }
   if (!end) {
     std::fprintf(stderr, "stopped at a checkpoint\nhelp: the same command goes on from here\n");
     return ExitCode::stopped_at_checkpoint;

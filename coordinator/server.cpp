@@ -21,6 +21,7 @@
 #include "coordinator/job_state.h"
 #include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/space_watch.h"
 #include "coordinator/start_rules.h"
 #include "coordinator/surface_roots.h"
 #include "proto/peer_security.h"
@@ -111,7 +112,8 @@ class Server {
                   .lease_ms = options.lease_ms,
                   .max_workers = options.max_workers},
                  refusals_),
-        files_(store_) {
+        files_(store_),
+        space_(options.store, database_folder(options.store, options.database)) {
     rules_.lease_ms = options.lease_ms;
     rules_.least_limit_ms = options.task_limit_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
@@ -214,6 +216,7 @@ class Server {
 
   void turn() {
     receive();
+    watch_space();
     state_->tick(now());
     handler_.carry_out(*state_, now());
     const ChangeSet changes = state_->take_changes();
@@ -227,6 +230,15 @@ class Server {
     move_files();
     handler_.answer_questions(*state_, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
+  }
+
+  void watch_space() {
+    try {
+      const std::string trouble = space_.trouble(*state_, now());
+      if (!trouble.empty()) state_->out_of_resources(trouble, now());
+    } catch (const IoError& error) {
+      log_.warn("{}", error.what());
+    }
   }
 
   /// After the commit: an attempt whose end is not durable may still bring its files.
@@ -339,6 +351,7 @@ class Server {
   zmq::socket_t socket_;
   RequestHandler handler_;
   FileThread files_;
+  SpaceWatch space_;
   std::unique_ptr<JobState> state_;
   std::vector<std::string> endpoints_;
   std::string commit_trouble_;

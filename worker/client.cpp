@@ -24,6 +24,7 @@ namespace {
 constexpr std::int64_t first_hello_again_ms = 20;
 constexpr std::int64_t slowest_hello_again_ms = 5'000;
 constexpr std::int64_t result_again_ms = 1'000;
+constexpr std::int64_t room_again_ms = 1'000;
 constexpr std::int64_t tick_ms = 100;
 constexpr std::int64_t flag_tick_ms = 10;
 constexpr int linger_ms = 500;
@@ -111,8 +112,14 @@ class Client {
     send(envelope);
   }
 
+  /// Who has no room for a task's files waits until there is some.
   void say_ready_or_leave() {
     wire::Envelope envelope;
+    ready_at_ = 0;
+    if (!draining_ && !sees_store_ && !files_.has_room()) {
+      ready_at_ = steady_ms() + room_again_ms;
+      return;
+    }
     if (draining_) {
       envelope.mutable_goodbye();
       finished_ = true;
@@ -272,8 +279,16 @@ class Client {
     failed.set_may_retry(true);
     failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
     if (!damaged_input.empty()) failed.add_damaged_inputs(damaged_input);
+    blame_own_disk(failed);
     files_.forget_task();
     send_result();
+  }
+
+  /// A full disk of this worker alone must not stop the others: the task goes elsewhere.
+  void blame_own_disk(wire::Failed& failed) const {
+    if (!is_apart_ || !failed.out_of_resources()) return;
+    failed.set_out_of_resources(false);
+    failed.set_killed(true);
   }
 
   template <class Action>
@@ -323,6 +338,7 @@ class Client {
     unaccepted_ = std::move(outcome);
     if (is_apart_) with_files([&] { files_.send_outputs(*unaccepted_); });
     if (unaccepted_->has_failed()) {
+      blame_own_disk(*unaccepted_->mutable_failed());
       spdlog::warn("task {} attempt {}: {}", task_, attempt_, unaccepted_->failed().message());
     }
     send_result();
@@ -351,6 +367,7 @@ class Client {
       spdlog::warn("the coordinator is silent; connecting anew");
       return connect();
     }
+    if (ready_at_ > 0 && now >= ready_at_ && is_idle()) say_ready_or_leave();
     if (now >= heartbeat_at_) {
       heartbeat_at_ = now + heartbeat_ms_;
       wire::Envelope envelope;
@@ -394,6 +411,7 @@ class Client {
   std::int64_t lease_ms_ = 10'000;
   std::int64_t heartbeat_at_ = 0;
   std::int64_t result_at_ = 0;
+  std::int64_t ready_at_ = 0;  ///< to look for room again; 0: there is some
   std::int64_t drain_until_ = 0;
   std::int64_t limit_ms_ = 0;
   std::int64_t assigned_at_ = 0;

@@ -1,12 +1,31 @@
 #include "worker/file_exchange.h"
 
+#include <spdlog/spdlog.h>
+
 #include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "store/disk_room.h"
 
 namespace tetfarm {
 
 TaskCache& FileExchange::cache() {
   if (!cache_) cache_.emplace(folder_, max_bytes_);
   return *cache_;
+}
+
+bool FileExchange::has_room() {
+  bool has_room = true;
+  try {
+    has_room = disk_room(folder_).has(0);
+  } catch (const IoError& error) {
+    spdlog::warn("{}", error.what());
+  }
+  if (std::exchange(had_room_, has_room) && !has_room) {
+    spdlog::warn("{}: the disk is full; no task is taken until there is room", folder_.string());
+  }
+  return has_room;
 }
 
 void FileExchange::fetch_inputs(const wire::Assign& assign) {

@@ -22,6 +22,9 @@ class FileExchange {
   /// The worker's own store, where its tasks run. @throws IoError.
   const ArtifactStore& store() { return cache().store(); }
 
+  /// Whether the disk has any; says so once when it has not.
+  bool has_room();
+
   /// @throws IoError.
   void fetch_inputs(const wire::Assign& assign);
   /// Of a Done or a Failed. Inputs that the task found damaged are fetched anew the next time.
@@ -46,6 +49,7 @@ class FileExchange {
 
   std::filesystem::path folder_;
   std::uint64_t max_bytes_;
+  bool had_room_ = true;
   std::optional<TaskCache> cache_;
   std::optional<InputFetch> fetch_;
   std::optional<OutputUpload> upload_;

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/file_system.h"
+#include "cli/commands.h"
+#include "coordinator/start_rules.h"
+#include "store/folder_lock.h"
+#include "store/garbage.h"
+#include "store/job_database.h"
+#include "store/store_check.h"
+
+namespace tetfarm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* database_file = "tetfarm.db";
+
+/// The store itself, or the one in the folder of a run.
+std::filesystem::path store_in(const std::filesystem::path& folder) {
+  const std::filesystem::path of_a_run = folder / ".tetfarm";
+  return size_of_file(of_a_run / "store_id") ? of_a_run : folder;
+}
+
+DurableState rows_of(const std::filesystem::path& store, const std::string& database) {
+  return JobDatabase::open_to_read(database_folder(store, database) / database_file).load();
+}
+
+std::string task_text(const TaskRow& task) {
+  const std::string place = task.path == 0 ? "" : " of sub-domain " + std::to_string(task.path);
+  return "task " + std::to_string(task.id.value) + " of " + job_name(task.job) + " (" +
+         name_of(task.kind) + place + ")";
+}
+
+Json json_of(const StoreReport& report, const DurableState& rows) {
+  Json json = {{"type", "store_check"},           {"files", report.files},
+               {"sound", report.damaged.empty()}, {"damaged", Json::array()},
+               {"redo", Json::array()},           {"hopeless", Json::array()}};
+  for (const DamagedFile& file : report.damaged) {
+    Json makers = Json::array();
+    for (const TaskId maker : file.makers) makers.push_back(maker.value);
+    json["damaged"].push_back({{"hash", file.file.hash},
+                               {"name", file.file.name},
+                               {"size", file.file.size},
+                               {"state", name_of(file.state)},
+                               {"needed", file.is_needed},
+                               {"made_by", makers}});
+  }
+  for (const TaskId id : report.redone) {
+    const TaskRow& task = rows.tasks.at(id);
+    json["redo"].push_back({{"job", job_name(task.job)},
+                            {"task", id.value},
+                            {"kind", name_of(task.kind)},
+                            {"path", task.path}});
+  }
+  for (const JobId id : report.hopeless) json["hopeless"].push_back(job_name(id));
+  return json;
+}
+
+void print(const StoreReport& report, const DurableState& rows) {
+  std::printf("files           %zu, %zu damaged\n", report.files, report.damaged.size());
+  for (const DamagedFile& damaged : report.damaged) {
+    std::printf("%s  '%s' is %s", damaged.file.hash.c_str(), damaged.file.name.c_str(),
+                name_of(damaged.state));
+    if (!damaged.is_needed) std::printf("; nothing needs it now");
+    std::printf("\n");
+  }
+  for (const TaskId id : report.redone) {
+    std::printf("would run again  %s\n", task_text(rows.tasks.at(id)).c_str());
+  }
+  for (const JobId id : report.hopeless) {
+    std::printf("%s has lost its own input: submit it again\n", job_name(id).c_str());
+  }
+}
+
+}  // namespace
+
+ExitCode check_store_command(const CheckOptions& options) {
+  const ArtifactStore store = ArtifactStore::open_existing(store_in(options.store));
+  const DurableState rows = rows_of(store.folder(), options.database);
+  const StoreReport report = check_store(rows, look_into(store, true));
+  if (options.json) {
+    std::printf("%s\n", json_of(report, rows).dump().c_str());
+  } else {
+    print(report, rows);
+  }
+  if (report.damaged.empty()) return ExitCode::ok;
+  throw Error(ExitCode::failed, std::to_string(report.damaged.size()) +
+                                    " files of the store are damaged or missing; " +
+                                    std::to_string(report.redone.size()) +
+                                    " tasks would run again when they are read");
+}
+
+ExitCode gc_command(const GcCommand& command) {
+  const ArtifactStore store = ArtifactStore::open_existing(store_in(command.store));
+  const FolderLock lock = FolderLock::of_store(store.folder());
+  const DurableState rows = rows_of(store.folder(), command.database);
+  const Garbage garbage =
+      find_garbage(store, needed_files(rows, command.all_finished), untouchable_since_ms(rows));
+  if (!command.dry_run) remove_garbage(store, garbage);
+  if (command.json) {
+    const Json json = {{"type", "gc"},
+                       {"dry_run", command.dry_run},
+                       {"files", garbage.files.size()},
+                       {"bytes", garbage.bytes},
+                       {"perhaps_being_written", garbage.too_young}};
+    std::printf("%s\n", json.dump().c_str());
+    return ExitCode::ok;
+  }
+  if (command.dry_run) {
+    for (const auto& file : garbage.files) std::printf("%s\n", file.c_str());
+  }
+  std::printf("%zu files, %llu bytes %s\n", garbage.files.size(),
+              static_cast<unsigned long long>(garbage.bytes),
+              command.dry_run ? "would be removed" : "removed");
+  if (garbage.too_young > 0) {
+    std::printf("%zu stay: attempts that run may be writing them\n", garbage.too_young);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,75 @@
+#include "coordinator/space_watch.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <utility>
+
+#include "store/disk_room.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t look_again_ms = 500;
+/// Of a tet, with the nodes inside; store/formats.md.
+constexpr std::uint64_t bytes_per_element = 20;
+
+std::uint64_t sum(const std::vector<ArtifactRef>& files) {
+  std::uint64_t bytes = 0;
+  for (const ArtifactRef& file : files) bytes += file.size;
+  return bytes;
+}
+
+/// Estimated elements of a task that has such a parameter; 0 of others.
+std::uint64_t work_of(const TaskRow& task) {
+  const auto found = task.parameters.find("work");
+  std::uint64_t work = 0;
+  if (found == task.parameters.end()) return work;
+  std::from_chars(found->second.data(), found->second.data() + found->second.size(), work);
+  return work;
+}
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
+
+}  // namespace
+
+std::uint64_t expected_bytes(const DurableState& state, std::size_t workers) {
+  std::map<std::pair<JobId, TaskKind>, std::uint64_t> largest;
+  for (const auto& [id, task] : state.tasks) {
+    if (task.state != TaskState::done) continue;
+    std::uint64_t& bytes = largest[{task.job, task.kind}];
+    bytes = std::max(bytes, sum(task.outputs));
+  }
+  std::uint64_t expected = 0;
+  std::size_t next = 0;
+  for (const auto& [id, task] : state.tasks) {
+    const bool is_ready = task.state == TaskState::ready &&
+                          state.jobs.at(task.job).phase == JobPhase::running && next < workers;
+    if (!is_ready && task.state != TaskState::leased) continue;
+    if (is_ready) ++next;
+    const auto known = largest.find({task.job, task.kind});
+    const bool by_work = task.kind == TaskKind::mesh && work_of(task) > 0;
+    expected += known != largest.end() ? known->second
+                : by_work              ? bytes_per_element * work_of(task)
+                                       : 2 * sum(task.inputs);
+  }
+  return expected;
+}
+
+std::string SpaceWatch::trouble(const JobState& state, Moment now) {
+  if (now.steady_ms < next_look_ms_) return "";
+  next_look_ms_ = now.steady_ms + look_again_ms;
+  const std::uint64_t wanted = expected_bytes(state.durable(), state.worker_count());
+  const DiskRoom room = disk_room(store_);
+  if (wanted > 0 && !room.has(wanted)) {
+    return store_.string() + ": " + mebibytes(room.free_bytes) + " free, " + mebibytes(wanted) +
+           " wanted for what runs and comes next, " + mebibytes(room.reserve()) + " kept back";
+  }
+  const DiskRoom own = disk_room(database_);
+  if (wanted > 0 && !own.has(0)) {
+    return database_.string() + ": " + mebibytes(own.free_bytes) + " free for the database";
+  }
+  return "";
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,34 @@
+/// Is there room in the store for what runs and for what would be handed out next? Work whose
+/// result cannot be stored is work lost.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "coordinator/job_state.h"
+
+namespace tetfarm {
+
+/// Bytes that the running tasks, and the next ready one for each of so many workers, are expected
+/// to write: as much as the largest result of their kind in their job so far; where there is none,
+/// by the estimated elements, or twice what they read. Cost: one pass over the tasks.
+std::uint64_t expected_bytes(const DurableState& state, std::size_t workers);
+
+class SpaceWatch {
+ public:
+  SpaceWatch(std::filesystem::path store, std::filesystem::path database)
+      : store_(std::move(store)), database_(std::move(database)) {}
+
+  /// What is wrong, for people; "": there is room, or it was looked at a moment ago.
+  /// @throws IoError.
+  std::string trouble(const JobState& state, Moment now);
+
+ private:
+  std::filesystem::path store_;
+  std::filesystem::path database_;
+  std::int64_t next_look_ms_ = 0;
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,62 @@
+#include "coordinator/space_watch.h"
+
+#include <gtest/gtest.h>
+
+#include "store/disk_room.h"
+
+namespace tetfarm {
+namespace {
+
+class ExpectedBytes : public testing::Test {
+ protected:
+  ExpectedBytes() { state_.jobs[JobId{1}].id = JobId{1}; }
+  TaskRow& add(TaskKind kind, TaskState state, std::uint64_t in, std::uint64_t out) {
+    const TaskId id{state_.tasks.size() + 1};
+    TaskRow& task = state_.tasks[id];
+    task.id = id;
+    task.job = JobId{1};
+    task.kind = kind;
+    task.state = state;
+    task.inputs = {{"in", "", in}};
+    if (out > 0) task.outputs = {{"out", "", out}};
+    return task;
+  }
+  DurableState state_;
+};
+
+TEST_F(ExpectedBytes, are_those_of_the_largest_of_its_kind) {
+  add(TaskKind::decompose, TaskState::done, 10, 100);
+  add(TaskKind::decompose, TaskState::done, 10, 300);
+  EXPECT_EQ(expected_bytes(state_, 5), 0U) << "nothing runs";
+  add(TaskKind::decompose, TaskState::leased, 10, 0);
+  EXPECT_EQ(expected_bytes(state_, 5), 300U);
+}
+
+TEST_F(ExpectedBytes, of_the_first_of_a_kind_are_twice_what_it_reads_or_follow_its_elements) {
+  add(TaskKind::extract, TaskState::leased, 50, 0);
+  EXPECT_EQ(expected_bytes(state_, 0), 100U);
+  add(TaskKind::mesh, TaskState::leased, 50, 0).parameters["work"] = "1000";
+  EXPECT_EQ(expected_bytes(state_, 0), 20'100U);
+}
+
+TEST_F(ExpectedBytes, of_ready_tasks_count_for_as_many_as_there_are_workers) {
+  for (int i = 0; i < 5; ++i) add(TaskKind::extract, TaskState::ready, 50, 0);
+  EXPECT_EQ(expected_bytes(state_, 2), 200U);
+  state_.jobs[JobId{1}].phase = JobPhase::cancelled;
+  EXPECT_EQ(expected_bytes(state_, 2), 0U);
+}
+
+TEST(DiskRoom, keeps_some_back_but_of_a_small_disk_little) {
+  const DiskRoom small{.free_bytes = 500, .total_bytes = 2000};
+  EXPECT_TRUE(small.has(400));
+  EXPECT_FALSE(small.has(401));
+  const DiskRoom large{.free_bytes = std::uint64_t{100} << 20U,
+                       .total_bytes = std::uint64_t{1} << 40U};
+  EXPECT_TRUE(large.has(std::uint64_t{36} << 20U));
+  EXPECT_FALSE(large.has(std::uint64_t{37} << 20U));
+  EXPECT_TRUE((DiskRoom{.free_bytes = 0, .total_bytes = 0}).has(1)) << "nothing is known";
+  EXPECT_GT(disk_room("/tmp/not there yet/nor this").total_bytes, 0U);
+}
+
+}  // namespace
+}  // namespace tetfarm

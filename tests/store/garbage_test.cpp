@@ -1,0 +1,130 @@
+#include "store/garbage.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "base/file_system.h"
+#include "base/hash.h"
+#include "store/store_check.h"
+#include "tests/base/temp_folder.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+constexpr std::int64_t nobody_runs = std::numeric_limits<std::int64_t>::max();
+
+/// One job: inspect makes "root" of "surface", mesh makes "mesh" of "root", assemble "result" of
+/// "mesh".
+class StoreRows : public testing::Test {
+ protected:
+  StoreRows() {
+    state_.jobs[JobId{1}].phase = JobPhase::done;
+    add(1, TaskKind::inspect, "surface", "root");
+    add(2, TaskKind::mesh, "root", "mesh");
+    add(3, TaskKind::assemble, "mesh", "result");
+  }
+  ArtifactRef file(const std::string& name) const {
+    return {name, hash128(name).hex(), name.size()};
+  }
+  void add(std::uint64_t id, TaskKind kind, const std::string& in, const std::string& out) {
+    TaskRow& task = state_.tasks[TaskId{id}];
+    task.id = TaskId{id};
+    task.job = JobId{1};
+    task.kind = kind;
+    task.state = TaskState::done;
+    task.inputs = {file(in)};
+    task.outputs = {file(out)};
+    store_.publish(in);
+    store_.publish(out);
+  }
+  std::set<std::string> kept(bool all_finished) const {
+    std::set<std::string> names;
+    const std::set<std::string> needed = needed_files(state_, all_finished);
+    for (const char* name : {"surface", "root", "mesh", "result"}) {
+      if (needed.contains(hash128(name).hex())) names.insert(name);
+    }
+    return names;
+  }
+  StoreReport check() const { return check_store(state_, look_into(store_, true)); }
+  void break_file(const std::string& name) const {
+    write_file_atomically(store_.path_of(file(name).hash), std::string(name.size(), 'x'));
+  }
+
+  TempFolder folder_;
+  ArtifactStore store_{folder_.path()};
+  DurableState state_;
+};
+
+TEST_F(StoreRows, a_done_job_needs_its_ends_and_unless_told_otherwise_its_middle) {
+  EXPECT_THAT(kept(false), UnorderedElementsAre("surface", "root", "mesh", "result"));
+  EXPECT_THAT(kept(true), UnorderedElementsAre("surface", "result"));
+  state_.jobs[JobId{1}].phase = JobPhase::running;
+  EXPECT_THAT(kept(true), UnorderedElementsAre("surface", "root", "mesh", "result"));
+  state_.jobs[JobId{1}].phase = JobPhase::failed;
+  EXPECT_THAT(kept(true), UnorderedElementsAre("surface", "root", "mesh", "result"));
+  state_.jobs[JobId{1}].phase = JobPhase::cancelled;
+  EXPECT_THAT(kept(false), IsEmpty());
+}
+
+TEST_F(StoreRows, removes_what_is_not_needed_and_nothing_else) {
+  const auto leftover = store_.publish("of an attempt that came too late");
+  write_file_atomically(store_.scratch_path("half"), "half a file");
+  store_.set_aside(file("root").hash);
+  write_file_atomically(store_.path_of(file("mesh").hash).string() + ".1.ab.tmp", "unfinished");
+  const Garbage garbage = find_garbage(store_, needed_files(state_, false), nobody_runs);
+  EXPECT_EQ(garbage.files.size(), 4U);
+  remove_garbage(store_, garbage);
+  EXPECT_FALSE(store_.has(leftover.hash, leftover.size));
+  EXPECT_EQ(count_files(store_.folder()), 4U) << "three artifacts and the store's id";
+  EXPECT_FALSE(std::filesystem::exists(store_.folder() / "damaged"));
+  EXPECT_THAT(find_garbage(store_, needed_files(state_, false), nobody_runs).files, IsEmpty());
+}
+
+TEST_F(StoreRows, what_a_running_attempt_may_be_writing_stays) {
+  store_.publish("being made");
+  AttemptRow attempt;
+  attempt.started_ms = 5'000'000;
+  state_.running_attempts[AttemptId{1}] = attempt;
+  const std::int64_t since = untouchable_since_ms(state_);
+  EXPECT_LT(since, attempt.started_ms) << "clocks differ";
+  const Garbage garbage = find_garbage(store_, needed_files(state_, false), since);
+  EXPECT_THAT(garbage.files, IsEmpty());
+  EXPECT_EQ(garbage.too_young, 1U);
+}
+
+TEST_F(StoreRows, a_sound_store_has_nothing_to_redo) {
+  const StoreReport report = check();
+  EXPECT_EQ(report.files, 4U);
+  EXPECT_THAT(report.damaged, IsEmpty());
+  EXPECT_THAT(report.redone, IsEmpty());
+}
+
+TEST_F(StoreRows, what_is_damaged_in_the_middle_of_a_done_job_is_redone_only_with_its_result) {
+  break_file("mesh");
+  EXPECT_EQ(check().damaged.at(0).state, FileState::wrong_bytes);
+  EXPECT_FALSE(check().damaged.at(0).is_needed);
+  EXPECT_THAT(check().redone, IsEmpty());
+  remove_file(store_.path_of(file("result").hash));
+  EXPECT_THAT(check().redone, ElementsAre(TaskId{2}, TaskId{3}));
+}
+
+TEST_F(StoreRows, a_running_job_redoes_what_its_next_tasks_read) {
+  state_.jobs[JobId{1}].phase = JobPhase::running;
+  state_.tasks[TaskId{3}].state = TaskState::ready;
+  write_file_atomically(store_.path_of(file("mesh").hash), "cut");
+  EXPECT_EQ(check().damaged.at(0).state, FileState::wrong_size);
+  EXPECT_THAT(check().redone, ElementsAre(TaskId{2}));
+  break_file("surface");
+  EXPECT_THAT(check().hopeless, IsEmpty()) << "nothing reads it again";
+  remove_file(store_.path_of(file("root").hash));
+  EXPECT_THAT(check().redone, ElementsAre(TaskId{1}, TaskId{2}));
+  EXPECT_THAT(check().hopeless, ElementsAre(JobId{1})) << "the root's maker needs it";
+}
+
+}  // namespace
+}  // namespace tetfarm
