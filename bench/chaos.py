@@ -9,7 +9,7 @@ happens: kill -9 and SIGSTOP of coordinator, workers and tasks, a full disk, art
 removed, the network cut. When a job is done before the faults are, the next round begins on an empty store.
 At the end of each round: the digest is the undisturbed one, no task was accepted twice (but for files that were
 lost), and nothing is left behind after `tetfarm gc`. Exits with 1 when any of that fails.
-Wants root (a small disk, a network). Linux only.
+Wants root (a small disk, a network). Linux only. $TETFARM names another program than the release build's.
 """
 
 import argparse
@@ -27,7 +27,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-TETFARM = ROOT / "build" / "release" / "bin" / "tetfarm"
+TETFARM = pathlib.Path(os.environ.get("TETFARM", ROOT / "build" / "release" / "bin" / "tetfarm"))
 PORT = 20000 + os.getpid() % 20000
 NETWORK = f"tfchaos{os.getpid() % 10000}"
 LEASE_MS = 3000
