@@ -1,8 +1,6 @@
 #include "mesh/volume/core_nodes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
 
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
@@ -55,95 +53,59 @@ bool has_equal_cells_at_corner(const LatticeGrid& grid, std::int32_t slot,
   return true;
 }
 
-/// The nodes of a block that would be core nodes, were they far from the boundary; all of them in
-/// cells of one size.
-struct Candidates {
-  std::vector<std::int32_t> nodes;
-  std::vector<Vec3> at;
-  double cell_edge = 0;
+Box3 box_round(const Vec3& p, double reach) {
+  const Vec3 d{reach, reach, reach};
+  return {p - d, p + d};
+}
 
-  void clear() {
-    nodes.clear();
-    at.clear();
-  }
-  void add(std::int32_t number, const LatticeNode& node) {
-    nodes.push_back(number);
-    at.push_back(node.at);
-    cell_edge = node.cell_edge;
-  }
-  std::size_t size() const { return nodes.size(); }
-  void drop(std::size_t i) {
-    nodes[i] = nodes.back();
-    at[i] = at.back();
-    nodes.pop_back();
-    at.pop_back();
-  }
-};
-
-/// A triangle, with what tells most nodes that they are far from it.
-struct NearTriangle {
-  Vec3 a, b, c;
-  Vec3 normal;
-  double largest_height = 0;  ///< over the plane, times the normal's length
-  Vec3 centre;
-  double farthest2 = 0;  ///< from the centre, squared
-
-  NearTriangle(const Vec3& a_, const Vec3& b_, const Vec3& c_, double reach)
-      : a(a_), b(b_), c(c_), normal(cross(b - a, c - a)), centre((a + b + c) / 3) {
-    // A little more than what is exactly meant: is_nearer_to_triangle has the last word.
-    constexpr double margin = 1 + 1e-9;
-    const double radius =
-        std::sqrt(std::max({norm2(a - centre), norm2(b - centre), norm2(c - centre)}));
-    largest_height = margin * reach * norm(normal);
-    farthest2 = margin * (reach + radius) * (reach + radius);
-  }
-  bool may_be_near(const Vec3& p) const {
-    return std::abs(dot(normal, p - a)) <= largest_height && norm2(p - centre) <= farthest2;
-  }
-};
-
-/// Drops the candidates with a boundary triangle nearer than core_reach. The triangles near a block
-/// are found once for all its nodes.
+/// Asks for whole blocks first: most are far from everything.
 class Clearance {
  public:
-  explicit Clearance(const Subdomain& subdomain)
-      : subdomain_(subdomain), boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {}
+  Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain)
+      : nodes_(nodes),
+        grid_(grid),
+        subdomain_(subdomain),
+        boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {}
 
-  void keep_clear(Candidates& candidates) {
-    if (candidates.size() == 0) return;
-    const double reach = core_reach * candidates.cell_edge;
+  void enter_block(std::int32_t first_slot) {
     Box3 box;
-    for (const Vec3& p : candidates.at) box.add(p);
-    box.low -= Vec3{reach, reach, reach};
-    box.high += Vec3{reach, reach, reach};
-    triangles_.clear();
-    boundary_.query(box, [&](std::int32_t i) {
-      const auto& [a, b, c] = subdomain_.triangles[at(i)];
-      triangles_.emplace_back(subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
-                              subdomain_.vertices[at(c)], reach);
-    });
-    for (std::size_t i = candidates.size(); i-- > 0;) {
-      if (is_near_any(candidates.at[i], reach)) candidates.drop(i);
+    for (std::int32_t slot = first_slot; slot < first_slot + LatticeGrid::slots_in_block; ++slot) {
+      for (const std::int32_t node : {grid_.centre(slot), grid_.low_corner(slot)}) {
+        if (node == LatticeGrid::none) continue;
+        const LatticeNode& n = nodes_[at(node)];
+        box.add(box_round(n.at, core_reach * n.cell_edge));
+      }
     }
+    block_is_clear_ = !boundary_.any(box, [](std::int32_t) { return true; });
+  }
+  bool is_clear(std::int32_t node) {
+    if (block_is_clear_) return true;
+    const Vec3& p = nodes_[at(node)].at;
+    const double reach = core_reach * nodes_[at(node)].cell_edge;
+    const auto is_near = [&](std::int32_t i) {
+      const auto& [a, b, c] = subdomain_.triangles[at(i)];
+      return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
+                                   subdomain_.vertices[at(c)], reach);
+    };
+    // What was too near to the nodes before is too near to many of their neighbours.
+    for (const std::int32_t i : too_near_) {
+      if (i >= 0 && is_near(i)) return false;
+    }
+    return !boundary_.any(box_round(p, reach), [&](std::int32_t i) {
+      if (!is_near(i)) return false;
+      too_near_[next_++ % too_near_.size()] = i;
+      return true;
+    });
   }
 
  private:
-  /// What is near comes first for the next node, which is a neighbour.
-  bool is_near_any(const Vec3& p, double reach) {
-    for (NearTriangle& triangle : triangles_) {
-      if (!triangle.may_be_near(p) ||
-          !is_nearer_to_triangle(p, triangle.a, triangle.b, triangle.c, reach)) {
-        continue;
-      }
-      std::swap(triangle, triangles_.front());
-      return true;
-    }
-    return false;
-  }
-
+  std::span<const LatticeNode> nodes_;
+  const LatticeGrid& grid_;
   const Subdomain& subdomain_;
   BoxTree boundary_;
-  std::vector<NearTriangle> triangles_;
+  bool block_is_clear_ = false;
+  std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
+  std::size_t next_ = 0;
 };
 
 }  // namespace
@@ -159,25 +121,20 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
             : 0;
   }
   std::vector<std::uint8_t> is_core(nodes.size(), 0);
-  Clearance clearance(subdomain);
-  Candidates candidates;
-  for (std::int32_t first = 0; first < grid.slot_count(); first += LatticeGrid::slots_in_block) {
-    candidates.clear();
-    const bool is_deep = is_in_deep_block(grid, first);
-    for (std::int32_t slot = first; slot < first + LatticeGrid::slots_in_block; ++slot) {
-      const std::int32_t centre = grid.centre(slot);
-      if (centre != LatticeGrid::none && across_faces[at(slot)] != 0 &&
-          (is_deep || has_equal_cells_around(grid, slot))) {
-        candidates.add(centre, nodes[at(centre)]);
-      }
-      const std::int32_t corner = grid.low_corner(slot);
-      if (corner != LatticeGrid::none &&
-          (is_deep || has_equal_cells_at_corner(grid, slot, across_faces))) {
-        candidates.add(corner, nodes[at(corner)]);
-      }
+  Clearance clearance(nodes, grid, subdomain);
+  for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
+    if (slot % LatticeGrid::slots_in_block == 0) clearance.enter_block(slot);
+    const bool is_deep = is_in_deep_block(grid, slot);
+    const std::int32_t centre = grid.centre(slot);
+    if (centre != LatticeGrid::none && across_faces[at(slot)] != 0 &&
+        (is_deep || has_equal_cells_around(grid, slot))) {
+      is_core[at(centre)] = clearance.is_clear(centre) ? 1 : 0;
     }
-    clearance.keep_clear(candidates);
-    for (const std::int32_t v : candidates.nodes) is_core[at(v)] = 1;
+    const std::int32_t corner = grid.low_corner(slot);
+    if (corner != LatticeGrid::none &&
+        (is_deep || has_equal_cells_at_corner(grid, slot, across_faces))) {
+      is_core[at(corner)] = clearance.is_clear(corner) ? 1 : 0;
+    }
   }
   return is_core;
 }
