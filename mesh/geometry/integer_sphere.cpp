@@ -40,12 +40,14 @@ bool make_whole(const std::array<double, 15>& from, Coordinates& to) {
   }
   if (first_bit - last_bit >= coordinate_bits) return false;
   for (std::size_t i = 0; i < from.size(); ++i) {
+    to[i] = 0;
+    if (from[i] == 0) continue;
     const auto bits = std::bit_cast<std::uint64_t>(from[i]);
     const int shift = exponent_of(bits) - last_bit;
     const std::uint64_t mantissa = mantissa_of(bits);
     const auto size =
         static_cast<std::int64_t>(shift >= 0 ? mantissa << shift : mantissa >> -shift);
-    to[i] = from[i] == 0 ? 0 : from[i] < 0 ? -size : size;
+    to[i] = from[i] < 0 ? -size : size;
   }
   return true;
 }
