@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <functional>
+#include <map>
 #include <thread>
 
+#include "store/job_database.h"
 #include "tests/system/farm_cases.h"
 
 namespace tetfarm {
@@ -33,10 +36,34 @@ class Daemon : public ::testing::Test {
         folder_.path());
   }
 
-  std::unique_ptr<Program> start_worker() {
-    return std::make_unique<Program>(
-        std::vector<std::string>{"worker", "--connect", endpoint_, "--store", "store"},
-        folder_.path());
+  std::unique_ptr<Program> start_worker(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"worker", "--connect", endpoint_, "--store", "store"};
+    words.insert(words.end(), more.begin(), more.end());
+    return std::make_unique<Program>(words, folder_.path());
+  }
+
+  static void pause_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
+
+  /// The process of the task that the worker runs, stopped: a task that takes as long as we like.
+  static pid_t stop_task_of(const Program& worker) {
+    for (int i = 0; i < 4000; ++i) {
+      const std::vector<pid_t> tasks = test::descendants(worker.process());
+      if (!tasks.empty() && ::kill(tasks.front(), SIGSTOP) == 0) return tasks.front();
+      pause_ms(5);
+    }
+    ADD_FAILURE() << "the worker runs no task";
+    return -1;
+  }
+
+  std::vector<AttemptRow> attempts() const {
+    return JobDatabase(folder_.path() / "store" / "tetfarm.db").history().attempts_of({}, {}, 1000);
+  }
+  bool comes_true(const std::function<bool(const std::vector<AttemptRow>&)>& wish) const {
+    for (int i = 0; i < 400; ++i) {
+      if (wish(attempts())) return true;
+      pause_ms(50);
+    }
+    return false;
   }
 
   Ended ask(std::vector<std::string> words) {
@@ -113,6 +140,70 @@ TEST_F(Daemon, a_worker_that_sleeps_past_its_lease_does_no_harm) {
   const Ended local = run_program(test::run_words(input, "local", 2), folder_.path());
   EXPECT_EQ(test::digest_of(ended), test::digest_of(local));
   EXPECT_TRUE(sleeper->is_running());
+}
+
+TEST_F(Daemon, a_result_that_was_made_while_the_coordinator_was_dead_is_kept_and_made_once) {
+  const auto worker = start_worker();
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
+  const pid_t task = stop_task_of(*worker);
+  coordinator_->signal(SIGKILL);
+  coordinator_->wait();
+  ::kill(task, SIGCONT);
+  for (int i = 0; i < 2000 && !test::descendants(worker->process()).empty(); ++i) pause_ms(10);
+  coordinator_ = start_coordinator(endpoint_);
+  const Ended ended = wait_for(job);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  std::map<std::uint64_t, int> task2attempts;
+  for (const AttemptRow& attempt : attempts()) {
+    EXPECT_EQ(++task2attempts[attempt.task.value], 1) << "task " << attempt.task.value;
+    EXPECT_EQ(attempt.state, AttemptState::done);
+  }
+}
+
+TEST_F(Daemon, a_zombies_result_is_refused_while_another_works_on_the_task) {
+  const std::string input = test::sphere_in_box(folder_.path(), 8, 2);
+  const auto zombie = start_worker();
+  const std::string job = submit(input);
+  const pid_t first = stop_task_of(*zombie);
+  zombie->signal(SIGSTOP);
+  const auto other = start_worker();
+  const pid_t second = stop_task_of(*other);  // once the lease of the first is lost
+  ::kill(first, SIGCONT);                     // it makes its result, and nobody hears of it yet
+  pause_ms(1500);
+  zombie->signal(SIGCONT);
+  pause_ms(1500);
+  ASSERT_TRUE(comes_true([](const auto& all) { return all.size() >= 2; }));
+  EXPECT_EQ(attempts()[0].state, AttemptState::lost);
+  EXPECT_EQ(attempts()[1].task, attempts()[0].task);
+  EXPECT_EQ(attempts()[1].state, AttemptState::running) << "the zombie's result was taken";
+  ::kill(second, SIGCONT);
+  const Ended ended = wait_for(job);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(attempts()[1].state, AttemptState::done);
+  const Ended local = run_program(test::run_words(input, "local", 2), folder_.path());
+  EXPECT_EQ(test::digest_of(ended), test::digest_of(local));
+}
+
+TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
+#endif
+  const auto small = start_worker({"--memory", "3MB"});
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
+  // Alone in the farm it has all the memory there is.
+  const Ended poor = wait_for(job);
+  EXPECT_EQ(poor.code, 6) << poor.err;
+  EXPECT_THAT(poor.err, HasSubstr("out of memory"));
+  const auto large = start_worker({"--memory", "2GB"});
+  EXPECT_EQ(ask({"retry", job}).code, 0);
+  const Ended ended = wait_for(job);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  bool is_starved = false;
+  for (const AttemptRow& attempt : attempts()) {
+    is_starved |= attempt.state == AttemptState::starved;
+    EXPECT_TRUE(attempt.state != AttemptState::done || attempt.memory_bytes > 3'000'000U);
+  }
+  EXPECT_TRUE(is_starved);
 }
 
 TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
