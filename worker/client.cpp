@@ -205,7 +205,6 @@ class Client {
 
   void take_welcome(const wire::Welcome& welcome) {
     registered_ = true;
-    probe_.remove();
     note_store(welcome.sees_store());
     hello_again_ms_ = first_hello_again_ms;
     heartbeat_ms_ = std::max<std::int64_t>(welcome.heartbeat_ms(), 10);
@@ -233,7 +232,6 @@ class Client {
       throw Error(ExitCode::failed, "the coordinator refuses this worker: " + refused.reason());
     }
     registered_ = false;
-    probe_.remove();
     say_hello();
   }
 

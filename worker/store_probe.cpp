@@ -15,16 +15,12 @@ constexpr std::size_t random_bytes = 16;
 
 bool StoreProbe::put_into(wire::Hello& hello, std::int64_t now_ms) {
   if (folder_.empty()) return true;
-  remove();
   try {
     const ArtifactStore store = ArtifactStore::open_existing(folder_);
-    const std::string name = random_hex(random_bytes);
-    const std::string text = random_hex(random_bytes);
-    write_file_atomically(probe_path(store, name), text);
-    file_ = probe_path(store, name);
+    if (file_.empty() || !size_of_file(file_)) make(store);
     hello.set_store_probe(store.probe());
-    hello.set_probe_file(name);
-    hello.set_probe_text(text);
+    hello.set_probe_file(name_);
+    hello.set_probe_text(text_);
     missed_since_ms_.reset();
     return true;
   } catch (const IoError& error) {
@@ -36,6 +32,13 @@ bool StoreProbe::put_into(wire::Hello& hello, std::int64_t now_ms) {
   }
 }
 
+void StoreProbe::make(const ArtifactStore& store) {
+  name_ = random_hex(random_bytes);
+  text_ = random_hex(random_bytes);
+  write_file_atomically(probe_path(store, name_), text_);
+  file_ = probe_path(store, name_);
+}
+
 void StoreProbe::remove() noexcept {
   if (file_.empty()) return;
   try {
@@ -43,7 +46,6 @@ void StoreProbe::remove() noexcept {
   } catch (const IoError& error) {
     spdlog::warn("{}", error.what());
   }
-  file_.clear();
 }
 
 }  // namespace tetfarm

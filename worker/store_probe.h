@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
@@ -18,18 +20,21 @@ class StoreProbe {
   StoreProbe(const StoreProbe&) = delete;
   StoreProbe& operator=(const StoreProbe&) = delete;
 
-  /// Makes a new file and names it in the message. Where there is no store yet, the message says so
-  /// once `patience_ms` are over since the first call; until then false: ask again later.
+  /// Names the file in the message. It stays while this lives: of Hellos that were repeated each
+  /// must find it. Where there is no store yet, the message says so once `patience_ms` are over
+  /// since the first call; until then false: ask again later.
   bool put_into(wire::Hello& hello, std::int64_t now_ms);
-
-  /// When the coordinator has answered.
-  void remove() noexcept;
 
   static constexpr std::int64_t patience_ms = 10'000;
 
  private:
+  void make(const ArtifactStore& store);
+  void remove() noexcept;
+
   std::filesystem::path folder_;
   std::filesystem::path file_;
+  std::string name_;
+  std::string text_;
   std::optional<std::int64_t> missed_since_ms_;
 };
 
