@@ -385,6 +385,13 @@ class Parser {
                     "It will be ended then (default: as the batch system says)")
         ->check(CLI::PositiveNumber)
         ->option_text("SECONDS");
+    worker.add_option("--tag", worker_.tag, "How the pool that submitted it knows it")
+        ->option_text("POOL/JOB");
+    worker
+        .add_option("--pool-memory", worker_.pool_memory_bytes,
+                    "The most that another worker of its pool can have: larger tasks wait for one")
+        ->transform(CLI::AsSizeValue(false))
+        ->option_text("SIZE");
     worker.add_flag("-q,--quiet", worker_.quiet, "Warnings only");
 
     CLI::App& task = add("task", "", "", task_);

@@ -137,6 +137,8 @@ struct WorkerCommand {
   double grace_s = 30;
   std::uint64_t memory_bytes = 0;  ///< 0: what the machine has
   double walltime_s = 0;           ///< 0: as the batch system says, if it does
+  std::string tag;
+  std::uint64_t pool_memory_bytes = 0;
   bool quiet = false;
 };
 

@@ -118,6 +118,12 @@ wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int
   return ask(question, timeout_ms).status_reply();
 }
 
+wire::StatusReply CoordinatorConnection::farm(std::int64_t timeout_ms) {
+  wire::Envelope question;
+  question.mutable_status_request()->set_farm_only(true);
+  return ask(question, timeout_ms).status_reply();
+}
+
 wire::Submitted CoordinatorConnection::submit(const wire::Submit& submit, std::int64_t timeout_ms) {
   wire::Envelope question;
   *question.mutable_submit() = submit;

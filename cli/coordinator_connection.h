@@ -25,6 +25,8 @@ class CoordinatorConnection {
   /// The jobs, one or ("") all. @throws Error (not_found) when no answer comes within timeout_ms,
   /// (failed) when the coordinator refuses.
   wire::StatusReply status(const std::string& job, std::int64_t timeout_ms);
+  /// Who works, and what waits for workers; no jobs.
+  wire::StatusReply farm(std::int64_t timeout_ms);
   wire::Submitted submit(const wire::Submit& submit, std::int64_t timeout_ms);
   wire::Cancelled cancel(const std::string& job, std::int64_t timeout_ms);
   wire::Retried retry(const wire::Retry& retry, std::int64_t timeout_ms);

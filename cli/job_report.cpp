@@ -327,6 +327,7 @@ std::string workers_text(const wire::StatusReply& reply) {
                    static_cast<unsigned long long>(worker.worker()), worker.host().c_str(),
                    static_cast<long long>(worker.process()),
                    static_cast<unsigned long long>(worker.memory_bytes() >> 20U));
+    if (!worker.tag().empty()) text += " (" + worker.tag() + ")";
     if (worker.task() != 0) {
       text += format(", task %llu", static_cast<unsigned long long>(worker.task()));
     }

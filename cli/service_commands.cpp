@@ -197,6 +197,8 @@ ExitCode worker_command(const WorkerCommand& command) {
   options.cache_bytes = command.cache_bytes;
   options.task_command = {"/proc/self/exe", "task"};
   options.memory_bytes = command.memory_bytes;
+  options.tag = command.tag;
+  options.pool_memory_bytes = command.pool_memory_bytes;
   const auto environment = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string(value == nullptr ? "" : value);

@@ -1,5 +1,6 @@
 /// JobState, the part about who is who: processes, their connections, and which attempts are
 /// theirs.
+#include <algorithm>
 #include <utility>
 
 #include "base/check.h"
@@ -35,7 +36,8 @@ WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId att
   row.seen_ms = now.wall_ms;
   workers_[id] = row;
   dirty_workers_[id] = row;
-  memories_.insert(row.memory_bytes);
+  sessions_[id].reach_bytes = std::max(info.memory_bytes, info.pool_memory_bytes);
+  memories_.insert(sessions_[id].reach_bytes);
   note_terms(id, info, now);
   new_events_.push_back({now.wall_ms,
                          {},
@@ -54,6 +56,7 @@ void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
   forget_process(worker);
   session.nonce = info.nonce;
   session.shares_memory = info.shares_memory;
+  session.tag = info.tag;
   session.ends_ms = info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0;
 }
 

@@ -14,13 +14,15 @@ std::int64_t JobState::limit_ms(const TaskRow& task) const {
   return std::max(rules_.least_limit_ms, rules_.limit_factor * expected_ms);
 }
 
-/// What a worker may use at most, of those that are here; 0 when that is not known.
+/// What a worker may use at most, of those that are here or that a pool of theirs can bring; 0 when
+/// that is not known.
 std::uint64_t JobState::largest_memory() const {
   return memories_.empty() ? 0 : *memories_.rbegin();
 }
 
 /// The room that a task is given: what it asked for after it was out of memory, or what its kind
-/// took before; never more than the largest worker has, so that there is always one to try it on.
+/// took before; never more than the largest worker has or can have, so that there will be one to
+/// try it on.
 std::uint64_t JobState::memory_for(const TaskRow& task) const {
   return std::min(std::max(task.memory_bytes, expectation_.bytes(task.kind)), largest_memory());
 }

@@ -70,6 +70,8 @@ struct WorkerInfo {
   std::string nonce = {};       ///< random, of this process: the same on each of its connections
   bool shares_memory = true;    ///< memory_bytes are the host's, not this worker's own
   std::int64_t ends_in_ms = 0;  ///< until its batch system ends it; 0: not known
+  std::string tag = {};         ///< of the pool that brought it
+  std::uint64_t pool_memory_bytes = 0;  ///< the most that another worker of its pool can have
 };
 
 struct TaskFailure {
@@ -103,6 +105,7 @@ struct WorkerAtWork {
   WorkerRow row;
   TaskId task;  ///< that it runs, 0: none
   bool drains = false;
+  std::string tag;  ///< of the pool that brought it
 };
 
 struct SendWelcome {
@@ -179,6 +182,10 @@ class JobState {
   const DurableState& durable() const { return durable_; }
   std::size_t worker_count() const { return sessions_.size(); }
   std::vector<WorkerAtWork> workers_at_work() const;
+  /// How many tasks would run if there were workers for them, by the memory that each wants (0: not
+  /// known): ready ones, and those that a running one brings beside the first. Cost: O(running and
+  /// ready tasks), at most O(sub-domains) for each job that joins or orders them.
+  std::map<std::uint64_t, std::uint64_t> demand() const;
   bool is_stuck() const { return stuck_delay_ms_ > 0; }
   const std::string& stuck_message() const { return stuck_message_; }
 
@@ -194,6 +201,8 @@ class JobState {
     std::string nonce;
     std::int64_t ends_ms = 0;  ///< 0: not known
     std::int64_t heard_ms = 0;
+    std::string tag;
+    std::uint64_t reach_bytes = 0;  ///< its memory, or what its pool can bring
   };
   using Offer = std::tuple<int, TaskId>;  ///< rank, task
   using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
@@ -236,6 +245,7 @@ class JobState {
 
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;
+  std::uint64_t tasks_brought_by(const TaskRow& running) const;
   std::uint64_t largest_memory() const;
   std::uint64_t memory_for(const TaskRow& task) const;
   std::uint64_t free_memory(WorkerId worker) const;
@@ -289,7 +299,7 @@ class JobState {
   std::map<WorkerId, Session> sessions_;
   std::map<std::string, WorkerId> process2worker_;    ///< by nonce; its newest connection
   std::map<std::string, AttemptId> process2attempt_;  ///< by nonce; running ones
-  std::multiset<std::uint64_t> memories_;             ///< of the workers that are here
+  std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools
   std::map<AttemptId, std::int64_t> lease_ends_ms_;
   std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
   std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first

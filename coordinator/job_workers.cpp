@@ -39,9 +39,9 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
                  lost ? "the worker was lost" : "handed back", now);
   }
   forget_process(worker);
+  memories_.erase(memories_.find(session->second.reach_bytes));
   sessions_.erase(worker);
   auto row = workers_.extract(worker);
-  memories_.erase(memories_.find(row.mapped().memory_bytes));
   row.mapped().gone = true;
   dirty_workers_[worker] = row.mapped();
   new_events_.push_back(
@@ -131,7 +131,7 @@ std::vector<WorkerAtWork> JobState::workers_at_work() const {
     const auto attempt = durable_.running_attempts.find(session.attempt);
     const TaskId task =
         attempt == durable_.running_attempts.end() ? TaskId{} : attempt->second.task;
-    all.push_back({workers_.at(id), task, session.drains});
+    all.push_back({workers_.at(id), task, session.drains, session.tag});
   }
   return all;
 }

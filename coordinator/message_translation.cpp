@@ -7,6 +7,7 @@ namespace {
 
 /// Longer than any walltime, and far from where sums of times overflow.
 constexpr std::uint64_t longest_ms = std::uint64_t{1} << 50U;
+constexpr std::size_t longest_tag = 200;
 
 /// A name that cannot lead out of a folder.
 std::string plain_name(std::string name) {
@@ -61,6 +62,8 @@ WorkerInfo worker_info_of(const wire::Hello& hello) {
   info.nonce = hello.nonce();
   info.shares_memory = !hello.own_memory();
   info.ends_in_ms = static_cast<std::int64_t>(std::min(hello.ends_in_ms(), longest_ms));
+  info.tag = hello.tag().substr(0, longest_tag);
+  info.pool_memory_bytes = hello.pool_memory_bytes();
   return info;
 }
 
@@ -139,6 +142,12 @@ void add_farm(const JobState& state, wire::StatusReply& message) {
     worker.set_task(at_work.task.value);
     worker.set_drains(at_work.drains);
     worker.set_memory_bytes(at_work.row.memory_bytes);
+    worker.set_tag(at_work.tag);
+  }
+  for (const auto& [bytes, tasks] : state.demand()) {
+    wire::TaskDemand& demand = *message.add_demand();
+    demand.set_memory_bytes(bytes);
+    demand.set_tasks(tasks);
   }
 }
 

@@ -135,7 +135,8 @@ void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelo
     case wire::Envelope::kSubmit:
       return submit(connection, envelope.submit(), state, now);
     case wire::Envelope::kStatusRequest:
-      questions_.push_back({connection, envelope.status_request().job()});
+      questions_.push_back(
+          {connection, envelope.status_request().job(), envelope.status_request().farm_only()});
       return;
     case wire::Envelope::kCancel: {
       wire::Envelope reply;

@@ -112,6 +112,7 @@ class RequestHandler {
   struct Question {
     std::string connection;
     std::string job;  ///< empty: all
+    bool farm_only = false;
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;

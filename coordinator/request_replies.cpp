@@ -19,7 +19,7 @@ void RequestHandler::forget_lost_workers(const JobState& state) {
 }
 
 void RequestHandler::answer_questions(const JobState& state, const Door& door, Moment now) {
-  for (const auto& [connection, job] : questions_) {
+  for (const auto& [connection, job, farm_only] : questions_) {
     wire::Envelope reply;
     wire::StatusReply& status = *reply.mutable_status_reply();
     status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
@@ -33,7 +33,7 @@ void RequestHandler::answer_questions(const JobState& state, const Door& door, M
     status.set_connections(static_cast<std::uint32_t>(door.connections()));
     status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
     for (const auto& [id, row] : state.durable().jobs) {
-      if (!job.empty() && job != job_name(id)) continue;
+      if (farm_only || (!job.empty() && job != job_name(id))) continue;
       *status.add_jobs() = status_message(summary_of(
           state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
     }

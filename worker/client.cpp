@@ -103,6 +103,8 @@ class Client {
     hello.set_memory_bytes(memory_bytes_);
     hello.set_own_memory(options_.memory_bytes > 0);
     hello.set_nonce(nonce_);
+    hello.set_tag(options_.tag);
+    hello.set_pool_memory_bytes(options_.pool_memory_bytes);
     if (ends_at_ > 0) {
       hello.set_ends_in_ms(
           static_cast<std::uint64_t>(std::max<std::int64_t>(1, ends_at_ - steady_ms())));
