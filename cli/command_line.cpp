@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "cli/keys_command_line.h"
+#include "cli/pool_command_line.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
@@ -97,6 +98,7 @@ class Parser {
     add_operators();
     add_coordinator();
     add_worker();
+    add_pool(app_, pool_, [this] { command_ = pool_; });
     add_keys(app_, keys_, [this] { command_ = keys_; });
   }
 
@@ -416,6 +418,7 @@ class Parser {
   DrainCommand drain_;
   CoordinatorCommand coordinator_;
   WorkerCommand worker_;
+  PoolCommand pool_;
   KeysCommand keys_;
   TaskCommand task_;
 };

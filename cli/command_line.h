@@ -161,6 +161,32 @@ struct KeysCommand {
   bool json = false;
 };
 
+/// Keeps workers at a batch system.
+struct PoolCommand {
+  std::string system;  ///< slurm, condor, lsf, ge, ssh or local
+  std::string endpoint;
+  KeyFiles keys;           ///< of the pool
+  std::string worker_key;  ///< "": plain text
+  std::string store;
+  std::string name;     ///< "": made from the endpoint
+  std::string program;  ///< "": this one
+  std::string logs = ".";
+  std::size_t min = 0;
+  std::size_t max = 1;
+  std::uint64_t memory_bytes = std::uint64_t{4} << 30U;
+  std::uint64_t max_memory_bytes = 0;  ///< 0: memory_bytes
+  std::int64_t walltime_s = 8 * 3600;
+  std::int64_t grace_s = 60;
+  double idle_s = 120;
+  double interval_s = 5;
+  std::size_t rate = 60;
+  std::vector<std::string> options;
+  std::vector<std::string> hosts;
+  bool dry_run = false;
+  bool stop = false;
+  bool json = false;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -174,7 +200,7 @@ struct NothingToDo {
 using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
                              RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
                              RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                             WorkerCommand, GcCommand, KeysCommand, TaskCommand>;
+                             WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -40,6 +40,8 @@ ExitCode drain_command(const DrainCommand& command);
 
 ExitCode coordinator_command(const CoordinatorCommand& command);
 ExitCode worker_command(const WorkerCommand& command);
+/// Until it is ended by SIGINT or SIGTERM, which leaves the workers where they are.
+ExitCode pool_command(const PoolCommand& command);
 /// Makes keys, and says who may speak with a coordinator.
 ExitCode keys_command(const KeysCommand& command);
 ExitCode task_command(const TaskCommand& command);

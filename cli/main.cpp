@@ -60,6 +60,7 @@ struct Execute {
     return coordinator_command(command);
   }
   ExitCode operator()(const WorkerCommand& command) const { return worker_command(command); }
+  ExitCode operator()(const PoolCommand& command) const { return pool_command(command); }
   ExitCode operator()(const KeysCommand& command) const { return keys_command(command); }
   ExitCode operator()(const TaskCommand& command) const { return task_command(command); }
 };

@@ -29,7 +29,8 @@ ROOMS = {
     "store": ["base"],
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
-    "cli": ["coordinator", "worker", "mesh/render"],
+    "pool": ["base"],
+    "cli": ["coordinator", "worker", "pool", "mesh/render"],
 }
 
 # They see every room, and no room sees them.

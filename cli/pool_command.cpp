@@ -1,0 +1,274 @@
+#include <fcntl.h>
+#include <pwd.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "base/clock.h"
+#include "base/file_system.h"
+#include "base/hash.h"
+#include "cli/commands.h"
+#include "cli/coordinator_connection.h"
+#include "pool/run_command.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int64_t command_timeout_ms = 120'000;
+constexpr std::int64_t status_timeout_ms = 10'000;
+constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
+
+std::atomic<bool> wants_end = false;
+
+void ask_to_end(int /*signal*/) { wants_end = true; }
+
+std::string user_name() {
+  const passwd* user = ::getpwuid(::geteuid());
+  return user == nullptr ? std::to_string(::geteuid()) : user->pw_name;
+}
+
+std::string absolute_unless_empty(const std::string& path) {
+  return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
+}
+
+std::string name_of(const PoolCommand& command) {
+  return command.name.empty() ? hash128(command.endpoint).hex().substr(0, 8) : command.name;
+}
+
+PoolRules rules_of(const PoolCommand& command) {
+  PoolRules rules;
+  rules.name = name_of(command);
+  rules.min = command.min;
+  rules.max = command.max;
+  rules.least_bytes = command.memory_bytes / mib * mib;
+  rules.most_bytes = std::max(rules.least_bytes, command.max_memory_bytes / mib * mib);
+  rules.jobs_a_minute = command.rate;
+  rules.idle_ms = static_cast<std::int64_t>(command.idle_s * 1000);
+  rules.leave_ms = (command.grace_s + 60) * 1000;
+  rules.stops = command.stop;
+  if (command.min > command.max) throw UsageError("more than --max", "--min");
+  if (rules.least_bytes < 256 * mib) throw UsageError("at least 256MB", "--memory");
+  return rules;
+}
+
+PoolSettings settings_of(const PoolCommand& command, const PoolRules& rules) {
+  PoolSettings settings;
+  settings.name = rules.name;
+  settings.user = user_name();
+  settings.program = command.program.empty()
+                         ? std::filesystem::read_symlink("/proc/self/exe").string()
+                         : command.program;
+  settings.coordinator = command.endpoint;
+  settings.store = absolute_unless_empty(command.store);
+  settings.key = absolute_unless_empty(command.worker_key);
+  settings.coordinator_key = absolute_unless_empty(command.keys.coordinator);
+  settings.logs = absolute_unless_empty(command.logs);
+  settings.walltime_s = command.walltime_s;
+  settings.grace_s = command.grace_s;
+  settings.most_bytes = rules.most_bytes;
+  settings.options = command.options;
+  settings.hosts = command.hosts;
+  return settings;
+}
+
+/// One pool of a name on a machine: two would submit twice as much. Held until this process ends.
+class OnlyOne {
+ public:
+  explicit OnlyOne(const std::string& name)
+      : path_("/tmp/tetfarm-pool-" + std::to_string(::geteuid()) + "-" + name + ".lock"),
+        fd_(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {
+    if (fd_ < 0) throw IoError("cannot open", path_, errno);
+    if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) return;
+    ::close(fd_);
+    throw Error(ExitCode::failed, "a pool of that name runs on this machine: " + name);
+  }
+  ~OnlyOne() { ::close(fd_); }
+  OnlyOne(const OnlyOne&) = delete;
+  OnlyOne& operator=(const OnlyOne&) = delete;
+
+ private:
+  std::string path_;
+  int fd_;
+};
+
+std::string text_of(const ShellCommand& command) {
+  std::string text = "$";
+  for (const std::string& word : command.words) {
+    const bool is_plain = word.find_first_of(" \"'|$[]") == std::string::npos;
+    text += is_plain ? " " + word : " '" + word + "'";
+  }
+  if (command.input.empty()) return text + "\n";
+  return text + " <<'end_of_input'\n" + command.input + "end_of_input\n";
+}
+
+void print_what_would_be_done(const BatchSystem& system, const PoolRules& rules) {
+  for (const ShellCommand& command : system.submit({rules.max, rules.least_bytes}, {})) {
+    std::printf("%s", text_of(command).c_str());
+  }
+  for (const ShellCommand& command : system.list()) std::printf("%s", text_of(command).c_str());
+}
+
+FarmView view_of(const wire::StatusReply& reply) {
+  std::set<std::string> bad_hosts;
+  for (const wire::HostInQuarantine& host : reply.hosts()) bad_hosts.insert(host.host());
+  FarmView view;
+  for (const wire::WorkerStatus& worker : reply.at_work()) {
+    view.workers.push_back({worker.worker(), worker.tag(), worker.task() != 0, worker.drains(),
+                            worker.memory_bytes(), bad_hosts.contains(worker.host())});
+  }
+  for (const wire::TaskDemand& demand : reply.demand()) {
+    view.demand[demand.memory_bytes()] += demand.tasks();
+  }
+  return view;
+}
+
+/// What the decisions cannot do themselves: asks the batch system and the coordinator, and does
+/// what was decided.
+class Pool {
+ public:
+  Pool(const PoolCommand& command, const BatchSystem& system, const PoolRules& rules)
+      : system_(system),
+        decisions_(rules),
+        json_(command.json),
+        connection_(command.endpoint, read_peer_keys(command.keys, command.store)) {}
+
+  /// One look at everything, and what follows from it. How many jobs are there; nothing when the
+  /// batch system did not answer.
+  std::optional<std::size_t> step() {
+    PoolView view;
+    view.jobs = list();
+    view.farm = look();
+    const std::int64_t quiet = decisions_.quiet_until_ms();
+    const PoolActions actions = decisions_.decide(view, steady_ms());
+    for (const WorkerOrder& order : actions.submit) submit(order, *view.jobs);
+    drain(actions.drain);
+    cancel(actions.cancel);
+    if (decisions_.quiet_until_ms() > quiet && decisions_.quiet_until_ms() > steady_ms()) {
+      say({{"type", "waits"}, {"ms", decisions_.quiet_until_ms() - steady_ms()}},
+          "nothing is submitted for " +
+              std::to_string((decisions_.quiet_until_ms() - steady_ms()) / 1000) + " s");
+    }
+    return view.jobs ? std::optional(view.jobs->size()) : std::nullopt;
+  }
+
+ private:
+  void say(const nlohmann::json& what, const std::string& text) const {
+    spdlog::info("{}", text);
+    if (!json_) return;
+    std::printf("%s\n",
+                what.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::fflush(stdout);
+  }
+
+  CommandOutcome run(const ShellCommand& command) const {
+    CommandOutcome outcome = run_command(command, command_timeout_ms);
+    if (outcome.code != 0) spdlog::warn("{}: {}", command.words.front(), outcome.err);
+    return outcome;
+  }
+
+  std::optional<std::vector<PoolJob>> list() const {
+    std::vector<PoolJob> all;
+    for (const ShellCommand& command : system_.list()) {
+      const auto jobs = system_.listed(run_command(command, command_timeout_ms));
+      if (!jobs) {
+        spdlog::warn("{} does not answer", command.words.front());
+        return std::nullopt;
+      }
+      all.insert(all.end(), jobs->begin(), jobs->end());
+    }
+    return all;
+  }
+
+  std::optional<FarmView> look() {
+    try {
+      return view_of(connection_.farm(status_timeout_ms));
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::not_found) throw;
+      spdlog::warn("{}", error.what());
+      return std::nullopt;
+    }
+  }
+
+  void submit(const WorkerOrder& order, const std::vector<PoolJob>& jobs) {
+    for (const ShellCommand& command : system_.submit(order, jobs)) {
+      const CommandOutcome outcome = run(command);
+      const std::vector<std::string> ids = system_.submitted(order, outcome);
+      if (ids.empty()) {
+        decisions_.submission_failed(order, steady_ms());
+        say({{"type", "refused"}, {"message", outcome.err}}, "nothing was submitted");
+        continue;
+      }
+      decisions_.submitted(order, ids, steady_ms());
+      say({{"type", "submitted"}, {"jobs", ids}, {"bytes", order.bytes}},
+          "submitted " + std::to_string(ids.size()) + " workers of " +
+              std::to_string(order.bytes / mib) + " MiB: " + ids.front() + " …");
+    }
+  }
+
+  void drain(const std::vector<std::uint64_t>& workers) {
+    for (const std::uint64_t worker : workers) {
+      try {
+        connection_.drain(worker, status_timeout_ms);
+        say({{"type", "drained"}, {"worker", "worker-" + std::to_string(worker)}},
+            "let worker-" + std::to_string(worker) + " go");
+      } catch (const Error& error) {
+        if (error.code() != ExitCode::not_found) throw;
+        spdlog::warn("{}", error.what());
+        return;
+      }
+    }
+  }
+
+  void cancel(const std::vector<std::string>& jobs) {
+    if (jobs.empty()) return;
+    for (const ShellCommand& command : system_.cancel(jobs)) run(command);
+    say({{"type", "cancelled"}, {"jobs", jobs}},
+        "cancelled " + std::to_string(jobs.size()) + " jobs: " + jobs.front() + " …");
+  }
+
+  const BatchSystem& system_;
+  PoolDecisions decisions_;
+  bool json_;
+  CoordinatorConnection connection_;
+};
+
+void wait_between_looks(double seconds) {
+  const std::int64_t until = steady_ms() + static_cast<std::int64_t>(seconds * 1000);
+  while (!wants_end && steady_ms() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+}  // namespace
+
+ExitCode pool_command(const PoolCommand& command) {
+  const PoolRules rules = rules_of(command);
+  const auto system = make_batch_system(command.system, settings_of(command, rules));
+  if (command.dry_run) {
+    print_what_would_be_done(*system, rules);
+    return ExitCode::ok;
+  }
+  spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
+  if (command.system != "ssh") make_folders(absolute_unless_empty(command.logs));
+  const OnlyOne only_one(rules.name);
+  std::signal(SIGINT, ask_to_end);
+  std::signal(SIGTERM, ask_to_end);
+  Pool pool(command, *system, rules);
+  while (!wants_end) {
+    const std::optional<std::size_t> jobs = pool.step();
+    if (command.stop && jobs == std::size_t{0}) return ExitCode::ok;
+    wait_between_looks(command.interval_s);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,25 @@
+/// Slurm: sbatch, squeue, scancel. Jobs are elements of arrays: one submission makes many.
+/// Source: the manual pages sbatch(1), squeue(1), scancel(1) of Slurm 22.05.
+#pragma once
+
+#include "pool/batch_system.h"
+
+namespace tetfarm {
+
+class Slurm : public BatchSystem {
+ public:
+  explicit Slurm(PoolSettings settings) : settings_(std::move(settings)) {}
+
+  std::vector<ShellCommand> submit(const WorkerOrder& order,
+                                   const std::vector<PoolJob>& jobs) const override;
+  std::vector<std::string> submitted(const WorkerOrder& order,
+                                     const CommandOutcome& outcome) const override;
+  std::vector<ShellCommand> list() const override;
+  std::optional<std::vector<PoolJob>> listed(const CommandOutcome& outcome) const override;
+  std::vector<ShellCommand> cancel(const std::vector<std::string>& jobs) const override;
+
+ private:
+  PoolSettings settings_;
+};
+
+}  // namespace tetfarm
