@@ -55,10 +55,12 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-Program::Program(const std::vector<std::string>& words, const std::filesystem::path& folder)
+Program::Program(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                 const std::vector<std::string>& launcher)
     : out_(unused_name(folder, "stdout")), err_(unused_name(folder, "stderr")) {
-  std::vector<std::string> all = words;
-  all.insert(all.begin(), program_path);
+  std::vector<std::string> all = launcher;
+  if (all.empty()) all.emplace_back(program_path);
+  all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -116,6 +118,8 @@ Ended run_program(const std::vector<std::string>& words, const std::filesystem::
                   double timeout_s) {
   return Program(words, folder).wait(timeout_s);
 }
+
+std::filesystem::path built_program() { return program_path; }
 
 std::vector<pid_t> descendants(pid_t process) {
   const std::map<pid_t, pid_t> parent_of = parents();

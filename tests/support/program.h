@@ -32,7 +32,9 @@ struct Ended {
 class Program {
  public:
   /// `words` go to the program `tetfarm`; it runs in `folder`, and its output is kept there.
-  Program(const std::vector<std::string>& words, const std::filesystem::path& folder);
+  /// `launcher`, where given, stands in for the program, and is what starts it.
+  Program(const std::vector<std::string>& words, const std::filesystem::path& folder,
+          const std::vector<std::string>& launcher = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -54,6 +56,8 @@ class Program {
 
 Ended run_program(const std::vector<std::string>& words, const std::filesystem::path& folder,
                   double timeout_s = 120);
+/// Where the built program lies.
+std::filesystem::path built_program();
 
 /// The living processes below `process`: children, their children, …
 std::vector<pid_t> descendants(pid_t process);
