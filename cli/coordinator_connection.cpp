@@ -22,6 +22,8 @@ wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
       return wire::Envelope::kRetried;
     case wire::Envelope::kDrainWorkers:
       return wire::Envelope::kDraining;
+    case wire::Envelope::kQuery:
+      return wire::Envelope::kQueryReply;
     default:
       return wire::Envelope::kStatusReply;
   }
@@ -115,7 +117,20 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
 wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int64_t timeout_ms) {
   wire::Envelope question;
   question.mutable_status_request()->set_job(job);
-  return ask(question, timeout_ms).status_reply();
+  wire::StatusReply all = ask(question, timeout_ms).status_reply();
+  while (all.next() != 0) {
+    question.mutable_status_request()->set_after(all.next());
+    const wire::StatusReply page = ask(question, timeout_ms).status_reply();
+    all.mutable_jobs()->MergeFrom(page.jobs());
+    all.set_next(page.next());
+  }
+  return all;
+}
+
+wire::QueryReply CoordinatorConnection::query(const wire::Query& query, std::int64_t timeout_ms) {
+  wire::Envelope question;
+  *question.mutable_query() = query;
+  return ask(question, timeout_ms).query_reply();
 }
 
 wire::StatusReply CoordinatorConnection::farm(std::int64_t timeout_ms) {

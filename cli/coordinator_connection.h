@@ -27,6 +27,8 @@ class CoordinatorConnection {
   wire::StatusReply status(const std::string& job, std::int64_t timeout_ms);
   /// Who works, and what waits for workers; no jobs.
   wire::StatusReply farm(std::int64_t timeout_ms);
+  /// One page. Otherwise as status().
+  wire::QueryReply query(const wire::Query& query, std::int64_t timeout_ms);
   wire::Submitted submit(const wire::Submit& submit, std::int64_t timeout_ms);
   wire::Cancelled cancel(const std::string& job, std::int64_t timeout_ms);
   wire::Retried retry(const wire::Retry& retry, std::int64_t timeout_ms);

@@ -115,7 +115,7 @@ LocalFarm::~LocalFarm() {
 std::vector<std::string> LocalFarm::coordinator_command() const {
   std::vector<std::string> words = {this_program(), "coordinator", "--quiet", "--store",
                                     options_.store, "--listen",    endpoint_, "--heartbeat-ms",
-                                    "500",          "--lease-ms",  "5000"};
+                                    "500",          "--lease-ms",  "5000",    "--one-job"};
   if (!options_.database.empty()) words.insert(words.end(), {"--database", options_.database});
   return words;
 }

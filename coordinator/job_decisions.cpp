@@ -27,6 +27,7 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
     commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
     return;
   }
+  keep_words(attempt, result.log, result.peak_rss_bytes);
   if (!std::all_of(result.outputs.begin(), result.outputs.end(), has_file_)) {
     lose_attempt(attempt, AttemptState::lost, "its outputs are not in the store", now);
     commands_.emplace_back(SendAccepted{worker, id, attempt, false});
@@ -78,6 +79,7 @@ void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskF
     return;
   }
   commands_.emplace_back(SendAccepted{worker, id, attempt, true});
+  keep_words(attempt, failure.log, failure.peak_rss_bytes);
   take_failure(edit(id), worker, attempt, failure, now);
 }
 

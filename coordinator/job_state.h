@@ -29,6 +29,7 @@
 #include "coordinator/cosmetic_graph.h"
 #include "coordinator/task_expectation.h"
 #include "coordinator/task_graph.h"
+#include "coordinator/task_outlook.h"
 #include "store/rows.h"
 
 namespace tetfarm {
@@ -84,6 +85,7 @@ struct TaskFailure {
   std::uint64_t peak_rss_bytes = 0;
   std::vector<std::string> damaged_inputs;  ///< hashes; the shell has checked that they are damaged
   std::vector<ArtifactRef> evidence;
+  std::string log;  ///< of the attempt
 };
 
 struct Submission {
@@ -189,6 +191,10 @@ class JobState {
   bool is_stuck() const { return stuck_delay_ms_ > 0; }
   const std::string& stuck_message() const { return stuck_message_; }
 
+  /// Why a task does not run, and what it would be given. @pre it exists.
+  TaskOutlook outlook(TaskId task, Moment now) const;
+  bool has_file(const ArtifactRef& file) const { return has_file_(file); }
+
   /// The broken invariants, in words; empty when all is well. Cost: looks at everything.
   std::vector<std::string> validate() const;
 
@@ -234,6 +240,7 @@ class JobState {
   void move_attempt(AttemptId attempt, WorkerId worker, Moment now);
 
   // job_workers.cpp: sessions, leases, handing out
+  void keep_words(AttemptId attempt, const std::string& log, std::uint64_t peak_rss_bytes);
   AttemptRow end_attempt(AttemptId attempt, AttemptState state, const std::string& message,
                          Moment now);
   void lose_attempt(AttemptId attempt, AttemptState state, const std::string& message, Moment now);
@@ -242,6 +249,12 @@ class JobState {
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
   TaskId pick_for(WorkerId worker, Moment now);
   void lease(WorkerId worker, TaskId task, Moment now);
+
+  // job_outlook.cpp: why a task does not run
+  TaskId maker_of(JobId job, const ArtifactRef& file) const;
+  std::vector<std::string> missing_inputs(const TaskRow& task) const;
+  std::string why_not(const TaskRow& task, Moment now) const;
+  std::vector<std::string> obstacles(const TaskRow& task, Moment now) const;
 
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;

@@ -6,6 +6,7 @@ namespace tetfarm {
 namespace {
 
 constexpr std::size_t most_named = 100;
+constexpr double most_reasons = 1000;
 
 /// The largest over the mean: how evenly the work was spread (thesis figs. 70 and 71).
 struct Evenness {
@@ -106,18 +107,37 @@ void add_reason_to_stay_whole(const TaskRow& task, JobSummary& summary) {
   if (task.kind != TaskKind::decompose || task.state != TaskState::done) return;
   const auto reason = task.texts.find("reason");
   if (reason == task.texts.end() || !task.outputs.empty()) return;
+  if (++summary.numbers["uncut"] > most_reasons) return;
   summary.texts["uncut:" + std::to_string(task.path)] = reason->second;
 }
 
 }  // namespace
 
+TasksOfJobs tasks_of_jobs(const DurableState& durable) {
+  TasksOfJobs tasks;
+  for (const auto& [id, task] : durable.tasks) tasks[task.job].push_back(&task);
+  return tasks;
+}
+
 JobSummary summary_of(const DurableState& durable, const JobRow& job,
                       const std::string& stuck_message, std::int64_t now_wall_ms) {
+  std::vector<const TaskRow*> tasks;
+  for (const auto& [id, task] : durable.tasks) {
+    if (task.job == job.id) tasks.push_back(&task);
+  }
+  return summary_of(durable, job, tasks, stuck_message, now_wall_ms);
+}
+
+JobSummary summary_of(const DurableState& durable, const JobRow& job,
+                      const std::vector<const TaskRow*>& tasks, const std::string& stuck_message,
+                      std::int64_t now_wall_ms) {
   JobSummary summary;
   summary.job = job.id;
   summary.name = job.name;
   summary.state = name_of(job.phase);
   summary.message = job.message;
+  summary.created_ms = job.created_ms;
+  summary.finished_ms = job.finished_ms;
   summary.exit_code = job.exit_code;
   if (job.phase == JobPhase::running && !stuck_message.empty()) {
     summary.state = "stuck";
@@ -127,8 +147,8 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
   count_subdomains(durable, summary);
   TaskKind stage = TaskKind::assemble;
-  for (const auto& [id, task] : durable.tasks) {
-    if (task.job != job.id) continue;
+  for (const TaskRow* row : tasks) {
+    const TaskRow& task = *row;
     count_task(task, summary);
     if (task.state != TaskState::done) stage = std::min(stage, task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;

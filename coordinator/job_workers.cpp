@@ -48,6 +48,13 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
       {now.wall_ms, {}, {}, {}, worker, lost ? "worker lost" : "worker left", row.mapped().host});
 }
 
+/// For people: what the attempt said and took; committed with its end.
+void JobState::keep_words(AttemptId attempt, const std::string& log, std::uint64_t peak_rss_bytes) {
+  AttemptRow& row = durable_.running_attempts.at(attempt);
+  row.log = log;
+  row.peak_rss_bytes = peak_rss_bytes;
+}
+
 /// Takes the attempt out of the running ones; its task must be given a new state right after.
 AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const std::string& message,
                                  Moment now) {

@@ -18,6 +18,10 @@ std::string plain_name(std::string name) {
   return name;
 }
 
+std::string end_of(const std::string& log) {
+  return log.size() > longest_log ? log.substr(log.size() - longest_log) : log;
+}
+
 wire::TaskKind wire_kind(TaskKind kind) {
   switch (kind) {
     case TaskKind::inspect:
@@ -82,6 +86,7 @@ TaskResult result_of(const wire::Done& done) {
   result.texts = {done.texts().begin(), done.texts().end()};
   result.seconds = done.seconds();
   result.peak_rss_bytes = done.peak_rss_bytes();
+  result.log = end_of(done.log());
   return result;
 }
 
@@ -94,6 +99,7 @@ TaskFailure failure_of(const wire::Failed& failed) {
   failure.killed = failed.killed();
   failure.out_of_memory = failed.out_of_memory();
   failure.peak_rss_bytes = failed.peak_rss_bytes();
+  failure.log = end_of(failed.log());
   failure.evidence = files_of(failed.evidence());
   return failure;
 }
@@ -183,6 +189,8 @@ wire::JobStatus status_message(const JobSummary& summary) {
   message.set_peak_rss_bytes_worker(summary.peak_rss_bytes_worker);
   message.set_leaves_mended(summary.leaves_mended);
   message.set_seconds(summary.seconds);
+  message.set_created_ms(summary.created_ms);
+  message.set_finished_ms(summary.finished_ms);
   return message;
 }
 

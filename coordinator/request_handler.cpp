@@ -133,10 +133,10 @@ void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelo
     case wire::Envelope::kHello:
       return hello(sender, envelope.hello(), state, now);
     case wire::Envelope::kSubmit:
-      return submit(connection, envelope.submit(), state, now);
+      return submit(sender, envelope.submit(), state, now);
     case wire::Envelope::kStatusRequest:
-      questions_.push_back(
-          {connection, envelope.status_request().job(), envelope.status_request().farm_only()});
+    case wire::Envelope::kQuery:
+      questions_.push_back({connection, envelope});
       return;
     case wire::Envelope::kCancel: {
       wire::Envelope reply;
@@ -244,6 +244,11 @@ bool RequestHandler::sees_store(const wire::Hello& hello) const {
 void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobState& state,
                            Moment now) {
   const std::string& connection = sender.connection;
+  // Without one, another process could go on with its attempt.
+  if (hello.nonce().empty()) {
+    refusals_.count(Refusal::senseless, who(sender) + ": hello without a nonce", now.steady_ms);
+    return refuse(connection, "a worker's hello has a nonce", ExitCode::usage);
+  }
   const TaskId task{hello.running_task()};
   const AttemptId attempt{hello.running_attempt()};
   const WorkerId known = worker_of(connection);
@@ -317,8 +322,15 @@ Submission RequestHandler::submission_of(const wire::Submit& message) const {
   return submission;
 }
 
-void RequestHandler::submit(const std::string& connection, const wire::Submit& message,
-                            JobState& state, Moment now) {
+void RequestHandler::submit(const Sender& sender, const wire::Submit& message, JobState& state,
+                            Moment now) {
+  const std::string& connection = sender.connection;
+  if (message.replaces_others() && !options_.may_replace_jobs) {
+    const std::string what =
+        who(sender) + " may not replace the jobs of this coordinator: it may serve others";
+    refusals_.count(Refusal::wrong_role, what, now.steady_ms);
+    return refuse(connection, what, ExitCode::failed);
+  }
   Submission submission;
   try {
     submission = submission_of(message);

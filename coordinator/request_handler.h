@@ -17,6 +17,7 @@
 #include "coordinator/surface_roots.h"
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
+#include "store/job_history.h"
 
 namespace tetfarm {
 
@@ -25,6 +26,8 @@ struct HandlerOptions {
   std::int64_t lease_ms = 10000;
   std::size_t max_workers = 10'000;
   std::string security = "plain";  ///< for StatusReply
+  /// A submission may cancel all other jobs: a farm of one job, as `tetfarm run` starts it.
+  bool may_replace_jobs = false;
 };
 
 /// A message to send to a connection.
@@ -56,9 +59,10 @@ class RequestHandler {
   /// Turns what job_state wants sent into replies.
   void carry_out(JobState& state, Moment now);
 
-  /// Answers the questions for a status that came since the last call, with the state as it is:
+  /// Answers the questions of viewers that came since the last call, with the state as it is:
   /// after a commit, or after a failed one once the state is again what the database holds.
-  void answer_questions(const JobState& state, const Door& door, Moment now);
+  void answer_questions(const JobState& state, const JobHistory& history, const Door& door,
+                        Moment now);
 
   /// Files of workers that do not see the store.
   FileTransfers& transfers() { return transfers_; }
@@ -87,8 +91,7 @@ class RequestHandler {
   bool sees_store(const wire::Hello& hello) const;
   void forget(WorkerId worker);
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
-  void submit(const std::string& connection, const wire::Submit& message, JobState& state,
-              Moment now);
+  void submit(const Sender& sender, const wire::Submit& message, JobState& state, Moment now);
   Submission submission_of(const wire::Submit& message) const;
   void retry(const std::string& connection, const wire::Retry& message, JobState& state,
              Moment now);
@@ -96,6 +99,8 @@ class RequestHandler {
   // request_replies.cpp: what was decided, put into words
   void send(const Command& command, const JobState& state, Moment now);
   void forget_lost_workers(const JobState& state);
+  wire::StatusReply status_of_all(const wire::StatusRequest& request, const JobState& state,
+                                  const Door& door, Moment now) const;
 
   struct Known {
     WorkerId worker;
@@ -111,8 +116,7 @@ class RequestHandler {
   std::map<WorkerId, std::string> connections_;
   struct Question {
     std::string connection;
-    std::string job;  ///< empty: all
-    bool farm_only = false;
+    wire::Envelope envelope;  ///< StatusRequest or Query
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;

@@ -1,5 +1,6 @@
-#include "coordinator/job_status.h"
+#include "base/error.h"
 #include "coordinator/message_translation.h"
+#include "coordinator/query_answers.h"
 #include "coordinator/request_handler.h"
 
 namespace tetfarm {
@@ -18,26 +19,35 @@ void RequestHandler::forget_lost_workers(const JobState& state) {
   std::erase_if(connections_, [&](const auto& known) { return !state.knows_worker(known.first); });
 }
 
-void RequestHandler::answer_questions(const JobState& state, const Door& door, Moment now) {
-  for (const auto& [connection, job, farm_only] : questions_) {
+wire::StatusReply RequestHandler::status_of_all(const wire::StatusRequest& request,
+                                                const JobState& state, const Door& door,
+                                                Moment now) const {
+  wire::StatusReply status = answer_status(request, state, now);
+  status.set_dropped_messages(refusals_.total());
+  for (std::size_t kind = 0; kind < refusal_kinds; ++kind) {
+    const auto refusal = static_cast<Refusal>(kind);
+    (*status.mutable_refused())[name_of(refusal)] = refusals_.of(refusal);
+  }
+  status.set_security(options_.security);
+  status.set_connections(static_cast<std::uint32_t>(door.connections()));
+  status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
+  return status;
+}
+
+void RequestHandler::answer_questions(const JobState& state, const JobHistory& history,
+                                      const Door& door, Moment now) {
+  for (const auto& [connection, question] : questions_) {
     wire::Envelope reply;
-    wire::StatusReply& status = *reply.mutable_status_reply();
-    status.set_workers(static_cast<std::uint32_t>(state.worker_count()));
-    status.set_dropped_messages(refusals_.total());
-    for (std::size_t kind = 0; kind < refusal_kinds; ++kind) {
-      const auto refusal = static_cast<Refusal>(kind);
-      (*status.mutable_refused())[name_of(refusal)] = refusals_.of(refusal);
+    try {
+      if (question.has_query()) {
+        *reply.mutable_query_reply() = answer_query(question.query(), {state, history, now});
+      } else {
+        *reply.mutable_status_reply() = status_of_all(question.status_request(), state, door, now);
+      }
+      answer(connection, std::move(reply), false);
+    } catch (const Error& error) {
+      refuse(connection, error.what(), error.code());
     }
-    status.set_security(options_.security);
-    add_farm(state, status);
-    status.set_connections(static_cast<std::uint32_t>(door.connections()));
-    status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
-    for (const auto& [id, row] : state.durable().jobs) {
-      if (farm_only || (!job.empty() && job != job_name(id))) continue;
-      *status.add_jobs() = status_message(summary_of(
-          state.durable(), row, state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
-    }
-    answer(connection, std::move(reply), false);
   }
   questions_.clear();
 }

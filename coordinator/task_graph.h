@@ -32,6 +32,7 @@ struct TaskResult {
   std::map<std::string, std::string> texts;
   double seconds = 0;
   std::uint64_t peak_rss_bytes = 0;
+  std::string log;  ///< of the attempt, for people
 };
 
 /// Rows that a finished task brings into being or changes. New tasks have no id yet.

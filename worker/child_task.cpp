@@ -10,10 +10,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
 #include "base/error.h"
+#include "store/rows.h"
 
 namespace tetfarm {
 namespace {
@@ -177,6 +179,16 @@ void ChildTask::end_overdue(std::int64_t limit_ms) {
   kill();
 }
 
+/// Adds a line under the time since the start.
+void ChildTask::write_log(std::string line) {
+  while (!line.empty() && line.back() == '\n') line.pop_back();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+  std::array<char, 32> time;
+  std::snprintf(time.data(), time.size(), "%9.2f s  ", seconds.count());
+  log_ += time.data() + line + "\n";
+  if (log_.size() > longest_log) log_.erase(0, log_.size() - longest_log);
+}
+
 void ChildTask::read_last_words() {
   std::array<char, 4096> buffer;
   while (true) {
@@ -184,6 +196,7 @@ void ChildTask::read_last_words() {
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) break;
     last_words_.append(buffer.data(), static_cast<std::size_t>(n));
+    write_log(std::string(buffer.data(), static_cast<std::size_t>(n)));
     if (last_words_.size() > kept_words) last_words_.erase(0, last_words_.size() - kept_words);
   }
 }
@@ -216,6 +229,10 @@ void ChildTask::take_frames(const std::function<void(const wire::Progress&)>& pr
     if (envelope.has_progress()) {
       envelope.mutable_progress()->set_task(task_);
       envelope.mutable_progress()->set_attempt(attempt_);
+      if (envelope.progress().stage() != stage_) {
+        stage_ = envelope.progress().stage();
+        write_log(stage_);
+      }
       progress(envelope.progress());
     } else if (envelope.has_done() || envelope.has_failed()) {
       answer_ = std::move(envelope);
@@ -276,18 +293,22 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
     failed.set_out_of_memory(starved);
     failed.set_killed(!starved && overdue_ms_ == 0 && was_ended_from_outside(status));
   }
+  write_log(envelope.has_done() ? "done, " + std::to_string(peak_rss_bytes >> 20U) + " MiB at most"
+                                : "failed: " + envelope.failed().message());
   if (envelope.has_done()) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
     envelope.mutable_done()->set_task(task_);
     envelope.mutable_done()->set_attempt(attempt_);
     envelope.mutable_done()->set_seconds(seconds.count());
     envelope.mutable_done()->set_peak_rss_bytes(peak_rss_bytes);
+    envelope.mutable_done()->set_log(log_);
     (*envelope.mutable_done()->mutable_numbers())["cpu_seconds"] =
         seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   } else {
     envelope.mutable_failed()->set_task(task_);
     envelope.mutable_failed()->set_attempt(attempt_);
     envelope.mutable_failed()->set_peak_rss_bytes(peak_rss_bytes);
+    envelope.mutable_failed()->set_log(log_);
   }
   return envelope;
 }

@@ -3,7 +3,8 @@
 ///
 /// The child is a program that reads a wire::Assign from its standard input and writes framed
 /// wire::Envelopes (Progress, then one Done or Failed) to file descriptor 3. What it says on
-/// standard error is kept for the message of a failure. It dies with the thread that started it.
+/// standard error is kept for the message of a failure, and for the log of the attempt. It dies
+/// with the thread that started it.
 #pragma once
 
 #include <sys/resource.h>
@@ -60,6 +61,7 @@ class ChildTask {
   void read_frames(const std::function<void(const wire::Progress&)>& progress);
   void take_frames(const std::function<void(const wire::Progress&)>& progress);
   void read_last_words();
+  void write_log(std::string line);
   wire::Envelope outcome(int status, const rusage& usage);
   std::string how_it_ended(int status) const;
 
@@ -74,6 +76,8 @@ class ChildTask {
   std::int64_t overdue_ms_ = 0;  ///< the limit that it broke, 0: none
   std::string unread_;
   std::string last_words_;
+  std::string log_;    ///< stages with their times, and what it said; its end
+  std::string stage_;  ///< as last told
   std::optional<wire::Envelope> answer_;
 };
 

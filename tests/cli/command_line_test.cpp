@@ -73,9 +73,9 @@ TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
   ::setenv("TETFARM_COORDINATOR", "tcp://head:5555", 1);
   const Command command = parse({"status", "job-7"});
   ::unsetenv("TETFARM_COORDINATOR");
-  EXPECT_EQ(std::get<StatusCommand>(command).client.endpoint, "tcp://head:5555");
-  EXPECT_EQ(std::get<StatusCommand>(command).client.job, "job-7");
-  EXPECT_EQ(code_of(parse({"status"})), 2);
+  EXPECT_EQ(std::get<StatusCommand>(command).view.client.endpoint, "tcp://head:5555");
+  EXPECT_EQ(std::get<StatusCommand>(command).view.client.job, "job-7");
+  EXPECT_EQ(code_of(parse({"wait", "job-7"})), 2);
 }
 
 TEST(CommandLine, sizes_may_have_units) {

@@ -102,6 +102,7 @@ class Security : public testing::Test {
   wire::Envelope hello() const {
     wire::Envelope envelope;
     envelope.mutable_hello()->set_host("here");
+    envelope.mutable_hello()->set_nonce("one process");
     envelope.mutable_hello()->set_store_probe(store_.probe());
     return envelope;
   }

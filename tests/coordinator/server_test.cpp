@@ -34,6 +34,7 @@ class ServerTest : public testing::Test {
   wire::Envelope hello(std::uint64_t task = 0, std::uint64_t attempt = 0) {
     wire::Envelope envelope;
     envelope.mutable_hello()->set_host("here");
+    envelope.mutable_hello()->set_nonce("one process");
     envelope.mutable_hello()->set_store_probe(store_.probe());
     envelope.mutable_hello()->set_running_task(task);
     envelope.mutable_hello()->set_running_attempt(attempt);
@@ -161,6 +162,43 @@ TEST_F(ServerTest, believes_that_a_worker_sees_the_store_when_it_finds_what_the_
   EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store());
   with_probe.mutable_hello()->set_probe_file("../../etc/passwd");
   EXPECT_FALSE(worker.ask(with_probe).welcome().sees_store());
+}
+
+TEST_F(ServerTest, refuses_a_worker_that_does_not_say_which_process_it_is) {
+  Dealer worker(coordinator_.endpoint());
+  wire::Envelope nameless = hello();
+  nameless.mutable_hello()->clear_nonce();
+  EXPECT_THAT(worker.ask(nameless).refused().reason(), HasSubstr("nonce"));
+  EXPECT_TRUE(worker.ask(hello()).has_welcome());
+}
+
+TEST_F(ServerTest, replaces_jobs_only_where_it_serves_one_run) {
+  Dealer client(coordinator_.endpoint());
+  ASSERT_TRUE(client.ask(submission("first")).has_submitted());
+  wire::Envelope replacing = submission("second");
+  replacing.mutable_submit()->set_replaces_others(true);
+  EXPECT_THAT(client.ask(replacing).refused().reason(), HasSubstr("may not replace"));
+  EXPECT_EQ(client.ask(status_request()).status_reply().jobs(0).state(), "running");
+  coordinator_.stop(SIGTERM);
+  CoordinatorOptions options;
+  options.one_job = true;
+  const ChildCoordinator own(folder_.path(), options);
+  Dealer run(own.endpoint());
+  EXPECT_TRUE(run.ask(replacing).has_submitted());
+  EXPECT_EQ(run.ask(status_request()).status_reply().jobs(0).state(), "cancelled");
+}
+
+TEST_F(ServerTest, answers_a_viewer_and_says_what_is_not_there) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  wire::Envelope question;
+  question.mutable_query()->set_subject(wire::Query::EXPLAIN);
+  question.mutable_query()->set_task(1);
+  const wire::Envelope reply = client.ask(question);
+  ASSERT_THAT(reply.query_reply().explanation().reasons(), testing::SizeIs(1));
+  EXPECT_EQ(reply.query_reply().explanation().reasons(0), "no worker is here");
+  question.mutable_query()->set_task(9);
+  EXPECT_THAT(client.ask(question).refused().reason(), HasSubstr("no task 9"));
 }
 
 TEST_F(ServerTest, asks_an_unknown_worker_to_say_hello) {

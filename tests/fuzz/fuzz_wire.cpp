@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "coordinator/request_handler.h"
+#include "store/job_database.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace tetfarm::fuzz {
@@ -28,12 +29,13 @@ ArtifactStore make_store() {
   return ArtifactStore(folder);
 }
 
-void take_turn(RequestHandler& handler, JobState& state, const ArtifactStore& store,
+void take_turn(RequestHandler& handler, JobState& state, const JobDatabase& database,
+               const ArtifactStore& store,
                const Door& door, Moment now) {
   state.tick(now);
   handler.carry_out(state, now);
   state.take_changes();
-  handler.answer_questions(state, door, now);
+  handler.answer_questions(state, database.history(), door, now);
   handler.take_replies();
   handler.take_complaints();
   for (const FileOrder& order : handler.transfers().take_orders(state, now)) {
@@ -47,6 +49,7 @@ void take_turn(RequestHandler& handler, JobState& state, const ArtifactStore& st
 void wire(std::string_view input) {
   static const ArtifactStore store = make_store();
   static const SurfaceRoots roots({store.folder()});
+  static const JobDatabase database(store.folder() / "tetfarm.db");
   static zmq::context_t context;
   static Refusals refusals;
   static const Door door(context, {}, refusals);
@@ -62,7 +65,7 @@ void wire(std::string_view input) {
     // Three plain connections, and one with a key that is authorised no longer.
     const Sender sender{"connection " + std::to_string(who), who == 3 ? "key" : "", {}, ""};
     handler.handle(sender, input.substr(0, size), state, now);
-    take_turn(handler, state, store, door, now);
+    take_turn(handler, state, database, store, door, now);
     input.remove_prefix(std::min(size, input.size()));
     now.steady_ms += 700;
     now.wall_ms += 700;

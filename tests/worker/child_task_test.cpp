@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "store/rows.h"
+
 namespace tetfarm {
 namespace {
 
@@ -66,6 +68,22 @@ TEST(ChildTask, progress_arrives_before_the_result) {
   EXPECT_EQ(said[0].stage(), "recovery");
   EXPECT_EQ(said[0].elements(), 11U);
   EXPECT_EQ(said[0].attempt(), 3U);
+}
+
+TEST(ChildTask, the_log_has_the_stages_with_their_times_and_what_was_said) {
+  wire::Envelope progress;
+  progress.mutable_progress()->set_stage("recovery");
+  const wire::Envelope outcome =
+      run_script(say(progress) + say(progress) + "echo 'a warning' >&2; " + say(done_with("x", 1)));
+  ASSERT_TRUE(outcome.has_done());
+  const std::string& log = outcome.done().log();
+  EXPECT_THAT(log, HasSubstr(" s  recovery\n"));
+  EXPECT_EQ(log.find("recovery"), log.rfind("recovery")) << "a stage is written once";
+  EXPECT_THAT(log, HasSubstr("a warning"));
+  const wire::Envelope loud = run_script("head -c 100000 /dev/zero | tr '\\0' x; exit 1");
+  ASSERT_TRUE(loud.has_failed());
+  EXPECT_LE(loud.failed().log().size(), longest_log);
+  EXPECT_THAT(loud.failed().log(), HasSubstr("failed: "));
 }
 
 TEST(ChildTask, a_killed_child_may_be_retried_and_names_the_signal) {

@@ -1,0 +1,40 @@
+/// Where commands that only look get their answers: from a running coordinator, or, where none
+/// answers, from the rows of the store itself, which are read and never changed.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "cli/command_line.h"
+#include "proto/messages.pb.h"
+
+namespace tetfarm {
+
+class StoreAtRest;
+
+class FarmView {
+ public:
+  /// With an endpoint that coordinator is asked, and nobody else. Without, the one that the store
+  /// names, and when it does not answer the store's rows are read; standard error says so.
+  /// @throws UsageError when neither endpoint nor store is named, Error (not_found) when nothing
+  /// answers or there is no database.
+  explicit FarmView(const ViewOptions& options);
+  ~FarmView();
+
+  wire::StatusReply status();
+  /// Every page, one after the other. @throws Error.
+  void ask(wire::Query query, const std::function<void(const wire::QueryReply&)>& take);
+  bool is_at_rest() const { return rows_ != nullptr; }
+
+ private:
+  struct Live;
+  void connect(const std::string& endpoint, std::int64_t timeout_ms);
+  void read_rows(const std::string& store);
+  wire::QueryReply page(const wire::Query& query);
+
+  ViewOptions options_;
+  std::unique_ptr<Live> live_;
+  std::unique_ptr<StoreAtRest> rows_;
+};
+
+}  // namespace tetfarm

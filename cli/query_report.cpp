@@ -1,0 +1,303 @@
+#include "cli/query_report.h"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.h"
+#include "cli/progress_display.h"
+#include "cli/text_table.h"
+#include "mesh/core/subdomain.h"
+
+namespace tetfarm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string worker_name(std::uint64_t worker) {
+  return worker == 0 ? "" : "worker-" + std::to_string(worker);
+}
+
+std::string place_text(std::uint64_t path) { return path == 0 ? "" : TreePath{path}.text(); }
+
+std::string seconds_text(double seconds) {
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.1f", seconds);
+  return text.data();
+}
+
+std::string mebibytes(std::uint64_t bytes) {
+  return bytes == 0 ? "" : std::to_string(bytes >> 20U) + " MiB";
+}
+
+std::string tries_text(const wire::TaskLine& task) {
+  std::string text;
+  const auto add = [&text](std::uint32_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+  };
+  add(task.crashes(), "errors");
+  add(task.losses(), "lost");
+  add(task.starvings(), "out of memory");
+  return text;
+}
+
+double seconds_of(const wire::AttemptLine& attempt) {
+  const std::int64_t end = attempt.ended_ms() == 0 ? wall_ms() : attempt.ended_ms();
+  return static_cast<double>(end - attempt.started_ms()) / 1000;
+}
+
+Json json_of(const wire::TaskLine& task) {
+  return {{"type", "task"},
+          {"task", task.task()},
+          {"job", task.job()},
+          {"kind", task.kind()},
+          {"path", task.path()},
+          {"place", place_text(task.path())},
+          {"state", task.state()},
+          {"attempt", task.attempt()},
+          {"worker", worker_name(task.worker())},
+          {"host", task.host()},
+          {"errors", task.crashes()},
+          {"losses", task.losses()},
+          {"out_of_memory", task.starvings()},
+          {"seconds", task.seconds()},
+          {"peak_rss_bytes", task.peak_rss_bytes()},
+          {"memory_bytes", task.memory_bytes()},
+          {"exit_code", task.exit_code()},
+          {"message", task.message()}};
+}
+
+Json json_of(const wire::AttemptLine& attempt) {
+  return {{"type", "attempt"},
+          {"attempt", attempt.attempt()},
+          {"job", attempt.job()},
+          {"task", attempt.task()},
+          {"kind", attempt.kind()},
+          {"path", attempt.path()},
+          {"worker", worker_name(attempt.worker())},
+          {"host", attempt.host()},
+          {"process", attempt.process()},
+          {"state", attempt.state()},
+          {"races", attempt.races()},
+          {"started_ms", attempt.started_ms()},
+          {"ended_ms", attempt.ended_ms()},
+          {"seconds", seconds_of(attempt)},
+          {"memory_bytes", attempt.memory_bytes()},
+          {"peak_rss_bytes", attempt.peak_rss_bytes()},
+          {"message", attempt.message()}};
+}
+
+}  // namespace
+
+std::string time_text(std::int64_t since_1970_ms) {
+  if (since_1970_ms == 0) return {};
+  const std::time_t seconds = since_1970_ms / 1000;
+  std::tm parts{};
+  ::gmtime_r(&seconds, &parts);
+  std::array<char, 32> text;
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
+  return text.data();
+}
+
+std::string job_json(const wire::JobStatus& job) {
+  return line_of({{"type", "job"},
+                  {"job", job.job()},
+                  {"name", job.name()},
+                  {"state", job.state()},
+                  {"stage", job.stage()},
+                  {"subdomains", job.leaves_made()},
+                  {"subdomains_meshed", job.leaves_meshed()},
+                  {"elements", job.elements()},
+                  {"estimated_elements", job.estimated_elements()},
+                  {"tasks_done", job.tasks_done()},
+                  {"tasks_ready", job.tasks_ready()},
+                  {"tasks_running", job.tasks_running()},
+                  {"tasks_in_quarantine", job.quarantine_size()},
+                  {"created_ms", job.created_ms()},
+                  {"finished_ms", job.finished_ms()},
+                  {"seconds", job.seconds()},
+                  {"message", job.message()},
+                  {"exit_code", job.exit_code()}});
+}
+
+std::string task_json(const wire::TaskLine& task) { return line_of(json_of(task)); }
+
+std::string worker_json(const wire::WorkerLine& worker) {
+  return line_of({{"type", "worker"},
+                  {"worker", worker_name(worker.worker())},
+                  {"host", worker.host()},
+                  {"process", worker.process()},
+                  {"state", worker.state()},
+                  {"task", worker.task()},
+                  {"cores", worker.cores()},
+                  {"memory_bytes", worker.memory_bytes()},
+                  {"version", worker.program_version()},
+                  {"since_ms", worker.seen_ms()},
+                  {"attempts_done", worker.done()},
+                  {"attempts_not_done", worker.not_done()},
+                  {"busy_seconds", worker.busy_seconds()},
+                  {"host_in_quarantine", worker.host_in_quarantine()}});
+}
+
+std::string event_json(const wire::EventLine& event) {
+  return line_of({{"type", "event"},
+                  {"event", event.event()},
+                  {"wall_ms", event.wall_ms()},
+                  {"job", event.job()},
+                  {"task", event.task()},
+                  {"attempt", event.attempt()},
+                  {"worker", worker_name(event.worker())},
+                  {"what", event.what()},
+                  {"message", event.message()}});
+}
+
+std::string attempt_json(const wire::AttemptLine& attempt, bool with_log) {
+  Json json = json_of(attempt);
+  if (with_log) json["log"] = attempt.log();
+  return line_of(json);
+}
+
+std::string explanation_json(const wire::Explanation& explanation) {
+  Json json = json_of(explanation.task());
+  json["type"] = "explanation";
+  json["subdomain"] = explanation.subdomain_state();
+  json["reasons"] = Json::array();
+  for (const std::string& reason : explanation.reasons()) json["reasons"].push_back(reason);
+  json["expected_seconds"] = explanation.expected_seconds();
+  json["limit_seconds"] = explanation.limit_seconds();
+  json["room_bytes"] = explanation.room_bytes();
+  json["attempts"] = Json::array();
+  for (const wire::AttemptLine& attempt : explanation.attempts()) {
+    json["attempts"].push_back(json_of(attempt));
+  }
+  json["inputs"] = Json::array();
+  for (const wire::InputLine& input : explanation.inputs()) {
+    json["inputs"].push_back({{"name", input.name()},
+                              {"hash", input.hash()},
+                              {"size", input.size()},
+                              {"is_there", input.is_there()},
+                              {"made_by_task", input.made_by()}});
+  }
+  return line_of(json);
+}
+
+std::string jobs_text(const std::vector<wire::JobStatus>& jobs) {
+  std::vector<std::vector<std::string>> rows;
+  for (const wire::JobStatus& job : jobs) {
+    const std::uint64_t failed = static_cast<std::uint64_t>(job.quarantine_size());
+    const std::uint64_t all = job.tasks_done() + job.tasks_ready() + job.tasks_running() + failed;
+    rows.push_back({job.job(), harmless(job.name(), 30), job.state(), job.stage(),
+                    std::to_string(job.tasks_done()) + "/" + std::to_string(all),
+                    std::to_string(job.tasks_running()), std::to_string(failed),
+                    short_count(static_cast<double>(job.elements())), time_text(job.created_ms()),
+                    clock_text(job.seconds()), job.message()});
+  }
+  return table_text({"JOB", "NAME", "STATE", "STAGE", "TASKS", "RUNNING", "QUARANTINE", "TETS",
+                     "SUBMITTED (UTC)", "TOOK", ""},
+                    rows);
+}
+
+std::string tasks_text(const std::vector<wire::TaskLine>& tasks) {
+  std::vector<std::vector<std::string>> rows;
+  for (const wire::TaskLine& task : tasks) {
+    const std::string where = worker_name(task.worker());
+    rows.push_back({std::to_string(task.task()), task.job(), task.kind(), place_text(task.path()),
+                    task.state(), task.seconds() > 0 ? seconds_text(task.seconds()) : "",
+                    mebibytes(task.peak_rss_bytes()), tries_text(task),
+                    where.empty() ? "" : where + " " + task.host(), task.message()});
+  }
+  return table_text(
+      {"TASK", "JOB", "KIND", "SUB-DOMAIN", "STATE", "SECONDS", "PEAK", "TRIED", "WHERE", ""},
+      rows);
+}
+
+std::string workers_table(const std::vector<wire::WorkerLine>& workers) {
+  std::vector<std::vector<std::string>> rows;
+  for (const wire::WorkerLine& worker : workers) {
+    rows.push_back({worker_name(worker.worker()), worker.host(), std::to_string(worker.process()),
+                    worker.state(), worker.task() == 0 ? "" : std::to_string(worker.task()),
+                    std::to_string(worker.done()), std::to_string(worker.not_done()),
+                    seconds_text(worker.busy_seconds()), mebibytes(worker.memory_bytes()),
+                    time_text(worker.seen_ms()),
+                    worker.host_in_quarantine() ? "host in quarantine" : ""});
+  }
+  return table_text({"WORKER", "HOST", "PROCESS", "STATE", "TASK", "DONE", "NOT DONE", "BUSY S",
+                     "MEMORY", "SINCE (UTC)", ""},
+                    rows);
+}
+
+std::string event_text(const wire::EventLine& event) {
+  std::string line = time_text(event.wall_ms()) + "  ";
+  if (!event.job().empty()) line += event.job() + " ";
+  if (event.task() != 0) line += "task " + std::to_string(event.task()) + " ";
+  if (event.attempt() != 0) line += "attempt " + std::to_string(event.attempt()) + " ";
+  if (event.worker() != 0) line += worker_name(event.worker()) + " ";
+  line += event.what();
+  if (!event.message().empty()) line += ": " + event.message();
+  return harmless(line, 1000) + "\n";
+}
+
+std::string log_text(const wire::AttemptLine& attempt) {
+  std::string text = attempt.job() + " task " + std::to_string(attempt.task()) + ", " +
+                     attempt.kind() + " " + place_text(attempt.path()) + ": attempt " +
+                     std::to_string(attempt.attempt()) + " on " + worker_name(attempt.worker()) +
+                     " " + attempt.host() + ", " + attempt.state() + "\n";
+  text = harmless(text, 1000);
+  text.back() = '\n';
+  if (attempt.log().empty()) return text + "  (nothing is kept)\n";
+  std::size_t begin = 0;
+  while (begin < attempt.log().size()) {
+    const std::size_t end = std::min(attempt.log().find('\n', begin), attempt.log().size());
+    text += "  " + harmless(attempt.log().substr(begin, end - begin), 1000) + "\n";
+    begin = end + 1;
+  }
+  return text;
+}
+
+std::string explanation_text(const wire::Explanation& explanation) {
+  const wire::TaskLine& task = explanation.task();
+  std::string text =
+      "task " + std::to_string(task.task()) + " of " + task.job() + ": " + task.kind();
+  if (task.path() != 0) {
+    text += " of sub-domain " + place_text(task.path()) + " (" + std::to_string(task.path()) + ")";
+  }
+  text += ", " + task.state() + "\n";
+  if (task.path() > 1) {
+    text += "  in the tree: below " + place_text(task.path() / 2) + ", beside " +
+            place_text(task.path() ^ 1U) + "; sub-domain " + explanation.subdomain_state() + "\n";
+  }
+  for (const std::string& reason : explanation.reasons()) {
+    text += "  why: " + harmless(reason, 1000) + "\n";
+  }
+  if (task.state() == "done") text += "  took " + seconds_text(task.seconds()) + " s\n";
+  if (task.state() == "failed") {
+    text += "  try again: tetfarm retry " + task.job() + " " + std::to_string(task.task()) + "\n";
+  }
+  if (explanation.expected_seconds() > 0 && task.state() != "done") {
+    text += "  expected " + seconds_text(explanation.expected_seconds()) + " s and " +
+            mebibytes(explanation.room_bytes()) + ", ended after " +
+            seconds_text(explanation.limit_seconds()) + " s\n";
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const wire::AttemptLine& attempt : explanation.attempts()) {
+    rows.push_back({"  " + std::to_string(attempt.attempt()),
+                    worker_name(attempt.worker()) + " " + attempt.host(),
+                    time_text(attempt.started_ms()), seconds_text(seconds_of(attempt)),
+                    mebibytes(attempt.peak_rss_bytes()),
+                    attempt.state() + (attempt.races() ? " (raced)" : ""), attempt.message()});
+  }
+  text +=
+      table_text({"  ATTEMPT", "WHERE", "STARTED (UTC)", "SECONDS", "PEAK", "RESULT", ""}, rows);
+  for (const wire::InputLine& input : explanation.inputs()) {
+    if (input.is_there()) continue;
+    text += "  missing: " + harmless(input.name()) + " " + harmless(input.hash()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace tetfarm

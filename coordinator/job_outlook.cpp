@@ -1,0 +1,128 @@
+/// JobState, the part that says why a task does not run. It decides nothing: each reason is one of
+/// those that pick_for() and suits() act upon.
+#include <algorithm>
+#include <map>
+
+#include "coordinator/job_state.h"
+
+namespace tetfarm {
+namespace {
+
+std::string seconds_text(std::int64_t ms) {
+  return std::to_string(std::max<std::int64_t>(ms + 999, 0) / 1000) + " s";
+}
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
+
+}  // namespace
+
+/// The task that made or makes the file; 0 when none of that job does.
+TaskId JobState::maker_of(JobId job, const ArtifactRef& file) const {
+  for (const TaskId id : tasks_of(job)) {
+    const std::vector<ArtifactRef>& outputs = durable_.tasks.at(id).outputs;
+    const bool made_it =
+        std::any_of(outputs.begin(), outputs.end(), [&file](const ArtifactRef& output) {
+          return output.hash == file.hash && output.size == file.size;
+        });
+    if (made_it) return id;
+  }
+  return {};
+}
+
+std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
+  std::vector<std::string> missing;
+  for (const ArtifactRef& input : task.inputs) {
+    if (has_file_(input)) continue;
+    std::string text = "its input '" + input.name + "' is not in the store, or damaged; ";
+    const TaskId maker = maker_of(task.job, input);
+    if (maker) {
+      const TaskRow& made_by = durable_.tasks.at(maker);
+      text += "task " + std::to_string(maker.value) + ", " + place_of(made_by) + ", makes it (" +
+              name_of(made_by.state) + ")";
+    } else {
+      text += "it was submitted: submit the job again";
+    }
+    missing.push_back(text);
+  }
+  return missing;
+}
+
+/// What keeps a ready task from every worker that is here, counted by cause.
+std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) const {
+  if (sessions_.empty()) return {"no worker is here"};
+  std::map<std::string, int> causes;
+  std::uint64_t most_free = 0;
+  int suited = 0;
+  for (const auto& [worker, session] : sessions_) {
+    const std::uint64_t free_bytes = free_memory(worker);
+    most_free = std::max(most_free, free_bytes);
+    if (durable_.quarantined_hosts.contains(workers_.at(worker).host)) {
+      ++causes["on a host in quarantine"];
+    } else if (session.drains) {
+      ++causes["about to leave"];
+    } else if (memory_for(task) > free_bytes) {
+      ++causes["without room for it"];
+    } else if (!has_time_for(session, task, now)) {
+      ++causes["with too little time left"];
+    } else if (!suits(worker, task.id, free_bytes, now)) {
+      ++causes["where it failed before: others have the first go"];
+    } else if (session.attempt) {
+      ++causes["busy"];
+    } else {
+      ++suited;
+    }
+  }
+  std::vector<std::string> reasons;
+  if (suited > 0) return {"a worker may take it at any moment"};
+  for (const auto& [cause, count] : causes) {
+    reasons.push_back(std::to_string(count) + " of " + std::to_string(sessions_.size()) +
+                      " workers: " + cause);
+  }
+  if (causes.contains("without room for it")) {
+    reasons.push_back("it is given " + mebibytes(memory_for(task)) + "; at most " +
+                      mebibytes(most_free) + " are free on one worker");
+  }
+  return reasons;
+}
+
+/// Why a task could not go to any worker, however many there were; "" when it could.
+std::string JobState::why_not(const TaskRow& task, Moment now) const {
+  const JobRow& job = durable_.jobs.at(task.job);
+  if (task.state == TaskState::failed) return "in quarantine: " + task.message;
+  if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
+  if (is_stuck() && now.steady_ms < stuck_until_ms_) {
+    return "no room on the disk (" + stuck_message_ + "); next try in " +
+           seconds_text(stuck_until_ms_ - now.steady_ms);
+  }
+  const auto from = not_before_ms_.find(task.id);
+  if (from != not_before_ms_.end() && now.steady_ms < from->second) {
+    return "after " + std::to_string(task.crashes) + " errors, " + std::to_string(task.losses) +
+           " losses and " + std::to_string(task.starvings) + " lacks of memory it waits another " +
+           seconds_text(from->second - now.steady_ms) + "; at last: " + task.message;
+  }
+  return {};
+}
+
+TaskOutlook JobState::outlook(TaskId id, Moment now) const {
+  const TaskRow& task = durable_.tasks.at(id);
+  TaskOutlook outlook;
+  outlook.expected_seconds = expectation_.seconds(task).value_or(0);
+  outlook.limit_ms = limit_ms(task);
+  outlook.room_bytes = memory_for(task);
+  if (task.state == TaskState::done || task.state == TaskState::leased) return outlook;
+  if (const std::string why = why_not(task, now); !why.empty()) outlook.reasons.push_back(why);
+  if (task.state == TaskState::failed) return outlook;
+  const std::vector<std::string> missing = missing_inputs(task);
+  outlook.reasons.insert(outlook.reasons.end(), missing.begin(), missing.end());
+  if (!outlook.reasons.empty()) return outlook;
+  outlook.reasons = obstacles(task, now);
+  std::size_t ahead = 0;
+  for (const auto& [rank, other] : offers_) {
+    if (other == id) break;
+    ++ahead;
+  }
+  if (ahead > 0) outlook.reasons.push_back(std::to_string(ahead) + " ready tasks come before it");
+  return outlook;
+}
+
+}  // namespace tetfarm

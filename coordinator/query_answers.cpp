@@ -1,0 +1,317 @@
+#include "coordinator/query_answers.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "coordinator/job_status.h"
+#include "coordinator/message_translation.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t most_rows = 1000;
+/// A page ends when it is larger, so that a message stays far below max_message_size.
+constexpr std::size_t page_bytes = std::size_t{2} << 20U;
+
+/// One question being answered.
+class Answer {
+ public:
+  Answer(const wire::Query& query, const QueryContext& context)
+      : query_(query),
+        state_(context.state),
+        rows_(context.state.durable()),
+        history_(context.history),
+        now_(context.now),
+        limit_(query.limit() == 0 ? most_rows : std::min<std::size_t>(query.limit(), most_rows)) {
+    if (query.job().empty()) return;
+    job_ = parse_job_name(query.job());
+    if (!rows_.jobs.contains(job_)) throw Error(ExitCode::not_found, "no job " + query.job());
+  }
+
+  wire::QueryReply give() {
+    switch (query_.subject()) {
+      case wire::Query::JOBS:
+        jobs();
+        break;
+      case wire::Query::TASKS:
+        tasks();
+        break;
+      case wire::Query::WORKERS:
+        workers();
+        break;
+      case wire::Query::EVENTS:
+        events();
+        break;
+      case wire::Query::ATTEMPTS:
+      case wire::Query::LOGS:
+        attempts();
+        break;
+      case wire::Query::EXPLAIN:
+        explain();
+        break;
+      default:
+        throw Error(ExitCode::usage, "a question without a subject that is known here");
+    }
+    return std::move(reply_);
+  }
+
+ private:
+  /// Whether the page ends before a row; then the next one goes on after `last`.
+  bool is_full(std::size_t rows, std::uint64_t last) {
+    if (rows < limit_ && bytes_ < page_bytes) return false;
+    reply_.set_next(last);
+    return true;
+  }
+  template <class Row>
+  Row& counted(Row& row) {
+    bytes_ += row.ByteSizeLong() + 8;
+    return row;
+  }
+
+  const TaskRow& task() const {
+    const auto found = rows_.tasks.find(TaskId{query_.task()});
+    if (found == rows_.tasks.end() || (job_ && found->second.job != job_)) {
+      throw Error(ExitCode::not_found,
+                  "no task " + std::to_string(query_.task()) + (job_ ? " of " + query_.job() : ""));
+    }
+    return found->second;
+  }
+
+  void jobs() {
+    const TasksOfJobs tasks = tasks_of_jobs(rows_);
+    const std::string stuck = state_.is_stuck() ? state_.stuck_message() : "";
+    std::uint64_t last = 0;
+    for (auto job = rows_.jobs.upper_bound(JobId{query_.after()}); job != rows_.jobs.end(); ++job) {
+      if (job_ && job->first != job_) continue;
+      if (is_full(static_cast<std::size_t>(reply_.jobs_size()), last)) return;
+      const auto own = tasks.find(job->first);
+      wire::JobStatus status = status_message(summary_of(
+          rows_, job->second, own == tasks.end() ? std::vector<const TaskRow*>{} : own->second,
+          stuck, now_.wall_ms));
+      status.clear_numbers();
+      status.clear_texts();
+      status.clear_files();
+      counted(*reply_.add_jobs() = std::move(status));
+      last = job->first.value;
+    }
+  }
+
+  const WorkerRow* worker(WorkerId id) {
+    const auto [known, is_new] = workers_.try_emplace(id);
+    if (is_new && id) known->second = history_.worker(id);
+    return known->second ? &*known->second : nullptr;
+  }
+
+  wire::TaskLine line_of(const TaskRow& task) {
+    wire::TaskLine line;
+    line.set_task(task.id.value);
+    line.set_job(job_name(task.job));
+    line.set_kind(name_of(task.kind));
+    line.set_path(task.path);
+    line.set_state(name_of(task.state));
+    line.set_attempt(task.attempt.value);
+    line.set_crashes(task.crashes);
+    line.set_losses(task.losses);
+    line.set_starvings(task.starvings);
+    line.set_seconds(task.seconds);
+    line.set_peak_rss_bytes(task.peak_rss_bytes);
+    line.set_memory_bytes(task.memory_bytes);
+    line.set_exit_code(task.exit_code);
+    line.set_message(task.message);
+    const auto attempt = rows_.running_attempts.find(task.attempt);
+    if (attempt == rows_.running_attempts.end()) return line;
+    line.set_seconds(static_cast<double>(now_.wall_ms - attempt->second.started_ms) / 1000);
+    line.set_worker(attempt->second.worker.value);
+    if (const WorkerRow* row = worker(attempt->second.worker)) line.set_host(row->host);
+    return line;
+  }
+
+  void tasks() {
+    std::uint64_t last = 0;
+    for (auto task = rows_.tasks.upper_bound(TaskId{query_.after()}); task != rows_.tasks.end();
+         ++task) {
+      if (job_ && task->second.job != job_) continue;
+      if (is_full(static_cast<std::size_t>(reply_.tasks_size()), last)) return;
+      counted(*reply_.add_tasks() = line_of(task->second));
+      last = task->first.value;
+    }
+  }
+
+  void workers() {
+    std::map<WorkerId, WorkerAtWork> here;
+    for (const WorkerAtWork& at_work : state_.workers_at_work()) here[at_work.row.id] = at_work;
+    std::uint64_t last = 0;
+    const std::vector<WorkerRecord> records =
+        history_.workers(WorkerId{query_.after()}, limit_ + 1, query_.with_gone());
+    for (const WorkerRecord& record : records) {
+      const auto at_work = here.find(record.row.id);
+      const bool is_here = at_work != here.end();
+      if (is_full(static_cast<std::size_t>(reply_.workers_size()), last)) return;
+      last = record.row.id.value;
+      // After a restart the rows of those that have not come back yet say that they are here.
+      if (!is_here && !query_.with_gone()) continue;
+      wire::WorkerLine& line = *reply_.add_workers();
+      line.set_worker(record.row.id.value);
+      line.set_host(record.row.host);
+      line.set_process(record.row.process);
+      line.set_cores(record.row.cores);
+      line.set_memory_bytes(record.row.memory_bytes);
+      line.set_program_version(record.row.program_version);
+      line.set_seen_ms(record.row.seen_ms);
+      line.set_state(!is_here                 ? "gone"
+                     : at_work->second.drains ? "drains"
+                     : at_work->second.task   ? "busy"
+                                              : "idle");
+      if (is_here) line.set_task(at_work->second.task.value);
+      line.set_done(record.done);
+      line.set_not_done(record.not_done);
+      line.set_busy_seconds(record.busy_seconds);
+      line.set_host_in_quarantine(rows_.quarantined_hosts.contains(record.row.host));
+      counted(line);
+    }
+  }
+
+  void events() {
+    EventFilter filter{.job = job_, .after = query_.after(), .limit = limit_ + 1};
+    if (query_.task() != 0) {
+      filter.task = task().id;
+      filter.job = task().job;
+    }
+    filter.newest = query_.newest();
+    if (filter.newest) filter.limit = limit_;
+    std::uint64_t last = 0;
+    for (const PastEvent& past : history_.events(filter)) {
+      if (is_full(static_cast<std::size_t>(reply_.events_size()), last)) return;
+      wire::EventLine& line = *reply_.add_events();
+      line.set_event(past.id);
+      line.set_wall_ms(past.row.wall_ms);
+      if (past.row.job) line.set_job(job_name(past.row.job));
+      line.set_task(past.row.task.value);
+      line.set_attempt(past.row.attempt.value);
+      line.set_worker(past.row.worker.value);
+      line.set_what(past.row.what);
+      line.set_message(past.row.message);
+      counted(line);
+      last = past.id;
+    }
+  }
+
+  wire::AttemptLine line_of(const AttemptRow& attempt) {
+    wire::AttemptLine line;
+    line.set_attempt(attempt.id.value);
+    line.set_task(attempt.task.value);
+    const auto task = rows_.tasks.find(attempt.task);
+    if (task != rows_.tasks.end()) {
+      line.set_kind(name_of(task->second.kind));
+      line.set_path(task->second.path);
+      line.set_job(job_name(task->second.job));
+    }
+    line.set_worker(attempt.worker.value);
+    if (const WorkerRow* row = worker(attempt.worker)) {
+      line.set_host(row->host);
+      line.set_process(row->process);
+    }
+    line.set_state(name_of(attempt.state));
+    line.set_started_ms(attempt.started_ms);
+    line.set_ended_ms(attempt.ended_ms);
+    line.set_memory_bytes(attempt.memory_bytes);
+    line.set_peak_rss_bytes(attempt.peak_rss_bytes);
+    line.set_races(attempt.is_rival);
+    line.set_message(attempt.message);
+    return line;
+  }
+
+  void attempts() {
+    std::vector<AttemptRow> rows =
+        query_.task() != 0 ? history_.attempts_of(task().id)
+                           : history_.attempts_of(job_, AttemptId{query_.after()}, limit_ + 1);
+    std::uint64_t last = 0;
+    for (const AttemptRow& attempt : rows) {
+      if (attempt.id.value <= query_.after()) continue;
+      if (is_full(static_cast<std::size_t>(reply_.attempts_size()), last)) return;
+      wire::AttemptLine& line = *reply_.add_attempts();
+      line = line_of(attempt);
+      if (query_.subject() == wire::Query::LOGS) {
+        line.set_log(history_.log_of(attempt.id).value_or(""));
+      }
+      counted(line);
+      last = attempt.id.value;
+    }
+  }
+
+  void explain() {
+    const TaskRow& row = task();
+    const TaskOutlook outlook = state_.outlook(row.id, now_);
+    wire::Explanation& explanation = *reply_.mutable_explanation();
+    *explanation.mutable_task() = line_of(row);
+    for (const std::string& reason : outlook.reasons) explanation.add_reasons(reason);
+    explanation.set_expected_seconds(outlook.expected_seconds);
+    explanation.set_limit_seconds(static_cast<double>(outlook.limit_ms) / 1000);
+    explanation.set_room_bytes(outlook.room_bytes);
+    const auto place = rows_.subdomains.find({row.job, row.path});
+    if (place != rows_.subdomains.end()) {
+      explanation.set_subdomain_state(name_of(place->second.state));
+    }
+    std::vector<AttemptRow> tries = history_.attempts_of(row.id);
+    if (tries.size() > limit_) tries.erase(tries.begin(), tries.end() - static_cast<long>(limit_));
+    for (const AttemptRow& attempt : tries) *explanation.add_attempts() = line_of(attempt);
+    std::map<std::string, TaskId> makers;
+    for (const auto& [id, other] : rows_.tasks) {
+      if (other.job != row.job) continue;
+      for (const ArtifactRef& output : other.outputs) makers.emplace(output.hash, id);
+    }
+    for (const ArtifactRef& input : row.inputs) {
+      if (static_cast<std::size_t>(explanation.inputs_size()) == limit_) break;
+      wire::InputLine& line = *explanation.add_inputs();
+      line.set_name(input.name);
+      line.set_hash(input.hash);
+      line.set_size(input.size);
+      line.set_is_there(state_.has_file(input));
+      const auto maker = makers.find(input.hash);
+      line.set_made_by(maker == makers.end() ? 0 : maker->second.value);
+    }
+  }
+
+  const wire::Query& query_;
+  const JobState& state_;
+  const DurableState& rows_;
+  const JobHistory& history_;
+  const Moment now_;
+  const std::size_t limit_;
+  JobId job_;  ///< 0: all
+  std::map<WorkerId, std::optional<WorkerRow>> workers_;
+  std::size_t bytes_ = 0;
+  wire::QueryReply reply_;
+};
+
+}  // namespace
+
+wire::QueryReply answer_query(const wire::Query& query, const QueryContext& context) {
+  return Answer(query, context).give();
+}
+
+wire::StatusReply answer_status(const wire::StatusRequest& request, const JobState& state,
+                                Moment now) {
+  wire::StatusReply reply;
+  reply.set_workers(static_cast<std::uint32_t>(state.worker_count()));
+  if (request.after() == 0) add_farm(state, reply);
+  if (request.farm_only()) return reply;
+  const DurableState& rows = state.durable();
+  const TasksOfJobs tasks = tasks_of_jobs(rows);
+  std::size_t bytes = 0;
+  for (auto job = rows.jobs.upper_bound(JobId{request.after()}); job != rows.jobs.end(); ++job) {
+    if (!request.job().empty() && request.job() != job_name(job->first)) continue;
+    if (bytes >= page_bytes) {
+      reply.set_next(std::prev(job)->first.value);
+      break;
+    }
+    const auto own = tasks.find(job->first);
+    *reply.add_jobs() = status_message(summary_of(
+        rows, job->second, own == tasks.end() ? std::vector<const TaskRow*>{} : own->second,
+        state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
+    bytes += reply.jobs(reply.jobs_size() - 1).ByteSizeLong();
+  }
+  return reply;
+}
+
+}  // namespace tetfarm
