@@ -5,8 +5,10 @@
 #include <map>
 
 #include "base/error.h"
+#include "cli/client_options.h"
 #include "cli/keys_command_line.h"
 #include "cli/pool_command_line.h"
+#include "cli/view_command_line.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
@@ -20,10 +22,6 @@ constexpr const char* exit_codes =
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
                                                               {"none", ProgressStyle::none}};
-
-void add_json(CLI::App& app, bool& json) {
-  app.add_flag("--json", json, "Print one JSON object a line on standard output");
-}
 
 void add_progress(CLI::App& app, ProgressStyle& style) {
   app.add_option("--progress", style, "auto: a bar on a terminal, else lines; plain; none")
@@ -58,28 +56,6 @@ void add_job(CLI::App& app, RunOptions& job) {
       ->option_text("F,...");
 }
 
-void add_keys_of_a_peer(CLI::App& app, KeyFiles& keys) {
-  app.add_option("--key", keys.own, "The secret key to be known by (default: none, plain text)")
-      ->envname("TETFARM_KEY")
-      ->option_text("NAME.key");
-  app.add_option("--coordinator-key", keys.coordinator,
-                 "The coordinator's public key (default: coordinator.pub of the store)")
-      ->envname("TETFARM_COORDINATOR_KEY")
-      ->option_text("FILE.pub");
-}
-
-void add_client(CLI::App& app, ClientOptions& client) {
-  app.add_option("--connect", client.endpoint, "The coordinator")
-      ->envname("TETFARM_COORDINATOR")
-      ->required()
-      ->option_text("tcp://HOST:PORT");
-  add_keys_of_a_peer(app, client.keys);
-  app.add_option("--timeout", client.timeout_s, "How long to wait for an answer (10)")
-      ->check(CLI::PositiveNumber)
-      ->option_text("SECONDS");
-  add_json(app, client.json);
-}
-
 /// The parser with one sub-command for each Command, and room for what it reads.
 class Parser {
  public:
@@ -95,6 +71,7 @@ class Parser {
     add_render();
     add_shape();
     add_clients();
+    add_viewers();
     add_operators();
     add_coordinator();
     add_worker();
@@ -265,12 +242,6 @@ class Parser {
         ->option_text("DIR");
     add_client(submit, submit_.client);
 
-    CLI::App& status = add("status", "Show the jobs of a coordinator",
-                           "tetfarm status job-7 --connect tcp://head:5555", status_);
-    status.add_option("JOB", status_.client.job, "One job (default: all)");
-    status.add_flag("--workers", status_.workers, "Also name every worker and what it runs");
-    add_client(status, status_.client);
-
     CLI::App& wait = add("wait", "Wait until a job ends; its exit code is the job's",
                          "tetfarm wait job-7 -o out --store /shared/farm", wait_);
     wait.add_option("JOB", wait_.client.job, "The job")->required();
@@ -285,6 +256,10 @@ class Parser {
     CLI::App& cancel = add("cancel", "Cancel a job", "tetfarm cancel job-7", cancel_);
     cancel.add_option("JOB", cancel_.client.job, "The job")->required();
     add_client(cancel, cancel_.client);
+  }
+
+  void add_viewers() {
+    add_views(app_, views_, [this](const Command& command) { command_ = command; });
   }
 
   void add_operators() {
@@ -345,6 +320,15 @@ class Parser {
     coordinator.add_flag("--insecure", coordinator_.insecure,
                          "Plain text and no keys, also where other hosts can reach it: whoever "
                          "comes may do anything");
+    coordinator
+        .add_option("--http", coordinator_.http_address,
+                    "Show /, /metrics, /healthz and /readyz there (default: nowhere)")
+        ->option_text("127.0.0.1:8080");
+    coordinator
+        .add_option("--http-token", coordinator_.http_token,
+                    "A file with a token that HTTP asks for; required where others can reach it")
+        ->option_text("FILE");
+    coordinator.add_flag("--one-job", coordinator_.one_job)->group("");
     coordinator.add_flag("-q,--quiet", coordinator_.quiet, "Warnings only");
   }
 
@@ -411,7 +395,7 @@ class Parser {
   RenderCommand render_;
   ShapeCommand shape_;
   SubmitCommand submit_;
-  StatusCommand status_;
+  Views views_;
   WaitCommand wait_;
   CancelCommand cancel_;
   RetryCommand retry_;

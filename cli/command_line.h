@@ -85,8 +85,14 @@ struct ClientOptions {
   std::string output;  ///< of wait: where the files go
   ProgressStyle progress = ProgressStyle::automatic;
 };
-struct StatusCommand {
+/// Where to look: a coordinator, or the store's own rows when no coordinator answers.
+struct ViewOptions {
   ClientOptions client;
+  std::string store;     ///< "": only the coordinator
+  std::string database;  ///< folder of the database; "": the store
+};
+struct StatusCommand {
+  ViewOptions view;
   bool workers = false;  ///< a line for each
 };
 struct WaitCommand {
@@ -95,6 +101,46 @@ struct WaitCommand {
 };
 struct CancelCommand {
   ClientOptions client;
+};
+struct JobsCommand {
+  ViewOptions view;
+};
+struct TasksCommand {
+  ViewOptions view;
+  std::string state;  ///< only those; "": all
+  std::string kind;
+};
+struct WorkersCommand {
+  ViewOptions view;
+  bool all = false;  ///< also those that have left
+};
+struct EventsCommand {
+  ViewOptions view;
+  std::uint64_t task = 0;  ///< 0: all
+  std::uint32_t last = 50;
+  bool all = false;
+};
+struct LogsCommand {
+  ViewOptions view;
+  std::string target;  ///< "job-7", or a task's number
+};
+struct TraceCommand {
+  ViewOptions view;
+  std::string output;
+};
+/// Of the database, while it is in use or not.
+struct BackupCommand {
+  std::string store;
+  std::string database;  ///< folder; "": the store
+  std::string file;
+  bool json = false;
+};
+struct RestoreCommand {
+  BackupCommand from;
+};
+struct ExplainCommand {
+  ViewOptions view;
+  std::uint64_t task = 0;
 };
 /// Takes tasks, or a host, out of quarantine.
 struct RetryCommand {
@@ -123,7 +169,10 @@ struct CoordinatorCommand {
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
   double task_limit_s = 3600;
+  std::string http_address;  ///< "": none
+  std::string http_token;    ///< a file
   bool insecure = false;
+  bool one_job = false;  ///< of `run`: a submission may replace the jobs before it
   bool quiet = false;
 };
 
@@ -200,7 +249,9 @@ struct NothingToDo {
 using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
                              RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
                              RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                             WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand>;
+                             WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand,
+                             JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
+                             ExplainCommand, TraceCommand, BackupCommand, RestoreCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -31,7 +31,22 @@ ExitCode render_command(const RenderCommand& command);
 /// Writes a closed surface that is made by formula.
 ExitCode shape_command(const ShapeCommand& command);
 
+// What is going on; of a running coordinator, or of a store at rest.
 ExitCode status_command(const StatusCommand& command);
+ExitCode jobs_command(const JobsCommand& command);
+ExitCode tasks_command(const TasksCommand& command);
+ExitCode workers_command(const WorkersCommand& command);
+ExitCode events_command(const EventsCommand& command);
+ExitCode logs_command(const LogsCommand& command);
+/// Why a task waits or failed, where it ran, its place in the tree.
+ExitCode explain_command(const ExplainCommand& command);
+
+/// Writes who did what when, for Perfetto.
+ExitCode trace_command(const TraceCommand& command);
+/// Copies the database into a file, and back.
+ExitCode backup_command(const BackupCommand& command);
+ExitCode restore_command(const RestoreCommand& command);
+
 ExitCode submit_command(const SubmitCommand& command);
 ExitCode wait_command(const WaitCommand& command);
 ExitCode cancel_command(const CancelCommand& command);

@@ -359,6 +359,10 @@ std::string farm_events_json(const wire::StatusReply& reply, bool with_workers) 
   return lines;
 }
 
+std::string copy_json(const std::string& what, const std::string& file) {
+  return line_of({{"type", what}, {"file", file}});
+}
+
 std::string error_json(const std::string& message, int exit_code) {
   return line_of({{"type", "error"}, {"message", message}, {"exit_code", exit_code}});
 }

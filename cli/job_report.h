@@ -30,6 +30,9 @@ std::string workers_text(const wire::StatusReply& reply);
 /// Hosts in quarantine, and on demand the workers, as lines of JSON.
 std::string farm_events_json(const wire::StatusReply& reply, bool with_workers);
 
+/// {"type":what,"file":…}: what backup and restore say.
+std::string copy_json(const std::string& what, const std::string& file);
+
 /// {"type":"error","message":…,"exit_code":…}.
 std::string error_json(const std::string& message, int exit_code);
 

@@ -54,23 +54,6 @@ void log_to_stderr(bool quiet) {
 
 }  // namespace
 
-ExitCode status_command(const StatusCommand& command) {
-  const ClientOptions& client = command.client;
-  CoordinatorConnection connection = connect(client, "");
-  const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
-  if (!client.job.empty() && reply.jobs_size() == 0) {
-    throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
-  }
-  if (!client.json) std::printf("%s", status_text(reply).c_str());
-  if (client.json && client.job.empty()) std::printf("%s\n", farm_json(reply).c_str());
-  if (!client.json && command.workers) std::printf("%s", workers_text(reply).c_str());
-  if (client.json) std::printf("%s", farm_events_json(reply, command.workers).c_str());
-  for (const wire::JobStatus& status : reply.jobs()) {
-    if (client.json) std::printf("%s\n", status_json(status).c_str());
-  }
-  return ExitCode::ok;
-}
-
 ExitCode submit_command(const SubmitCommand& command) {
   const std::string& store = command.job.store;
   const wire::Submit submit =
@@ -170,6 +153,13 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   options.lease_ms = command.lease_ms;
   options.task_limit_ms = in_ms(command.task_limit_s);
   options.insecure = command.insecure;
+  options.one_job = command.one_job;
+  options.http_address = command.http_address;
+  options.http_token = command.http_token;
+  options.on_http = [&command](const std::string& address) {
+    if (!command.quiet) std::printf("showing http://%s/\n", address.c_str());
+    std::fflush(stdout);
+  };
   options.log_to_stderr = !command.quiet;
   options.on_listening = [&command](const std::vector<std::string>& endpoints) {
     for (const std::string& endpoint : endpoints) {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <memory>
 #include <set>
 #include <utility>
@@ -21,8 +23,10 @@
 #include "coordinator/job_state.h"
 #include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/service_manager.h"
 #include "coordinator/space_watch.h"
 #include "coordinator/start_rules.h"
+#include "coordinator/status_server.h"
 #include "coordinator/surface_roots.h"
 #include "proto/peer_security.h"
 #include "proto/wire.h"
@@ -92,6 +96,11 @@ std::filesystem::path keys_folder(const CoordinatorOptions& options) {
 
 Moment now() { return {steady_ms(), wall_ms()}; }
 
+std::string environment_variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
 class Server {
  public:
   explicit Server(const CoordinatorOptions& options)
@@ -110,10 +119,14 @@ class Server {
         handler_(store_, roots_,
                  {.heartbeat_ms = options.heartbeat_ms,
                   .lease_ms = options.lease_ms,
-                  .max_workers = options.max_workers},
+                  .max_workers = options.max_workers,
+                  .may_replace_jobs = options.one_job},
                  refusals_),
         files_(store_),
-        space_(options.store, database_folder(options.store, options.database)) {
+        space_(options.store, database_folder(options.store, options.database)),
+        status_({.address = options.http_address, .token_file = options.http_token}, options.store,
+                wall_ms()),
+        service_(environment_variable) {
     rules_.lease_ms = options.lease_ms;
     rules_.least_limit_ms = options.task_limit_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
@@ -128,7 +141,10 @@ class Server {
     log_.info("started, protocol {}, store {}", protocol_version, options_.store.string());
     tell_security();
     if (options_.on_listening) options_.on_listening(endpoints_);
+    if (options_.on_http && !status_.address().empty()) options_.on_http(status_.address());
+    service_.ready("listening on " + endpoints_.front());
     while (!signals.stopped() && !(options_.stop != nullptr && options_.stop->load())) turn();
+    service_.stopping();
     remove_file(endpoints_file(options_.store));
     log_.info("stopped");
   }
@@ -228,8 +244,11 @@ class Server {
     }
     if (!committed) start_over();
     move_files();
-    handler_.answer_questions(*state_, door_, now());
+    const JobHistory history = database_.history();
+    handler_.answer_questions(*state_, history, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
+    status_.serve({*state_, history, now()}, {refusals_, door_.connections()});
+    service_.turn(now().steady_ms);
   }
 
   void watch_space() {
@@ -258,6 +277,7 @@ class Server {
     std::vector<zmq::pollitem_t> items = door_.poll_items();
     items.push_back({nullptr, files_.fd(), ZMQ_POLLIN, 0});
     items.push_back({socket_.handle(), 0, ZMQ_POLLIN, 0});
+    status_.add_poll_items(items);
     try {
       zmq::poll(items, std::chrono::milliseconds(turn_ms));
     } catch (const zmq::error_t& error) {
@@ -293,12 +313,16 @@ class Server {
 
   /// False when the disk is full or the database is locked by somebody: to be tried again.
   bool commit(const ChangeSet& changes) {
+    const auto start = std::chrono::steady_clock::now();
     try {
       database_.apply(changes);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      status_.note(changes, took.count());
       return true;
     } catch (const IoError& error) {
       if (error.code() != ExitCode::out_of_resources && error.error_number() != EBUSY) throw;
       commit_trouble_ = error.what();
+      status_.note_failed_commit();
       log_.error("cannot commit: {}", commit_trouble_);
       return false;
     }
@@ -352,6 +376,8 @@ class Server {
   RequestHandler handler_;
   FileThread files_;
   SpaceWatch space_;
+  StatusServer status_;
+  ServiceManager service_;
   std::unique_ptr<JobState> state_;
   std::vector<std::string> endpoints_;
   std::string commit_trouble_;

@@ -28,13 +28,20 @@ struct CoordinatorOptions {
   std::size_t max_workers = 10'000;
   int handshake_ms = 10'000;  ///< a connection that takes longer to say who it is is closed
   bool insecure = false;      ///< every address in plain text, whoever can reach it
-  std::int64_t task_limit_ms = 3'600'000;   ///< at least; see FarmRules::least_limit_ms
-  bool log_to_stderr = false;               ///< everything, not only warnings
-  bool handle_signals = true;               ///< SIGTERM and SIGINT stop it cleanly; off in a thread
+  std::int64_t task_limit_ms = 3'600'000;  ///< at least; see FarmRules::least_limit_ms
+  /// Where people and Prometheus look ("127.0.0.1:8080"); "": nowhere. Beyond loopback only with a
+  /// file that holds a token.
+  std::string http_address = {};
+  std::filesystem::path http_token = {};
+  bool one_job = false;        ///< serves one run: a submission may replace the jobs before it
+  bool log_to_stderr = false;  ///< everything, not only warnings
+  bool handle_signals = true;  ///< SIGTERM and SIGINT stop it cleanly; off in a thread
   const std::atomic<bool>* stop = nullptr;  ///< looked at every 100 ms
 
   /// Called once, when clients and workers may connect, with the endpoints as bound.
   std::function<void(const std::vector<std::string>&)> on_listening;
+  /// The same with the address of HTTP, when there is one.
+  std::function<void(const std::string&)> on_http;
 };
 
 /// The bound endpoints, one a line, for workers and clients that see the store. Absent while no
@@ -46,7 +53,8 @@ std::filesystem::path endpoints_file(const std::filesystem::path& store);
 ///
 /// With a coordinator's key in the folder of keys, all tcp endpoints are encrypted and take
 /// authorised keys only. Without one, only ipc and loopback addresses may be bound, unless
-/// `insecure`. ipc is always plain: its folder's permissions say who may come in.
+/// `insecure`. Told to $NOTIFY_SOCKET, when systemd names one. ipc is always plain: its folder's
+/// permissions say who may come in.
 /// @throws IoError when the store cannot be used, UsageError when an endpoint cannot be bound,
 /// the keys are not in order, another coordinator holds the store, or the database belongs to
 /// another store or would lie on a network file system.

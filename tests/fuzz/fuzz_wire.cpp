@@ -30,8 +30,7 @@ ArtifactStore make_store() {
 }
 
 void take_turn(RequestHandler& handler, JobState& state, const JobDatabase& database,
-               const ArtifactStore& store,
-               const Door& door, Moment now) {
+               const ArtifactStore& store, const Door& door, Moment now) {
   state.tick(now);
   handler.carry_out(state, now);
   state.take_changes();

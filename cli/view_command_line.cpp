@@ -1,0 +1,98 @@
+#include "cli/view_command_line.h"
+
+#include "cli/client_options.h"
+
+namespace tetfarm {
+namespace {
+
+void add_view(CLI::App& app, ViewOptions& view) {
+  add_connection(app, view.client);
+  app.add_option("--store", view.store,
+                 "The store, or the folder of a run: its rows are read when no coordinator answers")
+      ->envname("TETFARM_STORE")
+      ->option_text("DIR");
+  app.add_option("--database", view.database, "Folder of the database, when it is not in the store")
+      ->option_text("DIR");
+}
+
+void add_copy(CLI::App& sub, BackupCommand& copy) {
+  sub.add_option("--database", copy.database, "Folder of the database, when it is not in the store")
+      ->option_text("DIR");
+  add_json(sub, copy.json);
+}
+
+void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
+  CLI::App& backup = *app.add_subcommand(
+      "backup", "Copy the database into a file, also while a coordinator uses it");
+  backup.footer("Example: tetfarm backup /shared/farm -o farm.backup");
+  backup.add_option("STORE", views.backup.store, "The store")->required();
+  backup.add_option("-o,--output", views.backup.file, "The file")->required()->option_text("FILE");
+  add_copy(backup, views.backup);
+  backup.callback([&views, chosen] { chosen(views.backup); });
+
+  CLI::App& restore = *app.add_subcommand(
+      "restore", "Put a backup in the place of a store's database; no coordinator may run");
+  restore.footer("Example: tetfarm restore farm.backup /shared/farm");
+  restore.add_option("FILE", views.restore.from.file, "The backup")->required();
+  restore.add_option("STORE", views.restore.from.store, "The store")->required();
+  add_copy(restore, views.restore.from);
+  restore.callback([&views, chosen] { chosen(views.restore); });
+}
+
+}  // namespace
+
+void add_views(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
+  const auto add = [&](const char* name, const char* what, const char* example,
+                       auto& command) -> CLI::App& {
+    CLI::App& sub = *app.add_subcommand(name, what);
+    sub.footer(std::string("Example: ") + example);
+    sub.callback([&command, chosen] { chosen(command); });
+    add_view(sub, command.view);
+    return sub;
+  };
+  add("jobs", "List the jobs, a line each", "tetfarm jobs --connect tcp://head:5555", views.jobs);
+
+  CLI::App& status = add("status", "Show how far jobs are, and what is wrong with them",
+                         "tetfarm status job-7 --connect tcp://head:5555", views.status);
+  status.add_option("JOB", views.status.view.client.job, "One job (default: all)");
+  status.add_flag("--workers", views.status.workers, "Also name every worker and what it runs");
+
+  CLI::App& tasks =
+      add("tasks", "List the tasks", "tetfarm tasks job-7 --state ready", views.tasks);
+  tasks.add_option("JOB", views.tasks.view.client.job, "Of one job (default: all)");
+  tasks.add_option("--state", views.tasks.state, "Only these")
+      ->check(CLI::IsMember({"waiting", "ready", "leased", "done", "failed"}))
+      ->option_text("waiting|ready|leased|done|failed");
+  tasks.add_option("--kind", views.tasks.kind, "Only these: inspect, decompose, mesh, ...");
+
+  CLI::App& workers = add("workers", "List the workers, what they run and what they did",
+                          "tetfarm workers --all", views.workers);
+  workers.add_flag("--all", views.workers.all, "Also those that have left");
+
+  CLI::App& events =
+      add("events", "Show what happened, oldest first", "tetfarm events job-7 --all", views.events);
+  events.add_option("JOB", views.events.view.client.job, "Of one job (default: all)");
+  events.add_option("--task", views.events.task, "Of one task")->check(CLI::PositiveNumber);
+  CLI::Option* last =
+      events.add_option("-n,--last", views.events.last, "So many (50)")->check(CLI::Range(1, 1000));
+  events.add_flag("--all", views.events.all, "All that are kept")->excludes(last);
+
+  CLI::App& logs = add("logs", "Show what the processes of tasks said, attempt by attempt",
+                       "tetfarm logs 31", views.logs);
+  logs.add_option("JOB|TASK", views.logs.target, "A job (job-7), or the number of a task")
+      ->required();
+
+  CLI::App& explain = add("explain", "Say why a task waits or failed, and where it ran",
+                          "tetfarm explain 31", views.explain);
+  explain.add_option("TASK", views.explain.task, "Its number, as `tetfarm tasks` shows it")
+      ->required()
+      ->check(CLI::PositiveNumber);
+
+  CLI::App& trace = add("trace", "Write who did what when, for ui.perfetto.dev",
+                        "tetfarm trace job-7 -o trace.json", views.trace);
+  trace.add_option("JOB", views.trace.view.client.job, "The job")->required();
+  trace.add_option("-o,--output", views.trace.output, "The file")->required()->option_text("JSON");
+  add_copies(app, views, chosen);
+}
+
+}  // namespace tetfarm

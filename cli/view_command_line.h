@@ -1,0 +1,29 @@
+/// The command lines of the commands that only look: jobs, status, tasks, workers, events, logs,
+/// explain.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "cli/command_line.h"
+
+namespace tetfarm {
+
+/// What they read.
+struct Views {
+  StatusCommand status;
+  JobsCommand jobs;
+  TasksCommand tasks;
+  WorkersCommand workers;
+  EventsCommand events;
+  LogsCommand logs;
+  ExplainCommand explain;
+  TraceCommand trace;
+  BackupCommand backup;
+  RestoreCommand restore;
+};
+
+/// Adds them; `chosen` is called with the one that was given. @pre `views` outlives the app.
+void add_views(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen);
+
+}  // namespace tetfarm
