@@ -22,7 +22,7 @@ const char* colour_of(const wire::AttemptLine& attempt) {
       {"assimilate", "rail_idle"}, {"mesh", "good"},
       {"order", "grey"},           {"extract", "generic_work"},
       {"cosmetic", "bad"},         {"number", "grey"},
-      {"assemble", "rail_load"}};
+      {"write", "rail_load"},      {"assemble", "rail_load"}};
   if (attempt.state() == "running") return "white";
   if (attempt.state() != "done") return "terrible";
   const auto found = kind2colour.find(attempt.kind());

@@ -67,12 +67,15 @@ TEST(ChromeTrace, has_a_slice_for_each_attempt_on_the_row_of_its_process) {
 }
 
 TEST(ChromeTrace, names_every_row) {
-  std::set<std::pair<json, json>> named;
+  const auto row_of = [](const json& event) {
+    return std::pair<int, std::int64_t>(event["pid"], event["tid"]);
+  };
+  std::set<std::pair<int, std::int64_t>> named;
   for (const json& name : of_phase(some_trace(), "M")) {
-    if (name["name"] == "thread_name") named.insert({name["pid"], name["tid"]});
+    if (name["name"] == "thread_name") named.insert(row_of(name));
   }
   for (const json& slice : of_phase(some_trace(), "X")) {
-    EXPECT_TRUE(named.contains({slice["pid"], slice["tid"]}));
+    EXPECT_TRUE(named.contains(row_of(slice)));
   }
 }
 

@@ -25,15 +25,16 @@ TEST(Roles, each_may_send_what_is_its_business_and_nothing_else) {
               UnorderedElementsAre("hello", "ready", "progress", "done", "failed", "heartbeat",
                                    "goodbye", "fetch_file", "offer_file", "file_chunk"));
   EXPECT_THAT(sendable(Role::submitter),
-              UnorderedElementsAre("submit", "cancel", "retry", "drain_workers", "status_request"));
-  EXPECT_THAT(sendable(Role::viewer), UnorderedElementsAre("status_request"));
+              UnorderedElementsAre("submit", "cancel", "retry", "drain_workers", "status_request",
+                                   "query"));
+  EXPECT_THAT(sendable(Role::viewer), UnorderedElementsAre("status_request", "query"));
 }
 
 // A new kind of message has to be put into the table, or here.
 TEST(Roles, every_message_of_the_protocol_is_somebodys) {
   const std::set<std::string> from_the_coordinator = {
-      "welcome",   "refused",      "assign",    "accepted", "drain",   "file_stored",
-      "submitted", "status_reply", "cancelled", "retried",  "draining"};
+      "welcome",   "refused",      "assign",    "accepted", "drain",    "file_stored",
+      "submitted", "status_reply", "cancelled", "retried",  "draining", "query_reply"};
   const auto* body = wire::Envelope::descriptor()->FindOneofByName("body");
   for (int i = 0; i < body->field_count(); ++i) {
     const auto kind = static_cast<wire::Envelope::BodyCase>(body->field(i)->number());
