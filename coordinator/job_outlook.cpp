@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/mebibytes.h"
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
@@ -11,8 +12,6 @@ namespace {
 std::string seconds_text(std::int64_t ms) {
   return std::to_string(std::max<std::int64_t>(ms + 999, 0) / 1000) + " s";
 }
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/mebibytes.h"
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
@@ -33,8 +34,6 @@ std::string quarantine_reason(const TaskRow& task, const std::string& what, std:
   return "quarantined: " + what + " " + std::to_string(count) + " times, at last: " + message +
          "; its inputs in the store: " + inputs_of(task);
 }
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
 
 }  // namespace
 

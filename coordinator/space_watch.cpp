@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/mebibytes.h"
 #include "store/disk_room.h"
 
 namespace tetfarm {
@@ -28,8 +29,6 @@ std::uint64_t work_of(const TaskRow& task) {
   std::from_chars(found->second.data(), found->second.data() + found->second.size(), work);
   return work;
 }
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
 
 }  // namespace
 

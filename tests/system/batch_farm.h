@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -80,10 +81,13 @@ class BatchFarm : public ::testing::Test {
     job_ = submitted.out.substr(0, submitted.out.find('\n'));
   }
 
+  /// Pools of tests that run at the same time on this machine are not to be one.
+  static std::string pool_name() { return "test" + std::to_string(::getpid()); }
+
   std::unique_ptr<Program> pool(const std::string& system, std::vector<std::string> more) {
     std::vector<std::string> words = {
         "pool",     system,    "--connect",  endpoint_, "--store",
-        "store",    "--name",  "test",       "--max",   std::to_string(most_jobs),
+        "store",    "--name",  pool_name(),  "--max",   std::to_string(most_jobs),
         "--memory", "1GB",     "--interval", "0.5",     "--idle",
         "3",        "--grace", "5",          "--logs",  "logs",
         "--json"};

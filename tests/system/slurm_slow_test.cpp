@@ -33,9 +33,10 @@ class SlurmFarm : public test::BatchFarm {
                         ""},
                        90'000);
   }
-  static int jobs() { return std::stoi("0" + shell("squeue -h -r -n tetfarm-test-1024M | wc -l")); }
+  static std::string job_name() { return "tetfarm-" + pool_name() + "-1024M"; }
+  static int jobs() { return std::stoi("0" + shell("squeue -h -r -n " + job_name() + " | wc -l")); }
   static std::string running() {
-    return shell("squeue -h -r -t RUNNING -n tetfarm-test-1024M -o %i | head -1 | tr -d '\\n'");
+    return shell("squeue -h -r -t RUNNING -n " + job_name() + " -o %i | head -1 | tr -d '\\n'");
   }
 
   test::TemporaryFolder folder_of_test_;

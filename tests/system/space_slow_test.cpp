@@ -91,7 +91,7 @@ TEST_F(Space, of_the_store_is_watched_before_it_is_gone) {
   const auto worker = start_worker("--store", "disk/store");
   const std::string job = submit();
   std::string said;
-  for (int i = 0; i < 100 && said.find("stuck") == std::string::npos; ++i) {
+  for (int i = 0; i < 100 && said.find("MiB free") == std::string::npos; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     said = ask({"status", job, "--json"}).out;
   }
