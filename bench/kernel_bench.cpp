@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "base/file_system.h"
+#include "base/large_blocks.h"
 #include "mesh/assemble/shape_statistics.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/core/validate.h"
@@ -262,6 +263,7 @@ int measure(const std::string& path, double growth, const std::string& mesh_path
 }  // namespace tetfarm
 
 int main(int argc, char** argv) {
+  tetfarm::give_back_large_blocks();
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
     if ((words.size() == 3 || words.size() == 4) && words[0] == "mesh") {

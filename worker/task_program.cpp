@@ -6,6 +6,7 @@
 #include <cerrno>
 
 #include "base/error.h"
+#include "base/large_blocks.h"
 #include "worker/assemble_task.h"
 #include "worker/assimilate_task.h"
 #include "worker/child_task.h"
@@ -76,6 +77,7 @@ void write_frame(int fd, const wire::Envelope& envelope) {
 }  // namespace
 
 void run_task_program(const std::filesystem::path& store, int in, int out) {
+  give_back_large_blocks();
   wire::Assign assign;
   if (!assign.ParseFromString(read_all(in))) {
     throw Error(ExitCode::failed, "the assignment cannot be read");
