@@ -62,12 +62,7 @@ class BatchFarm : public ::testing::Test {
                                  endpoint_.empty() ? "tcp://127.0.0.1:*" : endpoint_,
                                  "--heartbeat-ms", "200", "--lease-ms", "3000"},
         folder_, launcher_);
-    while (endpoint_.empty() && coordinator_->is_running()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      const std::string said = coordinator_->out_so_far();
-      const std::size_t at = said.find("tcp://");
-      if (said.find('\n') != std::string::npos) endpoint_ = said.substr(at, said.find('\n') - at);
-    }
+    if (endpoint_.empty()) endpoint_ = endpoint_of(*coordinator_);
   }
 
   /// The job, and the digest that it must have.

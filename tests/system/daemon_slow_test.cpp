@@ -21,12 +21,7 @@ using ::testing::HasSubstr;
 class Daemon : public ::testing::Test {
  protected:
   Daemon() : coordinator_(start_coordinator("tcp://127.0.0.1:*")) {
-    while (endpoint_.empty() && coordinator_->is_running()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      const std::string said = coordinator_->out_so_far();
-      const std::size_t at = said.find("tcp://");
-      if (said.find('\n') != std::string::npos) endpoint_ = said.substr(at, said.find('\n') - at);
-    }
+    endpoint_ = test::endpoint_of(*coordinator_);
   }
 
   std::unique_ptr<Program> start_coordinator(const std::string& endpoint) {

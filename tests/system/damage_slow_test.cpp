@@ -153,9 +153,7 @@ TEST_F(Garbage, after_gc_nothing_is_left_but_what_makes_the_job_again) {
 TEST_F(Garbage, gc_wants_no_coordinator_on_the_store) {
   Program coordinator({"coordinator", "--store", "store", "--listen", "tcp://127.0.0.1:*"},
                       folder_.path());
-  while (coordinator.is_running() && coordinator.out_so_far().find('\n') == std::string::npos) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  ASSERT_NE(test::endpoint_of(coordinator), "");
   const Ended gc = run_program({"gc", "store"}, folder_.path());
   EXPECT_EQ(gc.code, 2);
   EXPECT_THAT(gc.err, HasSubstr("another coordinator"));

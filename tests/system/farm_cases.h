@@ -1,10 +1,12 @@
 /// What the system tests share: a small job, how to run it, and how to read its result line.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/program.h"
@@ -57,6 +59,18 @@ inline nlohmann::json result_of(const Ended& ended) {
   std::string last;
   while (std::getline(lines, line)) last = line;
   return nlohmann::json::parse(last, nullptr, false);
+}
+
+/// Where a coordinator listens, as soon as it says so on its first line; "" when it ends before.
+inline std::string endpoint_of(Program& coordinator) {
+  while (coordinator.is_running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::string said = coordinator.out_so_far();
+    const std::size_t end = said.find('\n');
+    const std::size_t at = said.find("tcp://");
+    if (end != std::string::npos) return said.substr(at, end - at);
+  }
+  return "";
 }
 
 inline std::string digest_of(const Ended& ended) {

@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
-#include <thread>
-
 #include "tests/system/farm_cases.h"
 
 namespace tetfarm {
@@ -47,12 +45,7 @@ class KeyedFarm : public ::testing::Test {
         std::vector<std::string>{"coordinator", "--store", "store", "--database", "state",
                                  "--allow-root", "surfaces", "--listen", "tcp://127.0.0.1:*"},
         folder_.path());
-    while (endpoint_.empty() && coordinator_->is_running()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      const std::string said = coordinator_->out_so_far();
-      if (said.find('\n') == std::string::npos) continue;
-      endpoint_ = said.substr(said.find("tcp://"), said.find('\n') - said.find("tcp://"));
-    }
+    if (endpoint_.empty()) endpoint_ = test::endpoint_of(*coordinator_);
   }
   /// With the key of `name`; without one when that is "".
   Ended ask(std::vector<std::string> words, const std::string& name) const {

@@ -47,12 +47,7 @@ class Space : public ::testing::Test {
         std::vector<std::string>{"coordinator", "--store", store, "--database", "database",
                                  "--listen", "tcp://127.0.0.1:*"},
         folder_.path());
-    while (endpoint_.empty() && coordinator_->is_running()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      const std::string said = coordinator_->out_so_far();
-      if (said.find('\n') == std::string::npos) continue;
-      endpoint_ = said.substr(said.find("tcp://"), said.find('\n') - said.find("tcp://"));
-    }
+    if (endpoint_.empty()) endpoint_ = test::endpoint_of(*coordinator_);
   }
   std::unique_ptr<Program> start_worker(const std::string& option, const std::string& folder) {
     return std::make_unique<Program>(

@@ -50,12 +50,7 @@ class Transfer : public ::testing::Test {
       EXPECT_EQ(run_program(words, folder_.path()).code, 0);
     }
     coordinator_ = start_coordinator("tcp://127.0.0.1:*");
-    while (endpoint_.empty() && coordinator_->is_running()) {
-      pause_ms(5);
-      const std::string said = coordinator_->out_so_far();
-      if (said.find('\n') == std::string::npos) continue;
-      endpoint_ = said.substr(said.find("tcp://"), said.find('\n') - said.find("tcp://"));
-    }
+    endpoint_ = test::endpoint_of(*coordinator_);
     input_ = test::sphere_in_box(folder_.path(), 8, 2);
   }
 
