@@ -15,6 +15,8 @@ constexpr double imbalance_weight = 3;
 constexpr double area_weight = 0.3;
 constexpr double largest_area_penalty = 1;
 constexpr double zone_weight = 0.2;
+/// Less for a plane of the lattice where its cells are even: the mesh beside it is the lattice's.
+constexpr double evenness_weight = 0.4;
 /// Planes on each side of the wanted share, across one direction.
 constexpr int fewest_each_side = 3;
 constexpr int most_each_side = 9;
@@ -138,11 +140,38 @@ struct Place {
   PlaneCandidate candidate;
   double area = 0;
   double zones = 0;
+  double even_share = 0;  // of the cut, where the lattice's faces can be the cut's
 };
+
+/// Whether the cells round a node, two on each side, are as large as its own.
+bool is_among_even_cells(const WorkSample& sample, const SpacingField& spacing) {
+  const double cell = spacing.lattice_cell_edge(sample.at);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-2.0, 2.0}) {
+      Vec3 beside = sample.at;
+      beside[axis] += side * cell;
+      if (spacing.lattice_cell_edge(beside) != cell) return false;
+    }
+  }
+  return true;
+}
+
+/// The share of the plane's nodes that lie among even cells, from the samples next to it.
+double even_share_of(const CutPlane& plane, const WorkSamples& work, const SpacingField& spacing) {
+  int near = 0;
+  int even = 0;
+  for (const WorkSample& sample : work.samples) {
+    if (std::fabs(dot(sample.at, plane.normal) - plane.offset) > 0.5 * sample.width) continue;
+    ++near;
+    if (is_among_even_cells(sample, spacing)) ++even;
+  }
+  return near == 0 ? 0 : static_cast<double>(even) / near;
+}
 
 /// The planes at the wanted shares; of the lattice, the roundest ones near them.
 std::vector<Place> places_across(const Direction& direction, const WorkProfile& profile,
-                                 const std::vector<double>& shares, const SpacingField& spacing) {
+                                 const std::vector<double>& shares, const WorkSamples& work,
+                                 const SpacingField& spacing) {
   std::vector<Place> places;
   for (const double share : shares) {
     Place place;
@@ -161,6 +190,9 @@ std::vector<Place> places_across(const Direction& direction, const WorkProfile& 
     }
     place.candidate.plane = make_cut_plane(direction.normal, offset);
     place.area = profile.area_at(offset);
+    if (direction.lattice) {
+      place.even_share = even_share_of(place.candidate.plane, work, spacing);
+    }
     places.push_back(place);
   }
   return places;
@@ -179,7 +211,7 @@ double penalty_of(const Place& place, double wanted_share, double smallest_area,
   const double relative_area = smallest_area > 0 ? place.area / smallest_area : 1;
   return imbalance_weight * imbalance(place.candidate.left_share, wanted_share) +
          std::min(largest_area_penalty, area_weight * std::max(0.0, relative_area - 1)) +
-         zone_weight * std::min(1.0, place.zones / whole_area);
+         zone_weight * std::min(1.0, place.zones / whole_area) - evenness_weight * place.even_share;
 }
 
 }  // namespace
@@ -198,7 +230,7 @@ std::vector<PlaneCandidate> place_planes(const Subdomain& subdomain,
   for (const Direction& direction : directions) {
     const WorkProfile profile(work, direction.normal);
     smallest_area = std::min(smallest_area, profile.area_at(profile.offset_of(options.left_share)));
-    auto across = places_across(direction, profile, shares, spacing);
+    auto across = places_across(direction, profile, shares, work, spacing);
     add_zones(across, direction.normal, subdomain, topology);
     places.insert(places.end(), across.begin(), across.end());
   }

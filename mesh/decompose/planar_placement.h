@@ -21,7 +21,8 @@ struct PlaneCandidate {
   CutPlane plane;
   /// The share of the work below the plane.
   double left_share = 0;
-  /// Smaller is better: imbalance, size of the cut in elements, invalid zones.
+  /// Smaller is better: imbalance, size of the cut in elements, invalid zones; less where the cut
+  /// can be made of the lattice's faces.
   double penalty = 0;
   /// Of a plane of the lattice: its nodes are to be nodes of the cut.
   std::optional<LatticePlane> lattice;

@@ -61,8 +61,9 @@ class HullFaces {
 };
 
 /// Of each tet: bit i when its face i is one of the hull, seen from within it.
-std::vector<std::uint8_t> mark_inner_faces(const TetComplex& complex, const HullFaces& hull,
-                                           CoreSeat& seat) {
+std::vector<std::uint8_t> mark_inner_faces(const TetComplex& complex,
+                                           const std::vector<std::uint8_t>& constrained,
+                                           const HullFaces& hull, CoreSeat& seat) {
   std::vector<std::uint8_t> inner(complex.nodes.size(), 0);
   for (std::size_t t = 0; t < complex.nodes.size(); ++t) {
     const Tet& tet = complex.nodes[t];
@@ -80,6 +81,8 @@ std::vector<std::uint8_t> mark_inner_faces(const TetComplex& complex, const Hull
           hull.find(turned(complex.face_nodes(face_handle(static_cast<std::int32_t>(t), f))));
       if (number < 0) continue;
       seat.outer[at(number)] = complex.neighbours[t][at(f)];
+      seat.faces[at(number)] =
+          (constrained[t] >> f & 1) != 0 ? FaceOfSeat::constrained : FaceOfSeat::free;
       inner[t] |= static_cast<std::uint8_t>(1U << f);
     }
   }
@@ -92,9 +95,11 @@ CoreSeat find_core_seat(const TetComplex& complex, const std::vector<std::uint8_
                         const LatticeCore& core, std::span<const std::int32_t> node_numbers) {
   CoreSeat seat;
   seat.outer.assign(core.hull().size(), no_face);
+  seat.faces.assign(core.hull().size(), FaceOfSeat::missing);
   const HullFaces hull(core, node_numbers, complex.points.size());
-  const std::vector<std::uint8_t> inner = mark_inner_faces(complex, hull, seat);
-  seat.fits = std::find(seat.outer.begin(), seat.outer.end(), no_face) == seat.outer.end();
+  const std::vector<std::uint8_t> inner = mark_inner_faces(complex, constrained, hull, seat);
+  seat.fits =
+      std::find(seat.faces.begin(), seat.faces.end(), FaceOfSeat::missing) == seat.faces.end();
   if (!seat.fits) return seat;
   std::vector<std::uint8_t> found(complex.nodes.size(), 0);
   for (std::size_t t = 0; t < inner.size(); ++t) {
@@ -104,9 +109,9 @@ CoreSeat find_core_seat(const TetComplex& complex, const std::vector<std::uint8_
   }
   for (std::size_t head = 0; head < seat.filling.size() && seat.fits; ++head) {
     const std::size_t t = at(seat.filling[head]);
-    seat.fits =
-        constrained[t] == 0 && std::all_of(complex.nodes[t].begin(), complex.nodes[t].end(),
-                                           [&](std::int32_t v) { return hull.has_node(v); });
+    seat.fits = (constrained[t] & ~inner[t]) == 0 &&
+                std::all_of(complex.nodes[t].begin(), complex.nodes[t].end(),
+                            [&](std::int32_t v) { return hull.has_node(v); });
     for (int f = 0; f < 4 && seat.fits; ++f) {
       if ((inner[t] >> f & 1) != 0) continue;
       const FaceHandle other = complex.neighbours[t][at(f)];
@@ -118,7 +123,7 @@ CoreSeat find_core_seat(const TetComplex& complex, const std::vector<std::uint8_
   }
   // What lies beyond a hull face is no filling.
   for (const FaceHandle outer : seat.outer) {
-    seat.fits = seat.fits && found[at(tet_of(outer))] == 0;
+    seat.fits = seat.fits && (outer == no_face || found[at(tet_of(outer))] == 0);
   }
   return seat;
 }
@@ -140,7 +145,11 @@ void graft_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
   core.write(complex, first, node_numbers);
   for (std::size_t i = 0; i < core.hull().size(); ++i) {
     const FaceHandle face = core.hull()[i].face;
-    complex.glue(face_handle(first + tet_of(face), face_of(face)), seat.outer[i]);
+    const std::int32_t tet = first + tet_of(face);
+    if (seat.outer[i] != no_face) complex.glue(face_handle(tet, face_of(face)), seat.outer[i]);
+    if (seat.faces[i] == FaceOfSeat::constrained) {
+      constrained[at(tet)] |= static_cast<std::uint8_t>(1U << face_of(face));
+    }
   }
 }
 

@@ -16,14 +16,19 @@
 
 namespace tetfarm {
 
+enum class FaceOfSeat : std::uint8_t { missing, free, constrained };
+
 /// Where the core goes.
 struct CoreSeat {
-  /// For each face of the core's hull the face of the complex that it will touch, or no_face.
+  /// For each face of the core's hull the face of the complex that it will touch; no_face on the
+  /// boundary of a complex without outside.
   std::vector<FaceHandle> outer;
+  /// For each face of the hull: whether the complex holds it, and with which constraint.
+  std::vector<FaceOfSeat> faces;
   /// The tets within the hull.
   std::vector<std::int32_t> filling;
-  /// Every hull face is there, and the filling has nodes of the hull only and meets no constrained
-  /// face.
+  /// Every hull face is there, and the filling has nodes of the hull only and no constrained faces
+  /// but those of the hull, where the core ends at a cut.
   bool fits = false;
 };
 

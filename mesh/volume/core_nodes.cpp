@@ -58,14 +58,72 @@ Box3 box_round(const Vec3& p, double reach) {
   return {p - d, p + d};
 }
 
+/// Some triangles of the boundary, asked whether one of them is near.
+class SomeTriangles {
+ public:
+  SomeTriangles(const Subdomain& subdomain, const std::vector<std::uint8_t>& is_lattice_face,
+                std::uint8_t wanted)
+      : subdomain_(subdomain),
+        numbers_(numbers_with(is_lattice_face, wanted)),
+        tree_(boxes_of(subdomain, numbers_)) {}
+
+  void enter_block(const Box3& box) {
+    is_far_ = numbers_.empty() || !tree_.any(box, [](std::int32_t) { return true; });
+  }
+  /// @pre the ball lies in the block's box.
+  bool any_within(const Vec3& p, double reach) {
+    if (is_far_) return false;
+    const auto is_near = [&](std::int32_t i) {
+      const auto& [a, b, c] = subdomain_.triangles[at(numbers_[at(i)])];
+      return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
+                                   subdomain_.vertices[at(c)], reach);
+    };
+    // What was too near to the nodes before is too near to many of their neighbours.
+    for (const std::int32_t i : too_near_) {
+      if (i >= 0 && is_near(i)) return true;
+    }
+    return tree_.any(box_round(p, reach), [&](std::int32_t i) {
+      if (!is_near(i)) return false;
+      too_near_[next_++ % too_near_.size()] = i;
+      return true;
+    });
+  }
+
+ private:
+  static std::vector<std::int32_t> numbers_with(const std::vector<std::uint8_t>& flags,
+                                                std::uint8_t wanted) {
+    std::vector<std::int32_t> numbers;
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+      if (flags[i] == wanted) numbers.push_back(static_cast<std::int32_t>(i));
+    }
+    return numbers;
+  }
+  static std::vector<Box3> boxes_of(const Subdomain& subdomain,
+                                    const std::vector<std::int32_t>& numbers) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(numbers.size());
+    for (const std::int32_t i : numbers) triangles.push_back(subdomain.triangles[at(i)]);
+    return triangle_boxes(subdomain.vertices, triangles);
+  }
+
+  const Subdomain& subdomain_;
+  std::vector<std::int32_t> numbers_;
+  BoxTree tree_;
+  bool is_far_ = false;
+  std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
+  std::size_t next_ = 0;
+};
+
 /// Asks for whole blocks first: most are far from everything.
 class Clearance {
  public:
-  Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain)
+  Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain,
+            const LatticeBoundary& boundary)
       : nodes_(nodes),
         grid_(grid),
-        subdomain_(subdomain),
-        boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {}
+        boundary_(boundary),
+        other_faces_(subdomain, boundary.is_lattice_face, 0),
+        lattice_faces_(subdomain, boundary.is_lattice_face, 1) {}
 
   void enter_block(std::int32_t first_slot) {
     Box3 box;
@@ -76,42 +134,31 @@ class Clearance {
         box.add(box_round(n.at, core_reach * n.cell_edge));
       }
     }
-    block_is_clear_ = !boundary_.any(box, [](std::int32_t) { return true; });
+    other_faces_.enter_block(box);
+    lattice_faces_.enter_block(box);
   }
-  bool is_clear(std::int32_t node) {
-    if (block_is_clear_) return true;
+  /// Of a node among cells of its size.
+  CoreKind kind_of(std::int32_t node) {
+    if (boundary_.has_vertex_at(at(node))) return not_core;
     const Vec3& p = nodes_[at(node)].at;
     const double reach = core_reach * nodes_[at(node)].cell_edge;
-    const auto is_near = [&](std::int32_t i) {
-      const auto& [a, b, c] = subdomain_.triangles[at(i)];
-      return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
-                                   subdomain_.vertices[at(c)], reach);
-    };
-    // What was too near to the nodes before is too near to many of their neighbours.
-    for (const std::int32_t i : too_near_) {
-      if (i >= 0 && is_near(i)) return false;
-    }
-    return !boundary_.any(box_round(p, reach), [&](std::int32_t i) {
-      if (!is_near(i)) return false;
-      too_near_[next_++ % too_near_.size()] = i;
-      return true;
-    });
+    if (other_faces_.any_within(p, reach)) return not_core;
+    return lattice_faces_.any_within(p, reach) ? core_at_cut : core_away;
   }
 
  private:
   std::span<const LatticeNode> nodes_;
   const LatticeGrid& grid_;
-  const Subdomain& subdomain_;
-  BoxTree boundary_;
-  bool block_is_clear_ = false;
-  std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
-  std::size_t next_ = 0;
+  const LatticeBoundary& boundary_;
+  SomeTriangles other_faces_;
+  SomeTriangles lattice_faces_;
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
-                                          const LatticeGrid& grid, const Subdomain& subdomain) {
+                                          const LatticeGrid& grid, const Subdomain& subdomain,
+                                          const LatticeBoundary& boundary) {
   std::vector<std::uint8_t> across_faces(at(grid.slot_count()), 0);
   for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
     across_faces[at(slot)] =
@@ -120,23 +167,23 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
             ? 1
             : 0;
   }
-  std::vector<std::uint8_t> is_core(nodes.size(), 0);
-  Clearance clearance(nodes, grid, subdomain);
+  std::vector<std::uint8_t> kinds(nodes.size(), not_core);
+  Clearance clearance(nodes, grid, subdomain, boundary);
   for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
     if (slot % LatticeGrid::slots_in_block == 0) clearance.enter_block(slot);
     const bool is_deep = is_in_deep_block(grid, slot);
     const std::int32_t centre = grid.centre(slot);
     if (centre != LatticeGrid::none && across_faces[at(slot)] != 0 &&
         (is_deep || has_equal_cells_around(grid, slot))) {
-      is_core[at(centre)] = clearance.is_clear(centre) ? 1 : 0;
+      kinds[at(centre)] = clearance.kind_of(centre);
     }
     const std::int32_t corner = grid.low_corner(slot);
     if (corner != LatticeGrid::none &&
         (is_deep || has_equal_cells_at_corner(grid, slot, across_faces))) {
-      is_core[at(corner)] = clearance.is_clear(corner) ? 1 : 0;
+      kinds[at(corner)] = clearance.kind_of(corner);
     }
   }
-  return is_core;
+  return kinds;
 }
 
 }  // namespace tetfarm

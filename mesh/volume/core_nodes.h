@@ -1,5 +1,5 @@
-/// Which nodes of the lattice are core nodes: those with no boundary and no cell of another size
-/// near them.
+/// Which nodes of the lattice are core nodes: those with no cell of another size near them, and no
+/// boundary but faces of the lattice itself.
 ///
 /// Source: kernel notes, "Templates"; lattice_core.h tells why their tets are known.
 #pragma once
@@ -10,17 +10,25 @@
 
 #include "mesh/core/subdomain.h"
 #include "mesh/spacing/spacing_field.h"
+#include "mesh/volume/lattice_boundary.h"
 #include "mesh/volume/lattice_grid.h"
 
 namespace tetfarm {
 
-/// No boundary lies nearer to a core node than so many cell edges: its neighbours, up to one edge
-/// away, then keep 0.6 spacings clear of it.
+/// No other boundary lies nearer to a core node than so many cell edges: its neighbours, up to one
+/// edge away, then keep 0.6 spacings clear of it.
 inline constexpr double core_reach = 1.56;
 
-/// A byte for each node: 1 when it is a core node, wherever it lies, inside or outside the domain.
-/// Cost: O(nodes).
+enum CoreKind : std::uint8_t {
+  not_core = 0,
+  core_away = 1,    ///< no boundary within its reach
+  core_at_cut = 2,  ///< within its reach are faces of the lattice, on the boundary
+};
+
+/// The kind of each node, wherever it lies, inside or outside the domain. A node in the place of a
+/// vertex of the boundary is not core. Cost: O(nodes).
 std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
-                                          const LatticeGrid& grid, const Subdomain& subdomain);
+                                          const LatticeGrid& grid, const Subdomain& subdomain,
+                                          const LatticeBoundary& boundary);
 
 }  // namespace tetfarm

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "mesh/volume/core_graft.h"
 #include "mesh/volume/core_nodes.h"
+#include "mesh/volume/lattice_boundary.h"
 
 namespace tetfarm {
 namespace {
@@ -16,11 +17,12 @@ constexpr int most_rounds = 4;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-std::vector<std::uint8_t> core_nodes_inside(const std::vector<LatticeNode>& nodes,
-                                            const std::vector<std::uint8_t>& is_inside,
-                                            std::vector<std::uint8_t> is_core) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) is_core[i] &= is_inside[i];
-  return is_core;
+std::vector<std::uint8_t> core_nodes_inside(const std::vector<std::uint8_t>& is_inside,
+                                            std::vector<std::uint8_t> kinds) {
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    kinds[i] = kinds[i] != not_core && is_inside[i] != 0 ? 1 : 0;
+  }
+  return kinds;
 }
 
 /// Inserts the nodes that are listed, and notes their numbers.
@@ -43,7 +45,7 @@ void insert_listed(TetComplex& complex, std::vector<std::uint8_t>& constrained,
 std::vector<std::int32_t> misfits(const LatticeCore& core, const CoreSeat& seat, bool no_more) {
   std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < core.hull().size() && !no_more; ++i) {
-    if (seat.outer[i] != no_face) continue;
+    if (seat.faces[i] != FaceOfSeat::missing) continue;
     for (const std::int32_t v : core.hull()[i].tet) {
       if (core.is_core(v)) found.push_back(v);
     }
@@ -61,17 +63,20 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
                          const SpacingField& spacing, const PointInsertionOptions& options) {
   const std::vector<LatticeNode> nodes = spacing.lattice_nodes(bounding_box(subdomain.vertices));
   LatticeGrid grid(nodes);
-  std::vector<std::uint8_t> is_core = find_core_nodes(nodes, grid, subdomain);
-  const std::vector<std::uint8_t> is_inside = find_inside_nodes(complex, inside, nodes, is_core);
-  is_core = core_nodes_inside(nodes, is_inside, std::move(is_core));
+  LatticeBoundary boundary = find_lattice_boundary(nodes, subdomain);
+  std::vector<std::uint8_t> kinds = find_core_nodes(nodes, grid, subdomain, boundary);
+  const std::vector<std::uint8_t> is_inside = find_inside_nodes(complex, inside, nodes, kinds);
+  std::vector<std::uint8_t> is_core = core_nodes_inside(is_inside, std::move(kinds));
 
   const auto boundary_nodes = static_cast<std::int32_t>(complex.points.size());
   PendingCore pending;
-  pending.node_numbers.assign(nodes.size(), -1);
   std::vector<std::int32_t> listed;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_inside[i] != 0 && is_core[i] == 0) listed.push_back(static_cast<std::int32_t>(i));
+    if (is_inside[i] != 0 && is_core[i] == 0 && !boundary.has_vertex_at(i))
+      listed.push_back(static_cast<std::int32_t>(i));
   }
+  pending.node_numbers = std::move(boundary.node2vertex);
+  pending.node_numbers.resize(nodes.size(), -1);
   pending.core = LatticeCore(std::move(grid), std::move(is_core));
   for (int round = 0;; ++round) {
     insert_listed(complex, constrained, boundary_nodes, nodes, listed, pending.node_numbers,

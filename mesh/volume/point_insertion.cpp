@@ -39,7 +39,7 @@ bool keeps_clear(const TetComplex& complex, const std::vector<std::uint8_t>& con
   return true;
 }
 
-/// Whether no boundary can run between a core node and the point.
+/// Whether no boundary can run between a core node away from it and the point.
 bool reaches(const LatticeNode& core_node, const Vec3& p) {
   const double reach = core_reach * core_node.cell_edge;
   return norm2(p - core_node.at) < reach * reach;
@@ -50,7 +50,7 @@ bool reaches(const LatticeNode& core_node, const Vec3& p) {
 std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
                                             const std::vector<std::uint8_t>& inside,
                                             const std::vector<LatticeNode>& nodes,
-                                            const std::vector<std::uint8_t>& is_core) {
+                                            const std::vector<std::uint8_t>& core_kinds) {
   std::vector<std::uint8_t> is_inside(nodes.size(), 0);
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
       if (location.tet >= 0) last = location.tet;
       is_inside[i] = location.tet >= 0 ? inside[at(location.tet)] : 0;
     }
-    if (is_core[i] != 0) {
+    if (core_kinds[i] == core_away) {
       std::copy_backward(cores.begin(), cores.end() - 1, cores.end());
       cores[0] = i;
     }

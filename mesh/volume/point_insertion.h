@@ -23,12 +23,13 @@ struct PointInsertionOptions {
   std::function<void(std::int64_t tets)> progress;
 };
 
-/// A byte for each node: 1 when it lies in a tet with `inside` set. Nodes near a core node
-/// (lattice_core.h) that was met shortly before are not looked up.
+/// A byte for each node: 1 when it lies in a tet with `inside` set. `core_kinds` are those of
+/// core_nodes.h: nodes within reach of one away from the boundary that was met shortly before are
+/// not looked up.
 std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
                                             const std::vector<std::uint8_t>& inside,
                                             const std::vector<LatticeNode>& nodes,
-                                            const std::vector<std::uint8_t>& is_core);
+                                            const std::vector<std::uint8_t>& core_kinds);
 
 /// Appends the nodes to the complex's points and inserts those that keep clear of the boundary:
 /// constrained faces and nodes below `boundary_nodes`. The others belong to no tet (node2tet ==
