@@ -16,7 +16,7 @@ constexpr double area_weight = 0.3;
 constexpr double largest_area_penalty = 1;
 constexpr double zone_weight = 0.2;
 /// Less for a plane of the lattice where its cells are even: the mesh beside it is the lattice's.
-constexpr double evenness_weight = 0.4;
+constexpr double lattice_weight = 0.4;
 /// Planes on each side of the wanted share, across one direction.
 constexpr int fewest_each_side = 3;
 constexpr int most_each_side = 9;
@@ -140,7 +140,7 @@ struct Place {
   PlaneCandidate candidate;
   double area = 0;
   double zones = 0;
-  double even_share = 0;  // of the cut, where the lattice's faces can be the cut's
+  double lattice_share = 0;  // of the cut, where the lattice's faces can be the cut's
 };
 
 /// Whether the cells round a node, two on each side, are as large as its own.
@@ -156,8 +156,13 @@ bool is_among_even_cells(const WorkSample& sample, const SpacingField& spacing) 
   return true;
 }
 
-/// The share of the plane's nodes that lie among even cells, from the samples next to it.
-double even_share_of(const CutPlane& plane, const WorkSamples& work, const SpacingField& spacing) {
+/// The share of the plane's nodes that lie among even cells, from the samples next to it, without
+/// those near the rim, where the cut has nodes of its own. `area` is in h^2.
+double lattice_share_of(const CutPlane& plane, double area, const WorkSamples& work,
+                        const SpacingField& spacing) {
+  constexpr double rim = 3;  // in nodes
+  const double nodes_across = std::sqrt(area);
+  if (nodes_across <= 2 * rim) return 0;
   int near = 0;
   int even = 0;
   for (const WorkSample& sample : work.samples) {
@@ -165,7 +170,9 @@ double even_share_of(const CutPlane& plane, const WorkSamples& work, const Spaci
     ++near;
     if (is_among_even_cells(sample, spacing)) ++even;
   }
-  return near == 0 ? 0 : static_cast<double>(even) / near;
+  if (near == 0) return 0;
+  const double clear = 1 - 2 * rim / nodes_across;
+  return clear * clear * even / near;
 }
 
 /// The planes at the wanted shares; of the lattice, the roundest ones near them.
@@ -191,7 +198,8 @@ std::vector<Place> places_across(const Direction& direction, const WorkProfile& 
     place.candidate.plane = make_cut_plane(direction.normal, offset);
     place.area = profile.area_at(offset);
     if (direction.lattice) {
-      place.even_share = even_share_of(place.candidate.plane, work, spacing);
+      place.lattice_share = lattice_share_of(
+          place.candidate.plane, place.area / SpacingField::elements_per_h3, work, spacing);
     }
     places.push_back(place);
   }
@@ -211,7 +219,8 @@ double penalty_of(const Place& place, double wanted_share, double smallest_area,
   const double relative_area = smallest_area > 0 ? place.area / smallest_area : 1;
   return imbalance_weight * imbalance(place.candidate.left_share, wanted_share) +
          std::min(largest_area_penalty, area_weight * std::max(0.0, relative_area - 1)) +
-         zone_weight * std::min(1.0, place.zones / whole_area) - evenness_weight * place.even_share;
+         zone_weight * std::min(1.0, place.zones / whole_area) -
+         lattice_weight * place.lattice_share;
 }
 
 }  // namespace

@@ -140,14 +140,19 @@ TEST(PlanarCut, separates_pieces_that_are_apart_without_a_triangle) {
 }
 
 TEST(PlanarCut, gives_the_left_its_share) {
-  CutOptions options;
-  options.left_share = 0.25;
   const Subdomain root = root_subdomain(shapes::sphere({0, 0, 0}, 1, 3));
-  const CutOutcome outcome = planar_cut(root, SpacingField(0.12), options);
-  ASSERT_TRUE(outcome.cut) << outcome.reason;
-  EXPECT_NEAR(volume(outcome.cut->left) / volume(root), 0.25, 0.05);
-  EXPECT_NEAR(outcome.cut->left_work, 0.25 * (outcome.cut->left_work + outcome.cut->right_work),
-              1e-9 * outcome.cut->right_work);
+  // Planes of the lattice lie where the lattice has them.
+  for (const auto& [planes, tolerance] :
+       {std::pair{CutPlanes::axis, 1e-9}, std::pair{CutPlanes::lattice, 0.02}}) {
+    CutOptions options;
+    options.planes = planes;
+    options.left_share = 0.25;
+    const CutOutcome outcome = planar_cut(root, SpacingField(0.12), options);
+    ASSERT_TRUE(outcome.cut) << outcome.reason;
+    EXPECT_NEAR(volume(outcome.cut->left) / volume(root), 0.25, 0.05);
+    EXPECT_NEAR(outcome.cut->left_work / (outcome.cut->left_work + outcome.cut->right_work), 0.25,
+                tolerance);
+  }
 }
 
 TEST(PlanarCut, is_the_same_each_time) {
