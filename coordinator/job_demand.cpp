@@ -21,6 +21,17 @@ std::uint64_t JobState::tasks_brought_by(const TaskRow& running) const {
   return leaves > 0 ? leaves - 1 : 0;
 }
 
+std::vector<TaskId> JobState::running_and_next(std::size_t count) const {
+  std::vector<TaskId> tasks;
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    if (!attempt.is_rival) tasks.push_back(attempt.task);
+  }
+  for (auto offer = offers_.begin(); offer != offers_.end() && count > 0; ++offer, --count) {
+    tasks.push_back(std::get<TaskId>(*offer));
+  }
+  return tasks;
+}
+
 std::map<std::uint64_t, std::uint64_t> JobState::demand() const {
   std::map<std::uint64_t, std::uint64_t> tasks;
   const auto wanted = [this](const TaskRow& task) {

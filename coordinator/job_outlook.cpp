@@ -49,11 +49,12 @@ std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
 /// What keeps a ready task from every worker that is here, counted by cause.
 std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) const {
   if (sessions_.empty()) return {"no worker is here"};
+  const HostMemory used = used_memory();
   std::map<std::string, int> causes;
   std::uint64_t most_free = 0;
   int suited = 0;
   for (const auto& [worker, session] : sessions_) {
-    const std::uint64_t free_bytes = free_memory(worker);
+    const std::uint64_t free_bytes = free_memory(worker, used);
     most_free = std::max(most_free, free_bytes);
     if (durable_.quarantined_hosts.contains(workers_.at(worker).host)) {
       ++causes["on a host in quarantine"];

@@ -99,7 +99,7 @@ bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment
   if (!attempt || !is_current(task, attempt)) return false;
   if (durable_.running_attempts.at(attempt).nonce != sessions_.at(worker).nonce) return false;
   move_attempt(attempt, worker, now);
-  sessions_.at(worker).ready = false;
+  idle_.erase(worker);
   lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
   return true;
 }

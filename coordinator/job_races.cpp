@@ -5,6 +5,12 @@
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
+namespace {
+
+/// What is late is so by seconds; every running task is looked at.
+constexpr std::int64_t late_look_ms = 100;
+
+}  // namespace
 
 /// How long an attempt may run before its worker ends it.
 std::int64_t JobState::limit_ms(const TaskRow& task) const {
@@ -27,16 +33,22 @@ std::uint64_t JobState::memory_for(const TaskRow& task) const {
   return std::min(std::max(task.memory_bytes, expectation_.bytes(task.kind)), largest_memory());
 }
 
+JobState::HostMemory JobState::used_memory() const {
+  HostMemory used;
+  for (const auto& [worker, session] : sessions_) {
+    if (!session.attempt || !session.shares_memory) continue;
+    used[workers_.at(worker).host] += durable_.running_attempts.at(session.attempt).memory_bytes;
+  }
+  return used;
+}
+
 /// What is left of a worker's memory: its own, or the host's, less what runs there already.
-std::uint64_t JobState::free_memory(WorkerId worker) const {
+std::uint64_t JobState::free_memory(WorkerId worker, const HostMemory& used) const {
   const WorkerRow& row = workers_.at(worker);
   if (!sessions_.at(worker).shares_memory) return row.memory_bytes;
-  std::uint64_t used = 0;
-  for (const auto& [other, session] : sessions_) {
-    if (!session.attempt || !session.shares_memory || workers_.at(other).host != row.host) continue;
-    used += durable_.running_attempts.at(session.attempt).memory_bytes;
-  }
-  return row.memory_bytes - std::min(used, row.memory_bytes);
+  const auto found = used.find(row.host);
+  const std::uint64_t used_bytes = found == used.end() ? 0 : found->second;
+  return row.memory_bytes - std::min(used_bytes, row.memory_bytes);
 }
 
 bool JobState::has_time_for(const Session& session, const TaskRow& task, Moment now) const {
@@ -46,7 +58,9 @@ bool JobState::has_time_for(const Session& session, const TaskRow& task, Moment 
 }
 
 /// Tasks that run much longer than expected and that nobody races yet, the latest first.
-std::vector<TaskId> JobState::late_tasks(Moment now) const {
+std::vector<TaskId> JobState::late_tasks(Moment now) {
+  if (now.steady_ms < next_late_look_ms_) return {};
+  next_late_look_ms_ = now.steady_ms + late_look_ms;
   std::vector<std::pair<std::int64_t, TaskId>> late;
   for (const auto& [id, attempt] : durable_.running_attempts) {
     if (attempt.is_rival || rivals_.contains(attempt.task)) continue;
@@ -65,10 +79,11 @@ std::vector<TaskId> JobState::late_tasks(Moment now) const {
 }
 
 /// A late task for a worker that has nothing else to do; 0 when there is none for it.
-TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late, Moment now) const {
+TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late, const HostMemory& used,
+                           Moment now) const {
   const auto fits = [&](TaskId id) {
     const TaskRow& task = durable_.tasks.at(id);
-    return memory_for(task) <= free_memory(worker) &&
+    return memory_for(task) <= free_memory(worker, used) &&
            has_time_for(sessions_.at(worker), task, now) &&
            std::all_of(task.inputs.begin(), task.inputs.end(), has_file_);
   };

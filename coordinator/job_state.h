@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -188,6 +189,9 @@ class JobState {
   /// known): ready ones, and those that a running one brings beside the first. Cost: O(running and
   /// ready tasks), at most O(sub-domains) for each job that joins or orders them.
   std::map<std::uint64_t, std::uint64_t> demand() const;
+  /// The tasks that run, and as many of the ready ones as are named, those first that are handed
+  /// out first.
+  std::vector<TaskId> running_and_next(std::size_t count) const;
   bool is_stuck() const { return stuck_delay_ms_ > 0; }
   const std::string& stuck_message() const { return stuck_message_; }
 
@@ -201,7 +205,6 @@ class JobState {
  private:
   struct Session {
     AttemptId attempt;  ///< running there, 0: none
-    bool ready = false;
     bool drains = false;
     bool shares_memory = true;
     std::string nonce;
@@ -211,6 +214,8 @@ class JobState {
     std::uint64_t reach_bytes = 0;  ///< its memory, or what its pool can bring
   };
   using Offer = std::tuple<int, TaskId>;  ///< rank, task
+  /// Of each host whose workers share its memory: what running attempts were given of it.
+  using HostMemory = std::map<std::string, std::uint64_t>;
   using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
 
   // job_state.cpp: rows and indexes
@@ -244,11 +249,12 @@ class JobState {
   AttemptRow end_attempt(AttemptId attempt, AttemptState state, const std::string& message,
                          Moment now);
   void lose_attempt(AttemptId attempt, AttemptState state, const std::string& message, Moment now);
+  void end_leases(Moment now);
   void hand_out(Moment now);
-  bool may_work(WorkerId worker, const Session& session) const;
+  bool may_work(WorkerId worker) const;
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
-  TaskId pick_for(WorkerId worker, Moment now);
-  void lease(WorkerId worker, TaskId task, Moment now);
+  TaskId pick_for(WorkerId worker, const HostMemory& used, Moment now);
+  void lease(WorkerId worker, TaskId task, HostMemory& used, Moment now);
 
   // job_outlook.cpp: why a task does not run
   TaskId maker_of(JobId job, const ArtifactRef& file) const;
@@ -261,10 +267,12 @@ class JobState {
   std::uint64_t tasks_brought_by(const TaskRow& running) const;
   std::uint64_t largest_memory() const;
   std::uint64_t memory_for(const TaskRow& task) const;
-  std::uint64_t free_memory(WorkerId worker) const;
+  HostMemory used_memory() const;
+  std::uint64_t free_memory(WorkerId worker, const HostMemory& used) const;
   bool has_time_for(const Session& session, const TaskRow& task, Moment now) const;
-  std::vector<TaskId> late_tasks(Moment now) const;
-  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late, Moment now) const;
+  std::vector<TaskId> late_tasks(Moment now);
+  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late, const HostMemory& used,
+                   Moment now) const;
   void leave_race(const AttemptRow& ended);
   void revoke_attempts(TaskRow& task, const std::string& why, Moment now);
 
@@ -310,6 +318,9 @@ class JobState {
   HasFile has_file_;
 
   std::map<WorkerId, Session> sessions_;
+  std::set<WorkerId> idle_;  ///< that asked for a task and were given none
+  std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
+  std::int64_t next_late_look_ms_ = std::numeric_limits<std::int64_t>::min();
   std::map<std::string, WorkerId> process2worker_;    ///< by nonce; its newest connection
   std::map<std::string, AttemptId> process2attempt_;  ///< by nonce; running ones
   std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools

@@ -1,5 +1,6 @@
 /// JobState, the part about workers: sessions, leases and handing out.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/check.h"
@@ -16,7 +17,7 @@ void JobState::worker_is_ready(WorkerId worker, Moment now) {
   } else if (session.drains) {
     commands_.emplace_back(SendDrain{worker});
   } else {
-    session.ready = true;
+    idle_.insert(worker);
   }
 }
 
@@ -39,6 +40,7 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
                  lost ? "the worker was lost" : "handed back", now);
   }
   forget_process(worker);
+  idle_.erase(worker);
   memories_.erase(memories_.find(session->second.reach_bytes));
   sessions_.erase(worker);
   auto row = workers_.extract(worker);
@@ -101,7 +103,10 @@ void JobState::out_of_resources(const std::string& message, Moment now) {
   new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "stuck", message});
 }
 
-void JobState::tick(Moment now) {
+/// Every lease and every silence is over a term after some event, none before the first that was
+/// found at the last look: until then nothing needs to be looked at.
+void JobState::end_leases(Moment now) {
+  if (now.steady_ms <= next_end_ms_) return;
   std::vector<AttemptId> ended;
   for (const auto& [attempt, end_ms] : lease_ends_ms_) {
     if (end_ms < now.steady_ms) ended.push_back(attempt);
@@ -116,6 +121,15 @@ void JobState::tick(Moment now) {
     if (session.heard_ms + rules_.lease_ms < now.steady_ms) silent.push_back(worker);
   }
   for (const WorkerId worker : silent) worker_left(worker, true, now);
+  next_end_ms_ = now.steady_ms + rules_.lease_ms;
+  for (const auto& [attempt, end_ms] : lease_ends_ms_) next_end_ms_ = std::min(next_end_ms_, end_ms);
+  for (const auto& [worker, session] : sessions_) {
+    next_end_ms_ = std::min(next_end_ms_, session.heard_ms + rules_.lease_ms);
+  }
+}
+
+void JobState::tick(Moment now) {
+  end_leases(now);
   if (!is_stuck() || now.steady_ms >= stuck_until_ms_) hand_out(now);
   end_hopeless_jobs(now);
 }
@@ -125,7 +139,7 @@ std::size_t JobState::drain(WorkerId worker) {
   for (auto& [id, session] : sessions_) {
     if (worker && id != worker) continue;
     session.drains = true;
-    session.ready = false;
+    idle_.erase(id);
     commands_.emplace_back(SendDrain{id});
     ++count;
   }
@@ -143,20 +157,24 @@ std::vector<WorkerAtWork> JobState::workers_at_work() const {
   return all;
 }
 
-bool JobState::may_work(WorkerId worker, const Session& session) const {
-  return session.ready && !session.attempt &&
+bool JobState::may_work(WorkerId worker) const {
+  return !sessions_.at(worker).attempt &&
          !durable_.quarantined_hosts.contains(workers_.at(worker).host);
 }
 
 /// Who has nothing else to do races a task that is late.
 void JobState::hand_out(Moment now) {
-  std::vector<TaskId> late = late_tasks(now);
-  for (auto& [worker, session] : sessions_) {
-    if (offers_.empty() && late.empty()) return;
-    if (!may_work(worker, session)) continue;
-    TaskId task = pick_for(worker, now);
-    if (!task) task = pick_late(worker, late, now);
-    if (task) lease(worker, task, now);
+  if (idle_.empty()) return;
+  HostMemory used = used_memory();
+  std::optional<std::vector<TaskId>> late;
+  for (const WorkerId worker : std::vector<WorkerId>(idle_.begin(), idle_.end())) {
+    if (offers_.empty() && !late) late = late_tasks(now);
+    if (offers_.empty() && late->empty()) return;
+    if (!may_work(worker)) continue;
+    TaskId task = pick_for(worker, used, now);
+    if (!task && !late) late = late_tasks(now);
+    if (!task) task = pick_late(worker, *late, used, now);
+    if (task) lease(worker, task, used, now);
   }
 }
 
@@ -177,8 +195,8 @@ bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Momen
 
 /// The best task for a worker; 0 when there is none for it now. Tasks whose inputs turn out to be
 /// gone start to wait.
-TaskId JobState::pick_for(WorkerId worker, Moment now) {
-  const std::uint64_t free_bytes = offers_.empty() ? 0 : free_memory(worker);
+TaskId JobState::pick_for(WorkerId worker, const HostMemory& used, Moment now) {
+  const std::uint64_t free_bytes = free_memory(worker, used);
   std::vector<TaskId> incomplete;
   TaskId picked;
   for (const auto& [rank, id] : offers_) {
@@ -194,7 +212,7 @@ TaskId JobState::pick_for(WorkerId worker, Moment now) {
   return picked;
 }
 
-void JobState::lease(WorkerId worker, TaskId task, Moment now) {
+void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now) {
   Session& session = sessions_.at(worker);
   AttemptRow attempt;
   attempt.id = AttemptId{++durable_.last_attempt};
@@ -211,7 +229,8 @@ void JobState::lease(WorkerId worker, TaskId task, Moment now) {
   lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
   session.attempt = attempt.id;
   started_ms_[attempt.id] = now.steady_ms;
-  session.ready = false;
+  idle_.erase(worker);
+  if (session.shares_memory) used[workers_.at(worker).host] += attempt.memory_bytes;
   if (attempt.is_rival) {
     rivals_[task] = attempt.id;
   } else {

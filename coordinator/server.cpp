@@ -82,7 +82,7 @@ spdlog::logger make_log(const CoordinatorOptions& options) {
   auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
   terminal->set_level(options.log_to_stderr ? spdlog::level::info : spdlog::level::warn);
   spdlog::logger log("coordinator", {file, terminal});
-  log.flush_on(spdlog::level::info);
+  log.flush_on(spdlog::level::warn);
   // A full disk must not flood the terminal with spdlog's own complaints.
   log.set_error_handler([](const std::string&) {});
   return log;
@@ -140,6 +140,7 @@ class Server {
     const SignalGuard signals(options_.handle_signals);
     log_.info("started, protocol {}, store {}", protocol_version, options_.store.string());
     tell_security();
+    log_.flush();
     if (options_.on_listening) options_.on_listening(endpoints_);
     if (options_.on_http && !status_.address().empty()) options_.on_http(status_.address());
     service_.ready("listening on " + endpoints_.front());
@@ -154,6 +155,7 @@ class Server {
     state_ = std::make_unique<JobState>(
         database_.load(), rules_, [this](const ArtifactRef& file) { return has_file(file); },
         now());
+    for (const auto& [id, task] : state_->durable().tasks) space_.note(task);
   }
 
   void drop_stale_uploads() {
@@ -190,12 +192,13 @@ class Server {
       listen(endpoint);
       list += endpoints_.back() + "\n";
     }
-    write_file_atomically(endpoints_file(options_.store), list);
+    // Whoever finds the endpoints shall find the key too.
     if (door_.has_keys()) {
       write_public_key(published_key_path(options_.store), door_.public_key());
     } else {
       remove_file(published_key_path(options_.store));
     }
+    write_file_atomically(endpoints_file(options_.store), list);
     store_.sweep_scratch(scratch_age_ms);
   }
 
@@ -237,7 +240,7 @@ class Server {
     handler_.carry_out(*state_, now());
     const ChangeSet changes = state_->take_changes();
     const bool committed = commit(changes);
-    if (committed) write_log(changes);
+    if (committed) note(changes);
     write_complaints();
     for (Reply& reply : handler_.take_replies()) {
       if (committed || !reply.needs_commit) send(std::move(reply));
@@ -335,6 +338,11 @@ class Server {
     state_->hold_back(commit_trouble_, now());
   }
 
+  void note(const ChangeSet& changes) {
+    for (const TaskRow& task : changes.tasks) space_.note(task);
+    write_log(changes);
+  }
+
   void write_log(const ChangeSet& changes) {
     for (const EventRow& event : changes.events) {
       const bool is_bad = event.what == "job failed" || event.what == "stuck";
@@ -342,6 +350,7 @@ class Server {
                "job={} task={} attempt={} worker={} {} {}", event.job.value, event.task.value,
                event.attempt.value, event.worker.value, event.what, event.message);
     }
+    if (!changes.events.empty()) log_.flush();
   }
 
   void send(Reply reply) {

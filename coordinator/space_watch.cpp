@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <utility>
 
 #include "base/mebibytes.h"
@@ -32,25 +31,21 @@ std::uint64_t work_of(const TaskRow& task) {
 
 }  // namespace
 
-std::uint64_t expected_bytes(const DurableState& state, std::size_t workers) {
-  std::map<std::pair<JobId, TaskKind>, std::uint64_t> largest;
-  for (const auto& [id, task] : state.tasks) {
-    if (task.state != TaskState::done) continue;
-    std::uint64_t& bytes = largest[{task.job, task.kind}];
-    bytes = std::max(bytes, sum(task.outputs));
-  }
+void SpaceWatch::note(const TaskRow& task) {
+  if (task.state != TaskState::done) return;
+  std::uint64_t& bytes = largest_[{task.job, task.kind}];
+  bytes = std::max(bytes, sum(task.outputs));
+}
+
+std::uint64_t SpaceWatch::expected_bytes(const JobState& state, std::size_t workers) const {
   std::uint64_t expected = 0;
-  std::size_t next = 0;
-  for (const auto& [id, task] : state.tasks) {
-    const bool is_ready = task.state == TaskState::ready &&
-                          state.jobs.at(task.job).phase == JobPhase::running && next < workers;
-    if (!is_ready && task.state != TaskState::leased) continue;
-    if (is_ready) ++next;
-    const auto known = largest.find({task.job, task.kind});
+  for (const TaskId id : state.running_and_next(workers)) {
+    const TaskRow& task = state.durable().tasks.at(id);
+    const auto known = largest_.find({task.job, task.kind});
     const bool by_work = task.kind == TaskKind::mesh && work_of(task) > 0;
-    expected += known != largest.end() ? known->second
-                : by_work              ? bytes_per_element * work_of(task)
-                                       : 2 * sum(task.inputs);
+    expected += known != largest_.end() ? known->second
+                : by_work               ? bytes_per_element * work_of(task)
+                                        : 2 * sum(task.inputs);
   }
   return expected;
 }
@@ -58,7 +53,7 @@ std::uint64_t expected_bytes(const DurableState& state, std::size_t workers) {
 std::string SpaceWatch::trouble(const JobState& state, Moment now) {
   if (now.steady_ms < next_look_ms_) return "";
   next_look_ms_ = now.steady_ms + look_again_ms;
-  const std::uint64_t wanted = expected_bytes(state.durable(), state.worker_count());
+  const std::uint64_t wanted = expected_bytes(state, state.worker_count());
   const DiskRoom room = disk_room(store_);
   if (wanted > 0 && !room.has(wanted)) {
     return store_.string() + ": " + mebibytes(room.free_bytes) + " free, " + mebibytes(wanted) +

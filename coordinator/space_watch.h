@@ -5,21 +5,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
 
-/// Bytes that the running tasks, and the next ready one for each of so many workers, are expected
-/// to write: as much as the largest result of their kind in their job so far; where there is none,
-/// by the estimated elements, or twice what they read. Cost: one pass over the tasks.
-std::uint64_t expected_bytes(const DurableState& state, std::size_t workers);
-
 class SpaceWatch {
  public:
   SpaceWatch(std::filesystem::path store, std::filesystem::path database)
       : store_(std::move(store)), database_(std::move(database)) {}
+
+  /// Learns from a done task how large results are; others tell nothing.
+  void note(const TaskRow& task);
+
+  /// Bytes that the running tasks, and the next ready one for each of so many workers, are expected
+  /// to write: as much as the largest result of their kind in their job so far; where there is
+  /// none, by the estimated elements, or twice what they read. Cost: O(running tasks, workers).
+  std::uint64_t expected_bytes(const JobState& state, std::size_t workers) const;
 
   /// What is wrong, for people; "": there is room, or it was looked at a moment ago.
   /// @throws IoError.
@@ -28,6 +33,7 @@ class SpaceWatch {
  private:
   std::filesystem::path store_;
   std::filesystem::path database_;
+  std::map<std::pair<JobId, TaskKind>, std::uint64_t> largest_;  ///< result of a kind in a job
   std::int64_t next_look_ms_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <memory>
 #include <utility>
 
 #include "base/error.h"
@@ -27,18 +28,29 @@ void refuse_network_file_system(const std::filesystem::path& folder) {
                    folder.string());
 }
 
-/// Forgets what lies further back than the bounds say. Ids rise without gaps, so this touches only
-/// what it removes.
-void forget_the_oldest(sqlite3* database, const HistoryBounds& bounds) {
-  Statement events(database, "DELETE FROM events WHERE id <= (SELECT max(id) FROM events) - ?");
-  events.bind(bounds.events).run();
-  Statement logs(database,
-                 "DELETE FROM attempt_logs WHERE attempt <= (SELECT max(attempt) FROM "
-                 "attempt_logs) - ?");
-  logs.bind(bounds.logs).run();
-}
+constexpr const char* forget_events =
+    "DELETE FROM events WHERE id <= (SELECT max(id) FROM events) - ?";
+constexpr const char* forget_logs =
+    "DELETE FROM attempt_logs WHERE attempt <= (SELECT max(attempt) FROM attempt_logs) - ?";
 
 }  // namespace
+
+/// What each transaction needs, prepared once.
+struct JobDatabase::Writing {
+  explicit Writing(sqlite3* database)
+      : rows(database), events(database, forget_events), logs(database, forget_logs) {}
+
+  /// Forgets what lies further back than the bounds say. Ids rise without gaps, so this touches
+  /// only what it removes.
+  void forget_the_oldest(const HistoryBounds& bounds) {
+    events.bind(bounds.events).run();
+    logs.bind(bounds.logs).run();
+  }
+
+  RowWriter rows;
+  Statement events;
+  Statement logs;
+};
 
 JobDatabase::JobDatabase(const std::filesystem::path& path, const HistoryBounds& bounds)
     : bounds_(bounds) {
@@ -72,10 +84,12 @@ void JobDatabase::apply(const ChangeSet& changes) {
   if (changes.empty()) return;
   execute(database_.get(), "BEGIN IMMEDIATE");
   try {
-    write_rows(database_.get(), changes);
-    if (!changes.events.empty()) forget_the_oldest(database_.get(), bounds_);
+    if (!writing_) writing_ = std::make_unique<Writing>(database_.get());
+    writing_->rows.write(changes);
+    if (!changes.events.empty()) writing_->forget_the_oldest(bounds_);
     execute(database_.get(), "COMMIT");
   } catch (...) {
+    writing_.reset();
     // Some errors end the transaction by themselves; a second ROLLBACK would only hide the first
     // error.
     if (sqlite3_get_autocommit(database_.get()) == 0) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,10 +52,13 @@ class JobDatabase {
   std::vector<std::string> damage() const;
 
  private:
+  struct Writing;
+
   explicit JobDatabase(SqlitePtr database);
 
   HistoryBounds bounds_;
   SqlitePtr database_;
+  std::unique_ptr<Writing> writing_;  ///< goes before its database; none before the first change
 };
 
 }  // namespace tetfarm

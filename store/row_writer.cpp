@@ -7,156 +7,165 @@
 namespace tetfarm {
 namespace {
 
-void write_jobs(sqlite3* database, const std::vector<JobRow>& jobs) {
-  Statement upsert(database,
-                   "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?) "
-                   "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
-                   "job_toml = excluded.job_toml, phase = excluded.phase, "
-                   "exit_code = excluded.exit_code, message = excluded.message, "
-                   "finished_ms = excluded.finished_ms");
-  for (const JobRow& job : jobs) {
-    upsert.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
-    upsert.bind(std::string(name_of(job.phase))).bind(job.exit_code).bind(job.message);
-    upsert.bind(job.created_ms).bind(job.finished_ms).run();
-  }
-}
+using Files = std::vector<ArtifactRef>;
 
-void write_artifact(Statement& insert, const std::string& hash, std::uint64_t size) {
-  insert.bind(hash).bind(size).run();
-}
-
-void write_subdomains(sqlite3* database, Statement& artifact,
-                      const std::vector<SubdomainRow>& subdomains) {
-  Statement upsert(database,
-                   "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-                   "ON CONFLICT (job, path) DO UPDATE SET parts = excluded.parts, "
-                   "state = excluded.state, interdomain_nodes = excluded.interdomain_nodes, "
-                   "interior_nodes = excluded.interior_nodes, tets = excluded.tets, "
-                   "meshed = excluded.meshed, hash = excluded.hash, "
-                   "work = excluded.work, joined_into = excluded.joined_into");
-  for (const SubdomainRow& row : subdomains) {
-    write_artifact(artifact, row.hash, row.size);
-    upsert.bind(row.job.value).bind(row.path).bind(row.parts);
-    upsert.bind(std::string(name_of(row.state))).bind(row.interdomain_nodes);
-    upsert.bind(row.interior_nodes).bind(row.tets).bind(row.meshed ? 1 : 0).bind(row.hash);
-    upsert.bind(row.work).bind(row.joined_into).run();
-  }
-}
-
-/// One of the two lists of files of a task: forgets the old list and writes the new one.
-void write_files(sqlite3* database, Statement& artifact, TaskId task,
-                 const std::vector<ArtifactRef>& files, const std::string& table) {
-  Statement forget(database, ("DELETE FROM " + table + " WHERE task = ? AND place >= ?").c_str());
-  forget.bind(task.value).bind(static_cast<std::uint64_t>(files.size())).run();
-  Statement upsert(database, ("INSERT INTO " + table +
-                              " VALUES (?, ?, ?, ?) ON CONFLICT (task, place) DO UPDATE SET "
-                              "name = excluded.name, hash = excluded.hash")
-                                 .c_str());
-  for (std::size_t place = 0; place < files.size(); ++place) {
-    write_artifact(artifact, files[place].hash, files[place].size);
-    upsert.bind(task.value).bind(static_cast<std::uint64_t>(place));
-    upsert.bind(files[place].name).bind(files[place].hash).run();
-  }
-}
-
-void write_values(sqlite3* database, const TaskRow& task) {
-  Statement forget(database, "DELETE FROM task_values WHERE task = ?");
-  forget.bind(task.id.value).run();
-  Statement insert(database, "INSERT INTO task_values VALUES (?, ?, ?, ?, ?)");
-  const auto write_texts = [&](const char* sort, const std::map<std::string, std::string>& texts) {
-    for (const auto& [name, text] : texts) {
-      insert.bind(task.id.value).bind(std::string(sort)).bind(name).bind_null().bind(text).run();
-    }
-  };
-  write_texts("parameter", task.parameters);
-  write_texts("text", task.texts);
-  for (const auto& [name, number] : task.numbers) {
-    insert.bind(task.id.value).bind(std::string("number")).bind(name);
-    insert.bind(number).bind_null().run();
-  }
-}
-
-void write_tasks(sqlite3* database, Statement& artifact, const std::vector<TaskRow>& tasks) {
-  Statement upsert(database,
-                   "INSERT INTO tasks VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-                   "ON CONFLICT (id) DO UPDATE SET state = excluded.state, "
-                   "attempt = excluded.attempt, crashes = excluded.crashes, "
-                   "losses = excluded.losses, exit_code = excluded.exit_code, "
-                   "message = excluded.message, seconds = excluded.seconds, "
-                   "peak_rss_bytes = excluded.peak_rss_bytes, "
-                   "starvings = excluded.starvings, memory_bytes = excluded.memory_bytes");
-  for (const TaskRow& task : tasks) {
-    upsert.bind(task.id.value).bind(task.job.value).bind(std::string(name_of(task.kind)));
-    upsert.bind(task.path).bind(std::string(name_of(task.state))).bind(task.attempt.value);
-    upsert.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
-    upsert.bind(task.seconds).bind(task.peak_rss_bytes);
-    upsert.bind(task.starvings).bind(task.memory_bytes).run();
-    write_files(database, artifact, task.id, task.inputs, "task_inputs");
-    write_files(database, artifact, task.id, task.outputs, "task_outputs");
-    write_values(database, task);
-  }
-}
-
-void write_workers(sqlite3* database, const std::vector<WorkerRow>& workers) {
-  Statement upsert(database,
-                   "INSERT INTO workers VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
-                   "ON CONFLICT (id) DO UPDATE SET gone = excluded.gone");
-  for (const WorkerRow& worker : workers) {
-    upsert.bind(worker.id.value).bind(worker.host).bind(worker.process).bind(worker.cores);
-    upsert.bind(worker.memory_bytes).bind(worker.program_version).bind(worker.seen_ms);
-    upsert.bind(worker.gone ? 1 : 0).run();
-  }
-}
-
-void write_attempts(sqlite3* database, const std::vector<AttemptRow>& attempts) {
-  Statement upsert(database,
-                   "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-                   "ON CONFLICT (id) DO UPDATE SET worker = excluded.worker, "
-                   "state = excluded.state, ended_ms = excluded.ended_ms, "
-                   "message = excluded.message, rival = excluded.rival, "
-                   "peak_rss_bytes = excluded.peak_rss_bytes");
-  Statement log(database, "INSERT OR REPLACE INTO attempt_logs VALUES (?, ?)");
-  for (const AttemptRow& attempt : attempts) {
-    upsert.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
-    upsert.bind(std::string(name_of(attempt.state))).bind(attempt.started_ms);
-    upsert.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce);
-    upsert.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes);
-    upsert.bind(attempt.peak_rss_bytes).run();
-    if (!attempt.log.empty()) log.bind(attempt.id.value).bind(attempt.log).run();
-  }
-}
-
-void write_hosts(sqlite3* database, const std::vector<HostRow>& hosts) {
-  Statement upsert(database,
-                   "INSERT INTO hosts VALUES (?, ?, ?, ?) "
-                   "ON CONFLICT (host) DO UPDATE SET quarantined = excluded.quarantined, "
-                   "since_ms = excluded.since_ms, reason = excluded.reason");
-  for (const HostRow& host : hosts) {
-    upsert.bind(host.host).bind(host.is_quarantined ? 1 : 0);
-    upsert.bind(host.since_ms).bind(host.reason).run();
-  }
-}
-
-void write_events(sqlite3* database, const std::vector<EventRow>& events) {
-  Statement insert(database, "INSERT INTO events VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)");
-  for (const EventRow& event : events) {
-    insert.bind(event.wall_ms).bind(event.job.value).bind(event.task.value);
-    insert.bind(event.attempt.value).bind(event.worker.value).bind(event.what);
-    insert.bind(event.message).run();
-  }
-}
+constexpr const char* put_job =
+    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?) "
+    "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
+    "job_toml = excluded.job_toml, phase = excluded.phase, "
+    "exit_code = excluded.exit_code, message = excluded.message, "
+    "finished_ms = excluded.finished_ms";
+constexpr const char* put_artifact = "INSERT INTO artifacts VALUES (?, ?) ON CONFLICT DO NOTHING";
+constexpr const char* put_subdomain =
+    "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+    "ON CONFLICT (job, path) DO UPDATE SET parts = excluded.parts, "
+    "state = excluded.state, interdomain_nodes = excluded.interdomain_nodes, "
+    "interior_nodes = excluded.interior_nodes, tets = excluded.tets, "
+    "meshed = excluded.meshed, hash = excluded.hash, "
+    "work = excluded.work, joined_into = excluded.joined_into";
+constexpr const char* update_task =
+    "UPDATE tasks SET state = ?2, attempt = ?3, crashes = ?4, losses = ?5, exit_code = ?6, "
+    "message = ?7, seconds = ?8, peak_rss_bytes = ?9, starvings = ?10, memory_bytes = ?11 "
+    "WHERE id = ?1";
+constexpr const char* insert_task =
+    "INSERT INTO tasks (id, state, attempt, crashes, losses, exit_code, message, seconds, "
+    "peak_rss_bytes, starvings, memory_bytes, job, kind, path) "
+    "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* insert_input = "INSERT INTO task_inputs VALUES (?, ?, ?, ?)";
+constexpr const char* forget_outputs = "DELETE FROM task_outputs WHERE task = ? AND place >= ?";
+constexpr const char* put_output =
+    "INSERT INTO task_outputs VALUES (?, ?, ?, ?) ON CONFLICT (task, place) DO UPDATE SET "
+    "name = excluded.name, hash = excluded.hash";
+constexpr const char* forget_result =
+    "DELETE FROM task_values WHERE task = ? AND sort IN ('number', 'text')";
+constexpr const char* insert_value = "INSERT INTO task_values VALUES (?, ?, ?, ?, ?)";
+constexpr const char* put_worker =
+    "INSERT INTO workers VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
+    "ON CONFLICT (id) DO UPDATE SET gone = excluded.gone";
+constexpr const char* put_attempt =
+    "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+    "ON CONFLICT (id) DO UPDATE SET worker = excluded.worker, "
+    "state = excluded.state, ended_ms = excluded.ended_ms, "
+    "message = excluded.message, rival = excluded.rival, "
+    "peak_rss_bytes = excluded.peak_rss_bytes";
+constexpr const char* put_log = "INSERT OR REPLACE INTO attempt_logs VALUES (?, ?)";
+constexpr const char* put_host =
+    "INSERT INTO hosts VALUES (?, ?, ?, ?) "
+    "ON CONFLICT (host) DO UPDATE SET quarantined = excluded.quarantined, "
+    "since_ms = excluded.since_ms, reason = excluded.reason";
+constexpr const char* insert_event = "INSERT INTO events VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)";
 
 }  // namespace
 
-void write_rows(sqlite3* database, const ChangeSet& changes) {
-  Statement artifact(database, "INSERT INTO artifacts VALUES (?, ?) ON CONFLICT DO NOTHING");
-  write_jobs(database, changes.jobs);
-  write_subdomains(database, artifact, changes.subdomains);
-  write_tasks(database, artifact, changes.tasks);
-  write_workers(database, changes.workers);
-  write_attempts(database, changes.attempts);
-  write_hosts(database, changes.hosts);
-  write_events(database, changes.events);
+RowWriter::RowWriter(sqlite3* database)
+    : database_(database),
+      job_(database, put_job),
+      artifact_(database, put_artifact),
+      subdomain_(database, put_subdomain),
+      task_update_(database, update_task),
+      task_insert_(database, insert_task),
+      input_(database, insert_input),
+      output_forget_(database, forget_outputs),
+      output_(database, put_output),
+      result_forget_(database, forget_result),
+      value_(database, insert_value),
+      worker_(database, put_worker),
+      attempt_(database, put_attempt),
+      log_(database, put_log),
+      host_(database, put_host),
+      event_(database, insert_event) {}
+
+void RowWriter::write(const ChangeSet& changes) {
+  for (const JobRow& job : changes.jobs) write(job);
+  for (const SubdomainRow& subdomain : changes.subdomains) write(subdomain);
+  for (const TaskRow& task : changes.tasks) write(task);
+  for (const WorkerRow& worker : changes.workers) write(worker);
+  for (const AttemptRow& attempt : changes.attempts) write(attempt);
+  for (const HostRow& host : changes.hosts) write(host);
+  for (const EventRow& event : changes.events) write(event);
+}
+
+void RowWriter::write(const JobRow& job) {
+  job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
+  job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
+  job_.bind(job.created_ms).bind(job.finished_ms).run();
+}
+
+void RowWriter::write(const SubdomainRow& row) {
+  artifact_.bind(row.hash).bind(row.size).run();
+  subdomain_.bind(row.job.value).bind(row.path).bind(row.parts);
+  subdomain_.bind(name_of(row.state)).bind(row.interdomain_nodes);
+  subdomain_.bind(row.interior_nodes).bind(row.tets).bind(row.meshed ? 1 : 0).bind(row.hash);
+  subdomain_.bind(row.work).bind(row.joined_into).run();
+}
+
+/// One of the two lists of files of a task.
+void RowWriter::write_files(Statement& statement, TaskId task, const Files& files) {
+  for (std::size_t place = 0; place < files.size(); ++place) {
+    artifact_.bind(files[place].hash).bind(files[place].size).run();
+    statement.bind(task.value).bind(static_cast<std::uint64_t>(place));
+    statement.bind(files[place].name).bind(files[place].hash).run();
+  }
+}
+
+void RowWriter::write_texts(TaskId task, const char* sort,
+                            const std::map<std::string, std::string>& texts) {
+  for (const auto& [name, text] : texts) {
+    value_.bind(task.value).bind(sort).bind(name).bind_null().bind(text).run();
+  }
+}
+
+Statement& RowWriter::bind_progress(Statement& statement, const TaskRow& task) {
+  statement.bind(task.id.value).bind(name_of(task.state)).bind(task.attempt.value);
+  statement.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
+  statement.bind(task.seconds).bind(task.peak_rss_bytes);
+  return statement.bind(task.starvings).bind(task.memory_bytes);
+}
+
+/// What a task reads is written once, with its first row: it never changes.
+void RowWriter::write(const TaskRow& task) {
+  bind_progress(task_update_, task).run();
+  const bool is_new = sqlite3_changes(database_) == 0;
+  if (is_new) {
+    bind_progress(task_insert_, task).bind(task.job.value);
+    task_insert_.bind(name_of(task.kind)).bind(task.path).run();
+    write_files(input_, task.id, task.inputs);
+    write_texts(task.id, "parameter", task.parameters);
+  } else {
+    output_forget_.bind(task.id.value).bind(static_cast<std::uint64_t>(task.outputs.size())).run();
+    result_forget_.bind(task.id.value).run();
+  }
+  write_files(output_, task.id, task.outputs);
+  write_texts(task.id, "text", task.texts);
+  for (const auto& [name, number] : task.numbers) {
+    value_.bind(task.id.value).bind("number").bind(name).bind(number).bind_null().run();
+  }
+}
+
+void RowWriter::write(const WorkerRow& worker) {
+  worker_.bind(worker.id.value).bind(worker.host).bind(worker.process).bind(worker.cores);
+  worker_.bind(worker.memory_bytes).bind(worker.program_version).bind(worker.seen_ms);
+  worker_.bind(worker.gone ? 1 : 0).run();
+}
+
+void RowWriter::write(const AttemptRow& attempt) {
+  attempt_.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
+  attempt_.bind(name_of(attempt.state)).bind(attempt.started_ms);
+  attempt_.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce);
+  attempt_.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes);
+  attempt_.bind(attempt.peak_rss_bytes).run();
+  if (!attempt.log.empty()) log_.bind(attempt.id.value).bind(attempt.log).run();
+}
+
+void RowWriter::write(const HostRow& host) {
+  host_.bind(host.host).bind(host.is_quarantined ? 1 : 0);
+  host_.bind(host.since_ms).bind(host.reason).run();
+}
+
+void RowWriter::write(const EventRow& event) {
+  event_.bind(event.wall_ms).bind(event.job.value).bind(event.task.value);
+  event_.bind(event.attempt.value).bind(event.worker.value).bind(event.what);
+  event_.bind(event.message).run();
 }
 
 }  // namespace tetfarm

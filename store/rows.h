@@ -88,7 +88,7 @@ struct TaskRow {
   std::uint64_t peak_rss_bytes = 0;
   std::vector<ArtifactRef> inputs;   ///< fixed when the task is made
   std::vector<ArtifactRef> outputs;  ///< of a done task; of a failed one the evidence
-  std::map<std::string, std::string> parameters;
+  std::map<std::string, std::string> parameters;  ///< fixed when the task is made
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> texts;
 

@@ -69,7 +69,7 @@ Statement& Statement::bind(double value) {
   return *this;
 }
 
-Statement& Statement::bind(const std::string& value) {
+Statement& Statement::bind(std::string_view value) {
   check(sqlite3_bind_text64(statement_, next_parameter_++, value.data(), value.size(),
                             SQLITE_TRANSIENT, SQLITE_UTF8));
   return *this;

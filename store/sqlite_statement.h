@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace tetfarm {
 
@@ -31,7 +32,8 @@ class Statement {
   Statement& bind(std::uint32_t value) { return bind(static_cast<std::int64_t>(value)); }
   Statement& bind(std::int32_t value) { return bind(static_cast<std::int64_t>(value)); }
   Statement& bind(double value);
-  Statement& bind(const std::string& value);
+  Statement& bind(std::string_view value);
+  Statement& bind(const char* value) { return bind(std::string_view(value)); }
   Statement& bind_null();
 
   /// Goes to the next row; false when there is none. @throws IoError, CorruptFile.

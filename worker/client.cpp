@@ -134,6 +134,7 @@ class Client {
   void forget_task() {
     child_.reset();
     unaccepted_.reset();
+    said_ready_ = false;
     task_ = 0;
     attempt_ = 0;
     try {
@@ -239,6 +240,7 @@ class Client {
 
   void take_assign(const wire::Assign& assign) {
     if (!is_idle() || draining_) return;
+    ready_at_ = 0;
     task_ = assign.task();
     attempt_ = assign.attempt();
     spdlog::info("{} task {} attempt {}: {} {}", assign.job(), task_, attempt_,
@@ -320,8 +322,11 @@ class Client {
     if (accepted.attempt() != attempt_ || accepted.task() != task_ || is_idle()) return;
     if (child_ && accepted.taken()) return;
     if (!accepted.taken()) spdlog::info("task {} attempt {} is stale", task_, attempt_);
+    const bool waits_for_next = said_ready_ && !draining_;
     forget_task();
-    say_ready_or_leave();
+    if (!waits_for_next) return say_ready_or_leave();
+    // Should that Ready have been lost, it is said again.
+    ready_at_ = steady_ms() + heartbeat_ms_;
   }
 
   void take_outcome() {
@@ -347,7 +352,14 @@ class Client {
   void send_result() {
     if (files_.is_sending()) return;
     result_at_ = steady_ms() + result_again_ms;
-    if (registered_) send(*unaccepted_);
+    if (!registered_) return;
+    send(*unaccepted_);
+    said_ready_ = unaccepted_->has_done() && sees_store_ && !draining_;
+    if (!said_ready_) return;
+    // The next task then comes with the answer, out of the same transaction.
+    wire::Envelope envelope;
+    envelope.mutable_ready();
+    send(envelope);
   }
 
   void keep_time() {
@@ -411,7 +423,8 @@ class Client {
   std::int64_t lease_ms_ = 10'000;
   std::int64_t heartbeat_at_ = 0;
   std::int64_t result_at_ = 0;
-  std::int64_t ready_at_ = 0;  ///< to look for room again; 0: there is some
+  bool said_ready_ = false;    ///< with the result that is not accepted yet
+  std::int64_t ready_at_ = 0;  ///< when to say that again, or to look for room; 0: not at all
   std::int64_t drain_until_ = 0;
   std::int64_t limit_ms_ = 0;
   std::int64_t assigned_at_ = 0;

@@ -40,6 +40,7 @@ class DurableRecord {
       EXPECT_EQ(old->second.kind, task.kind);
       EXPECT_EQ(old->second.path, task.path);
       EXPECT_EQ(old->second.inputs, task.inputs) << "the inputs of a task never change";
+      EXPECT_EQ(old->second.parameters, task.parameters) << "nor do its parameters";
     }
     state_.tasks[task.id] = task;
   }

@@ -113,7 +113,15 @@ class Worker {
     }
   }
 
+  /// Who has done its task asks for the next one with the result.
+  void say_result(Surroundings& world) {
+    world.post(connection_, *unaccepted_);
+    said_ready_ = std::holds_alternative<DoneSaid>(*unaccepted_) && !is_draining_;
+    if (said_ready_) world.post(connection_, Ready{});
+  }
+
   void forget() {
+    said_ready_ = false;
     task_ = {};
     attempt_ = {};
     unaccepted_.reset();
@@ -134,7 +142,7 @@ class Worker {
     if (world.now_ms < beat_at_ms_) return;
     beat_at_ms_ = world.now_ms + beat_ms;
     world.post(connection_, Beat{task_, attempt_});
-    if (unaccepted_) world.post(connection_, *unaccepted_);
+    if (unaccepted_) say_result(world);
     // A real one says it once: what ZeroMQ loses it loses with the connection.
     if (!attempt_) world.post(connection_, Ready{});
   }
@@ -209,7 +217,7 @@ class Worker {
     }
     for (const ArtifactRef& file : written_) world.disk.sync(file);
     unaccepted_ = DoneSaid{task_, attempt_, result_};
-    world.post(connection_, *unaccepted_);
+    say_result(world);
   }
 
   void obey(const ToWorker& message, Surroundings& world) {
@@ -226,8 +234,9 @@ class Worker {
     } else if (const auto* accepted = std::get_if<SendAccepted>(&message)) {
       if (!attempt_ || accepted->attempt != attempt_) return;
       if (accepted->taken && !unaccepted_) return;
+      const bool waits_for_next = said_ready_ && !is_draining_;
       forget();
-      say_ready_or_leave(world);
+      if (!waits_for_next) say_ready_or_leave(world);
     } else if (const auto* assign = std::get_if<SendAssign>(&message)) {
       if (!attempt_ && !is_draining_) start(*assign, world);
     } else if (std::holds_alternative<SendDrain>(message)) {
@@ -243,6 +252,7 @@ class Worker {
   TaskId task_;
   AttemptId attempt_;
   std::optional<ToCoordinator> unaccepted_;
+  bool said_ready_ = false;  // with the result
   TaskResult result_;
   std::vector<ArtifactRef> written_;
   std::vector<ToWorker> waiting_;  // that came while it was stopped
