@@ -1,5 +1,6 @@
-// Fills a store's database with jobs of make-believe tasks, as a coordinator would have: each row comes out of
-// the real decisions, for results that were made up. What waiting tasks read lies in the store.
+// Fills a store's database with jobs of make-believe tasks, as a coordinator would have: each row
+// comes out of the real decisions, for results that were made up. What waiting tasks read lies in
+// the store.
 //
 // service_fill STORE [--finished JOBS LEAVES] [--waiting LEAVES]
 //   --finished  so many jobs of so many sub-domains that are done: 3 tasks a sub-domain
@@ -91,7 +92,8 @@ class Filler {
   explicit Filler(const std::filesystem::path& store)
       : store_(store),
         database_(store / "tetfarm.db"),
-        state_(database_.load(), {}, [](const ArtifactRef&) { return true; }, now()) {
+        state_(
+            database_.load(), {}, [](const ArtifactRef&) { return true; }, now()) {
     WorkerInfo info;
     info.host = "make-believe";
     for (int i = 0; i < workers; ++i) {

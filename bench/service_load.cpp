@@ -1,5 +1,6 @@
-// Workers whose tasks take no time: each a connection of its own to a real coordinator, encrypted where a key is
-// given, speaking as worker/client.cpp does. Prints what happened as one line of JSON.
+// Workers whose tasks take no time: each a connection of its own to a real coordinator, encrypted
+// where a key is given, speaking as worker/client.cpp does. Prints what happened as one line of
+// JSON.
 //
 // service_load ENDPOINT STORE --workers N [--threads N] [--key FILE] [--tasks N | --idle SECONDS]
 //   --tasks  ends when so many results have been accepted, of all workers
@@ -191,8 +192,7 @@ void work(Load& load, zmq::context_t& context, std::size_t count) {
       if ((items[i].revents & ZMQ_POLLIN) != 0) workers[i]->take_messages();
       workers[i]->keep_time(now);
     }
-    if (load.options.idle_ms > 0 && load.over_ms == 0 &&
-        load.registered == load.options.workers) {
+    if (load.options.idle_ms > 0 && load.over_ms == 0 && load.registered == load.options.workers) {
       load.heartbeats = 0;
       load.answers = 0;
       load.over_ms = now + load.options.idle_ms;

@@ -122,7 +122,8 @@ void JobState::end_leases(Moment now) {
   }
   for (const WorkerId worker : silent) worker_left(worker, true, now);
   next_end_ms_ = now.steady_ms + rules_.lease_ms;
-  for (const auto& [attempt, end_ms] : lease_ends_ms_) next_end_ms_ = std::min(next_end_ms_, end_ms);
+  for (const auto& [attempt, end_ms] : lease_ends_ms_)
+    next_end_ms_ = std::min(next_end_ms_, end_ms);
   for (const auto& [worker, session] : sessions_) {
     next_end_ms_ = std::min(next_end_ms_, session.heard_ms + rules_.lease_ms);
   }

@@ -86,8 +86,8 @@ struct TaskRow {
   std::string message;             ///< why the last attempt failed
   double seconds = 0;              ///< of the accepted attempt
   std::uint64_t peak_rss_bytes = 0;
-  std::vector<ArtifactRef> inputs;   ///< fixed when the task is made
-  std::vector<ArtifactRef> outputs;  ///< of a done task; of a failed one the evidence
+  std::vector<ArtifactRef> inputs;                ///< fixed when the task is made
+  std::vector<ArtifactRef> outputs;               ///< of a done task; of a failed one the evidence
   std::map<std::string, std::string> parameters;  ///< fixed when the task is made
   std::map<std::string, double> numbers;
   std::map<std::string, std::string> texts;
