@@ -33,6 +33,7 @@ class RowWriter {
   void write(const EventRow& event);
   void write_files(Statement& statement, TaskId task, const std::vector<ArtifactRef>& files);
   void write_texts(TaskId task, const char* sort, const std::map<std::string, std::string>& texts);
+  void forget_old_result(const TaskRow& task);
   static Statement& bind_progress(Statement& statement, const TaskRow& task);
 
   sqlite3* database_;
@@ -42,6 +43,7 @@ class RowWriter {
   Statement task_update_;
   Statement task_insert_;
   Statement input_;
+  Statement result_find_;
   Statement output_forget_;
   Statement output_;
   Statement result_forget_;

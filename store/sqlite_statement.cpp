@@ -91,6 +91,10 @@ bool Statement::step() {
 
 void Statement::run() {
   step();
+  rewind();
+}
+
+void Statement::rewind() {
   check(sqlite3_reset(statement_));
   next_parameter_ = 1;
 }

@@ -42,6 +42,9 @@ class Statement {
   /// Runs a statement without rows and makes it ready for new values.
   void run();
 
+  /// Makes a statement with rows ready for new values.
+  void rewind();
+
   /// Reads the next column of the row, from the first on.
   std::int64_t integer();
   std::uint64_t unsigned_integer() { return static_cast<std::uint64_t>(integer()); }
