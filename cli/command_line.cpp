@@ -68,6 +68,7 @@ class Parser {
     add_gc();
     add_plan();
     add_quality();
+    add_export();
     add_render();
     add_shape();
     add_clients();
@@ -170,6 +171,25 @@ class Parser {
     sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
         ->required();
     add_json(sub, quality_.json);
+  }
+
+  void add_export() {
+    CLI::App& mesh = add("export", "Write a mesh in another format, a sub-domain at a time",
+                         "tetfarm export out -o wing.lb8l.ugrid", export_);
+    mesh.add_option("FILE", export_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
+        ->required();
+    mesh.add_option("-o,--output", export_.output, "The file, or the folder of a format of many")
+        ->required()
+        ->option_text("OUT");
+    mesh.add_option("--format", export_.format, "As docs/file_formats.md names it (by the ending)")
+        ->option_text("F");
+    add_json(mesh, export_.json);
+
+    CLI::App& surface = add("convert", "Write a surface in another format",
+                            "tetfarm convert wing.msh wing.stl", convert_);
+    surface.add_option("IN", convert_.input, "A surface")->required();
+    surface.add_option("OUT", convert_.output, "Its ending tells the format")->required();
+    add_json(surface, convert_.json);
   }
 
   void add_render() {
@@ -392,6 +412,8 @@ class Parser {
   GcCommand gc_;
   PlanCommand plan_;
   QualityOptions quality_;
+  ExportCommand export_;
+  ConvertCommand convert_;
   RenderCommand render_;
   ShapeCommand shape_;
   SubmitCommand submit_;

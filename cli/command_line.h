@@ -51,6 +51,21 @@ struct QualityOptions {
   bool json = false;
 };
 
+/// A mesh in another format.
+struct ExportCommand {
+  std::string input;
+  std::string output;
+  std::string format;  ///< "": by the ending of the output
+  bool json = false;
+};
+
+/// A surface in another format.
+struct ConvertCommand {
+  std::string input;
+  std::string output;
+  bool json = false;
+};
+
 struct RenderCommand {
   std::string input;
   std::string output;
@@ -246,12 +261,13 @@ struct NothingToDo {
   int exit_code = 0;
 };
 
-using Command = std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions,
-                             RenderCommand, ShapeCommand, StatusCommand, WaitCommand, CancelCommand,
-                             RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                             WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand,
-                             JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
-                             ExplainCommand, TraceCommand, BackupCommand, RestoreCommand>;
+using Command =
+    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
+                 ConvertCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
+                 CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
+                 WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, JobsCommand,
+                 TasksCommand, WorkersCommand, EventsCommand, LogsCommand, ExplainCommand,
+                 TraceCommand, BackupCommand, RestoreCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -25,6 +25,11 @@ ExitCode quality_command(const QualityOptions& options);
 /// sub-domains) before .ugrid. @throws Error when there is none.
 std::filesystem::path mesh_file(const std::filesystem::path& input);
 
+/// Writes a mesh in another format.
+ExitCode export_command(const ExportCommand& command);
+/// Writes a surface in another format.
+ExitCode convert_command(const ConvertCommand& command);
+
 /// Draws a mesh into a PNG file.
 ExitCode render_command(const RenderCommand& command);
 

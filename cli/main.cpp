@@ -48,6 +48,8 @@ struct Execute {
   ExitCode operator()(const GcCommand& command) const { return gc_command(command); }
   ExitCode operator()(const PlanCommand& command) const { return plan_command(command); }
   ExitCode operator()(const QualityOptions& options) const { return quality_command(options); }
+  ExitCode operator()(const ExportCommand& command) const { return export_command(command); }
+  ExitCode operator()(const ConvertCommand& command) const { return convert_command(command); }
   ExitCode operator()(const RenderCommand& command) const { return render_command(command); }
   ExitCode operator()(const ShapeCommand& command) const { return shape_command(command); }
   ExitCode operator()(const StatusCommand& command) const { return status_command(command); }

@@ -195,20 +195,50 @@ std::int64_t node_count(const Hdf5Input& file, const std::vector<Partition>& par
 
 }  // namespace
 
+struct VtkhdfParts::Content {
+  explicit Content(const std::filesystem::path& path)
+      : file(open_mesh(path)), known(known_arrays(file)), partitions(partitions_of(file)) {}
+
+  std::vector<std::string> texts(const char* name) const {
+    return file.has(name) ? file.texts(name) : std::vector<std::string>{};
+  }
+
+  Hdf5Input file;
+  KnownArrays known;
+  std::vector<Partition> partitions;
+};
+
+VtkhdfParts::VtkhdfParts(const std::filesystem::path& path)
+    : content_(std::make_unique<const Content>(path)) {}
+VtkhdfParts::~VtkhdfParts() = default;
+
+std::size_t VtkhdfParts::size() const { return content_->partitions.size(); }
+bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers; }
+void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
+
+NumberedPart VtkhdfParts::part(std::size_t i) const {
+  return read_part(content_->file, content_->partitions.at(i), content_->known);
+}
+
+std::vector<std::string> VtkhdfParts::patch_names() const {
+  return content_->texts("Tetfarm/patch_names");
+}
+
+std::vector<std::string> VtkhdfParts::region_names() const {
+  return content_->texts("Tetfarm/region_names");
+}
+
 void for_each_vtkhdf_part(const std::filesystem::path& path,
                           const std::function<void(NumberedPart& part)>& visit) {
-  const Hdf5Input file = open_mesh(path);
-  const KnownArrays known = known_arrays(file);
-  for (const Partition& here : partitions_of(file)) {
-    NumberedPart part = read_part(file, here, known);
+  const VtkhdfParts parts(path);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    NumberedPart part = parts.part(i);
     visit(part);
   }
 }
 
 std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
-  const Hdf5Input file = open_mesh(path);
-  return file.has("Tetfarm/patch_names") ? file.texts("Tetfarm/patch_names")
-                                         : std::vector<std::string>{};
+  return VtkhdfParts(path).patch_names();
 }
 
 GlobalMesh read_vtkhdf(const std::filesystem::path& path) {

@@ -3,11 +3,36 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/mesh_report.h"
 
 namespace tetfarm {
+
+/// Any partition at any time: memory of one. What is not there is made up as below.
+class VtkhdfParts {
+ public:
+  /// @throws IoError, InvalidInput.
+  explicit VtkhdfParts(const std::filesystem::path& path);
+  ~VtkhdfParts();
+
+  std::size_t size() const;
+  /// @throws InvalidInput.
+  NumberedPart part(std::size_t i) const;
+  /// Without them only a single partition is a mesh.
+  bool has_node_numbers() const;
+  /// Of the patches and of regions 1, 2, …; empty when the file has none.
+  std::vector<std::string> patch_names() const;
+  std::vector<std::string> region_names() const;
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<const Content> content_;
+};
 
 /// Visits the partitions one after the other: memory of one. Without GlobalNodeId, numbers are
 /// those of the partition; without the cell array `region` all is region 1; without `patch` all

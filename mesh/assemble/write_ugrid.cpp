@@ -1,91 +1,57 @@
 #include "mesh/assemble/write_ugrid.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <limits>
-#include <numeric>
 
 #include "base/error.h"
+#include "mesh/assemble/node_runs.h"
+#include "mesh/assemble/output_file.h"
 
 namespace tetfarm {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "lb8 is little endian");
+static_assert(std::endian::native == std::endian::little);
 
-constexpr std::int64_t header_bytes = 7 * 4;
 constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
 
-/// A file that is filled at several places at once.
-class OutputFile {
- public:
-  explicit OutputFile(std::filesystem::path path) : path_(std::move(path)) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throw IoError("cannot make the file", path_.string(), errno);
+void turn_bytes(std::string& bytes, std::size_t size) {
+  for (std::size_t i = 0; i < bytes.size(); i += size) {
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(i + size));
   }
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
+}
 
-  template <class T>
-  void write(std::int64_t offset, const std::vector<T>& values) {
-    const char* data = reinterpret_cast<const char*>(values.data());
-    std::size_t left = values.size() * sizeof(T);
-    while (left > 0) {
-      const ssize_t done = ::pwrite(descriptor_, data, left, offset);
-      if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) throw IoError("cannot write", path_.string(), done < 0 ? errno : ENOSPC);
-      data += done;
-      offset += done;
-      left -= static_cast<std::size_t>(done);
-    }
-  }
-
-  void finish() {
-    if (::fsync(descriptor_) != 0) throw IoError("cannot write", path_.string(), errno);
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    if (::close(descriptor) != 0) throw IoError("cannot write", path_.string(), errno);
-  }
-
- private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;
-};
-
-std::int32_t from_one(std::int64_t number) { return static_cast<std::int32_t>(number + 1); }
-
+template <class Integer>
 class UgridWriter : public GlobalMeshWriter {
  public:
-  UgridWriter(const std::filesystem::path& path, std::int64_t nodes, std::int64_t triangles,
-              std::int64_t tets)
+  UgridWriter(const std::filesystem::path& path, const UgridCounts& counts, bool big_endian)
       : file_(path),
-        next_triangle_(header_bytes + nodes * 24),
-        next_patch_(next_triangle_ + triangles * 12),
-        next_tet_(next_patch_ + triangles * 4) {
-    const auto count = [](std::int64_t n) { return static_cast<std::int32_t>(n); };
-    file_.write(0,
-                std::vector<std::int32_t>{count(nodes), count(triangles), 0, count(tets), 0, 0, 0});
+        big_endian_(big_endian),
+        next_triangle_(header_bytes + counts.nodes * 24),
+        next_patch_(next_triangle_ + counts.boundary_triangles * 3 * integer_bytes),
+        next_tet_(next_patch_ + counts.boundary_triangles * integer_bytes) {
+    const auto count = [](std::int64_t n) { return static_cast<Integer>(n); };
+    write(0, std::vector<Integer>{count(counts.nodes), count(counts.boundary_triangles), 0,
+                                  count(counts.tets), 0, 0, 0});
   }
 
   void add(const NumberedPart& part) override {
-    add_nodes(part);
+    for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
+      std::vector<double> coordinates;
+      for (const Vec3& p : nodes) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+      write(header_bytes + first * 24, coordinates);
+    });
     const auto number = [&](std::int32_t local) {
-      return from_one(part.local2global[static_cast<std::size_t>(local)]);
+      return static_cast<Integer>(part.local2global[static_cast<std::size_t>(local)] + 1);
     };
-    std::vector<std::int32_t> triangles;
-    triangles.reserve(part.faces.size() * 3);
+    std::vector<Integer> triangles;
     for (const auto& [a, b, c] : part.faces) {
       triangles.insert(triangles.end(), {number(a), number(c), number(b)});
     }
-    std::vector<std::int32_t> patches;
-    for (const std::int32_t patch : part.patch_of_face) patches.push_back(from_one(patch));
-    std::vector<std::int32_t> tets;
+    std::vector<Integer> patches;
+    for (const std::int32_t patch : part.patch_of_face) patches.push_back(patch + 1);
+    std::vector<Integer> tets;
     tets.reserve(part.tets.size() * 4);
     for (const Tet& tet : part.tets) {
       for (const std::int32_t v : tet) tets.push_back(number(v));
@@ -98,34 +64,27 @@ class UgridWriter : public GlobalMeshWriter {
   void finish() override { file_.finish(); }
 
  private:
-  void append(std::int64_t& place, const std::vector<std::int32_t>& values) {
-    file_.write(place, values);
-    place += std::ssize(values) * 4;
+  static constexpr std::int64_t integer_bytes = sizeof(Integer);
+  static constexpr std::int64_t header_bytes = 7 * integer_bytes;
+
+  void append(std::int64_t& place, const std::vector<Integer>& values) {
+    write(place, values);
+    place += std::ssize(values) * integer_bytes;
   }
 
-  /// Nodes with consecutive numbers are written together; those on interfaces once for each part
-  /// that has them.
-  void add_nodes(const NumberedPart& part) {
-    std::vector<std::size_t> by_number(part.nodes.size());
-    std::iota(by_number.begin(), by_number.end(), std::size_t{0});
-    std::sort(by_number.begin(), by_number.end(), [&](std::size_t a, std::size_t b) {
-      return part.local2global[a] < part.local2global[b];
-    });
-    std::vector<Vec3> run;
-    std::int64_t first = 0;
-    for (const std::size_t v : by_number) {
-      const std::int64_t number = part.local2global[v];
-      if (number != first + std::ssize(run)) {
-        file_.write(header_bytes + first * 24, run);
-        run.clear();
-        first = number;
-      }
-      run.push_back(part.nodes[v]);
+  template <class T>
+  void write(std::int64_t place, const std::vector<T>& values) {
+    if (!big_endian_) {
+      file_.write(place, values);
+      return;
     }
-    file_.write(header_bytes + first * 24, run);
+    std::string bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    turn_bytes(bytes, sizeof(T));
+    file_.write(place, bytes);
   }
 
   OutputFile file_;
+  bool big_endian_;
   std::int64_t next_triangle_;
   std::int64_t next_patch_;
   std::int64_t next_tet_;
@@ -134,16 +93,23 @@ class UgridWriter : public GlobalMeshWriter {
 }  // namespace
 
 std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
+                                              const UgridCounts& counts, UgridLayout layout) {
+  if (layout.wide) {
+    return std::make_unique<UgridWriter<std::int64_t>>(path, counts, layout.big_endian);
+  }
+  if (counts.nodes > most || counts.tets > most || counts.boundary_triangles > most) {
+    throw Error(ExitCode::failed,
+                "the mesh is too large for UGRID with 32 bits, whose counts end at 2147483647: " +
+                    std::to_string(counts.nodes) + " nodes, " + std::to_string(counts.tets) +
+                    " tets; use vtkhdf, and `tetfarm export` to lb8l.ugrid");
+  }
+  return std::make_unique<UgridWriter<std::int32_t>>(path, counts, layout.big_endian);
+}
+
+std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
                                               const Numbering& numbering,
                                               std::int64_t boundary_triangles) {
-  static_assert(sizeof(Vec3) == 24);
-  if (numbering.nodes > most || numbering.tets > most || boundary_triangles > most) {
-    throw Error(ExitCode::failed,
-                "the mesh is too large for lb8.ugrid, whose counts end at 2147483647: " +
-                    std::to_string(numbering.nodes) + " nodes, " + std::to_string(numbering.tets) +
-                    " tets; use the format vtkhdf");
-  }
-  return std::make_unique<UgridWriter>(path, numbering.nodes, boundary_triangles, numbering.tets);
+  return write_ugrid(path, {numbering.nodes, boundary_triangles, numbering.tets}, {});
 }
 
 std::string mapbc_text(const std::vector<std::string>& patch_names) {

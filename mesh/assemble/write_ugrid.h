@@ -1,9 +1,9 @@
-/// Writes the global mesh as AFLR3/NASA UGRID, little endian, doubles (.lb8.ugrid), and the names
-/// of its patches (.mapbc).
+/// Writes the global mesh as AFLR3/NASA UGRID, doubles, in either order of bytes and with integers
+/// of 32 or 64 bits (.lb8.ugrid, .b8.ugrid, .lb8l.ugrid, .b8l.ugrid), and the names of its patches
+/// (.mapbc).
 ///
 /// Source: UG_IO documentation, "UGRID file type". Nodes and patches are numbered from 1; the
-/// normals of boundary triangles point into the domain. Counts are 32-bit: that is the format's
-/// limit.
+/// normals of boundary triangles point into the domain.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,23 @@
 
 namespace tetfarm {
 
+struct UgridLayout {
+  bool big_endian = false;
+  bool wide = false;  ///< integers of 64 bits
+};
+
+struct UgridCounts {
+  std::int64_t nodes = 0;
+  std::int64_t boundary_triangles = 0;
+  std::int64_t tets = 0;
+};
+
 /// Truncates `path`. The numbers of boundary triangles follow the parts. @throws Error when a count
-/// is above 2^31 - 1; IoError, also later from the writer.
+/// is above 2^31 - 1 and integers are not wide; IoError, also later from the writer.
+std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
+                                              const UgridCounts& counts, UgridLayout layout);
+
+/// As .lb8.ugrid.
 std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
                                               const Numbering& numbering,
                                               std::int64_t boundary_triangles);

@@ -24,13 +24,14 @@ ROOMS = {
     "mesh/cosmetics": ["mesh/geometry"],
     "mesh/volume": ["mesh/spacing", "mesh/cosmetics"],
     "mesh/assemble": ["mesh/io"],
+    "mesh/formats": ["mesh/assemble"],
     "mesh/render": ["mesh/assemble"],
     "proto": ["base"],
     "store": ["base"],
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
-    "cli": ["coordinator", "worker", "pool", "mesh/render"],
+    "cli": ["coordinator", "worker", "pool", "mesh/formats", "mesh/render"],
 }
 
 # They see every room, and no room sees them.

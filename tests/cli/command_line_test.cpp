@@ -52,8 +52,8 @@ TEST(CommandLine, mistakes_are_usage_errors) {
 }
 
 TEST(CommandLine, every_command_has_help) {
-  for (const char* name : {"run", "check", "quality", "shape", "submit", "status", "wait", "cancel",
-                           "coordinator", "worker"}) {
+  for (const char* name : {"run", "check", "quality", "export", "convert", "shape", "submit",
+                           "status", "wait", "cancel", "coordinator", "worker"}) {
     EXPECT_EQ(code_of(parse({name, "--help"})), 0) << name;
   }
   EXPECT_EQ(code_of(parse({"--help"})), 0);

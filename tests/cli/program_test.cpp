@@ -63,8 +63,8 @@ TEST(TetfarmProgram, mistakes_on_the_command_line_end_with_2_and_a_hint) {
 
 TEST(TetfarmProgram, help_of_each_command_has_an_example) {
   const TemporaryFolder folder;
-  for (const char* name :
-       {"run", "check", "quality", "submit", "status", "wait", "cancel", "coordinator", "worker"}) {
+  for (const char* name : {"run", "check", "quality", "export", "convert", "submit", "status",
+                           "wait", "cancel", "coordinator", "worker"}) {
     const Ended ended = run_program({name, "--help"}, folder.path());
     EXPECT_EQ(ended.code, 0) << name;
     EXPECT_THAT(ended.out, HasSubstr("Example: tetfarm ")) << name;

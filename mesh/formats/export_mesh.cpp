@@ -1,0 +1,106 @@
+#include "mesh/formats/export_mesh.h"
+
+#include <array>
+
+#include "base/error.h"
+#include "base/file_system.h"
+#include "mesh/assemble/write_ugrid.h"
+#include "mesh/assemble/write_vtkhdf.h"
+
+namespace tetfarm {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_all_parts(const MeshSource& source, GlobalMeshWriter& writer) {
+  for (std::size_t i = 0; i < source.size(); ++i) writer.add(source.part(i));
+  writer.finish();
+}
+
+void export_vtkhdf(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
+  write_all_parts(source, *write_vtkhdf(file, outline.patch_names, outline.region_names));
+}
+
+template <bool big_endian, bool wide>
+void export_ugrid(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
+  const UgridCounts counts{outline.nodes, outline.boundary_triangles, outline.tets};
+  write_all_parts(source, *write_ugrid(file, counts, {big_endian, wide}));
+}
+
+/// NAME.b8.ugrid gets NAME.mapbc, and NAME.regions when there are several.
+void write_mapbc(const MeshOutline& outline, const fs::path& file) {
+  const fs::path stem = fs::path(file).replace_extension().replace_extension();
+  write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names));
+  if (outline.region_names.size() < 2) return;
+  std::string text;
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < outline.region_names.size(); ++i) {
+    const std::int64_t first = last + 1;
+    last += outline.tets_of_region[i];
+    text += std::to_string(i + 1) + ' ' + std::to_string(first) + ' ' + std::to_string(last) + ' ' +
+            outline.region_names[i] + '\n';
+  }
+  write_file_atomically(stem.string() + ".regions", text);
+}
+
+constexpr std::array formats = {
+    MeshFormat{"vtkhdf", ".vtkhdf", "VTKHDF, a partition for each sub-domain", true, export_vtkhdf,
+               nullptr},
+    MeshFormat{"lb8l.ugrid", ".lb8l.ugrid", "UGRID, 64-bit integers", true,
+               export_ugrid<false, true>, write_mapbc},
+    MeshFormat{"b8l.ugrid", ".b8l.ugrid", "UGRID, 64-bit integers, big endian", true,
+               export_ugrid<true, true>, write_mapbc},
+    MeshFormat{"lb8.ugrid", ".lb8.ugrid", "UGRID", true, export_ugrid<false, false>, write_mapbc},
+    MeshFormat{"b8.ugrid", ".b8.ugrid", "UGRID, big endian", true, export_ugrid<true, false>,
+               write_mapbc},
+};
+
+void write_single_file(const MeshSource& source, const MeshOutline& outline,
+                       const MeshFormat& format, const fs::path& output) {
+  const fs::path growing = output.parent_path() / (unique_temp_name(output.filename().string()) +
+                                                   std::string(format.ending));
+  try {
+    format.write(source, outline, growing);
+    publish_by_rename(growing, output);
+  } catch (...) {
+    remove_file(growing);
+    throw;
+  }
+}
+
+std::string all_names() {
+  std::string names;
+  for (const MeshFormat& format : formats) {
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::span<const MeshFormat> mesh_formats() { return formats; }
+
+const MeshFormat& find_mesh_format(std::string_view name, const fs::path& output) {
+  const std::string file = output.filename().string();
+  for (const MeshFormat& format : formats) {
+    const bool is_wanted = name.empty() ? !format.ending.empty() && file.ends_with(format.ending)
+                                        : format.name == name;
+    if (is_wanted) return format;
+  }
+  throw UsageError("formats are " + all_names(),
+                   name.empty() ? output.string() : "--format " + std::string(name));
+}
+
+ExportCounts export_mesh(const MeshSource& source, const MeshFormat& format,
+                         const fs::path& output) {
+  const MeshOutline outline = outline_of(source);
+  if (format.is_single_file) {
+    write_single_file(source, outline, format, output);
+  } else {
+    format.write(source, outline, output);
+  }
+  if (format.write_beside != nullptr) format.write_beside(outline, output);
+  return {outline.nodes, outline.tets, outline.boundary_triangles, outline.parts.size()};
+}
+
+}  // namespace tetfarm

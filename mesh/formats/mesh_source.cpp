@@ -1,0 +1,131 @@
+#include "mesh/formats/mesh_source.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "mesh/assemble/read_vtkhdf.h"
+#include "mesh/formats/ugrid_source.h"
+
+namespace tetfarm {
+namespace {
+
+/// More than any real mesh has: a wrong number must not fill the memory.
+constexpr std::int32_t most_names = 1'000'000;
+
+class VtkhdfSource : public MeshSource {
+ public:
+  explicit VtkhdfSource(const std::filesystem::path& path) : parts_(path) {
+    if (parts_.size() != 1 && !parts_.has_node_numbers()) {
+      parts_.fail("several partitions, and no GlobalNodeId to join them");
+    }
+  }
+  std::size_t size() const override { return parts_.size(); }
+  NumberedPart part(std::size_t i) const override { return parts_.part(i); }
+  std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
+  std::vector<std::string> region_names() const override { return parts_.region_names(); }
+
+ private:
+  VtkhdfParts parts_;
+};
+
+[[noreturn]] void refuse(std::size_t part, const std::string& what) {
+  throw InvalidInput(what, "sub-domain " + std::to_string(part));
+}
+
+/// Which nodes have been met.
+class KnownNodes {
+ public:
+  /// True for the first time.
+  bool meet(std::int64_t number) {
+    const auto at = static_cast<std::size_t>(number);
+    if (at >= is_known_.size()) is_known_.resize(std::max(at + 1, 2 * is_known_.size()), false);
+    const bool is_new = !is_known_[at];
+    is_known_[at] = true;
+    return is_new;
+  }
+
+ private:
+  std::vector<bool> is_known_;
+};
+
+void add_counts(const std::vector<std::int64_t>& counts, std::vector<std::int64_t>& sums) {
+  sums.resize(std::max(sums.size(), counts.size()));
+  for (std::size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
+}
+
+PartOutline outline_of_part(const NumberedPart& part, std::size_t index, std::int64_t first_tet,
+                            std::int64_t limit, KnownNodes& known) {
+  PartOutline outline;
+  outline.nodes = std::ssize(part.nodes);
+  outline.tets = std::ssize(part.tets);
+  outline.first_tet = first_tet;
+  outline.region = part.region;
+  outline.box = bounding_box(part.nodes);
+  for (const std::int64_t number : part.local2global) {
+    if (number < 0 || number >= limit) refuse(index, "a node number is out of range");
+    if (known.meet(number)) ++outline.owned_nodes;
+  }
+  for (const std::int32_t patch : part.patch_of_face) {
+    if (patch < 0 || patch >= most_names) refuse(index, "a patch number is out of range");
+    const auto at = static_cast<std::size_t>(patch);
+    if (at >= outline.faces_of_patch.size()) outline.faces_of_patch.resize(at + 1);
+    ++outline.faces_of_patch[at];
+  }
+  return outline;
+}
+
+void name_the_rest(std::vector<std::string>& names, std::size_t count, const std::string& kind) {
+  while (names.size() < count) names.push_back(kind + " " + std::to_string(names.size() + 1));
+}
+
+}  // namespace
+
+MeshOutline outline_of(const MeshSource& source) {
+  MeshOutline outline;
+  KnownNodes known;
+  std::int64_t largest = -1;
+  std::int64_t points = 0;
+  // A number above all points could not be of a mesh without gaps, and would cost memory.
+  std::int64_t limit = 0;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const NumberedPart part = source.part(i);
+    points += std::ssize(part.nodes);
+    limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
+    outline.parts.push_back(outline_of_part(part, i, outline.tets, limit, known));
+    const PartOutline& here = outline.parts.back();
+    for (const std::int64_t number : part.local2global) largest = std::max(largest, number);
+    outline.nodes += here.owned_nodes;
+    outline.tets += here.tets;
+    outline.boundary_triangles += std::ssize(part.faces);
+    add_counts(here.faces_of_patch, outline.faces_of_patch);
+    std::vector<std::int64_t> in_region(static_cast<std::size_t>(here.region));
+    in_region.back() = here.tets;
+    add_counts(in_region, outline.tets_of_region);
+  }
+  if (largest + 1 != outline.nodes) {
+    throw InvalidInput("node numbers have gaps: the largest is " + std::to_string(largest) +
+                           " of " + std::to_string(outline.nodes) + " nodes",
+                       "");
+  }
+  outline.patch_names = source.patch_names();
+  outline.region_names = source.region_names();
+  if (outline.region_names.empty() && outline.tets_of_region.size() == 1) {
+    outline.region_names = {"domain"};
+  }
+  name_the_rest(outline.patch_names, outline.faces_of_patch.size(), "patch");
+  name_the_rest(outline.region_names, outline.tets_of_region.size(), "region");
+  outline.faces_of_patch.resize(outline.patch_names.size());
+  outline.tets_of_region.resize(outline.region_names.size());
+  for (PartOutline& part : outline.parts) part.faces_of_patch.resize(outline.patch_names.size());
+  return outline;
+}
+
+std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  if (name.ends_with(".vtkhdf")) return std::make_unique<VtkhdfSource>(path);
+  if (name.ends_with(".lb8.ugrid")) return open_ugrid(path);
+  throw InvalidInput("is no mesh by its ending; .vtkhdf and .lb8.ugrid are read", path.string());
+}
+
+}  // namespace tetfarm

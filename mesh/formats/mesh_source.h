@@ -1,0 +1,57 @@
+/// A finished mesh as a file has it, part by part: what is written in other formats is read from.
+///
+/// Parts are sub-domains where the file knows them, else pieces of consecutive tets. Any part can
+/// be read at any time and as often as wanted; only that part is in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mesh/assemble/portion.h"
+
+namespace tetfarm {
+
+class MeshSource {
+ public:
+  virtual ~MeshSource() = default;
+  virtual std::size_t size() const = 0;
+  /// The i-th part, with the number i. @throws InvalidInput, IoError.
+  virtual NumberedPart part(std::size_t i) const = 0;
+  virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
+  virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
+};
+
+/// What must be known before the first part is written.
+struct PartOutline {
+  std::int64_t nodes = 0;
+  std::int64_t owned_nodes = 0;  ///< that no part before has
+  std::int64_t tets = 0;
+  std::int64_t first_tet = 0;  ///< in the whole mesh: tets are counted part after part
+  std::int32_t region = 1;
+  std::vector<std::int64_t> faces_of_patch;
+  Box3 box;
+};
+
+struct MeshOutline {
+  std::int64_t nodes = 0;
+  std::int64_t tets = 0;
+  std::int64_t boundary_triangles = 0;
+  std::vector<PartOutline> parts;
+  std::vector<std::int64_t> faces_of_patch;  ///< one for each name
+  std::vector<std::int64_t> tets_of_region;  ///< one for each name
+  std::vector<std::string> patch_names;      ///< all have one: "patch 3" without
+  std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
+};
+
+/// Reads each part once, and checks it. @throws InvalidInput when a number is out of range or a
+/// node number belongs to no node. Memory: one part, and a bit for each node of the mesh.
+MeshOutline outline_of(const MeshSource& source);
+
+/// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside
+/// it), by the ending. @throws IoError, InvalidInput.
+std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path);
+
+}  // namespace tetfarm
