@@ -6,6 +6,13 @@
 #include "base/file_system.h"
 #include "mesh/assemble/write_ugrid.h"
 #include "mesh/assemble/write_vtkhdf.h"
+#include "mesh/formats/write_cgns.h"
+#include "mesh/formats/write_meshb.h"
+#include "mesh/formats/write_msh22.h"
+#include "mesh/formats/write_msh41.h"
+#include "mesh/formats/write_pvtu.h"
+#include "mesh/formats/write_su2.h"
+#include "mesh/formats/write_tetgen.h"
 
 namespace tetfarm {
 namespace {
@@ -25,6 +32,11 @@ template <bool big_endian, bool wide>
 void export_ugrid(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
   const UgridCounts counts{outline.nodes, outline.boundary_triangles, outline.tets};
   write_all_parts(source, *write_ugrid(file, counts, {big_endian, wide}));
+}
+
+template <MshEncoding encoding>
+void export_msh41(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
+  write_msh41(source, outline, file, encoding);
 }
 
 /// NAME.b8.ugrid gets NAME.mapbc, and NAME.regions when there are several.
@@ -53,6 +65,17 @@ constexpr std::array formats = {
     MeshFormat{"lb8.ugrid", ".lb8.ugrid", "UGRID", true, export_ugrid<false, false>, write_mapbc},
     MeshFormat{"b8.ugrid", ".b8.ugrid", "UGRID, big endian", true, export_ugrid<true, false>,
                write_mapbc},
+    MeshFormat{"cgns", ".cgns", "CGNS (HDF5), 64-bit", true, write_cgns, nullptr},
+    MeshFormat{"pvtu", ".pvtu", "VTK XML, a .vtu for each sub-domain", false, write_pvtu, nullptr},
+    MeshFormat{"msh41", ".msh", "Gmsh 4.1, binary", true, export_msh41<MshEncoding::binary>,
+               nullptr},
+    MeshFormat{"msh41-text", "", "Gmsh 4.1, text", true, export_msh41<MshEncoding::text>, nullptr},
+    MeshFormat{"msh41-split", "", "Gmsh 4.1, a file for each sub-domain", false, write_msh41_split,
+               nullptr},
+    MeshFormat{"msh22", "", "Gmsh 2.2, text", true, write_msh22, nullptr},
+    MeshFormat{"su2", ".su2", "SU2", true, write_su2, nullptr},
+    MeshFormat{"meshb", ".meshb", "Medit (GMF 4), 64-bit", true, write_meshb, nullptr},
+    MeshFormat{"tetgen", ".node", "TetGen .node, .face, .ele", false, write_tetgen, nullptr},
 };
 
 void write_single_file(const MeshSource& source, const MeshOutline& outline,

@@ -1,0 +1,84 @@
+#include "mesh/formats/write_msh22.h"
+
+#include "mesh/formats/msh41_sections.h"
+#include "mesh/formats/node_records.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int triangle_numbers = 8;
+constexpr int tet_numbers = 11;
+
+struct Places {
+  std::int64_t node = 0;
+  std::int64_t triangle = 0;
+  std::int64_t tet = 0;
+};
+
+Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberText& style) {
+  Places places;
+  std::string head = msh_head(outline, style);
+  head.replace(head.find("4.1"), 3, "2.2");
+  head += "$Nodes\n" + std::to_string(outline.nodes) + "\n";
+  file.write(0, head);
+  places.node = std::ssize(head);
+  const std::int64_t after_nodes = places.node + outline.nodes * style.record_bytes(1, 3);
+  const std::string between =
+      "$EndNodes\n$Elements\n" + std::to_string(outline.boundary_triangles + outline.tets) + "\n";
+  file.write(after_nodes, between);
+  places.triangle = after_nodes + std::ssize(between);
+  places.tet =
+      places.triangle + outline.boundary_triangles * style.record_bytes(triangle_numbers, 0);
+  file.write(places.tet + outline.tets * style.record_bytes(tet_numbers, 0),
+             std::string_view("$EndElements\n"));
+  return places;
+}
+
+template <class Element>
+void put_element(NumberText& lines, const NumberedPart& part, const Element& element) {
+  for (const std::int32_t v : element) lines.integer(global_node(part, v) + 1);
+  lines.end_record();
+}
+
+}  // namespace
+
+void write_msh22(const MeshSource& source, const MeshOutline& outline,
+                 const std::filesystem::path& path) {
+  OutputFile file(path);
+  const NumberText style = msh_style(outline, true);
+  Places places = write_frame(file, outline, style);
+  std::int64_t number = 1;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const NumberedPart part = source.part(i);
+    write_node_records(file, places.node, style.record_bytes(1, 3), part, style,
+                       [](NumberText& lines, std::int64_t node, const Vec3& p) {
+                         lines.integer(node + 1);
+                         for (const double x : {p.x, p.y, p.z}) lines.real(x);
+                         lines.end_record();
+                       });
+    NumberText triangles = style;
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+      triangles.integer(number++);
+      const std::int32_t patch = part.patch_of_face[f] + 1;
+      for (const std::int32_t tag : {msh_triangle_type, 2, patch, patch}) triangles.integer(tag);
+      put_element(triangles, part, part.faces[f]);
+    }
+    file.write(places.triangle, triangles.bytes());
+    places.triangle += triangles.size();
+    NumberText tets = style;
+    const auto partition = static_cast<std::int32_t>(i + 1);
+    std::int64_t tet_number = outline.boundary_triangles + outline.parts[i].first_tet + 1;
+    for (const Tet& tet : part.tets) {
+      tets.integer(tet_number++);
+      for (const std::int32_t tag : {msh_tet_type, 4, part.region, partition, 1, partition}) {
+        tets.integer(tag);
+      }
+      put_element(tets, part, tet);
+    }
+    file.write(places.tet, tets.bytes());
+    places.tet += tets.size();
+  }
+  file.finish();
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,132 @@
+#include "mesh/formats/write_pvtu.h"
+
+#include <array>
+
+#include "base/file_system.h"
+#include "mesh/assemble/output_file.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::uint8_t vtk_triangle = 5;
+constexpr std::uint8_t vtk_tetra = 10;
+constexpr std::int32_t no_patch = -1;
+
+/// An array's description, and its place in the file.
+struct Array {
+  const char* type;
+  const char* name;
+  int components;
+};
+
+constexpr Array points = {"Float64", "Points", 3};
+constexpr Array node_number = {"Int64", "GlobalNodeId", 1};
+constexpr std::array<Array, 3> cells = {
+    {{"Int64", "connectivity", 1}, {"Int64", "offsets", 1}, {"UInt8", "types", 1}}};
+constexpr std::array<Array, 3> cell_data = {
+    {{"Int32", "subdomain", 1}, {"Int32", "region", 1}, {"Int32", "patch", 1}}};
+
+std::string described(const char* tag, const Array& array) {
+  return std::string("<") + tag + " type=\"" + array.type + "\" Name=\"" + array.name +
+         "\" NumberOfComponents=\"" + std::to_string(array.components) + "\"";
+}
+
+std::string head(const char* type) {
+  return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"") + type +
+         "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
+}
+
+/// The arrays of a piece, one after the other, each behind its length.
+class AppendedData {
+ public:
+  template <class T>
+  void add(const std::vector<T>& values) {
+    offsets_.push_back(bytes_.size());
+    const std::uint64_t length = values.size() * sizeof(T);
+    bytes_.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), length);
+  }
+  std::size_t offset(std::size_t i) const { return offsets_.at(i); }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::size_t> offsets_;
+  std::string bytes_;
+};
+
+AppendedData data_of(const NumberedPart& part) {
+  AppendedData data;
+  const std::size_t count = part.tets.size() + part.faces.size();
+  std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> offsets;
+  connectivity.reserve(4 * count);
+  offsets.reserve(count);
+  const auto put = [&](const auto& element) {
+    connectivity.insert(connectivity.end(), element.begin(), element.end());
+    offsets.push_back(std::ssize(connectivity));
+  };
+  for (const Tet& tet : part.tets) put(tet);
+  for (const Triangle& face : part.faces) put(face);
+  std::vector<std::uint8_t> types(part.tets.size(), vtk_tetra);
+  types.resize(count, vtk_triangle);
+  std::vector<std::int32_t> patches(part.tets.size(), no_patch);
+  patches.insert(patches.end(), part.patch_of_face.begin(), part.patch_of_face.end());
+  data.add(part.nodes);
+  data.add(part.local2global);
+  data.add(connectivity);
+  data.add(offsets);
+  data.add(types);
+  data.add(std::vector<std::int32_t>(count, part.number));
+  data.add(std::vector<std::int32_t>(count, part.region));
+  data.add(patches);
+  return data;
+}
+
+void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
+  const AppendedData data = data_of(part);
+  std::size_t next = 0;
+  const auto array = [&](const Array& what) {
+    return described("DataArray", what) + " format=\"appended\" offset=\"" +
+           std::to_string(data.offset(next++)) + "\"/>\n";
+  };
+  std::string text = head("UnstructuredGrid") + "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+                     std::to_string(part.nodes.size()) + "\" NumberOfCells=\"" +
+                     std::to_string(part.tets.size() + part.faces.size()) + "\">\n<Points>\n";
+  text += array(points);
+  text += "</Points>\n<PointData>\n";
+  text += array(node_number);
+  text += "</PointData>\n<Cells>\n";
+  for (const Array& what : cells) text += array(what);
+  text += "</Cells>\n<CellData>\n";
+  for (const Array& what : cell_data) text += array(what);
+  text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  OutputFile file(path);
+  file.write(0, text);
+  file.write(std::ssize(text), data.bytes());
+  // The line's end belongs there: meshio looks for the last one to find the end of the data.
+  file.write(std::ssize(text) + std::ssize(data.bytes()),
+             std::string_view("\n</AppendedData>\n</VTKFile>\n"));
+  file.finish();
+}
+
+}  // namespace
+
+void write_pvtu(const MeshSource& source, const MeshOutline&, const std::filesystem::path& path) {
+  static_assert(sizeof(Vec3) == 24);
+  const std::string stem = path.stem().string();
+  make_folders(path.parent_path() / stem);
+  std::string text = head("PUnstructuredGrid") +
+                     "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+                     described("PDataArray", points) + "/>\n</PPoints>\n<PPointData>\n" +
+                     described("PDataArray", node_number) + "/>\n</PPointData>\n<PCellData>\n";
+  for (const Array& what : cell_data) text += described("PDataArray", what) + "/>\n";
+  text += "</PCellData>\n";
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const std::string piece = stem + "/" + stem + "_" + std::to_string(i) + ".vtu";
+    write_piece(source.part(i), path.parent_path() / piece);
+    text += "<Piece Source=\"" + piece + "\"/>\n";
+  }
+  write_file_atomically(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");
+}
+
+}  // namespace tetfarm
