@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t longest_probe = 256;
+constexpr std::int64_t answers_per_lease = 4;
 
 bool is_about_files(const wire::Envelope& envelope) {
   return envelope.has_fetch_file() || envelope.has_offer_file() || envelope.has_file_chunk();
@@ -98,6 +99,7 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
     refusals_.count(refusal_of(decoded.state), who(sender), now.steady_ms);
   }
   const wire::Envelope& envelope = decoded.envelope;
+  was_busy_ = was_busy_ || !envelope.has_heartbeat();
   switch (decoded.state) {
     case WireState::good:
       break;
@@ -190,9 +192,7 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
     state.worker_is_ready(worker, now);
   } else if (envelope.has_heartbeat()) {
     const wire::Heartbeat& beat = envelope.heartbeat();
-    wire::Envelope reply;
-    *reply.mutable_heartbeat() = beat;
-    answer(connection, std::move(reply), false);
+    answer_heartbeat(connection, beat, now);
     state.heartbeat(worker, TaskId{beat.task()}, AttemptId{beat.attempt()}, now);
   } else if (envelope.has_progress()) {
     const wire::Progress& progress = envelope.progress();
@@ -208,6 +208,17 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
     state.worker_left(worker, false, now);
     forget(worker);
   }
+}
+
+/// Several times in a lease: a worker that hears nothing for so long connects anew.
+void RequestHandler::answer_heartbeat(const std::string& connection, const wire::Heartbeat& beat,
+                                      Moment now) {
+  std::int64_t& answered_ms = workers_.at(connection).answered_ms;
+  if (now.steady_ms - answered_ms < options_.lease_ms / answers_per_lease) return;
+  answered_ms = now.steady_ms;
+  wire::Envelope reply;
+  *reply.mutable_heartbeat() = beat;
+  answer(connection, std::move(reply), false);
 }
 
 /// Who sends or gets files is alive; of an attempt that is over it is told so.

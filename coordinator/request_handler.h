@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coordinator/door.h"
@@ -71,6 +72,9 @@ class RequestHandler {
   /// Troubles with files since the last call, for the log.
   std::vector<std::string> take_complaints();
 
+  /// Whether anything but heartbeats came since the last call.
+  bool take_was_busy() { return std::exchange(was_busy_, false); }
+
   /// The worker of a connection; 0 when it has none.
   WorkerId worker_of(const std::string& connection) const;
 
@@ -85,6 +89,7 @@ class RequestHandler {
   void dispatch(const Sender& sender, const wire::Envelope& envelope, JobState& state, Moment now);
   void handle_worker(const std::string& connection, const wire::Envelope& envelope, JobState& state,
                      Moment now);
+  void answer_heartbeat(const std::string& connection, const wire::Heartbeat& beat, Moment now);
   void hello(const Sender& sender, const wire::Hello& hello, JobState& state, Moment now);
   void files(const std::string& connection, WorkerId worker, const wire::Envelope& envelope,
              JobState& state, Moment now);
@@ -106,6 +111,7 @@ class RequestHandler {
     WorkerId worker;
     std::string key;  ///< with which it said Hello, "": none
     bool sees_store = true;
+    std::int64_t answered_ms = 0;  ///< when one of its heartbeats was, for the last time
   };
 
   const ArtifactStore& store_;
@@ -120,6 +126,7 @@ class RequestHandler {
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;
+  bool was_busy_ = false;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
 };

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <memory>
 #include <set>
+#include <thread>
 #include <utility>
 #include <zmq_addon.hpp>
 
@@ -39,6 +40,8 @@ namespace {
 
 constexpr int turn_ms = 50;
 constexpr int messages_per_commit = 256;
+/// After a turn for nothing but heartbeats: those of a large farm then come several at a time.
+constexpr std::chrono::milliseconds rest{4};
 constexpr int linger_ms = 500;
 constexpr std::int64_t scratch_age_ms = std::int64_t{7} * 24 * 3600 * 1000;
 
@@ -184,8 +187,9 @@ class Server {
     socket_.set(zmq::sockopt::router_mandatory, true);
     // No handover: whoever claims the name of another's connection is not heard.
     socket_.set(zmq::sockopt::linger, linger_ms);
-    socket_.set(zmq::sockopt::heartbeat_ivl, 2000);
-    socket_.set(zmq::sockopt::heartbeat_timeout, 6000);
+    // Workers' heartbeats are our own; these find connections whose other end is gone.
+    socket_.set(zmq::sockopt::heartbeat_ivl, 10'000);
+    socket_.set(zmq::sockopt::heartbeat_timeout, 20'000);
     door_.guard(socket_);
     std::string list;
     for (const std::string& endpoint : options_.endpoints) {
@@ -252,6 +256,7 @@ class Server {
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
     status_.serve({*state_, history, now()}, {refusals_, door_.connections()});
     service_.turn(now().steady_ms);
+    if (!handler_.take_was_busy()) std::this_thread::sleep_for(rest);
   }
 
   void watch_space() {
