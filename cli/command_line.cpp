@@ -337,6 +337,11 @@ class Parser {
                     "A task may run so long, or 20 times what is expected of its kind (3600)")
         ->check(CLI::PositiveNumber)
         ->option_text("SECONDS");
+    coordinator
+        .add_option("--first-task-limit", coordinator_.first_task_limit_s,
+                    "The same while nothing is known of its kind (86400)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
     coordinator.add_flag("--insecure", coordinator_.insecure,
                          "Plain text and no keys, also where other hosts can reach it: whoever "
                          "comes may do anything");

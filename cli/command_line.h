@@ -184,6 +184,7 @@ struct CoordinatorCommand {
   std::int64_t heartbeat_ms = 1000;
   std::int64_t lease_ms = 10000;
   double task_limit_s = 3600;
+  double first_task_limit_s = 86400;
   std::string http_address;  ///< "": none
   std::string http_token;    ///< a file
   bool insecure = false;

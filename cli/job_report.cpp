@@ -69,16 +69,23 @@ Json regions_json(const wire::JobStatus& status) {
   return json;
 }
 
-/// Why sub-domains could not be cut, by their ways from the root.
-std::vector<std::pair<std::string, std::string>> uncut_subdomains(const wire::JobStatus& status) {
-  constexpr std::string_view mark = "uncut:";
+/// What is said of sub-domains under such a mark, by their ways from the root: "uncut:", why they
+/// could not be cut; "cut_further:", why they were cut though that was not planned.
+std::vector<std::pair<std::string, std::string>> said_of_subdomains(const wire::JobStatus& status,
+                                                                    std::string_view mark) {
   std::map<std::uint64_t, std::string> by_heap;
   for (const auto& [name, text] : status.texts()) {
     if (name.starts_with(mark)) by_heap[std::stoull(name.substr(mark.size()))] = text;
   }
-  std::vector<std::pair<std::string, std::string>> uncut;
-  for (const auto& [heap, reason] : by_heap) uncut.emplace_back(TreePath{heap}.text(), reason);
-  return uncut;
+  std::vector<std::pair<std::string, std::string>> said;
+  for (const auto& [heap, reason] : by_heap) said.emplace_back(TreePath{heap}.text(), reason);
+  return said;
+}
+
+Json said_json(const wire::JobStatus& status, std::string_view mark) {
+  Json json = Json::object();
+  for (const auto& [path, said] : said_of_subdomains(status, mark)) json[path] = said;
+  return json;
 }
 
 template <class... Arguments>
@@ -190,10 +197,8 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   json["near_cuts"] = shapes_json(status, "near_cuts_");
   json["away_from_cuts"] = shapes_json(status, "away_from_cuts_");
   json["regions"] = regions_json(status);
-  json["uncut_subdomains"] = Json::object();
-  for (const auto& [path, reason] : uncut_subdomains(status)) {
-    json["uncut_subdomains"][path] = reason;
-  }
+  json["uncut_subdomains"] = said_json(status, "uncut:");
+  json["cut_further"] = said_json(status, "cut_further:");
   json["seconds"] = seconds;
   json["peak_rss_bytes_worker"] = status.peak_rss_bytes_worker();
   json["attempts_lost"] = status.attempts_lost();
@@ -238,6 +243,7 @@ std::string status_json(const wire::JobStatus& status) {
                      {"peak_rss_bytes_worker", status.peak_rss_bytes_worker()},
                      {"seconds", status.seconds()},
                      {"balance", balance_json(status)},
+                     {"cut_further", said_json(status, "cut_further:")},
                      {"message", status.message()},
                      {"exit_code", status.exit_code()}};
   return line_of(json);
@@ -268,7 +274,10 @@ std::string result_text(const wire::JobStatus& status, double seconds,
                    short_count(number_of(status, region_prefix(i) + "elements")).c_str(),
                    number_of(status, region_prefix(i) + "min_dihedral_deg"));
   }
-  for (const auto& [path, reason] : uncut_subdomains(status)) {
+  for (const auto& [path, reason] : said_of_subdomains(status, "cut_further:")) {
+    text += "           sub-domain " + path + " was cut further than planned: " + reason + "\n";
+  }
+  for (const auto& [path, reason] : said_of_subdomains(status, "uncut:")) {
     text += "           sub-domain " + path + " is larger than wanted: no cut, " + reason + "\n";
   }
   text += "           " + memory_text(status) + "\n";

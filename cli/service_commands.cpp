@@ -152,6 +152,7 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   options.heartbeat_ms = command.heartbeat_ms;
   options.lease_ms = command.lease_ms;
   options.task_limit_ms = in_ms(command.task_limit_s);
+  options.first_task_limit_ms = in_ms(command.first_task_limit_s);
   options.insecure = command.insecure;
   options.one_job = command.one_job;
   options.http_address = command.http_address;

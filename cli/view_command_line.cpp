@@ -61,7 +61,7 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
       add("tasks", "List the tasks", "tetfarm tasks job-7 --state ready", views.tasks);
   tasks.add_option("JOB", views.tasks.view.client.job, "Of one job (default: all)");
   tasks.add_option("--state", views.tasks.state, "Only these")
-      ->check(CLI::IsMember({"waiting", "ready", "leased", "done", "failed"}))
+      ->check(CLI::IsMember({"waiting", "ready", "leased", "done", "failed", "replaced"}))
       ->option_text("waiting|ready|leased|done|failed");
   tasks.add_option("--kind", views.tasks.kind, "Only these: inspect, decompose, mesh, ...");
 

@@ -123,7 +123,13 @@ void JobState::advance(const TaskRow& task, Moment now) {
       break;
     case TaskKind::decompose: {
       const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
-      carry_out(after_decompose(*inspect, task, self), now);
+      const bool is_further = further_cuts_above(task.job, 2 * task.path) > 0;
+      GraphStep step = after_decompose(*inspect, task, self, is_further);
+      // What could not be cut after all is tried once more with all the room.
+      for (TaskRow& next : step.tasks) {
+        if (next.path == task.path) next.memory_bytes = task.memory_bytes;
+      }
+      carry_out(step, now);
       break;
     }
     case TaskKind::assimilate:

@@ -89,6 +89,7 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
 std::string JobState::why_not(const TaskRow& task, Moment now) const {
   const JobRow& job = durable_.jobs.at(task.job);
   if (task.state == TaskState::failed) return "in quarantine: " + task.message;
+  if (task.state == TaskState::replaced) return "no part of the job any more: " + task.message;
   if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
   if (is_stuck() && now.steady_ms < stuck_until_ms_) {
     return "no room on the disk (" + stuck_message_ + "); next try in " +
@@ -103,25 +104,35 @@ std::string JobState::why_not(const TaskRow& task, Moment now) const {
   return {};
 }
 
+/// What keeps the task from running, what decides most first.
+std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment now) const {
+  if (task.state == TaskState::done || task.state == TaskState::leased) return {};
+  std::vector<std::string> reasons;
+  if (const std::string why = why_not(task, now); !why.empty()) reasons.push_back(why);
+  if (task.state == TaskState::failed || task.state == TaskState::replaced) return reasons;
+  const std::vector<std::string> missing = missing_inputs(task);
+  reasons.insert(reasons.end(), missing.begin(), missing.end());
+  if (!reasons.empty()) return reasons;
+  reasons = obstacles(task, now);
+  std::size_t ahead = 0;
+  for (const auto& [rank, other] : offers_) {
+    if (other == task.id) break;
+    ++ahead;
+  }
+  if (ahead > 0) reasons.push_back(std::to_string(ahead) + " ready tasks come before it");
+  return reasons;
+}
+
 TaskOutlook JobState::outlook(TaskId id, Moment now) const {
   const TaskRow& task = durable_.tasks.at(id);
   TaskOutlook outlook;
   outlook.expected_seconds = expectation_.seconds(task).value_or(0);
   outlook.limit_ms = limit_ms(task);
   outlook.room_bytes = memory_for(task);
-  if (task.state == TaskState::done || task.state == TaskState::leased) return outlook;
-  if (const std::string why = why_not(task, now); !why.empty()) outlook.reasons.push_back(why);
-  if (task.state == TaskState::failed) return outlook;
-  const std::vector<std::string> missing = missing_inputs(task);
-  outlook.reasons.insert(outlook.reasons.end(), missing.begin(), missing.end());
-  if (!outlook.reasons.empty()) return outlook;
-  outlook.reasons = obstacles(task, now);
-  std::size_t ahead = 0;
-  for (const auto& [rank, other] : offers_) {
-    if (other == id) break;
-    ++ahead;
-  }
-  if (ahead > 0) outlook.reasons.push_back(std::to_string(ahead) + " ready tasks come before it");
+  outlook.reasons = reasons_to_wait(task, now);
+  if (task.kind != TaskKind::decompose) return outlook;
+  const std::string further = why_cut_further(task.job, task.path);
+  if (!further.empty()) outlook.reasons.push_back("it cuts further than was planned: " + further);
   return outlook;
 }
 

@@ -66,7 +66,7 @@ void JobState::count_loss(TaskRow& task, const std::string& message, Moment now)
 }
 
 /// The next try asks for twice the room, up to all that a worker has; when that was not enough,
-/// none will be.
+/// none will be: the leaf is cut further, or else the task is in quarantine.
 void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const TaskFailure& failure,
                               Moment now) {
   ++task.starvings;
@@ -76,12 +76,20 @@ void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const Task
   const std::uint64_t largest = largest_memory();
   const std::uint64_t knew = std::max({task.memory_bytes, had_bytes, failure.peak_rss_bytes});
   const bool had_all = largest == 0 || had_bytes >= largest;
+  const std::string why_whole = why_no_further_cut(task);
+  if (had_all && why_whole.empty()) {
+    cut_further(task.job, task.path,
+                place_of(task) + " was out of memory with " + mebibytes(had_bytes) +
+                    ", all that the largest worker has",
+                largest, now);
+    return;
+  }
   if (had_all || task.starvings >= rules_.max_starvings) {
     fail_task(task, static_cast<int>(ExitCode::out_of_resources),
               quarantine_reason(task, "out of memory", task.starvings, failure.message) +
                   "; it had " + mebibytes(had_bytes) + ", the largest worker has " +
-                  mebibytes(largest) + ": cut finer (--max-memory, --subdomains), or start a " +
-                  "larger worker and retry",
+                  mebibytes(largest) + (why_whole.empty() ? "" : ", and " + why_whole) +
+                  ": cut finer (--max-memory, --subdomains), or start a larger worker and retry",
               now);
     return;
   }

@@ -33,6 +33,10 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   }
   for (const auto& [key, subdomain] : durable_.subdomains) index(subdomain, true);
   for (const auto& [id, task] : durable_.tasks) {
+    if (task.state == TaskState::replaced) {
+      note_replaced(task);
+      continue;
+    }
     places_[{task.job, task.kind, task.path}] = id;
     index(task);
     const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");

@@ -14,6 +14,7 @@
 ///     only the process that was given an attempt holds it.
 ///  4. A task is on offer exactly when it is ready and its job is running.
 ///  5. A host in quarantine gets no tasks.
+///  6. A place in the graph has one task; those that were replaced there are never run again.
 /// Units: times in milliseconds.
 #pragma once
 
@@ -47,6 +48,7 @@ struct FarmRules {
   std::uint32_t max_losses =
       50;  ///< kills and lost leases: operators and schedulers kill processes
   std::uint32_t max_starvings = 12;    ///< out of memory, each time with twice the room
+  std::uint32_t max_further_cuts = 6;  ///< of a leaf, one below the other, for want of memory
   std::uint32_t host_tasks = 3;        ///< that failed on a host, none done between: its quarantine
   std::int64_t crash_delay_ms = 1000;  ///< doubled by each crash
   std::int64_t loss_delay_ms = 100;    ///< doubled by each loss
@@ -260,6 +262,7 @@ class JobState {
   TaskId maker_of(JobId job, const ArtifactRef& file) const;
   std::vector<std::string> missing_inputs(const TaskRow& task) const;
   std::string why_not(const TaskRow& task, Moment now) const;
+  std::vector<std::string> reasons_to_wait(const TaskRow& task, Moment now) const;
   std::vector<std::string> obstacles(const TaskRow& task, Moment now) const;
 
   // job_races.cpp: time and room
@@ -298,6 +301,16 @@ class JobState {
   bool suspect_host(TaskId task, WorkerId worker, const std::string& message, Moment now);
   void forgive(TaskId task);
   void resume(JobRow& job, Moment now);
+
+  // job_further_cuts.cpp: leaves that no worker has the memory for
+  std::string why_no_further_cut(const TaskRow& task) const;
+  void cut_further(JobId job, std::uint64_t leaf, const std::string& why, std::uint64_t room_bytes,
+                   Moment now);
+  void replace(TaskId task, const std::string& why, Moment now);
+  void replace_turns(JobId job, const std::string& why, Moment now);
+  void note_replaced(const TaskRow& task);
+  std::string why_cut_further(JobId job, std::uint64_t path) const;
+  std::uint32_t further_cuts_above(JobId job, std::uint64_t path) const;
 
   // job_cosmetics.cpp: turns in cosmetics across cuts
   const TaskRow* find_done(JobId job, TaskKind kind, std::uint64_t path) const;
@@ -342,6 +355,7 @@ class JobState {
   std::map<JobId, std::int64_t> written_;  ///< leaves of which there is, or was, the portion
   std::map<JobId, TurnOrder> turns_;
   std::map<JobId, std::int64_t> turns_over_;
+  std::map<JobId, std::set<std::uint64_t>> cut_further_;  ///< sub-domains that were leaves
   std::multimap<std::string, TaskId> done_work_;
   std::map<std::string, JobId> keys_;
   std::int64_t stuck_until_ms_ = 0;

@@ -95,6 +95,8 @@ void count_task(const TaskRow& task, JobSummary& summary) {
     case TaskState::failed:
       if (summary.quarantine.size() < most_named) summary.quarantine.push_back(task);
       break;
+    case TaskState::replaced:
+      break;
   }
   summary.attempts_lost += task.losses;
   summary.crashes += task.crashes;
@@ -109,6 +111,15 @@ void add_reason_to_stay_whole(const TaskRow& task, JobSummary& summary) {
   if (reason == task.texts.end() || !task.outputs.empty()) return;
   if (++summary.numbers["uncut"] > most_reasons) return;
   summary.texts["uncut:" + std::to_string(task.path)] = reason->second;
+}
+
+/// Of a leaf that was cut further than the job asked for, as text "cut_further:PATH".
+void add_further_cut(const DurableState& durable, const TaskRow& task, JobSummary& summary) {
+  if (task.kind != TaskKind::mesh || task.state != TaskState::replaced) return;
+  const SubdomainRow& node = durable.subdomains.at({task.job, task.path});
+  if (node.state != SubdomainState::cut) return;
+  if (++summary.numbers["cut_further"] > most_reasons) return;
+  summary.texts["cut_further:" + std::to_string(task.path)] = task.message;
 }
 
 }  // namespace
@@ -150,6 +161,8 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   for (const TaskRow* row : tasks) {
     const TaskRow& task = *row;
     count_task(task, summary);
+    add_further_cut(durable, task, summary);
+    if (task.state == TaskState::replaced) continue;
     if (task.state != TaskState::done) stage = std::min(stage, task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);

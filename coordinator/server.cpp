@@ -132,6 +132,7 @@ class Server {
         service_(environment_variable) {
     rules_.lease_ms = options.lease_ms;
     rules_.least_limit_ms = options.task_limit_ms;
+    rules_.unknown_limit_ms = options.first_task_limit_ms;
     rules_.program = hash128(read_file("/proc/self/exe")).hex();
     allow_open_files(2 * options.max_connections);
     restore();

@@ -28,7 +28,8 @@ struct CoordinatorOptions {
   std::size_t max_workers = 10'000;
   int handshake_ms = 10'000;  ///< a connection that takes longer to say who it is is closed
   bool insecure = false;      ///< every address in plain text, whoever can reach it
-  std::int64_t task_limit_ms = 3'600'000;  ///< at least; see FarmRules::least_limit_ms
+  std::int64_t task_limit_ms = 3'600'000;         ///< at least; see FarmRules::least_limit_ms
+  std::int64_t first_task_limit_ms = 86'400'000;  ///< see FarmRules::unknown_limit_ms
   /// Where people and Prometheus look ("127.0.0.1:8080"); "": nowhere. Beyond loopback only with a
   /// file that holds a token.
   std::string http_address = {};

@@ -61,11 +61,11 @@ TaskRow decompose_task(const TaskRow& inspect, const SubdomainRow& subdomain) {
 }
 
 /// What is to be done with new sub-domains. Leaves that are to be assimilated wait for the others.
-void add_tasks(const TaskRow& inspect, GraphStep& step) {
+void add_tasks(const TaskRow& inspect, bool meshes_leaves, GraphStep& step) {
   for (const SubdomainRow& subdomain : step.subdomains) {
     if (subdomain.state == SubdomainState::open) {
       step.tasks.push_back(decompose_task(inspect, subdomain));
-    } else if (subdomain.state == SubdomainState::leaf && !is_assimilated(inspect)) {
+    } else if (subdomain.state == SubdomainState::leaf && meshes_leaves) {
       step.tasks.push_back(mesh_task(inspect, subdomain));
     }
   }
@@ -190,12 +190,12 @@ GraphStep after_inspect(const TaskRow& inspect) {
   step.subdomains = {new_subdomain(inspect.job, 1, parts_of(inspect, "parts"),
                                    work_of(inspect, "total_work"),
                                    file_of(inspect.outputs, "root"))};
-  add_tasks(inspect, step);
+  add_tasks(inspect, !is_assimilated(inspect), step);
   return step;
 }
 
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
-                          const SubdomainRow& parent) {
+                          const SubdomainRow& parent, bool is_further) {
   GraphStep step;
   SubdomainRow self = parent;
   if (decompose.outputs.empty()) {
@@ -211,7 +211,20 @@ GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
         new_subdomain(parent.job, 2 * parent.path + 1, half_parts(decompose, "right_parts"),
                       work_of(decompose, "right_work"), file_of(decompose.outputs, "right"))};
   }
-  add_tasks(inspect, step);
+  add_tasks(inspect, is_further || !is_assimilated(inspect), step);
+  return step;
+}
+
+GraphStep cut_once_more(const TaskRow& inspect, const SubdomainRow& leaf) {
+  GraphStep step;
+  SubdomainRow open = leaf;
+  open.state = SubdomainState::open;
+  open.parts = 2;
+  open.meshed = false;
+  open.interior_nodes = 0;
+  open.tets = 0;
+  step.subdomains = {open};
+  step.tasks = {decompose_task(inspect, open)};
   return step;
 }
 

@@ -57,10 +57,15 @@ TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf);
 /// The root sub-domain and what to do with it. @pre `inspect` is done and without problem.
 GraphStep after_inspect(const TaskRow& inspect);
 
-/// The two halves of a cut, or the sub-domain as a leaf where it could not be cut.
+/// The two halves of a cut, or the sub-domain as a leaf where it could not be cut. Leaves are
+/// meshed at once where they are not assimilated, or where that is over: `is_further`.
 /// @pre `decompose` is done and without problem; `parent` is its sub-domain.
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
-                          const SubdomainRow& parent);
+                          const SubdomainRow& parent, bool is_further);
+
+/// A leaf that is to be cut once more, and what does it: its halves are leaves.
+/// @pre it has no decompose task yet, and its heap number is below deepest_cut.
+GraphStep cut_once_more(const TaskRow& inspect, const SubdomainRow& leaf);
 
 /// The leaf with the figures of its volume mesh.
 SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf);

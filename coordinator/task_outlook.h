@@ -8,7 +8,8 @@
 namespace tetfarm {
 
 struct TaskOutlook {
-  /// Why it does not run, in words, what decides most first; empty when it runs or is done.
+  /// Why it does not run, in words, what decides most first; last why there is such a task at all,
+  /// where that was not planned. Empty when there is nothing to say.
   std::vector<std::string> reasons;
   double expected_seconds = 0;   ///< 0: nothing is known of its kind
   std::int64_t limit_ms = 0;     ///< after which its worker ends it

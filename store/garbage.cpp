@@ -42,7 +42,7 @@ std::set<std::string> needed_files(const DurableState& state, bool all_finished)
   std::set<std::string> needed;
   for (const auto& [id, task] : state.tasks) {
     const JobPhase phase = state.jobs.at(task.job).phase;
-    if (phase == JobPhase::cancelled) continue;
+    if (phase == JobPhase::cancelled || task.state == TaskState::replaced) continue;
     const bool only_ends = phase == JobPhase::done && all_finished;
     if (!only_ends || task.kind == TaskKind::inspect) add(task.inputs, needed);
     if (!only_ends || task.kind == TaskKind::assemble) add(task.outputs, needed);

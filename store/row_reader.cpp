@@ -26,7 +26,7 @@ JobPhase phase_of(const std::string& name) {
 }
 TaskState task_state_of(const std::string& name) {
   return value_of(name, std::array{TaskState::waiting, TaskState::ready, TaskState::leased,
-                                   TaskState::done, TaskState::failed});
+                                   TaskState::done, TaskState::failed, TaskState::replaced});
 }
 SubdomainState subdomain_state_of(const std::string& name) {
   return value_of(name, std::array{SubdomainState::open, SubdomainState::cut, SubdomainState::leaf,

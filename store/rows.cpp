@@ -54,6 +54,8 @@ const char* name_of(TaskState state) {
       return "done";
     case TaskState::failed:
       return "failed";
+    case TaskState::replaced:
+      return "replaced";
   }
   return "?";
 }

@@ -29,8 +29,9 @@ enum class TaskKind {
   write,
   assemble
 };
-/// waiting: an input has to be made again; the rest as in coordinator/task_states.dot.
-enum class TaskState { waiting, ready, leased, done, failed };
+/// waiting: an input has to be made again; replaced: its leaf, or another of the job, was cut
+/// further, and it is no part of the job any more; the rest as in coordinator/task_states.dot.
+enum class TaskState { waiting, ready, leased, done, failed, replaced };
 enum class AttemptState {
   running,
   done,

@@ -198,8 +198,33 @@ CREATE TABLE floors (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
+/// Leaves that are cut further: the tasks that were theirs stay as rows, in a state whose list is
+/// left to the reader, and others have their places.
+constexpr const char* replaced_tasks = R"sql(
+CREATE TABLE new_tasks (
+  id INTEGER PRIMARY KEY,
+  job INTEGER NOT NULL REFERENCES jobs (id),
+  kind TEXT NOT NULL,
+  path INTEGER NOT NULL CHECK (path >= 0),
+  state TEXT NOT NULL,
+  attempt INTEGER NOT NULL CHECK (attempt > 0 OR state NOT IN ('leased', 'done')),
+  crashes INTEGER NOT NULL,
+  losses INTEGER NOT NULL,
+  exit_code INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  seconds REAL NOT NULL,
+  peak_rss_bytes INTEGER NOT NULL,
+  starvings INTEGER NOT NULL,
+  memory_bytes INTEGER NOT NULL
+) STRICT;
+INSERT INTO new_tasks SELECT * FROM tasks;
+DROP TABLE tasks;
+ALTER TABLE new_tasks RENAME TO tasks;
+CREATE UNIQUE INDEX one_task_in_a_place ON tasks (job, kind, path) WHERE state <> 'replaced';
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {
-    first_schema, any_kind_of_task, joined_subdomains, quarantine, history};
+    first_schema, any_kind_of_task, joined_subdomains, quarantine, history, replaced_tasks};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

@@ -20,8 +20,11 @@ class StoreCheck {
   StoreCheck(const DurableState& state, const LookAtFile& look) : state_(state), look_(look) {}
 
   StoreReport run() {
-    for (const auto& [id, task] : state_.tasks) note(task);
     for (const auto& [id, task] : state_.tasks) {
+      if (task.state != TaskState::replaced) note(task);
+    }
+    for (const auto& [id, task] : state_.tasks) {
+      if (task.state == TaskState::replaced) continue;
       const JobPhase phase = state_.jobs.at(task.job).phase;
       const bool is_to_run = phase == JobPhase::running && task.state != TaskState::done;
       const bool has_results = phase == JobPhase::done && task.kind == TaskKind::assemble;

@@ -23,6 +23,16 @@ TEST(JobReport, says_which_subdomain_could_not_be_cut_and_why) {
               HasSubstr(R"("uncut_subdomains":{"LR":"36 candidates refused)"));
 }
 
+TEST(JobReport, says_which_subdomain_was_cut_further_and_why) {
+  wire::JobStatus status;
+  (*status.mutable_texts())["cut_further:5"] = "mesh of sub-domain 5 was out of memory";
+  EXPECT_THAT(result_text(status, 1, {}),
+              HasSubstr("sub-domain LR was cut further than planned: mesh of sub-domain 5 was"));
+  const std::string json = R"("cut_further":{"LR":"mesh of sub-domain 5 was out of memory"})";
+  EXPECT_THAT(result_json(status, 1, {}), HasSubstr(json));
+  EXPECT_THAT(status_json(status), HasSubstr(json));
+}
+
 TEST(JobReport, is_silent_when_all_were_cut) {
   EXPECT_THAT(result_text(wire::JobStatus(), 1, {}), Not(HasSubstr("larger than wanted")));
 }

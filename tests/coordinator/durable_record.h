@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "store/rows.h"
 
@@ -43,6 +44,13 @@ class DurableRecord {
       EXPECT_EQ(old->second.parameters, task.parameters) << "nor do its parameters";
     }
     state_.tasks[task.id] = task;
+    const Place place{task.job, task.kind, task.path};
+    const auto there = places_.find(place);
+    if (task.state == TaskState::replaced) {
+      if (there != places_.end() && there->second == task.id) places_.erase(there);
+    } else {
+      EXPECT_EQ(places_.emplace(place, task.id).first->second, task.id) << "two tasks in a place";
+    }
   }
 
   void put(const AttemptRow& attempt) {
@@ -57,7 +65,10 @@ class DurableRecord {
     if (attempt.state == AttemptState::running) state_.running_attempts[attempt.id] = attempt;
   }
 
+  using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
+
   DurableState state_;
+  std::map<Place, TaskId> places_;
   std::map<AttemptId, AttemptRow> attempts_;
   std::size_t events_ = 0;
 };

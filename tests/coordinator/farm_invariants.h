@@ -109,11 +109,16 @@ class Invariants {
     std::set<std::string> busy;
     for (const auto& [id, attempt] : state.running_attempts) {
       EXPECT_LE(++attempts[attempt.task], 2) << "task " << attempt.task.value;
+      EXPECT_FALSE(replaced_.contains(attempt.task)) << "a replaced task runs";
       EXPECT_TRUE(busy.insert(attempt.nonce).second) << "two tasks for one worker";
       const WorkerInfo& process = processes_.at(attempt.nonce);
       EXPECT_LE(attempt.memory_bytes, process.memory_bytes) << "more room than there is";
     }
-    EXPECT_LE(state.tasks.size(), 6 * (state.subdomains.size() + state.jobs.size()));
+    for (const TaskRow& task : changes.tasks) {
+      if (task.state == TaskState::replaced) replaced_.insert(task.id);
+    }
+    EXPECT_LE(state.tasks.size() - replaced_.size(),
+              6 * (state.subdomains.size() + state.jobs.size()));
   }
 
   /// 6. What was committed is all that is needed: decisions go on from it.
@@ -152,6 +157,10 @@ class Invariants {
     for (const auto& [id, task] : state.tasks) {
       // A lost file that turned out not to be needed may still be in the making.
       const std::size_t in_the_making = task.state == TaskState::done ? 0 : 1;
+      if (task.state == TaskState::replaced) {
+        EXPECT_LE(accepted_[id], 1 + wanted_again_[id]) << "task " << id.value;
+        continue;
+      }
       EXPECT_EQ(accepted_[id] + in_the_making, 1 + wanted_again_[id]) << "task " << id.value;
     }
   }
@@ -190,6 +199,7 @@ class Invariants {
   std::map<TaskId, std::vector<ArtifactRef>> made_;
   std::map<WorkerId, std::string> worker2host_;
   std::set<TaskId> assembled_;
+  std::set<TaskId> replaced_;
 };
 
 }  // namespace tetfarm::simulation

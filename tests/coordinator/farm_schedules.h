@@ -17,6 +17,7 @@ namespace tetfarm::simulation {
 inline std::string final_table(const DurableState& state) {
   std::map<std::string, std::string> lines;
   for (const auto& [id, task] : state.tasks) {
+    if (task.state == TaskState::replaced) continue;
     std::string line;
     for (const ArtifactRef& file : task.outputs) line += " " + file.name + "=" + file.hash;
     const auto table = task.parameters.find("table");
@@ -65,7 +66,8 @@ inline Trouble trouble_of(std::uint64_t seed) {
   return trouble;
 }
 
-/// One or two jobs of 2 to 12 parts, some assimilated, some with a sub-domain that always fails.
+/// One or two jobs of 2 to 12 parts, some assimilated, some with a sub-domain that always fails, or
+/// with one that no worker has the memory for.
 inline Wish wish_of(std::uint64_t seed) {
   Random random(seed * 104729);
   Wish wish;
@@ -76,6 +78,11 @@ inline Wish wish_of(std::uint64_t seed) {
     wish.jobs.push_back(make_believe_job(2 + static_cast<std::uint64_t>(random.pick(5)), 0));
   }
   if (random.chance(0.1)) wish.hopeless = 4 + static_cast<std::uint64_t>(random.pick(4));
+  if (random.chance(0.2)) {
+    constexpr std::array kinds = {TaskKind::mesh, TaskKind::extract, TaskKind::cosmetic};
+    wish.giant = 2 + static_cast<std::uint64_t>(random.pick(6));
+    wish.giant_kind = kinds.at(static_cast<std::size_t>(random.pick(kinds.size())));
+  }
   return wish;
 }
 
@@ -129,7 +136,8 @@ class Schedules {
 
  private:
   const std::string& undisturbed(const Wish& wish) {
-    std::string name = std::to_string(wish.hopeless);
+    std::string name = std::to_string(wish.hopeless) + " " + std::to_string(wish.giant) + " " +
+                       name_of(wish.giant_kind);
     for (const ArtifactRef& job : wish.jobs) name += " " + job.hash;
     const auto known = tables_.find(name);
     if (known != tables_.end()) return known->second;

@@ -12,14 +12,27 @@
 
 namespace tetfarm::simulation {
 
-/// What is to be done. Meshing the sub-domain `hopeless` (0: none) always fails.
+/// What is to be done. Meshing the sub-domain `hopeless` (0: none) always fails. No worker has the
+/// memory for tasks of the kind `giant_kind` on the sub-domain `giant` (0: none).
 struct Wish {
   std::vector<ArtifactRef> jobs;
   std::uint64_t hopeless = 0;
+  std::uint64_t giant = 0;
+  TaskKind giant_kind = TaskKind::mesh;
 };
 
 inline bool is_hopeless(const Wish& wish, const TaskRow& task) {
   return task.kind == TaskKind::mesh && task.path == wish.hopeless;
+}
+
+inline bool is_giant(const Wish& wish, const TaskRow& task) {
+  return wish.giant != 0 && task.kind == wish.giant_kind && task.path == wish.giant;
+}
+
+/// Nobody can do anything about it: its sub-domain cannot be made smaller either.
+inline bool is_in_vain(const Wish& wish, const TaskRow& task) {
+  return is_hopeless(wish, task) ||
+         (is_giant(wish, task) && task.message.find("cannot be cut") != std::string::npos);
 }
 
 class Clients {
@@ -85,7 +98,7 @@ class Clients {
   bool is_as_good_as_it_gets(JobId job) const {
     return std::all_of(committed_.tasks.begin(), committed_.tasks.end(), [&](const auto& entry) {
       const TaskRow& task = entry.second;
-      return task.job != job || task.state != TaskState::failed || is_hopeless(wish_, task);
+      return task.job != job || task.state != TaskState::failed || is_in_vain(wish_, task);
     });
   }
 

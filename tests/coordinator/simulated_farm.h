@@ -122,6 +122,7 @@ class Farm {
             state().tasks,
             state().running_attempts,
             [this](const TaskRow& task) { return is_hopeless(wish_, task); },
+            [this](const TaskRow& task) { return is_giant(wish_, task); },
             trouble_.has_bad_host ? "host-1" : "",
             now_ms_,
             [this](int connection, ToCoordinator message) {

@@ -27,6 +27,7 @@ struct Surroundings {
   const std::map<TaskId, TaskRow>& tasks;        // as committed
   const std::map<AttemptId, AttemptRow>& rooms;  // of running attempts, as committed
   std::function<bool(const TaskRow&)> is_hopeless;
+  std::function<bool(const TaskRow&)> is_giant;
   std::string bad_host;
   std::int64_t now_ms = 0;
   std::function<void(int, ToCoordinator)> post;
@@ -192,7 +193,8 @@ class Worker {
     const auto attempt = world.rooms.find(attempt_);
     const std::uint64_t room = attempt == world.rooms.end() ? 0 : attempt->second.memory_bytes;
     const std::uint64_t had = room == 0 ? info_.memory_bytes : room;
-    failure.out_of_memory = room_of(task) > info_.memory_bytes ||
+    if (world.is_giant(task)) failure.peak_rss_bytes = had;
+    failure.out_of_memory = world.is_giant(task) || room_of(task) > info_.memory_bytes ||
                             (room_of(task) > had && world.random.chance(world.trouble.hungry));
     failure.out_of_resources = world.random.chance(world.trouble.full_disk);
     const bool fails =

@@ -29,7 +29,7 @@ TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
   EXPECT_EQ(cut.parameters.at("right_parts"), "2");
   cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
   cut.numbers = {{"interdomain_nodes", 17}, {"left_work", 40}, {"right_work", 90}};
-  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0]);
+  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
   ASSERT_THAT(second.tasks, SizeIs(2));
   EXPECT_EQ(second.tasks[0].kind, TaskKind::mesh);
   EXPECT_EQ(second.tasks[0].path, 2U);
@@ -42,7 +42,7 @@ TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
 TEST(TaskGraph, what_cannot_be_cut_stays_whole) {
   const TaskRow inspect = inspected(3);
   const GraphStep first = after_inspect(inspect);
-  const GraphStep second = after_decompose(inspect, first.tasks[0], first.subdomains[0]);
+  const GraphStep second = after_decompose(inspect, first.tasks[0], first.subdomains[0], false);
   ASSERT_THAT(second.tasks, SizeIs(1));
   EXPECT_EQ(second.tasks[0].kind, TaskKind::mesh);
   EXPECT_EQ(second.tasks[0].path, 1U);
@@ -56,7 +56,7 @@ TEST(TaskGraph, heap_numbers_do_not_overflow) {
   cut.job = JobId{1};
   cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
   cut.numbers = {{"left_parts", 4}, {"right_parts", 4}};
-  const GraphStep step = after_decompose(inspect, cut, deep);
+  const GraphStep step = after_decompose(inspect, cut, deep, false);
   for (const TaskRow& task : step.tasks) EXPECT_EQ(task.kind, TaskKind::mesh);
 }
 
@@ -86,7 +86,7 @@ TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) 
   TaskRow cut = first.tasks[0];
   cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
   cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
-  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0]);
+  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
   EXPECT_EQ(second.subdomains[1].state, SubdomainState::leaf);
   EXPECT_EQ(second.subdomains[2].parts, 5U);
 }

@@ -71,6 +71,15 @@ TEST_F(StoreRows, a_done_job_needs_its_ends_and_unless_told_otherwise_its_middle
   EXPECT_THAT(kept(false), IsEmpty());
 }
 
+TEST_F(StoreRows, what_was_replaced_needs_nothing) {
+  state_.jobs[JobId{1}].phase = JobPhase::running;
+  state_.tasks[TaskId{2}].state = TaskState::replaced;
+  state_.tasks[TaskId{3}].inputs = {};
+  EXPECT_THAT(kept(false), UnorderedElementsAre("surface", "root", "result"));
+  break_file("mesh");
+  EXPECT_THAT(check().damaged, IsEmpty());
+}
+
 TEST_F(StoreRows, removes_what_is_not_needed_and_nothing_else) {
   const auto leftover = store_.publish("of an attempt that came too late");
   write_file_atomically(store_.scratch_path("half"), "half a file");

@@ -94,7 +94,13 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   task.attempt = {};
   task.starvings = 2;
   task.memory_bytes = std::uint64_t{3} << 30U;
-  later.tasks = {task};
+  TaskRow mesh = database.load().tasks.at(TaskId{4});
+  mesh.state = TaskState::replaced;
+  mesh.attempt = {};
+  TaskRow in_its_place = mesh;
+  in_its_place.id = TaskId{7};
+  in_its_place.state = TaskState::waiting;
+  later.tasks = {mesh, task, in_its_place};
   AttemptRow rival{AttemptId{6}, TaskId{4}, WorkerId{2}, AttemptState::running, 6, 0, "", "nonce",
                    true,         9};
   AttemptRow starved{
@@ -106,6 +112,8 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   const DurableState state = database.load();
   EXPECT_EQ(state.subdomains.at({JobId{1}, 3}), joined);
   EXPECT_EQ(state.tasks.at(TaskId{6}), task);
+  EXPECT_EQ(state.tasks.at(TaskId{4}).state, TaskState::replaced);
+  EXPECT_EQ(state.tasks.at(TaskId{7}), in_its_place);
   EXPECT_EQ(state.running_attempts.at(AttemptId{6}), rival);
   EXPECT_TRUE(state.quarantined_hosts.contains("worse-host"));
   EXPECT_EQ(database.history().attempts_of(TaskId{3}).back().peak_rss_bytes, 12U);
@@ -118,6 +126,10 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   rival.task = TaskId{99};
   impossible.attempts = {rival};
   EXPECT_THROW(database.apply(impossible), IoError) << "foreign keys are checked again";
+  impossible = {};
+  in_its_place.id = TaskId{8};
+  impossible.tasks = {in_its_place};
+  EXPECT_THROW(database.apply(impossible), IoError) << "two tasks in a place";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSchema, Migrations, testing::Range(1, database_version));

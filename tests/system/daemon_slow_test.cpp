@@ -1,85 +1,17 @@
 // The daemon as on a cluster: a coordinator, workers that come over TCP, and clients.
 #include <gmock/gmock.h>
 
-#include <csignal>
-#include <functional>
 #include <map>
-#include <thread>
 
-#include "store/job_database.h"
-#include "tests/system/farm_cases.h"
+#include "tests/system/daemon_farm.h"
 
 namespace tetfarm {
 namespace {
 
+using test::Daemon;
 using test::Ended;
-using test::Program;
 using test::run_program;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
-
-class Daemon : public ::testing::Test {
- protected:
-  Daemon() : coordinator_(start_coordinator("tcp://127.0.0.1:*")) {
-    endpoint_ = test::endpoint_of(*coordinator_);
-  }
-
-  std::unique_ptr<Program> start_coordinator(const std::string& endpoint) {
-    return std::make_unique<Program>(
-        std::vector<std::string>{"coordinator", "--store", "store", "--listen", endpoint,
-                                 "--heartbeat-ms", "200", "--lease-ms", "2000"},
-        folder_.path());
-  }
-
-  std::unique_ptr<Program> start_worker(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {"worker", "--connect", endpoint_, "--store", "store"};
-    words.insert(words.end(), more.begin(), more.end());
-    return std::make_unique<Program>(words, folder_.path());
-  }
-
-  static void pause_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
-
-  /// The process of the task that the worker runs, stopped: a task that takes as long as we like.
-  static pid_t stop_task_of(const Program& worker) {
-    for (int i = 0; i < 4000; ++i) {
-      const std::vector<pid_t> tasks = test::descendants(worker.process());
-      if (!tasks.empty() && ::kill(tasks.front(), SIGSTOP) == 0) return tasks.front();
-      pause_ms(5);
-    }
-    ADD_FAILURE() << "the worker runs no task";
-    return -1;
-  }
-
-  std::vector<AttemptRow> attempts() const {
-    return JobDatabase(folder_.path() / "store" / "tetfarm.db").history().attempts_of({}, {}, 1000);
-  }
-  bool comes_true(const std::function<bool(const std::vector<AttemptRow>&)>& wish) const {
-    for (int i = 0; i < 400; ++i) {
-      if (wish(attempts())) return true;
-      pause_ms(50);
-    }
-    return false;
-  }
-
-  Ended ask(std::vector<std::string> words) {
-    words.insert(words.end(), {"--connect", endpoint_});
-    return run_program(words, folder_.path());
-  }
-
-  std::string submit(const std::string& input) {
-    const Ended ended = ask({"submit", input, "--subdomains", "4", "--store", "store"});
-    EXPECT_EQ(ended.code, 0) << ended.err;
-    return ended.out.substr(0, ended.out.find('\n'));
-  }
-
-  Ended wait_for(const std::string& job) {
-    return ask({"wait", job, "-o", "out", "--store", "store", "--json", "--progress", "none"});
-  }
-
-  TemporaryFolder folder_;
-  std::string endpoint_;
-  std::unique_ptr<Program> coordinator_;
-};
 
 TEST_F(Daemon, submit_wait_and_status_with_workers_that_come_later) {
   const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
