@@ -58,72 +58,33 @@ Box3 box_round(const Vec3& p, double reach) {
   return {p - d, p + d};
 }
 
-/// Some triangles of the boundary, asked whether one of them is near.
-class SomeTriangles {
- public:
-  SomeTriangles(const Subdomain& subdomain, const std::vector<std::uint8_t>& is_lattice_face,
-                std::uint8_t wanted)
-      : subdomain_(subdomain),
-        numbers_(numbers_with(is_lattice_face, wanted)),
-        tree_(boxes_of(subdomain, numbers_)) {}
+std::vector<Box3> boxes_of_other_faces(const Subdomain& subdomain,
+                                       const std::vector<std::int32_t>& other_faces) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(other_faces.size());
+  for (const std::int32_t i : other_faces) triangles.push_back(subdomain.triangles[at(i)]);
+  return triangle_boxes(subdomain.vertices, triangles);
+}
 
-  void enter_block(const Box3& box) {
-    is_far_ = numbers_.empty() || !tree_.any(box, [](std::int32_t) { return true; });
+std::vector<std::int32_t> other_faces_of(const LatticeBoundary& boundary) {
+  std::vector<std::int32_t> numbers;
+  for (std::size_t i = 0; i < boundary.is_lattice_face.size(); ++i) {
+    if (boundary.is_lattice_face[i] == 0) numbers.push_back(static_cast<std::int32_t>(i));
   }
-  /// @pre the ball lies in the block's box.
-  bool any_within(const Vec3& p, double reach) {
-    if (is_far_) return false;
-    const auto is_near = [&](std::int32_t i) {
-      const auto& [a, b, c] = subdomain_.triangles[at(numbers_[at(i)])];
-      return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
-                                   subdomain_.vertices[at(c)], reach);
-    };
-    // What was too near to the nodes before is too near to many of their neighbours.
-    for (const std::int32_t i : too_near_) {
-      if (i >= 0 && is_near(i)) return true;
-    }
-    return tree_.any(box_round(p, reach), [&](std::int32_t i) {
-      if (!is_near(i)) return false;
-      too_near_[next_++ % too_near_.size()] = i;
-      return true;
-    });
-  }
+  return numbers;
+}
 
- private:
-  static std::vector<std::int32_t> numbers_with(const std::vector<std::uint8_t>& flags,
-                                                std::uint8_t wanted) {
-    std::vector<std::int32_t> numbers;
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-      if (flags[i] == wanted) numbers.push_back(static_cast<std::int32_t>(i));
-    }
-    return numbers;
-  }
-  static std::vector<Box3> boxes_of(const Subdomain& subdomain,
-                                    const std::vector<std::int32_t>& numbers) {
-    std::vector<Triangle> triangles;
-    triangles.reserve(numbers.size());
-    for (const std::int32_t i : numbers) triangles.push_back(subdomain.triangles[at(i)]);
-    return triangle_boxes(subdomain.vertices, triangles);
-  }
-
-  const Subdomain& subdomain_;
-  std::vector<std::int32_t> numbers_;
-  BoxTree tree_;
-  bool is_far_ = false;
-  std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
-  std::size_t next_ = 0;
-};
-
-/// Asks for whole blocks first: most are far from everything.
+/// Which nodes keep clear of all faces but the lattice's. Asks for whole blocks first: most are far
+/// from everything.
 class Clearance {
  public:
   Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain,
             const LatticeBoundary& boundary)
       : nodes_(nodes),
         grid_(grid),
-        boundary_(boundary),
-        other_faces_(subdomain, boundary.is_lattice_face, 0),
-        lattice_faces_(subdomain, boundary.is_lattice_face, 1) {}
+        subdomain_(subdomain),
+        other_faces_(other_faces_of(boundary)),
+        tree_(boxes_of_other_faces(subdomain, other_faces_)) {}
 
   void enter_block(std::int32_t first_slot) {
     Box3 box;
@@ -134,25 +95,72 @@ class Clearance {
         box.add(box_round(n.at, core_reach * n.cell_edge));
       }
     }
-    other_faces_.enter_block(box);
-    lattice_faces_.enter_block(box);
+    block_is_clear_ = other_faces_.empty() || !tree_.any(box, [](std::int32_t) { return true; });
   }
-  /// Of a node among cells of its size.
-  CoreKind kind_of(std::int32_t node) {
-    if (boundary_.has_vertex_at(at(node))) return not_core;
+  bool is_clear(std::int32_t node) {
+    if (block_is_clear_) return true;
     const Vec3& p = nodes_[at(node)].at;
     const double reach = core_reach * nodes_[at(node)].cell_edge;
-    if (other_faces_.any_within(p, reach)) return not_core;
-    return lattice_faces_.any_within(p, reach) ? core_at_cut : core_away;
+    const auto is_near = [&](std::int32_t i) {
+      const auto& [a, b, c] = subdomain_.triangles[at(other_faces_[at(i)])];
+      return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
+                                   subdomain_.vertices[at(c)], reach);
+    };
+    // What was too near to the nodes before is too near to many of their neighbours.
+    for (const std::int32_t i : too_near_) {
+      if (i >= 0 && is_near(i)) return false;
+    }
+    return !tree_.any(box_round(p, reach), [&](std::int32_t i) {
+      if (!is_near(i)) return false;
+      too_near_[next_++ % too_near_.size()] = i;
+      return true;
+    });
   }
 
  private:
   std::span<const LatticeNode> nodes_;
   const LatticeGrid& grid_;
-  const LatticeBoundary& boundary_;
-  SomeTriangles other_faces_;
-  SomeTriangles lattice_faces_;
+  const Subdomain& subdomain_;
+  std::vector<std::int32_t> other_faces_;
+  BoxTree tree_;
+  bool block_is_clear_ = false;
+  std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
+  std::size_t next_ = 0;
 };
+
+/// The slots within three steps on each axis of one with a vertex of the boundary: a face within
+/// reach of a node has a vertex within 2.1 cell edges of it.
+std::vector<std::uint8_t> slots_near_vertices(const LatticeGrid& grid,
+                                              const LatticeBoundary& boundary) {
+  constexpr int steps = 3;
+  std::vector<std::uint8_t> is_near(at(grid.slot_count()), 0);
+  std::vector<std::int32_t> reached;
+  const auto reach = [&](std::int32_t slot) {
+    if (slot == LatticeGrid::none || is_near[at(slot)] != 0) return;
+    is_near[at(slot)] = 1;
+    reached.push_back(slot);
+  };
+  const auto has_vertex = [&](std::int32_t node) {
+    return node != LatticeGrid::none && boundary.has_vertex_at(at(node));
+  };
+  for (std::int32_t slot = 0; slot < grid.slot_count() && !boundary.node2vertex.empty(); ++slot) {
+    if (has_vertex(grid.centre(slot)) || has_vertex(grid.low_corner(slot))) reach(slot);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t count = reached.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const int side : {-1, 1}) {
+        std::int32_t slot = reached[i];
+        for (int step = 0; step < steps && slot != LatticeGrid::none; ++step) {
+          slot = grid.neighbour(slot, axis == 0 ? side : 0, axis == 1 ? side : 0,
+                                axis == 2 ? side : 0);
+          reach(slot);
+        }
+      }
+    }
+  }
+  return is_near;
+}
 
 }  // namespace
 
@@ -169,18 +177,23 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
   }
   std::vector<std::uint8_t> kinds(nodes.size(), not_core);
   Clearance clearance(nodes, grid, subdomain, boundary);
+  const std::vector<std::uint8_t> is_near_vertex = slots_near_vertices(grid, boundary);
+  const auto kind_of = [&](std::int32_t node, std::int32_t slot) {
+    if (boundary.has_vertex_at(at(node)) || !clearance.is_clear(node)) return not_core;
+    return is_near_vertex[at(slot)] != 0 ? core_at_cut : core_away;
+  };
   for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
     if (slot % LatticeGrid::slots_in_block == 0) clearance.enter_block(slot);
     const bool is_deep = is_in_deep_block(grid, slot);
     const std::int32_t centre = grid.centre(slot);
     if (centre != LatticeGrid::none && across_faces[at(slot)] != 0 &&
         (is_deep || has_equal_cells_around(grid, slot))) {
-      kinds[at(centre)] = clearance.kind_of(centre);
+      kinds[at(centre)] = kind_of(centre, slot);
     }
     const std::int32_t corner = grid.low_corner(slot);
     if (corner != LatticeGrid::none &&
         (is_deep || has_equal_cells_at_corner(grid, slot, across_faces))) {
-      kinds[at(corner)] = clearance.kind_of(corner);
+      kinds[at(corner)] = kind_of(corner, slot);
     }
   }
   return kinds;

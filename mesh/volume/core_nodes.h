@@ -22,7 +22,7 @@ inline constexpr double core_reach = 1.56;
 enum CoreKind : std::uint8_t {
   not_core = 0,
   core_away = 1,    ///< no boundary within its reach
-  core_at_cut = 2,  ///< within its reach are faces of the lattice, on the boundary
+  core_at_cut = 2,  ///< faces of the lattice that are on the boundary may be within its reach
 };
 
 /// The kind of each node, wherever it lies, inside or outside the domain. A node in the place of a
