@@ -28,7 +28,10 @@ std::int32_t first_from(const GridFrame& frame, std::size_t axis, double x, bool
 class LatticeWalk {
  public:
   LatticeWalk(const SpacingOctree& octree, const Box3& box, const LatticeFilter& filter)
-      : octree_(octree), plane_(filter.plane), most_(filter.most) {
+      : octree_(octree),
+        plane_(filter.plane),
+        most_(filter.most),
+        is_needless_(filter.is_needless) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
       first_[axis] = first_from(octree.frame, axis, box.low[a], false);
@@ -58,6 +61,19 @@ class LatticeWalk {
     return least <= plane_->sum && plane_->sum <= largest;
   }
 
+  bool is_left_out(const LatticeCell& cell) const {
+    if (is_needless_ == nullptr) return false;
+    const std::int32_t size = size_at_level(cell.level);
+    Box3 box;
+    box.add(octree_.frame.position(cell.low));
+    box.add(octree_.frame.position(corner_of(cell.low, size, 7)));
+    return (*is_needless_)(box);
+  }
+  /// Whether the block has as many cells as are asked for at once.
+  bool is_left_out(const LatticeCell& cell, int lattice_level) const {
+    return lattice_level >= cell.level + 2 && is_left_out(cell);
+  }
+
   void visit(std::size_t node, const LatticeCell& cell) {
     if (!meets(cell)) return;
     const std::int32_t child = octree_.child_of[node];
@@ -73,6 +89,7 @@ class LatticeWalk {
       }
       return;
     }
+    if (is_left_out(cell)) return;
     const std::int32_t half = size_at_level(cell.level + 1);
     for (std::size_t k = 0; k < 8; ++k) {
       visit(static_cast<std::size_t>(child) + k, {cell.level + 1, corner_of(cell.low, half, k)});
@@ -118,7 +135,7 @@ class LatticeWalk {
   /// Among cells of one size each owns its corner 0 and its centre: nothing is looked up, and what
   /// holds no wanted node is counted without being visited.
   void visit_even_block(const LatticeCell& cell, int lattice_level) {
-    if (!meets(cell)) return;
+    if (!meets(cell) || is_left_out(cell, lattice_level)) return;
     const auto finer = static_cast<unsigned>(lattice_level - cell.level);
     if (is_inside(cell) && pass_over(std::size_t{2} << 3 * finer)) return;
     if (finer == 0) {
@@ -163,7 +180,7 @@ class LatticeWalk {
   }
 
   void visit_block(const LatticeCell& cell, const LatticeCell& block, int lattice_level) {
-    if (!meets(cell)) return;
+    if (!meets(cell) || is_left_out(cell, lattice_level)) return;
     if (is_deep_in(cell, block)) return visit_even_block(cell, lattice_level);
     if (cell.level == lattice_level) {
       emit(cell, owned_in_block(cell, block));
@@ -261,6 +278,7 @@ class LatticeWalk {
   const SpacingOctree& octree_;
   const LatticePlane* plane_;  // may be null
   std::size_t most_;
+  const BoxPredicate* is_needless_;  // may be null
   std::size_t stride_ = 1;
   std::size_t seen_ = 0;
   std::size_t chosen_ = 0;
@@ -277,7 +295,7 @@ std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box
 }
 
 LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most) {
-  LatticeWalk walk(octree, box, {nullptr, most});
+  LatticeWalk walk(octree, box, {.most = most});
   LatticeSample sample;
   sample.nodes = walk.run();
   sample.nodes_for_each = static_cast<double>(walk.stride());

@@ -115,10 +115,18 @@ std::vector<LatticeNode> SpacingField::lattice_nodes(const Box3& box) const {
   return lattice_nodes_in(*octree_, box);
 }
 
+std::vector<LatticeNode> SpacingField::lattice_nodes(const Box3& box,
+                                                     const BoxPredicate& is_needless) const {
+  if (box.empty()) return {};
+  LatticeFilter filter;
+  filter.is_needless = &is_needless;
+  return lattice_nodes_in(*octree_, box, filter);
+}
+
 std::vector<LatticeNode> SpacingField::lattice_nodes_in_plane(const Box3& box,
                                                               const LatticePlane& plane) const {
   if (box.empty()) return {};
-  return lattice_nodes_in(*octree_, box, {&plane});
+  return lattice_nodes_in(*octree_, box, {.plane = &plane});
 }
 
 LatticeSample SpacingField::sample_lattice(const Box3& box, std::size_t most) const {

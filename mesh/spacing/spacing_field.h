@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,6 +89,8 @@ struct LatticePlane {
 /// The six directions of such planes: unit normals.
 std::array<Vec3, 6> lattice_plane_normals();
 
+using BoxPredicate = std::function<bool(const Box3&)>;
+
 class SpacingField {
  public:
   /// A constant field: for tests.
@@ -112,6 +115,11 @@ class SpacingField {
   /// order of the cells that own them, the same coordinates whatever the box. Cost: O(cells that
   /// meet the box).
   std::vector<LatticeNode> lattice_nodes(const Box3& box) const;
+
+  /// The same without those of the blocks of cells of which `is_needless` holds: it is asked of
+  /// cells of the octree, of blocks of 64 cells and more, and of the parts of those that are
+  /// needed.
+  std::vector<LatticeNode> lattice_nodes(const Box3& box, const BoxPredicate& is_needless) const;
 
   /// Of those lattice nodes one of each n, scattered, n being the power of two that leaves no more
   /// than `most` (and two).

@@ -99,6 +99,8 @@ struct LatticeFilter {
   const LatticePlane* plane = nullptr;  // only those in it, if given
   /// When there are more (but for two), one of each two is dropped; and again.
   std::size_t most = std::numeric_limits<std::size_t>::max();
+  /// Cells of the octree and blocks of 64 of the lattice's are left out when it says so, if given.
+  const BoxPredicate* is_needless = nullptr;
 };
 
 /// The lattice_nodes of a field, in the Morton order of the cells that own them.

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/point_location.h"
 #include "mesh/volume/core_graft.h"
 #include "mesh/volume/core_nodes.h"
 #include "mesh/volume/lattice_boundary.h"
@@ -23,6 +25,44 @@ std::vector<std::uint8_t> core_nodes_inside(const std::vector<std::uint8_t>& is_
     kinds[i] = kinds[i] != not_core && is_inside[i] != 0 ? 1 : 0;
   }
   return kinds;
+}
+
+/// Tells boxes that lie outside the domain, with all that is within half their size.
+class OutsideBoxes {
+ public:
+  OutsideBoxes(const TetComplex& complex, const std::vector<std::uint8_t>& inside,
+               const Subdomain& subdomain)
+      : complex_(complex),
+        inside_(inside),
+        boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {
+    while (!complex.is_live(last_)) ++last_;
+  }
+
+  bool holds(const Box3& box) {
+    const Vec3 margin = 0.5 * box.size();
+    const Box3 with_margin{box.low - margin, box.high + margin};
+    if (boundary_.any(with_margin, [](std::int32_t) { return true; })) return false;
+    const Location location = locate(complex_, 0.5 * (box.low + box.high), last_);
+    if (location.tet < 0) return true;
+    last_ = location.tet;
+    return inside_[at(last_)] == 0;
+  }
+
+ private:
+  const TetComplex& complex_;
+  const std::vector<std::uint8_t>& inside_;
+  BoxTree boundary_;
+  std::int32_t last_ = 0;
+};
+
+/// All lattice nodes of the domain, with those round it that tell which cells are even.
+std::vector<LatticeNode> nodes_near_domain(const TetComplex& complex,
+                                           const std::vector<std::uint8_t>& inside,
+                                           const Subdomain& subdomain,
+                                           const SpacingField& spacing) {
+  OutsideBoxes outside(complex, inside, subdomain);
+  return spacing.lattice_nodes(bounding_box(subdomain.vertices),
+                               [&](const Box3& box) { return outside.holds(box); });
 }
 
 /// Inserts the nodes that are listed, and notes their numbers.
@@ -61,7 +101,7 @@ std::vector<std::int32_t> misfits(const LatticeCore& core, const CoreSeat& seat,
 PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                          const std::vector<std::uint8_t>& inside, const Subdomain& subdomain,
                          const SpacingField& spacing, const PointInsertionOptions& options) {
-  const std::vector<LatticeNode> nodes = spacing.lattice_nodes(bounding_box(subdomain.vertices));
+  const std::vector<LatticeNode> nodes = nodes_near_domain(complex, inside, subdomain, spacing);
   LatticeGrid grid(nodes);
   LatticeBoundary boundary = find_lattice_boundary(nodes, subdomain);
   std::vector<std::uint8_t> kinds = find_core_nodes(nodes, grid, subdomain, boundary);

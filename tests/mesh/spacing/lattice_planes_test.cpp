@@ -173,6 +173,38 @@ void expect_samples_of_the_definition(const SpacingField& field, const Box3& whe
   }
 }
 
+TEST(LatticeNodes, of_blocks_that_are_needless_are_left_out_and_no_others) {
+  const SpacingField field = graded_field();
+  std::size_t refused = 0;
+  std::vector<Box3> needless;
+  // Beyond a plane askew, so that blocks are asked for in parts.
+  const auto nodes = field.lattice_nodes(box, [&](const Box3& b) {
+    const bool is_beyond = b.low.x + b.low.y > 0.3;
+    if (is_beyond) needless.push_back(b);
+    if (!is_beyond) ++refused;
+    return is_beyond;
+  });
+  const auto all = field.lattice_nodes(box);
+  ASSERT_GT(needless.size(), 20U);
+  ASSERT_GT(refused, 20U);
+  EXPECT_LT(nodes.size(), 0.8 * static_cast<double>(all.size()));
+  const auto lies_in_one = [&](const Vec3& p) {
+    return std::any_of(needless.begin(), needless.end(), [&](const Box3& b) {
+      return b.low.x <= p.x && p.x <= b.high.x && b.low.y <= p.y && p.y <= b.high.y &&
+             b.low.z <= p.z && p.z <= b.high.z;
+    });
+  };
+  std::size_t next = 0;
+  for (const LatticeNode& node : all) {
+    if (next < nodes.size() && nodes[next].at == node.at) {
+      ++next;
+    } else {
+      EXPECT_TRUE(lies_in_one(node.at));
+    }
+  }
+  EXPECT_EQ(next, nodes.size());
+}
+
 TEST(LatticeSample, nodes_that_are_passed_over_count_as_if_each_were_looked_at) {
   expect_samples_of_the_definition(graded_field(), box);
   expect_samples_of_the_definition(SpacingField(0.02), {{0, 0, 0}, {1, 1, 1}});
