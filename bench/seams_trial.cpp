@@ -1,10 +1,11 @@
 // What parallel cosmetics does near the cuts: cuts a surface into N leaves and meshes them as the
 // tasks would, gives each its turn, and compares with the uncut mesh:
 //   seams_trial surface N [--box FACTOR] [--growth g] [--spacing h] [--uncut] [--worst n] [--wanted
-//   deg] [--height h] [--least h] [--lowest n]
+//   deg] [--height h] [--least h] [--lowest n] [--taken n] [--sought n] [--round n]
 // --uncut also measures the mesh of one piece; --worst and --lowest print the n worst tets near
 // cuts by angle and by height; --height and --least are the heights wanted, in spacings and in
-// smallest spacings. For domains of one region.
+// smallest spacings; --taken, --sought and --round are the layers of ExtractionOptions. For domains
+// of one region.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "bench/cut_as_tasks.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
+#include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/seam_cosmetics.h"
@@ -40,6 +42,7 @@ struct Arguments {
   double wanted = 30;
   double height = 0.35;
   double least = 0.55;
+  ExtractionOptions extraction;
 };
 
 Arguments parse(int count, char** words) {
@@ -55,6 +58,9 @@ Arguments parse(int count, char** words) {
     if (!std::strcmp(words[i], "--wanted")) a.wanted = std::stod(words[i + 1]);
     if (!std::strcmp(words[i], "--height")) a.height = std::stod(words[i + 1]);
     if (!std::strcmp(words[i], "--least")) a.least = std::stod(words[i + 1]);
+    if (!std::strcmp(words[i], "--taken")) a.extraction.taken_layers = std::stoi(words[i + 1]);
+    if (!std::strcmp(words[i], "--sought")) a.extraction.sought_layers = std::stoi(words[i + 1]);
+    if (!std::strcmp(words[i], "--round")) a.extraction.layers_round_bad = std::stoi(words[i + 1]);
     if (!std::strcmp(words[i], "--lowest")) a.lowest = std::stoul(words[i + 1]);
   }
   return a;
@@ -109,17 +115,49 @@ struct Figures {
   }
 };
 
-Figures figures_of(const std::vector<ElementSection>& sections, const SpacingField& spacing,
-                   bool with_cores) {
-  Figures figures;
-  for (const ElementSection& section : sections) {
-    if (section.sharers.size() == 1 && !with_cores) continue;
-    for (const Tet& tet : section.tets) {
-      const auto at = [&](std::size_t i) {
-        return section.nodes[static_cast<std::size_t>(tet[i])];
-      };
-      figures.add(at(0), at(1), at(2), at(3), spacing);
+/// Of each tet of the joined sections, whether it is within four layers of a cut.
+std::vector<bool> is_near_cuts(const JoinedElements& joined, const CosmeticOrder& order) {
+  std::vector<bool> is_reached(joined.nodes.size(), false);
+  for (const SharedNodes& shared : order.shared) {
+    for (const SharedNodes::Node& node : shared.nodes) {
+      const auto found =
+          std::lower_bound(joined.node_origin.begin(), joined.node_origin.end(), node.origin);
+      if (found == joined.node_origin.end() || *found != node.origin) continue;
+      is_reached[static_cast<std::size_t>(found - joined.node_origin.begin())] = true;
     }
+  }
+  std::vector<bool> is_near(joined.tets.size(), false);
+  for (int layer = 0; layer < 4; ++layer) {
+    std::vector<bool> next = is_reached;
+    for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+      const Tet& tet = joined.tets[t];
+      const auto reached = [&](std::int32_t v) { return is_reached[static_cast<std::size_t>(v)]; };
+      if (std::none_of(tet.begin(), tet.end(), reached)) continue;
+      is_near[t] = true;
+      for (const std::int32_t v : tet) next[static_cast<std::size_t>(v)] = true;
+    }
+    is_reached = std::move(next);
+  }
+  return is_near;
+}
+
+/// Of all tets, and of those near cuts.
+struct AllFigures {
+  Figures all;
+  Figures seams;
+};
+
+AllFigures figures_of(const std::vector<ElementSection>& sections, const SpacingField& spacing,
+                      const CosmeticOrder& order) {
+  AllFigures figures;
+  const JoinedElements joined = join_elements(sections);
+  const std::vector<bool> is_near = is_near_cuts(joined, order);
+  for (std::size_t t = 0; t < joined.tets.size(); ++t) {
+    const auto at = [&](std::size_t i) {
+      return joined.nodes[static_cast<std::size_t>(joined.tets[t][i])];
+    };
+    figures.all.add(at(0), at(1), at(2), at(3), spacing);
+    if (is_near[t]) figures.seams.add(at(0), at(1), at(2), at(3), spacing);
   }
   return figures;
 }
@@ -295,6 +333,7 @@ int main(int count, char** words) {
   std::vector<ElementSection> pieces;
   std::map<std::uint64_t, std::uint32_t> interior;
   double mesh_seconds = 0;
+  double extract_seconds = 0;
   double estimated = 0;
   double worst_estimate = 0;
   for (const Subdomain& leaf : leaves) {
@@ -307,9 +346,11 @@ int main(int count, char** words) {
     if (std::fabs(off) > std::fabs(worst_estimate)) worst_estimate = off;
     const auto place = std::find_if(order.shared.begin(), order.shared.end(),
                                     [&](const SharedNodes& s) { return s.path == leaf.path; });
-    for (ElementSection& piece : extract_elements(leaf, mesh, *place)) {
-      pieces.push_back(std::move(piece));
-    }
+    extract_seconds -= cpu_seconds();
+    ExtractedElements extracted = extract_elements(leaf, mesh, *place, arguments.extraction);
+    extract_seconds += cpu_seconds();
+    for (ElementSection& piece : extracted.sections) pieces.push_back(std::move(piece));
+    pieces.push_back(core_section(leaf, mesh, extracted.core));
     interior[leaf.path.heap] = static_cast<std::uint32_t>(mesh.nodes.size() - leaf.vertices.size());
   }
   std::map<Sharers, ElementSection> sections = joined_by_sharers(pieces);
@@ -317,14 +358,22 @@ int main(int count, char** words) {
   complain(values_of(sections), surface);
   std::printf(" %zu leaves, meshed in %.2f s\n", leaves.size(), mesh_seconds);
   std::printf(" estimate %.0f, worst leaf %+.1f %%\n", estimated, 100 * worst_estimate);
-  figures_of(values_of(sections), spacing, true).print("all before");
-  figures_of(values_of(sections), spacing, false).print("seams before");
+  AllFigures before = figures_of(values_of(sections), spacing, order);
+  before.all.print("all before");
+  before.seams.print("seams before");
+  std::int64_t taken = 0;
+  for (const auto& [sharers, section] : sections) {
+    if (sharers.size() > 1) taken += std::ssize(section.tets);
+  }
   const Turns turns = give_turns(order, arguments, interior, spacing, sections);
   complain(values_of(sections), surface);
-  figures_of(values_of(sections), spacing, false).print("seams after");
-  figures_of(values_of(sections), spacing, true).print("all after");
+  AllFigures after = figures_of(values_of(sections), spacing, order);
+  after.seams.print("seams after");
+  after.all.print("all after");
   print_worst(values_of(sections), arguments.worst, smallest_dihedral_deg);
   print_worst(values_of(sections), arguments.lowest, smallest_height);
+  std::printf("  %lld tets taken out of cores in %.2f s\n", static_cast<long long>(taken),
+              extract_seconds);
   std::printf(
       "  %d colours, at most %zu neighbours, largest region %lld tets, %.2f s; %lld swaps, %lld "
       "moves, %lld collapses, %lld splits\n",

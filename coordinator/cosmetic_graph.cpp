@@ -141,6 +141,9 @@ void add_final_elements(TaskRow& write, const TurnOrder& turns, const FindDone& 
     write.inputs.push_back(
         renamed(file_of(made->outputs, "elements"), name + std::to_string(leaf)));
   };
+  const TaskRow* mesh = find(TaskKind::mesh, write.path);
+  TF_CHECK(mesh != nullptr);
+  add_mesh(*mesh, write);
   add(TaskKind::extract, write.path, "core:");
   add(TaskKind::cosmetic, write.path, "elements:");
   std::string colours = line_of(write.path, turn.colour);

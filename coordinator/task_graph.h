@@ -79,7 +79,7 @@ TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
                     std::span<const SubdomainRow> tree);
 
 /// What gives the elements of a leaf their global numbers; without the leaf's own files, which
-/// add_mesh or, after cosmetics across cuts, add_final_elements (cosmetic_graph.h) add.
+/// add_mesh or, after cosmetics across cuts, add_final_elements (cosmetic_graph.h) adds.
 /// @pre `number` is done and without problem.
 TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t leaf);
 

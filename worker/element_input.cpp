@@ -15,6 +15,10 @@ ElementSection ElementInput::read(std::size_t section) {
   return io_.look_into(name_, [&](const auto&) { return file_.read(section); });
 }
 
+CoreElements ElementInput::read_core() {
+  return io_.look_into(name_, [&](const auto&) { return file_.read_core(); });
+}
+
 Colours colours_of(const std::string& order) {
   Colours colours;
   std::istringstream lines(order);

@@ -17,6 +17,7 @@ class ElementInput {
 
   const ElementFileHead& head() const { return file_.head(); }
   ElementSection read(std::size_t section);
+  CoreElements read_core();
   std::uint64_t bytes_read() const { return file_.bytes_read(); }
 
  private:

@@ -1,6 +1,6 @@
 #include "worker/extract_task.h"
 
-#include "mesh/cosmetics/element_passing.h"
+#include "mesh/cosmetics/element_extraction.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/element_file.h"
 #include "worker/task_cost.h"
@@ -14,13 +14,13 @@ void extract_task(TaskIo& io) {
   report_cost(io, extract_cost(static_cast<double>(mesh.tets.size()),
                                static_cast<double>(leaf.triangles.size())));
   io.progress("extract", std::ssize(mesh.tets));
-  const std::vector<ElementSection> sections = extract_elements(leaf, mesh, shared);
+  const ExtractedElements extracted = extract_elements(leaf, mesh, shared);
   ElementFileHead head;
   head.path = leaf.path;
   head.next_node = static_cast<std::uint32_t>(mesh.nodes.size() - leaf.vertices.size());
   io.number("tets", static_cast<double>(mesh.tets.size()));
-  io.number("core_tets", static_cast<double>(sections.front().tets.size()));
-  io.publish("elements", elements_to_bytes(head, sections));
+  io.number("core_tets", static_cast<double>(extracted.core.tets));
+  io.publish("elements", elements_to_bytes(head, extracted.sections, extracted.core));
 }
 
 }  // namespace tetfarm

@@ -4,7 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/element_passing.h"
+#include "mesh/io/artifact_file.h"
 
 namespace tetfarm {
 namespace {
@@ -21,13 +23,18 @@ void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::vect
   }
 }
 
+ElementSection core_as_meshed(const TaskIo& io, const std::string& extracted) {
+  const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
+  const TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
+  return core_section(leaf, mesh, ElementInput(io, extracted).read_core());
+}
+
 /// The sections that the leaf shares, as the last turns left them, and its core; what is not its
 /// own is left out, but for the origins of nodes there.
 std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, const Colours& colours,
                                            std::vector<Origin>& nodes_of_others) {
   const std::string heap = std::to_string(leaf.heap);
-  ElementInput core(io, "core:" + heap);
-  std::vector<ElementSection> sections = {core.read(0)};
+  std::vector<ElementSection> sections = {core_as_meshed(io, "core:" + heap)};
   const ElementInput own(io, "elements:" + heap);
   std::map<std::uint64_t, std::vector<Sharers>> wanted;
   for (const ElementFileHead::Section& section : own.head().sections) {

@@ -7,8 +7,8 @@
 
 namespace tetfarm {
 
-/// Reads "core:HEAP" of the leaf and the sections that it shares in the "elements:HEAP" of it and
-/// its neighbours. @throws DamagedInput.
+/// Reads "subdomain" and "mesh", what "core:HEAP" leaves of them, and the sections that it shares
+/// in the "elements:HEAP" of it and its neighbours. @throws DamagedInput.
 MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours);
 
 }  // namespace tetfarm

@@ -37,6 +37,15 @@ struct ElementSection {
   std::vector<std::uint8_t> triangle_owner;   ///< that of its tet
 };
 
+/// The core of a leaf's mesh, told by what is not in it.
+struct CoreElements {
+  std::uint64_t tets = 0;
+  /// The numbers of the tets in sections, in the mesh, and of the triangles there, in the input
+  /// surface; ascending.
+  std::vector<std::uint32_t> taken_tets;
+  std::vector<std::uint32_t> taken_triangles;
+};
+
 /// Tets of each sharer, in the order of the sharers.
 std::vector<std::uint64_t> tets_by_sharer(const ElementSection& section);
 

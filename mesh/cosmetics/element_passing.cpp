@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numeric>
 
 #include "base/check.h"
 
@@ -12,93 +10,12 @@ namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-/// Place of a set in order of preference; more sharers come first.
-using Rank = std::uint32_t;
-constexpr Rank no_rank = std::numeric_limits<Rank>::max();
-
-/// The sets by preference: the places in `sets`.
-std::vector<std::uint32_t> by_preference(const std::vector<Sharers>& sets) {
-  std::vector<std::uint32_t> order(sets.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&sets](std::uint32_t a, std::uint32_t b) {
-    const Sharers& s = sets[a];
-    const Sharers& t = sets[b];
-    return s.size() != t.size() ? s.size() > t.size() : s < t;
-  });
-  return order;
-}
-
-/// The rank of each node of the mesh that is shared; no_rank for the others.
-std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
-                                 const SharedNodes& shared,
-                                 const std::vector<std::uint32_t>& preference) {
-  std::vector<Rank> rank_of_set(preference.size());
-  for (Rank rank = 0; rank < preference.size(); ++rank) rank_of_set[preference[rank]] = rank;
-  std::vector<Rank> ranks(nodes, no_rank);
-  for (std::size_t v = 0; v < leaf.vertices.size(); ++v) {
-    const Origin& origin = leaf.node_origin[v];
-    const auto found = std::lower_bound(
-        shared.nodes.begin(), shared.nodes.end(), origin,
-        [](const SharedNodes::Node& node, const Origin& wanted) { return node.origin < wanted; });
-    if (found == shared.nodes.end() || found->origin != origin) continue;
-    ranks[v] = rank_of_set[found->set];
-  }
-  return ranks;
-}
-
-/// The rank of each tet within reach of a shared node, layer by layer.
-std::vector<Rank> ranks_of_tets(const TetMesh& mesh, std::vector<Rank> of_node) {
-  std::vector<Rank> of_tet(mesh.tets.size(), no_rank);
-  for (int layer = 0; layer < passed_layers; ++layer) {
-    std::vector<Rank> reached = of_node;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      if (of_tet[t] != no_rank) continue;
-      for (const std::int32_t v : mesh.tets[t]) of_tet[t] = std::min(of_tet[t], of_node[at(v)]);
-      for (const std::int32_t v : mesh.tets[t]) {
-        if (of_node[at(v)] == no_rank) reached[at(v)] = std::min(reached[at(v)], of_tet[t]);
-      }
-    }
-    of_node = std::move(reached);
-  }
-  return of_tet;
-}
-
 using SortedFace = std::array<std::int32_t, 3>;
 
 SortedFace sorted_face(std::int32_t a, std::int32_t b, std::int32_t c) {
   SortedFace face = {a, b, c};
   std::sort(face.begin(), face.end());
   return face;
-}
-
-/// For each triangle the tet that has it as a face.
-std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
-                                           const std::vector<Triangle>& triangles) {
-  std::vector<std::pair<SortedFace, std::size_t>> faces;
-  std::vector<bool> has_triangle(nodes, false);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    faces.emplace_back(sorted_face(t[0], t[1], t[2]), i);
-    for (const std::int32_t v : t) has_triangle[at(v)] = true;
-  }
-  std::sort(faces.begin(), faces.end());
-  std::vector<std::size_t> tet_of(triangles.size(), tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    const Tet& tet = tets[t];
-    for (const auto& [i, j, k] : tet_face_nodes) {
-      if (!has_triangle[at(tet[at(i)])] || !has_triangle[at(tet[at(j)])] ||
-          !has_triangle[at(tet[at(k)])]) {
-        continue;
-      }
-      const SortedFace face = sorted_face(tet[at(i)], tet[at(j)], tet[at(k)]);
-      const auto found = std::lower_bound(
-          faces.begin(), faces.end(), face,
-          [](const auto& item, const SortedFace& wanted) { return item.first < wanted; });
-      if (found != faces.end() && found->first == face) tet_of[found->second] = t;
-    }
-  }
-  for (const std::size_t t : tet_of) TF_CHECK(t < tets.size());
-  return tet_of;
 }
 
 /// Gives the section the nodes of its tets, and its elements the numbers there. `local` is scratch:
@@ -130,7 +47,63 @@ void take_nodes(const JoinedElements& joined, std::vector<std::int32_t>& local,
   for (const std::int32_t v : nodes) local[at(v)] = -1;
 }
 
+/// Sorts what consists of ascending runs, each from one of the ends to the next.
+void merge_runs(std::vector<Origin>& items, std::vector<std::size_t> ends) {
+  while (ends.size() > 2) {
+    std::vector<std::size_t> fewer = {0};
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+      const std::size_t last = std::min(i + 2, ends.size() - 1);
+      const auto place = [&](std::size_t end) {
+        return items.begin() + static_cast<std::ptrdiff_t>(ends[end]);
+      };
+      std::inplace_merge(place(i), place(i + 1), place(last));
+      fewer.push_back(ends[last]);
+    }
+    ends = std::move(fewer);
+  }
+}
+
+/// As std::lower_bound: quick when it is near the first.
+std::vector<Origin>::const_iterator first_not_before(std::vector<Origin>::const_iterator first,
+                                                     std::vector<Origin>::const_iterator last,
+                                                     const Origin& wanted) {
+  std::ptrdiff_t step = 1;
+  while (last - first > step && *(first + step) < wanted) {
+    first += step;
+    step *= 2;
+  }
+  return std::lower_bound(first, std::min(last, first + step + 1), wanted);
+}
+
 }  // namespace
+
+std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
+                                           const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<SortedFace, std::size_t>> faces;
+  std::vector<bool> has_triangle(nodes, false);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    faces.emplace_back(sorted_face(t[0], t[1], t[2]), i);
+    for (const std::int32_t v : t) has_triangle[at(v)] = true;
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::size_t> tet_of(triangles.size(), tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const Tet& tet = tets[t];
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      if (!has_triangle[at(tet[at(i)])] || !has_triangle[at(tet[at(j)])] ||
+          !has_triangle[at(tet[at(k)])]) {
+        continue;
+      }
+      const SortedFace face = sorted_face(tet[at(i)], tet[at(j)], tet[at(k)]);
+      const auto found = std::lower_bound(
+          faces.begin(), faces.end(), face,
+          [](const auto& item, const SortedFace& wanted) { return item.first < wanted; });
+      if (found != faces.end() && found->first == face) tet_of[found->second] = t;
+    }
+  }
+  return tet_of;
+}
 
 std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
                                                std::span<const Sharers> sharers) {
@@ -143,6 +116,7 @@ std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
   }
   const auto tet_of = tets_of_triangles(joined.nodes.size(), joined.tets, joined.triangles);
   for (std::size_t i = 0; i < joined.triangles.size(); ++i) {
+    TF_CHECK(tet_of[i] < joined.tets.size());
     const ElementHome& home = joined.tet_home[tet_of[i]];
     sections[home.section].triangles.push_back(joined.triangles[i]);
     sections[home.section].triangle_index.push_back(joined.triangle_index[i]);
@@ -153,56 +127,15 @@ std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
   return sections;
 }
 
-std::vector<ElementSection> extract_elements(const Subdomain& leaf, const TetMesh& mesh,
-                                             const SharedNodes& shared) {
-  TF_CHECK(shared.path == leaf.path);
-  const std::vector<std::uint32_t> preference = by_preference(shared.sets);
-  const std::vector<Rank> ranks =
-      ranks_of_tets(mesh, ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference));
-  std::vector<bool> has_tets(shared.sets.size(), false);
-  for (const Rank rank : ranks) {
-    if (rank != no_rank) has_tets[preference[rank]] = true;
-  }
-  std::vector<Sharers> sharers = {{leaf.path.heap}};
-  for (std::size_t set = 0; set < shared.sets.size(); ++set) {
-    if (has_tets[set]) sharers.push_back(shared.sets[set]);
-  }
-  std::sort(sharers.begin() + 1, sharers.end());
-  std::vector<ElementHome> home_of_rank;
-  for (const std::uint32_t set : preference) {
-    const Sharers& wanted = shared.sets[set];
-    const auto section = std::lower_bound(sharers.begin() + 1, sharers.end(), wanted);
-    const auto owner = std::lower_bound(wanted.begin(), wanted.end(), leaf.path.heap);
-    home_of_rank.push_back({static_cast<std::uint32_t>(section - sharers.begin()),
-                            static_cast<std::uint8_t>(owner - wanted.begin())});
-  }
-  JoinedElements joined;
-  joined.nodes = mesh.nodes;
-  joined.node_origin = leaf.node_origin;
-  for (std::size_t v = leaf.vertices.size(); v < mesh.nodes.size(); ++v) {
-    joined.node_origin.push_back(
-        {leaf.path.heap, static_cast<std::uint32_t>(v - leaf.vertices.size())});
-  }
-  joined.tets = mesh.tets;
-  for (const Rank rank : ranks) {
-    joined.tet_home.push_back(rank == no_rank ? ElementHome{} : home_of_rank[rank]);
-  }
-  for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-    if (leaf.triangle_origin[t].owner != 0) continue;
-    joined.triangles.push_back(leaf.triangles[t]);
-    joined.triangle_index.push_back(leaf.triangle_origin[t].index);
-  }
-  return share_out_elements(joined, sharers);
-}
-
 JoinedElements join_elements(std::span<const ElementSection> sections) {
   JoinedElements joined;
-  for (const ElementSection& section : sections) {
-    joined.node_origin.insert(joined.node_origin.end(), section.node_origin.begin(),
-                              section.node_origin.end());
-  }
   auto& origins = joined.node_origin;
-  std::sort(origins.begin(), origins.end());
+  std::vector<std::size_t> ends = {0};
+  for (const ElementSection& section : sections) {
+    origins.insert(origins.end(), section.node_origin.begin(), section.node_origin.end());
+    ends.push_back(origins.size());
+  }
+  merge_runs(origins, std::move(ends));
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
   joined.nodes.resize(origins.size());
   std::vector<bool> is_placed(origins.size(), false);
@@ -210,10 +143,10 @@ JoinedElements join_elements(std::span<const ElementSection> sections) {
   for (std::uint32_t s = 0; s < sections.size(); ++s) {
     const ElementSection& section = sections[s];
     node_of.clear();
+    auto found = origins.cbegin();
     for (std::size_t v = 0; v < section.nodes.size(); ++v) {
-      const auto place =
-          at(std::lower_bound(origins.begin(), origins.end(), section.node_origin[v]) -
-             origins.begin());
+      found = first_not_before(found, origins.cend(), section.node_origin[v]);
+      const auto place = at(found - origins.cbegin());
       TF_CHECK(!is_placed[place] || joined.nodes[place] == section.nodes[v]);
       is_placed[place] = true;
       joined.nodes[place] = section.nodes[v];

@@ -1,10 +1,8 @@
-/// Takes the elements near cuts out of a sub-domain's mesh, brings those of neighbours together,
-/// and gives them back.
+/// Brings the elements near cuts that neighbours have together, and gives them back.
 ///
-/// Source: thesis 4.3.4.1.2 and figures 81 and 85: the extract slave marks nodes, takes all
-/// elements at them, marks their nodes, and so on: a layer each time. Two layers of a neighbour
-/// that had no turn yet are worked on, four of one that had. Here the four layers are taken out
-/// once, before any turn, and lie in sections by who shares the nearest cut
+/// Source: thesis 4.3.4.1.2 and figure 85: two layers of a neighbour that had no turn yet are
+/// worked on, four of one that had. Here they are taken out once, before any turn
+/// (element_extraction.h), and lie in sections by who shares the nearest cut
 /// (mesh/core/element_section.h). Not the thesis's: an element stays with the sub-domain in whose
 /// space it lies.
 #pragma once
@@ -16,17 +14,6 @@
 #include "mesh/core/element_section.h"
 
 namespace tetfarm {
-
-/// Layers of elements on each side of a cut that leave the core.
-inline constexpr int passed_layers = 4;
-
-/// The mesh of a leaf in sections: the core first, then one for each set of sharers that has
-/// elements near its nodes, sharers ascending. An element belongs to the set at the nearest shared
-/// node, in layers; of equally near ones to the largest set, then the first.
-/// @pre `mesh` is of `leaf` and `shared` its shared nodes. Cost: O(n log n), memory of the mesh
-/// twice.
-std::vector<ElementSection> extract_elements(const Subdomain& leaf, const TetMesh& mesh,
-                                             const SharedNodes& shared);
 
 /// Where an element of a joined mesh belongs.
 struct ElementHome {
@@ -54,6 +41,11 @@ JoinedElements join_elements(std::span<const ElementSection> sections);
 /// left out. @pre every triangle is a face of a tet. Cost: O(n log n).
 std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
                                                std::span<const Sharers> sharers);
+
+/// For each triangle the tet that has it as a face; tets.size() where none has.
+/// @pre nodes are below `nodes`. Cost: O(n log n).
+std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
+                                           const std::vector<Triangle>& triangles);
 
 /// The pieces that several leaves have of one section as the whole of it.
 /// @pre all have the same sharers, and there is one at least.

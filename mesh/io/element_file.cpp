@@ -16,7 +16,8 @@ static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16)
 
 constexpr std::string_view elements_magic = "TFELEM\r\n";
 constexpr std::string_view shared_magic = "TFSHAR\r\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t shared_version = 1;
+constexpr std::uint32_t elements_version = 2;
 /// Magic, version, size of the head, checksum of the head.
 constexpr std::size_t prefix_size = 8 + 4 + 8 + 16;
 
@@ -33,7 +34,8 @@ Hash128 read_checksum(ByteReader& reader) {
 }
 
 /// Magic and version, then what follows them.
-ByteReader start_reading(std::string_view bytes, std::string_view magic, const std::string& name) {
+ByteReader start_reading(std::string_view bytes, std::string_view magic, std::uint32_t version,
+                         const std::string& name) {
   if (bytes.substr(0, magic.size()) != magic) {
     throw CorruptFile("does not start as the expected kind of file", name);
   }
@@ -82,20 +84,55 @@ ElementSection section_from(std::string_view bytes, const Sharers& sharers,
   return section;
 }
 
+std::string core_bytes(const CoreElements& core) {
+  ByteWriter writer;
+  writer.number<std::uint64_t>(core.taken_tets.size());
+  writer.number<std::uint64_t>(core.taken_triangles.size());
+  writer.array(core.taken_tets);
+  writer.array(core.taken_triangles);
+  return writer.take();
+}
+
+CoreElements core_from(std::string_view bytes, std::uint64_t tets, const std::string& name) {
+  ByteReader reader(bytes, name);
+  CoreElements core;
+  core.tets = tets;
+  const std::size_t taken_tets = reader.count();
+  const std::size_t taken_triangles = reader.count();
+  core.taken_tets = reader.array<std::uint32_t>(taken_tets);
+  core.taken_triangles = reader.array<std::uint32_t>(taken_triangles);
+  reader.expect_end();
+  for (const auto* taken : {&core.taken_tets, &core.taken_triangles}) {
+    const auto out_of_order =
+        std::adjacent_find(taken->begin(), taken->end(), [](auto a, auto b) { return a >= b; });
+    if (out_of_order != taken->end()) reader.fail("does not tell what was taken in order");
+  }
+  return core;
+}
+
+/// What the head says of a section, or of the core.
+void add_entry(ByteWriter& writer, const Sharers& sharers, const std::vector<std::uint64_t>& tets,
+               const std::string& body) {
+  writer.number<std::uint64_t>(sharers.size());
+  writer.array(sharers);
+  writer.array(tets);
+  writer.number<std::uint64_t>(body.size());
+  add_checksum(writer, hash128(body));
+}
+
 std::string head_bytes(const ElementFileHead& head, const std::vector<ElementSection>& sections,
+                       const std::optional<CoreElements>& core,
                        const std::vector<std::string>& bodies) {
   ByteWriter writer;
   writer.number(head.path.heap);
   writer.number(head.next_node);
   writer.number<std::uint64_t>(head.gone.size());
   writer.origins(head.gone);
-  writer.number<std::uint64_t>(sections.size());
-  for (std::size_t s = 0; s < sections.size(); ++s) {
-    writer.number<std::uint64_t>(sections[s].sharers.size());
-    writer.array(sections[s].sharers);
-    writer.array(tets_by_sharer(sections[s]));
-    writer.number<std::uint64_t>(bodies[s].size());
-    add_checksum(writer, hash128(bodies[s]));
+  writer.number<std::uint64_t>(bodies.size());
+  auto body = bodies.begin();
+  if (core) add_entry(writer, {head.path.heap}, {core->tets}, *body++);
+  for (const ElementSection& section : sections) {
+    add_entry(writer, section.sharers, tets_by_sharer(section), *body++);
   }
   return writer.take();
 }
@@ -133,12 +170,14 @@ std::optional<std::size_t> ElementFileHead::find(const Sharers& sharers) const {
 }
 
 std::string elements_to_bytes(const ElementFileHead& head,
-                              const std::vector<ElementSection>& sections) {
+                              const std::vector<ElementSection>& sections,
+                              const std::optional<CoreElements>& core) {
   std::vector<std::string> bodies;
+  if (core) bodies.push_back(core_bytes(*core));
   for (const ElementSection& section : sections) bodies.push_back(section_bytes(section));
-  const std::string described = head_bytes(head, sections, bodies);
+  const std::string described = head_bytes(head, sections, core, bodies);
   ByteWriter prefix;
-  prefix.number(version);
+  prefix.number(elements_version);
   prefix.number<std::uint64_t>(described.size());
   add_checksum(prefix, hash128(described));
   std::string bytes = std::string(elements_magic) + prefix.bytes() + described;
@@ -152,7 +191,7 @@ std::string elements_to_bytes(const ElementFileHead& head,
 ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
     : path_(path), name_(std::move(name)) {
   const std::string prefix = read_bytes(0, prefix_size);
-  ByteReader reader = start_reading(prefix, elements_magic, name_);
+  ByteReader reader = start_reading(prefix, elements_magic, elements_version, name_);
   const auto size = reader.number<std::uint64_t>();
   const Hash128 checksum = read_checksum(reader);
   const std::string bytes = read_bytes(prefix_size, size);
@@ -160,13 +199,23 @@ ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
   head_ = head_from(bytes, name_);
 }
 
-ElementSection ElementFile::read(std::size_t section) {
+std::string ElementFile::read_body(std::size_t section) {
   const ElementFileHead::Section& wanted = head_.sections.at(section);
-  const std::string bytes = read_bytes(wanted.offset, wanted.size);
+  std::string bytes = read_bytes(wanted.offset, wanted.size);
   if (hash128(bytes) != wanted.checksum) {
     throw CorruptFile("has a wrong checksum of section " + std::to_string(section), name_);
   }
-  return section_from(bytes, wanted.sharers, name_);
+  return bytes;
+}
+
+ElementSection ElementFile::read(std::size_t section) {
+  return section_from(read_body(section), head_.sections.at(section).sharers, name_);
+}
+
+CoreElements ElementFile::read_core() {
+  const bool is_core = !head_.sections.empty() && head_.sections.front().sharers.size() == 1;
+  if (!is_core) throw CorruptFile("has no core", name_);
+  return core_from(read_body(0), head_.sections.front().tets.front(), name_);
 }
 
 std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {
@@ -198,7 +247,7 @@ std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {
 
 std::string shared_nodes_to_bytes(const SharedNodes& shared) {
   ByteWriter writer;
-  writer.number(version);
+  writer.number(shared_version);
   writer.number(shared.path.heap);
   writer.number<std::uint64_t>(shared.sets.size());
   for (const Sharers& sharers : shared.sets) {
@@ -222,7 +271,7 @@ SharedNodes shared_nodes_from_bytes(std::string_view bytes, const std::string& n
   if (bytes.size() < shared_magic.size() + checksum_size) throw CorruptFile("is cut short", name);
   const std::string_view body = bytes.substr(0, bytes.size() - checksum_size);
   ByteReader end(bytes.substr(body.size()), name);
-  ByteReader reader = start_reading(body, shared_magic, name);
+  ByteReader reader = start_reading(body, shared_magic, shared_version, name);
   if (read_checksum(end) != hash128(body)) reader.fail("has a wrong checksum");
   SharedNodes shared;
   shared.path.heap = reader.number<std::uint64_t>();

@@ -35,9 +35,11 @@ struct ElementFileHead {
   std::optional<std::size_t> find(const Sharers& sharers) const;
 };
 
-/// Of the head only path, next_node and gone count: the rest follows from the sections.
+/// Of the head only path, next_node and gone count: the rest follows from the sections and, in what
+/// is extracted, from the core.
 std::string elements_to_bytes(const ElementFileHead& head,
-                              const std::vector<ElementSection>& sections);
+                              const std::vector<ElementSection>& sections,
+                              const std::optional<CoreElements>& core = std::nullopt);
 
 /// A file of elements, open to read. Errors: CorruptFile naming `name`, IoError.
 class ElementFile {
@@ -46,13 +48,16 @@ class ElementFile {
   ElementFile(const std::filesystem::path& path, std::string name);
 
   const ElementFileHead& head() const { return head_; }
-  /// Reads and checks one section.
+  /// Reads and checks one section. @pre it is not the core.
   ElementSection read(std::size_t section);
+  /// @pre the file is of what was extracted: its first entry is the core.
+  CoreElements read_core();
   /// Bytes read so far.
   std::uint64_t bytes_read() const { return bytes_read_; }
 
  private:
   std::string read_bytes(std::uint64_t offset, std::uint64_t size);
+  std::string read_body(std::size_t section);
 
   std::filesystem::path path_;
   std::string name_;

@@ -77,7 +77,14 @@ class MemoryFile {
 void read_elements(const std::string& bytes) {
   const MemoryFile memory(bytes);
   ElementFile file(memory.path(), "elements");
-  for (std::size_t i = 0; i < file.head().sections.size(); ++i) file.read(i);
+  const auto& sections = file.head().sections;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (i == 0 && sections[i].sharers.size() == 1) {
+      file.read_core();
+    } else {
+      file.read(i);
+    }
+  }
 }
 
 /// A mesh is read with its sub-domain: here one of four nodes.

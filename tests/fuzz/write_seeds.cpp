@@ -151,7 +151,7 @@ void write_artifacts(const fs::path& folder) {
   put("spacing", 4, make_spacing_field(surface, {}).to_bytes(), 0);
   ElementFileHead head;
   head.path.heap = 1;
-  put("elements", 5, elements_to_bytes(head, {}), 0);
+  put("elements", 5, elements_to_bytes(head, {}, CoreElements{1, {0, 2}, {1}}), 0);
   put("stl", 6,
       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
       "endloop\nendfacet\nendsolid a\n",

@@ -190,6 +190,8 @@ class CosmeticTasks : public ::testing::Test {
     to_assemble["numbering"] = output(run(number_task, 0, to_number, with_table), "numbering");
     for (const auto& [heap, leaf] : leaves_) {
       Files to_write = files;
+      to_write["subdomain"] = leaf;
+      to_write["mesh"] = meshes_.at(heap);
       to_write["surface"] = surface_;
       to_write["numbering"] = to_assemble.at("numbering");
       const Parameters colours = {{"colours", order_.texts().at("order")}};

@@ -5,7 +5,9 @@
 
 #include <set>
 
+#include "base/error.h"
 #include "mesh/core/validate.h"
+#include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "tests/mesh/cosmetics/cut_bar.h"
 
@@ -19,36 +21,81 @@ using trial::CutBar;
 
 std::uint64_t left_or_right(const Cell& cell) { return cell[0] < 8 ? 2 : 3; }
 
-/// The sections of a leaf of the bar.
-std::vector<ElementSection> extracted(const CutBar& bar, std::uint64_t heap) {
+ExtractionOptions so_many_layers(int layers) {
+  ExtractionOptions options;
+  options.taken_layers = layers;
+  return options;
+}
+
+/// The sections of a leaf of the bar, its core first.
+std::vector<ElementSection> extracted(const CutBar& bar, std::uint64_t heap,
+                                      const ExtractionOptions& options = {}) {
   std::vector<InterfaceNodes> leaves;
   for (const auto& [path, part] : bar.parts) leaves.push_back(interface_nodes(part.leaf));
   const CosmeticOrder order = colour_subdomains(leaves);
   const trial::LeafMesh& part = bar.parts.at(heap);
   for (const SharedNodes& shared : order.shared) {
-    if (shared.path.heap == heap) return extract_elements(part.leaf, part.mesh, shared);
+    if (shared.path.heap != heap) continue;
+    ExtractedElements extracted = extract_elements(part.leaf, part.mesh, shared, options);
+    extracted.sections.insert(extracted.sections.begin(),
+                              core_section(part.leaf, part.mesh, extracted.core));
+    return extracted.sections;
   }
   return {};
 }
 
-std::vector<ElementSection> all_extracted(const CutBar& bar) {
+std::vector<ElementSection> all_extracted(const CutBar& bar,
+                                          const ExtractionOptions& options = {}) {
   std::vector<ElementSection> all;
   for (const auto& [heap, part] : bar.parts) {
-    for (ElementSection& section : extracted(bar, heap)) all.push_back(std::move(section));
+    for (ElementSection& section : extracted(bar, heap, options)) all.push_back(std::move(section));
   }
   return all;
 }
 
-TEST(ElementPassing, four_layers_at_a_cut_leave_the_core) {
+TEST(ElementPassing, as_many_layers_at_a_cut_leave_the_core_as_are_asked_for) {
   const CutBar bar({16, 3, 3}, left_or_right);
-  const std::vector<ElementSection> sections = extracted(bar, 2);
-  ASSERT_EQ(sections.size(), 2U);
-  EXPECT_THAT(sections[0].sharers, ElementsAre(2));
-  EXPECT_THAT(sections[1].sharers, ElementsAre(2, 3));
-  // A layer of tets is a layer of cubes here, as each cube has nodes on both of its sides.
-  EXPECT_EQ(sections[1].tets.size(), 6U * passed_layers * 9);
-  EXPECT_EQ(sections[0].tets.size(), 6U * (8 - passed_layers) * 9);
-  for (const ElementSection& section : sections) EXPECT_THAT(validate(section), IsEmpty());
+  for (const int layers : {1, 3}) {
+    const std::vector<ElementSection> sections = extracted(bar, 2, so_many_layers(layers));
+    ASSERT_EQ(sections.size(), 2U);
+    EXPECT_THAT(sections[0].sharers, ElementsAre(2));
+    EXPECT_THAT(sections[1].sharers, ElementsAre(2, 3));
+    // A layer of tets is a layer of cubes here, as each cube has nodes on both of its sides.
+    EXPECT_EQ(sections[1].tets.size(), 6U * static_cast<unsigned>(layers) * 9);
+    EXPECT_EQ(sections[0].tets.size(), 6U * static_cast<unsigned>(8 - layers) * 9);
+    for (const ElementSection& section : sections) EXPECT_THAT(validate(section), IsEmpty());
+  }
+}
+
+TEST(ElementPassing, behind_the_first_layer_only_what_lies_round_bad_elements_leaves_the_core) {
+  const CutBar bar({16, 9, 9}, left_or_right);
+  const CutBar bent({16, 9, 9}, left_or_right, [](const Cell& corner) {
+    return corner == Cell{6, 4, 4} ? Vec3{6, 4, 4.93} : trial::on_the_grid(corner);
+  });
+  EXPECT_EQ(extracted(bar, 2)[1].tets.size(), 6U * 9 * 9);
+  const std::vector<ElementSection> sections = extracted(bent, 2);
+  EXPECT_GT(sections[1].tets.size(), 6U * 9 * 9);
+  EXPECT_LT(sections[1].tets.size(), 6U * 9 * 9 * 3);
+  const auto holds = [&](const Vec3& node) {
+    const auto& nodes = sections[1].nodes;
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  EXPECT_TRUE(holds({6, 4, 4.93}));
+  EXPECT_FALSE(holds({6, 8, 4}));
+  EXPECT_FALSE(holds({3, 4, 4}));
+}
+
+TEST(ElementPassing, the_core_is_what_is_left_of_its_own_mesh_only) {
+  const CutBar bar({16, 3, 3}, left_or_right);
+  const trial::LeafMesh& part = bar.parts.at(2);
+  CoreElements core;
+  core.tets = part.mesh.tets.size() - 1;
+  core.taken_tets = {static_cast<std::uint32_t>(part.mesh.tets.size())};
+  EXPECT_THROW(core_section(part.leaf, part.mesh, core), Error);
+  core.taken_tets = {0, 1};
+  EXPECT_THROW(core_section(part.leaf, part.mesh, core), Error);
+  core.taken_tets = {0};
+  EXPECT_EQ(core_section(part.leaf, part.mesh, core).tets.size(), core.tets);
 }
 
 TEST(ElementPassing, pieces_of_all_leaves_join_to_the_whole_mesh) {
@@ -103,12 +150,12 @@ TEST(ElementPassing, elements_at_the_node_of_many_are_in_the_section_of_many) {
     return std::uint64_t{4} + static_cast<std::uint64_t>(2 * (cell[0] / 3) + cell[1] / 3);
   });
   std::set<Sharers> found;
-  for (const ElementSection& section : all_extracted(bar)) {
+  for (const ElementSection& section : all_extracted(bar, so_many_layers(2))) {
     found.insert(section.sharers);
     if (section.sharers.size() != 4) continue;
     for (const Vec3& p : section.nodes) {
-      EXPECT_LE(std::abs(p.x - 3), passed_layers);
-      EXPECT_LE(std::abs(p.y - 3), passed_layers);
+      EXPECT_LE(std::abs(p.x - 3), 2);
+      EXPECT_LE(std::abs(p.y - 3), 2);
     }
   }
   EXPECT_TRUE(found.contains(Sharers{4, 5, 6, 7}));
@@ -117,7 +164,7 @@ TEST(ElementPassing, elements_at_the_node_of_many_are_in_the_section_of_many) {
 
 TEST(ElementPassing, layers_are_counted_from_the_elements_of_one_subdomain) {
   const CutBar bar({16, 2, 2}, left_or_right);
-  std::vector<ElementSection> sections = all_extracted(bar);
+  std::vector<ElementSection> sections = all_extracted(bar, so_many_layers(4));
   std::erase_if(sections, [](const ElementSection& s) { return s.sharers.size() == 1; });
   std::vector<Sharers> sharers;
   for (const ElementSection& section : sections) sharers.push_back(section.sharers);

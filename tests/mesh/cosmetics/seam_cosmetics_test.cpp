@@ -7,6 +7,7 @@
 
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
+#include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
@@ -26,14 +27,16 @@ struct Farm {
   std::map<std::uint64_t, std::uint32_t> next_node;
   SeamOptions options;
 
-  explicit Farm(const CutBar& bar) {
+  explicit Farm(const CutBar& bar, const ExtractionOptions& extraction = {}) {
     std::vector<InterfaceNodes> leaves;
     for (const auto& [heap, part] : bar.parts) leaves.push_back(interface_nodes(part.leaf));
     order = colour_subdomains(leaves);
     std::map<Sharers, std::vector<ElementSection>> pieces;
     for (const SharedNodes& shared : order.shared) {
       const trial::LeafMesh& part = bar.parts.at(shared.path.heap);
-      for (ElementSection& piece : extract_elements(part.leaf, part.mesh, shared)) {
+      ExtractedElements extracted = extract_elements(part.leaf, part.mesh, shared, extraction);
+      extracted.sections.push_back(core_section(part.leaf, part.mesh, extracted.core));
+      for (ElementSection& piece : extracted.sections) {
         pieces[piece.sharers].push_back(std::move(piece));
       }
       next_node[shared.path.heap] =
@@ -209,11 +212,14 @@ TEST(SeamCosmetics, two_layers_of_those_who_wait_and_four_of_those_who_had_their
   const CutBar bar({16, 4, 4}, [](const Cell& cell) {
     return cell[0] < 8 ? std::uint64_t{2} : std::uint64_t{3};
   });
-  Farm farm(bar);
+  ExtractionOptions extraction;
+  extraction.taken_layers = 5;
+  extraction.sought_layers = 5;
+  Farm farm(bar, extraction);
   const SeamResult first = improve_seams(farm.of(2), {2, {}, 0});
-  EXPECT_EQ(first.tets, 6 * 16 * (passed_layers + 2));
+  EXPECT_EQ(first.tets, 6 * 16 * (5 + 2));
   const SeamResult second = improve_seams(farm.of(3), {3, {2}, 0});
-  EXPECT_EQ(second.tets, 6 * 16 * (passed_layers + 4));
+  EXPECT_EQ(second.tets, 6 * 16 * (5 + 4));
 }
 
 TEST(SeamCosmetics, leaves_without_common_nodes_may_have_their_turn_in_any_order) {

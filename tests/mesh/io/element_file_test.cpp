@@ -29,8 +29,8 @@ ElementSection one_tet(Sharers sharers, double x) {
 
 class ElementFiles : public ::testing::Test {
  protected:
-  std::string bytes_ =
-      elements_to_bytes({{5}, 12, {{1, 3}, {5, 2}}, {}}, {one_tet({5}, 0), one_tet({4, 5, 6}, 2)});
+  std::string bytes_ = elements_to_bytes({{5}, 12, {{1, 3}, {5, 2}}, {}}, {one_tet({4, 5, 6}, 2)},
+                                         CoreElements{7, {0, 3}, {31}});
   TempFolder folder_;
   std::filesystem::path path_ = folder_.path() / "elements";
 
@@ -63,8 +63,8 @@ TEST_F(ElementFiles, give_back_head_and_sections) {
 TEST_F(ElementFiles, one_section_is_read_without_the_others) {
   ElementFile file = open(bytes_);
   const std::uint64_t head = file.bytes_read();
-  file.read(0);
-  EXPECT_EQ(file.bytes_read(), head + file.head().sections[0].size);
+  file.read(1);
+  EXPECT_EQ(file.bytes_read(), head + file.head().sections[1].size);
   EXPECT_LT(file.bytes_read(), bytes_.size());
 }
 
@@ -72,8 +72,23 @@ TEST_F(ElementFiles, damage_of_one_section_does_not_hurt_the_other) {
   std::string damaged = bytes_;
   damaged.back() ^= 1;
   ElementFile file = open(damaged);
-  EXPECT_NO_THROW(file.read(0));
+  EXPECT_NO_THROW(file.read_core());
   EXPECT_THROW(file.read(1), CorruptFile);
+}
+
+TEST_F(ElementFiles, tell_the_core_by_what_was_taken_out_of_the_mesh) {
+  ElementFile file = open(bytes_);
+  EXPECT_THAT(file.head().sections[0].sharers, ElementsAre(5));
+  EXPECT_THAT(file.head().sections[0].tets, ElementsAre(7));
+  const CoreElements core = file.read_core();
+  EXPECT_EQ(core.tets, 7U);
+  EXPECT_THAT(core.taken_tets, ElementsAre(0, 3));
+  EXPECT_THAT(core.taken_triangles, ElementsAre(31));
+  EXPECT_THROW(open(elements_to_bytes({{5}, 12, {}, {}}, {one_tet({4, 5, 6}, 2)})).read_core(),
+               CorruptFile);
+  EXPECT_THROW(
+      open(elements_to_bytes({{5}, 12, {}, {}}, {}, CoreElements{7, {3, 0}, {}})).read_core(),
+      CorruptFile);
 }
 
 TEST_F(ElementFiles, every_byte_that_is_wrong_is_noticed) {
@@ -83,7 +98,8 @@ TEST_F(ElementFiles, every_byte_that_is_wrong_is_noticed) {
     EXPECT_THROW(
         {
           ElementFile file = open(damaged);
-          for (std::size_t s = 0; s < 2; ++s) file.read(s);
+          file.read_core();
+          file.read(1);
         },
         CorruptFile)
         << i;
@@ -95,7 +111,8 @@ TEST_F(ElementFiles, cut_short_anywhere_is_noticed) {
     EXPECT_THROW(
         {
           ElementFile file = open(bytes_.substr(0, size));
-          for (std::size_t s = 0; s < 2; ++s) file.read(s);
+          file.read_core();
+          file.read(1);
         },
         CorruptFile)
         << size;

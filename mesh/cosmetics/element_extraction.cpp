@@ -1,0 +1,291 @@
+#include "mesh/cosmetics/element_extraction.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "mesh/cosmetics/element_passing.h"
+#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/quality.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Place of a set in order of preference; more sharers come first.
+using Rank = std::uint32_t;
+constexpr Rank no_rank = std::numeric_limits<Rank>::max();
+
+/// The sets by preference: the places in `sets`.
+std::vector<std::uint32_t> by_preference(const std::vector<Sharers>& sets) {
+  std::vector<std::uint32_t> order(sets.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&sets](std::uint32_t a, std::uint32_t b) {
+    const Sharers& s = sets[a];
+    const Sharers& t = sets[b];
+    return s.size() != t.size() ? s.size() > t.size() : s < t;
+  });
+  return order;
+}
+
+/// The rank of each node of the mesh that is shared; no_rank for the others.
+std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
+                                 const SharedNodes& shared,
+                                 const std::vector<std::uint32_t>& preference) {
+  std::vector<Rank> rank_of_set(preference.size());
+  for (Rank rank = 0; rank < preference.size(); ++rank) rank_of_set[preference[rank]] = rank;
+  std::vector<Rank> ranks(nodes, no_rank);
+  for (std::size_t v = 0; v < leaf.vertices.size(); ++v) {
+    const Origin& origin = leaf.node_origin[v];
+    const auto found = std::lower_bound(
+        shared.nodes.begin(), shared.nodes.end(), origin,
+        [](const SharedNodes::Node& node, const Origin& wanted) { return node.origin < wanted; });
+    if (found == shared.nodes.end() || found->origin != origin) continue;
+    ranks[v] = rank_of_set[found->set];
+  }
+  return ranks;
+}
+
+/// A tet near a cut.
+struct NearTet {
+  std::uint32_t tet = 0;
+  Rank rank = no_rank;
+  bool is_taken = false;
+};
+
+/// The tets within reach of a shared node with their ranks, layer by layer; those of the layers
+/// that are always taken are.
+std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_node,
+                                    const ExtractionOptions& options) {
+  std::vector<NearTet> near;
+  std::vector<bool> is_near(mesh.tets.size(), false);
+  for (int layer = 0; layer < options.sought_layers; ++layer) {
+    const std::size_t first = near.size();
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      if (is_near[t]) continue;
+      const Tet& tet = mesh.tets[t];
+      const Rank rank = std::min(std::min(of_node[at(tet[0])], of_node[at(tet[1])]),
+                                 std::min(of_node[at(tet[2])], of_node[at(tet[3])]));
+      if (rank == no_rank) continue;
+      is_near[t] = true;
+      near.push_back({static_cast<std::uint32_t>(t), rank, layer < options.taken_layers});
+    }
+    std::vector<std::int32_t> reached;
+    std::vector<Rank> rank_of_reached;
+    for (std::size_t i = first; i < near.size(); ++i) {
+      for (const std::int32_t v : mesh.tets[near[i].tet]) {
+        if (of_node[at(v)] != no_rank) continue;
+        reached.push_back(v);
+        rank_of_reached.push_back(near[i].rank);
+      }
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      Rank& rank = of_node[at(reached[i])];
+      rank = std::min(rank, rank_of_reached[i]);
+    }
+  }
+  return near;
+}
+
+/// What cosmetics would leave as it is.
+struct GoodEnough {
+  double goodness = 0;
+  double height2_in_edges = 0;
+
+  explicit GoodEnough(const ExtractionOptions& options)
+      : goodness(cosmetics::goodness_of_angle(options.wanted_dihedral_deg)),
+        height2_in_edges(options.height_in_edges * options.height_in_edges) {}
+
+  bool operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    if (cosmetics::goodness(a, b, c, d) < goodness) return false;
+    const double longest2 = std::max(
+        std::max(std::max(norm2(b - a), norm2(c - a)), std::max(norm2(d - a), norm2(c - b))),
+        std::max(norm2(d - b), norm2(d - c)));
+    return cosmetics::smallest_height2(a, b, c, d) >= height2_in_edges * longest2;
+  }
+};
+
+/// Takes the bad tets and so many layers round them, of those that are near.
+void take_round_bad(const TetMesh& mesh, const ExtractionOptions& options,
+                    std::vector<NearTet>& near) {
+  const GoodEnough is_good(options);
+  std::vector<bool> is_reached(mesh.nodes.size(), false);
+  for (const NearTet& item : near) {
+    const Tet& tet = mesh.tets[item.tet];
+    const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
+    if (is_good(point(0), point(1), point(2), point(3))) continue;
+    for (const std::int32_t v : tet) is_reached[at(v)] = true;
+  }
+  std::vector<std::int32_t> reached;
+  for (int layer = 0; layer < options.layers_round_bad; ++layer) {
+    reached.clear();
+    for (NearTet& item : near) {
+      const Tet& tet = mesh.tets[item.tet];
+      if (std::none_of(tet.begin(), tet.end(), [&](auto v) { return is_reached[at(v)]; })) continue;
+      item.is_taken = true;
+      reached.insert(reached.end(), tet.begin(), tet.end());
+    }
+    for (const std::int32_t v : reached) is_reached[at(v)] = true;
+  }
+}
+
+Origin origin_of(const Subdomain& leaf, std::size_t node) {
+  const std::size_t outer = leaf.vertices.size();
+  if (node < outer) return leaf.node_origin[node];
+  return {leaf.path.heap, static_cast<std::uint32_t>(node - outer)};
+}
+
+/// Gives the section those nodes of the mesh, ascending by origin, and its elements the numbers
+/// there.
+void take_nodes_by_origin(const Subdomain& leaf, const TetMesh& mesh,
+                          const std::vector<bool>& is_used, ElementSection& section) {
+  std::vector<std::int32_t> order;
+  for (std::size_t v = 0; v < mesh.nodes.size(); ++v) {
+    if (is_used[v]) order.push_back(static_cast<std::int32_t>(v));
+  }
+  const auto by_origin = [&leaf](std::int32_t a, std::int32_t b) {
+    return origin_of(leaf, at(a)) < origin_of(leaf, at(b));
+  };
+  if (!std::is_sorted(order.begin(), order.end(), by_origin)) {
+    std::sort(order.begin(), order.end(), by_origin);
+  }
+  std::vector<std::int32_t> number(mesh.nodes.size(), -1);
+  for (const std::int32_t v : order) {
+    number[at(v)] = static_cast<std::int32_t>(section.nodes.size());
+    section.nodes.push_back(mesh.nodes[at(v)]);
+    section.node_origin.push_back(origin_of(leaf, at(v)));
+  }
+  for (Tet& tet : section.tets) {
+    for (std::int32_t& v : tet) v = number[at(v)];
+  }
+  for (Triangle& triangle : section.triangles) {
+    for (std::int32_t& v : triangle) v = number[at(v)];
+  }
+}
+
+/// The taken tets as a mesh of their own, its nodes ascending by origin.
+JoinedElements taken_elements(const Subdomain& leaf, const TetMesh& mesh,
+                              const std::vector<NearTet>& near,
+                              const std::vector<ElementHome>& home_of_rank) {
+  JoinedElements joined;
+  std::vector<std::int32_t> number(mesh.nodes.size(), -1);
+  std::vector<std::pair<Origin, std::int32_t>> nodes;
+  for (const NearTet& item : near) {
+    joined.tets.push_back(mesh.tets[item.tet]);
+    joined.tet_home.push_back(home_of_rank[item.rank]);
+    for (const std::int32_t v : mesh.tets[item.tet]) {
+      if (number[at(v)] >= 0) continue;
+      number[at(v)] = 0;
+      nodes.emplace_back(origin_of(leaf, at(v)), v);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  for (const auto& [origin, v] : nodes) {
+    number[at(v)] = static_cast<std::int32_t>(joined.nodes.size());
+    joined.nodes.push_back(mesh.nodes[at(v)]);
+    joined.node_origin.push_back(origin);
+  }
+  for (Tet& tet : joined.tets) {
+    for (std::int32_t& v : tet) v = number[at(v)];
+  }
+  for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+    if (leaf.triangle_origin[t].owner != 0) continue;
+    Triangle triangle = leaf.triangles[t];
+    for (std::int32_t& v : triangle) v = number[at(v)];
+    if (*std::min_element(triangle.begin(), triangle.end()) < 0) continue;
+    joined.triangles.push_back(triangle);
+    joined.triangle_index.push_back(leaf.triangle_origin[t].index);
+  }
+  return joined;
+}
+
+/// Leaves out the triangles that are a face of none of the tets.
+void keep_faces_only(JoinedElements& joined) {
+  const auto tet_of = tets_of_triangles(joined.nodes.size(), joined.tets, joined.triangles);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < tet_of.size(); ++i) {
+    if (tet_of[i] == joined.tets.size()) continue;
+    joined.triangles[kept] = joined.triangles[i];
+    joined.triangle_index[kept++] = joined.triangle_index[i];
+  }
+  joined.triangles.resize(kept);
+  joined.triangle_index.resize(kept);
+}
+
+}  // namespace
+
+ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
+                                   const SharedNodes& shared, const ExtractionOptions& options) {
+  TF_CHECK(shared.path == leaf.path);
+  const std::vector<std::uint32_t> preference = by_preference(shared.sets);
+  std::vector<NearTet> near =
+      tets_near_cuts(mesh, ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference), options);
+  take_round_bad(mesh, options, near);
+  std::erase_if(near, [](const NearTet& item) { return !item.is_taken; });
+  std::sort(near.begin(), near.end(),
+            [](const NearTet& a, const NearTet& b) { return a.tet < b.tet; });
+  std::vector<bool> has_tets(shared.sets.size(), false);
+  for (const NearTet& item : near) has_tets[preference[item.rank]] = true;
+  std::vector<Sharers> sharers;
+  for (std::size_t set = 0; set < shared.sets.size(); ++set) {
+    if (has_tets[set]) sharers.push_back(shared.sets[set]);
+  }
+  std::sort(sharers.begin(), sharers.end());
+  std::vector<ElementHome> home_of_rank;
+  for (const std::uint32_t set : preference) {
+    const Sharers& wanted = shared.sets[set];
+    const auto section = std::lower_bound(sharers.begin(), sharers.end(), wanted);
+    const auto owner = std::lower_bound(wanted.begin(), wanted.end(), leaf.path.heap);
+    home_of_rank.push_back({static_cast<std::uint32_t>(section - sharers.begin()),
+                            static_cast<std::uint8_t>(owner - wanted.begin())});
+  }
+  JoinedElements joined = taken_elements(leaf, mesh, near, home_of_rank);
+  keep_faces_only(joined);
+  ExtractedElements extracted;
+  extracted.sections = share_out_elements(joined, sharers);
+  CoreElements& core = extracted.core;
+  core.tets = mesh.tets.size() - near.size();
+  for (const NearTet& item : near) core.taken_tets.push_back(item.tet);
+  core.taken_triangles = std::move(joined.triangle_index);
+  std::sort(core.taken_triangles.begin(), core.taken_triangles.end());
+  return extracted;
+}
+
+ElementSection core_section(const Subdomain& leaf, const TetMesh& mesh, const CoreElements& core) {
+  const auto& taken = core.taken_tets;
+  if (core.tets + taken.size() != mesh.tets.size() ||
+      (!taken.empty() && taken.back() >= mesh.tets.size())) {
+    throw Error(ExitCode::failed, "what was taken out of a core is not of its mesh");
+  }
+  ElementSection section;
+  section.sharers = {leaf.path.heap};
+  std::vector<bool> is_used(mesh.nodes.size(), false);
+  auto next = taken.begin();
+  section.tets.reserve(core.tets);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    if (next != taken.end() && *next == t) {
+      ++next;
+      continue;
+    }
+    section.tets.push_back(mesh.tets[t]);
+    for (const std::int32_t v : mesh.tets[t]) is_used[at(v)] = true;
+  }
+  section.tet_owner.assign(section.tets.size(), 0);
+  const auto& triangles = core.taken_triangles;
+  for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+    const Origin& origin = leaf.triangle_origin[t];
+    if (origin.owner != 0) continue;
+    if (std::binary_search(triangles.begin(), triangles.end(), origin.index)) continue;
+    section.triangles.push_back(leaf.triangles[t]);
+    section.triangle_index.push_back(origin.index);
+  }
+  section.triangle_owner.assign(section.triangles.size(), 0);
+  take_nodes_by_origin(leaf, mesh, is_used, section);
+  return section;
+}
+
+}  // namespace tetfarm
