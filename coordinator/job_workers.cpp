@@ -165,13 +165,15 @@ bool JobState::may_work(WorkerId worker) const {
 
 /// Who has nothing else to do races a task that is late.
 void JobState::hand_out(Moment now) {
-  if (idle_.empty()) return;
-  HostMemory used = used_memory();
+  std::optional<HostMemory> known;
   std::optional<std::vector<TaskId>> late;
-  for (const WorkerId worker : std::vector<WorkerId>(idle_.begin(), idle_.end())) {
+  for (auto next = idle_.begin(); next != idle_.end();) {
     if (offers_.empty() && !late) late = late_tasks(now);
     if (offers_.empty() && late->empty()) return;
+    const WorkerId worker = *next++;  // it is idle no more when it is given a task
     if (!may_work(worker)) continue;
+    if (!known) known = used_memory();
+    HostMemory& used = *known;
     TaskId task = pick_for(worker, used, now);
     if (!task && !late) late = late_tasks(now);
     if (!task) task = pick_late(worker, *late, used, now);

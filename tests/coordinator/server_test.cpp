@@ -135,6 +135,34 @@ TEST_F(ServerTest, runs_a_job_to_its_end) {
   EXPECT_TRUE(client.ask(submission("k")).submitted().existed());
 }
 
+TEST_F(ServerTest, a_worker_that_asks_for_more_with_its_result_gets_it_with_the_answer) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  Dealer worker(coordinator_.endpoint());
+  ASSERT_TRUE(worker.ask(hello()).has_welcome());
+  wire::Envelope assign = worker.ask(ready());
+  for (int tasks = 1; tasks < tasks_of_the_job; ++tasks) {
+    worker.send(done(assign.assign()));
+    worker.send(ready());
+    ASSERT_TRUE(worker.receive().accepted().taken());
+    const std::uint64_t last = assign.assign().attempt();
+    assign = worker.receive();
+    ASSERT_GT(assign.assign().attempt(), last);
+  }
+}
+
+TEST_F(ServerTest, answers_heartbeats_several_times_in_a_lease_and_not_each) {
+  Dealer worker(coordinator_.endpoint());
+  ASSERT_TRUE(worker.ask(hello()).has_welcome());
+  wire::Envelope heartbeat;
+  heartbeat.mutable_heartbeat();
+  worker.send(heartbeat);
+  EXPECT_FALSE(worker.hears_nothing(2000));
+  ASSERT_TRUE(worker.ask(hello()).has_welcome());
+  worker.send(heartbeat);
+  EXPECT_TRUE(worker.hears_nothing(100));
+}
+
 TEST_F(ServerTest, refuses_another_version_and_goes_on) {
   Dealer stranger(coordinator_.endpoint());
   wire::Envelope future = hello();

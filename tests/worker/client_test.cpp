@@ -152,6 +152,31 @@ TEST_F(WorkerClient, runs_a_task_and_asks_again_once_its_result_is_accepted) {
   hear(Body::kReady);
 }
 
+TEST_F(WorkerClient, asks_for_the_next_task_with_a_result_and_begins_it_with_the_answer) {
+  start(say_done());
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  hear(Body::kDone);
+  hear(Body::kReady);
+  accept(5, 9, true);
+  assign(6, 10);
+  EXPECT_EQ(hear(Body::kDone).done().attempt(), 10U);
+}
+
+TEST_F(WorkerClient, asks_again_when_no_task_came_with_the_answer) {
+  start(say_done());
+  hear(Body::kHello);
+  welcome();
+  hear(Body::kReady);
+  assign(5, 9);
+  hear(Body::kDone);
+  hear(Body::kReady);
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
 TEST_F(WorkerClient, repeats_a_result_until_it_is_accepted) {
   start(say_done());
   hear(Body::kHello);
