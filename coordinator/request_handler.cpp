@@ -99,7 +99,7 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
     refusals_.count(refusal_of(decoded.state), who(sender), now.steady_ms);
   }
   const wire::Envelope& envelope = decoded.envelope;
-  was_busy_ = was_busy_ || !envelope.has_heartbeat();
+  (envelope.has_heartbeat() ? heard_heartbeat_ : heard_other_) = true;
   switch (decoded.state) {
     case WireState::good:
       break;

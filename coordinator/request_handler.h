@@ -72,8 +72,11 @@ class RequestHandler {
   /// Troubles with files since the last call, for the log.
   std::vector<std::string> take_complaints();
 
-  /// Whether anything but heartbeats came since the last call.
-  bool take_was_busy() { return std::exchange(was_busy_, false); }
+  /// Whether heartbeats came since the last call, and nothing else.
+  bool take_only_heartbeats() {
+    const bool heard_other = std::exchange(heard_other_, false);
+    return std::exchange(heard_heartbeat_, false) && !heard_other;
+  }
 
   /// The worker of a connection; 0 when it has none.
   WorkerId worker_of(const std::string& connection) const;
@@ -126,7 +129,8 @@ class RequestHandler {
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;
-  bool was_busy_ = false;
+  bool heard_heartbeat_ = false;
+  bool heard_other_ = false;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
 };

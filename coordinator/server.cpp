@@ -251,13 +251,13 @@ class Server {
       if (committed || !reply.needs_commit) send(std::move(reply));
     }
     if (!committed) start_over();
-    move_files();
+    const bool moved_files = move_files();
     const JobHistory history = database_.history();
     handler_.answer_questions(*state_, history, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
     status_.serve({*state_, history, now()}, {refusals_, door_.connections()});
     service_.turn(now().steady_ms);
-    if (!handler_.take_was_busy()) std::this_thread::sleep_for(rest);
+    if (handler_.take_only_heartbeats() && !moved_files) std::this_thread::sleep_for(rest);
   }
 
   void watch_space() {
@@ -269,10 +269,12 @@ class Server {
     }
   }
 
-  /// After the commit: an attempt whose end is not durable may still bring its files.
-  void move_files() {
+  /// After the commit: an attempt whose end is not durable may still bring its files. Whether there
+  /// were any.
+  bool move_files() {
     FileTransfers& transfers = handler_.transfers();
-    for (FileAnswer& answer : files_.take_answers()) {
+    std::vector<FileAnswer> answers = files_.take_answers();
+    for (FileAnswer& answer : answers) {
       transfers.note_answer(answer.connection);
       if (!answer.trouble.empty()) log_.warn("{}", answer.trouble);
       if (answer.is_out_of_room) state_->out_of_resources(answer.trouble, now());
@@ -280,6 +282,7 @@ class Server {
       send({answer.connection, std::move(answer.envelope), false});
     }
     for (FileOrder& order : transfers.take_orders(*state_, now())) files_.give(std::move(order));
+    return !answers.empty();
   }
 
   void receive() {
