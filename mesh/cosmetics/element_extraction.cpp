@@ -50,6 +50,25 @@ std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
   return ranks;
 }
 
+/// Nodes round which the leaf has nothing but tets of the even lattice need not move: no other
+/// place would make one of them better. Such are most nodes of a cut along the lattice.
+void leave_out_perfect_nodes(const TetMesh& mesh, std::vector<Rank>& of_node) {
+  constexpr double least_dihedral_deg = 59.9;  // the lattice's tets have 60 and 90
+  const double perfect = cosmetics::goodness_of_angle(least_dihedral_deg);
+  std::vector<bool> is_perfect(of_node.size(), true);
+  for (const Tet& tet : mesh.tets) {
+    if (std::all_of(tet.begin(), tet.end(), [&](auto v) { return of_node[at(v)] == no_rank; })) {
+      continue;
+    }
+    const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
+    if (cosmetics::goodness(point(0), point(1), point(2), point(3)) >= perfect) continue;
+    for (const std::int32_t v : tet) is_perfect[at(v)] = false;
+  }
+  for (std::size_t v = 0; v < of_node.size(); ++v) {
+    if (is_perfect[v]) of_node[v] = no_rank;
+  }
+}
+
 /// A tet near a cut.
 struct NearTet {
   std::uint32_t tet = 0;
@@ -222,8 +241,9 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
                                    const SharedNodes& shared, const ExtractionOptions& options) {
   TF_CHECK(shared.path == leaf.path);
   const std::vector<std::uint32_t> preference = by_preference(shared.sets);
-  std::vector<NearTet> near =
-      tets_near_cuts(mesh, ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference), options);
+  std::vector<Rank> ranks = ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference);
+  leave_out_perfect_nodes(mesh, ranks);
+  std::vector<NearTet> near = tets_near_cuts(mesh, std::move(ranks), options);
   take_round_bad(mesh, options, near);
   std::erase_if(near, [](const NearTet& item) { return !item.is_taken; });
   std::sort(near.begin(), near.end(),

@@ -5,7 +5,8 @@
 /// them, marks their nodes, and so on, four layers in all. Here the layers behind the first are
 /// looked at only, and taken where an element is below the wanted quality: nine tenths of them are
 /// as good as cosmetics would make them (docs/decisions/0011). The nodes of cuts may move
-/// wherever the layer at them is at hand, on all sides, so that layer is always taken.
+/// wherever the layer at them is at hand, on all sides, so that layer is always taken, but at nodes
+/// among tets of the even lattice: those stay.
 #pragma once
 
 #include <cstdint>

@@ -53,6 +53,39 @@ std::vector<ElementSection> all_extracted(const CutBar& bar,
   return all;
 }
 
+/// Makes the cubes' tets those of a body-centred cubic lattice.
+Vec3 on_the_lattice(const Cell& corner) {
+  const Vec3 p = trial::on_the_grid(corner);
+  return {0.5 * (p.y + p.z - p.x), 0.5 * (p.z + p.x - p.y), 0.5 * (p.x + p.y - p.z)};
+}
+
+std::size_t taken_tets(const CutBar& bar, std::uint64_t heap) {
+  std::size_t taken = 0;
+  for (const ElementSection& section : extracted(bar, heap)) {
+    if (section.sharers.size() > 1) taken += section.tets.size();
+  }
+  return taken;
+}
+
+TEST(ElementPassing, nothing_is_taken_at_a_cut_through_an_even_lattice) {
+  const CutBar bar({16, 4, 4}, left_or_right, on_the_lattice);
+  EXPECT_EQ(taken_tets(bar, 2), 0U);
+  EXPECT_EQ(taken_tets(bar, 3), 0U);
+}
+
+TEST(ElementPassing, what_has_a_node_beside_the_lattice_is_taken_at_a_cut) {
+  const Cell moved = {8, 2, 2};
+  const CutBar bar({16, 4, 4}, left_or_right, [&](const Cell& corner) {
+    Vec3 p = on_the_lattice(corner);
+    if (corner == moved) p.x += 0.02;
+    return p;
+  });
+  const CutBar cubes({16, 4, 4}, left_or_right);
+  EXPECT_GT(taken_tets(bar, 2), 0U);
+  EXPECT_GT(taken_tets(bar, 3), 0U);
+  EXPECT_LT(taken_tets(bar, 2), taken_tets(cubes, 2));
+}
+
 TEST(ElementPassing, as_many_layers_at_a_cut_leave_the_core_as_are_asked_for) {
   const CutBar bar({16, 3, 3}, left_or_right);
   for (const int layers : {1, 3}) {
