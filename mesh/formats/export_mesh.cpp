@@ -6,10 +6,12 @@
 #include "base/file_system.h"
 #include "mesh/assemble/write_ugrid.h"
 #include "mesh/assemble/write_vtkhdf.h"
+#include "mesh/formats/communication_table.h"
 #include "mesh/formats/write_cgns.h"
 #include "mesh/formats/write_meshb.h"
 #include "mesh/formats/write_msh22.h"
 #include "mesh/formats/write_msh41.h"
+#include "mesh/formats/write_openfoam.h"
 #include "mesh/formats/write_pvtu.h"
 #include "mesh/formats/write_su2.h"
 #include "mesh/formats/write_tetgen.h"
@@ -37,6 +39,12 @@ void export_ugrid(const MeshSource& source, const MeshOutline& outline, const fs
 template <MshEncoding encoding>
 void export_msh41(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
   write_msh41(source, outline, file, encoding);
+}
+
+template <bool is_text>
+void export_communication(const MeshSource& source, const MeshOutline& outline,
+                          const fs::path& folder) {
+  write_communication(source, outline, folder, is_text);
 }
 
 /// NAME.b8.ugrid gets NAME.mapbc, and NAME.regions when there are several.
@@ -76,6 +84,12 @@ constexpr std::array formats = {
     MeshFormat{"su2", ".su2", "SU2", true, write_su2, nullptr},
     MeshFormat{"meshb", ".meshb", "Medit (GMF 4), 64-bit", true, write_meshb, nullptr},
     MeshFormat{"tetgen", ".node", "TetGen .node, .face, .ele", false, write_tetgen, nullptr},
+    MeshFormat{"openfoam", "", "OpenFOAM constant/polyMesh", false, write_openfoam, nullptr},
+    MeshFormat{"openfoam-decomposed", "", "OpenFOAM, a processor for each sub-domain", false,
+               write_openfoam_decomposed, nullptr},
+    MeshFormat{"comm", "", "communication tables", false, export_communication<false>, nullptr},
+    MeshFormat{"comm-text", "", "communication tables, text", false, export_communication<true>,
+               nullptr},
 };
 
 void write_single_file(const MeshSource& source, const MeshOutline& outline,

@@ -94,6 +94,9 @@ MeshOutline outline_of(const MeshSource& source) {
     limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
     outline.parts.push_back(outline_of_part(part, i, outline.tets, limit, known));
     const PartOutline& here = outline.parts.back();
+    if (i > 0 && here.region < outline.parts[i - 1].region) {
+      refuse(i, "the sub-domains of a region do not follow one another");
+    }
     for (const std::int64_t number : part.local2global) largest = std::max(largest, number);
     outline.nodes += here.owned_nodes;
     outline.tets += here.tets;

@@ -46,8 +46,9 @@ struct MeshOutline {
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
 };
 
-/// Reads each part once, and checks it. @throws InvalidInput when a number is out of range or a
-/// node number belongs to no node. Memory: one part, and a bit for each node of the mesh.
+/// Reads each part once, and checks it. @throws InvalidInput when a number is out of range, a node
+/// number belongs to no node, or the parts of a region do not follow one another. Memory: one part,
+/// and a bit for each node of the mesh.
 MeshOutline outline_of(const MeshSource& source);
 
 /// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside

@@ -1,0 +1,73 @@
+/// The files of an OpenFOAM polyMesh, as text: lists of equal records, and the list of patches.
+///
+/// Source: OpenFOAM user guide, "Mesh files".
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesh/assemble/output_file.h"
+#include "mesh/core/vec3.h"
+#include "mesh/formats/number_text.h"
+
+namespace tetfarm {
+
+/// A list whose length is known beforehand. Records have one length: any can be written at any
+/// time, or each behind the last.
+class FoamList {
+ public:
+  struct Kind {
+    const char* object;      ///< the file's name
+    const char* foam_class;  ///< "labelList"
+    std::int64_t record_bytes = 0;
+    std::string note;  ///< for people and readers; may be empty
+  };
+  /// @throws IoError, as all that follows.
+  FoamList(const std::filesystem::path& folder, const Kind& kind, std::int64_t records);
+
+  void write(std::int64_t record, std::string_view bytes);
+  void append(std::string_view bytes);
+  std::int64_t first_place() const { return first_; }
+  OutputFile& file() { return file_; }
+  void finish();
+
+ private:
+  OutputFile file_;
+  std::int64_t record_bytes_;
+  std::int64_t records_;
+  std::int64_t first_ = 0;
+  std::int64_t next_ = 0;
+};
+
+std::int64_t foam_point_bytes(const NumberText& style);
+std::int64_t foam_face_bytes(const NumberText& style);
+std::int64_t foam_label_bytes(const NumberText& style);
+void put_foam_point(NumberText& text, const Vec3& p);
+template <class Nodes>
+void put_foam_face(NumberText& text, const Nodes& nodes) {
+  text.words("3(");
+  for (const auto v : nodes) text.integer(v);
+  text.words(")");
+  text.end_record();
+}
+void put_foam_label(NumberText& text, std::int64_t label);
+
+struct FoamPatch {
+  std::string name;
+  std::int64_t faces = 0;
+  std::int64_t first_face = 0;
+  int processor = -1;  ///< of a patch between two processors: this one
+  int neighbour = -1;
+};
+
+/// The file `boundary`. @throws IoError.
+void write_foam_boundary(const std::filesystem::path& folder,
+                         const std::vector<FoamPatch>& patches);
+
+/// The file `cellZones`: a zone for each name, cells of zone i are first[i] … first[i + 1] - 1.
+/// Written piece by piece. @throws IoError.
+void write_foam_zones(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                      const std::vector<std::int64_t>& first);
+
+}  // namespace tetfarm
