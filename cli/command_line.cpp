@@ -31,7 +31,8 @@ void add_progress(CLI::App& app, ProgressStyle& style) {
 
 void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("INPUT", job.input,
-                 "A closed surface (.stl .obj .off .msh, also .gz) or a job.toml")
+                 "A closed surface (.stl .obj .off .msh .ply .ugrid .su2 .mesh .meshb .poly .smesh "
+                 ".fro, also .gz) or a job.toml")
       ->required();
   app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: by size)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))

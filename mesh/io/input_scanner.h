@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -64,6 +65,17 @@ class InputScanner {
     std::memcpy(&value, cursor_, sizeof value);
     cursor_ += sizeof value;
     return value;
+  }
+  /// As raw, of a machine with the other order of bytes.
+  template <class T>
+  T raw_turned() {
+    const T value = raw<T>();
+    std::array<char, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), &value, sizeof value);
+    std::reverse(bytes.begin(), bytes.end());
+    T turned;
+    std::memcpy(&turned, bytes.data(), sizeof turned);
+    return turned;
   }
   void skip_bytes(std::size_t count) {
     last_ = cursor_;

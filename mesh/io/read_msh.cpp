@@ -6,6 +6,7 @@
 #include "mesh/io/input_scanner.h"
 #include "mesh/io/msh_elements.h"
 #include "mesh/io/patch_names.h"
+#include "mesh/io/used_vertices.h"
 
 namespace tetfarm {
 namespace {
@@ -37,7 +38,7 @@ class MshReader {
       }
     }
     if (!has_elements_) scanner_.fail("the file has no section $Elements");
-    keep_used_nodes();
+    keep_used_vertices(surface_);
     surface_.patch_names = patches_.take();
     return std::move(surface_);
   }
@@ -265,26 +266,6 @@ class MshReader {
     const double x = coordinate();
     const double y = coordinate();
     surface_.vertices.push_back({x, y, coordinate()});
-  }
-
-  void keep_used_nodes() {
-    std::vector<std::int32_t> old2new(surface_.vertices.size(), -1);
-    const auto slot = [&](std::int32_t v) -> std::int32_t& {
-      return old2new[static_cast<std::size_t>(v)];
-    };
-    for (const Triangle& triangle : surface_.triangles) {
-      for (const std::int32_t v : triangle) slot(v) = 0;
-    }
-    std::size_t kept = 0;
-    for (std::size_t v = 0; v < old2new.size(); ++v) {
-      if (old2new[v] < 0) continue;
-      old2new[v] = static_cast<std::int32_t>(kept);
-      surface_.vertices[kept++] = surface_.vertices[v];
-    }
-    surface_.vertices.resize(kept);
-    for (Triangle& triangle : surface_.triangles) {
-      for (std::int32_t& v : triangle) v = slot(v);
-    }
   }
 
   // From here: a number of a section, as text or binary.

@@ -3,10 +3,16 @@
 #include "base/error.h"
 #include "mesh/io/gzip.h"
 #include "mesh/io/patch_names.h"
+#include "mesh/io/read_fro.h"
+#include "mesh/io/read_medit.h"
 #include "mesh/io/read_msh.h"
 #include "mesh/io/read_obj.h"
 #include "mesh/io/read_off.h"
+#include "mesh/io/read_ply.h"
 #include "mesh/io/read_stl.h"
+#include "mesh/io/read_su2.h"
+#include "mesh/io/read_tetgen.h"
+#include "mesh/io/read_ugrid_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -23,8 +29,17 @@ Reader reader_of(const std::string& name) {
   if (lower.ends_with(".obj")) return read_obj;
   if (lower.ends_with(".off")) return read_off;
   if (lower.ends_with(".msh")) return read_msh;
+  if (lower.ends_with(".ply")) return read_ply;
+  if (lower.ends_with(".ugrid")) return read_ugrid_surface;
+  if (lower.ends_with(".su2")) return read_su2;
+  if (lower.ends_with(".mesh") || lower.ends_with(".meshb")) return read_medit;
+  if (lower.ends_with(".poly") || lower.ends_with(".smesh")) return read_tetgen;
+  if (lower.ends_with(".fro")) return read_fro;
   throw InvalidInput(
-      "is no surface by its ending; Tetfarm reads .stl .obj .off .msh, each also .gz", name);
+      "is no surface by its ending; Tetfarm reads .stl .obj .off .msh .ply .ugrid .su2 .mesh "
+      ".meshb "
+      ".poly .smesh .fro, each also .gz",
+      name);
 }
 
 }  // namespace

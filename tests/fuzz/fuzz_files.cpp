@@ -129,6 +129,29 @@ void job_file(std::string_view input) {
   }
 }
 
+void surface(std::string_view input) {
+  constexpr std::array<const char*, 17> names = {
+      "a.ply",      "a.ugrid",     "a.b8.ugrid", "a.lb8.ugrid", "a.b8l.ugrid", "a.lb8l.ugrid",
+      "a.b4.ugrid", "a.lb4.ugrid", "a.su2",      "a.mesh",      "a.meshb",     "a.poly",
+      "a.smesh",    "a.fro",       "a.stl",      "a.obj",       "a.msh"};
+  if (input.empty()) return;
+  const auto kind = static_cast<unsigned char>(input.front()) % names.size();
+  try {
+    const SurfaceMesh surface = read_surface_bytes(input.substr(1), names.at(kind));
+    TF_CHECK(surface.patch_of_triangle.size() == surface.triangles.size());
+    for (const Triangle& triangle : surface.triangles) {
+      for (const std::int32_t v : triangle) {
+        TF_CHECK(v >= 0 && static_cast<std::size_t>(v) < surface.vertices.size());
+      }
+    }
+    for (const std::int32_t patch : surface.patch_of_triangle) {
+      TF_CHECK(static_cast<std::size_t>(patch) < surface.patch_names.size());
+    }
+  } catch (const Error&) {
+    return;
+  }
+}
+
 void artifact(std::string_view input) {
   if (input.empty()) return;
   const auto kind = static_cast<unsigned char>(input.front()) % kinds.size();

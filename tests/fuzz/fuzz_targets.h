@@ -15,6 +15,10 @@ void wire(std::string_view input);
 /// A job file: it is refused with an error of ours, or its canonical text gives the same job.
 void job_file(std::string_view input);
 
+/// A surface file of one of the formats, by the first byte modulo their number: it is refused with
+/// an error of ours, or its triangles have vertices that are there.
+void surface(std::string_view input);
+
 /// One of the files that tasks read, by the first byte modulo the number of kinds; the checksum is
 /// put right, so that what it guards is reached too.
 void artifact(std::string_view input);

@@ -37,6 +37,8 @@ TEST(FuzzCorpus, job_files_are_refused_or_keep_their_meaning) {
   replay("job_file", fuzz::job_file);
 }
 
+TEST(FuzzCorpus, surfaces_are_refused_or_read) { replay("surface", fuzz::surface); }
+
 TEST(FuzzCorpus, files_that_tasks_read_are_refused_or_read) { replay("artifact", fuzz::artifact); }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Reads a mesh with a library that is not ours and prints what it found as JSON.
 
-read_counts.py vtk|meshio FILE. Needs Debian's python3-vtk9 and python3-meshio, so it runs with the
+read_counts.py vtk|meshio|meshio-places FILE; the last counts nodes by place. Needs Debian's python3-vtk9 and python3-meshio, so it runs with the
 system's Python.
 """
 
@@ -25,6 +25,12 @@ def from_meshio(name):
     tets = numpy.concatenate(tets).astype(numpy.int64)
     return {"nodes": len(mesh.points), "tets": len(tets), "triangles": triangles,
             "volume": volume_of(mesh.points, tets)}
+
+
+def from_meshio_by_places(name):
+    import meshio
+
+    return {**from_meshio(name), "nodes": len(numpy.unique(meshio.read(name).points, axis=0))}
 
 
 def from_vtk(name):
@@ -76,4 +82,5 @@ def from_vtk(name):
 
 
 if __name__ == "__main__":
-    print(json.dumps({"vtk": from_vtk, "meshio": from_meshio}[sys.argv[1]](sys.argv[2])))
+    libraries = {"vtk": from_vtk, "meshio": from_meshio, "meshio-places": from_meshio_by_places}
+    print(json.dumps(libraries[sys.argv[1]](sys.argv[2])))

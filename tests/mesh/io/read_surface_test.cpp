@@ -83,7 +83,7 @@ TEST_F(ReadSurface, an_unknown_ending_lists_what_is_read) {
     EXPECT_THAT([&] { read_surface_bytes("x", name); },
                 ThrowsMessage<InvalidInput>(
                     HasSubstr(name + ": is no surface by its ending; Tetfarm reads .stl .obj .off "
-                                     ".msh, each also .gz")));
+                                     ".msh .ply")));
   }
 }
 

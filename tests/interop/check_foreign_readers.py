@@ -1,0 +1,306 @@
+#!/usr/bin/env python3
+"""Programs that are not ours read what `tetfarm export` writes.
+
+check_foreign_readers.py PROGRAM [--install]
+
+Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, exports it to every format, and
+has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the files: counts and
+volume must be those of the mesh. Prints a table. --install gets the programs from Debian first
+(root). Ends with 77 when the data or a program is missing, and with 1 when a reader refuses a file or
+finds another mesh.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PACKAGES = ["python3-vtk9", "python3-meshio", "gmsh", "cgns-convert", "openfoam", "code-saturne-bin",
+            "openmpi-bin"]
+PREPROCESSOR = "/usr/lib/code_saturne/cs_preprocess"
+SUBDOMAINS = 16
+# Where Debian puts what OpenFOAM looks up; without it no program of it starts.
+ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": "/usr/share/openfoam"}
+SKIPPED = 77
+
+CONTROL = """FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }
+application potentialFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;
+writeControl timeStep; writeInterval 1; writePrecision 16;
+"""
+SCHEMES = """FoamFile { version 2.0; format ascii; class dictionary; object fvSchemes; }
+ddtSchemes { default steadyState; } gradSchemes { default Gauss linear; }
+divSchemes { default none; div(phi,U) Gauss linear; div(div(phi,U)) Gauss linear; }
+laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }
+snGradSchemes { default corrected; }
+"""
+SOLUTION = """FoamFile { version 2.0; format ascii; class dictionary; object fvSolution; }
+solvers { Phi { solver PCG; preconditioner DIC; tolerance 1e-06; relTol 0.01; }
+          p { solver PCG; preconditioner DIC; tolerance 1e-06; relTol 0.01; } }
+potentialFlow { nNonOrthogonalCorrectors 3; }
+"""
+PARTS = """FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }
+numberOfSubdomains 16; method none;
+"""
+
+
+class Wrong(Exception):
+    """A reader refused a file or found another mesh."""
+
+
+def run(words, folder):
+    done = subprocess.run([str(word) for word in words], cwd=folder, text=True, env=ENVIRONMENT,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode != 0:
+        raise Wrong(f"{words[0]} ends with {done.returncode}: {done.stdout[-600:]}")
+    return done.stdout
+
+
+def number(pattern, text):
+    found = re.search(pattern, text)
+    if not found:
+        raise Wrong(f"it does not say {pattern}: {text[-600:]}")
+    return float(found.group(1))
+
+
+class Export:
+    """The mesh, and its files in a folder."""
+
+    def __init__(self, program, surface, folder):
+        self.program, self.folder = program, folder
+        run([program, "run", surface, "--subdomains", SUBDOMAINS, "-o", "out", "--progress", "none"],
+            folder)
+        self.mesh = json.loads(run([program, "quality", "out", "--json"], folder))
+        self.expected = {"nodes": self.mesh["nodes"], "tets": self.mesh["elements"],
+                         "triangles": self.mesh["boundary_triangles"],
+                         "volume": self.mesh["volume"]}
+
+    def write(self, form, name):
+        run([self.program, "export", "out", "--format", form, "-o", name], self.folder)
+        return name
+
+    def compare(self, found):
+        for what, value in found.items():
+            wanted = self.expected[what]
+            if abs(value - wanted) > 1e-6 * abs(wanted):
+                raise Wrong(f"{what}: {value} instead of {wanted}")
+
+
+def library(export, which, name):
+    script = pathlib.Path(__file__).parent / "read_counts.py"
+    said = run(["/usr/bin/python3", script, which, name], export.folder)
+    return json.loads(said.strip().splitlines()[-1])
+
+
+def with_library(which, without_triangles=False):
+    def check(export, name):
+        found = library(export, which, name)
+        if without_triangles:
+            del found["triangles"]
+        export.compare(found)
+        return found
+    return check
+
+
+def with_gmsh(export, name):
+    said = run(["gmsh", "-check", name], export.folder)
+    if "Error" in said or "Warning" in said:
+        raise Wrong(said)
+    export.compare(read := {"nodes": number(r"(\d+) nodes", said)})
+    return {**read, "elements": int(number(r"(\d+) elements", said))}
+
+
+def with_gmsh_parts(export, name):
+    """All split files merged: gmsh keeps a shared node for each file, so they count by place."""
+    stem = name.rsplit(".", 1)[0]
+    parts = [f"{stem}_{i}.msh" for i in range(1, SUBDOMAINS + 1)]
+    text = "".join(f'Merge "{part}";\n' for part in parts)
+    text += 'Mesh.SaveAll=1;\nMesh.MshFileVersion=2.2;\nSave "merged.msh";\n'
+    (export.folder / "merge.geo").write_text(text)
+    run(["gmsh", "-0", "merge.geo"], export.folder)
+    found = library(export, "meshio-places", "merged.msh")
+    export.compare(found)
+    return found
+
+
+def with_cgnscheck(export, name):
+    said = run(["cgnscheck", name], export.folder)
+    errors = int(number(r"(\d+) errors?", said)) if "error" in said.lower() else 0
+    if errors:
+        raise Wrong(said[-800:])
+    return {}
+
+
+def with_preprocessor(export, name):
+    said = run([PREPROCESSOR, "--out", "saturne.out", name], export.folder)
+    found = {"nodes": number(r"Number of vertices[ :]+(\d+)", said),
+             "tets": number(r"Number of cells[ :]+(\d+)", said),
+             "triangles": number(r"Number of boundary faces[ :]+(\d+)", said)}
+    export.compare(found)
+    return found
+
+
+def make_case(folder, patches):
+    for name, text in (("controlDict", CONTROL), ("fvSchemes", SCHEMES), ("fvSolution", SOLUTION),
+                       ("decomposeParDict", PARTS)):
+        (folder / "system").mkdir(parents=True, exist_ok=True)
+        (folder / "system" / name).write_text(text)
+    fields = {"U": ("volVectorField", "[0 1 -1 0 0 0 0]", "(1 0 0)"),
+              "p": ("volScalarField", "[0 2 -2 0 0 0 0]", "0")}
+    for processor in ["."] + [f"processor{i}" for i in range(SUBDOMAINS)]:
+        if not (folder / processor).is_dir():
+            continue
+        (folder / processor / "0").mkdir(exist_ok=True)
+        for name, (kind, dimensions, value) in fields.items():
+            (folder / processor / "0" / name).write_text(
+                f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+                f"dimensions {dimensions}; internalField uniform {value};\n"
+                f"boundaryField {{ {boundary(name, patches)} \"procBoundary.*\" "
+                f"{{ type processor; value uniform {value}; }} }}\n")
+
+
+def boundary(field, patches):
+    """Uniform flow past the wing; the outer patch has it fixed."""
+    text = ""
+    for patch in patches:
+        outer = patch.startswith(("far", "outer"))
+        kinds = {("U", True): "type freestream; freestreamValue uniform (1 0 0);",
+                 ("U", False): "type slip;",
+                 ("p", True): "type fixedValue; value uniform 0;",
+                 ("p", False): "type zeroGradient;"}
+        text += f"{patch} {{ {kinds[field, outer]} }} "
+    return text
+
+
+def check_mesh(export, name, words=("checkMesh",)):
+    said = run(words, export.folder / name)
+    if "Mesh OK" not in said:
+        raise Wrong(said[-1500:])
+    found = {"tets": number(r"\n\s+cells:\s+(\d+)", said)}
+    return found, said
+
+
+def with_check_mesh(export, name):
+    make_case(export.folder / name, [])
+    found, said = check_mesh(export, name)
+    found["nodes"] = number(r"\n\s+points:\s+(\d+)", said)
+    found["volume"] = number(r"Total volume = ([\d.e+-]+?)\.? ", said)
+    export.compare(found)
+    return found
+
+
+def with_check_mesh_parallel(export, name):
+    make_case(export.folder / name, [])
+    mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", SUBDOMAINS]
+    found, said = check_mesh(export, name, mpi + ["checkMesh", "-parallel"])
+    found["volume"] = number(r"Total volume = ([\d.e+-]+?)\.? ", said)
+    export.compare(found)
+    return found
+
+
+def with_reconstruct(export, name):
+    run(["reconstructParMesh", "-constant", "-mergeTol", "1e-9"], export.folder / name)
+    found, said = check_mesh(export, name)
+    found["nodes"] = number(r"\n\s+points:\s+(\d+)", said)
+    export.compare(found)
+    return found
+
+
+def with_gmsh_to_foam(export, name):
+    case = export.folder / "converted"
+    case.mkdir()
+    make_case(case, [])
+    run(["gmshToFoam", "../" + name], case)
+    found, said = check_mesh(export, "converted")
+    found["nodes"] = number(r"\n\s+points:\s+(\d+)", said)
+    export.compare(found)
+    return found
+
+
+def with_potential_foam(export, name):
+    patches = re.findall(r"\n    (\w[\w.-]*)\n    \{\n        type            patch",
+                         (export.folder / name / "processor0/constant/polyMesh/boundary").read_text())
+    make_case(export.folder / name, patches)
+    said = run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", SUBDOMAINS,
+                "potentialFoam", "-parallel", "-writep"], export.folder / name)
+    if "End" not in said:
+        raise Wrong(said[-800:])
+    return {"continuity": number(r"Continuity error = ([\d.e+-]+)", said)}
+
+
+CHECKS = [
+    ("vtkhdf", "m.vtkhdf", "VTK", with_library("vtk")),
+    ("pvtu", "m.pvtu", "VTK", with_library("vtk")),
+    ("cgns", "m.cgns", "cgnscheck", with_cgnscheck),
+    ("cgns", "m.cgns", "VTK", with_library("vtk", without_triangles=True)),
+    ("cgns", "m.cgns", "meshio", with_library("meshio", without_triangles=True)),
+    ("cgns", "m.cgns", "code_saturne preprocessor", with_preprocessor),
+    ("lb8.ugrid", "m.lb8.ugrid", "meshio", with_library("meshio")),
+    ("b8.ugrid", "m.b8.ugrid", "meshio", with_library("meshio")),
+    ("lb8l.ugrid", "m.lb8l.ugrid", "meshio", with_library("meshio")),
+    ("b8l.ugrid", "m.b8l.ugrid", "meshio", with_library("meshio")),
+    ("msh41", "m41.msh", "gmsh -check", with_gmsh),
+    ("msh41", "m41.msh", "meshio", with_library("meshio")),
+    ("msh41-text", "m41t.msh", "gmsh -check", with_gmsh),
+    ("msh41-text", "m41t.msh", "meshio", with_library("meshio")),
+    ("msh41-split", "parts.msh", "gmsh, all parts", with_gmsh_parts),
+    ("msh22", "m22.msh", "gmsh -check", with_gmsh),
+    ("msh22", "m22.msh", "meshio", with_library("meshio")),
+    ("msh22", "m22.msh", "OpenFOAM gmshToFoam, checkMesh", with_gmsh_to_foam),
+    ("su2", "m.su2", "meshio", with_library("meshio")),
+    ("meshb", "m.meshb", "meshio", with_library("meshio")),
+    ("tetgen", "m.node", "meshio", with_library("meshio", without_triangles=True)),
+    ("openfoam", "whole", "OpenFOAM checkMesh", with_check_mesh),
+    ("openfoam-decomposed", "parts", "OpenFOAM checkMesh, 16 processes", with_check_mesh_parallel),
+    ("openfoam-decomposed", "parts", "OpenFOAM reconstructParMesh, checkMesh", with_reconstruct),
+    ("openfoam-decomposed", "parts", "OpenFOAM potentialFoam, 16 processes", with_potential_foam),
+]
+
+
+def table(export):
+    """Prints a line for each check; returns how many went wrong."""
+    wrong, written = 0, set()
+    print("| format | read by | nodes | tetrahedra | triangles | |\n|---|---|--:|--:|--:|---|")
+    for form, name, reader, check in CHECKS:
+        try:
+            if form not in written:
+                export.write(form, name)
+                written.add(form)
+            found, said = check(export, name), "the same"
+        except Wrong as error:
+            found, said = {}, f"WRONG: {error}"
+            wrong += 1
+        counts = " | ".join(f"{int(found[what])}" if what in found else ""
+                            for what in ("nodes", "tets", "triangles"))
+        more = f", continuity error {found['continuity']:.2g}" if "continuity" in found else ""
+        print(f"| `{form}` | {reader} | {counts} | {said}{more} |", flush=True)
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--install", action="store_true")
+    options = parser.parse_args()
+    if options.install:
+        subprocess.run(["apt-get", "install", "-y", "--no-install-recommends", *PACKAGES],
+                       stdout=subprocess.DEVNULL, check=True)
+    data = pathlib.Path(os.environ.get("TETFARM_DATA", "no TETFARM_DATA"))
+    surface = data.resolve() / "onera_m6_sharp_te" / "onera_m6_sharp_te.msh.gz"
+    missing = [name for name in ("gmsh", "cgnscheck", "checkMesh", "mpirun", PREPROCESSOR)
+               if shutil.which(name) is None]
+    if missing or not surface.is_file():
+        print("missing:", missing or surface)
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        export = Export(options.program.resolve(), surface, pathlib.Path(folder))
+        print("expected:", export.expected)
+        return 1 if table(export) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
