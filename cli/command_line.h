@@ -232,9 +232,10 @@ struct PoolCommand {
   std::string endpoint;
   KeyFiles keys;           ///< of the pool
   std::string worker_key;  ///< "": plain text
-  std::string store;
-  std::string name;     ///< "": made from the endpoint
-  std::string program;  ///< "": this one
+  std::string store;       ///< "": the workers' files come over their connections
+  std::string cache;       ///< of theirs; "": in $TMPDIR
+  std::string name;        ///< "": made from the endpoint
+  std::string program;     ///< "": this one
   std::string logs = ".";
   std::size_t min = 0;
   std::size_t max = 1;

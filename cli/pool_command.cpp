@@ -69,6 +69,7 @@ PoolSettings settings_of(const PoolCommand& command, const PoolRules& rules) {
                          : command.program;
   settings.coordinator = command.endpoint;
   settings.store = absolute_unless_empty(command.store);
+  settings.cache = command.cache;
   settings.key = absolute_unless_empty(command.worker_key);
   settings.coordinator_key = absolute_unless_empty(command.keys.coordinator);
   settings.logs = absolute_unless_empty(command.logs);

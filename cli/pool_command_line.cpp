@@ -21,9 +21,14 @@ std::string seconds_of(const std::string& text) {
 }
 
 void add_workers(CLI::App& sub, PoolCommand& pool) {
-  sub.add_option("--store", pool.store, "The coordinator's store, as the workers see it")
+  sub.add_option("--store", pool.store,
+                 "The coordinator's store, as the workers see it (default: files come over their "
+                 "connections)")
       ->envname("TETFARM_STORE")
-      ->required()
+      ->option_text("DIR");
+  sub.add_option("--cache", pool.cache,
+                 "For files that come over the connection, on the workers' machines (default: in "
+                 "their $TMPDIR)")
       ->option_text("DIR");
   sub.add_option("--worker-key", pool.worker_key, "The secret key that the workers come with")
       ->option_text("NAME.key");

@@ -27,8 +27,9 @@ void check(const PoolSettings& settings) {
   if (settings.name.empty() || settings.name.size() > 40 || !is_plain) {
     throw UsageError("a pool's name is 1 to 40 letters, digits, _ and -", settings.name);
   }
-  for (const std::string& path : {settings.program, settings.coordinator, settings.store,
-                                  settings.key, settings.coordinator_key, settings.logs}) {
+  for (const std::string& path :
+       {settings.program, settings.coordinator, settings.store, settings.cache, settings.key,
+        settings.coordinator_key, settings.logs}) {
     refuse_control_characters(path, "pool");
   }
   for (const std::string& option : settings.options) refuse_control_characters(option, "--option");

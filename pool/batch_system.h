@@ -20,8 +20,9 @@ struct PoolSettings {
   std::string user;     ///< whose jobs are listed
   std::string program;  ///< `tetfarm`, as the workers' machines see it
   std::string coordinator;
-  std::string store;            ///< as the workers' machines see it
-  std::string key;              ///< of the workers, "": none
+  std::string store;  ///< as the workers' machines see it; "": files come over the connection
+  std::string cache;  ///< for those that do, on the workers' machines; "": the worker's own choice
+  std::string key;    ///< of the workers, "": none
   std::string coordinator_key;  ///< "": that of the store
   std::string logs = ".";       ///< folder of what workers say
   std::int64_t walltime_s = 8 * 3600;

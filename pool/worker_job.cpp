@@ -30,8 +30,13 @@ std::vector<std::string> worker_words(const PoolSettings& settings, std::uint64_
   const auto size = [](std::uint64_t job) {
     return std::to_string(mebibytes(task_bytes(job))) + "MB";
   };
-  std::vector<std::string> words = {settings.program,     "worker",  "--connect",
-                                    settings.coordinator, "--store", settings.store};
+  std::vector<std::string> words = {settings.program, "worker", "--connect", settings.coordinator};
+  if (settings.store.empty()) {
+    words.emplace_back("--no-shared-store");
+  } else {
+    words.insert(words.end(), {"--store", settings.store});
+  }
+  if (!settings.cache.empty()) words.insert(words.end(), {"--cache", settings.cache});
   if (!settings.key.empty()) words.insert(words.end(), {"--key", settings.key});
   if (!settings.coordinator_key.empty()) {
     words.insert(words.end(), {"--coordinator-key", settings.coordinator_key});

@@ -53,7 +53,7 @@ TEST(CommandLine, mistakes_are_usage_errors) {
 
 TEST(CommandLine, every_command_has_help) {
   for (const char* name : {"run", "check", "quality", "export", "convert", "shape", "submit",
-                           "status", "wait", "cancel", "coordinator", "worker"}) {
+                           "status", "wait", "cancel", "coordinator", "worker", "pool"}) {
     EXPECT_EQ(code_of(parse({name, "--help"})), 0) << name;
   }
   EXPECT_EQ(code_of(parse({"--help"})), 0);
@@ -76,6 +76,40 @@ TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
   EXPECT_EQ(std::get<StatusCommand>(command).view.client.endpoint, "tcp://head:5555");
   EXPECT_EQ(std::get<StatusCommand>(command).view.client.job, "job-7");
   EXPECT_EQ(code_of(parse({"wait", "job-7"})), 2);
+}
+
+TEST(CommandLine, pool_takes_a_batch_system_and_limits) {
+  const Command command =
+      parse({"pool",         "slurm",   "--coordinator", "tcp://h:1",     "--max",        "20",
+             "--min",        "2",       "--memory",      "8GB",           "--max-memory", "32GB",
+             "--walltime",   "1:30:00", "--option",      "--partition=a", "--option",     "-q b",
+             "--worker-key", "w.key",   "--cache",       "/scratch",      "--dry-run"});
+  const auto& pool = std::get<PoolCommand>(command);
+  EXPECT_EQ(pool.system, "slurm");
+  EXPECT_EQ(pool.endpoint, "tcp://h:1");
+  EXPECT_EQ(pool.store, "") << "files come over the connection";
+  EXPECT_EQ(pool.cache, "/scratch");
+  EXPECT_EQ(pool.max, 20U);
+  EXPECT_EQ(pool.min, 2U);
+  EXPECT_EQ(pool.memory_bytes, std::uint64_t{8} << 30U);
+  EXPECT_EQ(pool.max_memory_bytes, std::uint64_t{32} << 30U);
+  EXPECT_EQ(pool.walltime_s, 5400);
+  EXPECT_EQ(pool.options, (std::vector<std::string>{"--partition=a", "-q b"}));
+  EXPECT_EQ(pool.worker_key, "w.key");
+  EXPECT_TRUE(pool.dry_run);
+}
+
+TEST(CommandLine, mistakes_with_pools_are_usage_errors) {
+  const auto code = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"pool"});
+    return code_of(parse(words));
+  };
+  EXPECT_EQ(code({"slurm", "--max", "3"}), 2) << "of which coordinator?";
+  EXPECT_EQ(code({"slurm", "--connect", "tcp://h:1"}), 2) << "how many?";
+  EXPECT_EQ(code({"pbs2", "--connect", "tcp://h:1", "--max", "3"}), 2);
+  EXPECT_EQ(code({"slurm", "--connect", "tcp://h:1", "--max", "0"}), 2);
+  EXPECT_EQ(code({"slurm", "--connect", "tcp://h:1", "--max", "3", "--walltime", "soon"}), 2);
+  EXPECT_EQ(code({"slurm", "--connect", "tcp://h:1", "--max", "3", "--stop", "--dry-run"}), 2);
 }
 
 TEST(CommandLine, sizes_may_have_units) {

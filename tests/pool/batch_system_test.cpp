@@ -95,6 +95,18 @@ TEST(Slurm, the_script_has_the_documented_options_and_becomes_the_worker) {
                                 "\"farm/${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}\"\n"));
 }
 
+TEST(Slurm, workers_without_a_shared_folder_get_their_files_over_the_connection) {
+  PoolSettings apart = settings();
+  apart.store = "";
+  apart.cache = "/local/scratch";
+  for (const char* system : {"slurm", "condor", "lsf", "ge"}) {
+    const std::string script = script_of(system, apart);
+    EXPECT_THAT(script, HasSubstr("--no-shared-store")) << system;
+    EXPECT_THAT(script, HasSubstr("/local/scratch")) << system;
+    EXPECT_THAT(script, Not(HasSubstr("--store"))) << system;
+  }
+}
+
 TEST(Slurm, reads_what_sbatch_and_squeue_say) {
   const auto slurm = make_batch_system("slurm", settings());
   EXPECT_THAT(slurm->submitted({2, gib}, {0, "12\n", ""}), ElementsAre("12_1", "12_2"));

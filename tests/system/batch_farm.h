@@ -81,11 +81,12 @@ class BatchFarm : public ::testing::Test {
 
   std::unique_ptr<Program> pool(const std::string& system, std::vector<std::string> more) {
     std::vector<std::string> words = {
-        "pool",     system,    "--connect",  endpoint_, "--store",
-        "store",    "--name",  pool_name(),  "--max",   std::to_string(most_jobs),
-        "--memory", "1GB",     "--interval", "0.5",     "--idle",
-        "3",        "--grace", "5",          "--logs",  "logs",
-        "--json"};
+        "pool",     system,      "--connect",  endpoint_,
+        "--name",   pool_name(), "--max",      std::to_string(most_jobs),
+        "--memory", "1GB",       "--interval", "0.5",
+        "--idle",   "3",         "--grace",    "5",
+        "--logs",   "logs",      "--json"};
+    if (has_shared_store_) words.insert(words.end(), {"--store", "store"});
     words.insert(words.end(), more.begin(), more.end());
     return std::make_unique<Program>(words, folder_, launcher_);
   }
@@ -109,8 +110,19 @@ class BatchFarm : public ::testing::Test {
     EXPECT_EQ(digest_of(ended), digest_);
   }
 
+  /// The workers' own words.
+  void expect_that_files_came_over_the_connection() const {
+    bool is_said = false;
+    for (const auto& log : std::filesystem::directory_iterator(folder_ / "logs")) {
+      is_said |=
+          contents(log.path()).find("files come and go over the connection") != std::string::npos;
+    }
+    EXPECT_TRUE(is_said);
+  }
+
   std::filesystem::path folder_;
   std::vector<std::string> launcher_;  ///< of what runs where the batch system does
+  bool has_shared_store_ = true;       ///< which the workers are told of
   std::string endpoint_;
   std::string job_;
   std::string digest_;

@@ -75,6 +75,13 @@ TEST_F(CondorFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
       << "they were drained, not cancelled: " << pool->out_so_far();
 }
 
+TEST_F(CondorFarm, gives_the_same_mesh_without_a_shared_folder) {
+  has_shared_store_ = false;
+  const auto pool = start_pool();
+  expect_the_mesh_of_a_local_run();
+  expect_that_files_came_over_the_connection();
+}
+
 TEST_F(CondorFarm, goes_on_when_workers_are_vacated) {
   const auto pool = start_pool();
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3) && !running(1).empty(); }));

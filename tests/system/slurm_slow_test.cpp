@@ -55,6 +55,13 @@ TEST_F(SlurmFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
       << "they were drained, not cancelled: " << pool->out_so_far();
 }
 
+TEST_F(SlurmFarm, gives_the_same_mesh_without_a_shared_folder) {
+  has_shared_store_ = false;
+  const auto pool = this->pool("slurm", {});
+  expect_the_mesh_of_a_local_run();
+  expect_that_files_came_over_the_connection();
+}
+
 TEST_F(SlurmFarm, goes_on_through_preemption_and_a_signal_of_the_operator) {
   const auto pool = this->pool("slurm", {});
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3); }));
