@@ -72,7 +72,7 @@ std::vector<Origin>::const_iterator first_not_before(std::vector<Origin>::const_
     first += step;
     step *= 2;
   }
-  return std::lower_bound(first, std::min(last, first + step + 1), wanted);
+  return std::lower_bound(first, first + std::min(last - first, step + 1), wanted);
 }
 
 }  // namespace
