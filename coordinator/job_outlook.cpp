@@ -52,10 +52,12 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
   const HostMemory used = used_memory();
   std::map<std::string, int> causes;
   std::uint64_t most_free = 0;
+  std::int64_t latest_end_ms = now.steady_ms;
   int suited = 0;
   for (const auto& [worker, session] : sessions_) {
     const std::uint64_t free_bytes = free_memory(worker, used);
     most_free = std::max(most_free, free_bytes);
+    latest_end_ms = std::max(latest_end_ms, session.ends_ms);
     if (durable_.quarantined_hosts.contains(workers_.at(worker).host)) {
       ++causes["on a host in quarantine"];
     } else if (session.drains) {
@@ -81,6 +83,15 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
   if (causes.contains("without room for it")) {
     reasons.push_back("it is given " + mebibytes(memory_for(task)) + "; at most " +
                       mebibytes(most_free) + " are free on one worker");
+  }
+  const auto too_late = causes.find("with too little time left");
+  if (too_late != causes.end() && too_late->second == static_cast<int>(sessions_.size())) {
+    const auto expected_ms =
+        static_cast<std::int64_t>(expectation_.seconds(task).value_or(0) * 1000);
+    reasons.push_back("it is expected to take " + seconds_text(expected_ms) +
+                      ", and no worker is here for longer than another " +
+                      seconds_text(latest_end_ms - now.steady_ms) +
+                      ": workers of a longer --walltime are wanted");
   }
   return reasons;
 }

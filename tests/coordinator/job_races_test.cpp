@@ -113,6 +113,18 @@ TEST_F(Expectations, a_worker_gets_no_task_that_is_expected_to_outlast_its_wallt
   EXPECT_TRUE(next(add_worker({.ends_in_ms = in_ms * 1000})).attempt);
 }
 
+TEST_F(Expectations, explain_says_that_no_worker_stays_as_long_as_a_task_takes) {
+  mesh_one(100, 1);
+  const SendAssign wanted = next(new_worker());
+  for (const WorkerAtWork& worker : state_->workers_at_work()) {
+    state_->worker_left(worker.row.id, false, now_);
+  }
+  EXPECT_FALSE(next(add_worker({.ends_in_ms = 10})).attempt);
+  EXPECT_THAT(state_->outlook(wanted.task, now_).reasons,
+              testing::Contains(testing::HasSubstr(
+                  "no worker is here for longer than another 1 s: workers of a longer")));
+}
+
 TEST_F(Expectations, the_limit_of_an_attempt_follows_what_its_kind_took) {
   rules_.least_limit_ms = 1000;
   restart();
