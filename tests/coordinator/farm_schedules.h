@@ -89,7 +89,7 @@ inline Wish wish_of(std::uint64_t seed) {
 /// At most so many steps of trouble; what is not over then must come to its end in calm ones.
 inline void run_to_the_end(Farm& farm) {
   constexpr int wild_steps = 3000;
-  constexpr int calm_steps = 50000;
+  constexpr int calm_steps = 200000;
   for (int i = 0; i < wild_steps; ++i) {
     if (farm.step() || testing::Test::HasFailure()) return;
   }

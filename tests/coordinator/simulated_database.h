@@ -3,7 +3,8 @@
 //
 // The model: a transaction is there wholly or not at all; one that was reported as failed by a
 // broken disk, or during which the process died, may be found after a restart, until another is
-// committed. The real one must agree with the model: after each restart it holds exactly what was
+// committed that changes something: SQLite writes nothing for rows that are as they were. The real
+// one must agree with the model: after each restart it holds exactly what was
 // committed, with or without the one that is in doubt.
 #pragma once
 
@@ -43,7 +44,8 @@ class FarmDatabase {
     // A transaction for which there was no room, or that somebody's lock kept out, was never
     // written.
     const bool may_be_written = fault == Fault::broken || fault == Fault::killed;
-    if (may_be_written || (real_ && fault != Fault::none)) in_doubt_ = changes;
+    const bool may_leave_traces = may_be_written || (real_ && fault == Fault::full);
+    if (may_leave_traces || (real_ && fault == Fault::busy && !in_doubt_)) in_doubt_ = changes;
     if (real_) {
       real_->apply(changes, fault, random_);
     } else if (fault == Fault::full) {
@@ -53,8 +55,10 @@ class FarmDatabase {
     } else if (fault == Fault::broken || fault == Fault::killed) {
       throw IoError("broken", "database", EIO);
     }
+    const std::optional<DurableState> before =
+        in_doubt_ ? std::optional(record_.state()) : std::nullopt;
     record_.apply(changes);
-    in_doubt_.reset();
+    if (before && (!same(*before, record_.state()) || !changes.events.empty())) in_doubt_.reset();
   }
 
   /// What a coordinator finds that starts.

@@ -1,4 +1,7 @@
 // A task that hangs is ended by its worker at its limit, and tried again.
+#include <algorithm>
+#include <map>
+
 #include "tests/system/daemon_farm.h"
 
 namespace tetfarm {
@@ -33,16 +36,31 @@ TEST_F(HungTasks, are_ended_by_their_worker_and_done_elsewhere) {
   EXPECT_THAT(status.out, HasSubstr("\"attempts_lost\":0")) << "nobody killed it from outside";
 }
 
+/// How often the task crashed that did so most often.
+std::ptrdiff_t most_crashes(const std::vector<AttemptRow>& attempts) {
+  std::map<TaskId, std::ptrdiff_t> crashes;
+  std::ptrdiff_t most = 0;
+  for (const AttemptRow& attempt : attempts) {
+    if (attempt.state == AttemptState::crashed) most = std::max(most, ++crashes[attempt.task]);
+  }
+  return most;
+}
+
+std::ptrdiff_t ended_of(const std::vector<AttemptRow>& attempts) {
+  return std::count_if(attempts.begin(), attempts.end(), [](const AttemptRow& attempt) {
+    return attempt.state != AttemptState::running;
+  });
+}
+
 TEST_F(HungTasks, that_hang_each_time_are_in_quarantine) {
   const auto worker = start_worker();
   const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
-  for (std::size_t i = 1; i <= 3; ++i) {
-    ASSERT_TRUE(comes_true([i](const auto& all) {
-      return all.size() == i && all.back().state == AttemptState::running;
-    }));
+  // One may be done before it is stopped: then the next hangs.
+  for (int i = 0; i < 20 && most_crashes(attempts()) < 3; ++i) {
+    const std::ptrdiff_t ended_before = ended_of(attempts());
     stop_task_of(*worker);
-    ASSERT_TRUE(
-        comes_true([i](const auto& all) { return all[i - 1].state == AttemptState::crashed; }));
+    ASSERT_TRUE(comes_true([&](const auto& all) { return ended_of(all) > ended_before; }))
+        << "the worker does not end it";
   }
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 1);
