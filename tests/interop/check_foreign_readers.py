@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Programs that are not ours read what `tetfarm export` writes.
 
-check_foreign_readers.py PROGRAM [--install]
+check_foreign_readers.py PROGRAM
 
 Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, exports it to every format, and
 has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the files: counts and
-volume must be those of the mesh. Prints a table. --install gets the programs from Debian first
-(root). Ends with 77 when the data or a program is missing, and with 1 when a reader refuses a file or
+volume must be those of the mesh. Prints a table. `./dev test interop` gets the
+programs from Debian first. Ends with 77 when the data or a program is missing, and with 1 when a reader refuses a file or
 finds another mesh.
 """
 
@@ -20,8 +20,6 @@ import subprocess
 import sys
 import tempfile
 
-PACKAGES = ["python3-vtk9", "python3-meshio", "gmsh", "cgns-convert", "openfoam", "code-saturne-bin",
-            "openmpi-bin"]
 PREPROCESSOR = "/usr/lib/code_saturne/cs_preprocess"
 SUBDOMAINS = 16
 # Where Debian puts what OpenFOAM looks up; without it no program of it starts.
@@ -284,11 +282,7 @@ def table(export):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("--install", action="store_true")
     options = parser.parse_args()
-    if options.install:
-        subprocess.run(["apt-get", "install", "-y", "--no-install-recommends", *PACKAGES],
-                       stdout=subprocess.DEVNULL, check=True)
     data = pathlib.Path(os.environ.get("TETFARM_DATA", "no TETFARM_DATA"))
     surface = data.resolve() / "onera_m6_sharp_te" / "onera_m6_sharp_te.msh.gz"
     missing = [name for name in ("gmsh", "cgnscheck", "checkMesh", "mpirun", PREPROCESSOR)
