@@ -58,33 +58,13 @@ Box3 box_round(const Vec3& p, double reach) {
   return {p - d, p + d};
 }
 
-std::vector<Box3> boxes_of_other_faces(const Subdomain& subdomain,
-                                       const std::vector<std::int32_t>& other_faces) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(other_faces.size());
-  for (const std::int32_t i : other_faces) triangles.push_back(subdomain.triangles[at(i)]);
-  return triangle_boxes(subdomain.vertices, triangles);
-}
-
-std::vector<std::int32_t> other_faces_of(const LatticeBoundary& boundary) {
-  std::vector<std::int32_t> numbers;
-  for (std::size_t i = 0; i < boundary.is_lattice_face.size(); ++i) {
-    if (boundary.is_lattice_face[i] == 0) numbers.push_back(static_cast<std::int32_t>(i));
-  }
-  return numbers;
-}
-
 /// Which nodes keep clear of all faces but the lattice's. Asks for whole blocks first: most are far
 /// from everything.
 class Clearance {
  public:
   Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain,
-            const LatticeBoundary& boundary)
-      : nodes_(nodes),
-        grid_(grid),
-        subdomain_(subdomain),
-        other_faces_(other_faces_of(boundary)),
-        tree_(boxes_of_other_faces(subdomain, other_faces_)) {}
+            const BoxTree& tree, const LatticeBoundary& boundary)
+      : nodes_(nodes), grid_(grid), subdomain_(subdomain), tree_(tree), boundary_(boundary) {}
 
   void enter_block(std::int32_t first_slot) {
     Box3 box;
@@ -95,14 +75,14 @@ class Clearance {
         box.add(box_round(n.at, core_reach * n.cell_edge));
       }
     }
-    block_is_clear_ = other_faces_.empty() || !tree_.any(box, [](std::int32_t) { return true; });
+    block_is_clear_ = !tree_.any(box, [this](std::int32_t i) { return is_other_face(i); });
   }
   bool is_clear(std::int32_t node) {
     if (block_is_clear_) return true;
     const Vec3& p = nodes_[at(node)].at;
     const double reach = core_reach * nodes_[at(node)].cell_edge;
     const auto is_near = [&](std::int32_t i) {
-      const auto& [a, b, c] = subdomain_.triangles[at(other_faces_[at(i)])];
+      const auto& [a, b, c] = subdomain_.triangles[at(i)];
       return is_nearer_to_triangle(p, subdomain_.vertices[at(a)], subdomain_.vertices[at(b)],
                                    subdomain_.vertices[at(c)], reach);
     };
@@ -111,18 +91,22 @@ class Clearance {
       if (i >= 0 && is_near(i)) return false;
     }
     return !tree_.any(box_round(p, reach), [&](std::int32_t i) {
-      if (!is_near(i)) return false;
+      if (!is_other_face(i) || !is_near(i)) return false;
       too_near_[next_++ % too_near_.size()] = i;
       return true;
     });
   }
 
  private:
+  bool is_other_face(std::int32_t triangle) const {
+    return boundary_.is_lattice_face[at(triangle)] == 0;
+  }
+
   std::span<const LatticeNode> nodes_;
   const LatticeGrid& grid_;
   const Subdomain& subdomain_;
-  std::vector<std::int32_t> other_faces_;
-  BoxTree tree_;
+  const BoxTree& tree_;
+  const LatticeBoundary& boundary_;
   bool block_is_clear_ = false;
   std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
   std::size_t next_ = 0;
@@ -166,7 +150,7 @@ std::vector<std::uint8_t> slots_near_vertices(const LatticeGrid& grid,
 
 std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
                                           const LatticeGrid& grid, const Subdomain& subdomain,
-                                          const LatticeBoundary& boundary) {
+                                          const BoxTree& tree, const LatticeBoundary& boundary) {
   std::vector<std::uint8_t> across_faces(at(grid.slot_count()), 0);
   for (std::int32_t slot = 0; slot < grid.slot_count(); ++slot) {
     across_faces[at(slot)] =
@@ -176,7 +160,7 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
             : 0;
   }
   std::vector<std::uint8_t> kinds(nodes.size(), not_core);
-  Clearance clearance(nodes, grid, subdomain, boundary);
+  Clearance clearance(nodes, grid, subdomain, tree, boundary);
   const std::vector<std::uint8_t> is_near_vertex = slots_near_vertices(grid, boundary);
   const auto kind_of = [&](std::int32_t node, std::int32_t slot) {
     if (boundary.has_vertex_at(at(node)) || !clearance.is_clear(node)) return not_core;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/core/subdomain.h"
+#include "mesh/geometry/box_tree.h"
 #include "mesh/spacing/spacing_field.h"
 #include "mesh/volume/lattice_boundary.h"
 #include "mesh/volume/lattice_grid.h"
@@ -26,9 +27,10 @@ enum CoreKind : std::uint8_t {
 };
 
 /// The kind of each node, wherever it lies, inside or outside the domain. A node in the place of a
-/// vertex of the boundary is not core. Cost: O(nodes).
+/// vertex of the boundary is not core. `tree` is of the boxes of the boundary's triangles.
+/// Cost: O(nodes).
 std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
                                           const LatticeGrid& grid, const Subdomain& subdomain,
-                                          const LatticeBoundary& boundary);
+                                          const BoxTree& tree, const LatticeBoundary& boundary);
 
 }  // namespace tetfarm

@@ -31,10 +31,8 @@ std::vector<std::uint8_t> core_nodes_inside(const std::vector<std::uint8_t>& is_
 class OutsideBoxes {
  public:
   OutsideBoxes(const TetComplex& complex, const std::vector<std::uint8_t>& inside,
-               const Subdomain& subdomain)
-      : complex_(complex),
-        inside_(inside),
-        boundary_(triangle_boxes(subdomain.vertices, subdomain.triangles)) {
+               const BoxTree& boundary)
+      : complex_(complex), inside_(inside), boundary_(boundary) {
     while (!complex.is_live(last_)) ++last_;
   }
 
@@ -51,16 +49,16 @@ class OutsideBoxes {
  private:
   const TetComplex& complex_;
   const std::vector<std::uint8_t>& inside_;
-  BoxTree boundary_;
+  const BoxTree& boundary_;
   std::int32_t last_ = 0;
 };
 
 /// All lattice nodes of the domain, with those round it that tell which cells are even.
 std::vector<LatticeNode> nodes_near_domain(const TetComplex& complex,
                                            const std::vector<std::uint8_t>& inside,
-                                           const Subdomain& subdomain,
+                                           const Subdomain& subdomain, const BoxTree& boundary,
                                            const SpacingField& spacing) {
-  OutsideBoxes outside(complex, inside, subdomain);
+  OutsideBoxes outside(complex, inside, boundary);
   return spacing.lattice_nodes(bounding_box(subdomain.vertices),
                                [&](const Box3& box) { return outside.holds(box); });
 }
@@ -101,10 +99,12 @@ std::vector<std::int32_t> misfits(const LatticeCore& core, const CoreSeat& seat,
 PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                          const std::vector<std::uint8_t>& inside, const Subdomain& subdomain,
                          const SpacingField& spacing, const PointInsertionOptions& options) {
-  const std::vector<LatticeNode> nodes = nodes_near_domain(complex, inside, subdomain, spacing);
+  const BoxTree tree(triangle_boxes(subdomain.vertices, subdomain.triangles));
+  const std::vector<LatticeNode> nodes =
+      nodes_near_domain(complex, inside, subdomain, tree, spacing);
   LatticeGrid grid(nodes);
   LatticeBoundary boundary = find_lattice_boundary(nodes, subdomain);
-  std::vector<std::uint8_t> kinds = find_core_nodes(nodes, grid, subdomain, boundary);
+  std::vector<std::uint8_t> kinds = find_core_nodes(nodes, grid, subdomain, tree, boundary);
   const std::vector<std::uint8_t> is_inside = find_inside_nodes(complex, inside, nodes, kinds);
   std::vector<std::uint8_t> is_core = core_nodes_inside(is_inside, std::move(kinds));
 

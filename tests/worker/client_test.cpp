@@ -94,6 +94,14 @@ class WorkerClient : public ::testing::Test {
     say(envelope);
   }
 
+  /// The worker comes, is welcome, asks, and gets attempt 9 of task 5.
+  void get_task_5() {
+    hear(Body::kHello);
+    welcome();
+    hear(Body::kReady);
+    assign(5, 9);
+  }
+
   void accept(std::uint64_t task, std::uint64_t attempt, bool taken) {
     wire::Envelope envelope;
     envelope.mutable_accepted()->set_task(task);
@@ -141,10 +149,7 @@ TEST_F(WorkerClient, shows_the_stores_mark_and_asks_for_work) {
 
 TEST_F(WorkerClient, runs_a_task_and_asks_again_once_its_result_is_accepted) {
   start(say_done());
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   const wire::Envelope done = hear(Body::kDone);
   EXPECT_EQ(done.done().task(), 5U);
   EXPECT_EQ(done.done().attempt(), 9U);
@@ -154,10 +159,7 @@ TEST_F(WorkerClient, runs_a_task_and_asks_again_once_its_result_is_accepted) {
 
 TEST_F(WorkerClient, asks_for_the_next_task_with_a_result_and_begins_it_with_the_answer) {
   start(say_done());
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   hear(Body::kDone);
   hear(Body::kReady);
   accept(5, 9, true);
@@ -167,10 +169,7 @@ TEST_F(WorkerClient, asks_for_the_next_task_with_a_result_and_begins_it_with_the
 
 TEST_F(WorkerClient, asks_again_when_no_task_came_with_the_answer) {
   start(say_done());
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   hear(Body::kDone);
   hear(Body::kReady);
   accept(5, 9, true);
@@ -179,10 +178,7 @@ TEST_F(WorkerClient, asks_again_when_no_task_came_with_the_answer) {
 
 TEST_F(WorkerClient, repeats_a_result_until_it_is_accepted) {
   start(say_done());
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   hear(Body::kDone);
   accept(5, 8, true);
   hear(Body::kDone);
@@ -192,10 +188,7 @@ TEST_F(WorkerClient, repeats_a_result_until_it_is_accepted) {
 
 TEST_F(WorkerClient, a_child_that_crashes_is_reported_and_the_worker_lives_on) {
   start("kill -SEGV $$");
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   EXPECT_THAT(hear(Body::kFailed).failed().message(), HasSubstr("signal 11"));
   accept(5, 9, true);
   hear(Body::kReady);
@@ -203,10 +196,7 @@ TEST_F(WorkerClient, a_child_that_crashes_is_reported_and_the_worker_lives_on) {
 
 TEST_F(WorkerClient, heartbeats_name_the_running_task) {
   start("sleep 1000");
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   wire::Envelope heartbeat;
   while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
   EXPECT_EQ(heartbeat.heartbeat().attempt(), 9U);
@@ -216,10 +206,7 @@ TEST_F(WorkerClient, heartbeats_name_the_running_task) {
 
 TEST_F(WorkerClient, ends_a_stale_task_and_asks_for_another) {
   start("sleep 1000");
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   assign(6, 10);
   accept(5, 9, false);
   hear(Body::kReady);
@@ -232,10 +219,7 @@ TEST_F(WorkerClient, ends_a_stale_task_and_asks_for_another) {
 
 TEST_F(WorkerClient, presents_its_running_attempt_to_a_coordinator_that_does_not_know_it) {
   start("sleep 1000");
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   wire::Envelope heartbeat;
   while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
   wire::Envelope refused;
@@ -267,10 +251,7 @@ TEST_F(WorkerClient, keeps_a_result_over_a_restart_of_the_coordinator) {
 
 TEST_F(WorkerClient, a_drained_worker_finishes_its_task_and_leaves) {
   start("sleep 0.3; " + say_done());
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   wire::Envelope heartbeat;
   while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
   wire::Envelope drain;
@@ -284,10 +265,7 @@ TEST_F(WorkerClient, a_drained_worker_finishes_its_task_and_leaves) {
 
 TEST_F(WorkerClient, a_drained_worker_hands_its_task_back_after_the_grace_time) {
   start("sleep 1000", 50);
-  hear(Body::kHello);
-  welcome();
-  hear(Body::kReady);
-  assign(5, 9);
+  get_task_5();
   wire::Envelope heartbeat;
   while (heartbeat.heartbeat().task() == 0) heartbeat = hear(Body::kHeartbeat);
   drain_ = true;

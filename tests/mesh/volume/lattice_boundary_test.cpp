@@ -111,7 +111,9 @@ TEST(LatticeBoundary, lets_the_core_reach_a_cut_along_the_lattice) {
 TEST(LatticeBoundary, has_core_nodes_right_behind_it) {
   const LatticeBlock block(4);
   const LatticeBoundary boundary = find_lattice_boundary(block.nodes, block.domain);
-  const auto kinds = find_core_nodes(block.nodes, LatticeGrid(block.nodes), block.domain, boundary);
+  const BoxTree tree(triangle_boxes(block.domain.vertices, block.domain.triangles));
+  const auto kinds =
+      find_core_nodes(block.nodes, LatticeGrid(block.nodes), block.domain, tree, boundary);
   std::size_t at_cut = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const bool is_inside = block.core.is_core(static_cast<std::int32_t>(i));

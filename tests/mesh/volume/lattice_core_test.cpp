@@ -22,7 +22,9 @@ struct Case {
       : domain(root_subdomain(shapes::sphere({0, 0, 0}, radius, 4))),
         nodes(field.lattice_nodes(bounding_box(domain.vertices))),
         grid(nodes),
-        is_core(find_core_nodes(nodes, grid, domain, find_lattice_boundary(nodes, domain))),
+        is_core(find_core_nodes(nodes, grid, domain,
+                                BoxTree(triangle_boxes(domain.vertices, domain.triangles)),
+                                find_lattice_boundary(nodes, domain))),
         core(grid, is_core) {
     for (const LatticeNode& node : nodes) complex.points.push_back(node.at);
     complex.node2tet.assign(nodes.size(), -1);
