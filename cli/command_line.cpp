@@ -409,6 +409,7 @@ class Parser {
     CLI::App& task = add("task", "", "", task_);
     task.group("");
     task.add_option("STORE", task_.store)->required();
+    add("task-host", "", "", task_host_).group("");
   }
 
   CLI::App app_{"Tetfarm: conforming tetrahedral meshes on many machines that may fail", "tetfarm"};
@@ -433,6 +434,7 @@ class Parser {
   PoolCommand pool_;
   KeysCommand keys_;
   TaskCommand task_;
+  TaskHostCommand task_host_;
 };
 
 }  // namespace

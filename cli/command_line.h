@@ -258,6 +258,9 @@ struct TaskCommand {
   std::string store;
 };
 
+/// What a worker starts once, and what then starts its tasks (worker/task_host.h); not for people.
+struct TaskHostCommand {};
+
 /// Help or the version was printed, or an error was: nothing more to do.
 struct NothingToDo {
   int exit_code = 0;
@@ -267,9 +270,9 @@ using Command =
     std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
                  ConvertCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
                  CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                 WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, JobsCommand,
-                 TasksCommand, WorkersCommand, EventsCommand, LogsCommand, ExplainCommand,
-                 TraceCommand, BackupCommand, RestoreCommand>;
+                 WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
+                 JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
+                 ExplainCommand, TraceCommand, BackupCommand, RestoreCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

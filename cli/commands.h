@@ -65,5 +65,6 @@ ExitCode pool_command(const PoolCommand& command);
 /// Makes keys, and says who may speak with a coordinator.
 ExitCode keys_command(const KeysCommand& command);
 ExitCode task_command(const TaskCommand& command);
+ExitCode task_host_command();
 
 }  // namespace tetfarm

@@ -74,6 +74,7 @@ struct Execute {
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }
   ExitCode operator()(const RestoreCommand& command) const { return restore_command(command); }
   ExitCode operator()(const TaskCommand& command) const { return task_command(command); }
+  ExitCode operator()(const TaskHostCommand& /*command*/) const { return task_host_command(); }
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
@@ -14,9 +15,9 @@
 #include "cli/job_report.h"
 #include "cli/progress_display.h"
 #include "coordinator/server.h"
-#include "worker/child_task.h"
 #include "worker/client.h"
 #include "worker/machine.h"
+#include "worker/task_host.h"
 #include "worker/task_program.h"
 
 namespace tetfarm {
@@ -187,6 +188,7 @@ ExitCode worker_command(const WorkerCommand& command) {
       command.cache.empty() ? default_cache_folder() : std::filesystem::path(command.cache));
   options.cache_bytes = command.cache_bytes;
   options.task_command = {"/proc/self/exe", "task"};
+  options.host_command = {"/proc/self/exe", "task-host"};
   options.memory_bytes = command.memory_bytes;
   options.tag = command.tag;
   options.pool_memory_bytes = command.pool_memory_bytes;
@@ -201,7 +203,13 @@ ExitCode worker_command(const WorkerCommand& command) {
 }
 
 ExitCode task_command(const TaskCommand& command) {
-  run_task_program(command.store, 0, task_result_fd);
+  run_task_program(command.store, STDIN_FILENO, task_result_fd);
+  return ExitCode::ok;
+}
+
+ExitCode task_host_command() {
+  const std::optional<std::string> store = serve_as_task_host(task_host_fd);
+  if (store) run_task_program(*store, STDIN_FILENO, task_result_fd);
   return ExitCode::ok;
 }
 

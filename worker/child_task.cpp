@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,45 +73,33 @@ bool was_ended_from_outside(int status) {
   return WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM);
 }
 
-struct ChildFds {
-  int in = -1;
-  int words = -1;
-  int frames = -1;
-};
-
-// A sanitizer's shadow of the address space counts as data, and is larger than any machine's
-// memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool can_limit_memory = false;
-#else
-constexpr bool can_limit_memory = true;
-#endif
-
 /// Between fork and exec: async-signal-safe calls only.
-[[noreturn]] void become_task(char* const* arguments, pid_t parent, ChildFds fds,
-                              std::uint64_t memory_limit) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  // Above the targets first, so that no dup2 closes what a later one needs.
-  fds = {::fcntl(fds.in, F_DUPFD, 10), ::fcntl(fds.words, F_DUPFD, 10),
-         ::fcntl(fds.frames, F_DUPFD, 10)};
-  ::dup2(fds.in, STDIN_FILENO);
-  ::dup2(fds.words, STDOUT_FILENO);
-  ::dup2(fds.words, STDERR_FILENO);
-  ::dup2(fds.frames, task_result_fd);
-  ::close_range(task_result_fd + 1, ~0U, 0);
-  if (can_limit_memory && memory_limit > 0) {
-    const rlimit limit{memory_limit, memory_limit};
-    ::setrlimit(RLIMIT_DATA, &limit);
-  }
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
+[[noreturn]] void become_program(char* const* arguments, pid_t worker, TaskFds fds,
+                                 std::uint64_t memory_limit) {
+  become_task_process(worker, fds, memory_limit);
   ::execv(arguments[0], arguments);
   ::_exit(127);
+}
+
+pid_t start_program(const ChildTaskOptions& options, TaskFds fds) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : options.command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  if (!options.store.empty()) arguments.push_back(const_cast<char*>(options.store.c_str()));
+  arguments.push_back(nullptr);
+  const pid_t worker = ::getpid();
+  const pid_t process = ::fork();
+  if (process == 0) become_program(arguments.data(), worker, fds, options.memory_limit_bytes);
+  return process;
+}
+
+pid_t start_process(const ChildTaskOptions& options, TaskFds fds) {
+  if (options.host != nullptr) {
+    const auto process = options.host->start(options.store, fds, options.memory_limit_bytes);
+    if (process) return *process;
+  }
+  return start_program(options, fds);
 }
 
 std::uint32_t frame_length(const std::string& bytes) {
@@ -135,19 +122,10 @@ std::string frame_of(const wire::Envelope& envelope) {
 ChildTask::ChildTask(const ChildTaskOptions& options, const wire::Assign& assign)
     : task_(assign.task()), attempt_(assign.attempt()), start_(std::chrono::steady_clock::now()) {
   oom_kills_before_ = kernel_oom_kills();
-  std::vector<char*> arguments;
-  for (const std::string& argument : options.command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  }
-  arguments.push_back(nullptr);
   int in = assignment_fd(assign);
   std::array<int, 2> frames = make_pipe();
   std::array<int, 2> words = make_pipe();
-  const pid_t parent = ::getpid();
-  process_ = ::fork();
-  if (process_ == 0) {
-    become_task(arguments.data(), parent, {in, words[1], frames[1]}, options.memory_limit_bytes);
-  }
+  process_ = start_process(options, {in, words[1], frames[1]});
   const int error = errno;
   close_fd(in);
   close_fd(frames[1]);

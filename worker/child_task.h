@@ -1,8 +1,9 @@
 /// One task in a process of its own: a crash or an out-of-memory kill takes the task, not the
 /// worker.
 ///
-/// The child is a program that reads a wire::Assign from its standard input and writes framed
-/// wire::Envelopes (Progress, then one Done or Failed) to file descriptor 3. What it says on
+/// The child is a program, or a copy of one that is loaded already (TaskHost), that reads a
+/// wire::Assign from its standard input and writes framed wire::Envelopes (Progress, then one Done
+/// or Failed) to task_result_fd. What it says on
 /// standard error is kept for the message of a failure, and for the log of the attempt. It dies
 /// with the thread that started it.
 #pragma once
@@ -18,15 +19,17 @@
 #include <vector>
 
 #include "proto/messages.pb.h"
+#include "worker/task_host.h"
 
 namespace tetfarm {
-
-/// The file descriptor that the child writes its frames to.
-inline constexpr int task_result_fd = 3;
 
 struct ChildTaskOptions {
   /// The program and its arguments.
   std::vector<std::string> command;
+  /// What the program works in: its last argument; "": none.
+  std::string store = {};
+  /// Starts the task instead of the program, where it can; not owned.
+  TaskHost* host = nullptr;
   /// Limit of what the child may write to (heap, stacks, private maps; not files and shared ones
   /// that it maps); 0: none.
   std::uint64_t memory_limit_bytes = 0;

@@ -38,7 +38,8 @@ class Client {
         memory_bytes_(options.memory_bytes > 0 ? options.memory_bytes : machine_memory()),
         ends_at_(options.ends_in_ms > 0 ? steady_ms() + options.ends_in_ms : 0),
         probe_(options.store),
-        files_(options.cache, options.cache_bytes) {}
+        files_(options.cache, options.cache_bytes),
+        host_(options.host_command) {}
 
   ExitCode run() {
     connect();
@@ -258,8 +259,10 @@ class Client {
   }
 
   void start_child(const std::filesystem::path& store) {
-    ChildTaskOptions child{.command = options_.task_command, .memory_limit_bytes = memory_bytes_};
-    child.command.push_back(store.string());
+    const ChildTaskOptions child{.command = options_.task_command,
+                                 .store = store.string(),
+                                 .host = &host_,
+                                 .memory_limit_bytes = memory_bytes_};
     limit_ms_ = static_cast<std::int64_t>(assign_.limit_ms());
     assigned_at_ = steady_ms();
     try {
@@ -413,6 +416,7 @@ class Client {
   bool finished_ = false;
   std::uint64_t task_ = 0;
   std::uint64_t attempt_ = 0;
+  TaskHost host_;
   std::optional<ChildTask> child_;
   std::optional<wire::Envelope> unaccepted_;
 

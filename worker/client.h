@@ -23,6 +23,7 @@ struct WorkerOptions {
   std::filesystem::path cache;  ///< for files when it does not see the store
   std::uint64_t cache_bytes = std::uint64_t{10} << 30U;  ///< that are kept from task to task
   std::vector<std::string> task_command;     ///< the child's program; its store is appended
+  std::vector<std::string> host_command;     ///< a TaskHost for it; empty: none
   std::uint64_t memory_bytes = 0;            ///< for its tasks; 0: what the machine has
   std::string tag;                           ///< of the pool that submitted it: "POOL/JOB"
   std::uint64_t pool_memory_bytes = 0;       ///< the most that another of its pool can have

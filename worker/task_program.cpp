@@ -1,5 +1,6 @@
 #include "worker/task_program.h"
 
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -77,6 +78,7 @@ void write_frame(int fd, const wire::Envelope& envelope) {
 }  // namespace
 
 void run_task_program(const std::filesystem::path& store, int in, int out) {
+  ::prctl(PR_SET_NAME, "tetfarm-task");  // what `top` shows
   give_back_large_blocks();
   wire::Assign assign;
   if (!assign.ParseFromString(read_all(in))) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -37,13 +38,21 @@ class Daemon : public ::testing::Test {
     return std::make_unique<Program>(words, folder_.path());
   }
 
+  static std::string name_of(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/comm");
+    std::string name;
+    std::getline(file, name);
+    return name;
+  }
+
   static void pause_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
   /// The process of the task that the worker runs, stopped: a task that takes as long as we like.
   static pid_t stop_task_of(const Program& worker) {
     for (int i = 0; i < 4000; ++i) {
-      const std::vector<pid_t> tasks = descendants(worker.process());
-      if (!tasks.empty() && ::kill(tasks.front(), SIGSTOP) == 0) return tasks.front();
+      for (const pid_t process : descendants(worker.process())) {
+        if (name_of(process) == "tetfarm-task" && ::kill(process, SIGSTOP) == 0) return process;
+      }
       pause_ms(5);
     }
     ADD_FAILURE() << "the worker runs no task";

@@ -1,0 +1,46 @@
+#include "worker/task_process.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace tetfarm {
+namespace {
+
+// A sanitizer's shadow of the address space counts as data, and is larger than any machine's
+// memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool can_limit_memory = false;
+#else
+constexpr bool can_limit_memory = true;
+#endif
+
+}  // namespace
+
+void become_task_process(pid_t worker, TaskFds fds, std::uint64_t memory_limit_bytes) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != worker) ::_exit(127);
+  ::setpgid(0, 0);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  // Above the targets first, so that no dup2 closes what a later one needs.
+  fds = {::fcntl(fds.in, F_DUPFD, 10), ::fcntl(fds.words, F_DUPFD, 10),
+         ::fcntl(fds.frames, F_DUPFD, 10)};
+  ::dup2(fds.in, STDIN_FILENO);
+  ::dup2(fds.words, STDOUT_FILENO);
+  ::dup2(fds.words, STDERR_FILENO);
+  ::dup2(fds.frames, task_result_fd);
+  ::close_range(task_result_fd + 1, ~0U, 0);
+  if (can_limit_memory && memory_limit_bytes > 0) {
+    const rlimit limit{memory_limit_bytes, memory_limit_bytes};
+    ::setrlimit(RLIMIT_DATA, &limit);
+  }
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+}
+
+}  // namespace tetfarm
