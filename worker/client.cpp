@@ -48,8 +48,8 @@ class Client {
       take_signals();
       heed_handshake();
       take_messages();
-      move_files();
       take_outcome();
+      move_files();
       keep_time();
     }
     return ExitCode::ok;
@@ -136,6 +136,7 @@ class Client {
     child_.reset();
     unaccepted_.reset();
     said_ready_ = false;
+    result_waits_for_files_ = false;
     task_ = 0;
     attempt_ = 0;
     try {
@@ -313,12 +314,11 @@ class Client {
       const std::string hash = files_.damaged_input();
       return fail(Error(ExitCode::failed, "the coordinator has no sound file " + hash), hash);
     }
-    const bool was_sending = files_.is_sending();
     with_files([&] {
       for (const wire::Envelope& message : files_.due(steady_ms())) send(message);
     });
     if (!child_ && !unaccepted_ && !files_.is_fetching()) start_child_apart();
-    if (was_sending && !files_.is_sending() && unaccepted_) send_result();
+    if (result_waits_for_files_ && !files_.is_sending()) send_result();
   }
 
   void take_accepted(const wire::Accepted& accepted) {
@@ -353,7 +353,8 @@ class Client {
   }
 
   void send_result() {
-    if (files_.is_sending()) return;
+    result_waits_for_files_ = files_.is_sending();
+    if (result_waits_for_files_) return;
     result_at_ = steady_ms() + result_again_ms;
     if (!registered_) return;
     send(*unaccepted_);
@@ -427,6 +428,7 @@ class Client {
   std::int64_t lease_ms_ = 10'000;
   std::int64_t heartbeat_at_ = 0;
   std::int64_t result_at_ = 0;
+  bool result_waits_for_files_ = false;
   bool said_ready_ = false;    ///< with the result that is not accepted yet
   std::int64_t ready_at_ = 0;  ///< when to say that again, or to look for room; 0: not at all
   std::int64_t drain_until_ = 0;

@@ -49,6 +49,8 @@ class WorkerClient : public ::testing::Test {
       WorkerOptions options;
       options.endpoint = "ipc://" + folder_ + "/s";
       options.store = folder_ + "/store";
+      options.cache = folder_ + "/cache";
+      options.cache_bytes = 1 << 20;
       options.task_command = {"/bin/sh", "-c", script};
       options.grace_ms = grace_ms;
       options.handle_signals = false;
@@ -57,18 +59,23 @@ class WorkerClient : public ::testing::Test {
     });
   }
 
+  wire::Envelope hear_any() {
+    zmq::message_t peer;
+    zmq::message_t bytes;
+    if (!router_.recv(peer) || !router_.recv(bytes)) return {};
+    peer_ = peer.to_string();
+    return std::move(decode(bytes.to_string_view()).envelope);
+  }
+
   /// The next message of that kind; others are passed over.
   wire::Envelope hear(Body wanted) {
     while (true) {
-      zmq::message_t peer;
-      zmq::message_t bytes;
-      if (!router_.recv(peer) || !router_.recv(bytes)) {
+      wire::Envelope envelope = hear_any();
+      if (envelope.body_case() == wanted) return envelope;
+      if (envelope.body_case() == Body::BODY_NOT_SET) {
         ADD_FAILURE() << "the worker does not say " << static_cast<int>(wanted);
         return {};
       }
-      peer_ = peer.to_string();
-      Decoded decoded = decode(bytes.to_string_view());
-      if (decoded.envelope.body_case() == wanted) return std::move(decoded.envelope);
     }
   }
 
@@ -77,13 +84,13 @@ class WorkerClient : public ::testing::Test {
     router_.send(zmq::buffer(encode(envelope)), zmq::send_flags::none);
   }
 
-  void welcome(bool keep_running = false, std::uint32_t lease_ms = 60'000) {
+  void welcome(bool keep_running = false, std::uint32_t lease_ms = 60'000, bool sees_store = true) {
     wire::Envelope envelope;
     envelope.mutable_welcome()->set_worker(1);
     envelope.mutable_welcome()->set_heartbeat_ms(20);
     envelope.mutable_welcome()->set_lease_ms(lease_ms);
     envelope.mutable_welcome()->set_keep_running(keep_running);
-    envelope.mutable_welcome()->set_sees_store(true);
+    envelope.mutable_welcome()->set_sees_store(sees_store);
     say(envelope);
   }
 
@@ -120,9 +127,8 @@ class WorkerClient : public ::testing::Test {
   std::thread worker_;
 };
 
-std::string say_done() {
-  wire::Envelope envelope;
-  (*envelope.mutable_done()->mutable_numbers())["tets"] = 1;
+/// A shell command that says it to the worker.
+std::string printed(const wire::Envelope& envelope) {
   std::string octal;
   for (const char c : frame_of(envelope)) {
     char text[8];
@@ -131,6 +137,12 @@ std::string say_done() {
     octal += text;
   }
   return "printf '" + octal + "' >&3";
+}
+
+std::string say_done() {
+  wire::Envelope envelope;
+  (*envelope.mutable_done()->mutable_numbers())["tets"] = 1;
+  return printed(envelope);
 }
 
 TEST_F(WorkerClient, shows_the_stores_mark_and_asks_for_work) {
@@ -165,6 +177,7 @@ TEST_F(WorkerClient, asks_for_the_next_task_with_a_result_and_begins_it_with_the
   accept(5, 9, true);
   assign(6, 10);
   EXPECT_EQ(hear(Body::kDone).done().attempt(), 10U);
+  accept(6, 10, true);
 }
 
 TEST_F(WorkerClient, asks_again_when_no_task_came_with_the_answer) {
@@ -184,6 +197,36 @@ TEST_F(WorkerClient, repeats_a_result_until_it_is_accepted) {
   hear(Body::kDone);
   accept(5, 9, true);
   hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, a_result_follows_its_last_file_at_once) {
+  wire::Envelope done;
+  wire::Artifact& output = *done.mutable_done()->add_outputs();
+  output.set_name("mesh");
+  output.set_hash(std::string(32, 'a'));
+  output.set_size(1);
+  start(printed(done));
+  hear(Body::kHello);
+  welcome(false, 60'000, false);
+  hear(Body::kReady);
+  for (std::uint64_t task = 1; task <= 3; ++task) {
+    assign(task, 10 + task);
+    wire::Envelope stored;
+    wire::FileStored& file = *stored.mutable_file_stored();
+    file.set_task(task);
+    file.set_attempt(10 + task);
+    file.set_hash(hear(Body::kOfferFile).offer_file().hash());
+    file.set_whole(true);
+    say(stored);
+    // A result that is lost is said again after a second, which is fifty heartbeats.
+    int heartbeats = 0;
+    wire::Envelope next = hear_any();
+    for (; next.has_heartbeat(); next = hear_any()) ++heartbeats;
+    EXPECT_TRUE(next.has_done());
+    EXPECT_LT(heartbeats, 25);
+    accept(task, 10 + task, true);
+    hear(Body::kReady);
+  }
 }
 
 TEST_F(WorkerClient, a_child_that_crashes_is_reported_and_the_worker_lives_on) {
