@@ -23,8 +23,18 @@ std::filesystem::path store_in(const std::filesystem::path& folder) {
   return size_of_file(of_a_run / "store_id") ? of_a_run : folder;
 }
 
-DurableState rows_of(const std::filesystem::path& store, const std::string& database) {
-  return JobDatabase::open_to_read(database_folder(store, database) / database_file).load();
+JobDatabase database_of(const std::filesystem::path& store, const std::string& database) {
+  return JobDatabase::open_to_read(database_folder(store, database) / database_file);
+}
+
+/// Job after job: all rows at once may be gigabytes.
+std::set<std::string> needed_of_all_jobs(const JobDatabase& database, const DurableState& rows,
+                                         bool all_finished) {
+  std::set<std::string> needed;
+  for (const auto& [id, job] : rows.jobs) {
+    needed.merge(needed_files(database.load_job(id), all_finished));
+  }
+  return needed;
 }
 
 std::string task_text(const TaskRow& task) {
@@ -78,7 +88,7 @@ void print(const StoreReport& report, const DurableState& rows) {
 
 ExitCode check_store_command(const CheckOptions& options) {
   const ArtifactStore store = ArtifactStore::open_existing(store_in(options.store));
-  const DurableState rows = rows_of(store.folder(), options.database);
+  const DurableState rows = database_of(store.folder(), options.database).load();
   const StoreReport report = check_store(rows, look_into(store, true));
   if (options.json) {
     std::printf("%s\n", json_of(report, rows).dump().c_str());
@@ -95,9 +105,10 @@ ExitCode check_store_command(const CheckOptions& options) {
 ExitCode gc_command(const GcCommand& command) {
   const ArtifactStore store = ArtifactStore::open_existing(store_in(command.store));
   const FolderLock lock = FolderLock::of_store(store.folder());
-  const DurableState rows = rows_of(store.folder(), command.database);
-  const Garbage garbage =
-      find_garbage(store, needed_files(rows, command.all_finished), untouchable_since_ms(rows));
+  const JobDatabase database = database_of(store.folder(), command.database);
+  const DurableState rows = database.load_unfinished();
+  const Garbage garbage = find_garbage(
+      store, needed_of_all_jobs(database, rows, command.all_finished), untouchable_since_ms(rows));
   if (!command.dry_run) remove_garbage(store, garbage);
   if (command.json) {
     const Json json = {{"type", "gc"},

@@ -40,14 +40,24 @@ std::string label(const char* name, const std::string& value) {
 void add_rows(std::string& text, const JobState& state) {
   const DurableState& rows = state.durable();
   std::map<std::string, double> tasks;
+  const auto labels_of = [](TaskKind kind, TaskState task_state) {
+    return label("kind", name_of(kind)) + "," + label("state", name_of(task_state));
+  };
   double ready = 0;
   double bytes = 0;
   for (const auto& [id, task] : rows.tasks) {
-    ++tasks[label("kind", name_of(task.kind)) + "," + label("state", name_of(task.state))];
+    ++tasks[labels_of(task.kind, task.state)];
     if (task.state == TaskState::ready && rows.jobs.at(task.job).phase == JobPhase::running) {
       ++ready;
     }
     bytes = std::max(bytes, static_cast<double>(task.peak_rss_bytes));
+  }
+  for (const auto& [id, job] : state.finished().jobs()) {
+    if (state.is_at_hand(id)) continue;
+    for (const auto& [what, count] : job.tasks) {
+      tasks[labels_of(what.first, what.second)] += static_cast<double>(count);
+    }
+    bytes = std::max(bytes, static_cast<double>(job.peak_rss_bytes));
   }
   Family by_kind(text, "tetfarm_tasks", "gauge", "Tasks of all jobs, by kind and state.");
   for (const auto& [labels, count] : tasks) by_kind.add(labels, count);

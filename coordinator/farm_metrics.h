@@ -44,7 +44,7 @@ class FarmMetrics {
   void note(const ChangeSet& changes, double commit_seconds);
   void note_failed_commit() { ++failed_commits_; }
 
-  /// Cost: looks at every task.
+  /// Cost: looks at every task of the jobs that are not finished.
   std::string text(const JobState& state, const Refusals& refusals,
                    const FarmSurroundings& surroundings) const;
 

@@ -240,10 +240,21 @@ void JobState::assemble_when_written(JobId job, Moment now) {
   add_task(assemble_task(*inspect, *number, tree_of(job), find_written), now);
 }
 
+/// Whether the job is done and left memory, and its results are there: nothing is to be decided.
+bool JobState::has_results(JobId job) const {
+  const auto past = finished_->jobs().find(job);
+  if (is_at_hand(job) || past == finished_->jobs().end()) return false;
+  const std::vector<ArtifactRef>& results = past->second.results;
+  return durable_.jobs.at(job).phase == JobPhase::done &&
+         std::all_of(results.begin(), results.end(), has_file_);
+}
+
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   if (submission.replaces_others) cancel_others(submission.key, now);
   const auto known = submission.key.empty() ? keys_.end() : keys_.find(submission.key);
   if (known != keys_.end()) {
+    if (has_results(known->second)) return {known->second, true};
+    bring_back(known->second);
     JobRow& job = edit(known->second);
     if (job.phase == JobPhase::failed || job.phase == JobPhase::cancelled) resume(job, now);
     if (job.phase == JobPhase::done) remake_results(job, now);

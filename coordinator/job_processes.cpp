@@ -19,9 +19,9 @@ bool JobState::holds(WorkerId worker, TaskId task, AttemptId attempt) const {
 }
 
 bool JobState::was_accepted(TaskId task, AttemptId attempt) const {
-  const auto found = durable_.tasks.find(task);
-  return found != durable_.tasks.end() && attempt && found->second.attempt == attempt &&
-         found->second.state == TaskState::done;
+  if (!attempt) return false;
+  const std::optional<TaskRow> found = find_row(task);
+  return found && found->attempt == attempt && found->state == TaskState::done;
 }
 
 WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId attempt, Moment now) {

@@ -154,6 +154,7 @@ bool JobState::suspect_host(TaskId task, WorkerId worker, const std::string& mes
       });
   if (crashes.size() < rules_.host_tasks || !has_another) return false;
   for (const auto& [id, count] : crashes) {
+    if (!durable_.tasks.contains(id)) continue;  // its job is over
     TaskRow& blamed = edit(id);
     blamed.crashes -= std::min(blamed.crashes, count);
   }
@@ -210,6 +211,7 @@ void JobState::resume(JobRow& job, Moment now) {
 std::size_t JobState::retry(JobId id, TaskId task, Moment now) {
   const auto found = durable_.jobs.find(id);
   if (found == durable_.jobs.end() || found->second.phase == JobPhase::done) return 0;
+  bring_back(id);
   const std::set<TaskId> quarantined = failed_[id];
   if (!task) {
     resume(edit(id), now);

@@ -26,24 +26,19 @@ int rank_of(TaskKind kind) {
 
 }  // namespace
 
-JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now)
+JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now,
+                   const FinishedJobs* finished)
     : durable_(std::move(durable)), rules_(rules), has_file_(std::move(has_file)) {
+  static const FinishedJobs none;
+  finished_ = finished == nullptr ? &none : finished;
+  expectation_ = finished_->expectation();
   for (const auto& [id, job] : durable_.jobs) {
     if (!job.key.empty()) keys_[job.key] = id;
   }
   for (const auto& [key, subdomain] : durable_.subdomains) index(subdomain, true);
   for (const auto& [id, task] : durable_.tasks) {
-    if (task.state == TaskState::replaced) {
-      note_replaced(task);
-      continue;
-    }
-    places_[{task.job, task.kind, task.path}] = id;
-    index(task);
-    const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
-    if (had_turn) ++turns_over_[task.job];
-    const bool is_written = task.kind == TaskKind::write && find_file(task.outputs, "portion");
-    if (is_written) ++written_[task.job];
-    remember_work(task);
+    durable_.last_task = std::max(durable_.last_task, id.value);
+    take_in(task);
     if (task.state == TaskState::done) expectation_.learn(task);
   }
   for (const auto& [id, attempt] : durable_.running_attempts) {
@@ -121,7 +116,8 @@ void JobState::put(const SubdomainRow& subdomain) {
 void JobState::add_task(TaskRow task, Moment now) {
   const Place place{task.job, task.kind, task.path};
   if (places_.contains(place)) return;
-  task.id = TaskId{durable_.tasks.empty() ? 1 : durable_.tasks.rbegin()->first.value + 1};
+  task.id = TaskId{++durable_.last_task};
+  at_hand_.insert(task.job);
   places_[place] = task.id;
   dirty_tasks_.insert(task.id);
   const bool served = is_served(task);
@@ -134,21 +130,32 @@ void JobState::add_task(TaskRow task, Moment now) {
 
 void JobState::remember_work(const TaskRow& task) {
   if (task.state != TaskState::done) return;
-  const auto program = task.texts.find("program");
-  done_work_.emplace(work_name(task) + (program == task.texts.end() ? "" : program->second),
-                     task.id);
+  const Hash128 key = work_key(task, program_of(task));
+  done_work_[{key.high, key.low}].insert(task.id);
+}
+
+/// A task as it is: also of a finished job, where it is read.
+std::optional<TaskRow> JobState::find_row(TaskId task) const {
+  const auto found = durable_.tasks.find(task);
+  if (found != durable_.tasks.end()) return found->second;
+  return finished_->task(task);
 }
 
 /// Gives the task the result of an earlier one that serves for it, if its files are still there.
 bool JobState::is_served(TaskRow& task) const {
-  const auto [first, last] = done_work_.equal_range(work_name(task) + rules_.program);
-  for (auto known = first; known != last; ++known) {
-    const TaskRow& done = durable_.tasks.at(known->second);
-    if (done.state != TaskState::done || !serves(done, task) ||
-        !std::all_of(done.outputs.begin(), done.outputs.end(), has_file_)) {
+  const Hash128 key = work_key(task, rules_.program);
+  std::vector<TaskId> candidates = finished_->did(key);
+  const auto own = done_work_.find({key.high, key.low});
+  if (own != done_work_.end()) {
+    candidates.insert(candidates.end(), own->second.begin(), own->second.end());
+  }
+  for (const TaskId id : candidates) {
+    const std::optional<TaskRow> done = find_row(id);
+    if (!done || done->state != TaskState::done || !serves(*done, task) ||
+        !std::all_of(done->outputs.begin(), done->outputs.end(), has_file_)) {
       continue;
     }
-    take_result(done, task);
+    take_result(*done, task);
     return true;
   }
   return false;

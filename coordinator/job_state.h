@@ -22,6 +22,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -29,6 +30,7 @@
 #include <vector>
 
 #include "coordinator/cosmetic_graph.h"
+#include "coordinator/finished_jobs.h"
 #include "coordinator/task_expectation.h"
 #include "coordinator/task_graph.h"
 #include "coordinator/task_outlook.h"
@@ -140,8 +142,10 @@ class JobState {
   using HasFile = std::function<bool(const ArtifactRef&)>;
 
   /// Goes on from what was committed. Attempts that were running keep their lease for another term,
-  /// so that their workers can come back.
-  JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now);
+  /// so that their workers can come back. `durable` may lack tasks and sub-domains of jobs that are
+  /// in `finished`, where they are read when they are wanted again; without it, it lacks none.
+  JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now,
+           const FinishedJobs* finished = nullptr);
 
   // Workers. An unknown worker id is a mistake of the caller: ask knows_worker first.
   bool knows_worker(WorkerId worker) const { return sessions_.contains(worker); }
@@ -184,7 +188,14 @@ class JobState {
   ChangeSet take_changes();
   std::vector<Command> take_commands();
 
+  /// Jobs that have ended and of which nothing runs, each with its rows, which are forgotten here.
+  /// None without a FinishedJobs that takes them. @pre all changes are taken, and committed.
+  std::vector<DurableState> take_finished();
+
+  /// Jobs all; tasks and sub-domains of those that are not finished.
   const DurableState& durable() const { return durable_; }
+  const FinishedJobs& finished() const { return *finished_; }
+  bool is_at_hand(JobId job) const { return at_hand_.contains(job); }
   std::size_t worker_count() const { return sessions_.size(); }
   std::vector<WorkerAtWork> workers_at_work() const;
   /// How many tasks would run if there were workers for them, by the memory that each wants (0: not
@@ -198,6 +209,7 @@ class JobState {
   const std::string& stuck_message() const { return stuck_message_; }
 
   /// Why a task does not run, and what it would be given. @pre it exists.
+  /// Cost: of a finished job, reads its rows.
   TaskOutlook outlook(TaskId task, Moment now) const;
   bool has_file(const ArtifactRef& file) const { return has_file_(file); }
 
@@ -226,10 +238,14 @@ class JobState {
   void set_state(TaskRow& task, TaskState state);
   void set_phase(JobRow& job, JobPhase phase, Moment now);
   void put(const SubdomainRow& subdomain);
+  void take_in(const TaskRow& task);
+  void bring_back(JobId job);
+  DurableState take_out(JobId job);
   void index(const TaskRow& task);
   void index(const SubdomainRow& subdomain, bool adds);
   void add_task(TaskRow task, Moment now);
   bool is_served(TaskRow& task) const;
+  std::optional<TaskRow> find_row(TaskId task) const;
   void remember_work(const TaskRow& task);
   void record(Moment now, const TaskRow& task, AttemptId attempt, WorkerId worker, const char* what,
               const std::string& message = {});
@@ -288,6 +304,7 @@ class JobState {
   void carry_out(const GraphStep& step, Moment now);
   void take_failure(TaskRow& task, WorkerId worker, AttemptId attempt, const TaskFailure& failure,
                     Moment now);
+  bool has_results(JobId job) const;
   void cancel_others(const std::string& key, Moment now);
 
   // job_quarantine.cpp: what fails again and again
@@ -329,7 +346,9 @@ class JobState {
   DurableState durable_;
   FarmRules rules_;
   HasFile has_file_;
+  const FinishedJobs* finished_;
 
+  std::set<JobId> at_hand_;  ///< whose tasks and sub-domains are in durable_
   std::map<WorkerId, Session> sessions_;
   std::set<WorkerId> idle_;  ///< that asked for a task and were given none
   std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
@@ -356,7 +375,7 @@ class JobState {
   std::map<JobId, TurnOrder> turns_;
   std::map<JobId, std::int64_t> turns_over_;
   std::map<JobId, std::set<std::uint64_t>> cut_further_;  ///< sub-domains that were leaves
-  std::multimap<std::string, TaskId> done_work_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::set<TaskId>> done_work_;  ///< by work_key
   std::map<std::string, JobId> keys_;
   std::int64_t stuck_until_ms_ = 0;
   std::int64_t stuck_delay_ms_ = 0;  ///< 0: not stuck

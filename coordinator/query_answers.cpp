@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "coordinator/job_status.h"
 #include "coordinator/message_translation.h"
@@ -12,6 +13,31 @@ namespace {
 constexpr std::size_t most_rows = 1000;
 /// A page ends when it is larger, so that a message stays far below max_message_size.
 constexpr std::size_t page_bytes = std::size_t{2} << 20U;
+
+/// Of jobs that are at hand from their rows, of finished ones what is kept.
+class JobStatuses {
+ public:
+  JobStatuses(const JobState& state, Moment now)
+      : state_(state), now_(now), tasks_(tasks_of_jobs(state.durable())) {}
+
+  wire::JobStatus of(const JobRow& job) const {
+    const auto finished = state_.finished().jobs().find(job.id);
+    if (!state_.is_at_hand(job.id) && finished != state_.finished().jobs().end()) {
+      wire::JobStatus status;
+      TF_CHECK(status.ParseFromString(finished->second.status));
+      return status;
+    }
+    const auto own = tasks_.find(job.id);
+    return status_message(summary_of(
+        state_.durable(), job, own == tasks_.end() ? std::vector<const TaskRow*>{} : own->second,
+        state_.is_stuck() ? state_.stuck_message() : "", now_.wall_ms));
+  }
+
+ private:
+  const JobState& state_;
+  Moment now_;
+  TasksOfJobs tasks_;
+};
 
 /// One question being answered.
 class Answer {
@@ -68,26 +94,23 @@ class Answer {
     return row;
   }
 
-  const TaskRow& task() const {
-    const auto found = rows_.tasks.find(TaskId{query_.task()});
-    if (found == rows_.tasks.end() || (job_ && found->second.job != job_)) {
+  /// The task that is asked for, without files and values.
+  TaskRow task() const {
+    std::optional<TaskRow> found = history_.task(TaskId{query_.task()});
+    if (!found || (job_ && found->job != job_)) {
       throw Error(ExitCode::not_found,
                   "no task " + std::to_string(query_.task()) + (job_ ? " of " + query_.job() : ""));
     }
-    return found->second;
+    return *std::move(found);
   }
 
   void jobs() {
-    const TasksOfJobs tasks = tasks_of_jobs(rows_);
-    const std::string stuck = state_.is_stuck() ? state_.stuck_message() : "";
+    const JobStatuses statuses(state_, now_);
     std::uint64_t last = 0;
     for (auto job = rows_.jobs.upper_bound(JobId{query_.after()}); job != rows_.jobs.end(); ++job) {
       if (job_ && job->first != job_) continue;
       if (is_full(static_cast<std::size_t>(reply_.jobs_size()), last)) return;
-      const auto own = tasks.find(job->first);
-      wire::JobStatus status = status_message(summary_of(
-          rows_, job->second, own == tasks.end() ? std::vector<const TaskRow*>{} : own->second,
-          stuck, now_.wall_ms));
+      wire::JobStatus status = statuses.of(job->second);
       status.clear_numbers();
       status.clear_texts();
       status.clear_files();
@@ -128,12 +151,10 @@ class Answer {
 
   void tasks() {
     std::uint64_t last = 0;
-    for (auto task = rows_.tasks.upper_bound(TaskId{query_.after()}); task != rows_.tasks.end();
-         ++task) {
-      if (job_ && task->second.job != job_) continue;
+    for (const TaskRow& task : history_.tasks(job_, TaskId{query_.after()}, limit_ + 1)) {
       if (is_full(static_cast<std::size_t>(reply_.tasks_size()), last)) return;
-      counted(*reply_.add_tasks() = line_of(task->second));
-      last = task->first.value;
+      counted(*reply_.add_tasks() = line_of(task));
+      last = task.id.value;
     }
   }
 
@@ -174,8 +195,9 @@ class Answer {
   void events() {
     EventFilter filter{.job = job_, .after = query_.after(), .limit = limit_ + 1};
     if (query_.task() != 0) {
-      filter.task = task().id;
-      filter.job = task().job;
+      const TaskRow row = task();
+      filter.task = row.id;
+      filter.job = row.job;
     }
     filter.newest = query_.newest();
     if (filter.newest) filter.limit = limit_;
@@ -200,11 +222,10 @@ class Answer {
     wire::AttemptLine line;
     line.set_attempt(attempt.id.value);
     line.set_task(attempt.task.value);
-    const auto task = rows_.tasks.find(attempt.task);
-    if (task != rows_.tasks.end()) {
-      line.set_kind(name_of(task->second.kind));
-      line.set_path(task->second.path);
-      line.set_job(job_name(task->second.job));
+    if (const std::optional<TaskRow> task = history_.task(attempt.task)) {
+      line.set_kind(name_of(task->kind));
+      line.set_path(task->path);
+      line.set_job(job_name(task->job));
     }
     line.set_worker(attempt.worker.value);
     if (const WorkerRow* row = worker(attempt.worker)) {
@@ -240,7 +261,11 @@ class Answer {
   }
 
   void explain() {
-    const TaskRow& row = task();
+    const TaskId id = task().id;
+    const DurableState read =
+        rows_.tasks.contains(id) ? DurableState{} : state_.finished().rows_of(task().job);
+    const DurableState& rows = read.tasks.empty() ? rows_ : read;
+    const TaskRow& row = rows.tasks.at(id);
     const TaskOutlook outlook = state_.outlook(row.id, now_);
     wire::Explanation& explanation = *reply_.mutable_explanation();
     *explanation.mutable_task() = line_of(row);
@@ -248,17 +273,17 @@ class Answer {
     explanation.set_expected_seconds(outlook.expected_seconds);
     explanation.set_limit_seconds(static_cast<double>(outlook.limit_ms) / 1000);
     explanation.set_room_bytes(outlook.room_bytes);
-    const auto place = rows_.subdomains.find({row.job, row.path});
-    if (place != rows_.subdomains.end()) {
+    const auto place = rows.subdomains.find({row.job, row.path});
+    if (place != rows.subdomains.end()) {
       explanation.set_subdomain_state(name_of(place->second.state));
     }
     std::vector<AttemptRow> tries = history_.attempts_of(row.id);
     if (tries.size() > limit_) tries.erase(tries.begin(), tries.end() - static_cast<long>(limit_));
     for (const AttemptRow& attempt : tries) *explanation.add_attempts() = line_of(attempt);
     std::map<std::string, TaskId> makers;
-    for (const auto& [id, other] : rows_.tasks) {
+    for (const auto& [maker, other] : rows.tasks) {
       if (other.job != row.job) continue;
-      for (const ArtifactRef& output : other.outputs) makers.emplace(output.hash, id);
+      for (const ArtifactRef& output : other.outputs) makers.emplace(output.hash, maker);
     }
     for (const ArtifactRef& input : row.inputs) {
       if (static_cast<std::size_t>(explanation.inputs_size()) == limit_) break;
@@ -297,7 +322,7 @@ wire::StatusReply answer_status(const wire::StatusRequest& request, const JobSta
   if (request.after() == 0) add_farm(state, reply);
   if (request.farm_only()) return reply;
   const DurableState& rows = state.durable();
-  const TasksOfJobs tasks = tasks_of_jobs(rows);
+  const JobStatuses statuses(state, now);
   std::size_t bytes = 0;
   for (auto job = rows.jobs.upper_bound(JobId{request.after()}); job != rows.jobs.end(); ++job) {
     if (!request.job().empty() && request.job() != job_name(job->first)) continue;
@@ -305,10 +330,7 @@ wire::StatusReply answer_status(const wire::StatusRequest& request, const JobSta
       reply.set_next(std::prev(job)->first.value);
       break;
     }
-    const auto own = tasks.find(job->first);
-    *reply.add_jobs() = status_message(summary_of(
-        rows, job->second, own == tasks.end() ? std::vector<const TaskRow*>{} : own->second,
-        state.is_stuck() ? state.stuck_message() : "", now.wall_ms));
+    *reply.add_jobs() = statuses.of(job->second);
     bytes += reply.jobs(reply.jobs_size() - 1).ByteSizeLong();
   }
   return reply;

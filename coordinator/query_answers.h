@@ -18,11 +18,12 @@ struct QueryContext {
 };
 
 /// @throws Error (not_found) for a job or task that is not there, (usage) for no subject.
-/// Cost: jobs look at every task, workers at every attempt, the others at their page.
+/// Cost: jobs look at every task that is at hand, workers at every attempt, tasks of a job and an
+/// explanation at the tasks of that job, the others at their page.
 wire::QueryReply answer_query(const wire::Query& query, const QueryContext& context);
 
 /// Jobs, on the first page also workers and hosts in quarantine; without what only the door knows.
-/// Cost: looks at every task.
+/// Cost: looks at every task that is at hand.
 wire::StatusReply answer_status(const wire::StatusRequest& request, const JobState& state,
                                 Moment now);
 

@@ -112,6 +112,7 @@ class Server {
         lock_(FolderLock::of_store(options.store)),
         log_(make_log(options)),
         database_(prepared_database(options.store, options.database, store_.probe())),
+        finished_(rows_in(database_)),
         roots_(with_store(options.allowed_roots, options.store)),
         door_(context_,
               {.keys_folder = keys_folder(options),
@@ -156,9 +157,11 @@ class Server {
 
  private:
   void restore() {
+    DurableState rows = database_.load_unfinished();
+    finished_.put_others_than(rows);
     state_ = std::make_unique<JobState>(
-        database_.load(), rules_, [this](const ArtifactRef& file) { return has_file(file); },
-        now());
+        std::move(rows), rules_, [this](const ArtifactRef& file) { return has_file(file); }, now(),
+        &finished_);
     for (const auto& [id, task] : state_->durable().tasks) space_.note(task);
   }
 
@@ -350,6 +353,7 @@ class Server {
   void note(const ChangeSet& changes) {
     for (const TaskRow& task : changes.tasks) space_.note(task);
     write_log(changes);
+    for (const DurableState& job : state_->take_finished()) finished_.put(job);
   }
 
   void write_log(const ChangeSet& changes) {
@@ -385,6 +389,7 @@ class Server {
   FolderLock lock_;
   mutable spdlog::logger log_;
   JobDatabase database_;
+  FinishedJobs finished_;
   FarmRules rules_;
   SurfaceRoots roots_;
   Refusals refusals_;

@@ -76,15 +76,13 @@ JobId job_to_show(const DurableState& rows) {
 }
 
 /// Each sub-domain below its parent, as wide as its share of the tree.
-std::string tree_picture(const DurableState& rows) {
-  const JobId job = job_to_show(rows);
+std::string tree_picture(const QueryContext& context) {
+  const JobId job = job_to_show(context.state.durable());
   std::string boxes;
   std::size_t nodes = 0;
   int levels = 0;
-  for (auto node = rows.subdomains.lower_bound({job, 0});
-       node != rows.subdomains.end() && node->first.first == job; ++node) {
+  for (const SubdomainRow& row : context.history.tree(job)) {
     if (++nodes > most_nodes) continue;
-    const SubdomainRow& row = node->second;
     const int level = static_cast<int>(std::bit_width(row.path)) - 1;
     levels = std::max(levels, level + 1);
     const double share =
@@ -188,8 +186,8 @@ std::string status_page(const QueryContext& context) {
   if (context.state.is_stuck()) {
     text += "<p><b>Nothing is handed out: " + in_html(context.state.stuck_message()) + "</b></p>\n";
   }
-  return text + jobs_table(context) + tree_picture(context.state.durable()) +
-         workers_table(context) + timeline(context) +
+  return text + jobs_table(context) + tree_picture(context) + workers_table(context) +
+         timeline(context) +
          "<p>Figures for programs: <code>/metrics</code>, <code>/healthz</code>, "
          "<code>/readyz</code></p></body></html>\n";
 }

@@ -18,11 +18,21 @@ struct StoreAtRest::Rows {
   Rows(const std::filesystem::path& folder, const std::filesystem::path& path)
       : store(ArtifactStore::open_existing(folder)),
         database(JobDatabase::open_to_read(path)),
+        finished(rows_in(database)),
         state(
-            database.load(), {},
-            [this](const ArtifactRef& file) { return store.has(file.hash, file.size); }, now()) {}
+            unfinished(), {},
+            [this](const ArtifactRef& file) { return store.has(file.hash, file.size); }, now(),
+            &finished) {}
+
+  DurableState unfinished() {
+    DurableState rows = database.load_unfinished();
+    finished.put_others_than(rows);
+    return rows;
+  }
+
   ArtifactStore store;
   JobDatabase database;
+  FinishedJobs finished;
   JobState state;
 };
 

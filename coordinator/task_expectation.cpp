@@ -7,8 +7,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t samples_kept = 101;
-
 /// Estimated elements of the task's sub-domain; 1 where the task does not name them.
 double work_of(const TaskRow& task) {
   const auto work = task.parameters.find("work");
@@ -25,7 +23,7 @@ double median_of(const std::deque<double>& samples) {
 
 double add_sample(std::deque<double>& samples, double value) {
   samples.push_back(value);
-  if (samples.size() > samples_kept) samples.pop_front();
+  if (samples.size() > TaskExpectation::samples_kept) samples.pop_front();
   return median_of(samples);
 }
 

@@ -24,6 +24,9 @@ class TaskExpectation {
   /// Peak memory; 0 when none of its kind is finished.
   std::uint64_t bytes(TaskKind kind) const;
 
+  /// Of a kind; older ones are forgotten.
+  static constexpr std::size_t samples_kept = 101;
+
  private:
   struct Samples {
     std::deque<double> seconds;  ///< for each unit of work, or for the whole task

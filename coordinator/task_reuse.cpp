@@ -55,6 +55,15 @@ std::string work_name(const TaskRow& task) {
   return hash128(text).hex();
 }
 
+std::string program_of(const TaskRow& done) {
+  const auto program = done.texts.find("program");
+  return program == done.texts.end() ? "" : program->second;
+}
+
+Hash128 work_key(const TaskRow& task, const std::string& program) {
+  return hash128(work_name(task) + program);
+}
+
 bool serves(const TaskRow& done, const TaskRow& wanted) {
   // What divided by regions chose the parts from the number that was wanted.
   const bool chose_parts = done.numbers.contains("left_parts");

@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "base/hash.h"
 #include "store/rows.h"
 
 namespace tetfarm {
@@ -17,6 +18,12 @@ namespace tetfarm {
 /// Equal for two tasks one of which may serve for the other: kind, place, inputs, and parameters
 /// (of a decompose task: the share). Cost: O(inputs and parameters).
 std::string work_name(const TaskRow& task);
+
+/// Which program did a task that is done; "" when that is not known.
+std::string program_of(const TaskRow& done);
+
+/// Equal where the work has the same name and is another's of the same program.
+Hash128 work_key(const TaskRow& task, const std::string& program);
 
 /// @pre the two have the same work_name; `done` is done.
 bool serves(const TaskRow& done, const TaskRow& wanted);

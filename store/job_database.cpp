@@ -99,7 +99,17 @@ void JobDatabase::apply(const ChangeSet& changes) {
   }
 }
 
-DurableState JobDatabase::load() const { return read_state(database_.get()); }
+DurableState JobDatabase::load() const { return read_state(database_.get(), JobsToRead::all); }
+
+DurableState JobDatabase::load_unfinished() const {
+  return read_state(database_.get(), JobsToRead::unfinished);
+}
+
+DurableState JobDatabase::load_job(JobId job) const { return read_job(database_.get(), job); }
+
+std::optional<TaskRow> JobDatabase::find_task(TaskId task) const {
+  return read_task(database_.get(), task);
+}
 
 JobHistory JobDatabase::history() const { return JobHistory(database_.get()); }
 

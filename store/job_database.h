@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@
 namespace tetfarm {
 
 /// The schema that this program writes; older databases are brought up to it when they are opened.
-inline constexpr int database_version = 6;
+inline constexpr int database_version = 7;
 
 /// How much history is kept: the newest so many.
 struct HistoryBounds {
@@ -44,6 +45,11 @@ class JobDatabase {
 
   /// Everything that decides what happens next. Cost: one pass over the tables.
   DurableState load() const;
+  /// The same without tasks and sub-domains of jobs that have ended and of which nothing runs.
+  DurableState load_unfinished() const;
+  /// One job with its tasks and sub-domains; empty when there is no such job.
+  DurableState load_job(JobId job) const;
+  std::optional<TaskRow> find_task(TaskId task) const;
 
   /// What happened, for people. @pre this outlives it.
   JobHistory history() const;

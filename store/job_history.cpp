@@ -78,6 +78,29 @@ std::vector<PastEvent> JobHistory::events(const EventFilter& filter) const {
   return events;
 }
 
+std::vector<TaskRow> JobHistory::tasks(JobId job, TaskId after, std::size_t limit) const {
+  const std::string of_job =
+      "AND id IN (SELECT id FROM tasks WHERE job = ?2 AND state <> 'replaced' "
+      "UNION ALL SELECT id FROM tasks WHERE job = ?2 AND state = 'replaced') ";
+  const std::string sql = std::string("SELECT ") + task_columns + " FROM tasks WHERE id > ?1 " +
+                          (job ? of_job : "AND ?2 = 0 ") + "ORDER BY id LIMIT ?3";
+  Statement rows(database_, sql.c_str());
+  rows.bind(after.value).bind(job.value).bind(static_cast<std::uint64_t>(limit));
+  std::vector<TaskRow> tasks;
+  while (rows.step()) tasks.push_back(read_task_columns(rows));
+  return tasks;
+}
+
+std::optional<TaskRow> JobHistory::task(TaskId task) const {
+  const std::string sql = std::string("SELECT ") + task_columns + " FROM tasks WHERE id = ?";
+  Statement rows(database_, sql.c_str());
+  rows.bind(task.value);
+  if (!rows.step()) return std::nullopt;
+  return read_task_columns(rows);
+}
+
+std::vector<SubdomainRow> JobHistory::tree(JobId job) const { return read_tree(database_, job); }
+
 std::vector<AttemptRow> JobHistory::running_attempts() const {
   const std::string sql =
       std::string("SELECT ") + attempt_columns + "WHERE state = 'running' ORDER BY id";

@@ -1,4 +1,5 @@
-/// What happened, read for people: events, every attempt with its log, every worker.
+/// What happened, read for people: events, every attempt with its log, every worker; and the tasks
+/// of jobs that have ended.
 ///
 /// No decision depends on any of this; it is read page by page, so that no answer grows without
 /// bound. Units: milliseconds since 1970, bytes.
@@ -46,6 +47,13 @@ class JobHistory {
   explicit JobHistory(sqlite3* database) : database_(database) {}
 
   std::vector<PastEvent> events(const EventFilter& filter) const;
+
+  /// Tasks of a job (0: all jobs) with ids above `after`, by rising id, without files and values.
+  /// Cost: of a job, its tasks.
+  std::vector<TaskRow> tasks(JobId job, TaskId after, std::size_t limit) const;
+  std::optional<TaskRow> task(TaskId task) const;
+  /// The sub-domains of a job by rising path.
+  std::vector<SubdomainRow> tree(JobId job) const;
 
   std::vector<AttemptRow> running_attempts() const;
   /// Every attempt of a task, by rising id, without logs.

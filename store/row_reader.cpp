@@ -33,10 +33,12 @@ SubdomainState subdomain_state_of(const std::string& name) {
                                    SubdomainState::joined});
 }
 
-void load_jobs(sqlite3* database, DurableState& state) {
-  Statement rows(database,
-                 "SELECT id, coalesce(key, ''), name, job_toml, phase, exit_code, message, "
-                 "created_ms, finished_ms FROM jobs");
+void load_jobs(sqlite3* database, const std::string& which, DurableState& state) {
+  const std::string sql =
+      "SELECT id, coalesce(key, ''), name, job_toml, phase, exit_code, message, "
+      "created_ms, finished_ms FROM jobs" +
+      which;
+  Statement rows(database, sql.c_str());
   while (rows.step()) {
     JobRow job;
     job.id = JobId{rows.unsigned_integer()};
@@ -52,10 +54,40 @@ void load_jobs(sqlite3* database, DurableState& state) {
   }
 }
 
-void load_subdomains(sqlite3* database, DurableState& state) {
-  Statement rows(database,
-                 "SELECT job, path, parts, state, interdomain_nodes, interior_nodes, tets, meshed, "
-                 "hash, size, work, joined_into FROM subdomains JOIN artifacts USING (hash)");
+/// Of which jobs and tasks the rows are read: what gives their ids in SQL, "" for all.
+struct Part {
+  std::string jobs;
+  std::string tasks;
+
+  std::string of_job(const char* column) const { return within(column, jobs); }
+  std::string of_task(const char* column) const { return within(column, tasks); }
+
+ private:
+  static std::string within(const char* column, const std::string& ids) {
+    return ids.empty() ? "" : std::string(" WHERE ") + column + " IN (" + ids + ")";
+  }
+};
+
+/// Each half by its index.
+Part part_of(const std::string& jobs) {
+  return {jobs, "SELECT id FROM tasks WHERE state <> 'replaced' AND job IN (" + jobs +
+                    ") UNION ALL SELECT id FROM tasks WHERE state = 'replaced' AND job IN (" +
+                    jobs + ")"};
+}
+
+/// A job that has ended may still have an attempt for a moment.
+Part unfinished_part() {
+  return part_of(
+      "SELECT id FROM jobs WHERE phase = 'running' UNION SELECT tasks.job FROM attempts "
+      "JOIN tasks ON tasks.id = attempts.task WHERE attempts.state = 'running'");
+}
+
+void load_subdomains(sqlite3* database, const Part& part, DurableState& state) {
+  const std::string sql =
+      "SELECT job, path, parts, state, interdomain_nodes, interior_nodes, tets, meshed, "
+      "hash, size, work, joined_into FROM subdomains JOIN artifacts USING (hash)" +
+      part.of_job("job");
+  Statement rows(database, sql.c_str());
   while (rows.step()) {
     SubdomainRow subdomain;
     subdomain.job = JobId{rows.unsigned_integer()};
@@ -74,9 +106,12 @@ void load_subdomains(sqlite3* database, DurableState& state) {
   }
 }
 
-void load_artifacts(sqlite3* database, const char* sql, DurableState& state,
+void load_artifacts(sqlite3* database, const char* table, const Part& part, DurableState& state,
                     std::vector<ArtifactRef> TaskRow::*list) {
-  Statement rows(database, sql);
+  const std::string sql = std::string("SELECT task, name, hash, size FROM ") + table +
+                          " JOIN artifacts USING (hash)" + part.of_task("task") +
+                          " ORDER BY task, place";
+  Statement rows(database, sql.c_str());
   while (rows.step()) {
     const TaskId task{rows.unsigned_integer()};
     ArtifactRef artifact;
@@ -87,8 +122,10 @@ void load_artifacts(sqlite3* database, const char* sql, DurableState& state,
   }
 }
 
-void load_values(sqlite3* database, DurableState& state) {
-  Statement rows(database, "SELECT task, sort, name, number, text FROM task_values");
+void load_values(sqlite3* database, const Part& part, DurableState& state) {
+  const std::string sql =
+      "SELECT task, sort, name, number, text FROM task_values" + part.of_task("task");
+  Statement rows(database, sql.c_str());
   while (rows.step()) {
     TaskRow& task = state.tasks.at(TaskId{rows.unsigned_integer()});
     const std::string sort = rows.text();
@@ -105,37 +142,17 @@ void load_values(sqlite3* database, DurableState& state) {
   }
 }
 
-void load_tasks(sqlite3* database, DurableState& state) {
-  Statement rows(database,
-                 "SELECT id, job, kind, path, state, attempt, crashes, losses, exit_code, message, "
-                 "seconds, peak_rss_bytes, starvings, memory_bytes FROM tasks");
+void load_tasks(sqlite3* database, const Part& part, DurableState& state) {
+  const std::string sql =
+      std::string("SELECT ") + task_columns + " FROM tasks" + part.of_task("id");
+  Statement rows(database, sql.c_str());
   while (rows.step()) {
-    TaskRow task;
-    task.id = TaskId{rows.unsigned_integer()};
-    task.job = JobId{rows.unsigned_integer()};
-    task.kind = task_kind_of(rows.text());
-    task.path = rows.unsigned_integer();
-    task.state = task_state_of(rows.text());
-    task.attempt = AttemptId{rows.unsigned_integer()};
-    task.crashes = static_cast<std::uint32_t>(rows.integer());
-    task.losses = static_cast<std::uint32_t>(rows.integer());
-    task.exit_code = static_cast<std::int32_t>(rows.integer());
-    task.message = rows.text();
-    task.seconds = rows.real();
-    task.peak_rss_bytes = rows.unsigned_integer();
-    task.starvings = static_cast<std::uint32_t>(rows.integer());
-    task.memory_bytes = rows.unsigned_integer();
+    TaskRow task = read_task_columns(rows);
     state.tasks.emplace(task.id, std::move(task));
   }
-  load_artifacts(database,
-                 "SELECT task, name, hash, size FROM task_inputs JOIN artifacts USING (hash) "
-                 "ORDER BY task, place",
-                 state, &TaskRow::inputs);
-  load_artifacts(database,
-                 "SELECT task, name, hash, size FROM task_outputs JOIN artifacts USING (hash) "
-                 "ORDER BY task, place",
-                 state, &TaskRow::outputs);
-  load_values(database, state);
+  load_artifacts(database, "task_inputs", part, state, &TaskRow::inputs);
+  load_artifacts(database, "task_outputs", part, state, &TaskRow::outputs);
+  load_values(database, part, state);
 }
 
 void load_hosts(sqlite3* database, DurableState& state) {
@@ -171,21 +188,66 @@ AttemptState attempt_state_of(const std::string& name) {
                              AttemptState::returned, AttemptState::revoked, AttemptState::starved});
 }
 
-DurableState read_state(sqlite3* database) {
+TaskRow read_task_columns(Statement& rows) {
+  TaskRow task;
+  task.id = TaskId{rows.unsigned_integer()};
+  task.job = JobId{rows.unsigned_integer()};
+  task.kind = task_kind_of(rows.text());
+  task.path = rows.unsigned_integer();
+  task.state = task_state_of(rows.text());
+  task.attempt = AttemptId{rows.unsigned_integer()};
+  task.crashes = static_cast<std::uint32_t>(rows.integer());
+  task.losses = static_cast<std::uint32_t>(rows.integer());
+  task.exit_code = static_cast<std::int32_t>(rows.integer());
+  task.message = rows.text();
+  task.seconds = rows.real();
+  task.peak_rss_bytes = rows.unsigned_integer();
+  task.starvings = static_cast<std::uint32_t>(rows.integer());
+  task.memory_bytes = rows.unsigned_integer();
+  return task;
+}
+
+DurableState read_state(sqlite3* database, JobsToRead jobs) {
   DurableState state;
-  load_jobs(database, state);
-  load_subdomains(database, state);
-  load_tasks(database, state);
+  load_jobs(database, "", state);
+  const Part part = jobs == JobsToRead::all ? Part{} : unfinished_part();
+  load_subdomains(database, part, state);
+  load_tasks(database, part, state);
   for (AttemptRow& attempt : JobHistory(database).running_attempts()) {
     state.running_attempts.emplace(attempt.id, std::move(attempt));
   }
   load_hosts(database, state);
+  state.last_task = highest(database, "SELECT coalesce(max(id), 0) FROM tasks");
   state.last_attempt = highest(database,
                                "SELECT max((SELECT coalesce(max(id), 0) FROM attempts), "
                                "(SELECT coalesce(max(value), 0) FROM floors WHERE "
                                "name = 'attempt'))");
   state.last_worker = highest(database, "SELECT coalesce(max(id), 0) FROM workers");
   return state;
+}
+
+DurableState read_job(sqlite3* database, JobId job) {
+  DurableState state;
+  const Part part = part_of(std::to_string(job.value));
+  load_jobs(database, " WHERE id = " + std::to_string(job.value), state);
+  load_subdomains(database, part, state);
+  load_tasks(database, part, state);
+  return state;
+}
+
+std::optional<TaskRow> read_task(sqlite3* database, TaskId task) {
+  DurableState state;
+  load_tasks(database, {"", std::to_string(task.value)}, state);
+  if (state.tasks.empty()) return std::nullopt;
+  return std::move(state.tasks.begin()->second);
+}
+
+std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job) {
+  DurableState state;
+  load_subdomains(database, part_of(std::to_string(job.value)), state);
+  std::vector<SubdomainRow> tree;
+  for (auto& [key, node] : state.subdomains) tree.push_back(std::move(node));
+  return tree;
 }
 
 }  // namespace tetfarm

@@ -168,14 +168,16 @@ struct EventRow {
 
 using SubdomainKey = std::pair<JobId, std::uint64_t>;
 
-/// Everything that decides what happens next. Attempts: only the running ones.
+/// Everything that decides what happens next, or the part of it that belongs to some jobs.
+/// Attempts: only the running ones.
 struct DurableState {
   std::map<JobId, JobRow> jobs;
   std::map<SubdomainKey, SubdomainRow> subdomains;
   std::map<TaskId, TaskRow> tasks;
   std::map<AttemptId, AttemptRow> running_attempts;
   std::map<std::string, HostRow> quarantined_hosts;
-  std::uint64_t last_attempt = 0;  ///< the highest id ever given out
+  std::uint64_t last_task = 0;  ///< the highest id ever given out
+  std::uint64_t last_attempt = 0;
   std::uint64_t last_worker = 0;
 };
 

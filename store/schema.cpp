@@ -223,8 +223,15 @@ ALTER TABLE new_tasks RENAME TO tasks;
 CREATE UNIQUE INDEX one_task_in_a_place ON tasks (job, kind, path) WHERE state <> 'replaced';
 )sql";
 
+/// One job's tasks are read alone: those in their places by the index of places, the others by
+/// this.
+constexpr const char* tasks_of_one_job = R"sql(
+CREATE INDEX replaced_tasks_of_job ON tasks (job) WHERE state = 'replaced';
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {
-    first_schema, any_kind_of_task, joined_subdomains, quarantine, history, replaced_tasks};
+    first_schema, any_kind_of_task, joined_subdomains, quarantine,
+    history,      replaced_tasks,   tasks_of_one_job};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

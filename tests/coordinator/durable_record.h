@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -31,6 +34,37 @@ class DurableRecord {
   }
 
   const DurableState& state() const { return state_; }
+
+  // What JobDatabase reads of it: load_unfinished, load_job, find_task.
+  DurableState unfinished() const {
+    std::set<JobId> jobs;
+    for (const auto& [id, job] : state_.jobs) {
+      if (job.phase == JobPhase::running) jobs.insert(id);
+    }
+    for (const auto& [id, attempt] : state_.running_attempts) {
+      jobs.insert(state_.tasks.at(attempt.task).job);
+    }
+    DurableState part = state_;
+    std::erase_if(part.tasks, [&](const auto& row) { return !jobs.contains(row.second.job); });
+    std::erase_if(part.subdomains, [&](const auto& row) { return !jobs.contains(row.second.job); });
+    return part;
+  }
+  DurableState rows_of(JobId job) const {
+    DurableState part;
+    part.jobs.emplace(job, state_.jobs.at(job));
+    for (const auto& [id, task] : state_.tasks) {
+      if (task.job == job) part.tasks.emplace(id, task);
+    }
+    for (const auto& [key, subdomain] : state_.subdomains) {
+      if (key.first == job) part.subdomains.emplace(key, subdomain);
+    }
+    return part;
+  }
+  std::optional<TaskRow> row_of(TaskId task) const {
+    const auto found = state_.tasks.find(task);
+    return found == state_.tasks.end() ? std::nullopt : std::optional(found->second);
+  }
+
   const std::map<AttemptId, AttemptRow>& attempts() const { return attempts_; }
   std::size_t events() const { return events_; }
 
@@ -44,6 +78,7 @@ class DurableRecord {
       EXPECT_EQ(old->second.parameters, task.parameters) << "nor do its parameters";
     }
     state_.tasks[task.id] = task;
+    state_.last_task = std::max(state_.last_task, task.id.value);
     const Place place{task.job, task.kind, task.path};
     const auto there = places_.find(place);
     if (task.state == TaskState::replaced) {

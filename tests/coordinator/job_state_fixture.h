@@ -92,7 +92,7 @@ class JobStateTest : public testing::Test {
   std::size_t worked_on(JobId job, TaskKind kind) const {
     std::size_t count = 0;
     for (const auto& [id, attempt] : record_.attempts()) {
-      const TaskRow& row = task(attempt.task);
+      const TaskRow& row = record_.state().tasks.at(attempt.task);
       if (row.job == job && row.kind == kind) ++count;
     }
     return count;

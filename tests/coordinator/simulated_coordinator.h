@@ -36,7 +36,7 @@ class Coordinator {
   };
 
   Coordinator(Farm farm, const FarmRules& rules) : farm_(std::move(farm)), rules_(rules) {
-    decide_anew(farm_.database.load());
+    restore(farm_.database.load());
   }
 
   void leap(std::int64_t by_ms) { steady_offset_ms_ += by_ms; }
@@ -100,8 +100,15 @@ class Coordinator {
     do {
       steady_offset_ms_ = farm_.random.pick(2000000) - 900000;
       const bool after_blackout = farm_.random.chance(farm_.trouble.blackout);
-      decide_anew(farm_.database.open(after_blackout));
+      restore(farm_.database.open(after_blackout));
     } while (farm_.random.chance(farm_.trouble.restart * 3));
+  }
+
+  /// A process that knows nothing yet.
+  void restore(const DurableState& found) {
+    finished_ = FinishedJobs({[this](JobId job) { return farm_.database.load_job(job); },
+                              [this](TaskId task) { return farm_.database.find_task(task); }});
+    decide_anew(found);
   }
 
   void decide_anew(const DurableState& found) {
@@ -110,8 +117,11 @@ class Coordinator {
     if (const auto late = farm_.database.take_found()) {
       farm_.invariants.found_after_a_restart(*late, farm_.database.record());
     }
+    DurableState rows = farm_.database.load_unfinished();
+    finished_.put_others_than(rows);
     state_ = std::make_unique<JobState>(
-        found, rules_, [this](const ArtifactRef& file) { return farm_.disk.has(file); }, moment());
+        std::move(rows), rules_, [this](const ArtifactRef& file) { return farm_.disk.has(file); },
+        moment(), &finished_);
     farm_.invariants.resumable(found, *state_);
   }
 
@@ -141,6 +151,7 @@ class Coordinator {
       return false;
     }
     farm_.invariants.committed(changes, farm_.database.record(), farm_.disk);
+    for (const DurableState& job : state_->take_finished()) finished_.put(job);
     return true;
   }
 
@@ -215,6 +226,7 @@ class Coordinator {
   FarmRules rules_;
   std::int64_t steady_offset_ms_ = 0;
   std::int64_t wall_offset_ms_ = 7;
+  FinishedJobs finished_;
   std::unique_ptr<JobState> state_;
   std::map<int, WorkerId> connection2worker_;
   std::map<WorkerId, int> worker2connection_;

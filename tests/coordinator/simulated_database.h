@@ -27,7 +27,8 @@ enum class Fault { none, full, busy, broken, killed };
 inline bool same(const DurableState& a, const DurableState& b) {
   return a.jobs == b.jobs && a.subdomains == b.subdomains && a.tasks == b.tasks &&
          a.running_attempts == b.running_attempts && a.quarantined_hosts == b.quarantined_hosts &&
-         a.last_attempt == b.last_attempt && a.last_worker == b.last_worker;
+         a.last_task == b.last_task && a.last_attempt == b.last_attempt &&
+         a.last_worker == b.last_worker;
 }
 
 class FarmDatabase {
@@ -79,6 +80,23 @@ class FarmDatabase {
 
   /// What the same process finds after a commit that failed.
   DurableState load() { return real_ ? compare(real_->database->load()) : record_.state(); }
+
+  // What is read of it, which the real one must read alike.
+  DurableState load_unfinished() const {
+    const DurableState part = record_.unfinished();
+    EXPECT_TRUE(!real_ || same(part, real_->database->load_unfinished())) << "other rows";
+    return part;
+  }
+  DurableState load_job(JobId job) const {
+    const DurableState part = record_.rows_of(job);
+    EXPECT_TRUE(!real_ || same(part, real_->database->load_job(job))) << "other rows";
+    return part;
+  }
+  std::optional<TaskRow> find_task(TaskId task) const {
+    const std::optional<TaskRow> row = record_.row_of(task);
+    EXPECT_TRUE(!real_ || row == real_->database->find_task(task)) << "another row";
+    return row;
+  }
 
  private:
   struct Real {

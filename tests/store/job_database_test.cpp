@@ -270,5 +270,67 @@ TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {
   sqlite3_close(raw);
 }
 
+/// Three jobs: one runs, one has ended, one was cancelled while an attempt of it ran.
+ChangeSet three_jobs() {
+  ChangeSet changes = some_changes();
+  for (const std::uint64_t id : {11U, 12U, 13U}) {
+    JobRow job;
+    job.id = JobId{id};
+    job.phase = id == 11 ? JobPhase::running : id == 12 ? JobPhase::done : JobPhase::cancelled;
+    changes.jobs.push_back(job);
+    TaskRow task = changes.tasks[0];
+    task.id = TaskId{10 * id};
+    task.job = job.id;
+    task.attempt = {};
+    task.state = TaskState::replaced;
+    changes.tasks.push_back(task);
+    task.id = TaskId{10 * id + 1};
+    task.state = TaskState::ready;
+    changes.tasks.push_back(task);
+    changes.subdomains.push_back(changes.subdomains[0]);
+    changes.subdomains.back().job = job.id;
+  }
+  changes.attempts.push_back(changes.attempts[0]);
+  changes.attempts.back().id = AttemptId{20};
+  changes.attempts.back().task = TaskId{131};
+  return changes;
+}
+
+TEST(JobDatabase, of_jobs_that_have_ended_and_of_which_nothing_runs_only_their_own_rows_are_read) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  database.apply(three_jobs());
+  const DurableState part = database.load_unfinished();
+  const DurableState all = database.load();
+  EXPECT_EQ(part.jobs, all.jobs);
+  EXPECT_EQ(part.running_attempts, all.running_attempts);
+  EXPECT_EQ(part.last_task, 131U);
+  std::map<TaskId, TaskRow> tasks = all.tasks;
+  tasks.erase(TaskId{120});
+  tasks.erase(TaskId{121});
+  EXPECT_EQ(part.tasks, tasks);
+  EXPECT_THAT(part.subdomains, SizeIs(3));
+  EXPECT_FALSE(part.subdomains.contains({JobId{12}, 1}));
+}
+
+TEST(JobDatabase, one_job_and_one_task_are_read_alone_with_all_that_belongs_to_them) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  database.apply(three_jobs());
+  const DurableState all = database.load();
+  const DurableState job = database.load_job(JobId{12});
+  EXPECT_EQ(job.jobs, (std::map<JobId, JobRow>{{JobId{12}, all.jobs.at(JobId{12})}}));
+  EXPECT_EQ(job.tasks, (std::map<TaskId, TaskRow>{{TaskId{120}, all.tasks.at(TaskId{120})},
+                                                  {TaskId{121}, all.tasks.at(TaskId{121})}}));
+  EXPECT_THAT(job.subdomains, SizeIs(1));
+  EXPECT_EQ(database.find_task(TaskId{121}), all.tasks.at(TaskId{121}));
+  EXPECT_EQ(database.find_task(TaskId{122}), std::nullopt);
+  EXPECT_THAT(database.load_job(JobId{14}).jobs, IsEmpty());
+  EXPECT_EQ(database.history().tree(JobId{12}).front(), job.subdomains.begin()->second);
+  EXPECT_EQ(database.history().task(TaskId{120})->state, TaskState::replaced);
+  EXPECT_THAT(database.history().tasks(JobId{12}, TaskId{120}, 9), SizeIs(1));
+  EXPECT_THAT(database.history().tasks({}, TaskId{110}, 3), SizeIs(3));
+}
+
 }  // namespace
 }  // namespace tetfarm
