@@ -37,8 +37,9 @@ Door::Door(zmq::context_t& context, const DoorOptions& options, Refusals& refusa
       events_(context, zmq::socket_type::pair) {
   if (!options_.keys_folder.empty()) {
     own_ = read_secret_key(secret_key_path(options_.keys_folder, "coordinator"));
+    list_path_ = authorized_keys_path(options_.keys_folder);
     list_mark_ = mark_of_list();
-    list_ = read_authorized_keys(authorized_keys_path(options_.keys_folder));
+    list_ = read_authorized_keys(list_path_);
   }
   handshakes_.set(zmq::sockopt::linger, 0);
   handshakes_.bind(handshake_address);
@@ -143,7 +144,7 @@ void Door::note_connections(std::int64_t now_ms) {
 
 Door::Mark Door::mark_of_list() const {
   struct stat about {};
-  if (::stat(authorized_keys_path(options_.keys_folder).c_str(), &about) != 0) return {};
+  if (::stat(list_path_.c_str(), &about) != 0) return {};
   return {about.st_ino, about.st_size,
           static_cast<std::int64_t>(about.st_ctim.tv_sec) * ns_per_s + about.st_ctim.tv_nsec};
 }
@@ -165,7 +166,7 @@ bool Door::has_new_list() {
 /// A list that cannot be read lets nobody in.
 void Door::read_list() {
   try {
-    list_ = read_authorized_keys(authorized_keys_path(options_.keys_folder));
+    list_ = read_authorized_keys(list_path_);
     complaints_.push_back("authorised keys: " + std::to_string(list_.peers.size()));
     for (const std::string& line : list_.bad_lines) {
       complaints_.push_back("authorised keys: " + line + "; it lets nobody in");

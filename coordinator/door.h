@@ -87,6 +87,7 @@ class Door {
   Refusals& refusals_;
   std::optional<KeyPair> own_;
   AuthorizedKeys list_;
+  std::filesystem::path list_path_;  ///< looked at before each message
   Mark list_mark_;
   bool is_list_new_ = false;
   std::vector<std::string> complaints_;

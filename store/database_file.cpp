@@ -30,7 +30,14 @@ std::string uri_of(const std::string& path) {
   return uri;
 }
 
+/// SQLite counts the memory it takes under a lock that all connections share; nobody reads that.
+void count_no_memory() {
+  static const int once = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
+  static_cast<void>(once);  // too late where SQLite runs already: then it counts
+}
+
 SqlitePtr open_as(const std::string& name, int flags, const std::string& path) {
+  count_no_memory();
   sqlite3* opened = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   SqlitePtr database(opened);

@@ -224,9 +224,21 @@ CREATE UNIQUE INDEX one_task_in_a_place ON tasks (job, kind, path) WHERE state <
 )sql";
 
 /// One job's tasks are read alone: those in their places by the index of places, the others by
-/// this.
+/// this. And the sorts of a value are compared one by one: for a list in a CHECK SQLite makes a
+/// table of its own for each row that is written, a quarter of what a task cost.
 constexpr const char* tasks_of_one_job = R"sql(
 CREATE INDEX replaced_tasks_of_job ON tasks (job) WHERE state = 'replaced';
+CREATE TABLE new_task_values (
+  task INTEGER NOT NULL REFERENCES tasks (id),
+  sort TEXT NOT NULL CHECK (sort = 'parameter' OR sort = 'number' OR sort = 'text'),
+  name TEXT NOT NULL,
+  number REAL,
+  text TEXT,
+  PRIMARY KEY (task, sort, name)
+) STRICT, WITHOUT ROWID;
+INSERT INTO new_task_values SELECT * FROM task_values;
+DROP TABLE task_values;
+ALTER TABLE new_task_values RENAME TO task_values;
 )sql";
 
 constexpr std::array<const char*, database_version> migrations = {

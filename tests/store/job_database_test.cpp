@@ -332,5 +332,20 @@ TEST(JobDatabase, one_job_and_one_task_are_read_alone_with_all_that_belongs_to_t
   EXPECT_THAT(database.history().tasks({}, TaskId{110}, 3), SizeIs(3));
 }
 
+/// A table of its own for each row was a quarter of what a task cost.
+TEST(JobDatabase, a_value_is_written_without_a_table_for_the_list_of_sorts_and_others_are_refused) {
+  const TempFolder folder;
+  JobDatabase(folder.path() / "db").apply(some_changes());
+  const SqlitePtr opened = open_database(folder.path() / "db", DatabaseAccess::write);
+  Statement plan(opened.get(),
+                 "EXPLAIN INSERT INTO task_values VALUES (3, 'text', 'x', NULL, 'y')");
+  while (plan.step()) {
+    plan.integer();
+    EXPECT_NE(plan.text(), "OpenEphemeral");
+  }
+  EXPECT_THROW(execute(opened.get(), "INSERT INTO task_values VALUES (3, 'sound', 'x', NULL, 'y')"),
+               Error);
+}
+
 }  // namespace
 }  // namespace tetfarm
