@@ -66,7 +66,8 @@ void JobState::count_loss(TaskRow& task, const std::string& message, Moment now)
 }
 
 /// The next try asks for twice the room, up to all that a worker has; when that was not enough,
-/// none will be: the leaf is cut further, or else the task is in quarantine.
+/// none will be: the leaf is cut further, or else the task is in quarantine. What all workers have
+/// is known once they had a lease to come back in after a restart.
 void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const TaskFailure& failure,
                               Moment now) {
   ++task.starvings;
@@ -75,6 +76,11 @@ void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const Task
       now.steady_ms + delay_ms(rules_.loss_delay_ms, task.starvings, rules_.longest_delay_ms);
   const std::uint64_t largest = largest_memory();
   const std::uint64_t knew = std::max({task.memory_bytes, had_bytes, failure.peak_rss_bytes});
+  if (now.steady_ms < all_back_ms_) {
+    task.memory_bytes = std::max<std::uint64_t>(2 * knew, 1);
+    not_before_ms_[task.id] = std::max(not_before_ms_[task.id], all_back_ms_);
+    return;
+  }
   const bool had_all = largest == 0 || had_bytes >= largest;
   const std::string why_whole = why_no_further_cut(task);
   if (had_all && why_whole.empty()) {

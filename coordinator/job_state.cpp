@@ -41,6 +41,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     take_in(task);
     if (task.state == TaskState::done) expectation_.learn(task);
   }
+  if (!durable_.tasks.empty()) all_back_ms_ = now.steady_ms + rules_.lease_ms;
   for (const auto& [id, attempt] : durable_.running_attempts) {
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
     started_ms_[id] = now.steady_ms;

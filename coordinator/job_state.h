@@ -356,6 +356,8 @@ class JobState {
   std::map<std::string, WorkerId> process2worker_;    ///< by nonce; its newest connection
   std::map<std::string, AttemptId> process2attempt_;  ///< by nonce; running ones
   std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools
+  /// After a restart workers come back one by one: until then the largest may be missing.
+  std::int64_t all_back_ms_ = std::numeric_limits<std::int64_t>::min();
   std::map<AttemptId, std::int64_t> lease_ends_ms_;
   std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
   std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first

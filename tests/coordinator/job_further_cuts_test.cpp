@@ -48,7 +48,9 @@ class FurtherCuts : public JobStateTest {
       } else {
         ASSERT_TRUE(finish(worker_, assign));
       }
-      if (restarts_) restart();
+      if (!restarts_) continue;
+      restart();
+      now_.steady_ms += rules_.lease_ms;  // in which all workers have come back
     }
   }
   SubdomainState node(JobId job, std::uint64_t path) const {
@@ -186,6 +188,37 @@ TEST_F(FurtherCuts, what_cannot_be_cut_is_tried_once_more_and_then_in_quarantine
   EXPECT_THAT(state_->durable().jobs.at(job).message, HasSubstr("its sub-domain cannot be cut"));
   EXPECT_EQ(node(job, giant), SubdomainState::leaf);
   EXPECT_FALSE(summary_of_job(job).numbers.contains("cut_further")) << "it was not";
+}
+
+TEST_F(FurtherCuts, the_first_worker_after_a_restart_does_not_count_as_the_largest) {
+  const JobId job = begin(6);
+  run_until_meshes();
+  TaskFailure handed_back;
+  handed_back.killed = true;
+  handed_back.may_retry = true;
+  fail(worker_, held_, handed_back);
+  restart();
+  const std::int64_t restarted_ms = now_.steady_ms;
+  worker_ = add_worker({.memory_bytes = gib, .shares_memory = false});
+  SendAssign assign = next(worker_);
+  while (assign.attempt && !is_mesh_of(task(assign.task), giant)) {
+    ASSERT_TRUE(finish(worker_, assign));
+    assign = next(worker_);
+  }
+  ASSERT_TRUE(assign.attempt);
+  const TaskId mesh = assign.task;
+  starve(assign);
+  EXPECT_EQ(in_place(job, TaskKind::decompose, giant), nullptr);
+  worker_ = add_worker({.memory_bytes = 2 * gib, .shares_memory = false});
+  for (assign = {}; assign.task != mesh; assign = next(worker_)) {
+    if (assign.attempt) {
+      ASSERT_TRUE(finish(worker_, assign));
+    }
+    ASSERT_LT(now_.steady_ms, restarted_ms + 2 * rules_.lease_ms) << "it is not tried again";
+    wait(1000);
+  }
+  const AttemptId again = task(mesh).attempt;
+  EXPECT_EQ(state_->durable().running_attempts.at(again).memory_bytes, 2 * gib);
 }
 
 TEST_F(FurtherCuts, explain_says_why_there_is_a_cut_that_was_not_planned) {
