@@ -184,6 +184,11 @@ class Parser {
         ->option_text("OUT");
     mesh.add_option("--format", export_.format, "As docs/file_formats.md names it (by the ending)")
         ->option_text("F");
+    mesh.add_option("--partitions", export_.partitions,
+                    "Parts for a solver: the sub-domains, or N even ones by METIS (as-meshed)")
+        ->transform(CLI::Transformer(std::map<std::string, int>{{"as-meshed", 0}}))
+        ->check(CLI::Range(0, 1 << 20))
+        ->option_text("as-meshed|N");
     add_json(mesh, export_.json);
 
     CLI::App& surface = add("convert", "Write a surface in another format",

@@ -56,6 +56,7 @@ struct ExportCommand {
   std::string input;
   std::string output;
   std::string format;  ///< "": by the ending of the output
+  int partitions = 0;  ///< for solvers; 0: the sub-domains as they were meshed
   bool json = false;
 };
 

@@ -1,32 +1,63 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/file_system.h"
 #include "cli/commands.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/write_surface.h"
+#include "mesh/partition/partitioned_mesh.h"
 
 namespace tetfarm {
 
+namespace {
+
+/// Where files may lie for a while: beside what is written.
+std::filesystem::path folder_of(const std::filesystem::path& output) {
+  const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
+  make_folders(folder);
+  return folder;
+}
+
+nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& format,
+                               const ExportCounts& counts, const PartitionFigures& figures) {
+  nlohmann::ordered_json result = {
+      {"type", "export"},          {"file", command.output},
+      {"format", format.name},     {"nodes", counts.nodes},
+      {"elements", counts.tets},   {"boundary_triangles", counts.boundary_triangles},
+      {"subdomains", counts.parts}};
+  if (!figures.tets.empty()) {
+    result["partitions"] = {{"elements", figures.tets},
+                            {"largest_over_mean", figures.largest_over_mean()},
+                            {"cut_faces", figures.cut_faces}};
+  }
+  return result;
+}
+
+}  // namespace
+
 ExitCode export_command(const ExportCommand& command) {
   const MeshFormat& format = find_mesh_format(command.format, command.output);
-  const std::filesystem::path file = mesh_file(command.input);
-  const ExportCounts counts = export_mesh(*open_mesh(file), format, command.output);
+  std::unique_ptr<MeshSource> source = open_mesh(mesh_file(command.input));
+  PartitionFigures figures;
+  if (command.partitions > 0) {
+    auto parts = std::make_unique<PartitionedMesh>(*source, PartitionOptions{command.partitions},
+                                                   folder_of(command.output));
+    figures = parts->figures();
+    source = std::move(parts);
+  }
+  const ExportCounts counts = export_mesh(*source, format, command.output);
   if (command.json) {
-    std::printf("%s\n", nlohmann::ordered_json({{"type", "export"},
-                                                {"file", command.output},
-                                                {"format", format.name},
-                                                {"nodes", counts.nodes},
-                                                {"elements", counts.tets},
-                                                {"boundary_triangles", counts.boundary_triangles},
-                                                {"subdomains", counts.parts}})
-                            .dump()
-                            .c_str());
-  } else {
-    std::printf("%s: %s; %lld tets, %lld nodes, %lld boundary triangles\n", command.output.c_str(),
-                std::string(format.what).c_str(), static_cast<long long>(counts.tets),
-                static_cast<long long>(counts.nodes),
-                static_cast<long long>(counts.boundary_triangles));
+    std::printf("%s\n", json_of(command, format, counts, figures).dump().c_str());
+    return ExitCode::ok;
+  }
+  std::printf("%s: %s; %lld tets, %lld nodes, %lld boundary triangles\n", command.output.c_str(),
+              std::string(format.what).c_str(), static_cast<long long>(counts.tets),
+              static_cast<long long>(counts.nodes),
+              static_cast<long long>(counts.boundary_triangles));
+  if (!figures.tets.empty()) {
+    std::printf("%zu parts: largest/mean %.3f, %lld faces between them\n", figures.tets.size(),
+                figures.largest_over_mean(), static_cast<long long>(figures.cut_faces));
   }
   return ExitCode::ok;
 }

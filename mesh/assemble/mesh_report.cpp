@@ -30,19 +30,26 @@ bool all_nodes_exist(const GlobalMesh& mesh) {
   return true;
 }
 
-/// The tets of one sub-domain: mesh.tets[first] up to [last].
+/// The tets of one sub-domain, or what it has of one region: mesh.tets[first] up to [last].
 struct TetRange {
   std::size_t first = 0;
   std::size_t last = 0;
   std::int32_t region = 1;
 };
 
+bool is_same(const std::vector<std::int32_t>& of_tet, std::size_t a, std::size_t b) {
+  return of_tet.empty() || of_tet[a] == of_tet[b];
+}
+
 std::vector<TetRange> subdomains_of(const GlobalMesh& mesh) {
   const std::size_t tets = mesh.mesh.tets.size();
   std::vector<TetRange> ranges;
   for (std::size_t first = 0; first < tets;) {
     std::size_t last = mesh.subdomain_of_tet.empty() ? tets : first + 1;
-    while (last < tets && mesh.subdomain_of_tet[last] == mesh.subdomain_of_tet[first]) ++last;
+    while (last < tets && is_same(mesh.subdomain_of_tet, first, last) &&
+           is_same(mesh.region_of_tet, first, last)) {
+      ++last;
+    }
     ranges.push_back({first, last, mesh.region_of_tet.empty() ? 1 : mesh.region_of_tet[first]});
     first = last;
   }

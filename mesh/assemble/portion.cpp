@@ -94,6 +94,15 @@ void add_surface_triangles(const Subdomain& subdomain, const SurfaceMesh& surfac
 
 }  // namespace
 
+std::vector<std::int32_t> regions_of_cells(const NumberedPart& part) {
+  if (part.region_of_tet.empty()) {
+    return std::vector<std::int32_t>(part.tets.size() + part.faces.size(), part.region);
+  }
+  std::vector<std::int32_t> regions = part.region_of_tet;
+  regions.insert(regions.end(), part.region_of_face.begin(), part.region_of_face.end());
+  return regions;
+}
+
 std::vector<bool> nodes_on_cuts(const Subdomain& subdomain) {
   std::vector<bool> is_on_cut(subdomain.vertices.size(), false);
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {

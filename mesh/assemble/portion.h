@@ -33,13 +33,27 @@ std::vector<bool> nodes_on_cuts(const Subdomain& subdomain);
 /// surface that the part has, normals out of the part's region.
 struct NumberedPart {
   std::int32_t number = 0;  ///< of the sub-domain, from 0 in tree order
-  std::int32_t region = 1;
+  std::int32_t region = 1;  ///< of all of it, but where the next two are not empty
+  /// Of a part that was put together from sub-domains of several regions: of each tet, ascending,
+  /// and of each face. Parts as they were meshed lie in one region.
+  std::vector<std::int32_t> region_of_tet;
+  std::vector<std::int32_t> region_of_face;
   std::vector<Vec3> nodes;
   std::vector<Tet> tets;        ///< local node numbers
   std::vector<Triangle> faces;  ///< local node numbers
   std::vector<std::int32_t> patch_of_face;
   std::vector<std::int64_t> local2global;
+
+  std::int32_t region_of(std::size_t tet) const {
+    return region_of_tet.empty() ? region : region_of_tet[tet];
+  }
+  std::int32_t region_of_boundary(std::size_t face) const {
+    return region_of_face.empty() ? region : region_of_face[face];
+  }
 };
+
+/// Of each tet, then of each face.
+std::vector<std::int32_t> regions_of_cells(const NumberedPart& part);
 
 struct Portion {
   NumberedPart part;

@@ -129,21 +129,27 @@ void read_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
   }
 }
 
-/// Of the partition's first cell: a partition lies in one region.
-std::int32_t region_of(const Hdf5Input& file, const Partition& here) {
-  if (here.cells == 0) return 1;
-  const std::int32_t region =
-      file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, 1).front();
-  if (region < 1 || region > most_regions) {
-    file.fail("a partition is of region " + std::to_string(region));
+/// A partition lies in one region, or says it of each cell.
+void read_regions(const Hdf5Input& file, const Partition& here, NumberedPart& part) {
+  if (here.cells == 0) return;
+  const auto regions =
+      file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, here.cells);
+  const auto [least, most] = std::minmax_element(regions.begin(), regions.end());
+  if (*least < 1 || *most > most_regions) {
+    file.fail("a cell is of region " + std::to_string(*least < 1 ? *least : *most));
   }
-  return region;
+  part.region = *least;
+  if (*least == *most) return;
+  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  for (std::size_t cell = 0; cell < regions.size(); ++cell) {
+    (types[cell] == vtk_tetra ? part.region_of_tet : part.region_of_face).push_back(regions[cell]);
+  }
 }
 
 NumberedPart read_part(const Hdf5Input& file, const Partition& here, const KnownArrays& known) {
   NumberedPart part;
   part.number = static_cast<std::int32_t>(here.number);
-  if (known.regions) part.region = region_of(file, here);
+  if (known.regions) read_regions(file, here, part);
   read_points(file, here, known.node_numbers, part);
   read_cells(file, here, known.patches, part);
   return part;
@@ -164,11 +170,13 @@ void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
   }
   for (const Tet& tet : part.tets) mesh.mesh.tets.push_back(with_global_nodes(tet, part));
   mesh.subdomain_of_tet.resize(mesh.mesh.tets.size(), part.number);
-  mesh.region_of_tet.resize(mesh.mesh.tets.size(), part.region);
+  for (std::size_t t = 0; t < part.tets.size(); ++t) {
+    mesh.region_of_tet.push_back(part.region_of(t));
+  }
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     mesh.boundary.push_back(with_global_nodes(part.faces[i], part));
     mesh.patch_of_triangle.push_back(part.patch_of_face[i]);
-    mesh.region_of_triangle.push_back(part.region);
+    mesh.region_of_triangle.push_back(part.region_of_boundary(i));
   }
 }
 

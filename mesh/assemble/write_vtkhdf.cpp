@@ -80,8 +80,7 @@ class VtkhdfWriter : public GlobalMeshWriter {
     file_.append("VTKHDF/PointData/GlobalNodeId", part.local2global);
     file_.append("VTKHDF/CellData/subdomain",
                  std::vector<std::int32_t>(cells.types.size(), part.number));
-    file_.append("VTKHDF/CellData/region",
-                 std::vector<std::int32_t>(cells.types.size(), part.region));
+    file_.append("VTKHDF/CellData/region", regions_of_cells(part));
     file_.append("VTKHDF/CellData/patch", cells.patches);
   }
 

@@ -1,86 +1,60 @@
 #include "mesh/decompose/graph_partition.h"
 
-#include <metis.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <new>
-#include <numeric>
 
-#include "base/error.h"
+#include "mesh/graph/metis_partition.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr idx_t seed = 20;
 /// The heaviest group may exceed the mean by so many thousandths. The refinement that follows
 /// evens the work out; here room is better spent on short interfaces.
-constexpr idx_t imbalance_in_thousandths = 30;
+constexpr std::int32_t imbalance_in_thousandths = 30;
 /// Work is counted in units of which the whole graph has about this many: sums of METIS's 32-bit
 /// weights stay far from their limit.
 constexpr double units_of_work = 1 << 22;
 
-/// The graph as METIS wants it: compressed rows, whole-number weights.
-struct MetisGraph {
-  std::vector<idx_t> first = {0};
-  std::vector<idx_t> neighbour;
-  std::vector<idx_t> shared;
-  std::vector<idx_t> work;
-  std::vector<idx_t> volume;
-};
-
-MetisGraph metis_graph_of(const SubdomainGraph& graph) {
-  MetisGraph metis;
+WeightedGraph weighted_graph_of(const SubdomainGraph& graph) {
+  WeightedGraph weighted;
   double total = 0;
   for (const double work : graph.work) total += work;
   const double unit = total > 0 ? units_of_work / total : 0;
   for (std::size_t leaf = 0; leaf < graph.size(); ++leaf) {
     for (const Neighbour& other : graph.neighbours[leaf]) {
-      metis.neighbour.push_back(other.leaf);
-      metis.shared.push_back(other.triangles);
+      weighted.neighbour.push_back(other.leaf);
+      weighted.edge_weight.push_back(other.triangles);
     }
-    metis.first.push_back(static_cast<idx_t>(metis.neighbour.size()));
-    metis.work.push_back(1 + static_cast<idx_t>(std::floor(graph.work[leaf] * unit)));
-    metis.volume.push_back(std::max(1, graph.interface_nodes[leaf]));
+    weighted.first.push_back(static_cast<std::int32_t>(weighted.neighbour.size()));
+    weighted.weight.push_back(1 + static_cast<std::int32_t>(std::floor(graph.work[leaf] * unit)));
   }
-  return metis;
+  return weighted;
+}
+
+MetisOptions::Method metis_method(PartitionMethod method) {
+  switch (method) {
+    case PartitionMethod::recursive:
+      return MetisOptions::Method::recursive;
+    case PartitionMethod::k_way:
+      return MetisOptions::Method::k_way;
+    case PartitionMethod::k_way_volume:
+      break;
+  }
+  return MetisOptions::Method::k_way_volume;
 }
 
 }  // namespace
 
 std::vector<std::int32_t> partition_graph(const SubdomainGraph& graph, std::int32_t groups,
                                           PartitionMethod method) {
-  std::vector<std::int32_t> leaf2group(graph.size(), 0);
-  if (groups == 1) return leaf2group;
-  if (static_cast<std::size_t>(groups) >= graph.size()) {
-    std::iota(leaf2group.begin(), leaf2group.end(), 0);
-    return leaf2group;
+  MetisOptions options;
+  options.method = metis_method(method);
+  options.imbalance_in_thousandths = imbalance_in_thousandths;
+  options.trials = 4;
+  for (const std::int32_t nodes : graph.interface_nodes) {
+    options.volume.push_back(std::max(1, nodes));
   }
-  MetisGraph metis = metis_graph_of(graph);
-  auto leaves = static_cast<idx_t>(graph.size());
-  idx_t constraints = 1;
-  idx_t parts = groups;
-  idx_t objective_value = 0;
-  std::array<idx_t, METIS_NOPTIONS> options;
-  METIS_SetDefaultOptions(options.data());
-  options[METIS_OPTION_SEED] = seed;
-  options[METIS_OPTION_NCUTS] = 4;
-  options[METIS_OPTION_UFACTOR] = imbalance_in_thousandths;
-  options[METIS_OPTION_OBJTYPE] =
-      method == PartitionMethod::k_way_volume ? METIS_OBJTYPE_VOL : METIS_OBJTYPE_CUT;
-  std::vector<idx_t> result(graph.size(), 0);
-  const auto run =
-      method == PartitionMethod::recursive ? METIS_PartGraphRecursive : METIS_PartGraphKway;
-  const int outcome = run(&leaves, &constraints, metis.first.data(), metis.neighbour.data(),
-                          metis.work.data(), metis.volume.data(), metis.shared.data(), &parts,
-                          nullptr, nullptr, options.data(), &objective_value, result.data());
-  if (outcome == METIS_ERROR_MEMORY) throw std::bad_alloc();
-  if (outcome != METIS_OK) {
-    throw Error(ExitCode::failed, "METIS refuses the graph, code " + std::to_string(outcome));
-  }
-  std::copy(result.begin(), result.end(), leaf2group.begin());
-  return leaf2group;
+  return metis_partition(weighted_graph_of(graph), groups, options);
 }
 
 }  // namespace tetfarm

@@ -2,9 +2,7 @@
 /// between them, by METIS.
 ///
 /// Source: thesis 4.3.2.1 and fig. 69: METIS_PartGraphRecursive, METIS_PartGraphKway by the edge
-/// cut, and by the volume of communication. METIS draws its random numbers from the C library's
-/// rand() after srand(seed): with glibc the answer is the same everywhere and on every day; see
-/// docs/decisions/0012-decompose-assimilation.md. The only unit that knows METIS.
+/// cut, and by the volume of communication.
 #pragma once
 
 #include <cstdint>

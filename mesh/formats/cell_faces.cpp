@@ -50,6 +50,13 @@ class BoundaryFaces {
     std::sort(faces_.begin(), faces_.end());
   }
   std::size_t size() const { return faces_.size(); }
+  std::size_t count(const Triangle& sorted) const {
+    const auto first =
+        std::lower_bound(faces_.begin(), faces_.end(), std::pair(sorted, std::int32_t{0}));
+    return static_cast<std::size_t>(
+        std::find_if(first, faces_.end(), [&](const auto& face) { return face.first != sorted; }) -
+        first);
+  }
   /// -1 when there is none.
   std::int32_t find(const Triangle& sorted) const {
     const auto found =
@@ -75,6 +82,8 @@ CellFaces cell_faces(const NumberedPart& part) {
     if (end - i > 2) throw InvalidInput("a face has more than two tets", where);
     if (end - i == 2) {
       result.inner.push_back({faces[i].tet, faces[i + 1].tet, faces[i].nodes});
+      // A triangle between two regions; a single one is no boundary.
+      if (boundary.count(faces[i].sorted) == 2) on_boundary += 2;
     } else {
       const std::int32_t face = boundary.find(faces[i].sorted);
       on_boundary += face >= 0 ? 1 : 0;

@@ -8,7 +8,8 @@
 
 namespace tetfarm {
 
-/// A face between two tets of a part.
+/// A face between two tets of a part. It may be a triangle between two regions, which the part then
+/// has among its faces once for each.
 struct InnerFace {
   std::int32_t owner = 0;      ///< the lower tet
   std::int32_t neighbour = 0;  ///< the higher one

@@ -53,12 +53,17 @@ void write_mapbc(const MeshOutline& outline, const fs::path& file) {
   write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names));
   if (outline.region_names.size() < 2) return;
   std::string text;
+  std::int64_t first = 1;
   std::int64_t last = 0;
-  for (std::size_t i = 0; i < outline.region_names.size(); ++i) {
-    const std::int64_t first = last + 1;
-    last += outline.tets_of_region[i];
-    text += std::to_string(i + 1) + ' ' + std::to_string(first) + ' ' + std::to_string(last) + ' ' +
-            outline.region_names[i] + '\n';
+  const std::vector<RegionRun> runs = region_runs(outline);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    last += runs[i].tets;
+    const bool goes_on = i + 1 < runs.size() && runs[i + 1].region == runs[i].region;
+    if (goes_on || last < first) continue;
+    text += std::to_string(runs[i].region) + ' ' + std::to_string(first) + ' ' +
+            std::to_string(last) + ' ' +
+            outline.region_names[static_cast<std::size_t>(runs[i].region - 1)] + '\n';
+    first = last + 1;
   }
   write_file_atomically(stem.string() + ".regions", text);
 }

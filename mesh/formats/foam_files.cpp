@@ -76,7 +76,7 @@ void write_foam_boundary(const std::filesystem::path& folder,
 }
 
 void write_foam_zones(const std::filesystem::path& folder, const std::vector<std::string>& names,
-                      const std::vector<std::int64_t>& first) {
+                      const std::vector<FoamZoneRun>& runs) {
   constexpr std::int64_t labels_of_piece = 100'000;
   OutputFile file(folder / "cellZones");
   std::int64_t place = 0;
@@ -85,14 +85,20 @@ void write_foam_zones(const std::filesystem::path& folder, const std::vector<std
     place += std::ssize(text);
   };
   append(header("regIOobject", "cellZones", "") + std::to_string(names.size()) + "\n(\n");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    append(names[i] + "\n{\n    type cellZone;\n    cellLabels List<label>\n" +
-           std::to_string(first[i + 1] - first[i]) + "\n(\n");
-    for (std::int64_t begin = first[i]; begin < first[i + 1]; begin += labels_of_piece) {
-      std::string labels;
-      const std::int64_t end = std::min(begin + labels_of_piece, first[i + 1]);
-      for (std::int64_t cell = begin; cell < end; ++cell) labels += std::to_string(cell) + "\n";
-      append(labels);
+  for (std::size_t zone = 0; zone < names.size(); ++zone) {
+    std::int64_t cells = 0;
+    for (const FoamZoneRun& run : runs) cells += run.zone == zone ? run.count : 0;
+    append(names[zone] + "\n{\n    type cellZone;\n    cellLabels List<label>\n" +
+           std::to_string(cells) + "\n(\n");
+    for (const FoamZoneRun& run : runs) {
+      if (run.zone != zone) continue;
+      const std::int64_t last = run.first + run.count;
+      for (std::int64_t begin = run.first; begin < last; begin += labels_of_piece) {
+        std::string labels;
+        const std::int64_t end = std::min(begin + labels_of_piece, last);
+        for (std::int64_t cell = begin; cell < end; ++cell) labels += std::to_string(cell) + "\n";
+        append(labels);
+      }
     }
     append(")\n;\n}\n");
   }

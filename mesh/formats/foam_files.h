@@ -65,9 +65,15 @@ struct FoamPatch {
 void write_foam_boundary(const std::filesystem::path& folder,
                          const std::vector<FoamPatch>& patches);
 
-/// The file `cellZones`: a zone for each name, cells of zone i are first[i] … first[i + 1] - 1.
-/// Written piece by piece. @throws IoError.
+/// Cells first … first + count - 1 of a zone.
+struct FoamZoneRun {
+  std::size_t zone = 0;
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+};
+
+/// The file `cellZones`: a zone for each name. Written piece by piece. @throws IoError.
 void write_foam_zones(const std::filesystem::path& folder, const std::vector<std::string>& names,
-                      const std::vector<std::int64_t>& first);
+                      const std::vector<FoamZoneRun>& runs);
 
 }  // namespace tetfarm

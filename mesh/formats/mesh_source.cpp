@@ -60,7 +60,13 @@ PartOutline outline_of_part(const NumberedPart& part, std::size_t index, std::in
   outline.nodes = std::ssize(part.nodes);
   outline.tets = std::ssize(part.tets);
   outline.first_tet = first_tet;
-  outline.region = part.region;
+  for (std::size_t t = 0; t < part.tets.size(); ++t) {
+    const std::int32_t region = part.region_of(t);
+    if (region < 1 || region > most_names) refuse(index, "a region number is out of range");
+    if (region < std::ssize(outline.tets_of_region)) refuse(index, "regions are not in order");
+    outline.tets_of_region.resize(static_cast<std::size_t>(region));
+    ++outline.tets_of_region.back();
+  }
   outline.box = bounding_box(part.nodes);
   for (const std::int64_t number : part.local2global) {
     if (number < 0 || number >= limit) refuse(index, "a node number is out of range");
@@ -94,17 +100,12 @@ MeshOutline outline_of(const MeshSource& source) {
     limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
     outline.parts.push_back(outline_of_part(part, i, outline.tets, limit, known));
     const PartOutline& here = outline.parts.back();
-    if (i > 0 && here.region < outline.parts[i - 1].region) {
-      refuse(i, "the sub-domains of a region do not follow one another");
-    }
     for (const std::int64_t number : part.local2global) largest = std::max(largest, number);
     outline.nodes += here.owned_nodes;
     outline.tets += here.tets;
     outline.boundary_triangles += std::ssize(part.faces);
     add_counts(here.faces_of_patch, outline.faces_of_patch);
-    std::vector<std::int64_t> in_region(static_cast<std::size_t>(here.region));
-    in_region.back() = here.tets;
-    add_counts(in_region, outline.tets_of_region);
+    add_counts(here.tets_of_region, outline.tets_of_region);
   }
   if (largest + 1 != outline.nodes) {
     throw InvalidInput("node numbers have gaps: the largest is " + std::to_string(largest) +
@@ -113,15 +114,33 @@ MeshOutline outline_of(const MeshSource& source) {
   }
   outline.patch_names = source.patch_names();
   outline.region_names = source.region_names();
-  if (outline.region_names.empty() && outline.tets_of_region.size() == 1) {
+  if (outline.region_names.empty() && outline.tets_of_region.size() <= 1) {
     outline.region_names = {"domain"};
   }
   name_the_rest(outline.patch_names, outline.faces_of_patch.size(), "patch");
   name_the_rest(outline.region_names, outline.tets_of_region.size(), "region");
   outline.faces_of_patch.resize(outline.patch_names.size());
   outline.tets_of_region.resize(outline.region_names.size());
-  for (PartOutline& part : outline.parts) part.faces_of_patch.resize(outline.patch_names.size());
+  for (PartOutline& part : outline.parts) {
+    part.faces_of_patch.resize(outline.patch_names.size());
+    part.tets_of_region.resize(outline.region_names.size());
+  }
   return outline;
+}
+
+std::vector<RegionRun> region_runs(const MeshOutline& outline) {
+  std::vector<RegionRun> runs;
+  for (std::size_t i = 0; i < outline.parts.size(); ++i) {
+    const PartOutline& part = outline.parts[i];
+    std::int64_t first = part.first_tet;
+    for (std::size_t region = 0; region < part.tets_of_region.size(); ++region) {
+      const std::int64_t tets = part.tets_of_region[region];
+      if (tets > 0) runs.push_back({i, static_cast<std::int32_t>(region + 1), first, tets});
+      first += tets;
+    }
+    if (part.tets == 0) runs.push_back({i, 1, first, 0});
+  }
+  return runs;
 }
 
 std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path) {

@@ -30,7 +30,7 @@ struct PartOutline {
   std::int64_t owned_nodes = 0;  ///< that no part before has
   std::int64_t tets = 0;
   std::int64_t first_tet = 0;  ///< in the whole mesh: tets are counted part after part
-  std::int32_t region = 1;
+  std::vector<std::int64_t> tets_of_region;  ///< of regions 1, 2, …; in this order in the part
   std::vector<std::int64_t> faces_of_patch;
   Box3 box;
 };
@@ -46,9 +46,20 @@ struct MeshOutline {
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
 };
 
+/// Consecutive tets of a part that are of one region.
+struct RegionRun {
+  std::size_t part = 0;
+  std::int32_t region = 1;
+  std::int64_t first_tet = 0;  ///< in the whole mesh
+  std::int64_t tets = 0;
+};
+
+/// Part after part, in each by region. A part without tets has a run without tets, of region 1.
+std::vector<RegionRun> region_runs(const MeshOutline& outline);
+
 /// Reads each part once, and checks it. @throws InvalidInput when a number is out of range, a node
-/// number belongs to no node, or the parts of a region do not follow one another. Memory: one part,
-/// and a bit for each node of the mesh.
+/// number belongs to no node, or the tets of a part are not in the order of their regions. Memory:
+/// one part, and a bit for each node of the mesh.
 MeshOutline outline_of(const MeshSource& source);
 
 /// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside

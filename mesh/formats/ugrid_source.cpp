@@ -51,6 +51,7 @@ class MappedFile {
 };
 
 constexpr std::size_t header_bytes = 28;
+constexpr std::size_t most_regions = 1'000'000;
 
 /// The smallest number first, turning the same way round.
 Triangle smallest_first(Triangle triangle) {
@@ -66,6 +67,7 @@ struct Piece {
 };
 
 struct RegionLine {
+  std::size_t number = 1;
   std::size_t first = 0;
   std::size_t last = 0;
   std::string name;
@@ -99,11 +101,10 @@ std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::s
   std::size_t expected = 1;
   while (std::getline(file, line)) {
     std::istringstream words(line);
-    std::size_t number = 0;
     RegionLine region;
-    const bool is_whole = static_cast<bool>(words >> number >> region.first >> region.last);
-    if (!is_whole || region.first != expected || region.last + 1 < region.first ||
-        region.last > tets) {
+    const bool is_whole = static_cast<bool>(words >> region.number >> region.first >> region.last);
+    if (!is_whole || region.number < 1 || region.number > most_regions ||
+        region.first != expected || region.last + 1 < region.first || region.last > tets) {
       throw InvalidInput("a line that does not fit the mesh: " + line, path.string());
     }
     std::getline(words >> std::ws, region.name);
@@ -120,10 +121,11 @@ class UgridSource : public MeshSource {
     read_counts();
     sort_boundary();
     std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), tets_);
-    if (regions.empty()) regions = {{1, tets_, "domain"}};
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-      region_names_.push_back(regions[r].name);
-      add_pieces(regions[r], static_cast<std::int32_t>(r + 1),
+    if (regions.empty()) regions = {{1, 1, tets_, "domain"}};
+    for (const RegionLine& region : regions) {
+      region_names_.resize(std::max(region_names_.size(), region.number));
+      region_names_[region.number - 1] = region.name;
+      add_pieces(region, static_cast<std::int32_t>(region.number),
                  static_cast<std::size_t>(tets_of_piece));
     }
   }

@@ -83,9 +83,10 @@ void append(OutputFile& file, std::int64_t& place, const NumberText& numbers) {
   place += numbers.size();
 }
 
-void append_numbers(OutputFile& file, std::int64_t& place, std::size_t count, std::int32_t value) {
-  file.write(place, std::vector<std::int32_t>(count, value));
-  place += static_cast<std::int64_t>(count * sizeof value);
+void append_numbers(OutputFile& file, std::int64_t& place,
+                    const std::vector<std::int32_t>& values) {
+  file.write(place, values);
+  place += static_cast<std::int64_t>(values.size() * sizeof(std::int32_t));
 }
 
 }  // namespace
@@ -107,8 +108,11 @@ void write_cgns(const MeshSource& source, const MeshOutline& outline,
       for (const std::int32_t v : tet) tets.integer(global_node(part, v) + 1);
     }
     append(file, places.tets, tets);
-    append_numbers(file, places.regions, part.tets.size(), part.region);
-    append_numbers(file, places.subdomains, part.tets.size(), part.number);
+    std::vector<std::int32_t> regions = regions_of_cells(part);
+    regions.resize(part.tets.size());
+    append_numbers(file, places.regions, regions);
+    append_numbers(file, places.subdomains,
+                   std::vector<std::int32_t>(part.tets.size(), part.number));
     const auto faces = faces_by_patch(part, outline.patch_names.size());
     for (std::size_t patch = 0; patch < faces.size(); ++patch) {
       NumberText triangles = raw;

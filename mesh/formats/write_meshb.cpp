@@ -72,9 +72,9 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
     file.write(triangle_place, faces.bytes());
     triangle_place += faces.size();
     NumberText tets = raw;
-    for (const Tet& tet : part.tets) {
-      for (const std::int32_t v : tet) tets.integer(global_node(part, v) + 1);
-      tets.integer(part.region);
+    for (std::size_t t = 0; t < part.tets.size(); ++t) {
+      for (const std::int32_t v : part.tets[t]) tets.integer(global_node(part, v) + 1);
+      tets.integer(part.region_of(t));
     }
     file.write(tet_place, tets.bytes());
     tet_place += tets.size();

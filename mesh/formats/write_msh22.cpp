@@ -48,6 +48,7 @@ void write_msh22(const MeshSource& source, const MeshOutline& outline,
   const NumberText style = msh_style(outline, true);
   Places places = write_frame(file, outline, style);
   std::int64_t number = 1;
+  std::int32_t entity = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
     write_node_records(file, places.node, style.record_bytes(1, 3), part, style,
@@ -68,12 +69,14 @@ void write_msh22(const MeshSource& source, const MeshOutline& outline,
     NumberText tets = style;
     const auto partition = static_cast<std::int32_t>(i + 1);
     std::int64_t tet_number = outline.boundary_triangles + outline.parts[i].first_tet + 1;
-    for (const Tet& tet : part.tets) {
+    for (std::size_t t = 0; t < part.tets.size(); ++t) {
+      const std::int32_t region = part.region_of(t);
+      if (t == 0 || region != part.region_of(t - 1)) ++entity;
       tets.integer(tet_number++);
-      for (const std::int32_t tag : {msh_tet_type, 4, part.region, partition, 1, partition}) {
+      for (const std::int32_t tag : {msh_tet_type, 4, region, entity, 1, partition}) {
         tets.integer(tag);
       }
-      put_element(tets, part, tet);
+      put_element(tets, part, part.tets[t]);
     }
     file.write(places.tet, tets.bytes());
     places.tet += tets.size();

@@ -11,7 +11,7 @@ struct Places {
   std::int64_t node_tags = 0;
   std::int64_t node_places = 0;
   std::vector<std::int64_t> triangles;  ///< of each patch
-  std::vector<std::int64_t> tets;       ///< of each part
+  std::vector<std::int64_t> tets;       ///< of each run of a region in a part
 };
 
 struct BlockHead {
@@ -54,7 +54,8 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
   GrowingEnd end(file);
   Places places;
   std::vector<MshVolume> volumes;
-  for (const PartOutline& part : outline.parts) volumes.push_back({part.region, part.box});
+  const std::vector<RegionRun> runs = region_runs(outline);
+  for (const RegionRun& run : runs) volumes.push_back({run.region, outline.parts[run.part].box});
   end.write(msh_head(outline, style));
   end.write(msh_entities(outline, volumes, style));
   NumberText numbers = style;
@@ -65,7 +66,7 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
   places.node_tags = end.leave(outline.nodes * style.record_bytes(1, 0));
   places.node_places = end.leave(outline.nodes * style.record_bytes(0, 3));
   numbers.words(msh_section_end("Nodes", style) + "$Elements\n");
-  std::int64_t blocks = std::ssize(outline.parts);
+  std::int64_t blocks = std::ssize(runs);
   for (const std::int64_t faces : outline.faces_of_patch) blocks += faces > 0 ? 1 : 0;
   const std::int64_t elements = outline.boundary_triangles + outline.tets;
   put_counts(numbers, blocks, elements, 1, elements);
@@ -75,11 +76,10 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
     end.write(numbers.take());
     places.triangles.push_back(end.leave(faces * style.record_bytes(4, 0)));
   }
-  for (std::size_t i = 0; i < outline.parts.size(); ++i) {
-    const std::int64_t tets = outline.parts[i].tets;
-    put_block(numbers, {3, static_cast<int>(i + 1), msh_tet_type, tets});
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    put_block(numbers, {3, static_cast<int>(i + 1), msh_tet_type, runs[i].tets});
     end.write(numbers.take());
-    places.tets.push_back(end.leave(tets * style.record_bytes(5, 0)));
+    places.tets.push_back(end.leave(runs[i].tets * style.record_bytes(5, 0)));
   }
   end.write(msh_section_end("Elements", style));
   return places;
@@ -122,6 +122,8 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
   const NumberText style = msh_style(outline, encoding == MshEncoding::text);
   Places places = write_frame(file, outline, style);
   std::vector<std::int64_t> next_triangle = first_numbers(outline);
+  const std::vector<RegionRun> runs = region_runs(outline);
+  std::size_t run = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
     write_nodes(file, part, places, style);
@@ -134,17 +136,36 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
       file.write(places.triangles[patch], numbers.bytes());
       places.triangles[patch] += numbers.size();
     }
-    NumberText numbers = style;
-    std::int64_t number = 1 + outline.boundary_triangles + outline.parts[i].first_tet;
-    for (const Tet& tet : part.tets) put_element(numbers, number++, tet, part);
-    file.write(places.tets[i], numbers.bytes());
+    std::size_t next = 0;
+    for (; run < runs.size() && runs[run].part == i; ++run) {
+      NumberText numbers = style;
+      std::int64_t number = 1 + outline.boundary_triangles + runs[run].first_tet;
+      for (std::int64_t t = 0; t < runs[run].tets; ++t) {
+        put_element(numbers, number++, part.tets[next++], part);
+      }
+      file.write(places.tets[run], numbers.bytes());
+    }
   }
   file.finish();
 }
 
 namespace {
 
-/// What a partition has of the whole mesh's entities: its volume, and of each patch its part.
+/// The tag of what a partition (from 1) has of a region (from 0): behind those of the regions.
+std::int32_t volume_of(const MeshOutline& outline, std::int32_t partition, std::size_t region) {
+  return static_cast<std::int32_t>(std::ssize(outline.region_names)) * partition +
+         static_cast<std::int32_t>(region) + 1;
+}
+
+/// The volume that a partition's nodes are listed with.
+std::int32_t first_volume(const MeshOutline& outline, std::size_t part) {
+  const std::vector<std::int64_t>& tets = outline.parts[part].tets_of_region;
+  std::size_t region = 0;
+  while (region + 1 < tets.size() && tets[region] == 0) ++region;
+  return volume_of(outline, static_cast<std::int32_t>(part + 1), region);
+}
+
+/// What a partition has of the whole mesh's entities: of each region and patch its part.
 std::string partitioned_entities(const MeshOutline& outline, std::size_t index) {
   const PartOutline& part = outline.parts[index];
   const auto partition = static_cast<std::int32_t>(index + 1);
@@ -164,13 +185,20 @@ std::string partitioned_entities(const MeshOutline& outline, std::size_t index) 
   numbers.words("$PartitionedEntities\n");
   numbers.integer(std::ssize(outline.parts));
   numbers.integer(0);
-  for (const std::int32_t count : {0, 0, surfaces, 1}) numbers.integer(count);
+  const auto regions = static_cast<std::int32_t>(outline.region_names.size());
+  std::int32_t volumes = 0;
+  for (const std::int64_t tets : part.tets_of_region) volumes += tets > 0 ? 1 : 0;
+  for (const std::int32_t count : {0, 0, surfaces, volumes}) numbers.integer(count);
   for (std::int32_t patch = 1; patch <= patches; ++patch) {
     if (part.faces_of_patch[static_cast<std::size_t>(patch - 1)] > 0) {
       put(patches * partition + patch, 2, patch);
     }
   }
-  put(static_cast<std::int32_t>(std::ssize(outline.region_names)) + partition, 3, part.region);
+  for (std::int32_t region = 1; region <= regions; ++region) {
+    if (part.tets_of_region[static_cast<std::size_t>(region - 1)] > 0) {
+      put(volume_of(outline, partition, static_cast<std::size_t>(region - 1)), 3, region);
+    }
+  }
   numbers.words(msh_section_end("PartitionedEntities", numbers));
   return numbers.take();
 }
@@ -194,11 +222,13 @@ std::string nodes_of_partition(const NumberedPart& part, std::int32_t volume) {
 
 /// `next_triangle` are the numbers of the next triangle of each patch.
 std::string elements_of_partition(const NumberedPart& part, const MeshOutline& outline,
-                                  std::int32_t volume, std::vector<std::int64_t>& next_triangle) {
+                                  std::vector<std::int64_t>& next_triangle) {
   const auto partition = static_cast<std::int32_t>(part.number + 1);
   const auto patches = static_cast<std::int32_t>(outline.patch_names.size());
   const auto faces = faces_by_patch(part, outline.patch_names.size());
-  std::int64_t blocks = 1;
+  const PartOutline& here = outline.parts[static_cast<std::size_t>(part.number)];
+  std::int64_t blocks = 0;
+  for (const std::int64_t tets : here.tets_of_region) blocks += tets > 0 ? 1 : 0;
   for (const auto& of_patch : faces) blocks += of_patch.empty() ? 0 : 1;
   NumberText numbers = NumberText::raw();
   numbers.words("$Elements\n");
@@ -214,10 +244,14 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
                   part);
     }
   }
-  put_block(numbers, {3, volume, msh_tet_type, std::ssize(part.tets)});
-  std::int64_t number = 1 + outline.boundary_triangles +
-                        outline.parts[static_cast<std::size_t>(part.number)].first_tet;
-  for (const Tet& tet : part.tets) put_element(numbers, number++, tet, part);
+  std::int64_t number = 1 + outline.boundary_triangles + here.first_tet;
+  std::size_t next = 0;
+  for (std::size_t region = 0; region < here.tets_of_region.size(); ++region) {
+    const std::int64_t tets = here.tets_of_region[region];
+    if (tets == 0) continue;
+    put_block(numbers, {3, volume_of(outline, partition, region), msh_tet_type, tets});
+    for (std::int64_t t = 0; t < tets; ++t) put_element(numbers, number++, part.tets[next++], part);
+  }
   numbers.words(msh_section_end("Elements", numbers));
   return numbers.take();
 }
@@ -235,14 +269,14 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
   std::vector<std::int64_t> next_triangle = first_numbers(outline);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
-    const auto volume = static_cast<std::int32_t>(outline.region_names.size() + i + 1);
+    const std::int32_t volume = first_volume(outline, i);
     const std::string name =
         path.stem().string() + "_" + std::to_string(i + 1) + path.extension().string();
     OutputFile file(path.parent_path() / name);
     GrowingEnd end(file);
     end.write(head + partitioned_entities(outline, i));
     end.write(nodes_of_partition(part, volume));
-    end.write(elements_of_partition(part, outline, volume, next_triangle));
+    end.write(elements_of_partition(part, outline, next_triangle));
     file.finish();
   }
 }

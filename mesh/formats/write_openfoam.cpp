@@ -101,24 +101,20 @@ std::vector<FoamFace> inner_faces(const CellFaces& cells, std::int64_t first_cel
   return faces;
 }
 
-/// Cells of a region follow one another, as its parts do.
+/// Every zone is written, on every processor too. `is_here` tells which parts the cells are of,
+/// which are counted from `first_cell`.
+template <class IsHere>
 void write_zones(const std::filesystem::path& folder, const MeshOutline& outline,
-                 const std::vector<std::string>& names) {
+                 const std::vector<std::string>& names, std::int64_t first_cell,
+                 const IsHere& is_here) {
   if (names.size() < 2) return;
-  std::vector<std::int64_t> first = {0};
-  for (const std::int64_t tets : outline.tets_of_region) first.push_back(first.back() + tets);
-  write_foam_zones(folder, names, first);
-}
-
-/// Of a processor: all its cells are of one region, and every zone is on every processor.
-void write_zones_of_part(const std::filesystem::path& folder, const PartOutline& part,
-                         const std::vector<std::string>& names) {
-  if (names.size() < 2) return;
-  std::vector<std::int64_t> first(names.size() + 1, 0);
-  for (std::size_t i = static_cast<std::size_t>(part.region); i < first.size(); ++i) {
-    first[i] = part.tets;
+  std::vector<FoamZoneRun> zones;
+  for (const RegionRun& run : region_runs(outline)) {
+    if (!is_here(run.part)) continue;
+    zones.push_back(
+        {static_cast<std::size_t>(run.region - 1), run.first_tet - first_cell, run.tets});
   }
-  write_foam_zones(folder, names, first);
+  write_foam_zones(folder, names, zones);
 }
 
 constexpr std::size_t longest_name = 200;
@@ -176,7 +172,8 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
   }
   points.finish();
   lists.finish();
-  write_zones(mesh, outline, plain_names(outline.region_names, longest_name));
+  write_zones(mesh, outline, plain_names(outline.region_names, longest_name), 0,
+              [](std::size_t) { return true; });
   write_foam_boundary(mesh, patches);
 }
 
@@ -264,7 +261,8 @@ void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outl
         folder / ("processor" + std::to_string(i)) / "constant" / "polyMesh";
     const NumberedPart part = source.part(i);
     write_processor(mesh, part, seams.next_part(), outline.parts[i].first_tet, names);
-    write_zones_of_part(mesh, outline.parts[i], regions);
+    write_zones(mesh, outline, regions, outline.parts[i].first_tet,
+                [i](std::size_t run_of) { return run_of == i; });
   }
 }
 

@@ -77,7 +77,7 @@ AppendedData data_of(const NumberedPart& part) {
   data.add(offsets);
   data.add(types);
   data.add(std::vector<std::int32_t>(count, part.number));
-  data.add(std::vector<std::int32_t>(count, part.region));
+  data.add(regions_of_cells(part));
   data.add(patches);
   return data;
 }

@@ -57,10 +57,10 @@ void write_tetgen(const MeshSource& source, const MeshOutline& outline,
       lines.end_record();
     }
     faces.append(lines.take());
-    for (const Tet& tet : part.tets) {
+    for (std::size_t t = 0; t < part.tets.size(); ++t) {
       lines.integer(tet_number++);
-      for (const std::int32_t v : tet) lines.integer(global_node(part, v));
-      lines.integer(part.region);
+      for (const std::int32_t v : part.tets[t]) lines.integer(global_node(part, v));
+      lines.integer(part.region_of(t));
       lines.end_record();
     }
     tets.append(lines.take());

@@ -1,6 +1,7 @@
 #include "mesh/render/part_faces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tetfarm {
 namespace {
@@ -15,18 +16,18 @@ Triangle sorted(Triangle nodes) {
 std::vector<ShownFace> surface_faces(const NumberedPart& part) {
   std::vector<ShownFace> faces;
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    faces.push_back({part.faces[i], part.patch_of_face[i]});
+    faces.push_back({part.faces[i], part.patch_of_face[i], part.region_of_boundary(i)});
   }
   return faces;
 }
 
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
-  std::vector<Triangle> all;
+  std::vector<std::pair<Triangle, std::size_t>> all;  // with their tets
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     if (!is_kept[t]) continue;
     for (const auto& [i, j, k] : tet_face_nodes) {
       const auto node = [&](int n) { return part.tets[t][static_cast<std::size_t>(n)]; };
-      all.push_back(sorted({node(i), node(j), node(k)}));
+      all.emplace_back(sorted({node(i), node(j), node(k)}), t);
     }
   }
   std::sort(all.begin(), all.end());
@@ -37,9 +38,9 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
   std::vector<ShownFace> faces;
   for (std::size_t i = 0; i < all.size();) {
     std::size_t end = i + 1;
-    while (end < all.size() && all[end] == all[i]) ++end;
+    while (end < all.size() && all[end].first == all[i].first) ++end;
     if (end == i + 1) {
-      ShownFace face{all[i], -1};
+      ShownFace face{all[i].first, -1, part.region_of(all[i].second)};
       const auto found = std::lower_bound(surface.begin(), surface.end(), face, before);
       if (found != surface.end() && found->nodes == face.nodes) face.patch = found->patch;
       faces.push_back(face);

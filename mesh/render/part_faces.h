@@ -12,6 +12,7 @@ namespace tetfarm {
 struct ShownFace {
   Triangle nodes;
   std::int32_t patch = -1;  ///< of the input surface; -1: inside of the domain
+  std::int32_t region = 1;
 };
 
 /// The triangles of the input surface that the part has.

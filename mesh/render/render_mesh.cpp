@@ -212,7 +212,7 @@ class MeshRenderer {
       case ColourBy::subdomain:
         return palette_colour(part.number);
       case ColourBy::region:
-        return palette_colour(part.region - 1);
+        return palette_colour(face.region - 1);
       case ColourBy::patch:
         return face.patch < 0 ? neutral_grey : palette_colour(face.patch);
     }

@@ -14,24 +14,26 @@ import sys
 ROOMS = {
     "base": [],
     "mesh/core": ["base"],
+    "mesh/graph": ["base"],
     "mesh/geometry": ["mesh/core"],
     "mesh/spacing": ["mesh/geometry"],
     "mesh/io": ["mesh/core"],
     "mesh/shapes": ["mesh/core"],
     "mesh/inspect": ["mesh/geometry", "mesh/shapes"],
     "mesh/planar": ["mesh/spacing"],
-    "mesh/decompose": ["mesh/planar"],
+    "mesh/decompose": ["mesh/planar", "mesh/graph"],
     "mesh/cosmetics": ["mesh/geometry"],
     "mesh/volume": ["mesh/spacing", "mesh/cosmetics"],
     "mesh/assemble": ["mesh/io"],
     "mesh/formats": ["mesh/assemble"],
+    "mesh/partition": ["mesh/formats", "mesh/graph"],
     "mesh/render": ["mesh/assemble"],
     "proto": ["base"],
     "store": ["base"],
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
-    "cli": ["coordinator", "worker", "pool", "mesh/formats", "mesh/render"],
+    "cli": ["coordinator", "worker", "pool", "mesh/partition", "mesh/render"],
 }
 
 # They see every room, and no room sees them.

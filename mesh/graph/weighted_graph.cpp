@@ -1,0 +1,50 @@
+#include "mesh/graph/weighted_graph.h"
+
+namespace tetfarm {
+
+std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
+                                          const std::vector<std::int32_t>& part_of_node) {
+  std::vector<std::int32_t> piece_of_node(graph.size(), -1);
+  std::int32_t pieces = 0;
+  std::vector<std::size_t> open;
+  for (std::size_t start = 0; start < graph.size(); ++start) {
+    if (piece_of_node[start] >= 0) continue;
+    piece_of_node[start] = pieces;
+    open.push_back(start);
+    while (!open.empty()) {
+      const std::size_t v = open.back();
+      open.pop_back();
+      for (std::size_t e = graph.begin(v); e < graph.end(v); ++e) {
+        const auto w = static_cast<std::size_t>(graph.neighbour[e]);
+        if (piece_of_node[w] >= 0 || part_of_node[w] != part_of_node[v]) continue;
+        piece_of_node[w] = pieces;
+        open.push_back(w);
+      }
+    }
+    ++pieces;
+  }
+  return piece_of_node;
+}
+
+std::int64_t edge_cut(const WeightedGraph& graph, const std::vector<std::int32_t>& part_of_node) {
+  std::int64_t cut = 0;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    for (std::size_t e = graph.begin(v); e < graph.end(v); ++e) {
+      const auto w = static_cast<std::size_t>(graph.neighbour[e]);
+      if (w > v && part_of_node[w] != part_of_node[v]) cut += graph.edge_weight[e];
+    }
+  }
+  return cut;
+}
+
+std::vector<std::int64_t> weights_of_parts(const WeightedGraph& graph,
+                                           const std::vector<std::int32_t>& part_of_node,
+                                           std::int32_t parts) {
+  std::vector<std::int64_t> weights(static_cast<std::size_t>(parts));
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    weights.at(static_cast<std::size_t>(part_of_node[v])) += graph.weight[v];
+  }
+  return weights;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,35 @@
+/// A graph with whole-number weights in compressed rows, as METIS and what mends its answers take
+/// it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace tetfarm {
+
+/// The neighbours of node v are neighbour[first[v]] ... neighbour[first[v + 1] - 1].
+/// Invariants: an edge is there from both sides with one weight, no node is its own neighbour.
+struct WeightedGraph {
+  std::vector<std::int32_t> first = {0};
+  std::vector<std::int32_t> neighbour;
+  std::vector<std::int32_t> edge_weight;  ///< beside `neighbour`
+  std::vector<std::int32_t> weight;       ///< of each node
+
+  std::size_t size() const { return weight.size(); }
+  std::size_t begin(std::size_t v) const { return static_cast<std::size_t>(first[v]); }
+  std::size_t end(std::size_t v) const { return static_cast<std::size_t>(first[v + 1]); }
+};
+
+/// The piece of each node, from 0 in the order of their first nodes: nodes of a piece are of the
+/// same part and hang together. Cost: O(nodes + edges).
+std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
+                                          const std::vector<std::int32_t>& part_of_node);
+
+/// The sum of the weights of all edges between two parts.
+std::int64_t edge_cut(const WeightedGraph& graph, const std::vector<std::int32_t>& part_of_node);
+
+std::vector<std::int64_t> weights_of_parts(const WeightedGraph& graph,
+                                           const std::vector<std::int32_t>& part_of_node,
+                                           std::int32_t parts);
+
+}  // namespace tetfarm

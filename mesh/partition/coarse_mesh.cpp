@@ -1,0 +1,150 @@
+#include "mesh/partition/coarse_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "base/error.h"
+#include "mesh/formats/node_records.h"
+#include "mesh/graph/graph_coarsening.h"
+#include "mesh/partition/dual_graph.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// A face that only one tet of its sub-domain has.
+struct OpenFace {
+  std::array<std::int64_t, 3> nodes{};  ///< in the whole mesh, ascending
+  std::int32_t subdomain = 0;
+  std::int32_t tet = 0;
+  std::int32_t cluster = 0;
+  bool operator<(const OpenFace& other) const {
+    return nodes != other.nodes ? nodes < other.nodes : subdomain < other.subdomain;
+  }
+};
+
+/// Clusters a < b that share so many faces.
+struct Bond {
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+  std::int32_t faces = 1;
+};
+
+/// Bonds of the same two clusters become one.
+void join_bonds(std::vector<Bond>& bonds) {
+  std::sort(bonds.begin(), bonds.end(),
+            [](const Bond& x, const Bond& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    if (kept > 0 && bonds[kept - 1].a == bonds[i].a && bonds[kept - 1].b == bonds[i].b) {
+      bonds[kept - 1].faces += bonds[i].faces;
+    } else {
+      bonds[kept++] = bonds[i];
+    }
+  }
+  bonds.resize(kept);
+}
+
+class Coarsening {
+ public:
+  explicit Coarsening(const std::filesystem::path& folder) : open_(folder), mesh_(folder) {}
+
+  void add(const NumberedPart& part, std::int32_t subdomain, std::int32_t wanted) {
+    const CellFaces cells = cell_faces(part);
+    const std::vector<GraphLevel> levels =
+        coarsen_graph(dual_graph(cells, part.tets.size()), part.tets.size(), at(wanted));
+    const auto first = static_cast<std::int32_t>(mesh_.graph.weight.size());
+    mesh_.first_cluster.push_back(first);
+    mesh_.wanted_clusters.push_back(wanted);
+    add_clusters(levels.back().graph, first);
+    for (const OuterFace& face : cells.outer) {
+      std::int32_t cluster = face.owner;
+      for (std::size_t i = 1; i < levels.size(); ++i) cluster = levels[i].coarse_of[at(cluster)];
+      OpenFace open{{}, subdomain, face.owner, first + cluster};
+      for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = global_node(part, face.nodes[k]);
+      std::sort(open.nodes.begin(), open.nodes.end());
+      open_.push(open);
+    }
+  }
+
+  CoarseMesh finish() {
+    match_open_faces();
+    join_bonds(bonds_);
+    make_rows();
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_clusters(const WeightedGraph& clusters, std::int32_t first) {
+    mesh_.graph.weight.insert(mesh_.graph.weight.end(), clusters.weight.begin(),
+                              clusters.weight.end());
+    for (std::size_t v = 0; v < clusters.size(); ++v) {
+      for (std::size_t e = clusters.begin(v); e < clusters.end(v); ++e) {
+        const auto a = static_cast<std::int32_t>(v);
+        const std::int32_t b = clusters.neighbour[e];
+        if (a < b) bonds_.push_back({first + a, first + b, clusters.edge_weight[e]});
+      }
+    }
+  }
+
+  void match_open_faces() {
+    OpenFace last;
+    OpenFace here;
+    for (bool has_last = open_.next(last); has_last && open_.next(here);) {
+      if (here.nodes != last.nodes) {
+        last = here;
+        continue;
+      }
+      bonds_.push_back(
+          {std::min(last.cluster, here.cluster), std::max(last.cluster, here.cluster)});
+      for (const OpenFace& face : {last, here}) {
+        mesh_.sides.push({face.subdomain, face.tet, std::ssize(mesh_.cluster_of_side)});
+        mesh_.cluster_of_side.push_back(face.cluster);
+      }
+      has_last = open_.next(last);
+      if (has_last && last.nodes == here.nodes) throw InvalidInput("a face has three tets", "");
+    }
+  }
+
+  void make_rows() {
+    WeightedGraph& graph = mesh_.graph;
+    graph.first.assign(graph.size() + 1, 0);
+    for (const Bond& bond : bonds_) {
+      ++graph.first[at(bond.a + 1)];
+      ++graph.first[at(bond.b + 1)];
+    }
+    for (std::size_t v = 0; v < graph.size(); ++v) graph.first[v + 1] += graph.first[v];
+    graph.neighbour.resize(2 * bonds_.size());
+    graph.edge_weight.resize(2 * bonds_.size());
+    std::vector<std::int32_t> next(graph.first.begin(), graph.first.end() - 1);
+    for (const Bond& bond : bonds_) {
+      for (const auto& [from, to] : {std::pair(bond.a, bond.b), std::pair(bond.b, bond.a)}) {
+        graph.neighbour[at(next[at(from)])] = to;
+        graph.edge_weight[at(next[at(from)]++)] = bond.faces;
+      }
+    }
+  }
+
+  ExternalSort<OpenFace> open_;
+  CoarseMesh mesh_;
+  std::vector<Bond> bonds_;
+};
+
+}  // namespace
+
+CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
+                   const std::filesystem::path& folder) {
+  Coarsening coarsening(folder);
+  const auto subdomains = static_cast<std::int64_t>(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const NumberedPart part = source.part(i);
+    const std::int64_t wanted = std::min(std::ssize(part.tets), clusters / subdomains);
+    coarsening.add(part, static_cast<std::int32_t>(i),
+                   static_cast<std::int32_t>(std::max<std::int64_t>(1, wanted)));
+  }
+  return coarsening.finish();
+}
+
+}  // namespace tetfarm

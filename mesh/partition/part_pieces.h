@@ -1,0 +1,41 @@
+/// The tets of a mesh put together anew: laid down piece by piece on disk, each piece what one
+/// sub-domain has of one part, and taken part by part.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "mesh/assemble/portion.h"
+#include "mesh/formats/scratch_file.h"
+
+namespace tetfarm {
+
+class PartPieces {
+ public:
+  PartPieces(std::int32_t parts, const std::filesystem::path& folder)
+      : file_(folder), pieces_(static_cast<std::size_t>(parts)) {}
+
+  /// A boundary triangle goes with the tet that it is a face of. @throws IoError, InvalidInput.
+  void add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_tet);
+
+  std::size_t size() const { return pieces_.size(); }
+  /// Nodes ascend by their numbers in the whole mesh; tets are in the order of the sub-domains, by
+  /// regions first. @throws IoError. Cost: O(n log n).
+  NumberedPart part(std::size_t i) const;
+
+ private:
+  struct Piece {
+    std::int64_t place = 0;
+    std::size_t nodes = 0;
+    std::size_t tets = 0;
+    std::size_t faces = 0;
+  };
+  void lay_down(const NumberedPart& piece, std::size_t part);
+  NumberedPart read(const Piece& piece) const;
+
+  ScratchFile file_;
+  std::vector<std::vector<Piece>> pieces_;
+};
+
+}  // namespace tetfarm
