@@ -76,6 +76,7 @@ KnownArrays known_arrays(const Hdf5Input& file) {
 void read_points(const Hdf5Input& file, const Partition& here, bool has_numbers,
                  NumberedPart& part) {
   const auto points = file.slice<double>("VTKHDF/Points", here.first_point, here.points, 3);
+  part.nodes.reserve(points.size() / 3);
   for (std::size_t i = 0; i < points.size(); i += 3) {
     part.nodes.push_back({points[i], points[i + 1], points[i + 2]});
   }
@@ -102,6 +103,9 @@ Element element_at(const Hdf5Input& file, const std::vector<std::int64_t>& conne
 void read_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
                 NumberedPart& part) {
   const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  const auto tets = std::count(types.begin(), types.end(), vtk_tetra);
+  part.tets.reserve(at(tets));
+  part.faces.reserve(types.size() - at(tets));
   const auto offsets =
       file.slice<std::int64_t>("VTKHDF/Offsets", here.first_cell + here.number, here.cells + 1);
   const auto connectivity =
@@ -146,12 +150,34 @@ void read_regions(const Hdf5Input& file, const Partition& here, NumberedPart& pa
   }
 }
 
-NumberedPart read_part(const Hdf5Input& file, const Partition& here, const KnownArrays& known) {
+/// The numbers of tets and faces, and the patches.
+void count_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
+                 NumberedPart& part) {
+  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  const auto tets = std::count(types.begin(), types.end(), vtk_tetra);
+  part.tets.resize(at(tets));
+  part.faces.resize(types.size() - at(tets));
+  part.patch_of_face.assign(part.faces.size(), 0);
+  if (!has_patches) return;
+  const auto patches =
+      file.slice<std::int32_t>("VTKHDF/CellData/patch", here.first_cell, here.cells);
+  std::size_t face = 0;
+  for (std::size_t cell = 0; cell < types.size(); ++cell) {
+    if (types[cell] != vtk_tetra) part.patch_of_face[face++] = patches[cell];
+  }
+}
+
+NumberedPart read_part(const Hdf5Input& file, const Partition& here, const KnownArrays& known,
+                       bool with_nodes_of_cells) {
   NumberedPart part;
   part.number = static_cast<std::int32_t>(here.number);
   if (known.regions) read_regions(file, here, part);
   read_points(file, here, known.node_numbers, part);
-  read_cells(file, here, known.patches, part);
+  if (with_nodes_of_cells) {
+    read_cells(file, here, known.patches, part);
+  } else {
+    count_cells(file, here, known.patches, part);
+  }
   return part;
 }
 
@@ -225,7 +251,11 @@ bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers
 void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
 
 NumberedPart VtkhdfParts::part(std::size_t i) const {
-  return read_part(content_->file, content_->partitions.at(i), content_->known);
+  return read_part(content_->file, content_->partitions.at(i), content_->known, true);
+}
+
+NumberedPart VtkhdfParts::part_without_connectivity(std::size_t i) const {
+  return read_part(content_->file, content_->partitions.at(i), content_->known, false);
 }
 
 std::vector<std::string> VtkhdfParts::patch_names() const {
@@ -258,7 +288,7 @@ GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
   mesh.mesh.nodes.resize(at(node_count(file, partitions, known.node_numbers)));
   mesh.mesh.boundary_nodes = static_cast<std::int32_t>(mesh.mesh.nodes.size());
   mesh.subdomains = static_cast<std::int32_t>(partitions.size());
-  for (const Partition& here : partitions) join(file, read_part(file, here, known), mesh);
+  for (const Partition& here : partitions) join(file, read_part(file, here, known, true), mesh);
   if (file.has("Tetfarm/patch_names")) mesh.patch_names = file.texts("Tetfarm/patch_names");
   if (file.has("Tetfarm/region_names")) mesh.region_names = file.texts("Tetfarm/region_names");
   return mesh;

@@ -22,6 +22,9 @@ class VtkhdfSource : public MeshSource {
   }
   std::size_t size() const override { return parts_.size(); }
   NumberedPart part(std::size_t i) const override { return parts_.part(i); }
+  NumberedPart part_to_outline(std::size_t i) const override {
+    return parts_.part_without_connectivity(i);
+  }
   std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
   std::vector<std::string> region_names() const override { return parts_.region_names(); }
 
@@ -95,7 +98,7 @@ MeshOutline outline_of(const MeshSource& source) {
   // A number above all points could not be of a mesh without gaps, and would cost memory.
   std::int64_t limit = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const NumberedPart part = source.part(i);
+    const NumberedPart part = source.part_to_outline(i);
     points += std::ssize(part.nodes);
     limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
     outline.parts.push_back(outline_of_part(part, i, outline.tets, limit, known));

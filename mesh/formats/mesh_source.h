@@ -20,6 +20,8 @@ class MeshSource {
   virtual std::size_t size() const = 0;
   /// The i-th part, with the number i. @throws InvalidInput, IoError.
   virtual NumberedPart part(std::size_t i) const = 0;
+  /// The same; the nodes of its tets and faces may be left out (0).
+  virtual NumberedPart part_to_outline(std::size_t i) const { return part(i); }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
 };
@@ -57,9 +59,9 @@ struct RegionRun {
 /// Part after part, in each by region. A part without tets has a run without tets, of region 1.
 std::vector<RegionRun> region_runs(const MeshOutline& outline);
 
-/// Reads each part once, and checks it. @throws InvalidInput when a number is out of range, a node
-/// number belongs to no node, or the tets of a part are not in the order of their regions. Memory:
-/// one part, and a bit for each node of the mesh.
+/// Reads each part once, without the nodes of its elements, and checks it. @throws InvalidInput
+/// when a number is out of range, a node number belongs to no node, or the tets of a part are not
+/// in the order of their regions. Memory: one part, and a bit for each node of the mesh.
 MeshOutline outline_of(const MeshSource& source);
 
 /// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside

@@ -87,5 +87,23 @@ TEST(MeshSource, a_cut_short_file_is_refused) {
   EXPECT_THROW(open_mesh(file), InvalidInput);
 }
 
+TEST(MeshSource, the_outline_of_a_file_is_that_of_the_parts_with_all_their_nodes) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  export_mesh(grid, find_mesh_format("", "a.vtkhdf"), folder.path() / "a.vtkhdf");
+  const auto file = open_mesh(folder.path() / "a.vtkhdf");
+  const MeshOutline of_file = outline_of(*file);
+  const MeshOutline of_grid = outline_of(grid);
+  EXPECT_EQ(of_file.tets, of_grid.tets);
+  EXPECT_EQ(of_file.nodes, of_grid.nodes);
+  EXPECT_EQ(of_file.boundary_triangles, of_grid.boundary_triangles);
+  EXPECT_EQ(of_file.faces_of_patch, of_grid.faces_of_patch);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    EXPECT_EQ(of_file.parts[i].owned_nodes, of_grid.parts[i].owned_nodes);
+    EXPECT_EQ(of_file.parts[i].faces_of_patch, of_grid.parts[i].faces_of_patch);
+    EXPECT_EQ(of_file.parts[i].tets_of_region, of_grid.parts[i].tets_of_region);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm
