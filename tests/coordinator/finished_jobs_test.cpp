@@ -2,6 +2,7 @@
 // somebody asks for them.
 #include "coordinator/finished_jobs.h"
 
+#include "coordinator/farm_metrics.h"
 #include "coordinator/query_answers.h"
 #include "proto/messages.pb.h"
 #include "tests/coordinator/job_state_fixture.h"
@@ -83,13 +84,15 @@ TEST_F(Finished, a_job_leaves_memory_when_its_end_is_committed_and_its_status_st
 TEST_F(Finished, a_running_job_stays_and_so_does_one_with_an_attempt_that_still_runs) {
   submit();
   worker_ = add_worker({.nonce = "one"});
-  const SendAssign inspect = next(worker_);
+  run_until_meshes();
   EXPECT_EQ(let_go(), 0U);
-  ASSERT_TRUE(finish(worker_, inspect));
-  const SendAssign running = next(worker_);
-  ASSERT_TRUE(running.attempt);
+  // With everything lost, its input too, the job fails while its first mesh is being made.
+  files_.clear();
+  const WorkerId other = add_worker({.host = "other", .nonce = "other"});
+  for (int i = 0; i < 10; ++i) next(other);
+  ASSERT_EQ(job().phase, JobPhase::failed);
   EXPECT_EQ(let_go(), 0U);
-  state_->cancel(JobId{1}, now_);
+  state_->worker_left(worker_, true, now_);
   EXPECT_EQ(let_go(), 1U);
 }
 
@@ -204,6 +207,20 @@ TEST_F(Finished, why_a_task_of_a_failed_job_does_not_run_is_found_in_its_rows) {
   ASSERT_EQ(let_go(), 1U);
   EXPECT_EQ(state_->outlook(quarantined, now_).reasons, before);
   EXPECT_FALSE(state_->is_at_hand(job)) << "a question changes nothing";
+}
+
+TEST_F(Finished, figures_count_tasks_of_jobs_that_left_memory_once) {
+  const JobId job = run_job(4, 0);
+  const auto figures = [this] {
+    return FarmMetrics(0).text(*state_, Refusals(), FarmSurroundings());
+  };
+  const std::string before = figures();
+  ASSERT_THAT(before, HasSubstr("tetfarm_tasks{kind=\"mesh\",state=\"done\"} 3\n"));
+  ASSERT_EQ(let_go(), 1U);
+  EXPECT_EQ(figures(), before);
+  files_.erase(finished_.jobs().at(job).results.front().hash);
+  state_->submit({record_.state().jobs.at(job).key, "wing", "toml", job_file_, {surface_}}, now_);
+  EXPECT_THAT(figures(), HasSubstr("tetfarm_tasks{kind=\"mesh\",state=\"done\"} 3\n"));
 }
 
 TEST_F(Finished, what_tasks_of_a_kind_took_is_known_after_a_restart) {
