@@ -38,6 +38,7 @@ class ExpectedBytes : public testing::Test {
 TEST_F(ExpectedBytes, are_those_of_the_largest_of_its_kind) {
   add(TaskKind::decompose, TaskState::done, 10, 100);
   add(TaskKind::decompose, TaskState::done, 10, 300);
+  add(TaskKind::decompose, TaskState::done, 10, 200);
   EXPECT_EQ(expected_bytes(5), 0U) << "nothing runs";
   add(TaskKind::decompose, TaskState::leased, 10, 0);
   EXPECT_EQ(expected_bytes(5), 300U);
