@@ -57,22 +57,15 @@ TEST(PartRefinement, nodes_that_are_only_seen_stay) {
 }
 
 TEST(PartRefinement, a_node_that_holds_its_part_together_stays) {
-  // Part 0 is a path through the middle of part 1: each node has more edges to part 1.
+  // Two blocks of part 0 are joined by one node, on either side of which is the lighter part 1.
   const WeightedGraph graph = test::graph_grid(7);
-  std::vector<std::int32_t> parts(49, 1);
-  for (std::size_t x = 0; x < 7; ++x) parts[21 + x] = 0;
-  for (std::size_t x = 0; x < 7; ++x) parts[42 + x] = 2;
-  std::vector<std::int64_t> weights = weights_of_parts(graph, parts, 3);
-  refine_parts(graph, graph.size(), {49, 20}, parts, weights);
+  std::vector<std::int32_t> parts(49, 0);
+  for (std::size_t x = 0; x < 7; ++x) parts[21 + x] = x == 3 ? 0 : 1;
+  std::vector<std::int64_t> weights = weights_of_parts(graph, parts, 2);
+  refine_parts(graph, 25, {43, 1}, parts, weights);
   const std::vector<std::int32_t> pieces = pieces_of_parts(graph, parts);
-  for (std::int32_t part = 0; part < 3; part += 2) {
-    std::int32_t piece = -1;
-    for (std::size_t v = 0; v < 49; ++v) {
-      if (parts[v] != part) continue;
-      if (piece < 0) piece = pieces[v];
-      EXPECT_EQ(pieces[v], piece) << v;
-    }
-    EXPECT_GT(weights[static_cast<std::size_t>(part)], 0);
+  for (std::size_t v = 0; v < 49; ++v) {
+    EXPECT_TRUE(parts[v] != 0 || pieces[v] == pieces[0]) << v;
   }
 }
 
