@@ -2,7 +2,6 @@
 """What cuts do to a mesh, for many surfaces and numbers of sub-domains: docs/seams.md.
 
   TETFARM_DATA=... bench/cuts_table.py BUILD_FOLDER [--models pipe,flange] [--subdomains 4,16]
-  ... --digests 1,2,3,8      compares the digests of so many workers instead, at 16 sub-domains
 
 Each mesh is made by `tetfarm run` and checked by `tetfarm quality`. Elements near cuts (three layers) are set
 beside all elements of the mesh of one sub-domain (of one a region) of the same job. What a run does not tell,
@@ -89,24 +88,11 @@ def row(name, subdomains, mesh, whole, others):
     return (text + f"{degrees}° | {100 * estimate / mesh['elements'] - 100:+.1f} %, {worst} % | {share:.0f} % |")
 
 
-def compare_digests(build, names, workers):
-    print("| surface | digest of 16 sub-domains | workers |\n|---|---|---|")
-    for name in names:
-        where, outer = MODELS[name]
-        with tempfile.TemporaryDirectory() as folder:
-            surface = surface_of(build, where, folder)
-            digests = {n: run(build, surface, outer, 16, n)["digest"] for n in workers}
-        same = len(set(digests.values())) == 1
-        print(f"| {name} | `{digests[workers[0]]}` | {', '.join(map(str, workers))}: "
-              f"{'the same' if same else digests} |", flush=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--models", default=",".join(MODELS))
     parser.add_argument("--subdomains", default="4,16,64,256")
-    parser.add_argument("--digests", default="")
     options = parser.parse_args()
     build = options.build.resolve()
     names = [next(n for n in MODELS if n.startswith(wanted)) for wanted in options.models.split(",")
@@ -114,9 +100,6 @@ def main():
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True,
                             text=True, check=False).stdout.strip()
     print(f"commit {commit}, {os.uname().machine}, {os.cpu_count()} cores\n")
-    if options.digests:
-        compare_digests(build, names, [int(n) for n in options.digests.split(",")])
-        return
     print("| surface | wanted | made | not cut | elements (to uncut) | smallest dihedral near cuts, ° | "
           "smallest height near cuts | cuts to the surface | estimate: all, worst leaf | cutting |")
     print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|", flush=True)
