@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,12 +48,19 @@ class Daemon : public ::testing::Test {
 
   static void pause_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
-  /// The process of the task that the worker runs, stopped: a task that takes as long as we like.
+  /// The process of the task that the worker runs, if it runs one.
+  static std::optional<pid_t> task_of(const Program& worker) {
+    for (const pid_t process : descendants(worker.process())) {
+      if (name_of(process) == "tetfarm-task") return process;
+    }
+    return {};
+  }
+
+  /// The same, stopped: a task that takes as long as we like.
   static pid_t stop_task_of(const Program& worker) {
     for (int i = 0; i < 4000; ++i) {
-      for (const pid_t process : descendants(worker.process())) {
-        if (name_of(process) == "tetfarm-task" && ::kill(process, SIGSTOP) == 0) return process;
-      }
+      const std::optional<pid_t> task = task_of(worker);
+      if (task && ::kill(*task, SIGSTOP) == 0) return *task;
       pause_ms(5);
     }
     ADD_FAILURE() << "the worker runs no task";

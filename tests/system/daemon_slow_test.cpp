@@ -1,6 +1,7 @@
 // The daemon as on a cluster: a coordinator, workers that come over TCP, and clients.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 
 #include "tests/system/daemon_farm.h"
@@ -76,7 +77,7 @@ TEST_F(Daemon, a_result_that_was_made_while_the_coordinator_was_dead_is_kept_and
   coordinator_->signal(SIGKILL);
   coordinator_->wait();
   ::kill(task, SIGCONT);
-  for (int i = 0; i < 2000 && !test::descendants(worker->process()).empty(); ++i) pause_ms(10);
+  for (int i = 0; i < 2000 && task_of(*worker); ++i) pause_ms(10);
   coordinator_ = start_coordinator(endpoint_);
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -122,15 +123,24 @@ TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
   EXPECT_EQ(poor.code, 6) << poor.err;
   EXPECT_THAT(poor.err, HasSubstr("out of memory"));
   const auto large = start_worker({"--memory", "2GB"});
+  const std::string its_memory = std::to_string(std::uint64_t{2} << 30U);
+  for (int i = 0; i < 200 && ask({"workers", "--json"}).out.find(its_memory) == std::string::npos;
+       ++i) {
+    pause_ms(20);
+  }
   EXPECT_EQ(ask({"retry", job}).code, 0);
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  bool is_starved = false;
-  for (const AttemptRow& attempt : attempts()) {
-    is_starved |= attempt.state == AttemptState::starved;
-    EXPECT_TRUE(attempt.state != AttemptState::done || attempt.memory_bytes > 3'000'000U);
-  }
-  EXPECT_TRUE(is_starved);
+  const std::vector<AttemptRow> all = attempts();
+  const auto starved = std::find_if(all.begin(), all.end(), [](const AttemptRow& attempt) {
+    return attempt.state == AttemptState::starved;
+  });
+  ASSERT_NE(starved, all.end());
+  const auto done = std::find_if(all.begin(), all.end(), [&](const AttemptRow& attempt) {
+    return attempt.task == starved->task && attempt.state == AttemptState::done;
+  });
+  ASSERT_NE(done, all.end());
+  EXPECT_GT(done->memory_bytes, starved->memory_bytes);
 }
 
 TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
