@@ -1,5 +1,7 @@
 #include "mesh/graph/weighted_graph.h"
 
+#include <utility>
+
 namespace tetfarm {
 
 std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
@@ -24,6 +26,39 @@ std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
     ++pieces;
   }
   return piece_of_node;
+}
+
+WeightedGraph tie_pieces(WeightedGraph graph) {
+  const std::vector<std::int32_t> piece_of_node =
+      pieces_of_parts(graph, std::vector<std::int32_t>(graph.size(), 0));
+  std::vector<std::int32_t> first_node;
+  std::vector<std::int32_t> last_node;
+  for (std::size_t v = 0; v < graph.size(); ++v) {
+    const auto piece = static_cast<std::size_t>(piece_of_node[v]);
+    if (piece == first_node.size()) {
+      first_node.push_back(static_cast<std::int32_t>(v));
+      last_node.push_back(0);
+    }
+    last_node[piece] = static_cast<std::int32_t>(v);
+  }
+  if (first_node.size() < 2) return graph;
+  WeightedGraph tied;
+  tied.weight = std::move(graph.weight);
+  const auto add = [&tied](std::int32_t neighbour, std::int32_t edge_weight) {
+    tied.neighbour.push_back(neighbour);
+    tied.edge_weight.push_back(edge_weight);
+  };
+  for (std::size_t v = 0; v < tied.size(); ++v) {
+    for (std::size_t e = graph.begin(v); e < graph.end(v); ++e) {
+      add(graph.neighbour[e], graph.edge_weight[e]);
+    }
+    const auto piece = static_cast<std::size_t>(piece_of_node[v]);
+    const auto node = static_cast<std::int32_t>(v);
+    if (piece > 0 && node == first_node[piece]) add(last_node[piece - 1], 1);
+    if (piece + 1 < first_node.size() && node == last_node[piece]) add(first_node[piece + 1], 1);
+    tied.first.push_back(static_cast<std::int32_t>(tied.neighbour.size()));
+  }
+  return tied;
 }
 
 std::int64_t edge_cut(const WeightedGraph& graph, const std::vector<std::int32_t>& part_of_node) {

@@ -25,6 +25,10 @@ struct WeightedGraph {
 std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
                                           const std::vector<std::int32_t>& part_of_node);
 
+/// The graph itself if it is in one piece, else with an edge of weight 1 from the last node of each
+/// piece to the first of the next one: so that parts can be whole and even. Cost: O(nodes + edges).
+WeightedGraph tie_pieces(WeightedGraph graph);
+
 /// The sum of the weights of all edges between two parts.
 std::int64_t edge_cut(const WeightedGraph& graph, const std::vector<std::int32_t>& part_of_node);
 

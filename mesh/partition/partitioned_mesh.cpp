@@ -15,7 +15,7 @@ namespace tetfarm {
 namespace {
 
 /// METIS is to stay well below what is promised (1.03), so that tets near borders can move.
-constexpr std::int32_t imbalance_in_thousandths = 20;
+constexpr std::int32_t imbalance_in_thousandths = 25;
 constexpr double most_over_mean = 1.028;
 constexpr std::int64_t least_clusters_of_part = 64;
 /// The coarse graph is small beside the mesh: METIS may try it more than once.
@@ -55,13 +55,11 @@ std::vector<std::int32_t> partition_by(const MetisOptions& options, const Weight
 }
 
 /// What METIS is asked for. Neither is always the better one.
-std::vector<MetisOptions> ways_to_try(const WeightedGraph& graph, std::int32_t parts) {
+std::vector<MetisOptions> ways_to_try(std::int32_t parts) {
   MetisOptions options;
   options.imbalance_in_thousandths = imbalance_in_thousandths;
   options.trials = trials;
-  const std::vector<std::int32_t> pieces =
-      pieces_of_parts(graph, std::vector<std::int32_t>(graph.size(), 0));
-  options.contiguous = std::count(pieces.begin(), pieces.end(), 0) == std::ssize(pieces);
+  options.contiguous = true;
   std::vector<MetisOptions> ways = {options};
   if (parts <= most_parts_by_halves) {
     ways.push_back(options);
@@ -76,7 +74,7 @@ std::vector<std::int32_t> partition_clusters(const WeightedGraph& graph, std::in
                                              std::int64_t tets) {
   std::vector<std::int32_t> best;
   std::pair<std::int64_t, std::int64_t> least;  // how much too heavy, how many faces
-  for (const MetisOptions& options : ways_to_try(graph, parts)) {
+  for (const MetisOptions& options : ways_to_try(parts)) {
     std::vector<std::int32_t> found = partition_by(options, graph, parts, tets);
     const std::vector<std::int64_t> weights = weights_of_parts(graph, found, parts);
     const std::int64_t heaviest = *std::max_element(weights.begin(), weights.end());
@@ -102,6 +100,7 @@ class FinePartition {
                        "--partitions " + std::to_string(parts));
     }
     heaviest_ = heaviest_part(tets, parts);
+    coarse_.graph = tie_pieces(std::move(coarse_.graph));
     part_of_cluster_ = partition_clusters(coarse_.graph, parts, tets);
     weights_ = weights_of_parts(coarse_.graph, part_of_cluster_, parts);
     for (const std::int32_t cluster : coarse_.cluster_of_side) {

@@ -2,9 +2,9 @@
 /// sub-domains that it was meshed in.
 ///
 /// Source: thesis 4.3.2.1 (METIS) and 4.3.4.2.1 (what solvers need), joined; there the sub-domains
-/// are the parts. The whole mesh is never in memory: METIS makes clusters of the tets of each
-/// sub-domain, then divides the graph of all clusters; then tets near the borders between parts
-/// move one by one, sub-domain after sub-domain.
+/// are the parts. The whole mesh is never in memory: the tets of each sub-domain are joined in
+/// pairs to clusters, METIS divides the graph of all clusters, and clusters and tets near the
+/// borders between parts move one by one, sub-domain after sub-domain.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace tetfarm {
 struct PartitionOptions {
   std::int32_t parts = 1;
   /// In memory at once: as many as there are tets, or these. 64 for each part if that is more.
-  std::int64_t clusters = std::int64_t{1} << 17;
+  std::int64_t clusters = std::int64_t{1} << 19;
 };
 
 struct PartitionFigures {
@@ -29,8 +29,8 @@ struct PartitionFigures {
   double largest_over_mean() const;
 };
 
-/// The parts 0, 1, …: each of one piece, joined by faces, if the mesh is; nodes have the numbers
-/// that they have in `source`.
+/// The parts 0, 1, …: each of one piece, joined by faces, in each piece of the mesh that it has a
+/// share of; nodes have the numbers that they have in `source`.
 class PartitionedMesh : public MeshSource {
  public:
   /// Reads each sub-domain twice; `source` need not live longer. `folder` is for files that are

@@ -72,30 +72,37 @@ WeightedGraph whole_dual_graph(const MeshSource& source) {
   return dual_graph(cell_faces(whole), whole.tets.size());
 }
 
-std::int32_t pieces_of(const NumberedPart& part) {
+std::int32_t pieces_of(const WeightedGraph& graph) {
   const std::vector<std::int32_t> pieces =
-      pieces_of_parts(dual_graph(cell_faces(part), part.tets.size()),
-                      std::vector<std::int32_t>(part.tets.size(), 0));
+      pieces_of_parts(graph, std::vector<std::int32_t>(graph.size(), 0));
   return *std::max_element(pieces.begin(), pieces.end()) + 1;
 }
 
 TEST_P(PartsOfModels, are_even_whole_short_and_have_right_communication_tables) {
   const WeightedGraph whole = whole_dual_graph(*source_);
+  // The inside of d150 is in pieces: parts may then have a share of several.
+  const std::int32_t pieces = pieces_of(whole);
+  const WeightedGraph tied = tie_pieces(whole);
   for (const std::int32_t parts : {4, 16, 64}) {
     SCOPED_TRACE(parts);
     const PartitionedMesh mesh(*source_, {parts}, folder_.path());
     EXPECT_LE(mesh.figures().largest_over_mean(), 1.03);
-    for (std::size_t i = 0; i < mesh.size(); ++i) EXPECT_EQ(pieces_of(mesh.part(i)), 1) << i;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      const NumberedPart part = mesh.part(i);
+      EXPECT_LE(pieces_of(dual_graph(cell_faces(part), part.tets.size())), pieces) << i;
+    }
     EXPECT_THAT(complaints_of(mesh, folder_.path()), testing::IsEmpty());
     // In thin models METIS's parts are in pieces unless it is asked for whole ones, as ours are.
     MetisOptions whole_parts;
     whole_parts.contiguous = true;
     const auto of_metis =
-        static_cast<double>(edge_cut(whole, metis_partition(whole, parts, whole_parts)));
+        static_cast<double>(edge_cut(whole, metis_partition(tied, parts, whole_parts)));
     const double over_metis = static_cast<double>(mesh.figures().cut_faces) / of_metis;
-    std::printf("%-24s %8zu tets %3d parts: largest/mean %.3f, %8lld faces, %.3f of METIS's\n",
-                GetParam().name, whole.size(), parts, mesh.figures().largest_over_mean(),
-                static_cast<long long>(mesh.figures().cut_faces), over_metis);
+    std::printf(
+        "%-24s %8zu tets in %d pieces, %3d parts: largest/mean %.3f, %8lld faces, %.3f of "
+        "METIS's\n",
+        GetParam().name, whole.size(), pieces, parts, mesh.figures().largest_over_mean(),
+        static_cast<long long>(mesh.figures().cut_faces), over_metis);
     EXPECT_LE(over_metis, 1.10);
   }
 }
