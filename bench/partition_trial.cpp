@@ -9,31 +9,15 @@
 #include <cstring>
 #include <filesystem>
 
-#include "mesh/formats/cell_faces.h"
 #include "mesh/graph/metis_partition.h"
-#include "mesh/partition/dual_graph.h"
 #include "mesh/partition/partitioned_mesh.h"
+#include "tests/support/whole_dual_graph.h"
 
 namespace tetfarm {
 namespace {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// All parts as one, nodes by their numbers in the whole mesh.
-NumberedPart whole_mesh(const MeshSource& source) {
-  NumberedPart whole;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const NumberedPart part = source.part(i);
-    for (Tet tet : part.tets) {
-      for (std::int32_t& v : tet) {
-        v = static_cast<std::int32_t>(part.local2global[static_cast<std::size_t>(v)]);
-      }
-      whole.tets.push_back(tet);
-    }
-  }
-  return whole;
 }
 
 void print_pieces(const WeightedGraph& graph, const std::vector<std::int32_t>& part_of_tet,
@@ -51,10 +35,7 @@ int main_of(int count, char** words) {
   const std::unique_ptr<MeshSource> source = open_mesh(words[1]);
   const bool with_whole = std::strcmp(words[count - 1], "--no-whole") != 0;
   WeightedGraph graph;
-  if (with_whole) {
-    const NumberedPart whole = whole_mesh(*source);
-    graph = dual_graph(cell_faces(whole), whole.tets.size());
-  }
+  if (with_whole) graph = test::whole_dual_graph(*source);
   for (int i = 2; i < count - (with_whole ? 0 : 1); ++i) {
     const std::int32_t parts = std::atoi(words[i]);
     double begin = seconds_now();

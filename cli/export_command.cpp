@@ -1,10 +1,8 @@
-#include <malloc.h>
-
 #include <cstdio>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/file_system.h"
+#include "base/large_blocks.h"
 #include "cli/commands.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/io/read_surface.h"
@@ -20,13 +18,6 @@ std::filesystem::path folder_of(const std::filesystem::path& output) {
   const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
   make_folders(folder);
   return folder;
-}
-
-/// One part after the other is read into arrays of about the same size: given back to the system
-/// and taken anew each time, their pages cost a third of the time (bench/large_file.py).
-void keep_freed_memory() {
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
 nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& format,

@@ -261,11 +261,11 @@ class Answer {
   }
 
   void explain() {
-    const TaskId id = task().id;
+    const TaskRow asked = task();
     const DurableState read =
-        rows_.tasks.contains(id) ? DurableState{} : state_.finished().rows_of(task().job);
+        rows_.tasks.contains(asked.id) ? DurableState{} : state_.finished().rows_of(asked.job);
     const DurableState& rows = read.tasks.empty() ? rows_ : read;
-    const TaskRow& row = rows.tasks.at(id);
+    const TaskRow& row = rows.tasks.at(asked.id);
     const TaskOutlook outlook = state_.outlook(row.id, now_);
     wire::Explanation& explanation = *reply_.mutable_explanation();
     *explanation.mutable_task() = line_of(row);

@@ -79,9 +79,7 @@ std::vector<PastEvent> JobHistory::events(const EventFilter& filter) const {
 }
 
 std::vector<TaskRow> JobHistory::tasks(JobId job, TaskId after, std::size_t limit) const {
-  const std::string of_job =
-      "AND id IN (SELECT id FROM tasks WHERE job = ?2 AND state <> 'replaced' "
-      "UNION ALL SELECT id FROM tasks WHERE job = ?2 AND state = 'replaced') ";
+  const std::string of_job = "AND id IN (" + ids_of_tasks("?2") + ") ";
   const std::string sql = std::string("SELECT ") + task_columns + " FROM tasks WHERE id > ?1 " +
                           (job ? of_job : "AND ?2 = 0 ") + "ORDER BY id LIMIT ?3";
   Statement rows(database_, sql.c_str());

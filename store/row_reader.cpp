@@ -68,12 +68,7 @@ struct Part {
   }
 };
 
-/// Each half by its index.
-Part part_of(const std::string& jobs) {
-  return {jobs, "SELECT id FROM tasks WHERE state <> 'replaced' AND job IN (" + jobs +
-                    ") UNION ALL SELECT id FROM tasks WHERE state = 'replaced' AND job IN (" +
-                    jobs + ")"};
-}
+Part part_of(const std::string& jobs) { return {jobs, ids_of_tasks(jobs)}; }
 
 /// A job that has ended may still have an attempt for a moment.
 Part unfinished_part() {
@@ -186,6 +181,11 @@ AttemptState attempt_state_of(const std::string& name) {
                   std::array{AttemptState::running, AttemptState::done, AttemptState::failed,
                              AttemptState::crashed, AttemptState::killed, AttemptState::lost,
                              AttemptState::returned, AttemptState::revoked, AttemptState::starved});
+}
+
+std::string ids_of_tasks(const std::string& jobs) {
+  return "SELECT id FROM tasks WHERE state <> 'replaced' AND job IN (" + jobs +
+         ") UNION ALL SELECT id FROM tasks WHERE state = 'replaced' AND job IN (" + jobs + ")";
 }
 
 TaskRow read_task_columns(Statement& rows) {

@@ -26,6 +26,9 @@ std::optional<TaskRow> read_task(sqlite3* database, TaskId task);
 /// The sub-domains of a job by rising path.
 std::vector<SubdomainRow> read_tree(sqlite3* database, JobId job);
 
+/// The SQL that gives the ids of all tasks of some jobs, which are SQL too; each half by its index.
+std::string ids_of_tasks(const std::string& jobs);
+
 /// What of a task lies in its own table, and the task of a row of these: without files and values.
 inline constexpr const char* task_columns =
     "id, job, kind, path, state, attempt, crashes, losses, exit_code, message, seconds, "

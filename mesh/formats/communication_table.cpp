@@ -45,28 +45,6 @@ struct GhostMention {
   }
 };
 
-/// A sorted list, taken part after part.
-template <class Record, class PartOf>
-class ByPart {
- public:
-  ByPart(ExternalSort<Record>& records, PartOf part_of)
-      : records_(records), part_of_(part_of), has_ahead_(records.next(ahead_)) {}
-  std::vector<Record> take(std::int32_t part) {
-    std::vector<Record> taken;
-    while (has_ahead_ && part_of_(ahead_) == part) {
-      taken.push_back(ahead_);
-      has_ahead_ = records_.next(ahead_);
-    }
-    return taken;
-  }
-
- private:
-  ExternalSort<Record>& records_;
-  PartOf part_of_;
-  Record ahead_;
-  bool has_ahead_;
-};
-
 /// The nodes of outer faces: no other can be in two parts.
 std::vector<std::int32_t> outer_nodes(const NumberedPart& part) {
   std::vector<bool> is_outer(part.nodes.size(), false);
@@ -159,14 +137,12 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
   // The list is gone through twice: for the ghosts of others, then for the tables.
   ExternalSort<SharedNode> shared_again(folder);
   ExternalSort<GhostMention> ghosts(folder);
-  ByPart by_part(shared, [](const SharedNode& node) { return node.part; });
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const std::vector<SharedNode> here = by_part.take(static_cast<std::int32_t>(i));
+    const std::vector<SharedNode> here = shared.take_while(
+        [i](const SharedNode& node) { return node.part == static_cast<std::int32_t>(i); });
     for (const SharedNode& node : here) shared_again.push(node);
     mention_ghosts(source.part(i), here, ghosts);
   }
-  ByPart shared_of_part(shared_again, [](const SharedNode& node) { return node.part; });
-  ByPart ghosts_of_part(ghosts, [](const GhostMention& ghost) { return ghost.of; });
   for (std::size_t i = 0; i < source.size(); ++i) {
     const auto number = static_cast<std::int32_t>(i);
     CommunicationTable table;
@@ -176,8 +152,11 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
     table.tets = outline.parts[i].tets;
     table.local2global = source.part(i).local2global;
     table.owner.assign(table.local2global.size(), number);
-    add_shared(shared_of_part.take(number), table);
-    for (const GhostMention& mention : ghosts_of_part.take(number)) {
+    add_shared(
+        shared_again.take_while([number](const SharedNode& node) { return node.part == number; }),
+        table);
+    const auto is_of_part = [number](const GhostMention& ghost) { return ghost.of == number; };
+    for (const GhostMention& mention : ghosts.take_while(is_of_part)) {
       table.ghosts.push_back(mention.ghost);
     }
     visit(table);

@@ -45,6 +45,15 @@ class ExternalSort {
     return true;
   }
 
+  /// The next records up to the first that does not belong to them.
+  template <class Belongs>
+  std::vector<Record> take_while(const Belongs& belongs) {
+    if (!is_sorted_) begin_merge();
+    std::vector<Record> taken;
+    while (!front_.empty() && belongs(front_.top().record)) next(taken.emplace_back());
+    return taken;
+  }
+
  private:
   static constexpr std::size_t records_of_piece = 4096;
 

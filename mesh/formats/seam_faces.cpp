@@ -85,15 +85,8 @@ void SeamFaces::match(const MeshOutline& outline, const std::filesystem::path& f
 }
 
 std::vector<SeamFace> SeamFaces::next_part() {
-  if (!is_begun_) has_ahead_ = seams_.next(ahead_);
-  is_begun_ = true;
-  std::vector<SeamFace> seams;
-  while (has_ahead_ && ahead_.part == next_) {
-    seams.push_back(ahead_);
-    has_ahead_ = seams_.next(ahead_);
-  }
-  ++next_;
-  return seams;
+  const std::int32_t part = next_++;
+  return seams_.take_while([part](const SeamFace& seam) { return seam.part == part; });
 }
 
 }  // namespace tetfarm

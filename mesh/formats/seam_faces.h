@@ -51,9 +51,6 @@ class SeamFaces {
              const MeshSource& source);
 
   ExternalSort<SeamFace> seams_;
-  SeamFace ahead_;
-  bool has_ahead_ = false;
-  bool is_begun_ = false;
   std::int32_t next_ = 0;
   std::int64_t between_regions_ = 0;
   std::vector<std::vector<std::int64_t>> faces_of_patch_;

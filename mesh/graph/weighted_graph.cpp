@@ -1,7 +1,5 @@
 #include "mesh/graph/weighted_graph.h"
 
-#include <utility>
-
 namespace tetfarm {
 
 std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,

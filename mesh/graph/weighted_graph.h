@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tetfarm {
@@ -19,6 +20,28 @@ struct WeightedGraph {
   std::size_t begin(std::size_t v) const { return static_cast<std::size_t>(first[v]); }
   std::size_t end(std::size_t v) const { return static_cast<std::size_t>(first[v + 1]); }
 };
+
+/// Makes the rows of a graph whose nodes have their weights. `for_each_edge` calls what it is given
+/// with both nodes of each edge and its weight; it is called twice, and has to say the same.
+template <class ForEachEdge>
+void make_rows(WeightedGraph& graph, const ForEachEdge& for_each_edge) {
+  graph.first.assign(graph.size() + 1, 0);
+  for_each_edge([&](std::size_t a, std::size_t b, std::int32_t) {
+    ++graph.first[a + 1];
+    ++graph.first[b + 1];
+  });
+  for (std::size_t v = 0; v < graph.size(); ++v) graph.first[v + 1] += graph.first[v];
+  graph.neighbour.resize(static_cast<std::size_t>(graph.first.back()));
+  graph.edge_weight.resize(graph.neighbour.size());
+  std::vector<std::int32_t> next(graph.first.begin(), graph.first.end() - 1);
+  for_each_edge([&](std::size_t a, std::size_t b, std::int32_t weight) {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+      const auto place = static_cast<std::size_t>(next[from]++);
+      graph.neighbour[place] = static_cast<std::int32_t>(to);
+      graph.edge_weight[place] = weight;
+    }
+  });
+}
 
 /// The piece of each node, from 0 in the order of their first nodes: nodes of a piece are of the
 /// same part and hang together. Cost: O(nodes + edges).

@@ -72,7 +72,9 @@ class Coarsening {
   CoarseMesh finish() {
     match_open_faces();
     join_bonds(bonds_);
-    make_rows();
+    make_rows(mesh_.graph, [this](const auto& visit) {
+      for (const Bond& bond : bonds_) visit(at(bond.a), at(bond.b), bond.faces);
+    });
     return std::move(mesh_);
   }
 
@@ -105,25 +107,6 @@ class Coarsening {
       }
       has_last = open_.next(last);
       if (has_last && last.nodes == here.nodes) throw InvalidInput("a face has three tets", "");
-    }
-  }
-
-  void make_rows() {
-    WeightedGraph& graph = mesh_.graph;
-    graph.first.assign(graph.size() + 1, 0);
-    for (const Bond& bond : bonds_) {
-      ++graph.first[at(bond.a + 1)];
-      ++graph.first[at(bond.b + 1)];
-    }
-    for (std::size_t v = 0; v < graph.size(); ++v) graph.first[v + 1] += graph.first[v];
-    graph.neighbour.resize(2 * bonds_.size());
-    graph.edge_weight.resize(2 * bonds_.size());
-    std::vector<std::int32_t> next(graph.first.begin(), graph.first.end() - 1);
-    for (const Bond& bond : bonds_) {
-      for (const auto& [from, to] : {std::pair(bond.a, bond.b), std::pair(bond.b, bond.a)}) {
-        graph.neighbour[at(next[at(from)])] = to;
-        graph.edge_weight[at(next[at(from)]++)] = bond.faces;
-      }
     }
   }
 

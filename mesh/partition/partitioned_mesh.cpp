@@ -106,12 +106,12 @@ class FinePartition {
     for (const std::int32_t cluster : coarse_.cluster_of_side) {
       part_of_side_.push_back(part_of_cluster_[at(cluster)]);
     }
-    has_ahead_ = coarse_.sides.next(ahead_);
   }
 
   /// The parts of the tets of the next sub-domain.
   std::vector<std::int32_t> next_subdomain(const NumberedPart& subdomain) {
-    const std::vector<InterfaceSide> sides = take_sides();
+    const std::vector<InterfaceSide> sides = coarse_.sides.take_while(
+        [this](const InterfaceSide& side) { return side.subdomain == next_; });
     std::vector<std::int32_t> beyond;
     for (const InterfaceSide& side : sides) beyond.push_back(side.tet);
     std::vector<GraphLevel> levels =
@@ -143,15 +143,6 @@ class FinePartition {
   }
 
  private:
-  std::vector<InterfaceSide> take_sides() {
-    std::vector<InterfaceSide> sides;
-    while (has_ahead_ && ahead_.subdomain == next_) {
-      sides.push_back(ahead_);
-      has_ahead_ = coarse_.sides.next(ahead_);
-    }
-    return sides;
-  }
-
   std::vector<std::int32_t> parts_of_clusters(std::size_t clusters) const {
     const auto first = part_of_cluster_.begin() + coarse_.first_cluster[at(next_)];
     return {first, first + static_cast<std::ptrdiff_t>(clusters)};
@@ -178,8 +169,6 @@ class FinePartition {
   std::vector<std::int32_t> part_of_cluster_;
   std::vector<std::int32_t> part_of_side_;
   std::vector<std::int64_t> weights_;
-  InterfaceSide ahead_;
-  bool has_ahead_ = false;
   std::int32_t next_ = 0;
   std::int64_t cut_faces_ = 0;
 };

@@ -6,11 +6,11 @@
 
 #include "mesh/formats/cell_faces.h"
 #include "mesh/formats/communication_table.h"
-#include "mesh/formats/node_records.h"
 #include "mesh/graph/metis_partition.h"
 #include "mesh/partition/dual_graph.h"
 #include "mesh/partition/partitioned_mesh.h"
 #include "tests/support/program.h"
+#include "tests/support/whole_dual_graph.h"
 
 namespace tetfarm {
 namespace {
@@ -59,19 +59,6 @@ std::vector<std::string> complaints_of(const MeshSource& mesh,
   });
 }
 
-/// All tets, with the numbers of the whole mesh.
-WeightedGraph whole_dual_graph(const MeshSource& source) {
-  NumberedPart whole;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const NumberedPart part = source.part(i);
-    for (Tet tet : part.tets) {
-      for (std::int32_t& v : tet) v = static_cast<std::int32_t>(global_node(part, v));
-      whole.tets.push_back(tet);
-    }
-  }
-  return dual_graph(cell_faces(whole), whole.tets.size());
-}
-
 std::int32_t pieces_of(const WeightedGraph& graph) {
   const std::vector<std::int32_t> pieces =
       pieces_of_parts(graph, std::vector<std::int32_t>(graph.size(), 0));
@@ -79,7 +66,7 @@ std::int32_t pieces_of(const WeightedGraph& graph) {
 }
 
 TEST_P(PartsOfModels, are_even_whole_short_and_have_right_communication_tables) {
-  const WeightedGraph whole = whole_dual_graph(*source_);
+  const WeightedGraph whole = test::whole_dual_graph(*source_);
   // The inside of d150 is in pieces: parts may then have a share of several.
   const std::int32_t pieces = pieces_of(whole);
   const WeightedGraph tied = tie_pieces(whole);
