@@ -1,7 +1,6 @@
 #include "cli/local_farm.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "base/child_process.h"
 #include "base/clock.h"
 #include "base/file_system.h"
 
@@ -62,12 +62,7 @@ std::string make_socket_folder() {
 
 /// Between fork and exec: async-signal-safe calls only.
 [[noreturn]] void become(char* const* arguments, pid_t parent, int log) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  live_with_parent(parent);
   ::dup2(log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);
   ::close_range(STDERR_FILENO + 1, ~0U, 0);
@@ -128,10 +123,7 @@ std::vector<std::string> LocalFarm::worker_command() const {
 
 void LocalFarm::start(Member& member, const std::vector<std::string>& command,
                       const std::string& log) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command)
-    arguments.push_back(const_cast<char*>(argument.data()));
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = exec_arguments(command);
   const std::filesystem::path path = options_.store / log;
   const int log_fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (log_fd < 0) throw IoError("cannot write the log", path, errno);

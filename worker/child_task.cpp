@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/child_process.h"
 #include "base/error.h"
 #include "store/rows.h"
 
@@ -82,12 +83,9 @@ bool was_ended_from_outside(int status) {
 }
 
 pid_t start_program(const ChildTaskOptions& options, TaskFds fds) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : options.command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  }
-  if (!options.store.empty()) arguments.push_back(const_cast<char*>(options.store.c_str()));
-  arguments.push_back(nullptr);
+  std::vector<std::string> words = options.command;
+  if (!options.store.empty()) words.push_back(options.store);
+  const std::vector<char*> arguments = exec_arguments(words);
   const pid_t worker = ::getpid();
   const pid_t process = ::fork();
   if (process == 0) become_program(arguments.data(), worker, fds, options.memory_limit_bytes);

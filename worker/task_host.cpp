@@ -14,6 +14,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "base/child_process.h"
+
 namespace tetfarm {
 namespace {
 
@@ -121,12 +123,7 @@ void begin_task(const Received& received) {
 }
 
 [[noreturn]] void become_host(char* const* arguments, pid_t worker, int socket) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != worker) ::_exit(127);
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  live_with_parent(worker);
   const int kept = ::fcntl(socket, F_DUPFD, 10);
   ::dup2(kept, task_host_fd);
   ::close_range(task_host_fd + 1, ~0U, 0);
@@ -150,9 +147,7 @@ void TaskHost::end() {
 bool TaskHost::launch() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
-  std::vector<char*> arguments;
-  for (const std::string& word : command_) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = exec_arguments(command_);
   const pid_t worker = ::getpid();
   process_ = ::fork();
   if (process_ == 0) become_host(arguments.data(), worker, ends[1]);

@@ -1,11 +1,10 @@
 #include "worker/task_process.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
+#include "base/child_process.h"
 
 namespace tetfarm {
 namespace {
@@ -21,12 +20,7 @@ constexpr bool can_limit_memory = true;
 }  // namespace
 
 void become_task_process(pid_t worker, TaskFds fds, std::uint64_t memory_limit_bytes) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != worker) ::_exit(127);
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  live_with_parent(worker);
   // Above the targets first, so that no dup2 closes what a later one needs.
   fds = {::fcntl(fds.in, F_DUPFD, 10), ::fcntl(fds.words, F_DUPFD, 10),
          ::fcntl(fds.frames, F_DUPFD, 10)};

@@ -18,10 +18,9 @@ struct TaskFds {
   int frames = -1;  ///< becomes task_result_fd
 };
 
-/// Makes the caller the process of a task of `worker`, its parent: SIGKILL when the thread that
-/// started it ends, a process group of its own, no blocked signals, no other descriptors than the
-/// task's, no core dumps, and the limit of what it may write to (0: none). Ends the process if
-/// the worker is gone already. Async-signal-safe.
+/// Makes the caller the process of a task of `worker`, its parent: as live_with_parent(), with no
+/// other descriptors than the task's, no core dumps, and the limit of what it may write to (0:
+/// none). Async-signal-safe.
 void become_task_process(pid_t worker, TaskFds fds, std::uint64_t memory_limit_bytes);
 
 }  // namespace tetfarm
