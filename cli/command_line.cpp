@@ -171,6 +171,9 @@ class Parser {
                         "tetfarm quality out/wing.vtkhdf", quality_);
     sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
         ->required();
+    sub.add_option("--run", quality_.run,
+                   "The folder of the run that made it, for its spacing (default: where it lies)")
+        ->option_text("DIR");
     add_json(sub, quality_.json);
   }
 

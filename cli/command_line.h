@@ -48,6 +48,7 @@ struct PlanCommand {
 
 struct QualityOptions {
   std::string input;
+  std::string run;  ///< the folder of the run that made it; "": where it lies
   bool json = false;
 };
 
@@ -104,8 +105,9 @@ struct ClientOptions {
 /// Where to look: a coordinator, or the store's own rows when no coordinator answers.
 struct ViewOptions {
   ClientOptions client;
-  std::string store;     ///< "": only the coordinator
-  std::string database;  ///< folder of the database; "": the store
+  std::string store;      ///< "": only the coordinator
+  std::string database;   ///< folder of the database; "": the store
+  bool is_quiet = false;  ///< does not say on standard error who answered
 };
 struct StatusCommand {
   ViewOptions view;

@@ -82,6 +82,7 @@ void FarmView::connect(const std::string& endpoint, std::int64_t timeout_ms) {
 void FarmView::read_rows(const std::string& folder) {
   const fs::path database = options_.database.empty() ? folder : options_.database;
   rows_ = std::make_unique<StoreAtRest>(folder, database);
+  if (options_.is_quiet) return;
   std::fprintf(stderr, "no coordinator answers: as the rows of %s say\n", folder.c_str());
 }
 

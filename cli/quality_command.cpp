@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/figures_report.h"
+#include "cli/run_folder.h"
 #include "mesh/assemble/mesh_report.h"
 
 namespace tetfarm {
@@ -142,6 +144,14 @@ void print_report(const MeshReport& report) {
   if (report.shapes.regions.size() > 1) print_regions(report);
 }
 
+/// With lengths over the spacing where the run is known that made the mesh.
+MeshFigures figures_of_file(const QualityOptions& options, const std::filesystem::path& file) {
+  const std::optional<SpacingField> spacing =
+      spacing_beside(options.run.empty() ? file : mesh_file(options.run));
+  if (!spacing) return figures_of(*open_mesh(file));
+  return figures_of(*open_mesh(file), [&spacing](const Vec3& p) { return spacing->at(p); });
+}
+
 }  // namespace
 
 std::filesystem::path mesh_file(const std::filesystem::path& input) {
@@ -162,12 +172,18 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
 ExitCode quality_command(const QualityOptions& options) {
   const std::filesystem::path file = mesh_file(options.input);
   const MeshReport report = report_on(read_global_mesh(file));
+  const bool is_valid = report.complaints.empty();
+  const std::optional<MeshFigures> figures =
+      is_valid ? std::optional(figures_of_file(options, file)) : std::nullopt;
   if (options.json) {
-    std::printf("%s\n", report_json(report, file.string()).dump().c_str());
+    Json json = report_json(report, file.string());
+    if (figures) json.update(figures_json(*figures));
+    std::printf("%s\n", json.dump().c_str());
   } else {
     print_report(report);
+    if (figures) std::fputs(figures_text(*figures).c_str(), stdout);
   }
-  if (report.complaints.empty()) return ExitCode::ok;
+  if (is_valid) return ExitCode::ok;
   std::string message = file.string() + ": not a valid mesh";
   for (const std::string& complaint : report.complaints) message += "\n  " + complaint;
   throw Error(ExitCode::gate, message);

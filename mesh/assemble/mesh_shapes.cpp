@@ -1,14 +1,17 @@
 #include "mesh/assemble/mesh_shapes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tetfarm {
 namespace {
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
-/// Whether each tet is near a cut.
-std::vector<bool> tets_near(std::span<const Tet> tets, std::vector<bool> is_near) {
+}  // namespace
+
+std::vector<bool> tets_near_cuts(std::span<const Tet> tets, std::vector<bool> is_on_cut) {
+  std::vector<bool> is_near = std::move(is_on_cut);
   std::vector<bool> result(tets.size(), false);
   for (int layer = 0; layer < layers_near_cuts; ++layer) {
     for (std::size_t t = 0; t < tets.size(); ++t) {
@@ -23,11 +26,9 @@ std::vector<bool> tets_near(std::span<const Tet> tets, std::vector<bool> is_near
   return result;
 }
 
-}  // namespace
-
 void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
                 std::vector<bool> is_on_cut, MeshShapes& shapes) {
-  const std::vector<bool> is_near = tets_near(tets, std::move(is_on_cut));
+  const std::vector<bool> is_near = tets_near_cuts(tets, std::move(is_on_cut));
   shapes.regions.resize(std::max(shapes.regions.size(), at(region)));
   RegionShapes& here = shapes.regions[at(region - 1)];
   double volume = 0;

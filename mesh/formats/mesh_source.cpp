@@ -147,7 +147,10 @@ std::vector<RegionRun> region_runs(const MeshOutline& outline) {
 }
 
 std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
+  return open_mesh(path, path.filename().string());
+}
+
+std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path, std::string_view name) {
   if (name.ends_with(".vtkhdf")) return std::make_unique<VtkhdfSource>(path);
   if (name.ends_with(".lb8.ugrid")) return open_ugrid(path);
   throw InvalidInput("is no mesh by its ending; .vtkhdf and .lb8.ugrid are read", path.string());

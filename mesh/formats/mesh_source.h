@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/assemble/portion.h"
@@ -22,6 +23,8 @@ class MeshSource {
   virtual NumberedPart part(std::size_t i) const = 0;
   /// The same; the nodes of its tets and faces may be left out (0).
   virtual NumberedPart part_to_outline(std::size_t i) const { return part(i); }
+  /// Whether parts are sub-domains, and not pieces of the file.
+  virtual bool knows_subdomains() const { return true; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
 };
@@ -67,5 +70,7 @@ MeshOutline outline_of(const MeshSource& source);
 /// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside
 /// it), by the ending. @throws IoError, InvalidInput.
 std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path);
+/// The same of a file that is kept under another name than `name`, which tells the format.
+std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path, std::string_view name);
 
 }  // namespace tetfarm

@@ -131,6 +131,7 @@ class UgridSource : public MeshSource {
   }
 
   std::size_t size() const override { return pieces_.size(); }
+  bool knows_subdomains() const override { return false; }
   std::vector<std::string> patch_names() const override { return patch_names_; }
   std::vector<std::string> region_names() const override { return region_names_; }
 

@@ -26,6 +26,7 @@ ROOMS = {
     "mesh/volume": ["mesh/spacing", "mesh/cosmetics"],
     "mesh/assemble": ["mesh/io"],
     "mesh/formats": ["mesh/assemble"],
+    "mesh/figures": ["mesh/formats"],
     "mesh/partition": ["mesh/formats", "mesh/graph"],
     "mesh/render": ["mesh/assemble"],
     "proto": ["base"],
@@ -33,7 +34,7 @@ ROOMS = {
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
-    "cli": ["coordinator", "worker", "pool", "mesh/partition", "mesh/render"],
+    "cli": ["coordinator", "worker", "pool", "mesh/figures", "mesh/partition", "mesh/render"],
 }
 
 # They see every room, and no room sees them.

@@ -70,6 +70,30 @@ TEST_F(Views, of_a_store_at_rest_tell_jobs_tasks_workers_and_events) {
   EXPECT_THAT(look({"tasks"}).out, HasSubstr("SUB-DOMAIN"));
 }
 
+TEST_F(Views, quality_measures_edges_by_the_spacing_of_the_run) {
+  const Ended ended = run_program({"quality", "out", "--json"}, folder_->path());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  const json quality = lines_of(ended.out).at(0);
+  const json& edges = quality["edge_over_spacing"];
+  ASSERT_TRUE(edges.is_object());
+  EXPECT_GT(edges["edges"], quality["elements"]);
+  EXPECT_NEAR(edges["mean"], 1, 0.15);
+  EXPECT_EQ(quality["time_step"], quality["smallest_height"]);
+  EXPECT_EQ(quality["worst"].size(), 20U);
+  EXPECT_EQ(quality["worst"][0]["at"], quality["worst_at"]);
+  EXPECT_EQ(quality["subdomain_elements"].size(), 3U);
+  const std::string mesh = (folder_->path() / "elsewhere.vtkhdf").string();
+  std::filesystem::copy_file(quality["file"].get<std::string>().starts_with("/")
+                                 ? std::filesystem::path(quality["file"].get<std::string>())
+                                 : folder_->path() / quality["file"].get<std::string>(),
+                             mesh);
+  const Ended alone = run_program({"quality", mesh, "--json"}, folder_->path());
+  EXPECT_TRUE(lines_of(alone.out).at(0)["edge_over_spacing"].is_null());
+  const Ended with_run = run_program({"quality", mesh, "--run", "out", "--json"}, folder_->path());
+  EXPECT_EQ(lines_of(with_run.out).at(0)["edge_over_spacing"], edges);
+}
+
 TEST_F(Views, explain_a_task_and_show_what_its_process_said) {
   const json mesh = look_json({"tasks", "--kind", "mesh"}).at(0);
   const std::string number = mesh["task"].dump();
