@@ -23,20 +23,20 @@ void turn_bytes(std::string& bytes, std::size_t size) {
 }
 
 template <class Integer>
-class UgridWriter : public GlobalMeshWriter {
+class UgridFile : public UgridWriter {
  public:
-  UgridWriter(const std::filesystem::path& path, const UgridCounts& counts, bool big_endian)
+  UgridFile(const std::filesystem::path& path, const UgridCounts& counts, bool big_endian)
       : file_(path),
         big_endian_(big_endian),
-        next_triangle_(header_bytes + counts.nodes * 24),
-        next_patch_(next_triangle_ + counts.boundary_triangles * 3 * integer_bytes),
-        next_tet_(next_patch_ + counts.boundary_triangles * integer_bytes) {
+        first_triangle_(header_bytes + counts.nodes * 24),
+        first_patch_(first_triangle_ + counts.boundary_triangles * 3 * integer_bytes),
+        first_tet_(first_patch_ + counts.boundary_triangles * integer_bytes) {
     const auto count = [](std::int64_t n) { return static_cast<Integer>(n); };
     write(0, std::vector<Integer>{count(counts.nodes), count(counts.boundary_triangles), 0,
                                   count(counts.tets), 0, 0, 0});
   }
 
-  void add(const NumberedPart& part) override {
+  void add_behind(const UgridCounts& before, const NumberedPart& part) override {
     for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
       std::vector<double> coordinates;
       for (const Vec3& p : nodes) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
@@ -56,9 +56,9 @@ class UgridWriter : public GlobalMeshWriter {
     for (const Tet& tet : part.tets) {
       for (const std::int32_t v : tet) tets.push_back(number(v));
     }
-    append(next_triangle_, triangles);
-    append(next_patch_, patches);
-    append(next_tet_, tets);
+    write(first_triangle_ + before.boundary_triangles * 3 * integer_bytes, triangles);
+    write(first_patch_ + before.boundary_triangles * integer_bytes, patches);
+    write(first_tet_ + before.tets * 4 * integer_bytes, tets);
   }
 
   void finish() override { file_.finish(); }
@@ -66,11 +66,6 @@ class UgridWriter : public GlobalMeshWriter {
  private:
   static constexpr std::int64_t integer_bytes = sizeof(Integer);
   static constexpr std::int64_t header_bytes = 7 * integer_bytes;
-
-  void append(std::int64_t& place, const std::vector<Integer>& values) {
-    write(place, values);
-    place += std::ssize(values) * integer_bytes;
-  }
 
   template <class T>
   void write(std::int64_t place, const std::vector<T>& values) {
@@ -85,25 +80,32 @@ class UgridWriter : public GlobalMeshWriter {
 
   OutputFile file_;
   bool big_endian_;
-  std::int64_t next_triangle_;
-  std::int64_t next_patch_;
-  std::int64_t next_tet_;
+  std::int64_t first_triangle_;
+  std::int64_t first_patch_;
+  std::int64_t first_tet_;
 };
 
 }  // namespace
 
-std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
-                                              const UgridCounts& counts, UgridLayout layout) {
+void UgridWriter::add(const NumberedPart& part) {
+  add_behind(before_, part);
+  before_.boundary_triangles += std::ssize(part.faces);
+  before_.tets += std::ssize(part.tets);
+}
+
+std::unique_ptr<UgridWriter> write_ugrid(const std::filesystem::path& path,
+                                         const UgridCounts& counts, UgridLayout layout) {
   if (layout.wide) {
-    return std::make_unique<UgridWriter<std::int64_t>>(path, counts, layout.big_endian);
+    return std::make_unique<UgridFile<std::int64_t>>(path, counts, layout.big_endian);
   }
   if (counts.nodes > most || counts.tets > most || counts.boundary_triangles > most) {
     throw Error(ExitCode::failed,
                 "the mesh is too large for UGRID with 32 bits, whose counts end at 2147483647: " +
                     std::to_string(counts.nodes) + " nodes, " + std::to_string(counts.tets) +
-                    " tets; use vtkhdf, and `tetfarm export` to lb8l.ugrid");
+                    " tets, " + std::to_string(counts.boundary_triangles) +
+                    " boundary triangles; use vtkhdf, and `tetfarm export` to lb8l.ugrid");
   }
-  return std::make_unique<UgridWriter<std::int32_t>>(path, counts, layout.big_endian);
+  return std::make_unique<UgridFile<std::int32_t>>(path, counts, layout.big_endian);
 }
 
 std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,

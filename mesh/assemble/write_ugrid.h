@@ -27,10 +27,20 @@ struct UgridCounts {
   std::int64_t tets = 0;
 };
 
+/// Parts in any order when it is told what the parts before them have (of nodes nothing).
+class UgridWriter : public GlobalMeshWriter {
+ public:
+  virtual void add_behind(const UgridCounts& before, const NumberedPart& part) = 0;
+  void add(const NumberedPart& part) final;
+
+ private:
+  UgridCounts before_;
+};
+
 /// Truncates `path`. The numbers of boundary triangles follow the parts. @throws Error when a count
 /// is above 2^31 - 1 and integers are not wide; IoError, also later from the writer.
-std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
-                                              const UgridCounts& counts, UgridLayout layout);
+std::unique_ptr<UgridWriter> write_ugrid(const std::filesystem::path& path,
+                                         const UgridCounts& counts, UgridLayout layout);
 
 /// As .lb8.ugrid.
 std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,

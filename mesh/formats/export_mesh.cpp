@@ -21,19 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_all_parts(const MeshSource& source, GlobalMeshWriter& writer) {
-  for (std::size_t i = 0; i < source.size(); ++i) writer.add(source.part(i));
-  writer.finish();
-}
-
 void export_vtkhdf(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
-  write_all_parts(source, *write_vtkhdf(file, outline.patch_names, outline.region_names));
+  const std::unique_ptr<GlobalMeshWriter> writer =
+      write_vtkhdf(file, outline.patch_names, outline.region_names);
+  for (std::size_t i = 0; i < source.size(); ++i) writer->add(source.part(i));
+  writer->finish();
 }
 
 template <bool big_endian, bool wide>
 void export_ugrid(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
   const UgridCounts counts{outline.nodes, outline.boundary_triangles, outline.tets};
-  write_all_parts(source, *write_ugrid(file, counts, {big_endian, wide}));
+  const std::unique_ptr<UgridWriter> writer = write_ugrid(file, counts, {big_endian, wide});
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const PartOutline& here = outline.parts[i];
+    writer->add_behind({0, here.first_face, here.first_tet}, source.part(i));
+  }
+  writer->finish();
 }
 
 template <MshEncoding encoding>

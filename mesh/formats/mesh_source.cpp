@@ -53,16 +53,15 @@ class KnownNodes {
 };
 
 void add_counts(const std::vector<std::int64_t>& counts, std::vector<std::int64_t>& sums) {
-  sums.resize(std::max(sums.size(), counts.size()));
   for (std::size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
 }
 
-PartOutline outline_of_part(const NumberedPart& part, std::size_t index, std::int64_t first_tet,
-                            std::int64_t limit, KnownNodes& known) {
+PartOutline outline_of_part(const NumberedPart& part, std::size_t index, std::int64_t limit,
+                            KnownNodes& known) {
   PartOutline outline;
   outline.nodes = std::ssize(part.nodes);
   outline.tets = std::ssize(part.tets);
-  outline.first_tet = first_tet;
+  outline.faces = std::ssize(part.faces);
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     const std::int32_t region = part.region_of(t);
     if (region < 1 || region > most_names) refuse(index, "a region number is out of range");
@@ -94,6 +93,8 @@ MeshOutline outline_of(const MeshSource& source) {
   MeshOutline outline;
   KnownNodes known;
   std::int64_t largest = -1;
+  std::size_t patches = 0;
+  std::size_t regions = 0;
   std::int64_t points = 0;
   // A number above all points could not be of a mesh without gaps, and would cost memory.
   std::int64_t limit = 0;
@@ -101,34 +102,42 @@ MeshOutline outline_of(const MeshSource& source) {
     const NumberedPart part = source.part_to_outline(i);
     points += std::ssize(part.nodes);
     limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
-    outline.parts.push_back(outline_of_part(part, i, outline.tets, limit, known));
+    outline.parts.push_back(outline_of_part(part, i, limit, known));
     const PartOutline& here = outline.parts.back();
     for (const std::int64_t number : part.local2global) largest = std::max(largest, number);
-    outline.nodes += here.owned_nodes;
-    outline.tets += here.tets;
-    outline.boundary_triangles += std::ssize(part.faces);
-    add_counts(here.faces_of_patch, outline.faces_of_patch);
-    add_counts(here.tets_of_region, outline.tets_of_region);
+    patches = std::max(patches, here.faces_of_patch.size());
+    regions = std::max(regions, here.tets_of_region.size());
   }
+  outline.patch_names = source.patch_names();
+  outline.region_names = source.region_names();
+  if (outline.region_names.empty() && regions <= 1) outline.region_names = {"domain"};
+  name_the_rest(outline.patch_names, patches, "patch");
+  name_the_rest(outline.region_names, regions, "region");
+  add_up(outline);
   if (largest + 1 != outline.nodes) {
     throw InvalidInput("node numbers have gaps: the largest is " + std::to_string(largest) +
                            " of " + std::to_string(outline.nodes) + " nodes",
                        "");
   }
-  outline.patch_names = source.patch_names();
-  outline.region_names = source.region_names();
-  if (outline.region_names.empty() && outline.tets_of_region.size() <= 1) {
-    outline.region_names = {"domain"};
-  }
-  name_the_rest(outline.patch_names, outline.faces_of_patch.size(), "patch");
-  name_the_rest(outline.region_names, outline.tets_of_region.size(), "region");
-  outline.faces_of_patch.resize(outline.patch_names.size());
-  outline.tets_of_region.resize(outline.region_names.size());
+  return outline;
+}
+
+void add_up(MeshOutline& outline) {
+  outline.nodes = outline.tets = outline.boundary_triangles = 0;
+  outline.faces_of_patch.assign(outline.patch_names.size(), 0);
+  outline.tets_of_region.assign(outline.region_names.size(), 0);
   for (PartOutline& part : outline.parts) {
     part.faces_of_patch.resize(outline.patch_names.size());
     part.tets_of_region.resize(outline.region_names.size());
+    part.first_tet = outline.tets;
+    part.first_face = outline.boundary_triangles;
+    part.first_face_of_patch = outline.faces_of_patch;
+    outline.nodes += part.owned_nodes;
+    outline.tets += part.tets;
+    outline.boundary_triangles += part.faces;
+    add_counts(part.faces_of_patch, outline.faces_of_patch);
+    add_counts(part.tets_of_region, outline.tets_of_region);
   }
-  return outline;
 }
 
 std::vector<RegionRun> region_runs(const MeshOutline& outline) {

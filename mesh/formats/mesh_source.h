@@ -37,6 +37,9 @@ struct PartOutline {
   std::int64_t first_tet = 0;  ///< in the whole mesh: tets are counted part after part
   std::vector<std::int64_t> tets_of_region;  ///< of regions 1, 2, …; in this order in the part
   std::vector<std::int64_t> faces_of_patch;
+  std::int64_t faces = 0;
+  std::int64_t first_face = 0;                    ///< faces are counted part after part too
+  std::vector<std::int64_t> first_face_of_patch;  ///< of each patch: what the parts before have
   Box3 box;
 };
 
@@ -50,6 +53,10 @@ struct MeshOutline {
   std::vector<std::string> patch_names;      ///< all have one: "patch 3" without
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
 };
+
+/// From what each part has: where in the whole mesh it begins, and the sums. All parts get as many
+/// patches and regions as there are names. @pre each has a name.
+void add_up(MeshOutline& outline);
 
 /// Consecutive tets of a part that are of one region.
 struct RegionRun {

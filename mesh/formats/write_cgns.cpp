@@ -11,10 +11,12 @@ namespace {
 
 constexpr std::int32_t tri_3 = 5;
 constexpr std::int32_t tetra_4 = 10;
+constexpr std::int64_t large_bytes = 8;
+constexpr std::int64_t small_bytes = 4;
 constexpr const char* base = "Base";
 constexpr const char* zone = "Base/Zone1";
 
-/// Where the arrays of the file go on.
+/// Where the arrays of the file begin.
 struct Places {
   std::array<std::int64_t, 3> coordinates{};
   std::int64_t tets = 0;
@@ -78,22 +80,11 @@ Places write_frame(const std::filesystem::path& path, const MeshOutline& outline
   return places;
 }
 
-void append(OutputFile& file, std::int64_t& place, const NumberText& numbers) {
-  file.write(place, numbers.bytes());
-  place += numbers.size();
-}
-
-void append_numbers(OutputFile& file, std::int64_t& place,
-                    const std::vector<std::int32_t>& values) {
-  file.write(place, values);
-  place += static_cast<std::int64_t>(values.size() * sizeof(std::int32_t));
-}
-
 }  // namespace
 
 void write_cgns(const MeshSource& source, const MeshOutline& outline,
                 const std::filesystem::path& path) {
-  Places places = write_frame(path, outline);
+  const Places places = write_frame(path, outline);
   OutputFile file(path, OutputFile::Start::as_it_is);
   const NumberText raw = NumberText::raw();
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -107,12 +98,13 @@ void write_cgns(const MeshSource& source, const MeshOutline& outline,
     for (const Tet& tet : part.tets) {
       for (const std::int32_t v : tet) tets.integer(global_node(part, v) + 1);
     }
-    append(file, places.tets, tets);
+    const PartOutline& here = outline.parts[i];
+    file.write(places.tets + here.first_tet * 4 * large_bytes, tets.bytes());
     std::vector<std::int32_t> regions = regions_of_cells(part);
     regions.resize(part.tets.size());
-    append_numbers(file, places.regions, regions);
-    append_numbers(file, places.subdomains,
-                   std::vector<std::int32_t>(part.tets.size(), part.number));
+    file.write(places.regions + here.first_tet * small_bytes, regions);
+    file.write(places.subdomains + here.first_tet * small_bytes,
+               std::vector<std::int32_t>(part.tets.size(), part.number));
     const auto faces = faces_by_patch(part, outline.patch_names.size());
     for (std::size_t patch = 0; patch < faces.size(); ++patch) {
       NumberText triangles = raw;
@@ -121,7 +113,8 @@ void write_cgns(const MeshSource& source, const MeshOutline& outline,
           triangles.integer(global_node(part, v) + 1);
         }
       }
-      append(file, places.triangles[patch], triangles);
+      file.write(places.triangles[patch] + here.first_face_of_patch[patch] * 3 * large_bytes,
+                 triangles.bytes());
     }
   }
   file.finish();

@@ -46,10 +46,11 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
   std::int64_t place = head.size();
   const std::int64_t node_bytes = raw.record_bytes(1, 3);
   const std::int64_t first_node = begin_list(file, place, vertices, outline.nodes, node_bytes);
-  std::int64_t triangle_place =
-      begin_list(file, place, triangles, outline.boundary_triangles, raw.record_bytes(4, 0));
-  std::int64_t tet_place =
-      begin_list(file, place, tetrahedra, outline.tets, raw.record_bytes(5, 0));
+  const std::int64_t triangle_bytes = raw.record_bytes(4, 0);
+  const std::int64_t first_triangle =
+      begin_list(file, place, triangles, outline.boundary_triangles, triangle_bytes);
+  const std::int64_t tet_bytes = raw.record_bytes(5, 0);
+  const std::int64_t first_tet = begin_list(file, place, tetrahedra, outline.tets, tet_bytes);
   NumberText tail = raw;
   tail.small(end);
   tail.integer(0);
@@ -69,15 +70,13 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
       for (const std::int32_t v : part.faces[f]) faces.integer(global_node(part, v) + 1);
       faces.integer(part.patch_of_face[f] + 1);
     }
-    file.write(triangle_place, faces.bytes());
-    triangle_place += faces.size();
+    file.write(first_triangle + outline.parts[i].first_face * triangle_bytes, faces.bytes());
     NumberText tets = raw;
     for (std::size_t t = 0; t < part.tets.size(); ++t) {
       for (const std::int32_t v : part.tets[t]) tets.integer(global_node(part, v) + 1);
       tets.integer(part.region_of(t));
     }
-    file.write(tet_place, tets.bytes());
-    tet_place += tets.size();
+    file.write(first_tet + outline.parts[i].first_tet * tet_bytes, tets.bytes());
   }
   file.finish();
 }

@@ -1,5 +1,6 @@
 #include "mesh/formats/write_msh22.h"
 
+#include "mesh/formats/count_limit.h"
 #include "mesh/formats/msh41_sections.h"
 #include "mesh/formats/node_records.h"
 
@@ -44,10 +45,13 @@ void put_element(NumberText& lines, const NumberedPart& part, const Element& ele
 
 void write_msh22(const MeshSource& source, const MeshOutline& outline,
                  const std::filesystem::path& path) {
+  const std::string larger = "use msh41, which counts with 64 bits";
+  require_32_bits(outline.nodes, "nodes", "Gmsh's format 2.2", larger);
+  require_32_bits(outline.tets + outline.boundary_triangles, "elements", "Gmsh's format 2.2",
+                  larger);
   OutputFile file(path);
   const NumberText style = msh_style(outline, true);
-  Places places = write_frame(file, outline, style);
-  std::int64_t number = 1;
+  const Places places = write_frame(file, outline, style);
   std::int32_t entity = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
@@ -57,18 +61,20 @@ void write_msh22(const MeshSource& source, const MeshOutline& outline,
                          for (const double x : {p.x, p.y, p.z}) lines.real(x);
                          lines.end_record();
                        });
+    const PartOutline& here = outline.parts[i];
     NumberText triangles = style;
+    std::int64_t number = here.first_face + 1;
     for (std::size_t f = 0; f < part.faces.size(); ++f) {
       triangles.integer(number++);
       const std::int32_t patch = part.patch_of_face[f] + 1;
       for (const std::int32_t tag : {msh_triangle_type, 2, patch, patch}) triangles.integer(tag);
       put_element(triangles, part, part.faces[f]);
     }
-    file.write(places.triangle, triangles.bytes());
-    places.triangle += triangles.size();
+    file.write(places.triangle + here.first_face * style.record_bytes(triangle_numbers, 0),
+               triangles.bytes());
     NumberText tets = style;
     const auto partition = static_cast<std::int32_t>(i + 1);
-    std::int64_t tet_number = outline.boundary_triangles + outline.parts[i].first_tet + 1;
+    std::int64_t tet_number = outline.boundary_triangles + here.first_tet + 1;
     for (std::size_t t = 0; t < part.tets.size(); ++t) {
       const std::int32_t region = part.region_of(t);
       if (t == 0 || region != part.region_of(t - 1)) ++entity;
@@ -78,8 +84,7 @@ void write_msh22(const MeshSource& source, const MeshOutline& outline,
       }
       put_element(tets, part, part.tets[t]);
     }
-    file.write(places.tet, tets.bytes());
-    places.tet += tets.size();
+    file.write(places.tet + here.first_tet * style.record_bytes(tet_numbers, 0), tets.bytes());
   }
   file.finish();
 }

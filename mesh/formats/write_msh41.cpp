@@ -1,12 +1,13 @@
 #include "mesh/formats/write_msh41.h"
 
+#include "mesh/formats/count_limit.h"
 #include "mesh/formats/msh41_sections.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {
 namespace {
 
-/// Where the lists of the file go on.
+/// Where the lists of the file begin.
 struct Places {
   std::int64_t node_tags = 0;
   std::int64_t node_places = 0;
@@ -120,8 +121,8 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
                  const std::filesystem::path& path, MshEncoding encoding) {
   OutputFile file(path);
   const NumberText style = msh_style(outline, encoding == MshEncoding::text);
-  Places places = write_frame(file, outline, style);
-  std::vector<std::int64_t> next_triangle = first_numbers(outline);
+  const Places places = write_frame(file, outline, style);
+  const std::vector<std::int64_t> first_triangle = first_numbers(outline);
   const std::vector<RegionRun> runs = region_runs(outline);
   std::size_t run = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -130,11 +131,12 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
     const auto faces = faces_by_patch(part, outline.patch_names.size());
     for (std::size_t patch = 0; patch < faces.size(); ++patch) {
       NumberText numbers = style;
+      const std::int64_t before = outline.parts[i].first_face_of_patch[patch];
+      std::int64_t number = first_triangle[patch] + before;
       for (const std::size_t face : faces[patch]) {
-        put_element(numbers, next_triangle[patch]++, part.faces[face], part);
+        put_element(numbers, number++, part.faces[face], part);
       }
-      file.write(places.triangles[patch], numbers.bytes());
-      places.triangles[patch] += numbers.size();
+      file.write(places.triangles[patch] + before * style.record_bytes(4, 0), numbers.bytes());
     }
     std::size_t next = 0;
     for (; run < runs.size() && runs[run].part == i; ++run) {
@@ -150,6 +152,15 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
 }
 
 namespace {
+
+/// A part has a surface entity for each patch and a volume entity for each region.
+void refuse_more_entities_than_tags(const MeshOutline& outline) {
+  const std::int64_t names =
+      std::ssize(std::max(outline.patch_names, outline.region_names,
+                          [](const auto& a, const auto& b) { return a.size() < b.size(); }));
+  require_32_bits((std::ssize(outline.parts) + 1) * names, "entities", "Gmsh's split files",
+                  "ask for fewer parts");
+}
 
 /// The tag of what a partition (from 1) has of a region (from 0): behind those of the regions.
 std::int32_t volume_of(const MeshOutline& outline, std::int32_t partition, std::size_t region) {
@@ -220,9 +231,9 @@ std::string nodes_of_partition(const NumberedPart& part, std::int32_t volume) {
   return numbers.take();
 }
 
-/// `next_triangle` are the numbers of the next triangle of each patch.
+/// `first_triangle` are the numbers of the first triangle of each patch.
 std::string elements_of_partition(const NumberedPart& part, const MeshOutline& outline,
-                                  std::vector<std::int64_t>& next_triangle) {
+                                  const std::vector<std::int64_t>& first_triangle) {
   const auto partition = static_cast<std::int32_t>(part.number + 1);
   const auto patches = static_cast<std::int32_t>(outline.patch_names.size());
   const auto faces = faces_by_patch(part, outline.patch_names.size());
@@ -239,9 +250,10 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
     if (of_patch.empty()) continue;
     put_block(numbers,
               {2, patches * partition + patch + 1, msh_triangle_type, std::ssize(of_patch)});
+    const auto index = static_cast<std::size_t>(patch);
+    std::int64_t number = first_triangle[index] + here.first_face_of_patch[index];
     for (const std::size_t face : of_patch) {
-      put_element(numbers, next_triangle[static_cast<std::size_t>(patch)]++, part.faces[face],
-                  part);
+      put_element(numbers, number++, part.faces[face], part);
     }
   }
   std::int64_t number = 1 + outline.boundary_triangles + here.first_tet;
@@ -260,13 +272,14 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
 
 void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
                        const std::filesystem::path& path) {
+  refuse_more_entities_than_tags(outline);
   const NumberText raw = NumberText::raw();
   std::vector<MshVolume> regions;
   for (std::size_t i = 0; i < outline.region_names.size(); ++i) {
     regions.push_back({static_cast<std::int32_t>(i + 1), box_of(outline)});
   }
   const std::string head = msh_head(outline, raw) + msh_entities(outline, regions, raw);
-  std::vector<std::int64_t> next_triangle = first_numbers(outline);
+  const std::vector<std::int64_t> first_triangle = first_numbers(outline);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
     const std::int32_t volume = first_volume(outline, i);
@@ -276,7 +289,7 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
     GrowingEnd end(file);
     end.write(head + partitioned_entities(outline, i));
     end.write(nodes_of_partition(part, volume));
-    end.write(elements_of_partition(part, outline, next_triangle));
+    end.write(elements_of_partition(part, outline, first_triangle));
     file.finish();
   }
 }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/file_system.h"
+#include "mesh/formats/count_limit.h"
 #include "mesh/formats/foam_files.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
@@ -119,10 +120,22 @@ void write_zones(const std::filesystem::path& folder, const MeshOutline& outline
 
 constexpr std::size_t longest_name = 200;
 
+/// Labels of OpenFOAM have 32 bits unless it was built with more, and number faces too. `outer` are
+/// faces of one tet, triangles between two regions among them.
+void refuse_more_than_labels(std::int64_t nodes, std::int64_t tets, std::int64_t outer,
+                             const std::string& instead) {
+  const std::string format = "OpenFOAM's labels";
+  require_32_bits(nodes, "points", format, instead);
+  require_32_bits(tets, "cells", format, instead);
+  require_32_bits(2 * tets + (outer + 1) / 2, "faces", format, instead);
+}
+
 }  // namespace
 
 void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                     const std::filesystem::path& folder) {
+  refuse_more_than_labels(outline.nodes, outline.tets, outline.boundary_triangles,
+                          "use openfoam-decomposed");
   const std::filesystem::path mesh = folder / "constant" / "polyMesh";
   make_folders(mesh);
   SeamFaces seams(source, outline, mesh);
@@ -237,6 +250,7 @@ void write_processor(const std::filesystem::path& mesh, const NumberedPart& part
   const std::vector<FoamFace> between = processor_faces(part, seams, first_cell, faces, patches);
   const std::int64_t first_between = faces;
   faces += std::ssize(between);
+  require_32_bits(faces, "faces", "OpenFOAM's labels", "make more, smaller parts");
   write_points(mesh, part, style);
   FaceLists lists(
       mesh, style, faces, std::ssize(inside),
@@ -252,6 +266,9 @@ void write_processor(const std::filesystem::path& mesh, const NumberedPart& part
 
 void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outline,
                                const std::filesystem::path& folder) {
+  for (const PartOutline& part : outline.parts) {
+    refuse_more_than_labels(part.nodes, part.tets, part.faces, "make more, smaller parts");
+  }
   make_folders(folder);
   SeamFaces seams(source, outline, folder);
   const std::vector<std::string> names = plain_names(outline.patch_names, longest_name);

@@ -1,7 +1,6 @@
 #include "mesh/formats/write_pvtu.h"
 
-#include <array>
-
+#include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/assemble/output_file.h"
 
@@ -36,58 +35,59 @@ std::string head(const char* type) {
          "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
 }
 
-/// The arrays of a piece, one after the other, each behind its length.
+/// Writes the arrays of a piece at their places, each behind its length.
 class AppendedData {
  public:
+  AppendedData(OutputFile& file, std::int64_t first, const VtuLayout& layout)
+      : file_(file), first_(first), layout_(layout) {}
   template <class T>
   void add(const std::vector<T>& values) {
-    offsets_.push_back(bytes_.size());
-    const std::uint64_t length = values.size() * sizeof(T);
-    bytes_.append(reinterpret_cast<const char*>(&length), sizeof length);
-    bytes_.append(reinterpret_cast<const char*>(values.data()), length);
+    const VtuLayout::Place& here = layout_.arrays[next_++];
+    TF_CHECK(here.bytes == static_cast<std::int64_t>(values.size() * sizeof(T)));
+    file_.write(first_ + here.offset, std::vector<std::int64_t>{here.bytes});
+    file_.write(first_ + here.offset + VtuLayout::length_bytes, values);
   }
-  std::size_t offset(std::size_t i) const { return offsets_.at(i); }
-  const std::string& bytes() const { return bytes_; }
 
  private:
-  std::vector<std::size_t> offsets_;
-  std::string bytes_;
+  OutputFile& file_;
+  std::int64_t first_;
+  const VtuLayout& layout_;
+  std::size_t next_ = 0;
 };
 
-AppendedData data_of(const NumberedPart& part) {
-  AppendedData data;
+void write_arrays(const NumberedPart& part, AppendedData data) {
   const std::size_t count = part.tets.size() + part.faces.size();
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> offsets;
-  connectivity.reserve(4 * count);
-  offsets.reserve(count);
-  const auto put = [&](const auto& element) {
-    connectivity.insert(connectivity.end(), element.begin(), element.end());
-    offsets.push_back(std::ssize(connectivity));
-  };
-  for (const Tet& tet : part.tets) put(tet);
-  for (const Triangle& face : part.faces) put(face);
-  std::vector<std::uint8_t> types(part.tets.size(), vtk_tetra);
-  types.resize(count, vtk_triangle);
-  std::vector<std::int32_t> patches(part.tets.size(), no_patch);
-  patches.insert(patches.end(), part.patch_of_face.begin(), part.patch_of_face.end());
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(4 * part.tets.size() + 3 * part.faces.size());
+  for (const Tet& tet : part.tets) numbers.insert(numbers.end(), tet.begin(), tet.end());
+  for (const Triangle& face : part.faces) numbers.insert(numbers.end(), face.begin(), face.end());
   data.add(part.nodes);
   data.add(part.local2global);
-  data.add(connectivity);
-  data.add(offsets);
+  data.add(numbers);
+  numbers.clear();
+  std::int64_t end = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    end += i < part.tets.size() ? 4 : 3;
+    numbers.push_back(end);
+  }
+  data.add(numbers);
+  std::vector<std::uint8_t> types(part.tets.size(), vtk_tetra);
+  types.resize(count, vtk_triangle);
   data.add(types);
   data.add(std::vector<std::int32_t>(count, part.number));
   data.add(regions_of_cells(part));
+  std::vector<std::int32_t> patches(part.tets.size(), no_patch);
+  patches.insert(patches.end(), part.patch_of_face.begin(), part.patch_of_face.end());
   data.add(patches);
-  return data;
 }
 
 void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
-  const AppendedData data = data_of(part);
+  const VtuLayout layout =
+      vtu_layout(std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces));
   std::size_t next = 0;
   const auto array = [&](const Array& what) {
     return described("DataArray", what) + " format=\"appended\" offset=\"" +
-           std::to_string(data.offset(next++)) + "\"/>\n";
+           std::to_string(layout.arrays[next++].offset) + "\"/>\n";
   };
   std::string text = head("UnstructuredGrid") + "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
                      std::to_string(part.nodes.size()) + "\" NumberOfCells=\"" +
@@ -102,14 +102,26 @@ void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   OutputFile file(path);
   file.write(0, text);
-  file.write(std::ssize(text), data.bytes());
+  write_arrays(part, {file, std::ssize(text), layout});
   // The line's end belongs there: meshio looks for the last one to find the end of the data.
-  file.write(std::ssize(text) + std::ssize(data.bytes()),
-             std::string_view("\n</AppendedData>\n</VTKFile>\n"));
+  file.write(std::ssize(text) + layout.bytes, std::string_view("\n</AppendedData>\n</VTKFile>\n"));
   file.finish();
 }
 
 }  // namespace
+
+VtuLayout vtu_layout(std::int64_t points, std::int64_t tets, std::int64_t triangles) {
+  const std::int64_t cells_of_piece = tets + triangles;
+  VtuLayout layout;
+  std::size_t next = 0;
+  for (const std::int64_t bytes :
+       {24 * points, 8 * points, 8 * (4 * tets + 3 * triangles), 8 * cells_of_piece, cells_of_piece,
+        4 * cells_of_piece, 4 * cells_of_piece, 4 * cells_of_piece}) {
+    layout.arrays[next++] = {layout.bytes, bytes};
+    layout.bytes += VtuLayout::length_bytes + bytes;
+  }
+  return layout;
+}
 
 void write_pvtu(const MeshSource& source, const MeshOutline&, const std::filesystem::path& path) {
   static_assert(sizeof(Vec3) == 24);

@@ -11,7 +11,7 @@ namespace {
 constexpr int vtk_triangle = 5;
 constexpr int vtk_tetra = 10;
 
-/// Where each list goes on.
+/// Where each list begins.
 struct Places {
   std::int64_t tet = 0;
   std::int64_t node = 0;
@@ -43,11 +43,6 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
   return places;
 }
 
-void append(OutputFile& file, std::int64_t& place, const NumberText& numbers) {
-  file.write(place, numbers.bytes());
-  place += numbers.size();
-}
-
 }  // namespace
 
 void write_su2(const MeshSource& source, const MeshOutline& outline,
@@ -55,10 +50,10 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
   OutputFile file(path);
   const NumberText style =
       NumberText::text(std::max<std::int64_t>({outline.nodes, outline.tets, vtk_tetra}));
-  Places places = write_frame(file, outline, style);
-  std::int64_t tet_number = 0;
+  const Places places = write_frame(file, outline, style);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
+    const PartOutline& here = outline.parts[i];
     write_node_records(file, places.node, style.record_bytes(1, 3), part, style,
                        [](NumberText& numbers, std::int64_t number, const Vec3& p) {
                          numbers.real(p.x);
@@ -68,13 +63,14 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
                          numbers.end_record();
                        });
     NumberText tets = style;
+    std::int64_t tet_number = here.first_tet;
     for (const Tet& tet : part.tets) {
       tets.integer(vtk_tetra);
       for (const std::int32_t v : tet) tets.integer(global_node(part, v));
       tets.integer(tet_number++);
       tets.end_record();
     }
-    append(file, places.tet, tets);
+    file.write(places.tet + here.first_tet * style.record_bytes(6, 0), tets.bytes());
     const auto faces = faces_by_patch(part, outline.patch_names.size());
     for (std::size_t patch = 0; patch < faces.size(); ++patch) {
       NumberText triangles = style;
@@ -83,7 +79,9 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
         for (const std::int32_t v : part.faces[face]) triangles.integer(global_node(part, v));
         triangles.end_record();
       }
-      append(file, places.face_of_patch[patch], triangles);
+      file.write(
+          places.face_of_patch[patch] + here.first_face_of_patch[patch] * style.record_bytes(4, 0),
+          triangles.bytes());
     }
   }
   file.finish();
