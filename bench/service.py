@@ -114,7 +114,7 @@ def measure_waiting(args):
     print(f"\n{tasks} tasks with others waiting behind them, {args.workers} workers, encrypted")
     for waiting in (100, 10_000, 100_000):
         rates = []
-        with Farm(args.programs, args.folder, ["--waiting", waiting + args.runs * tasks]) as farm:
+        with Farm(args.programs, args.folder, ["--waiting", waiting + args.runs * (tasks + args.workers)]) as farm:
             for _ in range(args.runs):
                 rates.append(farm.do_tasks(args.workers, tasks))
         rates.sort(key=lambda run: run["rate"])
