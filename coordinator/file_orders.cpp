@@ -107,8 +107,26 @@ wire::Envelope answer_to(const FileOrder& order, const ArtifactStore& store) {
       return append_chunk(order, store);
     case FileOrder::Kind::drop:
       return drop_upload(order, store);
+    case FileOrder::Kind::check:
+      break;
   }
   return {};
+}
+
+/// Who cannot read a file does not know it to be damaged: the worker's disk may have failed.
+void check(const FileOrder& order, const ArtifactStore& store, FileAnswer& answer) {
+  CheckedFile& checked = *answer.checked;
+  try {
+    store.verify(order.file.hash, order.file.size);
+    checked.verdict = CheckedFile::Verdict::sound;
+  } catch (const IoError& error) {
+    const bool is_gone = error.code() == ExitCode::not_found;
+    checked.verdict = is_gone ? CheckedFile::Verdict::damaged : CheckedFile::Verdict::sound;
+  } catch (const CorruptFile& error) {
+    answer.trouble = error.what();
+    store.set_aside(order.file.hash);
+    checked.verdict = CheckedFile::Verdict::damaged;
+  }
 }
 
 /// The 7 of "upload-7-HASH.part"; nothing for other names.
@@ -133,8 +151,14 @@ std::filesystem::path upload_path(const ArtifactStore& store, AttemptId attempt,
 FileAnswer carry_out(const FileOrder& order, const ArtifactStore& store) noexcept {
   FileAnswer answer;
   answer.connection = order.connection;
+  const bool is_check = order.kind == FileOrder::Kind::check;
+  if (is_check) answer.checked = CheckedFile{order.attempt, order.file.hash};
   try {
-    answer.envelope = answer_to(order, store);
+    if (is_check) {
+      check(order, store, answer);
+    } else {
+      answer.envelope = answer_to(order, store);
+    }
   } catch (const Error& error) {
     answer.trouble = error.what();
     answer.is_out_of_room = error.code() == ExitCode::out_of_resources;

@@ -1,4 +1,5 @@
-/// What is done with the store's files for workers that do not see it, chunk by chunk.
+/// What is done with the store's files for workers that do not see it, chunk by chunk; and looking
+/// whether a file is damaged, as a worker says.
 ///
 /// An order is carried out by the thread of files (file_thread.h): reading, writing and syncing a
 /// file must not make the others wait. A file that comes lies in the store's scratch folder, under
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -22,7 +24,8 @@ struct FileOrder {
     read,    ///< the chunk at `offset`
     open,    ///< how much of the offered file is there already?
     append,  ///< the chunk behind what is there
-    drop     ///< the file will not be finished
+    drop,    ///< the file will not be finished
+    check    ///< is it what its name says? A damaged one is put aside
   };
   Kind kind = Kind::read;
   std::string connection;
@@ -33,15 +36,28 @@ struct FileOrder {
   wire::FileChunk chunk;  ///< of append
 };
 
+/// What became of a check.
+struct CheckedFile {
+  enum class Verdict {
+    sound,
+    damaged,  ///< or missing
+    unknown   ///< it is damaged, but could not be put aside
+  };
+  AttemptId attempt;
+  std::string hash;
+  Verdict verdict = Verdict::unknown;
+};
+
 struct FileAnswer {
   std::string connection;
   wire::Envelope envelope;  ///< without a body: nothing to say
   std::string trouble;      ///< for the log
   bool is_out_of_room = false;
+  std::optional<CheckedFile> checked = {};
 };
 
 /// Never throws: a failing disk is an answer. Cost: a chunk in memory; the last chunk of a file is
-/// followed by one pass over all of it.
+/// followed by one pass over all of it, and a check is one.
 FileAnswer carry_out(const FileOrder& order, const ArtifactStore& store) noexcept;
 
 /// Removes what came of files for other attempts than these. @throws IoError.

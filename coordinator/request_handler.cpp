@@ -57,6 +57,7 @@ void RequestHandler::forget_workers() {
   workers_.clear();
   connections_.clear();
   transfers_.forget_connections();
+  checks_.forget();
 }
 
 void RequestHandler::drop(const Sender& sender, const std::string& why, Moment now) {
@@ -280,35 +281,39 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
   connections_[worker] = connection;
 }
 
-/// Whether the file is really missing or damaged; a damaged one is put aside.
-bool RequestHandler::is_damaged(const ArtifactRef& file) {
-  try {
-    store_.verify(file.hash, file.size);
-    return false;
-  } catch (const IoError& error) {
-    return error.code() == ExitCode::not_found;
-  } catch (const CorruptFile& error) {
-    complaints_.emplace_back(error.what());
-    store_.set_aside(file.hash);
-    return true;
-  }
+std::vector<FileOrder> RequestHandler::take_file_orders(const JobState& state, Moment now) {
+  std::vector<FileOrder> orders = transfers_.take_orders(state, now);
+  for (FileOrder& order : checks_.take_orders()) orders.push_back(std::move(order));
+  return orders;
 }
 
+void RequestHandler::note_file(const FileAnswer& answer, JobState& state, Moment now) {
+  transfers_.note_answer(answer.connection);
+  if (!answer.checked) return;
+  const auto failure = checks_.note(*answer.checked);
+  // A worker that has connected anew says it again.
+  if (!failure || !state.knows_worker(failure->worker)) return;
+  state.failed(failure->worker, failure->task, failure->attempt, failure->what, now);
+}
+
+/// Inputs that are said to be damaged are looked at first, which may take a while.
 void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobState& state,
                             Moment now) {
   TaskFailure failure = failure_of(message);
   if (failure.message.size() > longest_text) failure.message.resize(longest_text);
-  const auto task = state.durable().tasks.find(TaskId{message.task()});
-  if (task != state.durable().tasks.end()) {
-    for (const ArtifactRef& input : task->second.inputs) {
-      const auto& claimed = message.damaged_inputs();
-      if (std::find(claimed.begin(), claimed.end(), input.hash) == claimed.end()) continue;
-      if (is_damaged(input)) failure.damaged_inputs.push_back(input.hash);
+  const TaskId task{message.task()};
+  const AttemptId attempt{message.attempt()};
+  const auto& named = message.damaged_inputs();
+  std::vector<ArtifactRef> claimed;
+  if (state.holds(worker, task, attempt)) {
+    for (const ArtifactRef& input : state.durable().tasks.at(task).inputs) {
+      if (std::find(named.begin(), named.end(), input.hash) != named.end())
+        claimed.push_back(input);
     }
   }
-  // The worker could not read what is whole here: its view of the disk lags, or its disk fails.
-  if (failure.damaged_inputs.empty() && message.damaged_inputs_size() > 0) failure.killed = true;
-  state.failed(worker, TaskId{message.task()}, AttemptId{message.attempt()}, failure, now);
+  if (!claimed.empty()) return checks_.take({worker, task, attempt, std::move(failure)}, claimed);
+  failure.killed = failure.killed || !named.empty();
+  state.failed(worker, task, attempt, failure, now);
 }
 
 /// @throws Error when the input is not there, or is no place that jobs may name.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "coordinator/damage_checks.h"
 #include "coordinator/door.h"
 #include "coordinator/file_transfers.h"
 #include "coordinator/job_state.h"
@@ -65,8 +66,11 @@ class RequestHandler {
   void answer_questions(const JobState& state, const JobHistory& history, const Door& door,
                         Moment now);
 
-  /// Files of workers that do not see the store.
-  FileTransfers& transfers() { return transfers_; }
+  /// What the thread of files shall do now: files of workers that do not see the store, and those
+  /// of which a worker says that they are damaged.
+  std::vector<FileOrder> take_file_orders(const JobState& state, Moment now);
+  /// What became of one, but for what is to be said of it.
+  void note_file(const FileAnswer& answer, JobState& state, Moment now);
 
   std::vector<Reply> take_replies();
   /// Troubles with files since the last call, for the log.
@@ -103,7 +107,6 @@ class RequestHandler {
   Submission submission_of(const wire::Submit& message) const;
   void retry(const std::string& connection, const wire::Retry& message, JobState& state,
              Moment now);
-  bool is_damaged(const ArtifactRef& file);
   // request_replies.cpp: what was decided, put into words
   void send(const Command& command, const JobState& state, Moment now);
   void forget_lost_workers(const JobState& state);
@@ -129,6 +132,7 @@ class RequestHandler {
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;
+  DamageChecks checks_;
   bool heard_heartbeat_ = false;
   bool heard_other_ = false;
   std::vector<Reply> replies_;

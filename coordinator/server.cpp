@@ -261,12 +261,12 @@ class Server {
       if (committed || !reply.needs_commit) send(std::move(reply));
     }
     if (!committed) start_over();
-    const bool moved_files = move_files();
     const JobHistory history = database_.history();
     handler_.answer_questions(*state_, history, door_, now());
     for (Reply& reply : handler_.take_replies()) send(std::move(reply));
     status_.serve({*state_, history, now()}, {refusals_, door_.connections()});
     service_.turn(now().steady_ms);
+    const bool moved_files = move_files();
     if (handler_.take_only_heartbeats() && !moved_files) std::this_thread::sleep_for(rest);
   }
 
@@ -279,19 +279,20 @@ class Server {
     }
   }
 
-  /// After the commit: an attempt whose end is not durable may still bring its files. Whether there
-  /// were any.
+  /// After the commit: an attempt whose end is not durable may still bring its files. Last of all:
+  /// what is decided here is committed in the next turn. Whether there were any.
   bool move_files() {
-    FileTransfers& transfers = handler_.transfers();
     std::vector<FileAnswer> answers = files_.take_answers();
     for (FileAnswer& answer : answers) {
-      transfers.note_answer(answer.connection);
+      handler_.note_file(answer, *state_, now());
       if (!answer.trouble.empty()) log_.warn("{}", answer.trouble);
       if (answer.is_out_of_room) state_->out_of_resources(answer.trouble, now());
       if (answer.envelope.body_case() == wire::Envelope::BODY_NOT_SET) continue;
       send({answer.connection, std::move(answer.envelope), false});
     }
-    for (FileOrder& order : transfers.take_orders(*state_, now())) files_.give(std::move(order));
+    for (FileOrder& order : handler_.take_file_orders(*state_, now())) {
+      files_.give(std::move(order));
+    }
     return !answers.empty();
   }
 

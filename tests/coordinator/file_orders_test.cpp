@@ -46,5 +46,29 @@ TEST_F(FileOrders, what_lies_damaged_under_the_name_of_a_file_is_not_taken_for_i
   EXPECT_FALSE(carry_out(order_, store_).envelope.file_stored().whole());
 }
 
+TEST_F(FileOrders, a_damaged_file_is_put_aside_and_a_missing_one_counts_as_damaged) {
+  using Verdict = CheckedFile::Verdict;
+  store_.publish(text_);
+  order_.kind = FileOrder::Kind::check;
+  EXPECT_EQ(carry_out(order_, store_).checked->verdict, Verdict::sound);
+  std::ofstream(store_.path_of(order_.file.hash), std::ios::binary) << "a mash";
+  const FileAnswer answer = carry_out(order_, store_);
+  EXPECT_EQ(answer.checked->verdict, Verdict::damaged);
+  EXPECT_EQ(answer.checked->attempt, order_.attempt);
+  EXPECT_NE(answer.trouble, "") << "the log shall name it";
+  EXPECT_FALSE(std::filesystem::exists(store_.path_of(order_.file.hash)));
+  EXPECT_EQ(carry_out(order_, store_).checked->verdict, Verdict::damaged);
+}
+
+TEST_F(FileOrders, a_damaged_file_that_cannot_be_put_aside_is_not_called_damaged) {
+  order_.kind = FileOrder::Kind::check;
+  std::filesystem::create_directories(store_.path_of(order_.file.hash).parent_path());
+  std::ofstream(store_.path_of(order_.file.hash)) << "a mash";
+  std::ofstream(folder_.path() / "damaged") << "a file where the folder would be";
+  const FileAnswer answer = carry_out(order_, store_);
+  EXPECT_EQ(answer.checked->verdict, CheckedFile::Verdict::unknown);
+  EXPECT_NE(answer.trouble, "");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -1,8 +1,10 @@
 #include "coordinator/server.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <csignal>
@@ -101,6 +103,14 @@ class ServerTest : public testing::Test {
         numbers["tets"] = 300;
     }
     return envelope;
+  }
+  static wire::Envelope claim_of_damage(const wire::Assign& assign, const std::string& hash) {
+    wire::Envelope failed;
+    failed.mutable_failed()->set_task(assign.task());
+    failed.mutable_failed()->set_attempt(assign.attempt());
+    failed.mutable_failed()->set_may_retry(true);
+    failed.mutable_failed()->add_damaged_inputs(hash);
+    return failed;
   }
   static wire::Envelope status_request() {
     wire::Envelope envelope;
@@ -298,16 +308,40 @@ TEST_F(ServerTest, a_damaged_input_is_put_aside_and_made_again) {
     if (input.name() == "subdomain") hash = input.hash();
   }
   std::ofstream(store_.path_of(hash), std::ios::in | std::ios::out) << "X";
-  wire::Envelope failed;
-  failed.mutable_failed()->set_task(cut.task());
-  failed.mutable_failed()->set_attempt(cut.attempt());
-  failed.mutable_failed()->set_may_retry(true);
-  failed.mutable_failed()->add_damaged_inputs(hash);
-  EXPECT_TRUE(worker.ask(failed).has_accepted());
+  EXPECT_TRUE(worker.ask(claim_of_damage(cut, hash)).has_accepted());
   const wire::Assign again = worker.ask(ready()).assign();
   EXPECT_EQ(again.task(), inspect.task());
   EXPECT_TRUE(worker.ask(done(again)).accepted().taken());
   EXPECT_EQ(worker.ask(ready()).assign().task(), cut.task());
+  EXPECT_EQ(count_files(folder_.path() / "damaged"), 1U);
+}
+
+TEST_F(ServerTest, answers_others_while_a_file_is_read_that_is_said_to_be_damaged) {
+  Dealer client(coordinator_.endpoint());
+  client.ask(submission("k"));
+  Dealer worker(coordinator_.endpoint());
+  worker.ask(hello());
+  const wire::Assign inspect = worker.ask(ready()).assign();
+  const std::string hash = inspect.inputs(inspect.inputs_size() - 1).hash();
+  // Who reads a pipe waits for who writes it.
+  const std::filesystem::path path = store_.path_of(hash);
+  const std::string other_bytes(inspect.inputs(inspect.inputs_size() - 1).size(), 'x');
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const wire::Envelope failed = claim_of_damage(inspect, hash);
+  worker.send(failed);
+  worker.send(failed);
+  wire::Envelope heartbeat;
+  heartbeat.mutable_heartbeat()->set_task(inspect.task());
+  heartbeat.mutable_heartbeat()->set_attempt(inspect.attempt());
+  worker.send(heartbeat);
+  EXPECT_FALSE(worker.hears_nothing(5000)) << "the heartbeat is not answered";
+  EXPECT_EQ(client.ask(status_request()).status_reply().jobs_size(), 1);
+  const int writer = ::open(path.c_str(), O_WRONLY);
+  std::filesystem::remove(path);
+  std::ofstream(path) << other_bytes;
+  ::close(writer);
+  EXPECT_TRUE(worker.receive().accepted().taken());
   EXPECT_EQ(count_files(folder_.path() / "damaged"), 1U);
 }
 

@@ -37,8 +37,8 @@ void take_turn(RequestHandler& handler, JobState& state, const JobDatabase& data
   handler.answer_questions(state, database.history(), door, now);
   handler.take_replies();
   handler.take_complaints();
-  for (const FileOrder& order : handler.transfers().take_orders(state, now)) {
-    handler.transfers().note_answer(carry_out(order, store).connection);
+  for (const FileOrder& order : handler.take_file_orders(state, now)) {
+    handler.note_file(carry_out(order, store), state, now);
   }
   TF_CHECK(state.validate().empty());
 }
