@@ -117,6 +117,7 @@ void JobState::move_attempt(AttemptId attempt, WorkerId worker, Moment now) {
       worker_left(row.worker, false, now);
     }
     row.worker = worker;
+    row.host = workers_.at(worker).host;
     dirty_attempts_[attempt] = row;
     record(now, durable_.tasks.at(row.task), attempt, worker, "reconnected");
   }

@@ -33,11 +33,14 @@ std::uint64_t JobState::memory_for(const TaskRow& task) const {
   return std::min(std::max(task.memory_bytes, expectation_.bytes(task.kind)), largest_memory());
 }
 
+/// Attempts without a session are of workers that have not come back after a restart: they run all
+/// the same. Whether such a worker has memory of its own is not known before it is back.
 JobState::HostMemory JobState::used_memory() const {
   HostMemory used;
-  for (const auto& [worker, session] : sessions_) {
-    if (!session.attempt || !session.shares_memory) continue;
-    used[workers_.at(worker).host] += durable_.running_attempts.at(session.attempt).memory_bytes;
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    const auto session = sessions_.find(attempt.worker);
+    if (session != sessions_.end() && !session->second.shares_memory) continue;
+    used[attempt.host] += attempt.memory_bytes;
   }
   return used;
 }

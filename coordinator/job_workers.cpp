@@ -224,6 +224,7 @@ void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now)
   attempt.started_ms = now.wall_ms;
   TaskRow& row = edit(task);
   attempt.nonce = session.nonce;
+  attempt.host = workers_.at(worker).host;
   attempt.memory_bytes = session.shares_memory ? memory_for(row) : workers_.at(worker).memory_bytes;
   attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* attempt_columns =
     "attempts.id, task, worker, attempts.state, started_ms, ended_ms, attempts.message, nonce, "
-    "rival, attempts.memory_bytes, attempts.peak_rss_bytes FROM attempts ";
+    "rival, attempts.memory_bytes, attempts.peak_rss_bytes, "
+    "(SELECT host FROM workers WHERE workers.id = worker) FROM attempts ";
 constexpr const char* worker_columns =
     "SELECT id, host, process, cores, memory_bytes, program_version, seen_ms, gone";
 
@@ -32,6 +33,7 @@ std::vector<AttemptRow> read_attempts(Statement& rows) {
     attempt.is_rival = rows.integer() != 0;
     attempt.memory_bytes = rows.unsigned_integer();
     attempt.peak_rss_bytes = rows.unsigned_integer();
+    attempt.host = rows.text();
     attempts.push_back(std::move(attempt));
   }
   return attempts;

@@ -125,7 +125,8 @@ struct AttemptRow {
   bool is_rival = false;  ///< races another attempt of its task, which is `TaskRow::attempt`
   std::uint64_t memory_bytes = 0;    ///< room that it was given; 0: not known
   std::uint64_t peak_rss_bytes = 0;  ///< of an ended one, as far as its worker said
-  std::string log = {};  ///< what its process said, its end; kept apart and not read with the row
+  std::string log = {};   ///< what its process said, its end; kept apart and not read with the row
+  std::string host = {};  ///< of its worker, in whose row it is kept
 
   friend bool operator==(const AttemptRow&, const AttemptRow&) = default;
 };

@@ -22,7 +22,11 @@ namespace tetfarm::simulation {
 class Invariants {
  public:
   // ---- what the farm tells
-  void worker_starts(const WorkerInfo& info) { processes_[info.nonce] = info; }
+  void worker_starts(const WorkerInfo& info) {
+    processes_[info.nonce] = info;
+    std::uint64_t& most = host_memory_[info.host];
+    if (info.shares_memory) most = std::max(most, info.memory_bytes);
+  }
   void result_said(AttemptId attempt, const std::string& nonce) {
     presented_by_[attempt].insert(nonce);
   }
@@ -107,12 +111,17 @@ class Invariants {
     for (const WorkerRow& worker : changes.workers) worker2host_[worker.id] = worker.host;
     std::map<TaskId, int> attempts;
     std::set<std::string> busy;
+    std::map<std::string, std::uint64_t> given_of_host;
     for (const auto& [id, attempt] : state.running_attempts) {
       EXPECT_LE(++attempts[attempt.task], 2) << "task " << attempt.task.value;
       EXPECT_FALSE(replaced_.contains(attempt.task)) << "a replaced task runs";
       EXPECT_TRUE(busy.insert(attempt.nonce).second) << "two tasks for one worker";
       const WorkerInfo& process = processes_.at(attempt.nonce);
       EXPECT_LE(attempt.memory_bytes, process.memory_bytes) << "more room than there is";
+      if (!process.shares_memory) continue;
+      std::uint64_t& given = given_of_host[process.host];
+      given += attempt.memory_bytes;
+      EXPECT_LE(given, host_memory_[process.host]) << process.host << " has less to share";
     }
     for (const TaskRow& task : changes.tasks) {
       if (task.state == TaskState::replaced) replaced_.insert(task.id);
@@ -190,7 +199,8 @@ class Invariants {
     return leaves;
   }
 
-  std::map<std::string, WorkerInfo> processes_;  // by nonce
+  std::map<std::string, WorkerInfo> processes_;       // by nonce
+  std::map<std::string, std::uint64_t> host_memory_;  // that its workers share
   std::map<AttemptId, std::set<std::string>> presented_by_;
   std::map<AttemptId, std::string> given_to_;
   std::map<std::string, std::uint64_t> sizes_;

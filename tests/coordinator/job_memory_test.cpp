@@ -70,6 +70,26 @@ TEST_F(Memory, workers_that_share_a_host_are_packed_by_its_memory) {
   EXPECT_EQ(next(add_worker({.host = "elsewhere", .memory_bytes = 8 * gib})).task, other.task);
 }
 
+TEST_F(Memory, after_a_restart_what_absent_workers_run_is_still_in_their_hosts_memory) {
+  submit();
+  const WorkerId one = add_worker({.host = "shared", .memory_bytes = 8 * gib, .nonce = "one"});
+  fail(one, next(one), starved(3 * gib));
+  pass(rules_.elsewhere_ms + 1000, {one});
+  const SendAssign hungry = next(one);
+  ASSERT_EQ(record_.state().running_attempts.at(hungry.attempt).memory_bytes, 6 * gib);
+  submit("other");
+  const WorkerId two = add_worker({.host = "elsewhere", .memory_bytes = 8 * gib});
+  fail(two, next(two), starved(2 * gib));
+  pass(2000, {two});
+  restart();
+  WorkerId back = add_worker({.host = "shared", .memory_bytes = 8 * gib, .nonce = "two"});
+  EXPECT_FALSE(next(back).attempt) << "2 of 8 GiB are left there: the first one runs still";
+  now_.steady_ms += rules_.lease_ms + 1;
+  commit();
+  back = add_worker({.host = "shared", .memory_bytes = 8 * gib, .nonce = "two"});
+  EXPECT_TRUE(next(back).attempt) << "it did not come back";
+}
+
 TEST_F(Memory, doubling_ends_at_all_that_the_host_has) {
   submit();
   worker_ = add_worker({.memory_bytes = 8 * gib});

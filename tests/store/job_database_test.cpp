@@ -48,6 +48,7 @@ ChangeSet some_changes() {
   changes.workers = {{WorkerId{2}, "host", 77, 4, 1U << 30U, "0.1", 6, false}};
   changes.attempts = {
       {AttemptId{9}, TaskId{3}, WorkerId{2}, AttemptState::running, 6, 0, "", "", false, 0}};
+  changes.attempts[0].host = "host";
   changes.events = {{6, JobId{1}, TaskId{3}, AttemptId{9}, WorkerId{2}, "assigned", "x"}};
   return changes;
 }

@@ -103,6 +103,7 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   later.tasks = {mesh, task, in_its_place};
   AttemptRow rival{AttemptId{6}, TaskId{4}, WorkerId{2}, AttemptState::running, 6, 0, "", "nonce",
                    true,         9};
+  rival.host = "host-b";
   AttemptRow starved{
       AttemptId{7}, TaskId{3}, WorkerId{2}, AttemptState::starved, 6, 8, "x", "", false, 9,
       12,           "its log"};
