@@ -4,6 +4,7 @@
 #include "base/file_system.h"
 #include "base/large_blocks.h"
 #include "cli/commands.h"
+#include "cli/read_ahead.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/write_surface.h"
@@ -48,6 +49,7 @@ ExitCode export_command(const ExportCommand& command) {
     figures = parts->figures();
     source = std::move(parts);
   }
+  if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
   const ExportCounts counts = export_mesh(*source, format, command.output);
   if (command.json) {
     std::printf("%s\n", json_of(command, format, counts, figures).dump().c_str());

@@ -36,8 +36,16 @@ Hdf5Handle text_type(std::size_t length) {
   return type;
 }
 
+/// Whole chunks go between the file and our memory without being copied once more.
+Hdf5Handle open_uncached(hid_t file, const std::string& name) {
+  const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+  H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
+  return {H5Dopen2(file, name.c_str(), access.get()), H5Dclose};
+}
+
 /// Rows first … first + count - 1 of the dataset's space.
-Hdf5Handle rows(hid_t dataset, hsize_t first, hsize_t count, hsize_t columns, std::size_t rank) {
+Hdf5Handle select_rows(hid_t dataset, hsize_t first, hsize_t count, hsize_t columns,
+                       std::size_t rank) {
   Hdf5Handle all(H5Dget_space(dataset), H5Sclose);
   const std::array<hsize_t, 2> start = {first, 0};
   const std::array<hsize_t, 2> size = {count, columns};
@@ -49,6 +57,11 @@ Hdf5Handle rows(hid_t dataset, hsize_t first, hsize_t count, hsize_t columns, st
 }
 
 }  // namespace
+
+bool hdf5_takes_threads() {
+  hbool_t takes = 0;
+  return H5is_library_threadsafe(&takes) >= 0 && takes;
+}
 
 Hdf5Output::Hdf5Output(std::string path) : path_(std::move(path)) {
   silence();
@@ -131,7 +144,7 @@ void Hdf5Output::make_array(const std::string& name, hid_t type, int columns) {
 void Hdf5Output::append(const std::string& name, hid_t type, const void* numbers,
                         std::size_t count) {
   if (count == 0) return;
-  const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle dataset = open_uncached(file_.get(), name);
   checked(dataset.get());
   std::vector<hsize_t> size = size_of(dataset.get());
   const hsize_t columns = size.size() > 1 ? size[1] : 1;
@@ -139,7 +152,7 @@ void Hdf5Output::append(const std::string& name, hid_t type, const void* numbers
   const hsize_t added = count / columns;
   size[0] += added;
   checked(H5Dset_extent(dataset.get(), size.data()));
-  const Hdf5Handle there = rows(dataset.get(), first, added, columns, size.size());
+  const Hdf5Handle there = select_rows(dataset.get(), first, added, columns, size.size());
   checked(there.get());
   size[0] = added;
   const Hdf5Handle here = space(size);
@@ -226,27 +239,33 @@ void Hdf5Input::read(const std::string& name, hid_t type, void* numbers) const {
   }
 }
 
-void Hdf5Input::check_slice(const std::string& name, std::int64_t first, std::int64_t count,
-                            int columns) const {
-  const auto rows = static_cast<std::int64_t>(rows_of(name, columns));
-  if (first < 0 || count < 0 || first > rows || count > rows - first) {
-    fail(name + " ends too early");
+Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name, int columns)
+    : file_(file),
+      name_(std::move(name)),
+      rows_(static_cast<std::int64_t>(file.rows_of(name_, columns))),
+      columns_(columns) {
+  dataset_ = open_uncached(file.file_.get(), name_);
+  if (!dataset_.is_open()) file.fail("no array " + name_);
+}
+
+void Hdf5Rows::check(std::int64_t first, std::int64_t count) const {
+  if (first < 0 || count < 0 || first > rows_ || count > rows_ - first) {
+    file_.fail(name_ + " ends too early");
   }
 }
 
-void Hdf5Input::read_slice(const std::string& name, hid_t type, std::int64_t first,
-                           std::int64_t count, int columns, void* numbers) const {
+void Hdf5Rows::read(hid_t type, std::int64_t first, std::int64_t count, void* numbers) const {
+  check(first, count);
   if (count == 0) return;
-  const Hdf5Handle dataset = open(name);
-  std::vector<hsize_t> size = size_of(dataset.get());
+  std::vector<hsize_t> size = {static_cast<hsize_t>(count)};
+  if (columns_ > 1) size.push_back(static_cast<hsize_t>(columns_));
   const Hdf5Handle there =
-      rows(dataset.get(), static_cast<hsize_t>(first), static_cast<hsize_t>(count),
-           static_cast<hsize_t>(columns), size.size());
-  size[0] = static_cast<hsize_t>(count);
+      select_rows(dataset_.get(), static_cast<hsize_t>(first), static_cast<hsize_t>(count),
+                  static_cast<hsize_t>(columns_), size.size());
   const Hdf5Handle here = space(size);
   if (!there.is_open() ||
-      H5Dread(dataset.get(), type, here.get(), there.get(), H5P_DEFAULT, numbers) < 0) {
-    fail("cannot read " + name);
+      H5Dread(dataset_.get(), type, here.get(), there.get(), H5P_DEFAULT, numbers) < 0) {
+    file_.fail("cannot read " + name_);
   }
 }
 

@@ -11,6 +11,9 @@
 
 namespace tetfarm {
 
+/// Whether the library was built so that several threads may call it.
+bool hdf5_takes_threads();
+
 /// An HDF5 object with the function that closes it.
 class Hdf5Handle {
  public:
@@ -96,6 +99,34 @@ class Hdf5Output {
   Hdf5Handle file_;
 };
 
+class Hdf5Input;
+
+/// One array of a file being read, opened once to be read piece by piece. Pieces go from the file
+/// to where they are wanted, through no cache.
+class Hdf5Rows {
+ public:
+  /// `count` numbers of a one-dimensional array, or rows of `columns`, from `first` on.
+  /// @throws InvalidInput also when the array ends before.
+  template <class T>
+  void read(std::int64_t first, std::int64_t count, T* numbers) const {
+    read(hdf5_type<T>(), first, count, numbers);
+  }
+
+  /// @throws InvalidInput when they are not all there.
+  void check(std::int64_t first, std::int64_t count) const;
+
+ private:
+  friend class Hdf5Input;
+  Hdf5Rows(const Hdf5Input& file, std::string name, int columns);
+  void read(hid_t type, std::int64_t first, std::int64_t count, void* numbers) const;
+
+  const Hdf5Input& file_;
+  std::string name_;
+  Hdf5Handle dataset_;
+  std::int64_t rows_ = 0;
+  int columns_ = 1;
+};
+
 /// A file being read. Missing and unfit things throw InvalidInput naming the file.
 class Hdf5Input {
  public:
@@ -116,20 +147,20 @@ class Hdf5Input {
   template <class T>
   std::vector<T> slice(const std::string& name, std::int64_t first, std::int64_t count,
                        int columns = 1) const {
-    check_slice(name, first, count, columns);
+    const Hdf5Rows there = rows(name, columns);
+    there.check(first, count);
     std::vector<T> numbers(static_cast<std::size_t>(count * columns));
-    read_slice(name, hdf5_type<T>(), first, count, columns, numbers.data());
+    there.read(first, count, numbers.data());
     return numbers;
   }
+  /// @throws InvalidInput when the array has another shape. It must not outlive the file.
+  Hdf5Rows rows(const std::string& name, int columns = 1) const { return {*this, name, columns}; }
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  friend class Hdf5Rows;
   std::size_t rows_of(const std::string& name, int columns) const;
   void read(const std::string& name, hid_t type, void* numbers) const;
-  void check_slice(const std::string& name, std::int64_t first, std::int64_t count,
-                   int columns) const;
-  void read_slice(const std::string& name, hid_t type, std::int64_t first, std::int64_t count,
-                  int columns, void* numbers) const;
   Hdf5Handle open(const std::string& name) const;
 
   std::string path_;

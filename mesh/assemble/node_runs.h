@@ -10,7 +10,7 @@
 namespace tetfarm {
 
 /// Visits each run once, ascending: the number of its first node, and the nodes. Those that
-/// several parts share come with each of them, at the same places. Cost: O(n log n).
+/// several parts share come with each of them, at the same places. Cost: O(n + r log r) for r runs.
 void for_each_node_run(
     const NumberedPart& part,
     const std::function<void(std::int64_t first, const std::vector<Vec3>& nodes)>& visit);

@@ -30,7 +30,17 @@ void OutputFile::write(std::int64_t offset, std::string_view bytes) {
     if (done <= 0) throw IoError("cannot write", path_.string(), done < 0 ? errno : ENOSPC);
     offset += done;
     bytes.remove_prefix(static_cast<std::size_t>(done));
+    begin_to_store(done);
   }
+}
+
+/// A hint; what fails to be stored is found by `finish`.
+void OutputFile::begin_to_store(std::int64_t written) {
+  constexpr std::int64_t enough = 32 << 20;
+  since_stored_ += written;
+  if (since_stored_ < enough) return;
+  since_stored_ = 0;
+  ::sync_file_range(descriptor_, 0, 0, SYNC_FILE_RANGE_WRITE);
 }
 
 void OutputFile::finish() {

@@ -33,8 +33,12 @@ class OutputFile {
   void finish();
 
  private:
+  /// Lets the disk work while the rest is made, so that `finish` does not wait for all of it.
+  void begin_to_store(std::int64_t written);
+
   std::filesystem::path path_;
   int descriptor_ = -1;
+  std::int64_t since_stored_ = 0;  ///< bytes
 };
 
 }  // namespace tetfarm

@@ -52,6 +52,13 @@ struct NumberedPart {
   }
 };
 
+/// A part whose elements are counted: `tets` and `faces` of the part itself may be empty.
+struct CountedPart {
+  NumberedPart part;
+  std::int64_t tets = 0;
+  std::int64_t faces = 0;
+};
+
 /// Of each tet, then of each face.
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part);
 

@@ -5,29 +5,17 @@
 
 #include "base/error.h"
 #include "mesh/assemble/hdf5_file.h"
+#include "mesh/assemble/vtkhdf_cells.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = 5;
-constexpr std::uint8_t vtk_tetra = 10;
 /// More than any real mesh has: a wrong number must not fill the memory.
 constexpr std::int32_t most_regions = 1'000'000;
 
 std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
-/// Where a partition begins in the arrays, and how much it has.
-struct Partition {
-  std::int64_t first_point = 0;
-  std::int64_t points = 0;
-  std::int64_t first_cell = 0;
-  std::int64_t cells = 0;
-  std::int64_t first_id = 0;
-  std::int64_t ids = 0;
-  std::int64_t number = 0;
-};
-
-std::vector<Partition> partitions_of(const Hdf5Input& file) {
+std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
   const auto points = file.array<std::int64_t>("VTKHDF/NumberOfPoints");
   const auto cells = file.array<std::int64_t>("VTKHDF/NumberOfCells");
   const auto ids = file.array<std::int64_t>("VTKHDF/NumberOfConnectivityIds");
@@ -35,8 +23,8 @@ std::vector<Partition> partitions_of(const Hdf5Input& file) {
     file.fail("the numbers of points and cells are not of the same partitions");
   }
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  std::vector<Partition> partitions;
-  Partition next;
+  std::vector<VtkhdfPartition> partitions;
+  VtkhdfPartition next;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const std::int64_t count : {points[i], cells[i], ids[i] / 4}) {
       if (count < 0 || count > most) file.fail("a partition has a wrong number of points or cells");
@@ -73,13 +61,13 @@ KnownArrays known_arrays(const Hdf5Input& file) {
           file.has("VTKHDF/CellData/region")};
 }
 
-void read_points(const Hdf5Input& file, const Partition& here, bool has_numbers,
+void read_points(const Hdf5Input& file, const VtkhdfPartition& here, bool has_numbers,
                  NumberedPart& part) {
-  const auto points = file.slice<double>("VTKHDF/Points", here.first_point, here.points, 3);
-  part.nodes.reserve(points.size() / 3);
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    part.nodes.push_back({points[i], points[i + 1], points[i + 2]});
-  }
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  const Hdf5Rows points = file.rows("VTKHDF/Points", 3);
+  points.check(here.first_point, here.points);
+  part.nodes.resize(at(here.points));
+  points.read<double>(here.first_point, here.points, &part.nodes.data()->x);
   if (has_numbers) {
     part.local2global =
         file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points);
@@ -88,97 +76,56 @@ void read_points(const Hdf5Input& file, const Partition& here, bool has_numbers,
   }
 }
 
-template <class Element>
-Element element_at(const Hdf5Input& file, const std::vector<std::int64_t>& connectivity,
-                   std::int64_t first, std::int64_t points) {
-  Element element;
-  for (std::size_t i = 0; i < element.size(); ++i) {
-    const std::int64_t v = connectivity[at(first) + i];
-    if (v < 0 || v >= points) file.fail("a cell has a node that is not there");
-    element[i] = static_cast<std::int32_t>(v);
-  }
-  return element;
-}
-
-void read_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
-                NumberedPart& part) {
-  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
-  const auto tets = std::count(types.begin(), types.end(), vtk_tetra);
-  part.tets.reserve(at(tets));
-  part.faces.reserve(types.size() - at(tets));
-  const auto offsets =
-      file.slice<std::int64_t>("VTKHDF/Offsets", here.first_cell + here.number, here.cells + 1);
-  const auto connectivity =
-      file.slice<std::int64_t>("VTKHDF/Connectivity", here.first_id, here.ids);
-  std::vector<std::int32_t> patches(at(here.cells), 0);
-  if (has_patches) {
-    patches = file.slice<std::int32_t>("VTKHDF/CellData/patch", here.first_cell, here.cells);
-  }
-  for (std::size_t cell = 0; cell < types.size(); ++cell) {
-    const std::int64_t first = offsets[cell];
-    const int nodes = types[cell] == vtk_tetra ? 4 : types[cell] == vtk_triangle ? 3 : 0;
-    if (nodes == 0)
-      file.fail("a cell of type " + std::to_string(types[cell]) +
-                "; only triangles (5) and tetrahedra (10) are read");
-    if (first < 0 || first > here.ids || offsets[cell + 1] - first != nodes ||
-        offsets[cell + 1] > here.ids) {
-      file.fail("the offset of a cell is wrong");
-    }
-    if (nodes == 4) {
-      part.tets.push_back(element_at<Tet>(file, connectivity, first, here.points));
-    } else {
-      part.faces.push_back(element_at<Triangle>(file, connectivity, first, here.points));
-      part.patch_of_face.push_back(patches[cell]);
-    }
-  }
-}
-
 /// A partition lies in one region, or says it of each cell.
-void read_regions(const Hdf5Input& file, const Partition& here, NumberedPart& part) {
+void read_regions(const Hdf5Input& file, const VtkhdfPartition& here, NumberedPart& part) {
   if (here.cells == 0) return;
-  const auto regions =
-      file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, here.cells);
-  const auto [least, most] = std::minmax_element(regions.begin(), regions.end());
-  if (*least < 1 || *most > most_regions) {
-    file.fail("a cell is of region " + std::to_string(*least < 1 ? *least : *most));
+  const Hdf5Rows rows = file.rows("VTKHDF/CellData/region");
+  std::vector<std::int32_t> regions(at(std::min(here.cells, vtkhdf_cells_of_block)));
+  std::int32_t least = most_regions;
+  std::int32_t most = 1;
+  for (std::int64_t first = 0; first < here.cells; first += vtkhdf_cells_of_block) {
+    regions.resize(at(std::min(vtkhdf_cells_of_block, here.cells - first)));
+    rows.read(here.first_cell + first, std::ssize(regions), regions.data());
+    for (const std::int32_t region : regions) {
+      least = std::min(least, region);
+      most = std::max(most, region);
+    }
   }
-  part.region = *least;
-  if (*least == *most) return;
+  if (least < 1 || most > most_regions) {
+    file.fail("a cell is of region " + std::to_string(least < 1 ? least : most));
+  }
+  part.region = least;
+  if (least == most) return;
   const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  regions = file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, here.cells);
   for (std::size_t cell = 0; cell < regions.size(); ++cell) {
-    (types[cell] == vtk_tetra ? part.region_of_tet : part.region_of_face).push_back(regions[cell]);
+    (types[cell] == vtkhdf_tet_type ? part.region_of_tet : part.region_of_face)
+        .push_back(regions[cell]);
   }
 }
 
-/// The numbers of tets and faces, and the patches.
-void count_cells(const Hdf5Input& file, const Partition& here, bool has_patches,
-                 NumberedPart& part) {
-  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
-  const auto tets = std::count(types.begin(), types.end(), vtk_tetra);
-  part.tets.resize(at(tets));
-  part.faces.resize(types.size() - at(tets));
-  part.patch_of_face.assign(part.faces.size(), 0);
-  if (!has_patches) return;
-  const auto patches =
-      file.slice<std::int32_t>("VTKHDF/CellData/patch", here.first_cell, here.cells);
-  std::size_t face = 0;
-  for (std::size_t cell = 0; cell < types.size(); ++cell) {
-    if (types[cell] != vtk_tetra) part.patch_of_face[face++] = patches[cell];
-  }
-}
-
-NumberedPart read_part(const Hdf5Input& file, const Partition& here, const KnownArrays& known,
-                       bool with_nodes_of_cells) {
-  NumberedPart part;
+/// All but the nodes of the elements.
+CountedPart count_part(const Hdf5Input& file, const VtkhdfPartition& here,
+                       const KnownArrays& known) {
+  CountedPart counted;
+  NumberedPart& part = counted.part;
   part.number = static_cast<std::int32_t>(here.number);
   if (known.regions) read_regions(file, here, part);
   read_points(file, here, known.node_numbers, part);
-  if (with_nodes_of_cells) {
-    read_cells(file, here, known.patches, part);
-  } else {
-    count_cells(file, here, known.patches, part);
-  }
-  return part;
+  VtkhdfCells cells(file, here);
+  counted.tets = cells.count_tets();
+  counted.faces = here.cells - counted.tets;
+  part.patch_of_face = cells.patches(known.patches, counted.faces);
+  return counted;
+}
+
+NumberedPart read_part(const Hdf5Input& file, const VtkhdfPartition& here,
+                       const KnownArrays& known) {
+  CountedPart counted = count_part(file, here, known);
+  counted.part.tets.reserve(at(counted.tets));
+  counted.part.faces.reserve(at(counted.faces));
+  VtkhdfCells(file, here).read_nodes(counted.part.tets, counted.part.faces);
+  return std::move(counted.part);
 }
 
 template <class Element>
@@ -206,7 +153,7 @@ void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
   }
 }
 
-std::int64_t node_count(const Hdf5Input& file, const std::vector<Partition>& partitions,
+std::int64_t node_count(const Hdf5Input& file, const std::vector<VtkhdfPartition>& partitions,
                         bool has_numbers) {
   if (!has_numbers) {
     if (partitions.size() != 1) file.fail("several partitions, and no GlobalNodeId to join them");
@@ -214,7 +161,7 @@ std::int64_t node_count(const Hdf5Input& file, const std::vector<Partition>& par
   }
   std::int64_t most = -1;
   std::int64_t points = 0;
-  for (const Partition& here : partitions) {
+  for (const VtkhdfPartition& here : partitions) {
     points += here.points;
     for (const std::int64_t number :
          file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points)) {
@@ -239,7 +186,7 @@ struct VtkhdfParts::Content {
 
   Hdf5Input file;
   KnownArrays known;
-  std::vector<Partition> partitions;
+  std::vector<VtkhdfPartition> partitions;
 };
 
 VtkhdfParts::VtkhdfParts(const std::filesystem::path& path)
@@ -251,11 +198,11 @@ bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers
 void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
 
 NumberedPart VtkhdfParts::part(std::size_t i) const {
-  return read_part(content_->file, content_->partitions.at(i), content_->known, true);
+  return read_part(content_->file, content_->partitions.at(i), content_->known);
 }
 
-NumberedPart VtkhdfParts::part_without_connectivity(std::size_t i) const {
-  return read_part(content_->file, content_->partitions.at(i), content_->known, false);
+CountedPart VtkhdfParts::count(std::size_t i) const {
+  return count_part(content_->file, content_->partitions.at(i), content_->known);
 }
 
 std::vector<std::string> VtkhdfParts::patch_names() const {
@@ -282,13 +229,13 @@ std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
 GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
   const Hdf5Input file = open_mesh(path);
   const KnownArrays known = known_arrays(file);
-  const std::vector<Partition> partitions = partitions_of(file);
+  const std::vector<VtkhdfPartition> partitions = partitions_of(file);
   GlobalMesh mesh;
   if (partitions.empty()) file.fail("no partition");
   mesh.mesh.nodes.resize(at(node_count(file, partitions, known.node_numbers)));
   mesh.mesh.boundary_nodes = static_cast<std::int32_t>(mesh.mesh.nodes.size());
   mesh.subdomains = static_cast<std::int32_t>(partitions.size());
-  for (const Partition& here : partitions) join(file, read_part(file, here, known, true), mesh);
+  for (const VtkhdfPartition& here : partitions) join(file, read_part(file, here, known), mesh);
   if (file.has("Tetfarm/patch_names")) mesh.patch_names = file.texts("Tetfarm/patch_names");
   if (file.has("Tetfarm/region_names")) mesh.region_names = file.texts("Tetfarm/region_names");
   return mesh;

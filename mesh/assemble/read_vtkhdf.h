@@ -22,8 +22,8 @@ class VtkhdfParts {
   std::size_t size() const;
   /// @throws InvalidInput.
   NumberedPart part(std::size_t i) const;
-  /// The same, but tets and faces have no nodes (all 0): what counts them need not read the most.
-  NumberedPart part_without_connectivity(std::size_t i) const;
+  /// The same without the nodes of elements, which are most of it.
+  CountedPart count(std::size_t i) const;
   /// Without them only a single partition is a mesh.
   bool has_node_numbers() const;
   /// Of the patches and of regions 1, 2, …; empty when the file has none.

@@ -1,10 +1,11 @@
 #include "mesh/assemble/write_ugrid.h"
 
-#include <algorithm>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include "base/error.h"
+#include "mesh/assemble/node_blocks.h"
 #include "mesh/assemble/node_runs.h"
 #include "mesh/assemble/output_file.h"
 
@@ -15,10 +16,20 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
 
-void turn_bytes(std::string& bytes, std::size_t size) {
-  for (std::size_t i = 0; i < bytes.size(); i += size) {
-    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
-                 bytes.begin() + static_cast<std::ptrdiff_t>(i + size));
+template <class Number>
+void turn_bytes(std::string& bytes) {
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof(Number)) {
+    if constexpr (sizeof(Number) == 8) {
+      std::uint64_t bits;
+      std::memcpy(&bits, bytes.data() + i, 8);
+      bits = __builtin_bswap64(bits);
+      std::memcpy(bytes.data() + i, &bits, 8);
+    } else {
+      std::uint32_t bits;
+      std::memcpy(&bits, bytes.data() + i, 4);
+      bits = __builtin_bswap32(bits);
+      std::memcpy(bytes.data() + i, &bits, 4);
+    }
   }
 }
 
@@ -32,15 +43,13 @@ class UgridFile : public UgridWriter {
         first_patch_(first_triangle_ + counts.boundary_triangles * 3 * integer_bytes),
         first_tet_(first_patch_ + counts.boundary_triangles * integer_bytes) {
     const auto count = [](std::int64_t n) { return static_cast<Integer>(n); };
-    write(0, std::vector<Integer>{count(counts.nodes), count(counts.boundary_triangles), 0,
-                                  count(counts.tets), 0, 0, 0});
+    write<Integer>(0, std::vector<Integer>{count(counts.nodes), count(counts.boundary_triangles), 0,
+                                           count(counts.tets), 0, 0, 0});
   }
 
   void add_behind(const UgridCounts& before, const NumberedPart& part) override {
     for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
-      std::vector<double> coordinates;
-      for (const Vec3& p : nodes) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
-      write(header_bytes + first * 24, coordinates);
+      write<double>(header_bytes + first * 24, nodes);
     });
     const auto number = [&](std::int32_t local) {
       return static_cast<Integer>(part.local2global[static_cast<std::size_t>(local)] + 1);
@@ -51,14 +60,13 @@ class UgridFile : public UgridWriter {
     }
     std::vector<Integer> patches;
     for (const std::int32_t patch : part.patch_of_face) patches.push_back(patch + 1);
-    std::vector<Integer> tets;
-    tets.reserve(part.tets.size() * 4);
-    for (const Tet& tet : part.tets) {
-      for (const std::int32_t v : tet) tets.push_back(number(v));
-    }
-    write(first_triangle_ + before.boundary_triangles * 3 * integer_bytes, triangles);
-    write(first_patch_ + before.boundary_triangles * integer_bytes, patches);
-    write(first_tet_ + before.tets * 4 * integer_bytes, tets);
+    write<Integer>(first_triangle_ + before.boundary_triangles * 3 * integer_bytes, triangles);
+    write<Integer>(first_patch_ + before.boundary_triangles * integer_bytes, patches);
+    std::int64_t place = first_tet_ + before.tets * 4 * integer_bytes;
+    for_each_block_of_nodes<Integer>(part, 1, [&](const std::vector<Integer>& nodes) {
+      write<Integer>(place, nodes);
+      place += std::ssize(nodes) * integer_bytes;
+    });
   }
 
   void finish() override { file_.finish(); }
@@ -67,14 +75,15 @@ class UgridFile : public UgridWriter {
   static constexpr std::int64_t integer_bytes = sizeof(Integer);
   static constexpr std::int64_t header_bytes = 7 * integer_bytes;
 
-  template <class T>
+  /// `Number` is what the values are made of.
+  template <class Number, class T>
   void write(std::int64_t place, const std::vector<T>& values) {
     if (!big_endian_) {
       file_.write(place, values);
       return;
     }
     std::string bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-    turn_bytes(bytes, sizeof(T));
+    turn_bytes<Number>(bytes);
     file_.write(place, bytes);
   }
 

@@ -8,7 +8,7 @@ namespace {
 /// Calls visit(node, region) for each node of each region of the part, once.
 template <class Visit>
 void for_each_use(const MeshSource& source, std::size_t i, const Visit& visit) {
-  const NumberedPart outline = source.part_to_outline(i);
+  const NumberedPart outline = source.counted_part(i).part;
   if (outline.region_of_tet.empty()) {
     for (const std::int64_t node : outline.local2global) visit(node, outline.region);
     return;

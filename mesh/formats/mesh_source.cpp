@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "mesh/assemble/hdf5_file.h"
 #include "mesh/assemble/read_vtkhdf.h"
 #include "mesh/formats/ugrid_source.h"
 
@@ -22,9 +23,8 @@ class VtkhdfSource : public MeshSource {
   }
   std::size_t size() const override { return parts_.size(); }
   NumberedPart part(std::size_t i) const override { return parts_.part(i); }
-  NumberedPart part_to_outline(std::size_t i) const override {
-    return parts_.part_without_connectivity(i);
-  }
+  CountedPart counted_part(std::size_t i) const override { return parts_.count(i); }
+  bool takes_threads() const override { return hdf5_takes_threads(); }
   std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
   std::vector<std::string> region_names() const override { return parts_.region_names(); }
 
@@ -56,18 +56,27 @@ void add_counts(const std::vector<std::int64_t>& counts, std::vector<std::int64_
   for (std::size_t i = 0; i < counts.size(); ++i) sums[i] += counts[i];
 }
 
-PartOutline outline_of_part(const NumberedPart& part, std::size_t index, std::int64_t limit,
+/// `tets` more of a region, or its first. @throws InvalidInput.
+void add_tets_of_region(std::int32_t region, std::int64_t tets, std::size_t index,
+                        PartOutline& outline) {
+  if (region < 1 || region > most_names) refuse(index, "a region number is out of range");
+  if (region < std::ssize(outline.tets_of_region)) refuse(index, "regions are not in order");
+  outline.tets_of_region.resize(static_cast<std::size_t>(region));
+  outline.tets_of_region.back() += tets;
+}
+
+PartOutline outline_of_part(const CountedPart& counted, std::size_t index, std::int64_t limit,
                             KnownNodes& known) {
+  const NumberedPart& part = counted.part;
   PartOutline outline;
   outline.nodes = std::ssize(part.nodes);
-  outline.tets = std::ssize(part.tets);
-  outline.faces = std::ssize(part.faces);
-  for (std::size_t t = 0; t < part.tets.size(); ++t) {
-    const std::int32_t region = part.region_of(t);
-    if (region < 1 || region > most_names) refuse(index, "a region number is out of range");
-    if (region < std::ssize(outline.tets_of_region)) refuse(index, "regions are not in order");
-    outline.tets_of_region.resize(static_cast<std::size_t>(region));
-    ++outline.tets_of_region.back();
+  outline.tets = counted.tets;
+  outline.faces = counted.faces;
+  for (const std::int32_t region : part.region_of_tet) {
+    add_tets_of_region(region, 1, index, outline);
+  }
+  if (part.region_of_tet.empty() && counted.tets > 0) {
+    add_tets_of_region(part.region, counted.tets, index, outline);
   }
   outline.box = bounding_box(part.nodes);
   for (const std::int64_t number : part.local2global) {
@@ -89,6 +98,13 @@ void name_the_rest(std::vector<std::string>& names, std::size_t count, const std
 
 }  // namespace
 
+CountedPart MeshSource::counted_part(std::size_t i) const {
+  CountedPart counted{part(i), 0, 0};
+  counted.tets = std::ssize(counted.part.tets);
+  counted.faces = std::ssize(counted.part.faces);
+  return counted;
+}
+
 MeshOutline outline_of(const MeshSource& source) {
   MeshOutline outline;
   KnownNodes known;
@@ -99,12 +115,12 @@ MeshOutline outline_of(const MeshSource& source) {
   // A number above all points could not be of a mesh without gaps, and would cost memory.
   std::int64_t limit = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const NumberedPart part = source.part_to_outline(i);
-    points += std::ssize(part.nodes);
+    const CountedPart counted = source.counted_part(i);
+    points += std::ssize(counted.part.nodes);
     limit = std::max<std::int64_t>(limit, std::numeric_limits<std::int32_t>::max() + points);
-    outline.parts.push_back(outline_of_part(part, i, limit, known));
+    outline.parts.push_back(outline_of_part(counted, i, limit, known));
     const PartOutline& here = outline.parts.back();
-    for (const std::int64_t number : part.local2global) largest = std::max(largest, number);
+    for (const std::int64_t number : counted.part.local2global) largest = std::max(largest, number);
     patches = std::max(patches, here.faces_of_patch.size());
     regions = std::max(regions, here.tets_of_region.size());
   }

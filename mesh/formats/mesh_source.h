@@ -21,10 +21,12 @@ class MeshSource {
   virtual std::size_t size() const = 0;
   /// The i-th part, with the number i. @throws InvalidInput, IoError.
   virtual NumberedPart part(std::size_t i) const = 0;
-  /// The same; the nodes of its tets and faces may be left out (0).
-  virtual NumberedPart part_to_outline(std::size_t i) const { return part(i); }
+  /// The same; its tets and faces may be left out, their patches and regions not.
+  virtual CountedPart counted_part(std::size_t i) const;
   /// Whether parts are sub-domains, and not pieces of the file.
   virtual bool knows_subdomains() const { return true; }
+  /// Whether `part` may be called while another thread writes a mesh.
+  virtual bool takes_threads() const { return false; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
 };

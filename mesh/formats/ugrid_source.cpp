@@ -132,6 +132,7 @@ class UgridSource : public MeshSource {
 
   std::size_t size() const override { return pieces_.size(); }
   bool knows_subdomains() const override { return false; }
+  bool takes_threads() const override { return true; }
   std::vector<std::string> patch_names() const override { return patch_names_; }
   std::vector<std::string> region_names() const override { return region_names_; }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mesh/assemble/node_blocks.h"
 #include "mesh/formats/cgns_tree.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
@@ -80,6 +81,17 @@ Places write_frame(const std::filesystem::path& path, const MeshOutline& outline
   return places;
 }
 
+void write_coordinates(OutputFile& file, const Places& places, const NumberedPart& part) {
+  std::vector<double> values;
+  for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      values.clear();
+      for (const Vec3& p : nodes) values.push_back(p[axis]);
+      file.write(places.coordinates[static_cast<std::size_t>(axis)] + first * 8, values);
+    }
+  });
+}
+
 }  // namespace
 
 void write_cgns(const MeshSource& source, const MeshOutline& outline,
@@ -89,17 +101,13 @@ void write_cgns(const MeshSource& source, const MeshOutline& outline,
   const NumberText raw = NumberText::raw();
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
-    for (int axis = 0; axis < 3; ++axis) {
-      write_node_records(
-          file, places.coordinates[static_cast<std::size_t>(axis)], 8, part, raw,
-          [axis](NumberText& numbers, std::int64_t, const Vec3& p) { numbers.real(p[axis]); });
-    }
-    NumberText tets = raw;
-    for (const Tet& tet : part.tets) {
-      for (const std::int32_t v : tet) tets.integer(global_node(part, v) + 1);
-    }
     const PartOutline& here = outline.parts[i];
-    file.write(places.tets + here.first_tet * 4 * large_bytes, tets.bytes());
+    write_coordinates(file, places, part);
+    std::int64_t place = places.tets + here.first_tet * 4 * large_bytes;
+    for_each_block_of_nodes<std::int64_t>(part, 1, [&](const std::vector<std::int64_t>& nodes) {
+      file.write(place, nodes);
+      place += std::ssize(nodes) * large_bytes;
+    });
     std::vector<std::int32_t> regions = regions_of_cells(part);
     regions.resize(part.tets.size());
     file.write(places.regions + here.first_tet * small_bytes, regions);

@@ -44,6 +44,7 @@ class PartitionedMesh : public MeshSource {
 
   std::size_t size() const override { return pieces_.size(); }
   NumberedPart part(std::size_t i) const override { return pieces_.part(i); }
+  bool takes_threads() const override { return true; }
   std::vector<std::string> patch_names() const override { return patch_names_; }
   std::vector<std::string> region_names() const override { return region_names_; }
   const PartitionFigures& figures() const { return figures_; }
