@@ -1,6 +1,7 @@
 #include "mesh/decompose/cut_check.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace tetfarm {
@@ -30,6 +31,51 @@ std::optional<double> height_of_cut(const InterdomainMesh& mesh, const Vec2& p) 
            sum;
   }
   return std::nullopt;
+}
+
+/// A shell that the cut does not touch.
+struct WholeShell {
+  std::size_t triangle = 0;  ///< its first
+  Side side = Side::left;
+  double volume = 0;  ///< negative: a cavity
+  Box3 box;
+};
+
+std::vector<WholeShell> shells_without_rim(const InterdomainMesh& mesh, const Subdomain& subdomain,
+                                           const FaceColours& colours,
+                                           const std::vector<std::int32_t>& shell_of_triangle) {
+  const std::int32_t count =
+      1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<bool> has_rim(idx(count), false);
+  for (const RimEdge& edge : mesh.rim) {
+    has_rim[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
+  }
+  std::vector<std::size_t> place(idx(count), none);
+  std::vector<WholeShell> shells;
+  for (std::size_t t = 0; t < shell_of_triangle.size(); ++t) {
+    const std::size_t shell = idx(shell_of_triangle[t]);
+    if (has_rim[shell]) continue;
+    if (place[shell] == none) {
+      place[shell] = shells.size();
+      shells.push_back({t, colours[t], 0, {}});
+    }
+    WholeShell& whole = shells[place[shell]];
+    const Vec3& base = subdomain.vertices[idx(subdomain.triangles[whole.triangle][0])];
+    const auto& [a, b, c] = subdomain.triangles[t];
+    const Vec3 &p = subdomain.vertices[idx(a)], &q = subdomain.vertices[idx(b)],
+               &r = subdomain.vertices[idx(c)];
+    whole.volume += dot(p - base, cross(q - base, r - base)) / 6;
+    for (const Vec3* v : {&p, &q, &r}) whole.box.add(*v);
+  }
+  return shells;
+}
+
+bool holds(const Box3& outer, const Box3& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -62,21 +108,21 @@ double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subd
 bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                const FaceColours& colours,
                                const std::vector<std::int32_t>& shell_of_triangle) {
-  const std::int32_t shells =
-      1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
-  std::vector<bool> is_done(idx(shells), false);
-  for (const RimEdge& edge : mesh.rim)
-    is_done[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
-  for (std::size_t t = 0; t < shell_of_triangle.size(); ++t) {
-    if (is_done[idx(shell_of_triangle[t])]) continue;
-    is_done[idx(shell_of_triangle[t])] = true;
-    const Vec3& p = subdomain.vertices[idx(subdomain.triangles[t][0])];
+  const std::vector<WholeShell> shells =
+      shells_without_rim(mesh, subdomain, colours, shell_of_triangle);
+  for (const WholeShell& shell : shells) {
+    const Vec3& p = subdomain.vertices[idx(subdomain.triangles[shell.triangle][0])];
     const auto cut_height = height_of_cut(mesh, mesh.plane.project(p));
     if (!cut_height) continue;
     const Side side = mesh.plane.height(p) < *cut_height ? Side::left : Side::right;
-    if (side != colours[t]) return false;
+    if (side != shell.side) return false;
   }
-  return true;
+  return std::none_of(shells.begin(), shells.end(), [&](const WholeShell& cavity) {
+    return cavity.volume < 0 &&
+           std::any_of(shells.begin(), shells.end(), [&](const WholeShell& body) {
+             return body.volume > 0 && body.side != cavity.side && holds(body.box, cavity.box);
+           });
+  });
 }
 
 bool is_too_near(const SurfaceContact& contact) {

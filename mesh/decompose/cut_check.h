@@ -23,8 +23,9 @@ std::vector<double> cosines_at_rim(const InterdomainMesh& mesh, const Subdomain&
 /// The cosine of the smallest angle of the cut's triangles in space.
 double cosine_of_smallest_triangle_angle(const InterdomainMesh& mesh, const Subdomain& subdomain);
 
-/// Whether every shell that the cut does not touch lies on the side that its colour says. Shells
-/// are told by `shell_of_triangle`. Cost: O(shells * cut triangles) + O(n).
+/// Whether every shell that the cut does not touch lies on the side that its colour says, and every
+/// cavity among them beside the body round it. Shells are told by `shell_of_triangle`.
+/// Cost: O(shells * (cut triangles + shells)) + O(n).
 bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                const FaceColours& colours,
                                const std::vector<std::int32_t>& shell_of_triangle);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/inspect/surface_check.h"
+#include "tests/support/generated_surfaces.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -76,6 +78,32 @@ TEST_P(NestedLoops, beside_each_other_bound_one_cut) {
   EXPECT_THAT(validate(outcome.cut->right), IsEmpty());
   EXPECT_NEAR(volume(outcome.cut->left) + volume(outcome.cut->right), volume(root),
               1e-12 * volume(root));
+}
+
+/// Nearly coplanar, so that a plane between them may touch neither.
+TEST(FlatShells, a_cavity_stays_with_the_body_round_it) {
+  const auto generators = shapes::surface_generators();
+  const shapes::SurfaceGenerator& near_shells = *std::find_if(
+      generators.begin(), generators.end(),
+      [](const shapes::SurfaceGenerator& g) { return std::string(g.name) == "near_shells"; });
+  int cuts = 0;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    const CheckedSurface checked =
+        check_surface(shapes::moved_by_chance(near_shells.make(seed, 1), seed));
+    if (!checked.report.defects.empty()) continue;
+    const Subdomain root = root_subdomain(checked.surface);
+    const SpacingField spacing(0.1 * norm(bounding_box(root.vertices).size()));
+    const CutOutcome first = planar_cut(root, spacing);
+    if (!first.cut) continue;
+    for (const Subdomain* half : {&first.cut->left, &first.cut->right}) {
+      const CutOutcome second = planar_cut(*half, spacing);
+      if (!second.cut) continue;
+      ++cuts;
+      EXPECT_GT(volume(second.cut->left), 0) << seed;
+      EXPECT_GT(volume(second.cut->right), 0) << seed;
+    }
+  }
+  EXPECT_GT(cuts, 10);
 }
 
 std::string name_of_planes(const testing::TestParamInfo<CutPlanes>& info) {
