@@ -91,12 +91,15 @@ class LatticeWalk {
     }
     if (is_left_out(cell)) return;
     const std::int32_t half = size_at_level(cell.level + 1);
+    around_.push_back({node, cell});
     for (std::size_t k = 0; k < 8; ++k) {
       visit(static_cast<std::size_t>(child) + k, {cell.level + 1, corner_of(cell.low, half, k)});
     }
+    around_.pop_back();
   }
 
-  /// Whether all that touches the block, and the block itself, has cells of that level.
+  /// Whether all that touches the block, and the block itself, has cells of that level: asked of
+  /// the smallest node round it that holds all that.
   bool is_among_equals(const LatticeCell& block, int lattice_level) const {
     const std::int32_t size = size_at_level(block.level);
     GridPoint low = block.low;
@@ -106,13 +109,24 @@ class LatticeWalk {
       high[axis] += size;
       if (low[axis] < 0 || high[axis] >= octree_span) return false;
     }
-    return has_one_level(0, {0, {}}, {low, high}, lattice_level);
+    const GridBox box{low, high};
+    auto whole = around_.rbegin();
+    while (!holds(whole->cell, box)) ++whole;
+    return has_one_level(whole->node, whole->cell, box, lattice_level);
   }
 
   struct GridBox {
     GridPoint low{};
     GridPoint high{};
   };
+
+  static bool holds(const LatticeCell& cell, const GridBox& box) {
+    const std::int32_t size = size_at_level(cell.level);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (box.low[axis] < cell.low[axis] || box.high[axis] >= cell.low[axis] + size) return false;
+    }
+    return true;
+  }
 
   bool has_one_level(std::size_t node, const LatticeCell& cell, const GridBox& box,
                      int lattice_level) const {
@@ -275,8 +289,14 @@ class LatticeWalk {
     stride_ *= 2;
   }
 
+  struct OctreeNode {
+    std::size_t node = 0;
+    LatticeCell cell;
+  };
+
   const SpacingOctree& octree_;
-  const LatticePlane* plane_;  // may be null
+  std::vector<OctreeNode> around_;  // the node that is visited, from the octree's root on
+  const LatticePlane* plane_;       // may be null
   std::size_t most_;
   const BoxPredicate* is_needless_;  // may be null
   std::size_t stride_ = 1;

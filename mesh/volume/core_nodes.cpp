@@ -1,6 +1,7 @@
 #include "mesh/volume/core_nodes.h"
 
 #include <array>
+#include <optional>
 
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
@@ -58,13 +59,42 @@ Box3 box_round(const Vec3& p, double reach) {
   return {p - d, p + d};
 }
 
+/// The boundary's triangles without the faces of the lattice, by their boxes.
+class OtherFaces {
+ public:
+  /// Keeps references; `tree` is of all triangles.
+  OtherFaces(const Subdomain& subdomain, const BoxTree& tree, const LatticeBoundary& boundary)
+      : tree_(tree) {
+    if (boundary.node2vertex.empty()) return;
+    std::vector<Triangle> others;
+    for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
+      if (boundary.is_lattice_face[t] != 0) continue;
+      others.push_back(subdomain.triangles[t]);
+      numbers_.push_back(static_cast<std::int32_t>(t));
+    }
+    tree_of_others_ = BoxTree(triangle_boxes(subdomain.vertices, others));
+  }
+
+  /// Whether one with a box that overlaps this one satisfies holds(triangle).
+  template <typename Predicate>
+  bool any(const Box3& box, Predicate&& holds) const {
+    if (!tree_of_others_) return tree_.any(box, holds);
+    return tree_of_others_->any(box, [&](std::int32_t i) { return holds(numbers_[at(i)]); });
+  }
+
+ private:
+  const BoxTree& tree_;
+  std::optional<BoxTree> tree_of_others_;  // where there are cuts
+  std::vector<std::int32_t> numbers_;
+};
+
 /// Which nodes keep clear of all faces but the lattice's. Asks for whole blocks first: most are far
 /// from everything.
 class Clearance {
  public:
   Clearance(std::span<const LatticeNode> nodes, const LatticeGrid& grid, const Subdomain& subdomain,
             const BoxTree& tree, const LatticeBoundary& boundary)
-      : nodes_(nodes), grid_(grid), subdomain_(subdomain), tree_(tree), boundary_(boundary) {}
+      : nodes_(nodes), grid_(grid), subdomain_(subdomain), faces_(subdomain, tree, boundary) {}
 
   void enter_block(std::int32_t first_slot) {
     Box3 box;
@@ -75,7 +105,7 @@ class Clearance {
         box.add(box_round(n.at, core_reach * n.cell_edge));
       }
     }
-    block_is_clear_ = !tree_.any(box, [this](std::int32_t i) { return is_other_face(i); });
+    block_is_clear_ = !faces_.any(box, [](std::int32_t) { return true; });
   }
   bool is_clear(std::int32_t node) {
     if (block_is_clear_) return true;
@@ -90,23 +120,18 @@ class Clearance {
     for (const std::int32_t i : too_near_) {
       if (i >= 0 && is_near(i)) return false;
     }
-    return !tree_.any(box_round(p, reach), [&](std::int32_t i) {
-      if (!is_other_face(i) || !is_near(i)) return false;
+    return !faces_.any(box_round(p, reach), [&](std::int32_t i) {
+      if (!is_near(i)) return false;
       too_near_[next_++ % too_near_.size()] = i;
       return true;
     });
   }
 
  private:
-  bool is_other_face(std::int32_t triangle) const {
-    return boundary_.is_lattice_face[at(triangle)] == 0;
-  }
-
   std::span<const LatticeNode> nodes_;
   const LatticeGrid& grid_;
   const Subdomain& subdomain_;
-  const BoxTree& tree_;
-  const LatticeBoundary& boundary_;
+  OtherFaces faces_;
   bool block_is_clear_ = false;
   std::array<std::int32_t, 4> too_near_ = {-1, -1, -1, -1};
   std::size_t next_ = 0;
