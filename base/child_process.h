@@ -12,7 +12,7 @@ namespace tetfarm {
 /// own, no blocked signals. Ends the process if `parent` is gone already. Async-signal-safe.
 void live_with_parent(pid_t parent);
 
-/// The words as execv() takes them. @pre the words outlive them.
+/// The words as execve() takes arguments and environment. @pre the words outlive them.
 std::vector<char*> exec_arguments(const std::vector<std::string>& words);
 
 }  // namespace tetfarm

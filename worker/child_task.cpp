@@ -16,6 +16,7 @@
 #include "base/child_process.h"
 #include "base/error.h"
 #include "store/rows.h"
+#include "worker/task_environment.h"
 
 namespace tetfarm {
 namespace {
@@ -75,10 +76,10 @@ bool was_ended_from_outside(int status) {
 }
 
 /// Between fork and exec: async-signal-safe calls only.
-[[noreturn]] void become_program(char* const* arguments, pid_t worker, TaskFds fds,
-                                 std::uint64_t memory_limit) {
+[[noreturn]] void become_program(char* const* arguments, char* const* environment, pid_t worker,
+                                 TaskFds fds, std::uint64_t memory_limit) {
   become_task_process(worker, fds, memory_limit);
-  ::execv(arguments[0], arguments);
+  ::execve(arguments[0], arguments, environment);
   ::_exit(127);
 }
 
@@ -86,9 +87,13 @@ pid_t start_program(const ChildTaskOptions& options, TaskFds fds) {
   std::vector<std::string> words = options.command;
   if (!options.store.empty()) words.push_back(options.store);
   const std::vector<char*> arguments = exec_arguments(words);
+  const std::vector<std::string> variables = task_environment(::environ);
+  const std::vector<char*> environment = exec_arguments(variables);
   const pid_t worker = ::getpid();
   const pid_t process = ::fork();
-  if (process == 0) become_program(arguments.data(), worker, fds, options.memory_limit_bytes);
+  if (process == 0) {
+    become_program(arguments.data(), environment.data(), worker, fds, options.memory_limit_bytes);
+  }
   return process;
 }
 

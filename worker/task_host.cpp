@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "base/child_process.h"
+#include "worker/task_environment.h"
 
 namespace tetfarm {
 namespace {
@@ -122,12 +123,13 @@ void begin_task(const Received& received) {
                       received.request.memory_limit_bytes);
 }
 
-[[noreturn]] void become_host(char* const* arguments, pid_t worker, int socket) {
+[[noreturn]] void become_host(char* const* arguments, char* const* environment, pid_t worker,
+                              int socket) {
   live_with_parent(worker);
   const int kept = ::fcntl(socket, F_DUPFD, 10);
   ::dup2(kept, task_host_fd);
   ::close_range(task_host_fd + 1, ~0U, 0);
-  ::execv(arguments[0], arguments);
+  ::execve(arguments[0], arguments, environment);
   ::_exit(127);
 }
 
@@ -148,9 +150,11 @@ bool TaskHost::launch() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
   const std::vector<char*> arguments = exec_arguments(command_);
+  const std::vector<std::string> variables = task_environment(::environ);
+  const std::vector<char*> environment = exec_arguments(variables);
   const pid_t worker = ::getpid();
   process_ = ::fork();
-  if (process_ == 0) become_host(arguments.data(), worker, ends[1]);
+  if (process_ == 0) become_host(arguments.data(), environment.data(), worker, ends[1]);
   ::close(ends[1]);
   socket_ = ends[0];
   if (process_ < 0) end();
