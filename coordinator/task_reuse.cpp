@@ -15,24 +15,6 @@ std::uint64_t parts_of(const TaskRow& task, const char* name) {
   return found == task.parameters.end() ? 0 : std::stoull(found->second);
 }
 
-/// A half that is one part is tried out; see worker/decompose_task.h.
-bool is_trial_the_same(const TaskRow& a, const TaskRow& b) {
-  const auto same = [&](const char* side) {
-    return (parts_of(a, side) == 1) == (parts_of(b, side) == 1);
-  };
-  return same("left_parts") && same("right_parts");
-}
-
-bool has_trial(const TaskRow& task) {
-  return parts_of(task, "left_parts") == 1 || parts_of(task, "right_parts") == 1;
-}
-
-/// Tried out no half, or refused no cut for it: nothing depended on the trial.
-bool had_no_effect_of_trials(const TaskRow& done) {
-  const auto refused = done.numbers.find("trials_refused");
-  return !has_trial(done) || (refused != done.numbers.end() && refused->second == 0);
-}
-
 /// Of parts that count for themselves: where a limit of memory decides, they are exact.
 bool is_cut_by_share(const TaskRow& task) {
   return task.kind == TaskKind::decompose && !task.parameters.contains("most_bytes");
@@ -67,12 +49,7 @@ Hash128 work_key(const TaskRow& task, const std::string& program) {
 bool serves(const TaskRow& done, const TaskRow& wanted) {
   // What divided by regions chose the parts from the number that was wanted.
   const bool chose_parts = done.numbers.contains("left_parts");
-  if (chose_parts && done.parameters != wanted.parameters) return false;
-  if (!is_cut_by_share(wanted) || is_trial_the_same(done, wanted)) return true;
-  const bool wants_no_more =
-      (parts_of(done, "left_parts") == 1 || parts_of(wanted, "left_parts") > 1) &&
-      (parts_of(done, "right_parts") == 1 || parts_of(wanted, "right_parts") > 1);
-  return wants_no_more && had_no_effect_of_trials(done);
+  return !chose_parts || done.parameters == wanted.parameters;
 }
 
 void take_result(const TaskRow& done, TaskRow& wanted) {

@@ -6,7 +6,6 @@
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/region_split.h"
 #include "mesh/io/artifact_file.h"
-#include "mesh/volume/volume_mesh.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -62,32 +61,6 @@ class Wanted {
   double most_bytes_;
 };
 
-struct TriedCut {
-  CutOutcome outcome;
-  Works works;  ///< of the halves, where there is a cut
-  int trials_refused = 0;
-};
-
-/// A half that is to be cut again need not recover: its own halves will be tried.
-TriedCut find_cut(TaskIo& io, const JobFile& job, const Subdomain& subdomain,
-                  const SpacingField& spacing, const Wanted& wanted) {
-  TriedCut tried;
-  CutOptions options;
-  options.planes = cut_planes_of(job);
-  options.left_share = wanted.left_share();
-  options.accept = [&](const Subdomain& left, const Subdomain& right) {
-    io.progress("trial of a cut", 0);
-    tried.works = works_of(left, right, spacing);
-    const bool accepted =
-        (wanted.left_parts(left, tried.works) > 1 || boundary_recovers(left, spacing)) &&
-        (wanted.right_parts(right, tried.works) > 1 || boundary_recovers(right, spacing));
-    if (!accepted) ++tried.trials_refused;
-    return accepted;
-  };
-  tried.outcome = planar_cut(subdomain, spacing, options);
-  return tried;
-}
-
 std::int64_t nodes_of_cut(const Subdomain& half, TreePath cut) {
   return std::count_if(half.node_origin.begin(), half.node_origin.end(),
                        [cut](const Origin& origin) { return origin.owner == cut.heap; });
@@ -138,17 +111,6 @@ CutPlanes cut_planes_of(const JobFile& job) {
   return job.plane == "inertia" ? CutPlanes::inertia : CutPlanes::automatic;
 }
 
-bool boundary_recovers(const Subdomain& part, const SpacingField& spacing) {
-  try {
-    mesh_volume(part, spacing, {.fill = false, .cosmetics = false, .progress = {}});
-    return true;
-  } catch (const RecoveryFailure&) {
-    return false;
-  } catch (const InvalidInput&) {
-    return false;
-  }
-}
-
 void decompose_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
@@ -157,13 +119,16 @@ void decompose_task(TaskIo& io) {
   const Wanted wanted(io);
   io.progress("cut", 0);
   if (subdomain.region == 0) return divide_regions(io, subdomain, spacing, wanted);
-  const auto [outcome, works, trials_refused] = find_cut(io, job, subdomain, spacing, wanted);
-  io.number("trials_refused", trials_refused);
+  CutOptions options;
+  options.planes = cut_planes_of(job);
+  options.left_share = wanted.left_share();
+  const CutOutcome outcome = planar_cut(subdomain, spacing, options);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);
     return;
   }
   const Cut& cut = *outcome.cut;
+  const Works works = works_of(cut.left, cut.right, spacing);
   if (wanted.depends_on_memory()) {
     tell_parts(io, wanted.left_parts(cut.left, works), wanted.right_parts(cut.right, works));
   }

@@ -1,6 +1,8 @@
 #include "worker/mesh_task.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/error.h"
 #include "mesh/core/tet_quality.h"
@@ -20,6 +22,18 @@ VolumeMeshOptions volume_options_of(const JobFile& job) {
   VolumeMeshOptions options;
   options.points = job.points == "sweeps" ? InteriorPoints::sweeps : InteriorPoints::lattice;
   return options;
+}
+
+/// Whether a half of a leaf that did not recover as a whole does.
+bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
+  try {
+    mesh_volume(half, spacing, {.fill = false, .cosmetics = false, .progress = {}});
+    return true;
+  } catch (const RecoveryFailure&) {
+    return false;
+  } catch (const InvalidInput&) {
+    return false;
+  }
 }
 
 LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spacing) {
@@ -61,12 +75,13 @@ TetMesh mesh_or_refuse(TaskIo& io, const JobFile& job, const Subdomain& leaf,
 }
 
 double smallest_dihedral_deg(const TetMesh& mesh) {
-  double smallest = 180;
+  double cosine = -1;
   const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
   for (const Tet& t : mesh.tets) {
-    smallest = std::min(smallest, dihedral_range(at(t[0]), at(t[1]), at(t[2]), at(t[3])).min_deg);
+    const DihedralCosines here = dihedral_cosines(at(t[0]), at(t[1]), at(t[2]), at(t[3]));
+    cosine = std::max(cosine, here.of_smallest);
   }
-  return smallest;
+  return std::acos(cosine) * 180 / std::numbers::pi;
 }
 
 }  // namespace

@@ -57,20 +57,14 @@ inline void assimilate_make_believe(const TaskRow& task, const std::string& seed
   result.outputs.push_back(make_believe_file("dropped", seed + "dropped"));
 }
 
-/// A trial that refuses a cut changes it: as in the real task, it is not the cut of no trial.
-inline void decompose_make_believe(const TaskRow& task, const std::string& seed,
-                                   TaskResult& result) {
+inline void decompose_make_believe(const std::string& seed, TaskResult& result) {
   const Hash128 hash = hash128(seed);
-  const bool has_trial =
-      task.parameters.at("left_parts") == "1" || task.parameters.at("right_parts") == "1";
-  const bool is_refused = has_trial && hash.high % 5 == 0;
-  result.numbers["trials_refused"] = is_refused ? 1 : 0;
   if (hash.high % 7 == 0) {
     result.texts["reason"] = "no valid plane";
     return;
   }
   for (const char* side : {"left", "right"}) {
-    result.outputs.push_back(make_believe_file(side, seed + side + (is_refused ? "2" : "")));
+    result.outputs.push_back(make_believe_file(side, seed + side));
   }
   result.numbers["interdomain_nodes"] = static_cast<double>(hash.low % 50);
   result.numbers["left_work"] = static_cast<double>(hash.low % 500);
@@ -98,7 +92,7 @@ inline TaskResult run_make_believe(const TaskRow& task) {
       break;
     }
     case TaskKind::decompose:
-      decompose_make_believe(task, seed, result);
+      decompose_make_believe(seed, result);
       break;
     case TaskKind::assimilate:
       assimilate_make_believe(task, seed, result);
