@@ -146,6 +146,11 @@ struct TraceCommand {
   ViewOptions view;
   std::string output;
 };
+/// One page about a finished job.
+struct ReportCommand {
+  ViewOptions view;  ///< its job: one of the store, the folder of a run, or a mesh
+  std::string output;
+};
 /// Of the database, while it is in use or not.
 struct BackupCommand {
   std::string store;
@@ -275,7 +280,7 @@ using Command =
                  CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
-                 ExplainCommand, TraceCommand, BackupCommand, RestoreCommand>;
+                 ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand>;
 
 Command parse_command_line(int argc, const char* const* argv);
 

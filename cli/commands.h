@@ -30,6 +30,9 @@ ExitCode export_command(const ExportCommand& command);
 /// Writes a surface in another format.
 ExitCode convert_command(const ConvertCommand& command);
 
+/// Writes one page about a finished job, or about a mesh alone.
+ExitCode report_command(const ReportCommand& command);
+
 /// Draws a mesh into a PNG file.
 ExitCode render_command(const RenderCommand& command);
 

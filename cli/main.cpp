@@ -71,6 +71,7 @@ struct Execute {
   ExitCode operator()(const LogsCommand& command) const { return logs_command(command); }
   ExitCode operator()(const ExplainCommand& command) const { return explain_command(command); }
   ExitCode operator()(const TraceCommand& command) const { return trace_command(command); }
+  ExitCode operator()(const ReportCommand& command) const { return report_command(command); }
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }
   ExitCode operator()(const RestoreCommand& command) const { return restore_command(command); }
   ExitCode operator()(const TaskCommand& command) const { return task_command(command); }

@@ -68,6 +68,11 @@ Json json_of(const wire::TaskLine& task) {
           {"seconds", task.seconds()},
           {"peak_rss_bytes", task.peak_rss_bytes()},
           {"memory_bytes", task.memory_bytes()},
+          {"expected_seconds", task.expected_seconds()},
+          {"cpu_seconds", task.cpu_seconds()},
+          {"expected_bytes", task.expected_bytes()},
+          {"expected_elements", task.expected_elements()},
+          {"elements", task.elements()},
           {"exit_code", task.exit_code()},
           {"message", task.message()}};
 }

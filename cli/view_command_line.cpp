@@ -92,6 +92,16 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
                         "tetfarm trace job-7 -o trace.json", views.trace);
   trace.add_option("JOB", views.trace.view.client.job, "The job")->required();
   trace.add_option("-o,--output", views.trace.output, "The file")->required()->option_text("JSON");
+
+  CLI::App& report = add("report", "Write one page about a finished job: quality, balance, work",
+                         "tetfarm report out -o report.html", views.report);
+  report
+      .add_option("JOB", views.report.view.client.job,
+                  "The folder of a run, a mesh, or a job of the store (job-7)")
+      ->required();
+  report.add_option("-o,--output", views.report.output, "The page")
+      ->required()
+      ->option_text("HTML");
   add_copies(app, views, chosen);
 }
 

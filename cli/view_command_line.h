@@ -1,5 +1,5 @@
 /// The command lines of the commands that only look: jobs, status, tasks, workers, events, logs,
-/// explain.
+/// explain, trace, report.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,6 +19,7 @@ struct Views {
   LogsCommand logs;
   ExplainCommand explain;
   TraceCommand trace;
+  ReportCommand report;
   BackupCommand backup;
   RestoreCommand restore;
 };

@@ -39,6 +39,19 @@ class JobStatuses {
   TasksOfJobs tasks_;
 };
 
+void set_expectations(const TaskRow& task, wire::TaskLine& line) {
+  const auto told = [&task](const char* name) {
+    const auto found = task.numbers.find(name);
+    return found == task.numbers.end() ? 0 : found->second;
+  };
+  line.set_expected_seconds(told("expected_seconds"));
+  line.set_expected_bytes(told("expected_bytes"));
+  line.set_cpu_seconds(told("cpu_seconds"));
+  line.set_elements(told("tets"));
+  const auto work = task.parameters.find("work");
+  if (work != task.parameters.end()) line.set_expected_elements(std::stod(work->second));
+}
+
 /// One question being answered.
 class Answer {
  public:
@@ -141,6 +154,7 @@ class Answer {
     line.set_memory_bytes(task.memory_bytes);
     line.set_exit_code(task.exit_code);
     line.set_message(task.message);
+    set_expectations(task, line);
     const auto attempt = rows_.running_attempts.find(task.attempt);
     if (attempt == rows_.running_attempts.end()) return line;
     line.set_seconds(static_cast<double>(now_.wall_ms - attempt->second.started_ms) / 1000);

@@ -52,6 +52,24 @@ WorkerRow read_worker(Statement& rows) {
   return worker;
 }
 
+/// What each task was expected to take and took, of its values.
+void read_costs(sqlite3* database, std::vector<TaskRow>& tasks) {
+  Statement values(database,
+                   "SELECT sort, name, number, text FROM task_values WHERE task = ? AND name IN "
+                   "('expected_seconds', 'expected_bytes', 'cpu_seconds', 'tets', 'work')");
+  for (TaskRow& task : tasks) {
+    values.bind(task.id.value);
+    while (values.step()) {
+      const std::string sort = values.text();
+      const std::string name = values.text();
+      const double number = values.real();
+      if (sort == "number") task.numbers[name] = number;
+      if (sort == "parameter") task.parameters[name] = values.text();
+    }
+    values.rewind();
+  }
+}
+
 }  // namespace
 
 std::vector<PastEvent> JobHistory::events(const EventFilter& filter) const {
@@ -88,6 +106,7 @@ std::vector<TaskRow> JobHistory::tasks(JobId job, TaskId after, std::size_t limi
   rows.bind(after.value).bind(job.value).bind(static_cast<std::uint64_t>(limit));
   std::vector<TaskRow> tasks;
   while (rows.step()) tasks.push_back(read_task_columns(rows));
+  read_costs(database_, tasks);
   return tasks;
 }
 

@@ -48,7 +48,8 @@ class JobHistory {
 
   std::vector<PastEvent> events(const EventFilter& filter) const;
 
-  /// Tasks of a job (0: all jobs) with ids above `after`, by rising id, without files and values.
+  /// Tasks of a job (0: all jobs) with ids above `after`, by rising id, without files; of their
+  /// values those that tell what was expected of them and what they took.
   /// Cost: of a job, its tasks.
   std::vector<TaskRow> tasks(JobId job, TaskId after, std::size_t limit) const;
   std::optional<TaskRow> task(TaskId task) const;

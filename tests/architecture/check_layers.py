@@ -34,7 +34,8 @@ ROOMS = {
     "coordinator": ["proto", "store"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
-    "cli": ["coordinator", "worker", "pool", "mesh/figures", "mesh/partition", "mesh/render"],
+    "report": ["proto", "mesh/figures", "mesh/render"],
+    "cli": ["coordinator", "worker", "pool", "mesh/partition", "report"],
 }
 
 # They see every room, and no room sees them.

@@ -94,6 +94,39 @@ TEST_F(Views, quality_measures_edges_by_the_spacing_of_the_run) {
   EXPECT_EQ(lines_of(with_run.out).at(0)["edge_over_spacing"], edges);
 }
 
+TEST_F(Views, a_report_says_the_same_of_the_mesh_whoever_made_it) {
+  const std::string input = test::sphere_in_box(folder_->path(), 4, 1);
+  ASSERT_EQ(run_program(test::run_words(input, "alone", 1, 3), folder_->path()).code, 0);
+  std::vector<std::string> of_mesh;
+  for (const char* run : {"out", "alone"}) {
+    const Ended ended = run_program({"report", run, "-o", "page.html", "--json"}, folder_->path());
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const std::string page = test::contents(folder_->path() / "page.html");
+    EXPECT_THAT(page, HasSubstr("Edge length over spacing"));
+    EXPECT_THAT(page, HasSubstr("estimated before"));
+    EXPECT_THAT(page, HasSubstr("The sub-domains, moved apart"));
+    const std::size_t work = page.find("<section id=\"work\">");
+    ASSERT_NE(work, std::string::npos);
+    EXPECT_THAT(page.substr(work), HasSubstr("assemble"));
+    of_mesh.push_back(page.substr(0, work));
+  }
+  EXPECT_EQ(of_mesh[0], of_mesh[1]);
+  EXPECT_EQ(
+      run_program({"report", "job-1", "--store", "out", "-o", "b.html"}, folder_->path()).code, 0);
+  EXPECT_EQ(
+      run_program({"report", "job-9", "--store", "out", "-o", "c.html"}, folder_->path()).code, 5);
+  EXPECT_EQ(run_program({"report", "nowhere", "-o", "c.html"}, folder_->path()).code, 5);
+}
+
+TEST_F(Views, tasks_tell_what_was_expected_of_them) {
+  for (const json& task : look_json({"tasks", "--kind", "mesh"})) {
+    EXPECT_GT(task["expected_seconds"], 0);
+    EXPECT_GT(task["expected_bytes"], task["peak_rss_bytes"]);
+    EXPECT_GT(task["expected_elements"], 0);
+    EXPECT_NEAR(task["elements"].get<double>() / task["expected_elements"].get<double>(), 1, 0.3);
+  }
+}
+
 TEST_F(Views, explain_a_task_and_show_what_its_process_said) {
   const json mesh = look_json({"tasks", "--kind", "mesh"}).at(0);
   const std::string number = mesh["task"].dump();

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/file_system.h"
+#include "cli/commands.h"
+#include "cli/job_report.h"
+#include "cli/run_folder.h"
+#include "mesh/render/render_mesh.h"
+#include "report/report_page.h"
+#include "store/artifact_store.h"
+
+namespace tetfarm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What there is of a job, or of a mesh alone.
+struct Reported {
+  std::string name;
+  std::unique_ptr<MeshSource> mesh;
+  std::optional<SpacingField> spacing;
+  std::optional<ReportedWork> work;
+};
+
+ReportedWork work_of(FarmView& view, const std::string& job) {
+  ReportedWork work;
+  wire::Query query;
+  query.set_job(job);
+  query.set_subject(wire::Query::TASKS);
+  view.ask(query, [&](const wire::QueryReply& page) {
+    work.tasks.insert(work.tasks.end(), page.tasks().begin(), page.tasks().end());
+  });
+  query.set_subject(wire::Query::ATTEMPTS);
+  view.ask(query, [&](const wire::QueryReply& page) {
+    work.attempts.insert(work.attempts.end(), page.attempts().begin(), page.attempts().end());
+  });
+  const wire::StatusReply reply = view.status();
+  if (reply.jobs_size() != 1) throw Error(ExitCode::not_found, "no job " + job);
+  work.status = reply.jobs(0);
+  return work;
+}
+
+/// The job's mesh as it lies in the store, the formats that are read best first.
+std::unique_ptr<MeshSource> mesh_of_job(const wire::JobStatus& status, const fs::path& store) {
+  const ArtifactStore files = ArtifactStore::open_existing(store);
+  for (const char* ending : {".vtkhdf", ".lb8.ugrid"}) {
+    for (const wire::Artifact& file : status.files()) {
+      if (!file.name().ends_with(ending) || !files.has(file.hash(), file.size())) continue;
+      return open_mesh(files.path_of(file.hash()), file.name());
+    }
+  }
+  throw Error(ExitCode::not_found, status.job() + ": no mesh (.vtkhdf, .lb8.ugrid) in the store");
+}
+
+Reported of_job(ViewOptions options, const std::string& job, const fs::path& store) {
+  options.client.job = job;
+  FarmView view(options);
+  Reported reported;
+  reported.work = work_of(view, job);
+  const wire::JobStatus& status = reported.work->status;
+  reported.name = status.name();
+  reported.mesh = mesh_of_job(status, store);
+  reported.spacing = spacing_of_job(view, store, job);
+  return reported;
+}
+
+/// A mesh by itself: what made it is not known, but its spacing where it lies beside.
+Reported of_mesh(const fs::path& input) {
+  const fs::path file = mesh_file(input);
+  return {file.filename().string(), open_mesh(file), spacing_beside(file), std::nullopt};
+}
+
+/// The folder of a run, a mesh, or a job of a store.
+Reported reported_of(const ReportCommand& command) {
+  const std::string& subject = command.view.client.job;
+  ViewOptions options = command.view;
+  options.is_quiet = true;
+  options.client.job.clear();
+  if (fs::is_directory(subject) && options.client.endpoint.empty()) {
+    const std::optional<fs::path> store = store_of(subject);
+    if (!store) return of_mesh(subject);
+    options.store = subject;
+    FarmView view(options);
+    const std::string job = last_done_job(view);
+    return job.empty() ? of_mesh(subject) : of_job(options, job, *store);
+  }
+  if (fs::exists(subject)) return of_mesh(subject);
+  if (options.store.empty()) {
+    throw Error(ExitCode::not_found,
+                subject + ": no such folder or mesh; of a job name its store (--store)");
+  }
+  const std::optional<fs::path> store = store_of(options.store);
+  if (!store) throw Error(ExitCode::not_found, options.store + ": no store");
+  return of_job(options, subject, *store);
+}
+
+ReportPicture picture_of(const MeshSource& mesh, const RenderOptions& options,
+                         const std::string& caption) {
+  const ForEachPart for_each_part = [&mesh](const auto& visit) {
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      NumberedPart part = mesh.part(i);
+      visit(part);
+    }
+  };
+  return {caption, png_of(render_mesh(for_each_part, mesh.patch_names(), options))};
+}
+
+/// The patches that are small beside the whole: what the mesh is round, where there is such a
+/// thing. Outer boundaries that Tetfarm made need no such guess.
+std::vector<std::string> small_patches(const MeshSource& mesh) {
+  const std::vector<std::string> names = mesh.patch_names();
+  const auto is_made = [](const std::string& name) { return name.starts_with("outer_"); };
+  if (std::any_of(names.begin(), names.end(), is_made)) return {};
+  std::vector<Box3> boxes(names.size());
+  Box3 all;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+      const auto patch = static_cast<std::size_t>(part.patch_of_face[f]);
+      if (patch >= boxes.size()) continue;
+      for (const std::int32_t v : part.faces[f]) {
+        boxes[patch].add(part.nodes[static_cast<std::size_t>(v)]);
+      }
+    }
+  }
+  for (const Box3& box : boxes) {
+    if (!box.empty()) all.add(box);
+  }
+  std::vector<std::string> small;
+  for (std::size_t patch = 0; patch < boxes.size(); ++patch) {
+    const bool is_small =
+        !boxes[patch].empty() && norm(boxes[patch].size()) < 0.4 * norm(all.size());
+    if (is_small) small.push_back(names[patch]);
+  }
+  return small;
+}
+
+std::vector<ReportPicture> pictures_of(const MeshSource& mesh) {
+  RenderOptions options;
+  options.width = 960;
+  options.height = 640;
+  options.bodies = small_patches(mesh);
+  const bool has_colours = mesh.knows_subdomains();
+  options.colour_by = has_colours ? ColourBy::subdomain : ColourBy::patch;
+  const std::string by = has_colours ? ", coloured by sub-domain" : ", coloured by patch";
+  std::vector<ReportPicture> pictures = {picture_of(mesh, options, "The surface" + by)};
+  options.view = View::cut;
+  pictures.push_back(picture_of(mesh, options, "The mesh cut open through its middle" + by));
+  if (!has_colours || mesh.size() < 2) return pictures;
+  options.view = View::exploded;
+  pictures.push_back(picture_of(mesh, options, "The sub-domains, moved apart"));
+  return pictures;
+}
+
+}  // namespace
+
+ExitCode report_command(const ReportCommand& command) {
+  Reported reported = reported_of(command);
+  ReportContent content;
+  content.name = reported.name;
+  const std::optional<SpacingField>& spacing = reported.spacing;
+  content.figures = figures_of(
+      *reported.mesh,
+      spacing ? SpacingAt([&spacing](const Vec3& p) { return spacing->at(p); }) : SpacingAt());
+  content.pictures = pictures_of(*reported.mesh);
+  content.work = std::move(reported.work);
+  write_file_atomically(command.output, report_page(content));
+  if (command.view.client.json) {
+    std::printf("%s\n", copy_json("report", command.output).c_str());
+  } else {
+    std::fprintf(stderr, "%s: %lld tets\n", command.output.c_str(),
+                 static_cast<long long>(content.figures.tets));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,223 @@
+#include <cmath>
+#include <cstdio>
+
+#include "report/html_table.h"
+#include "report/html_text.h"
+#include "report/report_page.h"
+#include "report/svg_charts.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr const char* near_colour = "#d9822b";
+constexpr const char* away_colour = "#3b7dbd";
+constexpr const char* plain_colour = "#6a8f5f";
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char text[300];
+  std::snprintf(text, sizeof text, pattern, arguments...);
+  return text;
+}
+
+std::string count_text(std::int64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, " ");
+  return text;
+}
+
+std::string place_text(const Vec3& p) { return format("%.6g, %.6g, %.6g", p.x, p.y, p.z); }
+
+bool has_cuts(const MeshFigures& figures) { return figures.near_cuts.shapes.tets > 0; }
+
+/// In percent of their sum.
+template <class Counts>
+std::vector<double> shares(const Counts& counts) {
+  double sum = 0;
+  for (const std::int64_t count : counts) sum += static_cast<double>(count);
+  std::vector<double> shares;
+  for (const std::int64_t count : counts) {
+    shares.push_back(sum > 0 ? 100 * static_cast<double>(count) / sum : 0);
+  }
+  return shares;
+}
+
+/// The chart, and again with a logarithmic axis, which shows the few that are far out.
+std::string two_charts(BarChart chart) {
+  std::string html = "<div class=\"pair\">" + svg_of(chart);
+  chart.is_logarithmic = true;
+  chart.title += ", log";
+  return html + svg_of(chart) + "</div>\n";
+}
+
+/// The same counts near the cuts and away from them, or of all where there are no cuts.
+template <class CountsOf>
+std::vector<BarChart::Series> side_by_side(const MeshFigures& figures, const CountsOf& counts_of) {
+  if (!has_cuts(figures)) return {{"", plain_colour, shares(counts_of(figures.all))}};
+  return {{"near the cuts", near_colour, shares(counts_of(figures.near_cuts))},
+          {"away from them", away_colour, shares(counts_of(figures.away_from_cuts))}};
+}
+
+std::string dihedral_charts(const MeshFigures& figures) {
+  BarChart chart{.title = "Dihedral angles, % of all",
+                 .unit = "degrees, bins of 10",
+                 .series = side_by_side(
+                     figures, [](const TetFigures& of) { return of.shapes.dihedral_histogram; })};
+  for (int i = 0; i < 18; ++i) chart.names.push_back(format("%d–%d", 10 * i, 10 * i + 10));
+  return two_charts(std::move(chart));
+}
+
+std::string radius_ratio_charts(const MeshFigures& figures) {
+  BarChart chart{
+      .title = "Radius ratio, % of tets",
+      .unit = "3 × inradius / circumradius; 1: regular",
+      .series = side_by_side(figures, [](const TetFigures& of) { return of.radius_ratio.counts; })};
+  const Histogram& bins = figures.all.radius_ratio;
+  for (std::size_t i = 0; i < bins.counts.size(); ++i) {
+    chart.names.push_back(format("%.2f", bins.end_of(i)));
+  }
+  return two_charts(std::move(chart));
+}
+
+std::string edge_charts(const EdgeFigures& edges) {
+  if (edges.edges == 0) {
+    return "<p class=\"note\">Edge lengths over the spacing: the spacing that the mesh was made by "
+           "is not at hand.</p>\n";
+  }
+  BarChart chart{.title = "Edge length over spacing, % of edges",
+                 .unit = format("%.3f to %.3f, mean %.3f; the last bin has all that is longer",
+                                edges.shortest, edges.longest, edges.mean()),
+                 .series = {{"", plain_colour, shares(edges.over_spacing.counts)}}};
+  for (std::size_t i = 0; i < edges.over_spacing.counts.size(); ++i) {
+    chart.names.push_back(format("%.1f", edges.over_spacing.end_of(i)));
+  }
+  return two_charts(std::move(chart));
+}
+
+std::string volume_charts(const std::map<int, std::int64_t>& volumes) {
+  if (volumes.empty()) return {};
+  BarChart chart{.title = "Volume, % of tets", .unit = "from, bins of a factor of two"};
+  std::vector<std::int64_t> counts;
+  for (int power = volumes.begin()->first; power <= volumes.rbegin()->first; ++power) {
+    const auto found = volumes.find(power);
+    counts.push_back(found == volumes.end() ? 0 : found->second);
+    chart.names.push_back(format("%.1e", std::ldexp(1.0, power)));
+  }
+  chart.series = {{"", plain_colour, shares(counts)}};
+  return two_charts(std::move(chart));
+}
+
+std::string facts(const MeshFigures& figures) {
+  const ShapeStatistics& shapes = figures.all.shapes;
+  std::vector<std::vector<std::string>> rows = {
+      {"tetrahedra", count_text(figures.tets)},
+      {"nodes", count_text(figures.nodes)},
+      {"boundary triangles", count_text(figures.boundary_triangles)},
+      {"volume", format("%.10g", figures.volume)},
+      {"dihedral angles",
+       format("%.2f° to %.2f°", shapes.min_dihedral_deg, shapes.max_dihedral_deg)},
+      {"mean radius ratio", format("%.4f", shapes.mean_radius_ratio())},
+      {"smallest height", format("%.6g", shapes.smallest_height)}};
+  if (figures.knows_subdomains) {
+    rows.insert(rows.begin() + 3, {"sub-domains", count_text(std::ssize(figures.subdomains))});
+  }
+  return html_table({}, rows);
+}
+
+std::string pictures(const std::vector<ReportPicture>& pictures) {
+  if (pictures.empty()) return {};
+  std::string html = "<h2>Decomposition</h2>\n<div class=\"pair\">\n";
+  for (const ReportPicture& picture : pictures) {
+    const std::string caption = escaped(picture.caption);
+    html += "<figure><img src=\"" + png_address(picture.png) + "\" alt=\"" + caption +
+            "\"><figcaption>" + caption + "</figcaption></figure>\n";
+  }
+  return html + "</div>\n";
+}
+
+std::string near_and_away(const MeshFigures& figures) {
+  if (!has_cuts(figures)) return {};
+  const auto row = [&](const char* name, const char* pattern, const auto& value_of) {
+    return std::vector<std::string>{name, format(pattern, value_of(figures.near_cuts)),
+                                    format(pattern, value_of(figures.away_from_cuts)),
+                                    format(pattern, value_of(figures.all))};
+  };
+  return "<h3>Near the cuts and away from them</h3>\n" +
+         html_table({"", "near", "away", "all"},
+                    {{"tetrahedra", count_text(figures.near_cuts.shapes.tets),
+                      count_text(figures.away_from_cuts.shapes.tets), count_text(figures.tets)},
+                     row("smallest dihedral angle", "%.2f°",
+                         [](const TetFigures& of) { return of.shapes.min_dihedral_deg; }),
+                     row("largest dihedral angle", "%.2f°",
+                         [](const TetFigures& of) { return of.shapes.max_dihedral_deg; }),
+                     row("mean radius ratio", "%.4f",
+                         [](const TetFigures& of) { return of.shapes.mean_radius_ratio(); }),
+                     row("smallest height = time step × wave speed", "%.6g",
+                         [](const TetFigures& of) { return of.shapes.smallest_height; })}) +
+         "<p class=\"note\">Near: within three layers of tetrahedra of a node on a cut.</p>\n";
+}
+
+std::string time_step(const MeshFigures& figures) {
+  std::string html =
+      "<p>An explicit solver's time step is bounded by the smallest height over the "
+      "speed of its waves: <b>" +
+      format("%.6g", figures.time_step()) + "</b> / c here, at (" +
+      place_text(figures.all.lowest_at) + ").";
+  if (has_cuts(figures)) {
+    html += format(
+        " That is %.2f times the number of steps that the mesh away from the cuts alone "
+        "would need.",
+        figures.steps_beside_away());
+  }
+  return html + "</p>\n";
+}
+
+std::string worst(const MeshFigures& figures) {
+  std::vector<std::vector<std::string>> rows;
+  for (const WorstTet& tet : figures.worst) {
+    rows.push_back({format("%.3f°", tet.min_dihedral_deg), format("%.3f°", tet.max_dihedral_deg),
+                    format("%.4f", tet.radius_ratio), format("%.4g", tet.height),
+                    std::to_string(tet.subdomain), tet.is_near_cut ? "yes" : "no",
+                    place_text(tet.centroid), count_text(tet.tet)});
+  }
+  return format("<h2>The worst %zu tetrahedra</h2>\n<div class=\"scroll\">", rows.size()) +
+         html_table({"angle from", "to", "radius ratio", "height", "sub-domain", "near a cut",
+                     "middle at", "number"},
+                    rows) +
+         "</div>\n";
+}
+
+std::string balance(const ReportContent& content) {
+  const MeshFigures& figures = content.figures;
+  if (!figures.knows_subdomains || figures.subdomains.size() < 2) return {};
+  BarChart chart{.title = "Tetrahedra of each sub-domain",
+                 .unit = "sub-domains in tree order",
+                 .is_wide = true};
+  std::vector<double> made;
+  for (const SubdomainFigures& subdomain : figures.subdomains) {
+    chart.names.push_back(std::to_string(made.size()));
+    made.push_back(static_cast<double>(subdomain.tets));
+  }
+  std::vector<double> estimated;
+  if (content.work) estimated = estimated_elements_of_leaves(*content.work);
+  if (estimated.size() == made.size()) {
+    chart.series.push_back({"estimated before", "#b9b9b9", std::move(estimated)});
+  }
+  chart.series.push_back({"made", away_colour, std::move(made)});
+  return "<h2>Balance</h2>\n<p>The largest sub-domain has " +
+         format("%.3f", figures.largest_over_mean()) + " times the mean.</p>\n" + svg_of(chart) +
+         "\n";
+}
+
+}  // namespace
+
+std::string mesh_sections(const ReportContent& content) {
+  const MeshFigures& figures = content.figures;
+  std::string html = facts(figures) + pictures(content.pictures) + "<h2>Quality</h2>\n" +
+                     dihedral_charts(figures) + radius_ratio_charts(figures) +
+                     near_and_away(figures) + time_step(figures) + edge_charts(figures.edges) +
+                     volume_charts(figures.volumes);
+  return html + worst(figures) + balance(content);
+}
+
+}  // namespace tetfarm

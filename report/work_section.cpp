@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+
+#include "mesh/assemble/global_numbering.h"
+#include "mesh/core/subdomain.h"
+#include "report/html_table.h"
+#include "report/html_text.h"
+#include "report/report_page.h"
+#include "report/svg_charts.h"
+
+namespace tetfarm {
+namespace {
+
+/// Kinds of tasks in the order in which they come, and their colours.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kinds = {
+    {{"inspect", "#8c6bb1"},
+     {"decompose", "#d9822b"},
+     {"assimilate", "#a65628"},
+     {"mesh", "#3b7dbd"},
+     {"order", "#999999"},
+     {"extract", "#66c2a5"},
+     {"cosmetic", "#4daf4a"},
+     {"number", "#777777"},
+     {"write", "#e7a8c9"},
+     {"assemble", "#c0392b"}}};
+constexpr const char* lost_colour = "#111111";
+
+std::size_t rank_of(std::string_view kind) {
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [kind](const auto& known) { return known.first == kind; });
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+std::string colour_of(std::string_view kind) {
+  const std::size_t rank = rank_of(kind);
+  return std::string(rank < kinds.size() ? kinds[rank].second : "#999999");
+}
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char text[300];
+  std::snprintf(text, sizeof text, pattern, arguments...);
+  return text;
+}
+
+std::string place_of(std::uint64_t path) { return path == 0 ? "" : TreePath{path}.text(); }
+
+/// Those that are done, kind by kind, in tree order.
+std::vector<wire::TaskLine> done_tasks(const ReportedWork& work) {
+  std::vector<wire::TaskLine> tasks;
+  for (const wire::TaskLine& task : work.tasks) {
+    if (task.state() == "done") tasks.push_back(task);
+  }
+  std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
+    if (rank_of(a.kind()) != rank_of(b.kind())) return rank_of(a.kind()) < rank_of(b.kind());
+    return a.path() != 0 && b.path() != 0 && comes_before({a.path()}, {b.path()});
+  });
+  return tasks;
+}
+
+/// What the tasks of one kind were expected to take and took.
+struct KindSums {
+  int count = 0;
+  double expected_seconds = 0;
+  double cpu_seconds = 0;
+  double seconds = 0;
+  double expected_bytes = 0;  ///< the largest, as the next
+  double bytes = 0;
+  double expected_elements = 0;
+  double elements = 0;
+
+  void add(const wire::TaskLine& task) {
+    ++count;
+    expected_seconds += task.expected_seconds();
+    cpu_seconds += task.cpu_seconds();
+    seconds += task.seconds();
+    expected_bytes = std::max(expected_bytes, task.expected_bytes());
+    bytes = std::max(bytes, static_cast<double>(task.peak_rss_bytes()));
+    // Only a mesh has both the estimate and the count of one sub-domain.
+    if (task.kind() != "mesh") return;
+    expected_elements += task.expected_elements();
+    elements += task.elements();
+  }
+};
+
+std::string by_kind(const std::vector<wire::TaskLine>& tasks) {
+  std::map<std::size_t, KindSums> sums;
+  for (const wire::TaskLine& task : tasks) sums[rank_of(task.kind())].add(task);
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [rank, sum] : sums) {
+    const bool is_mesh = sum.elements > 0;
+    rows.push_back({rank < kinds.size() ? std::string(kinds[rank].first) : "other",
+                    std::to_string(sum.count), format("%.2f", sum.expected_seconds),
+                    format("%.2f", sum.cpu_seconds), format("%.2f", sum.seconds),
+                    format("%.1f", sum.expected_bytes / 1e6), format("%.1f", sum.bytes / 1e6),
+                    is_mesh ? short_number(sum.expected_elements) : "",
+                    is_mesh ? short_number(sum.elements) : ""});
+  }
+  return "<div class=\"scroll\">" +
+         html_table({"kind", "tasks", "expected s", "CPU s", "s", "bound MB", "peak MB",
+                     "estimated tets", "tets made"},
+                    rows) +
+         "</div>\n<p class=\"note\">Seconds are sums, expected ones those of one core of the "
+         "machine "
+         "that they were measured on; memory is that of the largest task, the bound is what none "
+         "should reach.</p>\n";
+}
+
+PointChart points_of(const std::vector<wire::TaskLine>& tasks, bool is_memory) {
+  PointChart chart{.title = is_memory ? "Memory of each task, MB" : "Time of each task, s",
+                   .x_name = is_memory ? "expected bound" : "expected",
+                   .y_name = is_memory ? "peak" : "CPU"};
+  for (const wire::TaskLine& task : tasks) {
+    const double x = is_memory ? task.expected_bytes() / 1e6 : task.expected_seconds();
+    const double y =
+        is_memory ? static_cast<double>(task.peak_rss_bytes()) / 1e6 : task.cpu_seconds();
+    chart.points.push_back(
+        {x, y, colour_of(task.kind()),
+         task.kind() + " " + place_of(task.path()) + format(": %.3g expected, %.3g", x, y)});
+  }
+  return chart;
+}
+
+std::string all_tasks(const std::vector<wire::TaskLine>& tasks) {
+  constexpr std::size_t most = 2000;
+  std::vector<std::vector<std::string>> rows;
+  for (const wire::TaskLine& task : tasks) {
+    if (rows.size() == most) break;
+    const bool is_mesh = task.kind() == "mesh";
+    rows.push_back({task.kind() + " " + place_of(task.path()),
+                    format("%.3f", task.expected_seconds()), format("%.3f", task.cpu_seconds()),
+                    format("%.3f", task.seconds()), format("%.1f", task.expected_bytes() / 1e6),
+                    format("%.1f", static_cast<double>(task.peak_rss_bytes()) / 1e6),
+                    is_mesh ? format("%.0f", task.expected_elements()) : "",
+                    is_mesh ? format("%.0f", task.elements()) : "",
+                    task.losses() + task.crashes() + task.starvings() == 0
+                        ? ""
+                        : std::to_string(task.losses() + task.crashes() + task.starvings())});
+  }
+  return format("<details><summary>Each task (%zu of %zu)</summary><div class=\"scroll\">",
+                rows.size(), tasks.size()) +
+         html_table({"task", "expected s", "CPU s", "s", "bound MB", "peak MB", "estimated tets",
+                     "tets made", "tried in vain"},
+                    rows) +
+         "</div></details>\n";
+}
+
+Timeline timeline_of(const std::vector<wire::AttemptLine>& attempts) {
+  Timeline timeline;
+  std::map<std::pair<std::string, std::int64_t>, std::size_t> worker2row;
+  std::int64_t begin_ms = 0;
+  for (const wire::AttemptLine& attempt : attempts) {
+    worker2row[{attempt.host(), attempt.process()}] = 0;
+    if (begin_ms == 0 || attempt.started_ms() < begin_ms) begin_ms = attempt.started_ms();
+  }
+  for (auto& [worker, row] : worker2row) {
+    row = timeline.rows.size();
+    timeline.rows.push_back(worker.first + " " + std::to_string(worker.second));
+  }
+  const auto seconds = [&](std::int64_t ms) { return static_cast<double>(ms - begin_ms) / 1000; };
+  for (const wire::AttemptLine& attempt : attempts) {
+    if (attempt.ended_ms() == 0) continue;
+    const bool is_good = attempt.state() == "done";
+    timeline.spans.push_back(
+        {worker2row.at({attempt.host(), attempt.process()}), seconds(attempt.started_ms()),
+         seconds(attempt.ended_ms()), is_good ? colour_of(attempt.kind()) : lost_colour,
+         attempt.kind() + " " + place_of(attempt.path()) + (is_good ? "" : " " + attempt.state()) +
+             format(", %.3f s", seconds(attempt.ended_ms()) - seconds(attempt.started_ms()))});
+  }
+  return timeline;
+}
+
+std::string legend(const std::vector<wire::AttemptLine>& attempts) {
+  std::string html = "<p class=\"note\">";
+  const auto key = [&](std::string_view colour, std::string_view name) {
+    html += "<span class=\"key\" style=\"background:" + std::string(colour) + "\"></span>" +
+            escaped(name);
+  };
+  for (const auto& [kind, colour] : kinds) {
+    const bool is_there = std::any_of(attempts.begin(), attempts.end(),
+                                      [&](const auto& attempt) { return attempt.kind() == kind; });
+    if (is_there) key(colour, kind);
+  }
+  const bool has_lost = std::any_of(attempts.begin(), attempts.end(), [](const auto& attempt) {
+    return attempt.ended_ms() != 0 && attempt.state() != "done";
+  });
+  if (has_lost) key(lost_colour, "not done");
+  return html + "</p>\n";
+}
+
+/// The share of the time from first to last in which the workers that were there had an attempt.
+std::string facts(const ReportedWork& work) {
+  const wire::JobStatus& status = work.status;
+  double busy = 0;
+  for (const wire::AttemptLine& attempt : work.attempts) {
+    if (attempt.ended_ms() != 0) {
+      busy += static_cast<double>(attempt.ended_ms() - attempt.started_ms()) / 1000;
+    }
+  }
+  std::vector<std::vector<std::string>> rows = {
+      {"job", status.job() + " (" + status.state() + ")"},
+      {"from submission to end", format("%.1f s", status.seconds())},
+      {"attempts", std::to_string(work.attempts.size())},
+      {"busy with them", format("%.1f s, all workers together", busy)},
+      {"largest task",
+       format("%.1f MB", static_cast<double>(status.peak_rss_bytes_worker()) / 1e6)},
+      {"attempts lost", std::to_string(status.attempts_lost())}};
+  if (!status.message().empty()) rows.push_back({"message", status.message()});
+  const auto digest = status.texts().find("digest");
+  if (digest != status.texts().end()) rows.push_back({"digest of the mesh", digest->second});
+  return html_table({}, rows);
+}
+
+}  // namespace
+
+std::string work_section(const ReportedWork& work) {
+  const std::vector<wire::TaskLine> tasks = done_tasks(work);
+  std::string html(measured_part);
+  html += "\n<h2>Work</h2>\n" + facts(work);
+  if (!work.attempts.empty()) {
+    html += "<h3>What each worker did</h3>\n" + legend(work.attempts) +
+            svg_of(timeline_of(work.attempts)) + "\n";
+  }
+  html += "<h3>Expected and measured</h3>\n" + by_kind(tasks) + "<div class=\"pair\">" +
+          svg_of(points_of(tasks, false)) + svg_of(points_of(tasks, true)) + "</div>\n" +
+          all_tasks(tasks);
+  return html + "</section>\n";
+}
+
+std::vector<double> estimated_elements_of_leaves(const ReportedWork& work) {
+  std::vector<double> estimated;
+  for (const wire::TaskLine& task : done_tasks(work)) {
+    if (task.kind() == "mesh") estimated.push_back(task.expected_elements());
+  }
+  return estimated;
+}
+
+}  // namespace tetfarm
