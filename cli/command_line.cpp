@@ -192,6 +192,12 @@ class Parser {
         ->transform(CLI::Transformer(std::map<std::string, int>{{"as-meshed", 0}}))
         ->check(CLI::Range(0, 1 << 20))
         ->option_text("as-meshed|N");
+    mesh.add_option(
+            "--numbering", export_.numbering,
+            "Of nodes and tets: as it is; surface, borders, inside along the Hilbert curve; "
+            "reverse Cuthill-McKee (as-meshed)")
+        ->check(CLI::IsMember({"as-meshed", "hilbert", "rcm"}))
+        ->option_text("as-meshed|hilbert|rcm");
     add_json(mesh, export_.json);
 
     CLI::App& surface = add("convert", "Write a surface in another format",

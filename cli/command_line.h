@@ -56,8 +56,9 @@ struct QualityOptions {
 struct ExportCommand {
   std::string input;
   std::string output;
-  std::string format;  ///< "": by the ending of the output
-  int partitions = 0;  ///< for solvers; 0: the sub-domains as they were meshed
+  std::string format;                   ///< "": by the ending of the output
+  int partitions = 0;                   ///< for solvers; 0: the sub-domains as they were meshed
+  std::string numbering = "as-meshed";  ///< as-meshed, hilbert or rcm
   bool json = false;
 };
 

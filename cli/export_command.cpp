@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/file_system.h"
 #include "base/large_blocks.h"
@@ -8,6 +9,7 @@
 #include "mesh/formats/export_mesh.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/write_surface.h"
+#include "mesh/numbering/renumbered_mesh.h"
 #include "mesh/partition/partitioned_mesh.h"
 
 namespace tetfarm {
@@ -21,8 +23,29 @@ std::filesystem::path folder_of(const std::filesystem::path& output) {
   return folder;
 }
 
+/// How far apart the numbers of neighbours are, in the parts as they were and as they are written.
+struct NumberingFigures {
+  NumberSpans before;
+  NumberSpans after;
+};
+
+/// Puts the mesh with new numbers in the place of the other.
+NumberingFigures renumber(std::unique_ptr<MeshSource>& source, const std::string& name) {
+  NumberingFigures figures{spans_of(*source), {}};
+  source = std::make_unique<RenumberedMesh>(
+      std::move(source),
+      name == "rcm" ? NodeNumbering::reverse_cuthill_mckee : NodeNumbering::hilbert);
+  figures.after = spans_of(*source);
+  return figures;
+}
+
+nlohmann::ordered_json spans_json(const NumberSpans& spans) {
+  return {{"bandwidth", spans.bandwidth}, {"mean_difference", spans.mean()}};
+}
+
 nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& format,
-                               const ExportCounts& counts, const PartitionFigures& figures) {
+                               const ExportCounts& counts, const PartitionFigures& figures,
+                               const std::optional<NumberingFigures>& numbering) {
   nlohmann::ordered_json result = {
       {"type", "export"},          {"file", command.output},
       {"format", format.name},     {"nodes", counts.nodes},
@@ -32,6 +55,11 @@ nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& f
     result["partitions"] = {{"elements", figures.tets},
                             {"largest_over_mean", figures.largest_over_mean()},
                             {"cut_faces", figures.cut_faces}};
+  }
+  if (numbering) {
+    result["numbering"] = {{"order", command.numbering},
+                           {"before", spans_json(numbering->before)},
+                           {"after", spans_json(numbering->after)}};
   }
   return result;
 }
@@ -49,10 +77,12 @@ ExitCode export_command(const ExportCommand& command) {
     figures = parts->figures();
     source = std::move(parts);
   }
+  std::optional<NumberingFigures> numbering;
+  if (command.numbering != "as-meshed") numbering = renumber(source, command.numbering);
   if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
   const ExportCounts counts = export_mesh(*source, format, command.output);
   if (command.json) {
-    std::printf("%s\n", json_of(command, format, counts, figures).dump().c_str());
+    std::printf("%s\n", json_of(command, format, counts, figures, numbering).dump().c_str());
     return ExitCode::ok;
   }
   std::printf("%s: %s; %lld tets, %lld nodes, %lld boundary triangles\n", command.output.c_str(),
@@ -62,6 +92,13 @@ ExitCode export_command(const ExportCommand& command) {
   if (!figures.tets.empty()) {
     std::printf("%zu parts: largest/mean %.3f, %lld faces between them\n", figures.tets.size(),
                 figures.largest_over_mean(), static_cast<long long>(figures.cut_faces));
+  }
+  if (numbering) {
+    std::printf(
+        "numbers of neighbours in a part differ by %.0f on average, %lld at most (%.0f, %lld "
+        "before)\n",
+        numbering->after.mean(), static_cast<long long>(numbering->after.bandwidth),
+        numbering->before.mean(), static_cast<long long>(numbering->before.bandwidth));
   }
   return ExitCode::ok;
 }
