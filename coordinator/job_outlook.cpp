@@ -134,13 +134,13 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
   return reasons;
 }
 
+JobState JobState::past_job(JobId job, Moment now) const {
+  JobState past(finished_->rows_of(job), rules_, has_file_, now);
+  past.expectation_ = expectation_;
+  return past;
+}
+
 TaskOutlook JobState::outlook(TaskId id, Moment now) const {
-  if (!durable_.tasks.contains(id)) {
-    const JobId job = find_row(id).value().job;
-    JobState past(finished_->rows_of(job), rules_, has_file_, now);
-    past.expectation_ = expectation_;
-    return past.outlook(id, now);
-  }
   const TaskRow& task = durable_.tasks.at(id);
   TaskOutlook outlook;
   outlook.expected_seconds = expectation_.seconds(task).value_or(0);

@@ -208,8 +208,10 @@ class JobState {
   bool is_stuck() const { return stuck_delay_ms_ > 0; }
   const std::string& stuck_message() const { return stuck_message_; }
 
-  /// Why a task does not run, and what it would be given. @pre it exists.
-  /// Cost: of a finished job, reads its rows.
+  /// A job whose rows are not at hand, by itself, for questions about it; changes nothing here.
+  /// @pre finished() has it. Cost: reads its rows.
+  JobState past_job(JobId job, Moment now) const;
+  /// Why a task does not run, and what it would be given. @pre its rows are at hand.
   TaskOutlook outlook(TaskId task, Moment now) const;
   bool has_file(const ArtifactRef& file) const { return has_file_(file); }
 

@@ -276,11 +276,12 @@ class Answer {
 
   void explain() {
     const TaskRow asked = task();
-    const DurableState read =
-        rows_.tasks.contains(asked.id) ? DurableState{} : state_.finished().rows_of(asked.job);
-    const DurableState& rows = read.tasks.empty() ? rows_ : read;
+    std::optional<JobState> past;
+    if (!rows_.tasks.contains(asked.id)) past.emplace(state_.past_job(asked.job, now_));
+    const JobState& state = past ? *past : state_;
+    const DurableState& rows = state.durable();
     const TaskRow& row = rows.tasks.at(asked.id);
-    const TaskOutlook outlook = state_.outlook(row.id, now_);
+    const TaskOutlook outlook = state.outlook(row.id, now_);
     wire::Explanation& explanation = *reply_.mutable_explanation();
     *explanation.mutable_task() = line_of(row);
     for (const std::string& reason : outlook.reasons) explanation.add_reasons(reason);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/mebibytes.h"
-#include "store/disk_room.h"
 
 namespace tetfarm {
 namespace {
@@ -54,12 +53,12 @@ std::string SpaceWatch::trouble(const JobState& state, Moment now) {
   if (now.steady_ms < next_look_ms_) return "";
   next_look_ms_ = now.steady_ms + look_again_ms;
   const std::uint64_t wanted = expected_bytes(state, state.worker_count());
-  const DiskRoom room = disk_room(store_);
+  const DiskRoom room = room_of_(store_);
   if (wanted > 0 && !room.has(wanted)) {
     return store_.string() + ": " + mebibytes(room.free_bytes) + " free, " + mebibytes(wanted) +
            " wanted for what runs and comes next, " + mebibytes(room.reserve()) + " kept back";
   }
-  const DiskRoom own = disk_room(database_);
+  const DiskRoom own = room_of_(database_);
   if (wanted > 0 && !own.has(0)) {
     return database_.string() + ": " + mebibytes(own.free_bytes) + " free for the database";
   }

@@ -5,18 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "coordinator/job_state.h"
+#include "store/disk_room.h"
 
 namespace tetfarm {
 
 class SpaceWatch {
  public:
-  SpaceWatch(std::filesystem::path store, std::filesystem::path database)
-      : store_(std::move(store)), database_(std::move(database)) {}
+  using RoomOf = std::function<DiskRoom(const std::filesystem::path&)>;
+  SpaceWatch(std::filesystem::path store, std::filesystem::path database, RoomOf room = disk_room)
+      : store_(std::move(store)), database_(std::move(database)), room_of_(std::move(room)) {}
 
   /// Learns from a done task how large results are; others tell nothing.
   void note(const TaskRow& task);
@@ -33,6 +36,7 @@ class SpaceWatch {
  private:
   std::filesystem::path store_;
   std::filesystem::path database_;
+  RoomOf room_of_;
   std::map<std::pair<JobId, TaskKind>, std::uint64_t> largest_;  ///< result of a kind in a job
   std::int64_t next_look_ms_ = 0;
 };

@@ -5,6 +5,8 @@
 #include "coordinator/farm_metrics.h"
 #include "coordinator/query_answers.h"
 #include "proto/messages.pb.h"
+#include "store/job_database.h"
+#include "tests/base/temp_folder.h"
 #include "tests/coordinator/job_state_fixture.h"
 
 namespace tetfarm {
@@ -19,7 +21,10 @@ class Finished : public JobStateTest {
   Finished() { restart(); }
 
   void restart() {
-    finished_ = FinishedJobs({[this](JobId job) { return record_.rows_of(job); },
+    finished_ = FinishedJobs({[this](JobId job) {
+                                ++times_read_;
+                                return record_.rows_of(job);
+                              },
                               [this](TaskId task) { return record_.row_of(task); }});
     start_over();
   }
@@ -66,6 +71,7 @@ class Finished : public JobStateTest {
   }
 
   FinishedJobs finished_;
+  std::size_t times_read_ = 0;  ///< rows of a whole job
 };
 
 TEST_F(Finished, a_job_leaves_memory_when_its_end_is_committed_and_its_status_stays_the_same) {
@@ -205,8 +211,31 @@ TEST_F(Finished, why_a_task_of_a_failed_job_does_not_run_is_found_in_its_rows) {
   const TaskId quarantined{status(job).quarantine(0).task()};
   const std::vector<std::string> before = state_->outlook(quarantined, now_).reasons;
   ASSERT_EQ(let_go(), 1U);
-  EXPECT_EQ(state_->outlook(quarantined, now_).reasons, before);
+  EXPECT_EQ(state_->past_job(job, now_).outlook(quarantined, now_).reasons, before);
   EXPECT_FALSE(state_->is_at_hand(job)) << "a question changes nothing";
+}
+
+TEST_F(Finished, to_explain_a_task_the_rows_of_its_job_are_read_once) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  const JobId job = run_into_quarantine();
+  const TaskId quarantined{status(job).quarantine(0).task()};
+  ASSERT_EQ(let_go(), 1U);
+  ChangeSet committed;
+  committed.jobs.push_back(record_.state().jobs.at(job));
+  committed.tasks.push_back(record_.state().tasks.at(quarantined));
+  database.apply(committed);
+  const JobHistory history = database.history();
+  wire::Query query;
+  query.set_subject(wire::Query::EXPLAIN);
+  query.set_task(quarantined.value);
+  const std::size_t before = times_read_;
+  const wire::Explanation answer = answer_query(query, {*state_, history, now_}).explanation();
+  EXPECT_THAT(answer.reasons(0), HasSubstr("signal 11"));
+  EXPECT_EQ(answer.subdomain_state(), "leaf");
+  ASSERT_GT(answer.inputs_size(), 0);
+  EXPECT_NE(answer.inputs(0).made_by(), 0U) << "found among the other rows of the job";
+  EXPECT_EQ(times_read_ - before, 1U);
 }
 
 TEST_F(Finished, figures_count_tasks_of_jobs_that_left_memory_once) {

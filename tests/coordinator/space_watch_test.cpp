@@ -58,6 +58,55 @@ TEST_F(ExpectedBytes, of_ready_tasks_count_for_as_many_as_there_are_workers) {
   EXPECT_EQ(expected_bytes(2), 0U);
 }
 
+class Room : public ExpectedBytes {
+ protected:
+  std::string trouble(Moment now = {.steady_ms = 1000}) {
+    const JobState state(state_, {}, [](const ArtifactRef&) { return true; }, {});
+    return watch_.trouble(state, now);
+  }
+  static constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
+  std::uint64_t free_for_store_ = 1000 * mib;
+  std::uint64_t free_for_database_ = 1000 * mib;
+  SpaceWatch watch_{"store", "database", [this](const std::filesystem::path& path) {
+                      const bool is_store = path == "store";
+                      return DiskRoom{.free_bytes = is_store ? free_for_store_ : free_for_database_,
+                                      .total_bytes = 10'000 * mib};
+                    }};
+};
+
+TEST_F(Room, of_both_disks_is_enough_to_go_on) {
+  add(TaskKind::extract, TaskState::leased, 400 * mib, 0);
+  EXPECT_EQ(trouble(), "");
+}
+
+TEST_F(Room, on_the_disk_of_the_store_is_for_what_comes_and_a_reserve) {
+  add(TaskKind::extract, TaskState::leased, 400 * mib, 0);
+  free_for_store_ = 863 * mib;
+  EXPECT_EQ(trouble(),
+            "store: 863 MiB free, 800 MiB wanted for what runs and comes next, 64 MiB kept back");
+}
+
+TEST_F(Room, on_the_disk_of_the_database_is_the_reserve_whatever_the_store_has) {
+  add(TaskKind::extract, TaskState::leased, 400 * mib, 0);
+  free_for_database_ = 64 * mib;
+  EXPECT_EQ(trouble(), "");
+  free_for_database_ -= 1;
+  EXPECT_EQ(trouble({.steady_ms = 2000}), "database: 63 MiB free for the database");
+}
+
+TEST_F(Room, is_no_trouble_where_nothing_is_to_be_written) {
+  free_for_store_ = free_for_database_ = 0;
+  EXPECT_EQ(trouble(), "");
+}
+
+TEST_F(Room, is_looked_at_twice_a_second_at_most) {
+  add(TaskKind::extract, TaskState::leased, 400 * mib, 0);
+  EXPECT_EQ(trouble({.steady_ms = 1000}), "");
+  free_for_store_ = 0;
+  EXPECT_EQ(trouble({.steady_ms = 1499}), "");
+  EXPECT_NE(trouble({.steady_ms = 1500}), "");
+}
+
 TEST(DiskRoom, keeps_some_back_but_of_a_small_disk_little) {
   const DiskRoom small{.free_bytes = 500, .total_bytes = 2000};
   EXPECT_TRUE(small.has(400));
