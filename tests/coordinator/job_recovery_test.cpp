@@ -6,6 +6,7 @@
 namespace tetfarm {
 namespace {
 
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 class Recovery : public JobStateTest {
@@ -26,6 +27,22 @@ TEST_F(Recovery, a_process_on_a_new_connection_gets_the_assignment_that_was_lost
   EXPECT_EQ(said_again.attempt, lost.attempt);
   EXPECT_TRUE(finish(again, said_again));
   EXPECT_EQ(task(lost.task).losses, 0U);
+}
+
+TEST_F(Recovery, a_missing_input_is_told_with_the_task_that_makes_it_and_how_that_stands) {
+  submit();
+  worker_ = add_worker({.nonce = "one"});
+  run_until_meshes();
+  TaskFailure killed;
+  killed.killed = true;
+  ASSERT_TRUE(fail(worker_, held_, killed));
+  now_.steady_ms += 1000;
+  const ArtifactRef lost = task(held_.task).inputs.front();
+  files_.erase(lost.hash);
+  const std::vector<std::string> why = state_->outlook(held_.task, now_).reasons;
+  ASSERT_FALSE(why.empty());
+  EXPECT_THAT(why.front(), HasSubstr("its input '" + lost.name + "' is not in the store"));
+  EXPECT_THAT(why.front(), testing::MatchesRegex(".*; task [0-9]+, .*, makes it .done."));
 }
 
 TEST_F(Recovery, an_assignment_that_was_committed_and_never_said_is_said_after_a_restart) {

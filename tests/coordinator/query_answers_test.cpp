@@ -170,6 +170,57 @@ TEST_F(QueryAnswers, a_task_that_fits_nowhere_says_what_it_is_given_and_what_is_
   EXPECT_THAT(why, testing::Contains("1 of 2 workers: without room for it"));
 }
 
+TEST_F(QueryAnswers, explain_tells_what_a_task_is_given_and_which_inputs_are_there) {
+  constexpr std::uint64_t mib = 1U << 20U;
+  submit("wing");
+  const WorkerId first = add_worker("a", 100 * mib);
+  tick();
+  const WorkerId largest = add_worker("b", 150 * mib);
+  add_worker("c", 50 * mib);
+  TaskFailure failure;
+  failure.out_of_memory = true;
+  failure.peak_rss_bytes = 90 * mib;
+  fail(first, failure);
+  state_.drain(largest);
+  now_.steady_ms += 5'000;
+  missing_.insert(std::string(32, 'b'));
+  wire::Query query;
+  query.set_subject(wire::Query::EXPLAIN);
+  query.set_task(1);
+  wire::Explanation told = ask(query).explanation();
+  EXPECT_EQ(told.room_bytes(), 150 * mib);
+  EXPECT_EQ(told.limit_seconds(), 86'400) << "of an unknown kind: a day";
+  ASSERT_THAT(told.inputs(), SizeIs(2));
+  EXPECT_TRUE(told.inputs(0).is_there());
+  EXPECT_FALSE(told.inputs(1).is_there());
+  missing_.clear();
+  EXPECT_THAT(reasons(),
+              testing::Contains("it is given 150 MiB; at most 150 MiB are free on one worker"));
+}
+
+TEST_F(QueryAnswers, of_many_attempts_the_last_are_told_and_which_of_them_raced) {
+  submit("wing");
+  const WorkerId worker = add_worker("a");
+  tick();
+  TaskFailure failure;
+  failure.may_retry = true;
+  fail(worker, failure);
+  ChangeSet later;
+  later.attempts = {{AttemptId{50}, TaskId{1}, worker, AttemptState::killed, 1, 2, "", "", true}};
+  database_.apply(later);
+  wire::Query query;
+  query.set_subject(wire::Query::EXPLAIN);
+  query.set_task(1);
+  const wire::Explanation all = ask(query).explanation();
+  ASSERT_THAT(all.attempts(), SizeIs(2));
+  EXPECT_FALSE(all.attempts(0).races());
+  EXPECT_TRUE(all.attempts(1).races());
+  query.set_limit(1);
+  const wire::Explanation last = ask(query).explanation();
+  ASSERT_THAT(last.attempts(), SizeIs(1));
+  EXPECT_EQ(last.attempts(0).attempt(), 50U);
+}
+
 TEST_F(QueryAnswers, a_task_in_quarantine_says_what_its_last_words_were) {
   submit("wing");
   const WorkerId worker = add_worker("a");
