@@ -38,6 +38,7 @@ struct SharedNode {
 struct GhostMention {
   std::int32_t of = 0;
   GhostTet ghost;
+  std::array<Vec3, 4> corners{};
   bool operator<(const GhostMention& other) const {
     if (of != other.of) return of < other.of;
     return ghost.part != other.ghost.part ? ghost.part < other.ghost.part
@@ -107,9 +108,11 @@ void mention_ghosts(const NumberedPart& part, const std::vector<SharedNode>& sha
     std::sort(neighbours.begin(), neighbours.end());
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     for (const std::int32_t neighbour : neighbours) {
-      GhostMention mention{neighbour, {part.number, static_cast<std::int32_t>(t), {}}};
+      GhostMention mention{neighbour, {part.number, static_cast<std::int32_t>(t), {}}, {}};
       for (std::size_t k = 0; k < 4; ++k) {
-        mention.ghost.nodes[k] = global_node(part, part.tets[t][k]);
+        const std::int32_t v = part.tets[t][k];
+        mention.ghost.nodes[k] = global_node(part, v);
+        mention.corners[k] = part.nodes[static_cast<std::size_t>(v)];
       }
       ghosts.push(mention);
     }
@@ -132,6 +135,14 @@ void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table
 void for_each_communication_table(const MeshSource& source, const MeshOutline& outline,
                                   const std::filesystem::path& folder,
                                   const std::function<void(const CommunicationTable&)>& visit) {
+  for_each_part_with_ghosts(
+      source, outline, folder,
+      [&](const CommunicationTable& table, const GhostCorners&) { visit(table); });
+}
+
+void for_each_part_with_ghosts(
+    const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
+    const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
   ExternalSort<SharedNode> shared(folder);
   find_shared_nodes(source, folder, shared);
   // The list is gone through twice: for the ghosts of others, then for the tables.
@@ -156,10 +167,12 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
         shared_again.take_while([number](const SharedNode& node) { return node.part == number; }),
         table);
     const auto is_of_part = [number](const GhostMention& ghost) { return ghost.of == number; };
+    GhostCorners corners;
     for (const GhostMention& mention : ghosts.take_while(is_of_part)) {
       table.ghosts.push_back(mention.ghost);
+      corners.push_back(mention.corners);
     }
-    visit(table);
+    visit(table, corners);
   }
 }
 

@@ -52,6 +52,14 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
                                   const std::filesystem::path& folder,
                                   const std::function<void(const CommunicationTable&)>& visit);
 
+/// Where the nodes of each ghost are.
+using GhostCorners = std::vector<std::array<Vec3, 4>>;
+
+/// The same, for who writes ghosts as elements.
+void for_each_part_with_ghosts(
+    const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
+    const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit);
+
 std::string communication_to_bytes(const CommunicationTable& table);
 /// @throws CorruptFile naming `name`.
 CommunicationTable communication_from_bytes(std::string_view bytes, const std::string& name);

@@ -11,6 +11,7 @@
 #include "mesh/formats/write_meshb.h"
 #include "mesh/formats/write_msh22.h"
 #include "mesh/formats/write_msh41.h"
+#include "mesh/formats/write_msh41_split.h"
 #include "mesh/formats/write_openfoam.h"
 #include "mesh/formats/write_pvtu.h"
 #include "mesh/formats/write_su2.h"
@@ -42,6 +43,12 @@ void export_ugrid(const MeshSource& source, const MeshOutline& outline, const fs
 template <MshEncoding encoding>
 void export_msh41(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
   write_msh41(source, outline, file, encoding);
+}
+
+template <MshGhosts with_ghosts>
+void export_msh41_split(const MeshSource& source, const MeshOutline& outline,
+                        const fs::path& file) {
+  write_msh41_split(source, outline, file, with_ghosts);
 }
 
 template <bool is_text>
@@ -86,8 +93,10 @@ constexpr std::array formats = {
     MeshFormat{"msh41", ".msh", "Gmsh 4.1, binary", true, export_msh41<MshEncoding::binary>,
                nullptr},
     MeshFormat{"msh41-text", "", "Gmsh 4.1, text", true, export_msh41<MshEncoding::text>, nullptr},
-    MeshFormat{"msh41-split", "", "Gmsh 4.1, a file for each sub-domain", false, write_msh41_split,
-               nullptr},
+    MeshFormat{"msh41-split", "", "Gmsh 4.1, a file for each sub-domain", false,
+               export_msh41_split<MshGhosts::none>, nullptr},
+    MeshFormat{"msh41-ghosts", "", "Gmsh 4.1, a file for each sub-domain, with ghost elements",
+               false, export_msh41_split<MshGhosts::all>, nullptr},
     MeshFormat{"msh22", "", "Gmsh 2.2, text", true, write_msh22, nullptr},
     MeshFormat{"su2", ".su2", "SU2", true, write_su2, nullptr},
     MeshFormat{"meshb", ".meshb", "Medit (GMF 4), 64-bit", true, write_meshb, nullptr},

@@ -83,4 +83,24 @@ std::string msh_entities(const MeshOutline& outline, const std::vector<MshVolume
   return numbers.take();
 }
 
+void put_msh_block(NumberText& numbers, const MshBlockHead& head) {
+  numbers.small(head.dimension);
+  numbers.small(head.entity);
+  numbers.small(head.type_or_parametric);
+  numbers.integer(head.count);
+  numbers.end_record();
+}
+
+void put_msh_counts(NumberText& numbers, std::int64_t blocks, std::int64_t items,
+                    std::int64_t first, std::int64_t last) {
+  for (const std::int64_t count : {blocks, items, first, last}) numbers.integer(count);
+  numbers.end_record();
+}
+
+std::vector<std::int64_t> first_msh_triangles(const MeshOutline& outline) {
+  std::vector<std::int64_t> first = {1};
+  for (const std::int64_t faces : outline.faces_of_patch) first.push_back(first.back() + faces);
+  return first;
+}
+
 }  // namespace tetfarm

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mesh/formats/mesh_source.h"
+#include "mesh/formats/node_records.h"
 #include "mesh/formats/number_text.h"
 
 namespace tetfarm {
@@ -31,6 +34,46 @@ Box3 box_of(const MeshOutline& outline);
 
 /// One entity of a list: tag, what is between, box, its one physical group, nothing that bounds it.
 void put_msh_box(NumberText& numbers, const Box3& box);
+
+/// The head of a list of nodes or elements of one entity.
+struct MshBlockHead {
+  std::int32_t dimension = 0;
+  std::int32_t entity = 0;
+  std::int32_t type_or_parametric = 0;
+  std::int64_t count = 0;
+};
+void put_msh_block(NumberText& numbers, const MshBlockHead& head);
+
+/// The counts of $Nodes and $Elements: `first` and `last` are the numbers of items.
+void put_msh_counts(NumberText& numbers, std::int64_t blocks, std::int64_t items,
+                    std::int64_t first, std::int64_t last);
+
+template <class Element>
+void put_msh_element(NumberText& numbers, std::int64_t number, const Element& element,
+                     const NumberedPart& part) {
+  numbers.integer(number);
+  for (const std::int32_t v : element) numbers.integer(global_node(part, v) + 1);
+  numbers.end_record();
+}
+
+/// Of each patch the number of its first triangle, and behind the last patch that of the first tet:
+/// triangles are numbered patch after patch, then the tets.
+std::vector<std::int64_t> first_msh_triangles(const MeshOutline& outline);
+
+/// A file that grows at its end, with gaps to be filled later.
+class GrowingEnd {
+ public:
+  explicit GrowingEnd(OutputFile& file) : file_(file) {}
+  void write(const std::string& bytes) {
+    file_.write(place_, bytes);
+    place_ += std::ssize(bytes);
+  }
+  std::int64_t leave(std::int64_t bytes) { return std::exchange(place_, place_ + bytes); }
+
+ private:
+  OutputFile& file_;
+  std::int64_t place_ = 0;
+};
 
 /// Ends a section: in a binary one a line must end first.
 std::string msh_section_end(const std::string& name, const NumberText& style);

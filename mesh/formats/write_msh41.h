@@ -1,4 +1,4 @@
-/// Writes a mesh as Gmsh MSH 4.1, binary or text: one file, or one for each sub-domain.
+/// Writes a mesh as Gmsh MSH 4.1, binary or text: one file.
 ///
 /// Source: Gmsh reference manual, "MSH file format". A volume entity is a sub-domain and its
 /// physical group the region; a surface entity and its physical group are a patch. Nodes and
@@ -16,11 +16,5 @@ enum class MshEncoding { binary, text };
 /// @throws IoError, what the source throws. One pass; memory of one part.
 void write_msh41(const MeshSource& source, const MeshOutline& outline,
                  const std::filesystem::path& file, MshEncoding encoding);
-
-/// NAME_1.msh, NAME_2.msh, … for NAME.msh: each sub-domain as a partition ($PartitionedEntities),
-/// with the numbers that nodes and elements have in the whole mesh. Binary.
-/// @throws as above.
-void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
-                       const std::filesystem::path& file);
 
 }  // namespace tetfarm

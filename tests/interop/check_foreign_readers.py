@@ -3,8 +3,8 @@
 
 check_foreign_readers.py PROGRAM
 
-Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, exports it to every format, and
-has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the files: counts and
+Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, exports it to every format, and in 5 parts to
+those that have parts, and has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the files: counts and
 volume must be those of the mesh. Prints a table. `./dev test interop` gets the
 programs from Debian first. Ends with 77 when the data or a program is missing, and with 1 when a reader refuses a file or
 finds another mesh.
@@ -22,6 +22,7 @@ import tempfile
 
 PREPROCESSOR = "/usr/lib/code_saturne/cs_preprocess"
 SUBDOMAINS = 16
+PARTITIONS = 5
 # Where Debian puts what OpenFOAM looks up; without it no program of it starts.
 ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": "/usr/share/openfoam"}
 SKIPPED = 77
@@ -42,7 +43,7 @@ solvers { Phi { solver PCG; preconditioner DIC; tolerance 1e-06; relTol 0.01; }
 potentialFlow { nNonOrthogonalCorrectors 3; }
 """
 PARTS = """FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }
-numberOfSubdomains 16; method none;
+numberOfSubdomains COUNT; method none;
 """
 
 
@@ -66,19 +67,19 @@ def number(pattern, text):
 
 
 class Export:
-    """The mesh, and its files in a folder."""
+    """A mesh in so many parts, and its files in a folder."""
 
-    def __init__(self, program, surface, folder):
-        self.program, self.folder = program, folder
-        run([program, "run", surface, "--subdomains", SUBDOMAINS, "-o", "out", "--progress", "none"],
-            folder)
-        self.mesh = json.loads(run([program, "quality", "out", "--json"], folder))
+    def __init__(self, program, mesh, folder, parts, options=()):
+        self.program, self.mesh_folder, self.folder = program, mesh, folder
+        self.parts, self.options = parts, list(options)
+        folder.mkdir(exist_ok=True)
+        self.mesh = json.loads(run([program, "quality", mesh, "--json"], folder))
         self.expected = {"nodes": self.mesh["nodes"], "tets": self.mesh["elements"],
                          "triangles": self.mesh["boundary_triangles"],
                          "volume": self.mesh["volume"]}
 
     def write(self, form, name):
-        run([self.program, "export", "out", "--format", form, "-o", name], self.folder)
+        run([self.program, "export", self.mesh_folder, "--format", form, "-o", name] + self.options, self.folder)
         return name
 
     def compare(self, found):
@@ -115,7 +116,7 @@ def with_gmsh(export, name):
 def with_gmsh_parts(export, name):
     """All split files merged: gmsh keeps a shared node for each file, so they count by place."""
     stem = name.rsplit(".", 1)[0]
-    parts = [f"{stem}_{i}.msh" for i in range(1, SUBDOMAINS + 1)]
+    parts = [f"{stem}_{i}.msh" for i in range(1, export.parts + 1)]
     text = "".join(f'Merge "{part}";\n' for part in parts)
     text += 'Mesh.SaveAll=1;\nMesh.MshFileVersion=2.2;\nSave "merged.msh";\n'
     (export.folder / "merge.geo").write_text(text)
@@ -123,6 +124,25 @@ def with_gmsh_parts(export, name):
     found = library(export, "meshio-places", "merged.msh")
     export.compare(found)
     return found
+
+
+def with_gmsh_ghosts(export, name):
+    """Each split file by itself: gmsh writes the ghosts again that it found in it."""
+    stem, ghosts = name.rsplit(".", 1)[0], 0
+    export.write("comm-text", "tables")
+    for i in range(1, export.parts + 1):
+        (export.folder / "one.geo").write_text(
+            f'Merge "{stem}_{i}.msh";\nMesh.SaveAll=1;\nMesh.MshFileVersion=4.1;\nMesh.Binary=0;\nSave "again.msh";\n')
+        said = run(["gmsh", "-0", "one.geo"], export.folder)
+        if "Error" in said or "Warning" in said:
+            raise Wrong(said[-800:])
+        found = number(r"\$GhostElements\n(\d+)\n", (export.folder / "again.msh").read_text())
+        table = (export.folder / "tables" / f"part-{i - 1}.comm.txt").read_text()
+        wanted = number(r"\nghosts (\d+)", table)
+        if found != wanted:
+            raise Wrong(f"{found} ghosts of part {i} instead of {wanted}")
+        ghosts += int(found)
+    return {"ghosts": ghosts}
 
 
 def with_cgnscheck(export, name):
@@ -142,14 +162,15 @@ def with_preprocessor(export, name):
     return found
 
 
-def make_case(folder, patches):
+def make_case(export, name, patches):
+    folder = export.folder / name
     for name, text in (("controlDict", CONTROL), ("fvSchemes", SCHEMES), ("fvSolution", SOLUTION),
-                       ("decomposeParDict", PARTS)):
+                       ("decomposeParDict", PARTS.replace("COUNT", str(export.parts)))):
         (folder / "system").mkdir(parents=True, exist_ok=True)
         (folder / "system" / name).write_text(text)
     fields = {"U": ("volVectorField", "[0 1 -1 0 0 0 0]", "(1 0 0)"),
               "p": ("volScalarField", "[0 2 -2 0 0 0 0]", "0")}
-    for processor in ["."] + [f"processor{i}" for i in range(SUBDOMAINS)]:
+    for processor in ["."] + [f"processor{i}" for i in range(export.parts)]:
         if not (folder / processor).is_dir():
             continue
         (folder / processor / "0").mkdir(exist_ok=True)
@@ -183,7 +204,7 @@ def check_mesh(export, name, words=("checkMesh",)):
 
 
 def with_check_mesh(export, name):
-    make_case(export.folder / name, [])
+    make_case(export, name, [])
     found, said = check_mesh(export, name)
     found["nodes"] = number(r"\n\s+points:\s+(\d+)", said)
     found["volume"] = number(r"Total volume = ([\d.e+-]+?)\.? ", said)
@@ -192,8 +213,8 @@ def with_check_mesh(export, name):
 
 
 def with_check_mesh_parallel(export, name):
-    make_case(export.folder / name, [])
-    mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", SUBDOMAINS]
+    make_case(export, name, [])
+    mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", export.parts]
     found, said = check_mesh(export, name, mpi + ["checkMesh", "-parallel"])
     found["volume"] = number(r"Total volume = ([\d.e+-]+?)\.? ", said)
     export.compare(found)
@@ -211,7 +232,7 @@ def with_reconstruct(export, name):
 def with_gmsh_to_foam(export, name):
     case = export.folder / "converted"
     case.mkdir()
-    make_case(case, [])
+    make_case(export, "converted", [])
     run(["gmshToFoam", "../" + name], case)
     found, said = check_mesh(export, "converted")
     found["nodes"] = number(r"\n\s+points:\s+(\d+)", said)
@@ -222,8 +243,8 @@ def with_gmsh_to_foam(export, name):
 def with_potential_foam(export, name):
     patches = re.findall(r"\n    (\w[\w.-]*)\n    \{\n        type            patch",
                          (export.folder / name / "processor0/constant/polyMesh/boundary").read_text())
-    make_case(export.folder / name, patches)
-    said = run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", SUBDOMAINS,
+    make_case(export, name, patches)
+    said = run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", export.parts,
                 "potentialFoam", "-parallel", "-writep"], export.folder / name)
     if "End" not in said:
         raise Wrong(said[-800:])
@@ -246,6 +267,7 @@ CHECKS = [
     ("msh41-text", "m41t.msh", "gmsh -check", with_gmsh),
     ("msh41-text", "m41t.msh", "meshio", with_library("meshio")),
     ("msh41-split", "parts.msh", "gmsh, all parts", with_gmsh_parts),
+    ("msh41-ghosts", "ghosts.msh", "gmsh, each part", with_gmsh_ghosts),
     ("msh22", "m22.msh", "gmsh -check", with_gmsh),
     ("msh22", "m22.msh", "meshio", with_library("meshio")),
     ("msh22", "m22.msh", "OpenFOAM gmshToFoam, checkMesh", with_gmsh_to_foam),
@@ -253,17 +275,24 @@ CHECKS = [
     ("meshb", "m.meshb", "meshio", with_library("meshio")),
     ("tetgen", "m.node", "meshio", with_library("meshio", without_triangles=True)),
     ("openfoam", "whole", "OpenFOAM checkMesh", with_check_mesh),
-    ("openfoam-decomposed", "parts", "OpenFOAM checkMesh, 16 processes", with_check_mesh_parallel),
+    ("openfoam-decomposed", "parts", "OpenFOAM checkMesh, parallel", with_check_mesh_parallel),
     ("openfoam-decomposed", "parts", "OpenFOAM reconstructParMesh, checkMesh", with_reconstruct),
-    ("openfoam-decomposed", "parts", "OpenFOAM potentialFoam, 16 processes", with_potential_foam),
+    ("openfoam-decomposed", "parts", "OpenFOAM potentialFoam, parallel", with_potential_foam),
 ]
 
 
-def table(export):
+# Formats in which parts are seen.
+WITH_PARTS = ("vtkhdf", "pvtu", "cgns", "msh41-split", "msh41-ghosts", "openfoam-decomposed")
+
+
+def table(export, formats=None):
     """Prints a line for each check; returns how many went wrong."""
     wrong, written = 0, set()
+    print(f"\n{export.parts} parts:\n")
     print("| format | read by | nodes | tetrahedra | triangles | |\n|---|---|--:|--:|--:|---|")
     for form, name, reader, check in CHECKS:
+        if formats and form not in formats:
+            continue
         try:
             if form not in written:
                 export.write(form, name)
@@ -275,6 +304,7 @@ def table(export):
         counts = " | ".join(f"{int(found[what])}" if what in found else ""
                             for what in ("nodes", "tets", "triangles"))
         more = f", continuity error {found['continuity']:.2g}" if "continuity" in found else ""
+        more += f", {found['ghosts']} ghosts" if "ghosts" in found else ""
         print(f"| `{form}` | {reader} | {counts} | {said}{more} |", flush=True)
     return wrong
 
@@ -291,9 +321,12 @@ def main():
         print("missing:", missing or surface)
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
-        export = Export(options.program.resolve(), surface, pathlib.Path(folder))
-        print("expected:", export.expected)
-        return 1 if table(export) else 0
+        folder, program = pathlib.Path(folder), options.program.resolve()
+        run([program, "run", surface, "--subdomains", SUBDOMAINS, "-o", "out", "--progress", "none"], folder)
+        as_meshed = Export(program, folder / "out", folder / "as_meshed", SUBDOMAINS)
+        in_parts = Export(program, folder / "out", folder / "in_parts", PARTITIONS, ["--partitions", PARTITIONS])
+        print("expected:", as_meshed.expected)
+        return 1 if table(as_meshed) + table(in_parts, WITH_PARTS) else 0
 
 
 if __name__ == "__main__":

@@ -76,16 +76,88 @@ TEST(WriteMsh41, the_reader_of_surfaces_finds_patches_by_name) {
   }
 }
 
+/// Of a split file: numbers and corners of its tets, and of those of other partitions.
+using TetList = std::vector<std::pair<std::int64_t, std::array<std::int64_t, 4>>>;
+struct SplitFile {
+  std::map<std::int64_t, Vec3> nodes;
+  TetList tets;
+  TetList ghosts;
+  std::vector<std::pair<std::int64_t, std::array<std::int64_t, 3>>> faces;
+  std::map<std::int64_t, std::int64_t> owner_of_ghost;
+};
+
+SplitFile read_split(const std::filesystem::path& path, int partition, bool has_ghosts) {
+  const std::string bytes = read_file(path);
+  SplitFile split;
+  TetList all;
+  read_41(bytes, false, split.nodes, all, split.faces,
+          [partition](std::int64_t entity) { return entity - 2 * partition - 1; });
+  FileNumbers file(bytes, false);
+  file.skip_past("$PartitionedEntities\n");
+  EXPECT_EQ(file.large(), 3);
+  EXPECT_EQ(file.large(), has_ghosts ? 1 : 0) << "entities of ghosts";
+  split.tets = all;
+  if (!has_ghosts) return split;
+  EXPECT_EQ(file.small(), 4 + partition) << "behind the volumes 1 to 4";
+  EXPECT_EQ(file.small(), partition);
+  file.skip_past("$GhostElements\n");
+  for (std::int64_t i = file.large(); i > 0; --i) {
+    const std::int64_t number = file.large();
+    split.owner_of_ghost[number] = file.small();
+    EXPECT_EQ(file.large(), 1);
+    EXPECT_EQ(file.small(), partition);
+  }
+  file.skip_past("$EndGhostElements\n");
+  split.tets.clear();
+  for (const auto& tet : all) {
+    (split.owner_of_ghost.count(tet.first) > 0 ? split.ghosts : split.tets).push_back(tet);
+  }
+  return split;
+}
+
+TEST(WriteMsh41, split_files_have_as_ghosts_what_others_have_at_their_nodes) {
+  const TempFolder folder;
+  export_as(GridSource(cut_grid(4)), folder, "msh41-ghosts", "a.msh");
+  std::vector<SplitFile> files;
+  for (const int i : {1, 2, 3}) {
+    files.push_back(read_split(folder.path() / ("a_" + std::to_string(i) + ".msh"), i, true));
+  }
+  for (std::size_t here = 0; here < 3; ++here) {
+    std::set<std::int64_t> own;
+    for (const auto& tet : files[here].tets) own.insert(tet.second.begin(), tet.second.end());
+    TetList wanted;
+    std::map<std::int64_t, std::int64_t> owners;
+    for (std::size_t there = 0; there < 3; ++there) {
+      if (there == here) continue;
+      for (const auto& tet : files[there].tets) {
+        if (std::none_of(tet.second.begin(), tet.second.end(),
+                         [&](std::int64_t v) { return own.count(v) > 0; })) {
+          continue;
+        }
+        wanted.push_back(tet);
+        owners[tet.first] = static_cast<std::int64_t>(there) + 1;
+        for (const std::int64_t v : tet.second) {
+          EXPECT_EQ(files[here].nodes.at(v), files[there].nodes.at(v));
+        }
+      }
+    }
+    EXPECT_GT(wanted.size(), 50u);
+    EXPECT_EQ(files[here].ghosts, wanted);
+    EXPECT_EQ(files[here].owner_of_ghost, owners);
+  }
+}
+
 TEST(WriteMsh41, split_files_together_are_the_mesh) {
   const TempFolder folder;
   const GridSource grid(cut_grid(4));
   export_as(grid, folder, "msh41-split", "a.msh");
   Lists lists;
   for (const int i : {1, 2, 3}) {
-    const std::string bytes = read_file(folder.path() / ("a_" + std::to_string(i) + ".msh"));
-    EXPECT_THAT(bytes, testing::HasSubstr("$PartitionedEntities"));
-    read_41(bytes, false, lists.nodes, lists.tets, lists.faces,
-            [i](std::int64_t entity) { return entity - 2 * i - 1; });
+    const SplitFile file =
+        read_split(folder.path() / ("a_" + std::to_string(i) + ".msh"), i, false);
+    lists.nodes.insert(file.nodes.begin(), file.nodes.end());
+    lists.tets.insert(lists.tets.end(), file.tets.begin(), file.tets.end());
+    lists.faces.insert(lists.faces.end(), file.faces.begin(), file.faces.end());
   }
   EXPECT_EQ(lists.nodes.size(), 125u);
   std::set<std::int64_t> numbers;

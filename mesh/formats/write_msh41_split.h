@@ -1,0 +1,26 @@
+/// Writes a mesh as Gmsh MSH 4.1, binary, a file for each sub-domain, as Gmsh's own partitioned
+/// meshes are.
+///
+/// Source: Gmsh reference manual, "MSH file format"; where the ghosts are: what Gmsh 4.8 writes.
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/formats/mesh_source.h"
+
+namespace tetfarm {
+
+/// Gmsh 4.8 merges files without ghosts into one mesh, but ends when it merges files with them, its
+/// own too.
+enum class MshGhosts { none, all };
+
+/// NAME_1.msh, NAME_2.msh, … for NAME.msh: each sub-domain as a partition ($PartitionedEntities),
+/// with the numbers that nodes and elements have in the whole mesh. As ghosts, tets of other
+/// partitions that have a node of this one are there too, as an entity of their own
+/// ($GhostElements).
+/// @throws Error when there are more entities than numbers; IoError, what the source throws. Reads
+/// each part once, with ghosts four times; memory of one part and its ghosts.
+void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
+                       const std::filesystem::path& file, MshGhosts with_ghosts);
+
+}  // namespace tetfarm
