@@ -40,10 +40,11 @@ class AngleBins {
   }
 
   /// How many of the limits the angle has reached. @pre from -1 to 1.
-  std::size_t bin_of(double cosine) const {
+  std::uint8_t bin_of(double cosine) const {
     const auto step = static_cast<std::size_t>((cosine + 1) * half_steps);
     const std::size_t bin = first_bin_[std::min(step, first_bin_.size() - 1)];
-    return bin < limits_.size() && cosine <= limits_[bin] ? bin + 1 : bin;
+    const bool is_in_next = bin < limits_.size() && cosine <= limits_[bin];
+    return static_cast<std::uint8_t>(is_in_next ? bin + 1 : bin);
   }
 
  private:
@@ -65,22 +66,30 @@ TetShape tet_shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return cosine_between(n[i], n[j], areas[i] * areas[j]);
   };
   const double largest = *std::max_element(areas.begin(), areas.end());
+  TetShape shape;
   // At the edges ab, ac, ad, bc, bd, cd.
-  return {{cosine(2, 3), cosine(1, 3), cosine(1, 2), cosine(0, 3), cosine(0, 2), cosine(0, 1)},
-          radius_ratio(a, b, c, d),
-          // Over the largest face stands the smallest height.
-          largest > 0 ? 6 * tet_volume(a, b, c, d) / largest : 0,
-          0.25 * (a + b + c + d)};
+  shape.dihedral_cosines = {cosine(2, 3), cosine(1, 3), cosine(1, 2),
+                            cosine(0, 3), cosine(0, 2), cosine(0, 1)};
+  static const AngleBins bins;
+  for (std::size_t i = 0; i < 6; ++i) {
+    shape.dihedral_bins[i] = bins.bin_of(shape.dihedral_cosines[i]);
+  }
+  const auto [least, most] =
+      std::minmax_element(shape.dihedral_cosines.begin(), shape.dihedral_cosines.end());
+  shape.max_dihedral_deg = degrees_of(*least);
+  shape.min_dihedral_deg = degrees_of(*most);
+  shape.radius_ratio = radius_ratio(a, b, c, d);
+  // Over the largest face stands the smallest height.
+  shape.height = largest > 0 ? 6 * tet_volume(a, b, c, d) / largest : 0;
+  shape.centroid = 0.25 * (a + b + c + d);
+  return shape;
 }
 
 void ShapeStatistics::add(const TetShape& shape) {
-  static const AngleBins bins;
-  for (const double cosine : shape.dihedral_cosines) ++dihedral_histogram[bins.bin_of(cosine)];
-  const auto [least, most] =
-      std::minmax_element(shape.dihedral_cosines.begin(), shape.dihedral_cosines.end());
-  max_dihedral_deg = std::max(max_dihedral_deg, degrees_of(*least));
-  if (const double angle = degrees_of(*most); angle < min_dihedral_deg) {
-    min_dihedral_deg = angle;
+  for (const std::uint8_t bin : shape.dihedral_bins) ++dihedral_histogram[bin];
+  max_dihedral_deg = std::max(max_dihedral_deg, shape.max_dihedral_deg);
+  if (shape.min_dihedral_deg < min_dihedral_deg) {
+    min_dihedral_deg = shape.min_dihedral_deg;
     worst_centroid = shape.centroid;
   }
   min_radius_ratio = std::min(min_radius_ratio, shape.radius_ratio);

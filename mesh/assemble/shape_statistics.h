@@ -11,6 +11,9 @@ namespace tetfarm {
 /// The figures of one tet.
 struct TetShape {
   std::array<double, 6> dihedral_cosines{};
+  std::array<std::uint8_t, 6> dihedral_bins{};  ///< of 10 degrees
+  double min_dihedral_deg = 0;
+  double max_dihedral_deg = 0;
   double radius_ratio = 0;  ///< 3 inradius / circumradius
   double height = 0;        ///< the smallest of a node over the face opposite
   Vec3 centroid;
