@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
+#include "mesh/io/read_flite_sources.h"
 #include "mesh/io/read_surface.h"
 
 namespace tetfarm {
@@ -39,8 +40,21 @@ std::string without_ending(const std::string& name, const std::string& ending) {
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
+/// The job carries its sources itself: those who work on it see no file but the surface.
+void take_sources_of_file(JobFile& job) {
+  if (job.sources_file.empty()) return;
+  const FliteSources file = read_flite_sources(read_file(job.sources_file), job.sources_file);
+  job.sources.insert(job.sources.end(), file.sources.begin(), file.sources.end());
+  if (job.spacing_default == 0) job.spacing_default = file.background;
+  job.sources_file.clear();
+}
+
 JobFile base_job(const std::string& input) {
-  if (input.ends_with(".toml")) return parse_job_file(read_file(input), input);
+  if (input.ends_with(".toml")) {
+    JobFile read = parse_job_file(read_file(input), input);
+    take_sources_of_file(read);
+    return read;
+  }
   JobFile job;
   job.surface = input;
   job.name =

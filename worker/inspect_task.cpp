@@ -54,6 +54,10 @@ OuterBoundary outer_boundary_of(const JobFile& job) {
 }
 
 SpacingOptions spacing_options_of(const JobFile& job) {
+  if (!job.sources_file.empty()) {
+    throw UsageError("sources of another file must be in the job when it is submitted",
+                     job.sources_file);
+  }
   SpacingOptions options;
   options.background = job.spacing_default;
   options.growth = job.growth;

@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, 12> top_keys = {
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
-constexpr std::array<std::string_view, 3> spacing_keys = {"default", "growth", "surface"};
+constexpr std::array<std::string_view, 4> spacing_keys = {"default", "growth", "surface",
+                                                          "sources"};
 constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
@@ -395,7 +396,13 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   for_each_table(top, "region", [&](const toml::node& node) {
     job.regions.push_back(parse_region(top.item(node, "region", region_keys)));
   });
-  parse_spacing(top.table("spacing", spacing_keys), job);
+  const Section spacing = top.table("spacing", spacing_keys);
+  parse_spacing(spacing, job);
+  if (spacing.has("sources")) {
+    const std::string sources = spacing.text("sources");
+    if (sources.empty()) spacing.fail("sources", "must not be empty");
+    job.sources_file = (fs::absolute(path).parent_path() / sources).lexically_normal().string();
+  }
   for_each_table(top, "source",
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
   parse_decompose(top.table("decompose", decompose_keys), job);

@@ -43,7 +43,10 @@ struct JobFile {
   double growth = 0.3;              // [spacing] growth
   bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
   std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
-  std::int64_t subdomains = 0;      // [decompose] subdomains, 0: by target_elements
+  /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
+  /// it into `sources` (read_flite_sources.h); canonical text does not name it.
+  std::string sources_file;
+  std::int64_t subdomains = 0;                    // [decompose] subdomains, 0: by target_elements
   std::int64_t target_elements = 2'000'000;       // [decompose] target_elements
   std::string plane = "auto";                     // [decompose] plane = "auto" | "lattice" | …
   std::string points = "lattice";                 // [mesh] points = "lattice" | "sweeps"

@@ -71,6 +71,27 @@ TEST(TetfarmProgram, help_of_each_command_has_an_example) {
   }
 }
 
+TEST(TetfarmProgram, sources_of_a_flite_file_make_the_mesh_finer) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const std::string job = "[geometry]\nsurface = \"cube.off\"\n";
+  write_contents(folder.path() / "plain.toml", job);
+  write_contents(folder.path() / "fine.toml", job + "[spacing]\nsources = \"s.ba3\"\n");
+  write_contents(folder.path() / "s.ba3", "t\n0 0 1 0 0\n*\n1\n0.5 0.5 0.5 0.05 0.2 0.4\n");
+  const auto elements = [&](const char* file) {
+    const Ended plan = run_program({"plan", file, "--json"}, folder.path());
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    const std::string key = "\"estimated_elements\":";
+    const std::size_t at = plan.out.find(key);
+    return at == std::string::npos ? 0 : std::stod(plan.out.substr(at + key.size()));
+  };
+  EXPECT_GT(elements("fine.toml"), 2 * elements("plain.toml"));
+  write_contents(folder.path() / "s.ba3", "t\n0 0 1 0 0\n*\n1\n0.5 0.5 0.5 0 0.2 0.4\n");
+  const Ended refused = run_program({"plan", "fine.toml"}, folder.path());
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("s.ba3:5: a spacing must be more than 0"));
+}
+
 TEST(TetfarmProgram, a_surface_that_is_not_there_is_not_found) {
   const TemporaryFolder folder;
   for (const char* name : {"run", "check"}) {

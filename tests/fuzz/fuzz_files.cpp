@@ -12,6 +12,7 @@
 #include "mesh/io/element_file.h"
 #include "mesh/io/gzip.h"
 #include "mesh/io/job_file.h"
+#include "mesh/io/read_flite_sources.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/spacing/spacing_field.h"
 #include "proto/authorized_keys.h"
@@ -148,6 +149,19 @@ void surface(std::string_view input) {
       TF_CHECK(static_cast<std::size_t>(patch) < surface.patch_names.size());
     }
   } catch (const Error&) {
+    return;
+  }
+}
+
+void flite_sources(std::string_view input) {
+  try {
+    JobFile job;
+    job.name = "job";
+    job.surface = "/job/a.stl";
+    job.sources = read_flite_sources(input, "a.ba3").sources;
+    const std::string canonical = to_toml(job);
+    TF_CHECK(to_toml(parse_job_file(canonical, "/job/job.toml")) == canonical);
+  } catch (const InvalidInput&) {
     return;
   }
 }

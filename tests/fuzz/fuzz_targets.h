@@ -19,6 +19,9 @@ void job_file(std::string_view input);
 /// an error of ours, or its triangles have vertices that are there.
 void surface(std::string_view input);
 
+/// FLITE's sources: refused with an error of ours, or they may stand in a job file.
+void flite_sources(std::string_view input);
+
 /// One of the files that tasks read, by the first byte modulo the number of kinds; the checksum is
 /// put right, so that what it guards is reached too.
 void artifact(std::string_view input);

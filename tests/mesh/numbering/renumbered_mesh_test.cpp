@@ -68,6 +68,17 @@ TEST(RenumberedMesh, along_the_curve_has_the_surface_first_then_borders_then_the
   EXPECT_TRUE(is_past_borders);
 }
 
+TEST(RenumberedMesh, by_rcm_numbers_part_after_part_what_no_part_before_has) {
+  const RenumberedMesh mesh(std::make_unique<GridSource>(cut_grid(4)),
+                            NodeNumbering::reverse_cuthill_mckee);
+  std::set<std::int64_t> met;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    met.insert(part.local2global.begin(), part.local2global.end());
+    EXPECT_EQ(*met.rbegin(), std::ssize(met) - 1) << "no gap after part " << i;
+  }
+}
+
 TEST(RenumberedMesh, keeps_the_tets_of_a_part_in_the_order_of_their_regions) {
   GridSource grid(cut_grid(4));
   NumberedPart& part = grid.parts[0];
