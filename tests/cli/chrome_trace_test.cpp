@@ -92,6 +92,20 @@ TEST(ChromeTrace, shows_how_long_a_task_waited_for_each_of_its_attempts) {
   EXPECT_EQ(begins[1]["id"], ends[1]["id"]);
 }
 
+TEST(ChromeTrace, a_task_wanted_again_waits_from_then_on_and_an_attempt_that_races_never) {
+  for (const char* what : {"again", "retried"}) {
+    wire::AttemptLine rival = attempt(3, 7, "revoked", 2400, 2500);
+    rival.set_races(true);
+    const json trace = json::parse(
+        chrome_trace({attempt(1, 7, "done", 1100, 1300), attempt(2, 7, "done", 2300, 2800), rival},
+                     {event(7, "ready", 1000), event(7, what, 2000)}, 4000));
+    const std::vector<json> begins = of_phase(trace, "b");
+    ASSERT_EQ(begins.size(), 2U) << what;
+    EXPECT_EQ(begins[1]["ts"], 1'000'000) << what;
+    EXPECT_EQ(of_phase(trace, "X")[2]["args"]["races"], true);
+  }
+}
+
 TEST(ChromeTrace, of_nothing_is_a_trace_too) {
   EXPECT_TRUE(json::parse(chrome_trace({}, {}, 5)).at("traceEvents").is_array());
 }

@@ -177,6 +177,41 @@ TEST_F(Pool, a_waiting_job_that_nobody_wants_is_taken_back_in_one_batch) {
   EXPECT_THAT(look().cancel, IsEmpty()) << "asked for once";
 }
 
+TEST_F(Pool, a_waiting_job_that_was_wanted_in_between_is_not_unwanted_since_before) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  farm_.demand = {};
+  look();
+  now_ms_ += rules_.unwanted_ms - 1;
+  farm_.demand = {{0, 1}};
+  look();
+  farm_.demand = {};
+  EXPECT_THAT(look().cancel, IsEmpty());
+  now_ms_ += rules_.unwanted_ms - 1;
+  EXPECT_THAT(look().cancel, IsEmpty());
+  now_ms_ += 1;
+  EXPECT_THAT(look().cancel, SizeIs(1));
+}
+
+TEST_F(Pool, no_job_is_larger_than_the_largest_though_sizes_double) {
+  PoolRules rules = rules_of(0, 5);
+  rules.most_bytes = 12 * gib;
+  start(rules);
+  farm_.demand = {{100 * gib, 1}};
+  EXPECT_THAT(step().submit, ElementsAre(WorkerOrder{1, 12 * gib}));
+}
+
+TEST_F(Pool, the_pause_does_not_grow_beyond_its_longest) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 5}};
+  for (int i = 0; i < 20; ++i) decisions_->submission_failed({5, 4 * gib}, now_ms_);
+  now_ms_ += rules_.longest_backoff_ms - 1;
+  EXPECT_THAT(look().submit, IsEmpty());
+  now_ms_ += 1;
+  EXPECT_EQ(ordered(look()), 5U);
+}
+
 TEST_F(Pool, tasks_get_jobs_of_the_size_that_they_want) {
   start(rules_of(0, 10));
   farm_.demand = {{gib, 2}, {5 * gib, 1}, {100 * gib, 1}};
