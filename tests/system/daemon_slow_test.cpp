@@ -117,7 +117,7 @@ TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
   GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
 #endif
   const auto small = start_worker({"--memory", "3MB"});
-  const std::string job = submit(test::sphere_in_box(folder_.path(), 8, 2));
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 24, 2));
   // Alone in the farm it has all the memory there is.
   const Ended poor = wait_for(job);
   EXPECT_EQ(poor.code, 6) << poor.err;
