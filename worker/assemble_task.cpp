@@ -23,13 +23,29 @@ struct GrowingFile {
   std::unique_ptr<GlobalMeshWriter> writer;
 };
 
+std::string portion_of(const LeafNumbers& leaf) {
+  return "portion:" + std::to_string(leaf.path.heap);
+}
+
+std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering) {
+  std::vector<VtkhdfCounts> counts;
+  for (const LeafNumbers& leaf : numbering.leaves) {
+    const std::string name = portion_of(leaf);
+    const PortionCounts portion = io.look_into(
+        name, [&name](const std::filesystem::path& path) { return portion_counts(path, name); });
+    counts.push_back({portion.nodes, portion.tets, portion.faces});
+  }
+  return counts;
+}
+
 GrowingFile start_file(TaskIo& io, const std::string& format, const JobFile& job,
                        const SurfaceMesh& surface, const Numbering& numbering) {
   GrowingFile file;
   file.name = job.name + "." + format;
   file.path = io.store().scratch_path(file.name);
   if (format == "vtkhdf") {
-    file.writer = write_vtkhdf(file.path, surface.patch_names, surface.region_names);
+    file.writer = write_vtkhdf(file.path, counts_of(io, numbering), surface.patch_names,
+                               surface.region_names);
   } else if (format == "lb8.ugrid") {
     file.writer = write_ugrid(file.path, numbering, meshed_sides(surface));
     io.publish(job.name + ".mapbc", mapbc_text(surface.patch_names));
@@ -130,7 +146,7 @@ void assemble_task(TaskIo& io) {
   const auto read = [&](const LeafNumbers& leaf) {
     tets += leaf.tets;
     io.progress("assemble", tets);
-    const std::string name = "portion:" + std::to_string(leaf.path.heap);
+    const std::string name = portion_of(leaf);
     return portion_from_bytes(io.read(name), name);
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, writers);

@@ -85,10 +85,13 @@ std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& loca
   return global;
 }
 
-void add_elements(const NumberedPart& part, MeshDigest& digest) {
-  for (const Tet& tet : part.tets) digest.add_tet(global_nodes(tet, part));
+/// Tets and triangles are counted on from `next_tet` and `next_triangle`.
+void add_elements(const NumberedPart& part, std::int64_t next_tet, std::int64_t next_triangle,
+                  MeshDigest& digest) {
+  for (const Tet& tet : part.tets) digest.add_tet(next_tet++, global_nodes(tet, part));
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    digest.add_boundary_triangle(global_nodes(part.faces[i], part), part.patch_of_face[i]);
+    digest.add_boundary_triangle(next_triangle++, global_nodes(part.faces[i], part),
+                                 part.patch_of_face[i]);
   }
 }
 
@@ -105,6 +108,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
   Interfaces interfaces(surface, numbering);
   MeshDigest digest;
   std::uint64_t face_sum = 0;
+  std::int64_t triangles = 0;
   for (std::size_t i = 0; i < numbering.leaves.size(); ++i) {
     const LeafNumbers& leaf = numbering.leaves[i];
     const Portion portion = read_portion(leaf);
@@ -113,7 +117,8 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
       refuse(leaf, "another portion, or other counts than in the numbering");
     }
     meet(portion, leaf, interfaces, digest);
-    add_elements(part, digest);
+    add_elements(part, leaf.first_tet, triangles, digest);
+    triangles += std::ssize(part.faces);
     add_shapes(portion.shapes, summary.shapes);
     face_sum += portion.face_sum;
     for (GlobalMeshWriter* writer : writers) writer->add(part);

@@ -11,8 +11,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr hsize_t rows_of_chunk = 8192;
-
 /// HDF5 prints its stack of errors unless told not to.
 void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
@@ -34,6 +32,13 @@ Hdf5Handle text_type(std::size_t length) {
   H5Tset_size(type.get(), std::max<std::size_t>(length, 1));
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
   return type;
+}
+
+/// Properties of an array; the time of its making is not kept.
+Hdf5Handle of_no_time() {
+  Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);
+  return properties;
 }
 
 /// Whole chunks go between the file and our memory without being copied once more.
@@ -112,8 +117,7 @@ void Hdf5Output::add_texts(const std::string& name, const std::vector<std::strin
   for (const std::string& text : texts) all += text + std::string(length - text.size(), '\0');
   const Hdf5Handle type = text_type(length);
   const Hdf5Handle size = space({texts.size()});
-  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  checked(H5Pset_obj_track_times(properties.get(), false));
+  const Hdf5Handle properties = of_no_time();
   const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type.get(), size.get(),
                                       H5P_DEFAULT, properties.get(), H5P_DEFAULT),
                            H5Dclose);
@@ -122,42 +126,35 @@ void Hdf5Output::add_texts(const std::string& name, const std::vector<std::strin
   checked(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
 }
 
-void Hdf5Output::make_array(const std::string& name, hid_t type, int columns) {
-  std::vector<hsize_t> size = {0};
-  std::vector<hsize_t> limit = {H5S_UNLIMITED};
-  std::vector<hsize_t> chunk = {rows_of_chunk};
-  if (columns > 1) {
-    for (auto* part : {&size, &limit, &chunk}) part->push_back(static_cast<hsize_t>(columns));
-  }
-  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  checked(H5Pset_obj_track_times(properties.get(), false));
-  checked(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_ALLOC));
-  checked(H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()));
-  const Hdf5Handle here(H5Screate_simple(static_cast<int>(size.size()), size.data(), limit.data()),
-                        H5Sclose);
+void Hdf5Output::add_array(const std::string& name, hid_t type, const void* numbers,
+                           std::size_t count) {
+  const Hdf5Handle size = space({count});
+  const Hdf5Handle properties = of_no_time();
+  const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type, size.get(), H5P_DEFAULT,
+                                      properties.get(), H5P_DEFAULT),
+                           H5Dclose);
+  checked(dataset.get());
+  if (count == 0) return;
+  checked(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers));
+}
+
+std::int64_t Hdf5Output::room_for(const std::string& name, hid_t type, std::int64_t rows,
+                                  int columns) {
+  std::vector<hsize_t> size = {static_cast<hsize_t>(rows)};
+  if (columns > 1) size.push_back(static_cast<hsize_t>(columns));
+  const Hdf5Handle here = space(size);
+  const Hdf5Handle properties = of_no_time();
+  H5Pset_layout(properties.get(), H5D_CONTIGUOUS);
+  H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER);
   const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type, here.get(), H5P_DEFAULT,
                                       properties.get(), H5P_DEFAULT),
                            H5Dclose);
   checked(dataset.get());
-}
-
-void Hdf5Output::append(const std::string& name, hid_t type, const void* numbers,
-                        std::size_t count) {
-  if (count == 0) return;
-  const Hdf5Handle dataset = open_uncached(file_.get(), name);
-  checked(dataset.get());
-  std::vector<hsize_t> size = size_of(dataset.get());
-  const hsize_t columns = size.size() > 1 ? size[1] : 1;
-  const hsize_t first = size[0];
-  const hsize_t added = count / columns;
-  size[0] += added;
-  checked(H5Dset_extent(dataset.get(), size.data()));
-  const Hdf5Handle there = select_rows(dataset.get(), first, added, columns, size.size());
-  checked(there.get());
-  size[0] = added;
-  const Hdf5Handle here = space(size);
-  errno = 0;
-  checked(H5Dwrite(dataset.get(), type, here.get(), there.get(), H5P_DEFAULT, numbers));
+  if (rows == 0) return 0;
+  const haddr_t place = H5Dget_offset(dataset.get());
+  if (place == HADDR_UNDEF) throw IoError("cannot write", path_, EIO);
+  return static_cast<std::int64_t>(place);
 }
 
 void Hdf5Output::close() {

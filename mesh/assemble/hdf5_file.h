@@ -77,22 +77,24 @@ class Hdf5Output {
   void add_attribute(const std::string& group, const std::string& name,
                      const std::vector<std::int64_t>& values);
   void add_texts(const std::string& name, const std::vector<std::string>& texts);
-  /// An empty array that `append` makes longer; with `columns` > 1 its rows have that many numbers.
+  /// A whole list.
   template <class T>
-  void make_array(const std::string& name, int columns = 1) {
-    make_array(name, hdf5_type<T>(), columns);
+  void add_array(const std::string& name, const std::vector<T>& numbers) {
+    add_array(name, hdf5_type<T>(), numbers.data(), numbers.size());
   }
-  /// Whole rows.
+  /// An array to be filled later, by whoever writes into the file: where in it the first number
+  /// comes, the others follow. With `columns` > 1 its rows have that many numbers. What is not
+  /// filled is zero. Places depend on names and sizes of what was added before, on nothing else.
   template <class T>
-  void append(const std::string& name, const std::vector<T>& numbers) {
-    append(name, hdf5_type<T>(), numbers.data(), numbers.size());
+  std::int64_t room_for(const std::string& name, std::int64_t rows, int columns = 1) {
+    return room_for(name, hdf5_type<T>(), rows, columns);
   }
-  /// Writes everything to the disk. @throws IoError
+  /// Writes everything to the file. @throws IoError
   void close();
 
  private:
-  void make_array(const std::string& name, hid_t type, int columns);
-  void append(const std::string& name, hid_t type, const void* numbers, std::size_t count);
+  void add_array(const std::string& name, hid_t type, const void* numbers, std::size_t count);
+  std::int64_t room_for(const std::string& name, hid_t type, std::int64_t rows, int columns);
   hid_t checked(hid_t result) const;
 
   std::string path_;

@@ -8,7 +8,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "digests are of little-endian numbers");
 
-Hash128 sum(const Hash128& a, const Hash128& b) {
+Hash128 sum_of(const Hash128& a, const Hash128& b) {
   const std::uint64_t low = a.low + b.low;
   const std::uint64_t carry = low < a.low ? 1 : 0;
   return {a.high + b.high + carry, low};
@@ -21,33 +21,34 @@ void add_hash(Hasher& hasher, const Hash128& hash) {
 
 }  // namespace
 
+template <class Record>
+void MeshDigest::add(const Record& record, Sum& sum) {
+  sum.hash = sum_of(sum.hash, hash128(record.data(), sizeof record));
+  ++sum.count;
+}
+
 void MeshDigest::add_node(std::int64_t number, const Vec3& at) {
-  std::array<unsigned char, 32> bytes;
   const std::array<double, 3> coordinates = {at.x, at.y, at.z};
-  std::memcpy(bytes.data(), &number, 8);
-  std::memcpy(bytes.data() + 8, coordinates.data(), 24);
-  nodes_ = sum(nodes_, hash128(bytes.data(), bytes.size()));
-  ++counts_[0];
+  std::array<std::int64_t, 4> record = {number};
+  std::memcpy(record.data() + 1, coordinates.data(), sizeof coordinates);
+  add(record, nodes_);
 }
 
-void MeshDigest::add_tet(const std::array<std::int64_t, 4>& nodes) {
-  tets_.add(nodes.data(), sizeof nodes);
-  ++counts_[1];
+void MeshDigest::add_tet(std::int64_t number, const std::array<std::int64_t, 4>& nodes) {
+  add(std::array{number, nodes[0], nodes[1], nodes[2], nodes[3]}, tets_);
 }
 
-void MeshDigest::add_boundary_triangle(const std::array<std::int64_t, 3>& nodes,
+void MeshDigest::add_boundary_triangle(std::int64_t number,
+                                       const std::array<std::int64_t, 3>& nodes,
                                        std::int32_t patch) {
-  const std::array<std::int64_t, 4> all = {nodes[0], nodes[1], nodes[2], patch};
-  triangles_.add(all.data(), sizeof all);
-  ++counts_[2];
+  add(std::array<std::int64_t, 5>{number, nodes[0], nodes[1], nodes[2], patch}, triangles_);
 }
 
 Hash128 MeshDigest::finish() const {
   Hasher all;
-  add_hash(all, nodes_);
-  add_hash(all, tets_.finish());
-  add_hash(all, triangles_.finish());
-  add_hash(all, hash128(counts_.data(), sizeof counts_));
+  for (const Sum& sum : {nodes_, tets_, triangles_}) add_hash(all, sum.hash);
+  const std::array<std::int64_t, 3> counts = {nodes_.count, tets_.count, triangles_.count};
+  add_hash(all, hash128(counts.data(), sizeof counts));
   return all.finish();
 }
 

@@ -14,25 +14,36 @@
 namespace tetfarm {
 
 /// XXH3-128 of four hashes (low half, high half, little endian, of each), of:
-/// 1. nodes: the sum modulo 2^128 of XXH3-128(number, x, y, z), so that they may come in any order;
-/// 2. tets: XXH3-128 of their four global numbers, one after the other, in order;
-/// 3. boundary triangles: XXH3-128 of three global numbers and the patch number, in order;
+/// 1. nodes: the sum modulo 2^128 of XXH3-128(number, x, y, z);
+/// 2. tets: the same sum of XXH3-128(number, four global node numbers);
+/// 3. boundary triangles: the same sum of XXH3-128(number, three global node numbers, patch
+/// number);
 /// 4. the counts of nodes, tets and boundary triangles.
-/// Numbers are i64 and count from 0, coordinates f64, all little endian.
+/// Numbers are i64 and count from 0, coordinates f64, all little endian. As all are sums, the parts
+/// of a mesh may be summed apart, in any order.
 class MeshDigest {
  public:
   /// Each node of the mesh once.
   void add_node(std::int64_t number, const Vec3& at);
-  void add_tet(const std::array<std::int64_t, 4>& nodes);
+  void add_tet(std::int64_t number, const std::array<std::int64_t, 4>& nodes);
   /// Normal out of the domain.
-  void add_boundary_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch);
+  void add_boundary_triangle(std::int64_t number, const std::array<std::int64_t, 3>& nodes,
+                             std::int32_t patch);
   Hash128 finish() const;
 
  private:
-  Hash128 nodes_;
-  Hasher tets_;
-  Hasher triangles_;
-  std::array<std::int64_t, 3> counts_{};
+  /// A sum of hashes, and how many they are.
+  struct Sum {
+    Hash128 hash;
+    std::int64_t count = 0;
+  };
+
+  template <class Record>
+  static void add(const Record& record, Sum& sum);
+
+  Sum nodes_;
+  Sum tets_;
+  Sum triangles_;
 };
 
 }  // namespace tetfarm

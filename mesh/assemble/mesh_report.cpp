@@ -166,10 +166,14 @@ void add_figures(const GlobalMesh& mesh, MeshReport& report) {
   for (std::size_t v = 0; v < mesh.mesh.nodes.size(); ++v) {
     digest.add_node(static_cast<std::int64_t>(v), mesh.mesh.nodes[v]);
   }
-  for (const Tet& tet : mesh.mesh.tets) digest.add_tet({tet[0], tet[1], tet[2], tet[3]});
+  for (std::size_t i = 0; i < mesh.mesh.tets.size(); ++i) {
+    const auto& [a, b, c, d] = mesh.mesh.tets[i];
+    digest.add_tet(static_cast<std::int64_t>(i), {a, b, c, d});
+  }
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
     const auto& [a, b, c] = mesh.boundary[i];
-    digest.add_boundary_triangle({a, b, c}, mesh.patch_of_triangle[i]);
+    digest.add_boundary_triangle(static_cast<std::int64_t>(i), {a, b, c},
+                                 mesh.patch_of_triangle[i]);
   }
   add_all_shapes(mesh, report.shapes);
   for (const RegionShapes& region : report.shapes.regions) report.volume += region.volume;

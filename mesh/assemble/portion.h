@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,17 @@ struct Portion {
 /// @pre `surface` and `numbering` belong together.
 /// @throws Error when the part does not fit to them. Cost: O(n log n); memory of the part twice.
 Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering& numbering);
+
+/// What a portion has, as its first bytes tell.
+struct PortionCounts {
+  std::int64_t nodes = 0;
+  std::int64_t tets = 0;
+  std::int64_t faces = 0;
+};
+
+/// Of a file of a portion; nothing but its head is read, and no checksum.
+/// @throws IoError, CorruptFile naming `name`.
+PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name);
 
 /// The grammar is in store/formats.md.
 std::string portion_to_bytes(const Portion& portion);

@@ -1,6 +1,7 @@
 /// The bytes of a portion (portion.h).
 #include <algorithm>
 
+#include "base/file_system.h"
 #include "base/hash.h"
 #include "mesh/assemble/portion.h"
 #include "mesh/io/byte_stream.h"
@@ -93,6 +94,20 @@ std::string_view body_of(std::string_view bytes, const std::string& name) {
 }
 
 }  // namespace
+
+PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name) {
+  constexpr std::size_t before_counts = magic.size() + sizeof version + 2 * sizeof(std::int32_t);
+  const std::string head = read_part_of_file(path, 0, before_counts + 3 * sizeof(std::uint64_t));
+  if (!head.starts_with(magic) || head.size() < before_counts) {
+    throw CorruptFile("does not start as the expected kind of file", name);
+  }
+  ByteReader reader(std::string_view(head).substr(before_counts), name);
+  PortionCounts counts;
+  for (std::int64_t* count : {&counts.nodes, &counts.tets, &counts.faces}) {
+    *count = static_cast<std::int64_t>(reader.count());
+  }
+  return counts;
+}
 
 std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;

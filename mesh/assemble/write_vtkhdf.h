@@ -7,16 +7,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/vtkhdf_frame.h"
 
 namespace tetfarm {
 
-/// Truncates `path`. Without names there is one region, "domain". About 90 bytes a tet.
-/// @throws IoError, also later from the writer.
+/// Truncates `path`. The parts may come in any order: `add` goes by their numbers. Without names
+/// there is one region, "domain". 61 bytes a tet or triangle, 32 a node.
+/// @throws IoError, also later from the writer; Error when a part has other counts.
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
+                                               std::span<const VtkhdfCounts> parts,
                                                const std::vector<std::string>& patch_names,
                                                const std::vector<std::string>& region_names = {});
 

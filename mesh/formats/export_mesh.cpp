@@ -23,8 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void export_vtkhdf(const MeshSource& source, const MeshOutline& outline, const fs::path& file) {
+  std::vector<VtkhdfCounts> counts;
+  for (const PartOutline& part : outline.parts) {
+    counts.push_back({part.nodes, part.tets, part.faces});
+  }
   const std::unique_ptr<GlobalMeshWriter> writer =
-      write_vtkhdf(file, outline.patch_names, outline.region_names);
+      write_vtkhdf(file, counts, outline.patch_names, outline.region_names);
   for (std::size_t i = 0; i < source.size(); ++i) writer->add(source.part(i));
   writer->finish();
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/vtkhdf_frame.h"
 
 namespace tetfarm {
 
@@ -18,6 +19,15 @@ struct CutGrid {
   std::string table;
 
   Numbering numbering() const { return number_globally(surface, table); }
+  /// Of the partitions of a VTKHDF file.
+  std::vector<VtkhdfCounts> counts() const {
+    std::vector<VtkhdfCounts> counts;
+    for (const LeafNumbers& leaf : numbering().leaves) {
+      const NumberedPart part = reader()(leaf).part;
+      counts.push_back({std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)});
+    }
+    return counts;
+  }
   ReadPortion reader() const {
     return [this](const LeafNumbers& leaf) {
       return make_portion(parts.at(leaf.path.heap), surface, numbering());

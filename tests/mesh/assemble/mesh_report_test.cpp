@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/error.h"
@@ -23,7 +24,7 @@ using testing::Not;
 struct Files {
   explicit Files(const CutGrid& grid) {
     const Numbering numbering = grid.numbering();
-    const auto first = write_vtkhdf(vtkhdf, grid.surface.patch_names);
+    const auto first = write_vtkhdf(vtkhdf, grid.counts(), grid.surface.patch_names);
     const auto second = write_ugrid(ugrid, numbering, std::ssize(grid.surface.triangles));
     const std::array<GlobalMeshWriter*, 2> writers = {first.get(), second.get()};
     summary = assemble_global_mesh(grid.surface, numbering, grid.reader(), writers);
@@ -71,6 +72,50 @@ TEST(MeshFiles, say_of_the_tets_near_the_cuts_what_assembly_says) {
   EXPECT_EQ(read.near_cuts.smallest_height, assembled.near_cuts.smallest_height);
   EXPECT_EQ(read.away_from_cuts.tets, assembled.away_from_cuts.tets);
   EXPECT_EQ(report_on(read_global_mesh(files.ugrid)).shapes.near_cuts.tets, 0);
+}
+
+std::vector<NumberedPart> parts_of(const CutGrid& grid) {
+  std::vector<NumberedPart> parts;
+  for (const LeafNumbers& leaf : grid.numbering().leaves) {
+    parts.push_back(grid.reader()(leaf).part);
+  }
+  return parts;
+}
+
+TEST(MeshFiles, a_vtkhdf_file_that_was_not_finished_is_refused) {
+  const CutGrid grid = cut_grid(3);
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "grid.vtkhdf";
+  {
+    const auto writer = write_vtkhdf(path, grid.counts(), grid.surface.patch_names);
+    for (const NumberedPart& part : parts_of(grid)) writer->add(part);
+  }
+  EXPECT_THROW(read_global_mesh(path), InvalidInput);
+}
+
+TEST(MeshFiles, parts_of_a_vtkhdf_file_may_come_in_any_order) {
+  const CutGrid grid = cut_grid(3);
+  const TempFolder folder;
+  std::vector<NumberedPart> parts = parts_of(grid);
+  std::vector<std::string> bytes;
+  for (int i = 0; i < 2; ++i) {
+    const std::filesystem::path path = folder.path() / std::to_string(i);
+    const auto writer = write_vtkhdf(path, grid.counts(), grid.surface.patch_names);
+    for (const NumberedPart& part : parts) writer->add(part);
+    writer->finish();
+    bytes.push_back(read_file(path));
+    std::reverse(parts.begin(), parts.end());
+  }
+  EXPECT_EQ(bytes[0], bytes[1]);
+}
+
+TEST(MeshFiles, a_part_with_other_counts_than_announced_is_not_written) {
+  const CutGrid grid = cut_grid(3);
+  const TempFolder folder;
+  std::vector<VtkhdfCounts> counts = grid.counts();
+  ++counts[1].faces;
+  const auto writer = write_vtkhdf(folder.path() / "a.vtkhdf", counts, grid.surface.patch_names);
+  EXPECT_THROW(writer->add(parts_of(grid)[1]), Error);
 }
 
 TEST(MeshFiles, same_mesh_gives_same_bytes) {

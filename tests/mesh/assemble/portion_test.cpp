@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/file_system.h"
+#include "tests/base/temp_folder.h"
 #include "tests/mesh/assemble/cut_grid.h"
 
 namespace tetfarm {
@@ -35,6 +37,21 @@ TEST(Portion, a_file_that_is_cut_short_or_differs_in_one_byte_is_refused) {
     damaged[place] = static_cast<char>(damaged[place] ^ 1);
     EXPECT_THROW(portion_from_bytes(damaged, "portion"), CorruptFile) << place;
   }
+}
+
+TEST(Portion, its_counts_are_told_by_its_first_bytes) {
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "portion";
+  const Portion portion = portion_of(cut_grid(3), 7);
+  write_file_atomically(path, portion_to_bytes(portion));
+  const PortionCounts counts = portion_counts(path, "portion");
+  EXPECT_EQ(counts.nodes, std::ssize(portion.part.nodes));
+  EXPECT_EQ(counts.tets, std::ssize(portion.part.tets));
+  EXPECT_EQ(counts.faces, std::ssize(portion.part.faces));
+  write_file_atomically(path, portion_to_bytes(portion).substr(0, 40));
+  EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
+  write_file_atomically(path, "something else, and long enough to have had counts in it");
+  EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
 }
 
 TEST(Portion, an_element_of_no_node_is_refused) {

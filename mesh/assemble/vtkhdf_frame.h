@@ -1,0 +1,51 @@
+/// A VTKHDF file with room for everything that is large, and where in it that comes.
+///
+/// Arrays of cells come before arrays of points, so the places of the first depend on the numbers
+/// of partitions, cells and their nodes alone: they are known before all points are counted.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tetfarm {
+
+/// What a partition has.
+struct VtkhdfCounts {
+  std::int64_t points = 0;
+  std::int64_t tets = 0;
+  std::int64_t faces = 0;
+};
+
+/// Where the arrays begin in the file, bytes.
+struct VtkhdfPlaces {
+  std::int64_t connectivity = 0;
+  std::int64_t offsets = 0;
+  std::int64_t types = 0;
+  std::int64_t subdomains = 0;
+  std::int64_t regions = 0;
+  std::int64_t patches = 0;
+  std::int64_t points = 0;
+  std::int64_t node_numbers = 0;
+};
+
+/// How much of the arrays comes before a partition.
+struct VtkhdfBefore {
+  std::int64_t points = 0;
+  std::int64_t cells = 0;
+  std::int64_t ids = 0;
+};
+
+/// For each partition, and behind the last.
+std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts);
+
+/// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.
+/// @throws IoError
+VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
+                                std::span<const VtkhdfCounts> parts,
+                                const std::vector<std::string>& patch_names,
+                                const std::vector<std::string>& region_names);
+
+}  // namespace tetfarm
