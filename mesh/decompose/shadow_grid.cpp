@@ -5,7 +5,7 @@
 
 namespace tetfarm {
 
-ShadowGrid::ShadowGrid(std::span<const Box3> boxes) : boxes_(boxes.begin(), boxes.end()) {
+ShadowGrid::ShadowGrid(std::span<const Box3> boxes) {
   constexpr double most_cells_per_axis = 256;
   Box3 all;
   for (const Box3& box : boxes) all.add(box);
@@ -30,16 +30,22 @@ ShadowGrid::ShadowGrid(std::span<const Box3> boxes) : boxes_(boxes.begin(), boxe
     }
   };
   first_.assign(cell(size_[1] - 1, size_[2] - 1) + 2, 0);
-  for (const Box3& box : boxes_) {
+  for (const Box3& box : boxes) {
     for_each_cell(box, [this](std::size_t c) { ++first_[c + 1]; });
   }
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   items_.resize(static_cast<std::size_t>(first_.back()));
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    for_each_cell(boxes_[i], [&](std::size_t c) {
-      items_[static_cast<std::size_t>(next[c]++)] = static_cast<std::int32_t>(i);
-    });
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box3& box = boxes[i];
+    const Item item{box.low.y,
+                    box.high.y,
+                    box.low.z,
+                    box.high.z,
+                    static_cast<std::int32_t>(i),
+                    static_cast<std::int16_t>(index_on(1, box.low.y)),
+                    static_cast<std::int16_t>(index_on(2, box.low.z))};
+    for_each_cell(box, [&](std::size_t c) { items_[static_cast<std::size_t>(next[c]++)] = item; });
   }
 }
 

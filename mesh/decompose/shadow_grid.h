@@ -34,34 +34,46 @@ class ShadowGrid {
            static_cast<std::size_t>(k);
   }
 
-  std::vector<Box3> boxes_;
+  /// A box in a cell: side by side, as queries go through all of a cell.
+  struct Item {
+    double low_y = 0;
+    double high_y = 0;
+    double low_z = 0;
+    double high_z = 0;
+    std::int32_t number = 0;
+    /// Of the first row and column of cells that it covers.
+    std::int16_t first_j = 0;
+    std::int16_t first_k = 0;
+  };
+
   std::array<int, 3> size_{1, 1, 1};  // cells on each axis; x is not divided
   Vec3 low_;
   Vec3 per_cell_;
   std::vector<std::int32_t> first_;  // of each cell in items_, and the end of all
-  std::vector<std::int32_t> items_;
+  std::vector<Item> items_;
 };
 
 template <typename Visitor>
 void ShadowGrid::query(const Box3& box, Visitor&& visit) const {
-  const int first_j = index_on(1, box.low.y);
-  const int last_j = index_on(1, box.high.y);
-  const int first_k = index_on(2, box.low.z);
-  const int last_k = index_on(2, box.high.z);
+  const Vec3 low = box.low;  // copies: visit may change anything else
+  const Vec3 high = box.high;
+  const int first_j = index_on(1, low.y);
+  const int last_j = index_on(1, high.y);
+  const int first_k = index_on(2, low.z);
+  const int last_k = index_on(2, high.z);
   for (int j = first_j; j <= last_j; ++j) {
     for (int k = first_k; k <= last_k; ++k) {
       const std::size_t c = cell(j, k);
-      for (std::int32_t at = first_[c]; at < first_[c + 1]; ++at) {
-        const std::int32_t i = items_[static_cast<std::size_t>(at)];
-        const Box3& other = boxes_[static_cast<std::size_t>(i)];
-        if (other.low.y > box.high.y || box.low.y > other.high.y || other.low.z > box.high.z ||
-            box.low.z > other.high.z) {
+      const Item* const end = items_.data() + first_[c + 1];
+      for (const Item* item = items_.data() + first_[c]; item != end; ++item) {
+        if (item->low_y > high.y || low.y > item->high_y || item->low_z > high.z ||
+            low.z > item->high_z) {
           continue;
         }
         // Both may share several cells: the first of them counts.
-        const bool is_first = (j == first_j || index_on(1, other.low.y) == j) &&
-                              (k == first_k || index_on(2, other.low.z) == k);
-        if (is_first) visit(i);
+        const bool is_first =
+            (j == first_j || item->first_j == j) && (k == first_k || item->first_k == k);
+        if (is_first) visit(item->number);
       }
     }
   }

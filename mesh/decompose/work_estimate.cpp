@@ -76,6 +76,13 @@ void keep_clear(const Corners& t, Probe& probe) {
 
 double reach_of(const Probe& probe) { return node_clearance * lattice_ratio * probe.cell_edge; }
 
+/// Which way the line along x at (y, z) crosses the triangle: 1, -1, or 0 when it does not.
+int turns_through(const Corners& t, const Box3& box, double y, double z) {
+  if (y < box.low.y || y > box.high.y || z < box.low.z || z > box.high.z) return 0;
+  return upward_crossing(t.a, t.b, y, z) + upward_crossing(t.b, t.c, y, z) +
+         upward_crossing(t.c, t.a, y, z);
+}
+
 /// Probes on one line along x: nodes of a lattice lie in rows, which a triangle crosses or not.
 struct Row {
   double y = 0;
@@ -83,6 +90,8 @@ struct Row {
   std::size_t first = 0;
   std::size_t last = 0;  // past the end
   double reach = 0;      // the largest of its probes
+  double low_x = 0;      // its first probe
+  double high_x = 0;     // and its last
 };
 
 /// @pre the probes are sorted by row.
@@ -91,9 +100,10 @@ std::vector<Row> rows_of(const std::vector<Probe>& probes) {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Vec3& at = probes[i].at;
     if (rows.empty() || rows.back().y != at.y || rows.back().z != at.z) {
-      rows.push_back({at.y, at.z, i, i, 0});
+      rows.push_back({at.y, at.z, i, i, 0, at.x, at.x});
     }
     rows.back().last = i + 1;
+    rows.back().high_x = at.x;
     rows.back().reach = std::max(rows.back().reach, reach_of(probes[i]));
   }
   return rows;
@@ -111,6 +121,7 @@ std::size_t first_beyond(const std::vector<Probe>& probes, const Row& row, doubl
 void keep_row_clear(const Corners& t, const Box3& box, const Row& row, std::vector<Probe>& probes) {
   // Twice the reach, so that no rounding leaves out what the box then decides.
   const double far = 2 * row.reach;
+  if (row.high_x < box.low.x - far || row.low_x > box.high.x + far) return;
   for (std::size_t i = first_beyond(probes, row, box.low.x - far); i < row.last; ++i) {
     Probe& probe = probes[i];
     if (probe.at.x > box.high.x + far) break;
@@ -144,9 +155,7 @@ void judge(const Subdomain& subdomain, const std::vector<Row>& rows, std::vector
     for (const Vec3* v : {&corners.a, &corners.b, &corners.c}) box.add(*v);
     grid.query(box, [&](std::int32_t r) {
       const Row& row = rows[idx(r)];
-      const int turns = upward_crossing(corners.a, corners.b, row.y, row.z) +
-                        upward_crossing(corners.b, corners.c, row.y, row.z) +
-                        upward_crossing(corners.c, corners.a, row.y, row.z);
+      const int turns = turns_through(corners, box, row.y, row.z);
       if (turns != 0) {
         const std::size_t i = first_beyond(probes, row, crossing_of(corners, row.y, row.z));
         if (i < row.last) probes[i].entered -= turns;

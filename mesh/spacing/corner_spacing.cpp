@@ -45,26 +45,29 @@ std::uint32_t CornerSpacing::find_or_add(const GridPoint& p,
   for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
     if (is_same(corners_[table_[slot] - 1].at, p)) return table_[slot] - 1;
   }
-  corners_.push_back({p, spacing(p), 0, -1, 8});
+  corners_.push_back({p, spacing(p), 0, -1, 8, false});
   table_[slot] = static_cast<std::uint32_t>(corners_.size());
   return table_[slot] - 1;
 }
 
-void CornerSpacing::add_leaf(const LatticeCell& leaf, bool is_block,
+void CornerSpacing::add_leaf(const LatticeCell& leaf, bool is_block, Numbers& numbers,
                              const std::function<double(const GridPoint&)>& spacing) {
-  std::array<std::uint32_t, 8> corners{};
   for (std::size_t k = 0; k < 8; ++k) {
-    corners[k] = find_or_add(corner_of(leaf.low, size_at_level(leaf.level), k), spacing);
-    Corner& corner = corners_[corners[k]];
+    if (numbers[k] == unknown) {
+      numbers[k] = find_or_add(corner_of(leaf.low, size_at_level(leaf.level), k), spacing);
+    }
+    Corner& corner = corners_[numbers[k]];
     ++corner.touching_leaves;
+    corner.touches_block = corner.touches_block || is_block;
     if (is_block || leaf.level < corner.owner_level) continue;
     if (leaf.level > corner.owner_level || k < corner.owner_corner) {
       corner.owner_level = static_cast<std::int8_t>(leaf.level);
       corner.owner_corner = static_cast<std::uint8_t>(k);
     }
   }
+  has_blocks_ = has_blocks_ || is_block;
   leaves_.push_back(leaf);
-  corners_of_leaf_.push_back(corners);
+  corners_of_leaf_.push_back(numbers);
 }
 
 void CornerSpacing::limit_growth(double growth, double unit) {
@@ -140,9 +143,25 @@ std::vector<std::array<float, 8>> CornerSpacing::leaf_values() const {
   return values;
 }
 
-std::vector<std::uint8_t> CornerSpacing::owned_corners() const {
+/// Where blocks touch, whose lattice is finer than they are, or hold a corner in a side.
+void CornerSpacing::settle_owners(const SpacingOctree& octree) {
+  for (Corner& corner : corners_) {
+    if (corner.touching_leaves == 8 && !corner.touches_block) continue;
+    const LatticeCell owner = owner_of(octree, corner.at);
+    corner.owner_level = static_cast<std::int8_t>(owner.level);
+    const GridPoint& at = corner.at;
+    corner.owner_corner =
+        static_cast<std::uint8_t>(static_cast<unsigned>(at[0] != owner.low[0]) |
+                                  static_cast<unsigned>(at[1] != owner.low[1]) << 1U |
+                                  static_cast<unsigned>(at[2] != owner.low[2]) << 2U);
+  }
+}
+
+std::vector<std::uint8_t> CornerSpacing::owned_corners(const SpacingOctree& octree) {
+  if (has_blocks_) settle_owners(octree);
   std::vector<std::uint8_t> owned(leaves_.size(), 0);
   for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+    if (octree.lattice_level[leaf] > leaves_[leaf].level) continue;
     unsigned mask = 0;
     for (std::size_t k = 0; k < 8; ++k) {
       const Corner& corner = corners_[corners_of_leaf_[leaf][k]];
@@ -151,50 +170,6 @@ std::vector<std::uint8_t> CornerSpacing::owned_corners() const {
     owned[leaf] = static_cast<std::uint8_t>(mask);
   }
   return owned;
-}
-
-namespace {
-
-void own_beside_blocks(SpacingOctree& octree, std::size_t node, const LatticeCell& cell,
-                       int lattice_level) {
-  const std::int32_t child = octree.child_of[node];
-  if (child >= 0) {
-    const std::int32_t half = size_at_level(cell.level + 1);
-    for (std::size_t k = 0; k < 8; ++k) {
-      own_beside_blocks(octree, static_cast<std::size_t>(child) + k,
-                        {cell.level + 1, corner_of(cell.low, half, k)}, lattice_level);
-    }
-    return;
-  }
-  const auto leaf = static_cast<std::size_t>(~child);
-  if (cell.level != lattice_level || octree.lattice_level[leaf] != lattice_level) return;
-  unsigned mask = 0;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const LatticeCell owner = owner_of(octree, corner_of(cell.low, size_at_level(cell.level), k));
-    if (owner.level == cell.level && owner.low == cell.low) mask |= 1U << k;
-  }
-  octree.owned_corners[leaf] = static_cast<std::uint8_t>(mask);
-}
-
-/// The lattice level of the blocks (they all have the background's), -1 without blocks.
-int block_level(const SpacingOctree& octree, std::size_t node, int level) {
-  const std::int32_t child = octree.child_of[node];
-  if (child < 0) {
-    const int lattice_level = octree.lattice_level[static_cast<std::size_t>(~child)];
-    return lattice_level > level ? lattice_level : -1;
-  }
-  for (std::size_t k = 0; k < 8; ++k) {
-    const int found = block_level(octree, static_cast<std::size_t>(child) + k, level + 1);
-    if (found >= 0) return found;
-  }
-  return -1;
-}
-
-}  // namespace
-
-void own_beside_blocks(SpacingOctree& octree) {
-  const int level = block_level(octree, 0, 0);
-  if (level >= 0) own_beside_blocks(octree, 0, {0, {}}, level);
 }
 
 }  // namespace tetfarm

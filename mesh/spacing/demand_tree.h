@@ -1,12 +1,13 @@
-/// The smallest of many point demands at a position, by branch and bound over a tree of boxes.
+/// The smallest of many point demands at a position, by branch and bound over a tree of boxes, and
+/// in the cells of an octree walk by lists that shrink from cell to cell.
 ///
 /// Source: J. L. Bentley, "Multidimensional binary search trees" (1975), with the bound of a box
 /// widened by what its demands grow on the way.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mesh/core/vec3.h"
@@ -19,13 +20,9 @@ class DemandTree {
   /// Cost: O(n log n).
   DemandTree(std::vector<PointDemand> demands, double growth);
 
-  /// The least, over the demands, of spacing + growth * max(0, distance - radius - plateau), or
-  /// `limit` if less: with radius 0 the demand at the point, else a lower bound of it within the
-  /// radius. Remembers the winner as the first guess of the next call: ask in an order that stays
-  /// near. Cost: O(log n), some 0.3 us along a curve through space.
-  double lowest(const Vec3& point, double radius, double limit) const;
-
  private:
+  friend class DemandsInCell;
+
   struct Node {
     Box3 box;
     double least_spacing = 0;
@@ -37,13 +34,71 @@ class DemandTree {
     std::uint32_t children = 0;
   };
   void split(std::size_t node);
+  /// spacing + growth * max(0, distance - radius - plateau): with radius 0 what is demanded at the
+  /// point, else a lower bound of that within the radius.
   double value(const PointDemand& demand, const Vec3& point, double radius) const;
   double bound(const Node& node, const Vec3& point, double radius) const;
+  /// The least value of the node's demands, or `limit` if less. Remembers the winner as the first
+  /// guess of the next call: ask in an order that stays near. Cost: O(log n).
+  double lowest_below(std::uint32_t node, const Vec3& point, double radius, double limit) const;
 
   std::vector<PointDemand> demands_;
   double growth_;
   std::vector<Node> nodes_;
   mutable std::uint32_t last_winner_ = 0;
+};
+
+/// The demands that may be the lowest somewhere in a cell of an octree walk: a selection of those
+/// of the cell round it. Those near a small cell are listed one by one, what is far from a large
+/// one as nodes of the tree. A list is made when a cell inside its own is entered; most cells have
+/// none inside, and the list of the cell round them serves.
+class DemandsInCell {
+ public:
+  /// @pre the tree outlives this.
+  explicit DemandsInCell(const DemandTree& tree);
+
+  /// Enters the ball round a cell inside the one entered last. Demands of `limit` and more do not
+  /// matter. Cost: O(length of the list before).
+  void enter(const Vec3& centre, double radius, double limit);
+  void leave();
+
+  /// The least, over the demands, of spacing + growth * max(0, distance - plateau) at a point of
+  /// the ball entered last, or `limit` if less.
+  /// @pre `limit` is at most the one given there. Cost: O(length of the list), some dozens round
+  /// cells of the wanted size.
+  double lowest_at(const Vec3& point, double limit) const;
+
+  /// The same at the centre of the ball entered last, and a lower bound of it within the ball.
+  struct Lowest {
+    double at_centre = 0;
+    double within = 0;
+  };
+  /// @pre and cost: as lowest_at.
+  Lowest lowest_in(const Vec3& centre, double radius, Lowest limit) const;
+
+ private:
+  struct Ball {
+    Vec3 centre;
+    double radius = 0;
+    double limit = 0;
+  };
+  struct Starts {
+    std::size_t demand = 0;
+    std::size_t node = 0;
+  };
+  double limit_in(const Ball& ball);
+  void add_list(Ball ball);
+  void add_below(std::uint32_t number, const Ball& ball);
+
+  const DemandTree& tree_;
+  /// Lists above each other, each from its start on.
+  std::vector<PointDemand> demands_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<Starts> lists_;
+  /// The cell entered last, until it has a list.
+  std::optional<Ball> unlisted_;
+  /// From the centre of a cell to the demands of the list round it; kept to save allocating.
+  std::vector<double> away_;
 };
 
 }  // namespace tetfarm

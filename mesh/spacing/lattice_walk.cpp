@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/spacing/even_blocks.h"
 #include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
 
@@ -80,70 +81,17 @@ class LatticeWalk {
     if (child < 0) {
       const auto leaf = static_cast<std::size_t>(~child);
       const int lattice_level = octree_.lattice_level[leaf];
-      if (lattice_level > cell.level && is_among_equals(cell, lattice_level)) {
-        visit_even_block(cell, lattice_level);
-      } else if (lattice_level > cell.level) {
-        visit_block(cell, cell, lattice_level);
-      } else {
-        emit(cell, octree_.owned_corners[leaf]);
+      if (lattice_level == cell.level) return emit(cell, octree_.owned_corners[leaf]);
+      if (octree_.owned_corners[leaf] == owned_among_equals) {
+        return visit_even_block(cell, lattice_level);
       }
-      return;
+      return visit_block(cell, cell, lattice_level);
     }
     if (is_left_out(cell)) return;
     const std::int32_t half = size_at_level(cell.level + 1);
-    around_.push_back({node, cell});
     for (std::size_t k = 0; k < 8; ++k) {
       visit(static_cast<std::size_t>(child) + k, {cell.level + 1, corner_of(cell.low, half, k)});
     }
-    around_.pop_back();
-  }
-
-  /// Whether all that touches the block, and the block itself, has cells of that level: asked of
-  /// the smallest node round it that holds all that.
-  bool is_among_equals(const LatticeCell& block, int lattice_level) const {
-    const std::int32_t size = size_at_level(block.level);
-    GridPoint low = block.low;
-    GridPoint high = block.low;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] -= 1;
-      high[axis] += size;
-      if (low[axis] < 0 || high[axis] >= octree_span) return false;
-    }
-    const GridBox box{low, high};
-    auto whole = around_.rbegin();
-    while (!holds(whole->cell, box)) ++whole;
-    return has_one_level(whole->node, whole->cell, box, lattice_level);
-  }
-
-  struct GridBox {
-    GridPoint low{};
-    GridPoint high{};
-  };
-
-  static bool holds(const LatticeCell& cell, const GridBox& box) {
-    const std::int32_t size = size_at_level(cell.level);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (box.low[axis] < cell.low[axis] || box.high[axis] >= cell.low[axis] + size) return false;
-    }
-    return true;
-  }
-
-  bool has_one_level(std::size_t node, const LatticeCell& cell, const GridBox& box,
-                     int lattice_level) const {
-    const std::int32_t size = size_at_level(cell.level);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (cell.low[axis] > box.high[axis] || cell.low[axis] + size <= box.low[axis]) return true;
-    }
-    const std::int32_t child = octree_.child_of[node];
-    if (child < 0) return octree_.lattice_level[static_cast<std::size_t>(~child)] == lattice_level;
-    const std::int32_t half = size_at_level(cell.level + 1);
-    for (std::size_t k = 0; k < 8; ++k) {
-      const LatticeCell part{cell.level + 1, corner_of(cell.low, half, k)};
-      if (!has_one_level(static_cast<std::size_t>(child) + k, part, box, lattice_level)) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /// Among cells of one size each owns its corner 0 and its centre: nothing is looked up, and what
@@ -153,7 +101,7 @@ class LatticeWalk {
     const auto finer = static_cast<unsigned>(lattice_level - cell.level);
     if (is_inside(cell) && pass_over(std::size_t{2} << 3 * finer)) return;
     if (finer == 0) {
-      emit(cell, 1, true);
+      emit(cell, owned_among_equals, true);
       return;
     }
     const std::int32_t half = size_at_level(cell.level + 1);
@@ -289,14 +237,8 @@ class LatticeWalk {
     stride_ *= 2;
   }
 
-  struct OctreeNode {
-    std::size_t node = 0;
-    LatticeCell cell;
-  };
-
   const SpacingOctree& octree_;
-  std::vector<OctreeNode> around_;  // the node that is visited, from the octree's root on
-  const LatticePlane* plane_;       // may be null
+  const LatticePlane* plane_;  // may be null
   std::size_t most_;
   const BoxPredicate* is_needless_;  // may be null
   std::size_t stride_ = 1;

@@ -10,7 +10,8 @@ bool SpacingDemand::grows_too_fast() const {
          std::ranges::any_of(sources, [](const SourceDemand& s) { return s.varies; });
 }
 
-CellDemand::CellDemand(const SpacingDemand& demand) : demand_(demand), starts_{0} {
+CellDemand::CellDemand(const SpacingDemand& demand)
+    : demand_(demand), points_(demand.points), starts_{0} {
   sources_.resize(demand.sources.size());
   std::iota(sources_.begin(), sources_.end(), 0U);
 }
@@ -24,6 +25,7 @@ void CellDemand::enter(const Cell& cell) {
   const std::size_t end = sources_.size();
   starts_.push_back(end);
   cells_.push_back(cell);
+  points_.enter(cell.centre, cell.half_diagonal, demand_.ceiling);
   double limit = demand_.ceiling;
   for (std::size_t k = begin; k < end; ++k) {
     const SourceDemand& source = demand_.sources[sources_[k]];
@@ -40,6 +42,7 @@ void CellDemand::enter(const Cell& cell) {
 }
 
 void CellDemand::leave() {
+  points_.leave();
   sources_.resize(starts_.back());
   starts_.pop_back();
   cells_.pop_back();
@@ -47,20 +50,22 @@ void CellDemand::leave() {
 
 CellDemand::Bounds CellDemand::bounds() const {
   const Cell& cell = cells_.back();
-  Bounds bounds;
-  bounds.at_centre = at(cell.centre);
-  bounds.lowest = demand_.ceiling;
+  DemandsInCell::Lowest lowest{without_points(cell.centre), demand_.ceiling};
   for (const std::uint32_t source : sources_here()) {
     const SourceValue value = source_value(demand_.sources[source], cell.centre, cell.half_diagonal,
                                            demand_.background, demand_.growth);
-    bounds.lowest = std::min(bounds.lowest, value.floor);
+    lowest.within = std::min(lowest.within, value.floor);
   }
-  bounds.lowest = demand_.points.lowest(cell.centre, cell.half_diagonal, bounds.lowest);
-  bounds.is_ceiling = !demand_.background_mesh && bounds.lowest >= demand_.ceiling;
-  return bounds;
+  lowest = points_.lowest_in(cell.centre, cell.half_diagonal, lowest);
+  const bool is_ceiling = !demand_.background_mesh && lowest.within >= demand_.ceiling;
+  return {lowest.at_centre, lowest.within, is_ceiling};
 }
 
 double CellDemand::at(const Vec3& point) const {
+  return points_.lowest_at(point, without_points(point));
+}
+
+double CellDemand::without_points(const Vec3& point) const {
   double spacing = demand_.ceiling;
   for (const std::uint32_t source : sources_here()) {
     const SourceValue value =
@@ -68,7 +73,7 @@ double CellDemand::at(const Vec3& point) const {
     spacing = std::min(spacing, value.asked);
   }
   if (demand_.background_mesh) spacing = std::min(spacing, demand_.background_mesh->at(point));
-  return demand_.points.lowest(point, 0, spacing);
+  return spacing;
 }
 
 }  // namespace tetfarm

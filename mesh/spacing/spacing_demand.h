@@ -32,8 +32,8 @@ struct SpacingDemand {
   bool grows_too_fast() const;
 };
 
-/// The demand inside the cells of an octree walk. The sources that matter in a cell lie on a stack
-/// above those of its parent, so that the walk allocates nothing.
+/// The demand inside the cells of an octree walk. What matters in a cell lies on stacks above that
+/// of its parent, so that the walk allocates nothing.
 class CellDemand {
  public:
   explicit CellDemand(const SpacingDemand& demand);
@@ -61,8 +61,10 @@ class CellDemand {
 
  private:
   std::span<const std::uint32_t> sources_here() const;
+  double without_points(const Vec3& point) const;
 
   const SpacingDemand& demand_;
+  DemandsInCell points_;
   std::vector<std::uint32_t> sources_;
   std::vector<std::size_t> starts_;
   std::vector<Cell> cells_;

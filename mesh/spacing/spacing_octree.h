@@ -64,7 +64,8 @@ struct LatticeCell {
 ///  1. child_of[n] >= 0: the first of 8 consecutive children; else node n is the leaf ~child_of[n];
 ///  2. leaves are numbered in Morton order, each is one node's, none deeper than octree_max_level;
 ///  3. values are positive and finite; lattice_level is at least the leaf's level;
-///  4. owned_corners has bit k set when the leaf (not a block) owns its corner k, see owner_of.
+///  4. owned_corners has bit k set when the leaf owns its corner k, see owner_of; of a block, when
+///     each of its cells owns its corner k (even_blocks.h), or else it is 0.
 struct SpacingOctree {
   GridFrame frame;
   std::vector<std::int32_t> child_of;
