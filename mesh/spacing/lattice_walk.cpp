@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "mesh/spacing/even_blocks.h"
+#include "mesh/spacing/even_choice.h"
 #include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
 
@@ -29,10 +30,7 @@ std::int32_t first_from(const GridFrame& frame, std::size_t axis, double x, bool
 class LatticeWalk {
  public:
   LatticeWalk(const SpacingOctree& octree, const Box3& box, const LatticeFilter& filter)
-      : octree_(octree),
-        plane_(filter.plane),
-        most_(filter.most),
-        is_needless_(filter.is_needless) {
+      : octree_(octree), plane_(filter.plane), is_needless_(filter.is_needless) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
       first_[axis] = first_from(octree.frame, axis, box.low[a], false);
@@ -40,13 +38,29 @@ class LatticeWalk {
     }
   }
 
-  std::vector<LatticeNode> run() {
-    visit(0, {0, {}});
+  std::vector<LatticeNode> all() {
+    walk(Purpose::all);
     return std::move(nodes_);
   }
-  std::size_t stride() const { return stride_; }
+
+  /// Counts the nodes, then collects those that are chosen: both walks pass over most of what they
+  /// meet, which one that collects and drops again does not.
+  LatticeSample sample(std::size_t most) {
+    walk(Purpose::count);
+    choice_ = choose_evenly(seen_, most);
+    walk(Purpose::choice);
+    return {std::move(nodes_), static_cast<double>(choice_.stride)};
+  }
 
  private:
+  enum class Purpose { all, count, choice };
+
+  void walk(Purpose purpose) {
+    purpose_ = purpose;
+    seen_ = 0;
+    visit(0, {0, {}});
+  }
+
   bool meets(const LatticeCell& cell) const {
     const std::int32_t size = size_at_level(cell.level);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -120,14 +134,16 @@ class LatticeWalk {
     return true;
   }
 
-  /// Counts that many nodes at once; false, and nothing is counted, when one of them is wanted or
-  /// the choice changes among them.
+  /// Counts that many nodes at once; false, and nothing is counted, when one of them is wanted.
   bool pass_over(std::size_t count) {
-    const std::size_t end = seen_ + count;
-    const std::size_t next_choice = (seen_ + stride_ - 1) & ~(stride_ - 1);
-    if (next_choice < end || (chosen_ >= seen_ && chosen_ < end)) return false;
-    seen_ = end;
+    if (purpose_ == Purpose::all || next_chosen() < seen_ + count) return false;
+    seen_ += count;
     return true;
+  }
+
+  std::size_t next_chosen() const {
+    return nodes_.size() < choice_.numbers.size() ? choice_.numbers[nodes_.size()]
+                                                  : std::numeric_limits<std::size_t>::max();
   }
 
   /// Whether the cell touches no face of the block, so that only cells of the block touch it.
@@ -145,13 +161,20 @@ class LatticeWalk {
     if (!meets(cell) || is_left_out(cell, lattice_level)) return;
     if (is_deep_in(cell, block)) return visit_even_block(cell, lattice_level);
     if (cell.level == lattice_level) {
-      emit(cell, owned_in_block(cell, block));
-      return;
+      return emit(cell, owned_at_border(cell, block));
     }
     const std::int32_t half = size_at_level(cell.level + 1);
     for (std::size_t k = 0; k < 8; ++k) {
       visit_block({cell.level + 1, corner_of(cell.low, half, k)}, block, lattice_level);
     }
+  }
+
+  /// Looked up once: both walks of a sample come to the same cells.
+  unsigned owned_at_border(const LatticeCell& cell, const LatticeCell& block) {
+    if (purpose_ == Purpose::choice) return owned_at_borders_[next_border_++];
+    const unsigned owned = owned_in_block(cell, block);
+    if (purpose_ == Purpose::count) owned_at_borders_.push_back(static_cast<std::uint8_t>(owned));
+    return owned;
   }
 
   unsigned owned_in_block(const LatticeCell& cell, const LatticeCell& block) const {
@@ -204,46 +227,25 @@ class LatticeWalk {
     if (is_wanted(centre)) add({octree_.frame.position(centre), edge, centre, bits, {}});
   }
 
-  /// To be asked once for each node. Of every `stride_` one is wanted, anywhere among them: always
-  /// the first would be the same corner of every block of cells, and blind to what lies beside it.
+  /// To be asked once for each node.
   bool is_wanted(const GridPoint& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (p[axis] < first_[axis] || p[axis] > last_[axis]) return false;
     }
     if (plane_ != nullptr && !meets_plane(p, 0)) return false;
-    const std::size_t number = seen_++;
-    if ((number & (2 * stride_ - 1)) == 0 && nodes_.size() >= 2 && nodes_.size() + 2 > most_) {
-      drop_one_of_each_two();
-    }
-    if ((number & (stride_ - 1)) == 0) chosen_ = number + (scattered(number) & (stride_ - 1));
-    return number == chosen_;
-  }
-
-  static std::uint64_t scattered(std::uint64_t x) {
-    x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ x >> 27U) * 0x94d049bb133111ebU;
-    return x ^ x >> 31U;
+    return seen_++ == next_chosen() || purpose_ == Purpose::all;
   }
 
   void add(const LatticeNode& node) { nodes_.push_back(node); }
 
-  /// @pre there is an even number of nodes, one for each `stride_`.
-  void drop_one_of_each_two() {
-    const std::size_t kept = nodes_.size() / 2;
-    for (std::size_t i = 0; i < kept; ++i) {
-      nodes_[i] = nodes_[2 * i + (scattered(stride_ * kept + i) & 1U)];
-    }
-    nodes_.resize(kept);
-    stride_ *= 2;
-  }
-
   const SpacingOctree& octree_;
-  const LatticePlane* plane_;  // may be null
-  std::size_t most_;
+  const LatticePlane* plane_;        // may be null
   const BoxPredicate* is_needless_;  // may be null
-  std::size_t stride_ = 1;
-  std::size_t seen_ = 0;
-  std::size_t chosen_ = 0;
+  Purpose purpose_ = Purpose::all;
+  std::size_t seen_ = 0;  // nodes so far, wanted or not
+  EvenChoice choice_;
+  std::vector<std::uint8_t> owned_at_borders_;
+  std::size_t next_border_ = 0;
   GridPoint first_{};
   GridPoint last_{};
   std::vector<LatticeNode> nodes_;
@@ -253,15 +255,11 @@ class LatticeWalk {
 
 std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box,
                                           const LatticeFilter& filter) {
-  return LatticeWalk(octree, box, filter).run();
+  return LatticeWalk(octree, box, filter).all();
 }
 
 LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most) {
-  LatticeWalk walk(octree, box, {.most = most});
-  LatticeSample sample;
-  sample.nodes = walk.run();
-  sample.nodes_for_each = static_cast<double>(walk.stride());
-  return sample;
+  return LatticeWalk(octree, box, {}).sample(most);
 }
 
 }  // namespace tetfarm

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "mesh/core/vec3.h"
@@ -98,8 +97,6 @@ LatticeCell owner_of(const SpacingOctree& octree, const GridPoint& node);
 /// Which of the lattice nodes are wanted.
 struct LatticeFilter {
   const LatticePlane* plane = nullptr;  // only those in it, if given
-  /// When there are more (but for two), one of each two is dropped; and again.
-  std::size_t most = std::numeric_limits<std::size_t>::max();
   /// Cells of the octree and blocks of 64 of the lattice's are left out when it says so, if given.
   const BoxPredicate* is_needless = nullptr;
 };
@@ -107,6 +104,7 @@ struct LatticeFilter {
 /// The lattice_nodes of a field, in the Morton order of the cells that own them.
 std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box,
                                           const LatticeFilter& filter = {});
+/// Those that choose_evenly chooses among all of them.
 LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most);
 
 }  // namespace tetfarm

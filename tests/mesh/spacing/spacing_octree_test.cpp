@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mesh/spacing/even_choice.h"
 #include "mesh/spacing/octree_build.h"
 #include "mesh/spacing/octree_refine.h"
 #include "tests/support/shapes.h"
@@ -144,6 +145,24 @@ TEST(SpacingOctree, validate_finds_what_is_broken) {
   broken = sound;
   broken.frame.unit = 0;
   EXPECT_NE(validate(broken), nullptr);
+}
+
+TEST(SpacingOctree, samples_the_chosen_ones_of_its_lattice_nodes) {
+  const SpacingOctree octree = octree_of(corner_source(0.02));
+  Box3 box;
+  box.add(Vec3{0.1, 0.2, 0.3});
+  box.add(Vec3{0.9, 0.5, 0.7});
+  const std::vector<LatticeNode> all = lattice_nodes_in(octree, box);
+  for (const std::size_t most : {std::size_t{100}, std::size_t{5000}, 2 * all.size()}) {
+    const EvenChoice choice = choose_evenly(all.size(), most);
+    const LatticeSample sample = sample_lattice_in(octree, box, most);
+    EXPECT_EQ(sample.nodes_for_each, static_cast<double>(choice.stride));
+    ASSERT_EQ(sample.nodes.size(), choice.numbers.size());
+    for (std::size_t i = 0; i < sample.nodes.size(); ++i) {
+      EXPECT_EQ(sample.nodes[i].grid, all[choice.numbers[i]].grid);
+      EXPECT_EQ(sample.nodes[i].shift, all[choice.numbers[i]].shift);
+    }
+  }
 }
 
 }  // namespace
