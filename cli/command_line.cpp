@@ -174,6 +174,14 @@ class Parser {
     sub.add_option("--run", quality_.run,
                    "The folder of the run that made it, for its spacing (default: where it lies)")
         ->option_text("DIR");
+    sub.add_flag("!--no-face-check", quality_.check_faces,
+                 "Leave out whether each face has two tets or is a boundary triangle");
+    sub.add_option("--memory", quality_.memory,
+                   "For the check, besides one sub-domain; the rest lies on disk (256MiB)")
+        ->option_text("SIZE");
+    sub.add_option("--scratch", quality_.scratch,
+                   "Where that lies for the time (the system's folder for temporary files)")
+        ->option_text("DIR");
     add_json(sub, quality_.json);
   }
 

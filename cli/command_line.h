@@ -49,6 +49,9 @@ struct PlanCommand {
 struct QualityOptions {
   std::string input;
   std::string run;  ///< the folder of the run that made it; "": where it lies
+  bool check_faces = true;
+  std::string memory = "256MiB";  ///< for comparing what is apart in the file
+  std::string scratch;            ///< a folder for what does not fit; "": the system's
   bool json = false;
 };
 

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/read_ahead.h"
 #include "mesh/formats/export_mesh.h"
+#include "mesh/formats/open_mesh.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/write_surface.h"
 #include "mesh/numbering/renumbered_mesh.h"
@@ -69,7 +70,8 @@ nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& f
 ExitCode export_command(const ExportCommand& command) {
   keep_freed_memory();
   const MeshFormat& format = find_mesh_format(command.format, command.output);
-  std::unique_ptr<MeshSource> source = open_mesh(mesh_file(command.input));
+  std::unique_ptr<MeshSource> source =
+      open_mesh(mesh_file(command.input), folder_of(command.output));
   PartitionFigures figures;
   if (command.partitions > 0) {
     auto parts = std::make_unique<PartitionedMesh>(*source, PartitionOptions{command.partitions},

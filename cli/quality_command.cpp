@@ -4,10 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/large_blocks.h"
 #include "cli/commands.h"
 #include "cli/figures_report.h"
+#include "cli/read_ahead.h"
 #include "cli/run_folder.h"
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/check/mesh_check.h"
+#include "mesh/formats/open_mesh.h"
+#include "mesh/io/job_file.h"
 
 namespace tetfarm {
 namespace {
@@ -29,35 +33,50 @@ Json shapes_json(const ShapeStatistics& shapes) {
           {"dihedral_histogram", shapes.dihedral_histogram}};
 }
 
-std::string region_name(const MeshReport& report, std::size_t i) {
+/// What the command tells of a mesh.
+struct Report {
+  MeshCheckResult check;
+  MeshFigures figures;
+  std::vector<std::string> region_names;  ///< of region 1, 2, …; empty when the file has none
+
+  bool is_valid() const { return check.complaints.empty(); }
+};
+
+std::string region_name(const Report& report, std::size_t i) {
   return i < report.region_names.size() ? report.region_names[i] : "";
 }
 
-Json report_json(const MeshReport& report, const std::string& file) {
+/// Pieces of a file that does not know them are not sub-domains.
+std::size_t subdomains_of(const MeshFigures& figures) {
+  return figures.knows_subdomains ? figures.subdomains.size() : 1;
+}
+
+Json report_json(const Report& report, const std::string& file) {
+  const MeshFigures& figures = report.figures;
   Json json = {{"type", "quality"},
                {"file", file},
-               {"valid", report.complaints.empty()},
-               {"nodes", report.nodes},
-               {"boundary_triangles", report.boundary_triangles},
-               {"subdomains", report.subdomains},
-               {"volume", report.volume},
-               {"enclosed_volume", report.enclosed_volume}};
-  json.update(shapes_json(report.shapes.all));
-  const Vec3& forced = report.forced.at;
-  json["forced_dihedral_deg"] = report.forced.at_most_deg;
+               {"valid", report.is_valid()},
+               {"nodes", report.check.nodes},
+               {"boundary_triangles", figures.boundary_triangles},
+               {"subdomains", subdomains_of(figures)},
+               {"volume", report.check.volume},
+               {"enclosed_volume", report.check.enclosed_volume}};
+  json.update(shapes_json(figures.all.shapes));
+  const Vec3& forced = report.check.forced.at;
+  json["forced_dihedral_deg"] = report.check.forced.at_most_deg;
   json["forced_at"] = {forced.x, forced.y, forced.z};
-  json["near_cuts"] = shapes_json(report.shapes.near_cuts);
-  json["away_from_cuts"] = shapes_json(report.shapes.away_from_cuts);
+  json["near_cuts"] = shapes_json(figures.near_cuts.shapes);
+  json["away_from_cuts"] = shapes_json(figures.away_from_cuts.shapes);
   json["regions"] = Json::array();
-  for (std::size_t i = 0; i < report.shapes.regions.size(); ++i) {
-    const RegionShapes& region = report.shapes.regions[i];
+  for (std::size_t i = 0; i < figures.regions.size(); ++i) {
+    const RegionShapes& region = figures.regions[i];
     json["regions"].push_back({{"number", i + 1},
                                {"name", region_name(report, i)},
                                {"volume", region.volume},
                                {"shapes", shapes_json(region.shapes)}});
   }
-  json["digest"] = report.digest.hex();
-  json["complaints"] = report.complaints;
+  json["digest"] = report.check.digest.hex();
+  json["complaints"] = report.check.complaints;
   return json;
 }
 
@@ -98,11 +117,11 @@ void print_side_by_side(const ShapeStatistics& near, const ShapeStatistics& away
   }
 }
 
-void print_regions(const MeshReport& report) {
+void print_regions(const Report& report) {
   std::printf("%-16s%16s%16s%16s%16s\n", "region", "tets", "volume", "dihedral from",
               "radius ratio");
-  for (std::size_t i = 0; i < report.shapes.regions.size(); ++i) {
-    const auto& [volume, shapes] = report.shapes.regions[i];
+  for (std::size_t i = 0; i < report.figures.regions.size(); ++i) {
+    const auto& [volume, shapes] = report.figures.regions[i];
     const std::string name = region_name(report, i);
     std::printf("%-16s%16lld%16.6g%16.6g%16.6g\n",
                 (name.empty() ? std::to_string(i + 1) : name).c_str(),
@@ -122,34 +141,55 @@ std::string forced_text(const ForcedDihedral& forced) {
   return text;
 }
 
-void print_report(const MeshReport& report) {
-  const ShapeStatistics& shapes = report.shapes.all;
+void print_report(const Report& report) {
+  const MeshFigures& figures = report.figures;
+  const ShapeStatistics& shapes = figures.all.shapes;
   std::printf("tets            %lld\nnodes           %lld\nboundary        %lld triangles\n",
-              static_cast<long long>(report.tets), static_cast<long long>(report.nodes),
-              static_cast<long long>(report.boundary_triangles));
-  std::printf("sub-domains     %d\nvolume          %.12g, enclosed %.12g\n", report.subdomains,
-              report.volume, report.enclosed_volume);
+              static_cast<long long>(shapes.tets), static_cast<long long>(report.check.nodes),
+              static_cast<long long>(figures.boundary_triangles));
+  std::printf("sub-domains     %zu\nvolume          %.12g, enclosed %.12g\n",
+              subdomains_of(figures), report.check.volume, report.check.enclosed_volume);
   std::printf("dihedral        %.3f to %.3f deg; worst at (%.6g, %.6g, %.6g)\n",
               shapes.min_dihedral_deg, shapes.max_dihedral_deg, shapes.worst_centroid.x,
               shapes.worst_centroid.y, shapes.worst_centroid.z);
-  std::fputs(forced_text(report.forced).c_str(), stdout);
+  std::fputs(forced_text(report.check.forced).c_str(), stdout);
   std::printf(
       "radius ratio    %.4f mean, %.4f smallest\nsmallest height %.6g\ndigest          %s\n",
       shapes.mean_radius_ratio(), shapes.min_radius_ratio, shapes.smallest_height,
-      report.digest.hex().c_str());
+      report.check.digest.hex().c_str());
   print_histogram(shapes);
-  if (report.shapes.near_cuts.tets > 0) {
-    print_side_by_side(report.shapes.near_cuts, report.shapes.away_from_cuts);
+  if (figures.near_cuts.shapes.tets > 0) {
+    print_side_by_side(figures.near_cuts.shapes, figures.away_from_cuts.shapes);
   }
-  if (report.shapes.regions.size() > 1) print_regions(report);
+  if (figures.regions.size() > 1) print_regions(report);
+}
+
+MeshCheckOptions check_options(const QualityOptions& options) {
+  const std::optional<std::int64_t> memory = parse_memory(options.memory);
+  if (!memory) throw UsageError("\"" + options.memory + "\" is no size such as 256MiB", "--memory");
+  MeshCheckOptions result;
+  result.faces = options.check_faces;
+  result.memory_bytes = static_cast<std::size_t>(*memory);
+  if (!options.scratch.empty()) result.folder = options.scratch;
+  return result;
 }
 
 /// With lengths over the spacing where the run is known that made the mesh.
-MeshFigures figures_of_file(const QualityOptions& options, const std::filesystem::path& file) {
+Report report_of(const QualityOptions& options, const std::filesystem::path& file) {
+  const MeshCheckOptions check_as = check_options(options);
+  std::unique_ptr<MeshSource> source = open_mesh(file, check_as.folder);
+  if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
   const std::optional<SpacingField> spacing =
       spacing_beside(options.run.empty() ? file : mesh_file(options.run));
-  if (!spacing) return figures_of(*open_mesh(file));
-  return figures_of(*open_mesh(file), [&spacing](const Vec3& p) { return spacing->at(p); });
+  SpacingAt spacing_at;
+  if (spacing) spacing_at = [&spacing](const Vec3& p) { return spacing->at(p); };
+  MeshCheck check(*source, check_as);
+  Report report;
+  report.figures =
+      figures_of(*source, spacing_at, [&check](const NumberedPart& part) { check.add(part); });
+  report.check = check.finish();
+  report.region_names = source->region_names();
+  return report;
 }
 
 }  // namespace
@@ -170,22 +210,20 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
 }
 
 ExitCode quality_command(const QualityOptions& options) {
+  keep_freed_memory();
   const std::filesystem::path file = mesh_file(options.input);
-  const MeshReport report = report_on(read_global_mesh(file));
-  const bool is_valid = report.complaints.empty();
-  const std::optional<MeshFigures> figures =
-      is_valid ? std::optional(figures_of_file(options, file)) : std::nullopt;
+  const Report report = report_of(options, file);
   if (options.json) {
     Json json = report_json(report, file.string());
-    if (figures) json.update(figures_json(*figures));
+    if (report.is_valid()) json.update(figures_json(report.figures));
     std::printf("%s\n", json.dump().c_str());
   } else {
     print_report(report);
-    if (figures) std::fputs(figures_text(*figures).c_str(), stdout);
+    if (report.is_valid()) std::fputs(figures_text(report.figures).c_str(), stdout);
   }
-  if (is_valid) return ExitCode::ok;
+  if (report.is_valid()) return ExitCode::ok;
   std::string message = file.string() + ": not a valid mesh";
-  for (const std::string& complaint : report.complaints) message += "\n  " + complaint;
+  for (const std::string& complaint : report.check.complaints) message += "\n  " + complaint;
   throw Error(ExitCode::gate, message);
 }
 

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/job_report.h"
 #include "cli/run_folder.h"
+#include "mesh/formats/open_mesh.h"
 #include "mesh/render/render_mesh.h"
 #include "report/report_page.h"
 #include "store/artifact_store.h"
@@ -47,7 +48,7 @@ std::unique_ptr<MeshSource> mesh_of_job(const wire::JobStatus& status, const fs:
   for (const char* ending : {".vtkhdf", ".lb8.ugrid"}) {
     for (const wire::Artifact& file : status.files()) {
       if (!file.name().ends_with(ending) || !files.has(file.hash(), file.size())) continue;
-      return open_mesh(files.path_of(file.hash()), file.name());
+      return open_mesh_as(files.path_of(file.hash()), file.name());
     }
   }
   throw Error(ExitCode::not_found, status.job() + ": no mesh (.vtkhdf, .lb8.ugrid) in the store");

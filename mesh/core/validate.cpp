@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "mesh/core/complaints.h"
+#include "mesh/core/signed_volume.h"
 
 namespace tetfarm {
 namespace {
@@ -163,33 +164,6 @@ void find_bad_faces(const TetMesh& mesh, const std::vector<Triangle>& triangles,
   }
 }
 
-/// More digits than long double has on some machines: differences of doubles are exact, and a
-/// flat tet's volume is told from zero where long double cannot.
-__extension__ typedef __float128 Quad;
-
-template <typename Real>
-struct Edges {
-  std::array<std::array<Real, 3>, 3> to;
-};
-
-template <typename Real>
-Edges<Real> edges_from(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto difference = [&from](const Vec3& p) {
-    return std::array<Real, 3>{static_cast<Real>(p.x) - static_cast<Real>(from.x),
-                               static_cast<Real>(p.y) - static_cast<Real>(from.y),
-                               static_cast<Real>(p.z) - static_cast<Real>(from.z)};
-  };
-  return {{difference(a), difference(b), difference(c)}};
-}
-
-template <typename Real>
-Real volume_of(const Edges<Real>& edges) {
-  const auto& [a, b, c] = edges.to;
-  return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-          a[2] * (b[0] * c[1] - b[1] * c[0])) /
-         6;
-}
-
 void find_bad_volumes(const TetMesh& mesh, const std::vector<Triangle>& triangles,
                       Complaints& complaints) {
   const auto p = [&mesh](std::int32_t v) { return mesh.nodes[at(v)]; };
@@ -197,16 +171,16 @@ void find_bad_volumes(const TetMesh& mesh, const std::vector<Triangle>& triangle
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     const auto& [a, b, c, d] = mesh.tets[i];
     const Vec3& from = mesh.nodes[at(a)];
-    const auto volume = volume_of(edges_from<long double>(from, p(b), p(c), p(d)));
+    const long double volume = signed_volume(from, p(b), p(c), p(d));
     of_tets += volume;
-    if (volume > 0 || volume_of(edges_from<Quad>(from, p(b), p(c), p(d))) > 0) continue;
+    if (volume > 0 || has_positive_volume(from, p(b), p(c), p(d))) continue;
     complaints.add("tet " + to_string(i) + " " + nodes_text(mesh.tets[i]) + " at " + text_of(from) +
                    " has the volume " + text_of(static_cast<double>(volume)));
   }
   const Vec3 centre = bounding_box(mesh.nodes).centre();
   long double enclosed = 0;
   for (const auto& [a, b, c] : triangles) {
-    enclosed += volume_of(edges_from<long double>(centre, p(a), p(b), p(c)));
+    enclosed += signed_volume(centre, p(a), p(b), p(c));
   }
   if (std::fabs(of_tets - enclosed) <= 1e-9L * std::fabs(enclosed)) return;
   complaints.add("the tets fill " + text_of(static_cast<double>(of_tets)) +

@@ -6,7 +6,6 @@
 #include <span>
 #include <tuple>
 
-#include "mesh/assemble/mesh_shapes.h"
 #include "mesh/figures/cut_nodes.h"
 
 namespace tetfarm {
@@ -43,9 +42,12 @@ class Figures {
     figures_.knows_subdomains = source.knows_subdomains();
   }
 
-  MeshFigures take() {
-    for (std::size_t i = 0; i < source_.size(); ++i) add(source_.part(i));
-    figures_.nodes = outline_of(source_).nodes;
+  MeshFigures take(const VisitPart& visit) {
+    for (std::size_t i = 0; i < source_.size(); ++i) {
+      const NumberedPart part = source_.part(i);
+      if (visit) visit(part);
+      add(part);
+    }
     return std::move(figures_);
   }
 
@@ -55,6 +57,7 @@ class Figures {
     here.tets = std::ssize(part.tets);
     here.nodes = std::ssize(part.nodes);
     here.boundary_triangles = std::ssize(part.faces);
+    for (const std::int64_t number : part.local2global) count_node(number);
     for (const TetRange& range : ranges_of(part)) add_tets(part, range, here);
     if (spacing_) add_edges(part);
     figures_.tets += here.tets;
@@ -62,7 +65,16 @@ class Figures {
     figures_.volume += here.volume;
   }
 
+  void count_node(std::int64_t number) {
+    const auto node = static_cast<std::size_t>(number);
+    if (node >= is_counted_.size()) is_counted_.resize(std::max(node + 1, 2 * is_counted_.size()));
+    if (!is_counted_[node]) ++figures_.nodes;
+    is_counted_[node] = true;
+  }
+
   void add_tets(const NumberedPart& part, const TetRange& range, SubdomainFigures& here) {
+    figures_.regions.resize(std::max(figures_.regions.size(), at(range.region)));
+    RegionShapes& region = figures_.regions[at(range.region - 1)];
     const std::span<const Tet> tets(part.tets.begin() + static_cast<long>(range.first),
                                     part.tets.begin() + static_cast<long>(range.last));
     const std::vector<bool> is_near = tets_near_cuts(tets, cut_nodes_.of(part, range.region));
@@ -71,6 +83,8 @@ class Figures {
       const TetShape shape = tet_shape(node(0), node(1), node(2), node(3));
       const double volume = tet_volume(node(0), node(1), node(2), node(3));
       here.volume += volume;
+      region.volume += volume;
+      region.shapes.add(shape);
       if (volume > 0) ++figures_.volumes[std::ilogb(volume)];
       figures_.all.add(shape);
       (is_near[t] ? figures_.near_cuts : figures_.away_from_cuts).add(shape);
@@ -116,6 +130,7 @@ class Figures {
   const MeshSource& source_;
   const SpacingAt& spacing_;
   const CutNodes cut_nodes_;
+  std::vector<bool> is_counted_;  ///< of each node whether a part before has it
   MeshFigures figures_;
 };
 
@@ -141,8 +156,8 @@ double MeshFigures::largest_over_mean() const {
          static_cast<double>(tets);
 }
 
-MeshFigures figures_of(const MeshSource& source, const SpacingAt& spacing) {
-  return Figures(source, spacing).take();
+MeshFigures figures_of(const MeshSource& source, const SpacingAt& spacing, const VisitPart& visit) {
+  return Figures(source, spacing).take(visit);
 }
 
 }  // namespace tetfarm

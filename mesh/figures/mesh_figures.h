@@ -11,6 +11,7 @@
 #include <map>
 #include <vector>
 
+#include "mesh/assemble/mesh_shapes.h"
 #include "mesh/assemble/shape_statistics.h"
 #include "mesh/figures/histogram.h"
 #include "mesh/formats/mesh_source.h"
@@ -62,6 +63,7 @@ struct MeshFigures {
   TetFigures all;
   TetFigures near_cuts;  ///< within layers_near_cuts; none when the file knows no sub-domains
   TetFigures away_from_cuts;
+  std::vector<RegionShapes> regions;    ///< of region 1, 2, …
   std::map<int, std::int64_t> volumes;  ///< p: from 2^p to less than 2^(p + 1)
   EdgeFigures edges;                    ///< empty when no spacing is known
   std::vector<WorstTet> worst;          ///< by smallest angle
@@ -80,8 +82,13 @@ inline constexpr std::size_t most_worst_tets = 20;
 
 using SpacingAt = std::function<double(const Vec3&)>;
 
-/// `spacing` may be empty. Reads each part three times. @throws what the source throws.
-/// Memory: one part, and of CutNodes. Cost: O(n log n), about a microsecond a tet.
-MeshFigures figures_of(const MeshSource& source, const SpacingAt& spacing = {});
+using VisitPart = std::function<void(const NumberedPart& part)>;
+
+/// `spacing` may be empty. Reads each part once, and twice more without its elements where the
+/// source knows sub-domains; `visit` sees each as it passes. @throws what the source throws.
+/// @pre node numbers are not negative, and not above what a bit each has room for.
+/// Memory: one part, a bit a node, and of CutNodes. Cost: O(n log n), about a microsecond a tet.
+MeshFigures figures_of(const MeshSource& source, const SpacingAt& spacing = {},
+                       const VisitPart& visit = {});
 
 }  // namespace tetfarm

@@ -4,33 +4,12 @@
 #include <limits>
 
 #include "base/error.h"
-#include "mesh/assemble/hdf5_file.h"
-#include "mesh/assemble/read_vtkhdf.h"
-#include "mesh/formats/ugrid_source.h"
 
 namespace tetfarm {
 namespace {
 
 /// More than any real mesh has: a wrong number must not fill the memory.
 constexpr std::int32_t most_names = 1'000'000;
-
-class VtkhdfSource : public MeshSource {
- public:
-  explicit VtkhdfSource(const std::filesystem::path& path) : parts_(path) {
-    if (parts_.size() != 1 && !parts_.has_node_numbers()) {
-      parts_.fail("several partitions, and no GlobalNodeId to join them");
-    }
-  }
-  std::size_t size() const override { return parts_.size(); }
-  NumberedPart part(std::size_t i) const override { return parts_.part(i); }
-  CountedPart counted_part(std::size_t i) const override { return parts_.count(i); }
-  bool takes_threads() const override { return hdf5_takes_threads(); }
-  std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
-  std::vector<std::string> region_names() const override { return parts_.region_names(); }
-
- private:
-  VtkhdfParts parts_;
-};
 
 [[noreturn]] void refuse(std::size_t part, const std::string& what) {
   throw InvalidInput(what, "sub-domain " + std::to_string(part));
@@ -169,16 +148,6 @@ std::vector<RegionRun> region_runs(const MeshOutline& outline) {
     if (part.tets == 0) runs.push_back({i, 1, first, 0});
   }
   return runs;
-}
-
-std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path) {
-  return open_mesh(path, path.filename().string());
-}
-
-std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path, std::string_view name) {
-  if (name.ends_with(".vtkhdf")) return std::make_unique<VtkhdfSource>(path);
-  if (name.ends_with(".lb8.ugrid")) return open_ugrid(path);
-  throw InvalidInput("is no mesh by its ending; .vtkhdf and .lb8.ugrid are read", path.string());
 }
 
 }  // namespace tetfarm

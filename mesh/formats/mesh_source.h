@@ -5,10 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mesh/assemble/portion.h"
@@ -27,6 +24,8 @@ class MeshSource {
   virtual bool knows_subdomains() const { return true; }
   /// Whether `part` may be called while another thread writes a mesh.
   virtual bool takes_threads() const { return false; }
+  /// What is wrong with what the file has beside its parts, a line each.
+  virtual std::vector<std::string> complaints() const { return {}; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
 };
@@ -75,11 +74,5 @@ std::vector<RegionRun> region_runs(const MeshOutline& outline);
 /// when a number is out of range, a node number belongs to no node, or the tets of a part are not
 /// in the order of their regions. Memory: one part, and a bit for each node of the mesh.
 MeshOutline outline_of(const MeshSource& source);
-
-/// Opens .vtkhdf, or .lb8.ugrid (with the names of a .mapbc and the regions of a .regions beside
-/// it), by the ending. @throws IoError, InvalidInput.
-std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path);
-/// The same of a file that is kept under another name than `name`, which tells the format.
-std::unique_ptr<MeshSource> open_mesh(const std::filesystem::path& path, std::string_view name);
 
 }  // namespace tetfarm

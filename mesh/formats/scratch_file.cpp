@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -34,16 +35,19 @@ ScratchFile::~ScratchFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void ScratchFile::append(const void* data, std::size_t bytes) {
+void ScratchFile::append(const void* data, std::size_t bytes) { write(size_, data, bytes); }
+
+void ScratchFile::write(std::int64_t place, const void* data, std::size_t bytes) {
   const char* next = static_cast<const char*>(data);
   while (bytes > 0) {
-    const ssize_t done = ::pwrite(descriptor_, next, bytes, size_);
+    const ssize_t done = ::pwrite(descriptor_, next, bytes, place);
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) throw IoError("cannot write in", folder_.string(), done < 0 ? errno : ENOSPC);
     next += done;
-    size_ += done;
+    place += done;
     bytes -= static_cast<std::size_t>(done);
   }
+  size_ = std::max(size_, place);
 }
 
 void ScratchFile::read(std::int64_t place, void* data, std::size_t bytes) const {

@@ -18,6 +18,8 @@ class ScratchFile {
   bool is_open() const { return descriptor_ >= 0; }
   std::int64_t size() const { return size_; }
   void append(const void* data, std::size_t bytes);
+  /// At any place; what lies between it and the end before is zero.
+  void write(std::int64_t place, const void* data, std::size_t bytes);
   /// @pre the bytes are there.
   void read(std::int64_t place, void* data, std::size_t bytes) const;
 

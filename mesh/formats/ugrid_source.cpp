@@ -1,83 +1,26 @@
 #include "mesh/formats/ugrid_source.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
+#include <limits>
+#include <memory>
 #include <sstream>
 
 #include "base/error.h"
+#include "mesh/formats/input_file.h"
+#include "mesh/formats/listed_mesh.h"
 
 namespace tetfarm {
 namespace {
 
-/// The bytes of a file, brought into memory by the system as they are looked at.
-class MappedFile {
- public:
-  explicit MappedFile(const std::filesystem::path& path) : name_(path.string()) {
-    const int descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw IoError("cannot read", name_, errno);
-    struct stat status {};
-    if (::fstat(descriptor, &status) == 0) size_ = static_cast<std::size_t>(status.st_size);
-    void* bytes = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    const int error = errno;
-    ::close(descriptor);
-    if (bytes == MAP_FAILED) throw IoError("cannot read", name_, error);
-    bytes_ = static_cast<const char*>(bytes);
-  }
-  MappedFile(const MappedFile&) = delete;
-  MappedFile& operator=(const MappedFile&) = delete;
-  ~MappedFile() { ::munmap(const_cast<char*>(bytes_), size_); }
-
-  std::size_t size() const { return size_; }
-  const std::string& name() const { return name_; }
-  template <class T>
-  T at(std::size_t offset) const {
-    T value;
-    std::memcpy(&value, bytes_ + offset, sizeof value);
-    return value;
-  }
-
- private:
-  std::string name_;
-  const char* bytes_ = nullptr;
-  std::size_t size_ = 0;
-};
-
-constexpr std::size_t header_bytes = 28;
-constexpr std::size_t most_regions = 1'000'000;
-
-/// The smallest number first, turning the same way round.
-Triangle smallest_first(Triangle triangle) {
-  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-  return triangle;
-}
-
-/// Consecutive tets.
-struct Piece {
-  std::size_t first = 0;
-  std::size_t tets = 0;
-  std::int32_t region = 1;
-};
+constexpr std::int64_t most_regions = 1'000'000;
 
 struct RegionLine {
-  std::size_t number = 1;
-  std::size_t first = 0;
-  std::size_t last = 0;
+  std::int64_t number = 1;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
   std::string name;
 };
-
-/// A file beside the mesh: the same name with another ending.
-std::filesystem::path beside(const std::filesystem::path& path, const std::string& ending) {
-  const std::string name = path.string();
-  return name.substr(0, name.size() - std::strlen(".lb8.ugrid")) + ending;
-}
 
 std::vector<std::string> names_of_mapbc(const std::filesystem::path& path) {
   std::vector<std::string> names;
@@ -94,11 +37,11 @@ std::vector<std::string> names_of_mapbc(const std::filesystem::path& path) {
   return names;
 }
 
-std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::size_t tets) {
+std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::int64_t tets) {
   std::vector<RegionLine> regions;
   std::ifstream file(path);
   std::string line;
-  std::size_t expected = 1;
+  std::int64_t expected = 1;
   while (std::getline(file, line)) {
     std::istringstream words(line);
     RegionLine region;
@@ -111,155 +54,136 @@ std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::s
     expected = region.last + 1;
     regions.push_back(region);
   }
+  if (!regions.empty() && expected != tets + 1) {
+    throw InvalidInput("the lines end before the tets do", path.string());
+  }
   return regions;
 }
 
-class UgridSource : public MeshSource {
+/// A file beside the mesh: NAME.mapbc beside NAME.b8.ugrid.
+std::filesystem::path beside(const std::filesystem::path& path, const std::string& ending) {
+  return std::filesystem::path(path).replace_extension().replace_extension().string() + ending;
+}
+
+/// The file with its counts, and where its lists begin.
+template <class Integer>
+class Ugrid {
  public:
-  UgridSource(const std::filesystem::path& path, std::int64_t tets_of_piece)
-      : file_(path), patch_names_(names_of_mapbc(beside(path, ".mapbc"))) {
-    read_counts();
-    sort_boundary();
-    std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), tets_);
-    if (regions.empty()) regions = {{1, 1, tets_, "domain"}};
-    for (const RegionLine& region : regions) {
-      region_names_.resize(std::max(region_names_.size(), region.number));
-      region_names_[region.number - 1] = region.name;
-      add_pieces(region, static_cast<std::int32_t>(region.number),
-                 static_cast<std::size_t>(tets_of_piece));
-    }
-  }
-
-  std::size_t size() const override { return pieces_.size(); }
-  bool knows_subdomains() const override { return false; }
-  bool takes_threads() const override { return true; }
-  std::vector<std::string> patch_names() const override { return patch_names_; }
-  std::vector<std::string> region_names() const override { return region_names_; }
-
-  NumberedPart part(std::size_t i) const override {
-    const Piece& piece = pieces_.at(i);
-    NumberedPart part;
-    part.number = static_cast<std::int32_t>(i);
-    part.region = piece.region;
-    std::vector<std::int32_t> numbers;
-    for (std::size_t t = piece.first; t < piece.first + piece.tets; ++t) {
-      const Tet tet = tet_at(t);
-      part.tets.push_back(tet);
-      numbers.insert(numbers.end(), tet.begin(), tet.end());
-    }
-    add_boundary(part);
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    const auto local = [&](std::int32_t& v) {
-      v = static_cast<std::int32_t>(std::lower_bound(numbers.begin(), numbers.end(), v) -
-                                    numbers.begin());
-    };
-    for (Tet& tet : part.tets) std::for_each(tet.begin(), tet.end(), local);
-    for (Triangle& face : part.faces) std::for_each(face.begin(), face.end(), local);
-    for (const std::int32_t number : numbers) part.nodes.push_back(node_at(number));
-    part.local2global.assign(numbers.begin(), numbers.end());
-    return part;
-  }
-
- private:
-  struct BoundaryFace {
-    Triangle nodes;  ///< numbers in the whole mesh, the normal out of the domain
-    std::int32_t patch = 0;
-    bool operator<(const BoundaryFace& other) const { return nodes < other.nodes; }
-  };
-
-  [[noreturn]] void fail(const std::string& what) const { throw InvalidInput(what, file_.name()); }
-
-  void read_counts() {
-    if (file_.size() < header_bytes) fail("the file ends too early");
-    std::array<std::size_t, 7> counts{};
+  Ugrid(const std::filesystem::path& path, bool big_endian) : file_(path), turned_(big_endian) {
+    std::array<Integer, 7> counts{};
+    read(0, std::span(counts));
+    // A list of so many would not fit in a file: sums below cannot overflow.
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 256;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      const auto count = file_.at<std::int32_t>(4 * i);
-      if (count < 0) fail("a count is negative, byte " + std::to_string(4 * i));
-      counts[i] = static_cast<std::size_t>(count);
+      const auto place = static_cast<std::int64_t>(i * sizeof(Integer));
+      if (counts[i] < 0) file_.fail("a count is negative", place);
+      if (counts[i] > most) file_.fail("a count is larger than the file", place);
     }
     if (counts[2] + counts[4] + counts[5] + counts[6] != 0) {
-      fail("elements other than triangles and tets");
+      file_.fail("elements other than triangles and tets", 0);
     }
-    nodes_ = counts[0];
-    triangles_ = counts[1];
-    tets_ = counts[3];
-    if (file_.size() != header_bytes + nodes_ * 24 + triangles_ * 16 + tets_ * 16) {
-      fail("the length of the file does not fit its counts");
+    nodes = counts[0];
+    triangles = counts[1];
+    tets = counts[3];
+    if (tet_place(tets) != file_.size()) {
+      throw InvalidInput("the length of the file does not fit its counts", file_.name());
     }
   }
 
-  std::int32_t number_at(std::size_t offset) const {
-    const auto number = file_.at<std::int32_t>(offset);
-    if (number < 1 || static_cast<std::size_t>(number) > nodes_) {
-      fail("node " + std::to_string(number) + " of " + std::to_string(nodes_) + ", byte " +
-           std::to_string(offset));
-    }
-    return number - 1;
+  void read_nodes(std::int64_t first, std::span<Vec3> into) const {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    read(header_bytes + first * 24, std::span(&into.data()->x, 3 * into.size()));
   }
-  Vec3 node_at(std::int32_t number) const {
-    return file_.at<Vec3>(header_bytes + 24 * static_cast<std::size_t>(number));
+  void read_tets(std::int64_t first, std::span<ListedMesh::Nodes> into) const {
+    std::vector<Integer> numbers(4 * into.size());
+    read(tet_place(first), std::span(numbers));
+    for (std::size_t i = 0; i < numbers.size(); ++i) into[i / 4][i % 4] = numbers[i] - 1;
   }
-  Tet tet_at(std::size_t t) const {
-    const std::size_t offset = header_bytes + nodes_ * 24 + triangles_ * 16 + t * 16;
-    Tet tet;
-    for (std::size_t k = 0; k < 4; ++k) tet[k] = number_at(offset + 4 * k);
-    return tet;
-  }
-
   /// Normals in the file all point into the domain or all out of it.
-  void sort_boundary() {
-    const std::size_t offset = header_bytes + nodes_ * 24;
+  std::vector<ListedTriangle> boundary() const {
+    const auto count = static_cast<std::size_t>(triangles);
+    std::vector<Integer> numbers(3 * count);
+    read(triangle_place(), std::span(numbers));
+    std::vector<Integer> patches(count);
+    read(triangle_place() + triangles * 3 * integer_bytes, std::span(patches));
+    std::vector<ListedTriangle> boundary(count);
     double volume = 0;
-    boundary_.resize(triangles_);
-    for (std::size_t t = 0; t < triangles_; ++t) {
-      Triangle& face = boundary_[t].nodes;
-      for (std::size_t k = 0; k < 3; ++k) face[k] = number_at(offset + 12 * t + 4 * k);
-      boundary_[t].patch = file_.at<std::int32_t>(offset + 12 * triangles_ + 4 * t) - 1;
-      volume += dot(node_at(face[0]), cross(node_at(face[1]), node_at(face[2])));
-    }
-    for (BoundaryFace& face : boundary_) {
-      if (volume < 0) std::swap(face.nodes[1], face.nodes[2]);
-      face.nodes = smallest_first(face.nodes);
-    }
-    std::sort(boundary_.begin(), boundary_.end());
-  }
-
-  void add_pieces(const RegionLine& region, std::int32_t number, std::size_t most) {
-    for (std::size_t first = region.first - 1; first < region.last; first += most) {
-      pieces_.push_back({first, std::min(most, region.last - first), number});
-    }
-  }
-
-  /// The boundary triangles that are faces of the part's tets.
-  void add_boundary(NumberedPart& part) const {
-    for (const Tet& tet : part.tets) {
-      for (const auto& corners : tet_face_nodes) {
-        const auto v = [&](std::size_t k) { return tet[static_cast<std::size_t>(corners[k])]; };
-        const BoundaryFace wanted{smallest_first({v(0), v(1), v(2)}), 0};
-        const auto found = std::lower_bound(boundary_.begin(), boundary_.end(), wanted);
-        if (found == boundary_.end() || found->nodes != wanted.nodes) continue;
-        part.faces.push_back(found->nodes);
-        part.patch_of_face.push_back(found->patch);
+    for (std::size_t t = 0; t < count; ++t) {
+      std::array<Vec3, 3> p;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t node = boundary[t].nodes[k] = numbers[3 * t + k] - std::int64_t{1};
+        if (node < 0 || node >= nodes) {
+          file_.fail("boundary triangle " + std::to_string(t) + " has node " +
+                         std::to_string(node + 1) + " of " + std::to_string(nodes),
+                     triangle_place() + static_cast<std::int64_t>(3 * t + k) * integer_bytes);
+        }
+        read_nodes(node, std::span(&p[k], 1));
       }
+      volume += dot(p[0], cross(p[1], p[2]));
+      boundary[t].patch = static_cast<std::int32_t>(
+          std::clamp<std::int64_t>(patches[t], 0, std::numeric_limits<std::int32_t>::max()) - 1);
     }
+    for (ListedTriangle& triangle : boundary) {
+      if (volume < 0) std::swap(triangle.nodes[1], triangle.nodes[2]);
+    }
+    return boundary;
+  }
+  const std::string& name() const { return file_.name(); }
+
+  std::int64_t nodes = 0;
+  std::int64_t triangles = 0;
+  std::int64_t tets = 0;
+
+ private:
+  static constexpr std::int64_t integer_bytes = sizeof(Integer);
+  static constexpr std::int64_t header_bytes = 7 * integer_bytes;
+
+  std::int64_t triangle_place() const { return header_bytes + nodes * 24; }
+  std::int64_t tet_place(std::int64_t tet) const {
+    return triangle_place() + (triangles + tet) * 4 * integer_bytes;
+  }
+  template <class Number, std::size_t extent>
+  void read(std::int64_t place, std::span<Number, extent> into) const {
+    file_.read(place, into.data(), into.size_bytes());
+    if (turned_) turn_bytes(std::span<Number>(into));
   }
 
-  MappedFile file_;
-  std::size_t nodes_ = 0;
-  std::size_t triangles_ = 0;
-  std::size_t tets_ = 0;
-  std::vector<BoundaryFace> boundary_;
-  std::vector<Piece> pieces_;
-  std::vector<std::string> patch_names_;
-  std::vector<std::string> region_names_;
+  InputFile file_;
+  bool turned_;
 };
+
+template <class Integer>
+std::unique_ptr<MeshSource> open(const std::filesystem::path& path, bool big_endian,
+                                 std::int64_t tets_of_piece) {
+  const auto file = std::make_shared<const Ugrid<Integer>>(path, big_endian);
+  ListedMesh mesh;
+  mesh.name = file->name();
+  mesh.nodes = file->nodes;
+  mesh.read_nodes = [file](std::int64_t first, std::span<Vec3> into) {
+    file->read_nodes(first, into);
+  };
+  mesh.read_tets = [file](std::int64_t first, std::span<ListedMesh::Nodes> into) {
+    file->read_tets(first, into);
+  };
+  mesh.triangles = file->boundary();
+  mesh.patch_names = names_of_mapbc(beside(path, ".mapbc"));
+  std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), file->tets);
+  if (regions.empty()) regions = {{1, 1, file->tets, "domain"}};
+  for (const RegionLine& region : regions) {
+    const auto number = static_cast<std::size_t>(region.number);
+    mesh.region_names.resize(std::max(mesh.region_names.size(), number));
+    mesh.region_names[number - 1] = region.name;
+    add_tets(mesh.runs, {region.last + 1 - region.first, static_cast<std::int32_t>(number), 0});
+  }
+  return open_listed(std::move(mesh), tets_of_piece);
+}
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path,
+std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridLayout layout,
                                        std::int64_t tets_of_piece) {
-  return std::make_unique<UgridSource>(path, tets_of_piece);
+  return layout.wide ? open<std::int64_t>(path, layout.big_endian, tets_of_piece)
+                     : open<std::int32_t>(path, layout.big_endian, tets_of_piece);
 }
 
 }  // namespace tetfarm

@@ -1,17 +1,19 @@
-/// Reads a .lb8.ugrid file (mesh/assemble/write_ugrid.h) piece by piece.
+/// Reads a UGRID file of tets (mesh/assemble/write_ugrid.h) piece by piece, in either order of
+/// bytes and with integers of 32 or 64 bits.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
+#include "mesh/assemble/write_ugrid.h"
 #include "mesh/formats/mesh_source.h"
 
 namespace tetfarm {
 
-/// The file does not know the sub-domains: a part is at most `tets_of_piece` consecutive tets of
-/// one region. The file is mapped; in memory are the boundary triangles, sorted, and one part.
-/// @throws IoError, InvalidInput.
-std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path,
+/// As a listed mesh (listed_mesh.h), with the names of the .mapbc and the regions of the .regions
+/// beside it. Boundary triangles may point either way, if all point the same way.
+/// @throws IoError, InvalidInput with the byte.
+std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridLayout layout = {},
                                        std::int64_t tets_of_piece = 1'000'000);
 
 }  // namespace tetfarm

@@ -27,6 +27,7 @@ ROOMS = {
     "mesh/assemble": ["mesh/io"],
     "mesh/formats": ["mesh/assemble"],
     "mesh/figures": ["mesh/formats"],
+    "mesh/check": ["mesh/formats"],
     "mesh/numbering": ["mesh/formats", "mesh/geometry"],
     "mesh/partition": ["mesh/formats", "mesh/graph"],
     "mesh/render": ["mesh/assemble"],
@@ -36,7 +37,7 @@ ROOMS = {
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
     "report": ["proto", "mesh/figures", "mesh/render"],
-    "cli": ["coordinator", "worker", "pool", "mesh/partition", "mesh/numbering", "report"],
+    "cli": ["coordinator", "worker", "pool", "mesh/partition", "mesh/numbering", "mesh/check", "report"],
 }
 
 # They see every room, and no room sees them.

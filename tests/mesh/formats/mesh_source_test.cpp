@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/export_mesh.h"
+#include "mesh/formats/open_mesh.h"
 #include "mesh/formats/ugrid_source.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
@@ -62,7 +63,7 @@ TEST(MeshSource, ugrid_comes_in_pieces_that_are_the_same_mesh) {
   const GridSource grid(cut_grid(4));
   const auto file = exported(grid, folder, "a.lb8.ugrid");
   for (const std::int64_t tets : {50, 10'000}) {
-    const auto read = open_ugrid(file, tets);
+    const auto read = open_ugrid(file, {}, tets);
     EXPECT_EQ(read->size(), tets == 50 ? 8u : 1u);
     EXPECT_EQ(content_of(*read), content_of(grid));
     EXPECT_EQ(read->patch_names(), grid.patch_names());

@@ -8,6 +8,7 @@
 
 #include "mesh/formats/communication_table.h"
 #include "mesh/formats/export_mesh.h"
+#include "mesh/formats/open_mesh.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 

@@ -8,6 +8,7 @@
 #include "mesh/formats/communication_table.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/formats/node_records.h"
+#include "mesh/formats/open_mesh.h"
 #include "mesh/formats/seam_faces.h"
 #include "mesh/partition/dual_graph.h"
 #include "tests/base/temp_folder.h"

@@ -6,6 +6,7 @@
 
 #include "mesh/formats/cell_faces.h"
 #include "mesh/formats/communication_table.h"
+#include "mesh/formats/open_mesh.h"
 #include "mesh/graph/metis_partition.h"
 #include "mesh/partition/dual_graph.h"
 #include "mesh/partition/partitioned_mesh.h"

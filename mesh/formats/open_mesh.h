@@ -1,0 +1,26 @@
+/// Opens a finished mesh in one of the formats that `tetfarm export` writes: one table of them.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mesh/formats/mesh_source.h"
+
+namespace tetfarm {
+
+/// The ending tells the format. Text formats are read once and kept in files without names in
+/// `scratch_folder` (parsed_mesh.h). @throws IoError, InvalidInput with file and line or byte.
+std::unique_ptr<MeshSource> open_mesh(
+    const std::filesystem::path& path,
+    const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());
+/// The same of a file that is kept under another name than `name`, which tells the format.
+std::unique_ptr<MeshSource> open_mesh_as(
+    const std::filesystem::path& path, std::string_view name,
+    const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());
+
+/// The endings, for messages: ".vtkhdf, .lb8.ugrid, …".
+std::string readable_meshes();
+
+}  // namespace tetfarm

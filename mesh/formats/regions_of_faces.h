@@ -1,0 +1,13 @@
+/// Of a part of several regions, which of them its boundary triangles bound: formats tell it of
+/// tets.
+#pragma once
+
+#include "mesh/assemble/portion.h"
+
+namespace tetfarm {
+
+/// Sets part.region_of_face: each is of the region of the tet that has it, turned the same way;
+/// what no tet has is of `part.region`. Cost: O(n log n).
+void set_regions_of_faces(NumberedPart& part);
+
+}  // namespace tetfarm
