@@ -19,6 +19,10 @@ void job_file(std::string_view input);
 /// an error of ours, or its triangles have vertices that are there.
 void surface(std::string_view input);
 
+/// A finished mesh in one of the formats, by the first byte modulo their number: it is refused with
+/// an error of ours, or its parts hold together and `check_mesh` says what it thinks of them.
+void mesh(std::string_view input);
+
 /// FLITE's sources: refused with an error of ours, or they may stand in a job file.
 void flite_sources(std::string_view input);
 

@@ -39,6 +39,8 @@ TEST(FuzzCorpus, job_files_are_refused_or_keep_their_meaning) {
 
 TEST(FuzzCorpus, surfaces_are_refused_or_read) { replay("surface", fuzz::surface); }
 
+TEST(FuzzCorpus, meshes_are_refused_or_read_and_judged) { replay("mesh", fuzz::mesh); }
+
 TEST(FuzzCorpus, flite_sources_are_refused_or_may_stand_in_a_job_file) {
   replay("flite_sources", fuzz::flite_sources);
 }

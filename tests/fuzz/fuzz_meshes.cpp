@@ -1,0 +1,79 @@
+#include <stdlib.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "mesh/check/mesh_check.h"
+#include "mesh/formats/open_mesh.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace tetfarm::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array names = {"a.lb8.ugrid", "a.b8.ugrid", "a.lb8l.ugrid", "a.b8l.ugrid",
+                              "a.su2",       "a.meshb",    "a.cgns",       "a_1.msh",
+                              "a.vtu",       "a.ele",      "a.node",       "a.vtkhdf",
+                              "a.pvtu",      "a.face"};
+
+/// In memory where there is such a place.
+fs::path make_folder() {
+  std::string folder = fs::is_directory("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
+  folder += "/tetfarm-fuzz-mesh-XXXXXX";
+  TF_CHECK(::mkdtemp(folder.data()) != nullptr);
+  static fs::path to_remove;
+  to_remove = folder;
+  std::atexit([] { fs::remove_all(to_remove); });
+  return folder;
+}
+
+void write(const fs::path& file, std::string_view bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// What TetGen's files need beside them: one tet.
+void write_one_tet(const fs::path& folder) {
+  write(folder / "a.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n");
+  write(folder / "a.face", "4 1\n0 1 2 3 1\n1 0 3 2 1\n2 0 1 3 1\n3 0 2 1 1\n");
+  write(folder / "a.ele", "1 4 1\n0 0 1 2 3 1\n");
+}
+
+void check_part(const NumberedPart& part) {
+  const auto are_there = [&](const auto& nodes) {
+    for (const std::int32_t v : nodes) {
+      TF_CHECK(v >= 0 && static_cast<std::size_t>(v) < part.nodes.size());
+    }
+  };
+  for (const Tet& tet : part.tets) are_there(tet);
+  for (const Triangle& face : part.faces) are_there(face);
+  TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
+}
+
+}  // namespace
+
+void mesh(std::string_view input) {
+  static const fs::path folder = make_folder();
+  if (input.empty()) return;
+  const std::string name = names[static_cast<unsigned char>(input[0]) % names.size()];
+  write_one_tet(folder);
+  write(folder / name, input.substr(1));
+  const fs::path file = folder / (name == "a.face" ? "a.ele" : name);
+  try {
+    const auto source = open_mesh(file, folder);
+    for (std::size_t i = 0; i < source->size(); ++i) check_part(source->part(i));
+    MeshCheckOptions options;
+    options.memory_bytes = 1 << 16;
+    options.folder = folder;
+    check_mesh(*source, options);
+  } catch (const Error&) {
+  }
+}
+
+}  // namespace tetfarm::fuzz
