@@ -19,6 +19,9 @@ constexpr const char* exit_codes =
     "4 done, but below the quality gate; 5 not found or unreachable; 6 out of disk or memory;\n"
     "75 stopped at a checkpoint: the same command goes on.";
 
+constexpr const char* a_mesh =
+    "A mesh (.vtkhdf .ugrid .cgns .msh .su2 .meshb .pvtu .vtu .node .ele) or the folder of a run";
+
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
                                                               {"none", ProgressStyle::none}};
@@ -169,8 +172,7 @@ class Parser {
   void add_quality() {
     CLI::App& sub = add("quality", "Read a mesh back, check it and show its quality",
                         "tetfarm quality out/wing.vtkhdf", quality_);
-    sub.add_option("FILE", quality_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
-        ->required();
+    sub.add_option("FILE", quality_.input, a_mesh)->required();
     sub.add_option("--run", quality_.run,
                    "The folder of the run that made it, for its spacing (default: where it lies)")
         ->option_text("DIR");
@@ -188,8 +190,7 @@ class Parser {
   void add_export() {
     CLI::App& mesh = add("export", "Write a mesh in another format, a sub-domain at a time",
                          "tetfarm export out -o wing.lb8l.ugrid", export_);
-    mesh.add_option("FILE", export_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
-        ->required();
+    mesh.add_option("FILE", export_.input, a_mesh)->required();
     mesh.add_option("-o,--output", export_.output, "The file, or the folder of a format of many")
         ->required()
         ->option_text("OUT");

@@ -58,7 +58,7 @@ void MeshCheck::add_tets(const NumberedPart& part) {
     const auto p = [&](std::size_t i) -> const Vec3& { return part.nodes[at(tet[i])]; };
     for (const std::int32_t v : tet) is_used[at(v)] = true;
     const std::array<std::int64_t, 4> nodes = global_nodes(tet, part);
-    digest_.add_tet(nodes);
+    digest_.add_tet(tets_, nodes);
     const long double volume = signed_volume(p(0), p(1), p(2), p(3));
     volume_ += volume;
     if (!(volume > 0) && !has_positive_volume(p(0), p(1), p(2), p(3))) {
@@ -78,12 +78,17 @@ void MeshCheck::add_tets(const NumberedPart& part) {
 
 void MeshCheck::add_faces(const NumberedPart& part) {
   if (!origin_ && !part.nodes.empty()) origin_ = part.nodes.front();
+  const std::vector<std::int64_t> numbers =
+      source_.face_numbers(static_cast<std::size_t>(part.number));
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     const Triangle& face = part.faces[i];
-    digest_.add_boundary_triangle(global_nodes(face, part), part.patch_of_face[i]);
+    digest_.add_boundary_triangle(
+        numbers.empty() ? triangles_ + static_cast<std::int64_t>(i) : numbers[i],
+        global_nodes(face, part), part.patch_of_face[i]);
     enclosed_ += signed_volume(*origin_, part.nodes[at(face[0])], part.nodes[at(face[1])],
                                part.nodes[at(face[2])]);
   }
+  triangles_ += std::ssize(part.faces);
   angles_.add(part);
 }
 

@@ -50,10 +50,10 @@ void add_tets(std::vector<TetRun>& runs, const TetRun& next);
 /// Parts are the sub-domains where the file knows them, consecutive runs of each, else pieces of at
 /// most `tets_of_piece` tets of one region. A boundary triangle belongs to the part that has it as
 /// the face of a tet, turned the same way; triangles without such a tet are with the last part.
-/// Nodes that no element has are in no part, and complained of. All tets are read once for that. In
-/// memory: the boundary triangles, two bits a node, one part. @throws InvalidInput when there are
-/// no tets, or one or a triangle has a node that is not there, or a patch or region is out of
-/// range; what the functions throw.
+/// The numbers of triangles are those of the list. Nodes that no element has are in no part, and
+/// complained of. All tets are read once for that. In memory: the boundary triangles, two bits a
+/// node, one part. @throws InvalidInput when there are no tets, or one or a triangle has a node
+/// that is not there, or a patch or region is out of range; what the functions throw.
 std::unique_ptr<MeshSource> open_listed(ListedMesh mesh, std::int64_t tets_of_piece = 1'000'000);
 
 }  // namespace tetfarm

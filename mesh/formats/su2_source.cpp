@@ -30,8 +30,10 @@ class Su2Reader {
     std::string_view value;
     if (equals != word.npos) {
       value = word.substr(equals + 1);
-    } else if (in_.word_in_line() != "=") {
-      in_.fail("expected KEYWORD=, found " + quoted(word));
+    } else {
+      value = in_.word_in_line();
+      if (!value.starts_with('=')) in_.fail("expected KEYWORD=, found " + quoted(word));
+      value.remove_prefix(1);
     }
     if (value.empty()) value = in_.word_in_line();
     if (key == "NDIME") {

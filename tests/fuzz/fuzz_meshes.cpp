@@ -17,10 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array names = {"a.lb8.ugrid", "a.b8.ugrid", "a.lb8l.ugrid", "a.b8l.ugrid",
-                              "a.su2",       "a.meshb",    "a.cgns",       "a_1.msh",
-                              "a.vtu",       "a.ele",      "a.node",       "a.vtkhdf",
-                              "a.pvtu",      "a.face"};
+constexpr std::array names = {"a.lb8.ugrid", "a.b8.ugrid", "a.lb8l.ugrid", "a.b8l.ugrid", "a.su2",
+                              "a.meshb",     "a.cgns",     "a_1.msh",      "a.vtu",       "a.ele",
+                              "a.node",      "a.vtkhdf",   "a.pvtu",       "a.face"};
 
 /// In memory where there is such a place.
 fs::path make_folder() {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "mesh/formats/export_mesh.h"
+#include "mesh/formats/open_mesh.h"
+#include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 
 namespace tetfarm {
@@ -195,6 +198,36 @@ TEST(MeshCheck, a_triangle_between_regions_has_two_tets_and_counts_for_each) {
     }
   }
   FAIL() << "the grid has no cut";
+}
+
+TEST(MeshCheck, of_every_format_is_that_of_the_mesh_it_was_exported_from) {
+  GridSource source(cut_grid(4));
+  for (const std::size_t part : {1, 2}) source.parts[part].region = 2;
+  const MeshCheckResult wanted = check_mesh(source);
+  // Formats that list triangles patch by patch do not keep their numbers, which the digest has.
+  for (const auto& [format, file, keeps_digest] : {std::tuple{"vtkhdf", "a.vtkhdf", true},
+                                                   {"lb8.ugrid", "a.lb8.ugrid", true},
+                                                   {"b8.ugrid", "a.b8.ugrid", true},
+                                                   {"lb8l.ugrid", "a.lb8l.ugrid", true},
+                                                   {"b8l.ugrid", "a.b8l.ugrid", true},
+                                                   {"meshb", "a.meshb", true},
+                                                   {"tetgen", "a.node", true},
+                                                   {"msh22", "a.msh", true},
+                                                   {"pvtu", "a.pvtu", true},
+                                                   {"cgns", "a.cgns", false},
+                                                   {"msh41", "a.msh", false},
+                                                   {"msh41-text", "a.msh", false},
+                                                   {"su2", "a.su2", false}}) {
+    SCOPED_TRACE(format);
+    const TempFolder folder;
+    export_mesh(source, find_mesh_format(format, file), folder.path() / file);
+    const MeshCheckResult read = check_mesh(*open_mesh(folder.path() / file, folder.path()));
+    EXPECT_THAT(read.complaints, IsEmpty());
+    EXPECT_EQ(read.nodes, wanted.nodes);
+    EXPECT_EQ(read.volume, wanted.volume);
+    EXPECT_NEAR(read.enclosed_volume, wanted.enclosed_volume, 1e-14);
+    EXPECT_EQ(read.digest == wanted.digest, keeps_digest);
+  }
 }
 
 TEST(MeshCheck, finds_the_same_with_the_least_memory) {
