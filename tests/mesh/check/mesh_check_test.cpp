@@ -131,6 +131,15 @@ TEST(MeshCheck, a_turned_tet_is_named_also_without_comparing_faces) {
   }
 }
 
+TEST(MeshCheck, two_tets_on_the_same_side_of_a_face_are_told_from_neighbours) {
+  GridSource source = grid();
+  NumberedPart& part = source.parts[2];
+  Tet& tet = part.tets[inner_tet(part)];
+  std::swap(tet[0], tet[1]);
+  EXPECT_THAT(complaints_of(source),
+              Contains(AllOf(HasSubstr("has 2 tets"), Not(HasSubstr("1 from one side")))));
+}
+
 TEST(MeshCheck, a_shared_node_that_lies_elsewhere_by_the_last_bit_is_named) {
   GridSource source = grid();
   // A node on the cut between sub-domains 0 and 1.
