@@ -173,30 +173,12 @@ void DemandsInCell::add_below(std::uint32_t number, const Ball& ball) {
   }
 }
 
-double DemandsInCell::lowest_at(const Vec3& point, double limit) const {
+double DemandsInCell::lowest(const Vec3& point, double radius, double limit) const {
   for (std::size_t i = lists_.back().demand; i < demands_.size(); ++i) {
-    limit = std::min(limit, tree_.value(demands_[i], point, 0));
+    limit = std::min(limit, tree_.value(demands_[i], point, radius));
   }
   for (std::size_t i = lists_.back().node; i < nodes_.size(); ++i) {
-    limit = tree_.lowest_below(nodes_[i], point, 0, limit);
-  }
-  return limit;
-}
-
-DemandsInCell::Lowest DemandsInCell::lowest_in(const Vec3& centre, double radius,
-                                               Lowest limit) const {
-  const double growth = tree_.growth_;
-  for (std::size_t i = lists_.back().demand; i < demands_.size(); ++i) {
-    const PointDemand& demand = demands_[i];
-    const double away = distance(demand.at, centre);
-    const double at_centre = std::max(0.0, away - demand.plateau);
-    const double within = std::max(0.0, away - radius - demand.plateau);
-    limit.at_centre = std::min(limit.at_centre, demand.spacing + growth * at_centre);
-    limit.within = std::min(limit.within, demand.spacing + growth * within);
-  }
-  for (std::size_t i = lists_.back().node; i < nodes_.size(); ++i) {
-    limit.at_centre = tree_.lowest_below(nodes_[i], centre, 0, limit.at_centre);
-    limit.within = tree_.lowest_below(nodes_[i], centre, radius, limit.within);
+    limit = tree_.lowest_below(nodes_[i], point, radius, limit);
   }
   return limit;
 }

@@ -62,19 +62,12 @@ class DemandsInCell {
   void enter(const Vec3& centre, double radius, double limit);
   void leave();
 
-  /// The least, over the demands, of spacing + growth * max(0, distance - plateau) at a point of
-  /// the ball entered last, or `limit` if less.
-  /// @pre `limit` is at most the one given there. Cost: O(length of the list), some dozens round
-  /// cells of the wanted size.
-  double lowest_at(const Vec3& point, double limit) const;
-
-  /// The same at the centre of the ball entered last, and a lower bound of it within the ball.
-  struct Lowest {
-    double at_centre = 0;
-    double within = 0;
-  };
-  /// @pre and cost: as lowest_at.
-  Lowest lowest_in(const Vec3& centre, double radius, Lowest limit) const;
+  /// The least, over the demands, of spacing + growth * max(0, distance - radius - plateau), or
+  /// `limit` if less: with radius 0 the demand at the point, else a lower bound of it within the
+  /// radius.
+  /// @pre the ball asked for lies in the one entered last, or is it; `limit` is at most the one
+  /// given there. Cost: O(length of the list), some dozens round cells of the wanted size.
+  double lowest(const Vec3& point, double radius, double limit) const;
 
  private:
   struct Ball {

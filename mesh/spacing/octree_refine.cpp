@@ -44,6 +44,12 @@ class Refinement {
            size_at_level(level) * frame_.unit > cell_fit / lattice_ratio * spacing;
   }
 
+  /// A spacing twice which does not make a cell too large, whatever the rounding.
+  double enough_in(int level) const {
+    constexpr double rounding = 1e-6;
+    return 0.5 * (1 + rounding) * size_at_level(level) * frame_.unit * lattice_ratio / cell_fit;
+  }
+
   bool is_far_outside(const LatticeCell& cell) const {
     const std::int32_t size = size_at_level(cell.level);
     Box3 wide;
@@ -57,7 +63,7 @@ class Refinement {
 
   void visit(std::size_t node, const LatticeCell& cell) {
     inside_.enter(demand_cell(frame_, cell));
-    const CellDemand::Bounds bounds = inside_.bounds();
+    const CellDemand::Bounds bounds = inside_.bounds(enough_in(cell.level));
     if (bounds.is_ceiling) {
       tree_.lattice_level[node] = static_cast<std::uint8_t>(std::max(cell.level, ceiling_level_));
     } else if (is_too_large(cell.level, std::min(bounds.at_centre, 2 * bounds.lowest)) &&

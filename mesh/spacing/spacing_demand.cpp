@@ -11,7 +11,10 @@ bool SpacingDemand::grows_too_fast() const {
 }
 
 CellDemand::CellDemand(const SpacingDemand& demand)
-    : demand_(demand), points_(demand.points), starts_{0} {
+    : demand_(demand),
+      points_(demand.points),
+      starts_{0},
+      grows_too_fast_(demand.grows_too_fast()) {
   sources_.resize(demand.sources.size());
   std::iota(sources_.begin(), sources_.end(), 0U);
 }
@@ -48,24 +51,24 @@ void CellDemand::leave() {
   cells_.pop_back();
 }
 
-CellDemand::Bounds CellDemand::bounds() const {
+CellDemand::Bounds CellDemand::bounds(double enough) const {
   const Cell& cell = cells_.back();
-  DemandsInCell::Lowest lowest{without_points(cell.centre), demand_.ceiling};
+  const double at_centre = at(cell.centre);
+  if (!grows_too_fast_ && at_centre < demand_.ceiling) {
+    const double by_growth = at_centre - demand_.growth * cell.half_diagonal;
+    if (by_growth >= enough) return {at_centre, by_growth, false};
+  }
+  double lowest = demand_.ceiling;
   for (const std::uint32_t source : sources_here()) {
     const SourceValue value = source_value(demand_.sources[source], cell.centre, cell.half_diagonal,
                                            demand_.background, demand_.growth);
-    lowest.within = std::min(lowest.within, value.floor);
+    lowest = std::min(lowest, value.floor);
   }
-  lowest = points_.lowest_in(cell.centre, cell.half_diagonal, lowest);
-  const bool is_ceiling = !demand_.background_mesh && lowest.within >= demand_.ceiling;
-  return {lowest.at_centre, lowest.within, is_ceiling};
+  lowest = points_.lowest(cell.centre, cell.half_diagonal, lowest);
+  return {at_centre, lowest, !demand_.background_mesh && lowest >= demand_.ceiling};
 }
 
 double CellDemand::at(const Vec3& point) const {
-  return points_.lowest_at(point, without_points(point));
-}
-
-double CellDemand::without_points(const Vec3& point) const {
   double spacing = demand_.ceiling;
   for (const std::uint32_t source : sources_here()) {
     const SourceValue value =
@@ -73,7 +76,7 @@ double CellDemand::without_points(const Vec3& point) const {
     spacing = std::min(spacing, value.asked);
   }
   if (demand_.background_mesh) spacing = std::min(spacing, demand_.background_mesh->at(point));
-  return spacing;
+  return points_.lowest(point, 0, spacing);
 }
 
 }  // namespace tetfarm

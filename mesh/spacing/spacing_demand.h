@@ -54,20 +54,20 @@ class CellDemand {
     /// The spacing is the ceiling everywhere in the cell; never so with a background mesh.
     bool is_ceiling = false;
   };
-  /// Of the cell last entered.
-  Bounds bounds() const;
+  /// Of the cell last entered. A `lowest` of `enough` and more may be smaller than need be.
+  Bounds bounds(double enough) const;
   /// The spacing at a point of the cell last entered.
   double at(const Vec3& point) const;
 
  private:
   std::span<const std::uint32_t> sources_here() const;
-  double without_points(const Vec3& point) const;
 
   const SpacingDemand& demand_;
   DemandsInCell points_;
   std::vector<std::uint32_t> sources_;
   std::vector<std::size_t> starts_;
   std::vector<Cell> cells_;
+  bool grows_too_fast_;
 };
 
 }  // namespace tetfarm

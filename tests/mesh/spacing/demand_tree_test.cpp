@@ -52,7 +52,7 @@ TEST(DemandTree, finds_what_asking_everyone_finds) {
     everywhere.enter({0.5, 0.5, 0.5}, 3, limit);
     for (int i = 0; i < 300; ++i) {
       const Vec3 p{3 * numbers.next() - 1, 3 * numbers.next() - 1, 3 * numbers.next() - 1};
-      EXPECT_EQ(everywhere.lowest_at(p, limit), asking_everyone(demands, growth, p, 0, limit));
+      EXPECT_EQ(everywhere.lowest(p, 0, limit), asking_everyone(demands, growth, p, 0, limit));
     }
   }
 }
@@ -66,14 +66,15 @@ class CellsInside {
   void visit(const Vec3& centre, double half_edge, int depth) {
     const double radius = std::sqrt(3 * half_edge * half_edge);
     inside_.enter(centre, radius, limit);
-    const DemandsInCell::Lowest lowest = inside_.lowest_in(centre, radius, {limit, limit});
-    EXPECT_EQ(lowest.at_centre, asking_everyone(demands_, growth_, centre, 0, limit));
-    EXPECT_EQ(lowest.within, asking_everyone(demands_, growth_, centre, radius, limit));
+    for (const double within : {0.0, radius}) {
+      EXPECT_EQ(inside_.lowest(centre, within, limit),
+                asking_everyone(demands_, growth_, centre, within, limit));
+    }
     for (const double x : {-half_edge, half_edge}) {
       for (const double y : {-half_edge, half_edge}) {
         for (const double z : {-half_edge, half_edge}) {
           const Vec3 corner = centre + Vec3{x, y, z};
-          EXPECT_EQ(inside_.lowest_at(corner, limit),
+          EXPECT_EQ(inside_.lowest(corner, 0, limit),
                     asking_everyone(demands_, growth_, corner, 0, limit));
           if (depth > 0) visit(centre + 0.5 * Vec3{x, y, z}, 0.5 * half_edge, depth - 1);
         }
@@ -102,8 +103,8 @@ TEST(DemandsInCell, give_the_limit_when_nobody_asks) {
   const DemandTree tree({}, 0.3);
   DemandsInCell inside(tree);
   inside.enter({1, 2, 3}, 1, 7);
-  EXPECT_EQ(inside.lowest_at({1, 2, 3}, 7), 7);
-  EXPECT_EQ(inside.lowest_in({1, 2, 3}, 1, {7, 7}).within, 7);
+  EXPECT_EQ(inside.lowest({1, 2, 3}, 0, 7), 7);
+  EXPECT_EQ(inside.lowest({1, 2, 3}, 1, 7), 7);
 }
 
 TEST(DemandsInCell, take_many_demands_at_one_place) {
@@ -113,7 +114,7 @@ TEST(DemandsInCell, take_many_demands_at_one_place) {
   DemandsInCell inside(tree);
   inside.enter({1, 1, 1}, 0.5, 7);
   inside.enter({1, 1, 1}, 0.1, 7);
-  EXPECT_EQ(inside.lowest_at({1, 1, 1}, 7), 0.25);
+  EXPECT_EQ(inside.lowest({1, 1, 1}, 0, 7), 0.25);
 }
 
 }  // namespace
