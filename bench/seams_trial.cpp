@@ -42,6 +42,7 @@ struct Arguments {
   double wanted = 30;
   double height = 0.35;
   double least = 0.55;
+  std::int64_t joint = cosmetics_near_cuts().most_joint_failures;
   ExtractionOptions extraction;
 };
 
@@ -58,6 +59,7 @@ Arguments parse(int count, char** words) {
     if (!std::strcmp(words[i], "--wanted")) a.wanted = std::stod(words[i + 1]);
     if (!std::strcmp(words[i], "--height")) a.height = std::stod(words[i + 1]);
     if (!std::strcmp(words[i], "--least")) a.least = std::stod(words[i + 1]);
+    if (!std::strcmp(words[i], "--joint")) a.joint = std::stol(words[i + 1]);
     if (!std::strcmp(words[i], "--taken")) a.extraction.taken_layers = std::stoi(words[i + 1]);
     if (!std::strcmp(words[i], "--sought")) a.extraction.sought_layers = std::stoi(words[i + 1]);
     if (!std::strcmp(words[i], "--round")) a.extraction.layers_round_bad = std::stoi(words[i + 1]);
@@ -276,6 +278,7 @@ Turns give_turns(const CosmeticOrder& order, const Arguments& arguments,
     options.cosmetics.wanted_dihedral_deg = arguments.wanted;
     options.cosmetics.height_in_spacings = arguments.height;
     options.cosmetics.height_in_smallest_spacings = arguments.least;
+    options.cosmetics.most_joint_failures = arguments.joint;
     options.cosmetics.smallest_spacing = spacing.smallest();
     options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
     SeamResult result = improve_seams(mine, turn, options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "base/check.h"
@@ -50,58 +51,107 @@ std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
   return ranks;
 }
 
-/// Nodes round which the leaf has nothing but tets of the even lattice need not move: no other
-/// place would make one of them better. Such are most nodes of a cut along the lattice.
-void leave_out_perfect_nodes(const TetMesh& mesh, std::vector<Rank>& of_node) {
+/// A flag for the shared nodes that may gain from a move. Those round which the leaf has nothing
+/// but tets of the even lattice do not: no other place would make one of these better. Such are
+/// most nodes of a cut along the lattice.
+std::vector<bool> nodes_that_may_gain(const TetMesh& mesh, const std::vector<Rank>& of_node) {
   constexpr double least_dihedral_deg = 59.9;  // the lattice's tets have 60 and 90
   const double perfect = cosmetics::goodness_of_angle(least_dihedral_deg);
-  std::vector<bool> is_perfect(of_node.size(), true);
+  std::vector<bool> may_gain(of_node.size(), false);
   for (const Tet& tet : mesh.tets) {
     if (std::all_of(tet.begin(), tet.end(), [&](auto v) { return of_node[at(v)] == no_rank; })) {
       continue;
     }
     const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
     if (cosmetics::goodness(point(0), point(1), point(2), point(3)) >= perfect) continue;
-    for (const std::int32_t v : tet) is_perfect[at(v)] = false;
+    for (const std::int32_t v : tet) may_gain[at(v)] = of_node[at(v)] != no_rank;
   }
-  for (std::size_t v = 0; v < of_node.size(); ++v) {
-    if (is_perfect[v]) of_node[v] = no_rank;
-  }
+  return may_gain;
 }
+
+/// Finds the set of sharers for tets whose nodes have different ones.
+class SetChoice {
+ public:
+  SetChoice(const std::vector<Sharers>& sets, const std::vector<std::uint32_t>& preference)
+      : sets_(sets), preference_(preference) {}
+
+  /// The smallest set that holds all sharers of the four nodes, so that each of them has at hand
+  /// what its own nodes need; the preferred one of theirs where there is none.
+  Rank of(std::array<Rank, 4> ranks) {
+    std::sort(ranks.begin(), ranks.end());
+    const auto last = std::unique(ranks.begin(), std::find(ranks.begin(), ranks.end(), no_rank));
+    if (last - ranks.begin() == 1) return ranks[0];
+    std::fill(last, ranks.end(), no_rank);
+    const auto [place, is_new] = known_.try_emplace(ranks, ranks[0]);
+    if (is_new) place->second = smallest_round(ranks);
+    return place->second;
+  }
+
+ private:
+  const Sharers& sharers(Rank rank) const { return sets_[preference_[rank]]; }
+
+  Rank smallest_round(const std::array<Rank, 4>& ranks) const {
+    Rank best = no_rank;
+    for (Rank rank = 0; rank < preference_.size(); ++rank) {
+      const Sharers& set = sharers(rank);
+      if (best != no_rank && set.size() >= sharers(best).size()) continue;
+      const bool holds_all = std::all_of(ranks.begin(), ranks.end(), [&](Rank r) {
+        return r == no_rank || std::ranges::includes(set, sharers(r));
+      });
+      if (holds_all) best = rank;
+    }
+    return best == no_rank ? ranks[0] : best;
+  }
+
+  const std::vector<Sharers>& sets_;
+  const std::vector<std::uint32_t>& preference_;
+  std::map<std::array<Rank, 4>, Rank> known_;
+};
 
 /// A tet near a cut.
 struct NearTet {
   std::uint32_t tet = 0;
   Rank rank = no_rank;
+  bool is_sought = false;  ///< in a layer where bad tets are sought
   bool is_taken = false;
 };
 
 /// The tets within reach of a shared node with their ranks, layer by layer; those of the layers
-/// that are always taken are.
-std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_node,
+/// that are always taken at nodes that may gain are.
+std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_node, SetChoice sets,
                                     const ExtractionOptions& options) {
   std::vector<NearTet> near;
+  std::vector<bool> may_gain = nodes_that_may_gain(mesh, of_node);
   std::vector<bool> is_near(mesh.tets.size(), false);
-  for (int layer = 0; layer < options.sought_layers; ++layer) {
+  const int layers = options.sought_layers + options.layers_round_bad;
+  for (int layer = 0; layer < layers; ++layer) {
     const std::size_t first = near.size();
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
       if (is_near[t]) continue;
       const Tet& tet = mesh.tets[t];
-      const Rank rank = std::min(std::min(of_node[at(tet[0])], of_node[at(tet[1])]),
-                                 std::min(of_node[at(tet[2])], of_node[at(tet[3])]));
-      if (rank == no_rank) continue;
+      const std::array ranks = {of_node[at(tet[0])], of_node[at(tet[1])], of_node[at(tet[2])],
+                                of_node[at(tet[3])]};
+      if (*std::min_element(ranks.begin(), ranks.end()) == no_rank) continue;
+      const Rank rank = sets.of(ranks);
       is_near[t] = true;
-      near.push_back({static_cast<std::uint32_t>(t), rank, layer < options.taken_layers});
+      const bool is_taken =
+          layer < options.taken_layers &&
+          std::any_of(tet.begin(), tet.end(), [&](auto v) { return may_gain[at(v)]; });
+      near.push_back(
+          {static_cast<std::uint32_t>(t), rank, layer < options.sought_layers, is_taken});
     }
     std::vector<std::int32_t> reached;
     std::vector<Rank> rank_of_reached;
+    std::vector<std::int32_t> gain_next;
     for (std::size_t i = first; i < near.size(); ++i) {
       for (const std::int32_t v : mesh.tets[near[i].tet]) {
+        if (near[i].is_taken) gain_next.push_back(v);
         if (of_node[at(v)] != no_rank) continue;
         reached.push_back(v);
         rank_of_reached.push_back(near[i].rank);
       }
     }
+    for (const std::int32_t v : gain_next) may_gain[at(v)] = true;
     for (std::size_t i = 0; i < reached.size(); ++i) {
       Rank& rank = of_node[at(reached[i])];
       rank = std::min(rank, rank_of_reached[i]);
@@ -134,6 +184,7 @@ void take_round_bad(const TetMesh& mesh, const ExtractionOptions& options,
   const GoodEnough is_good(options);
   std::vector<bool> is_reached(mesh.nodes.size(), false);
   for (const NearTet& item : near) {
+    if (!item.is_sought) continue;
     const Tet& tet = mesh.tets[item.tet];
     const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
     if (is_good(point(0), point(1), point(2), point(3))) continue;
@@ -242,8 +293,8 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   TF_CHECK(shared.path == leaf.path);
   const std::vector<std::uint32_t> preference = by_preference(shared.sets);
   std::vector<Rank> ranks = ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference);
-  leave_out_perfect_nodes(mesh, ranks);
-  std::vector<NearTet> near = tets_near_cuts(mesh, std::move(ranks), options);
+  std::vector<NearTet> near =
+      tets_near_cuts(mesh, std::move(ranks), SetChoice(shared.sets, preference), options);
   take_round_bad(mesh, options, near);
   std::erase_if(near, [](const NearTet& item) { return !item.is_taken; });
   std::sort(near.begin(), near.end(),

@@ -6,7 +6,8 @@
 /// looked at only, and taken where an element is below the wanted quality: nine tenths of them are
 /// as good as cosmetics would make them (docs/decisions/0011). The nodes of cuts may move
 /// wherever the layer at them is at hand, on all sides, so that layer is always taken, but at nodes
-/// among tets of the even lattice: those stay.
+/// among tets of the even lattice: those stay. A tet between two cuts goes to a set that holds all
+/// sharers of its nodes, so that some turn has all tets of each of these at hand.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct ExtractionOptions {
   int taken_layers = 1;
   /// Layers in which bad elements are sought.
   int sought_layers = 4;
-  /// Layers round a bad element that are taken with it, as far as they are among those.
+  /// Layers round a bad element that are taken with it, also behind those.
   int layers_round_bad = 2;
   /// Bad are elements with a smaller dihedral angle, or a smaller height, in longest edges.
   double wanted_dihedral_deg = 30;
@@ -34,8 +35,9 @@ struct ExtractedElements {
   CoreElements core;
 };
 
-/// An element belongs to the set of sharers at the nearest shared node, in layers; of equally near
-/// ones to the largest set, then the first.
+/// An element belongs to the set of sharers at the nearest shared node, in layers. Where nodes of
+/// several sets are equally near, it belongs to the smallest set that holds all of them; where
+/// there is none, to the largest of them, then the first.
 /// @pre `mesh` is of `leaf` and `shared` its shared nodes. Cost: O(n), some 30 ns a tet, and
 /// O(m log m) for m that are taken.
 ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,

@@ -4,7 +4,9 @@
 #include <optional>
 #include <queue>
 
+#include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/quality.h"
+#include "mesh/cosmetics/small_polyhedron_reconnection.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm::cosmetics {
@@ -15,14 +17,24 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 /// Below 1 while a tet is too low. Where its goodness nears the floor it counts as low too, at the
 /// floor itself as low as the lowest was at first: no rise of the smallest measure goes below it.
 struct HeightMeasure {
+  static constexpr double slope = 20;
   double wanted2 = 0;
   double floor = 0;
   double lowest_at_first = 0;
 
+  double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    return std::min(smallest_height2(a, b, c, d) / wanted2,
+                    lowest_at_first + slope * (goodness(a, b, c, d) - floor));
+  }
+  MeasurePieces pieces(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    const TetPieces tet = pieces_of(a, b, c, d);
+    MeasurePieces all;
+    for (std::size_t i = 0; i < 6; ++i) all[i] = lowest_at_first + slope * (tet.sines2[i] - floor);
+    for (std::size_t i = 0; i < 4; ++i) all[6 + i] = tet.heights2[i] / wanted2;
+    return all;
+  }
   double operator()(const StarFace& face, const Vec3& p) const {
-    constexpr double slope = 20;
-    return std::min(smallest_height2(face[0], face[1], face[2], p) / wanted2,
-                    lowest_at_first + slope * (goodness(face[0], face[1], face[2], p) - floor));
+    return (*this)(face[0], face[1], face[2], p);
   }
 };
 
@@ -36,12 +48,12 @@ double wanted2_at(const Vec3& p, const HeightOptions& options) {
 }
 
 struct LowTet {
-  double share2 = 0;  ///< of the wanted height, squared
+  double key = 0;  ///< the height squared, or what it is of the wanted one
   std::int32_t tet = -1;
 
   /// The lowest comes first out of a priority queue.
   friend bool operator<(const LowTet& a, const LowTet& b) {
-    return a.share2 != b.share2 ? a.share2 > b.share2 : a.tet > b.tet;
+    return a.key != b.key ? a.key > b.key : a.tet > b.tet;
   }
 };
 
@@ -52,11 +64,14 @@ struct HeightRaiser {
   /// Number of changes when no better place was found for a node.
   std::vector<std::int64_t> node2settled;
 
+  double height2_of(std::int32_t t) const {
+    const auto& [a, b, c, d] = work.tet(t);
+    return smallest_height2(work.point(a), work.point(b), work.point(c), work.point(d));
+  }
   double share2_of(std::int32_t t) const {
     const auto& [a, b, c, d] = work.tet(t);
     const Vec3 centre = 0.25 * (work.point(a) + work.point(b) + work.point(c) + work.point(d));
-    return smallest_height2(work.point(a), work.point(b), work.point(c), work.point(d)) /
-           wanted2_at(centre, options);
+    return height2_of(t) / wanted2_at(centre, options);
   }
   void queue_if_low(std::int32_t t) {
     const double share2 = share2_of(t);
@@ -99,6 +114,57 @@ bool raise(HeightRaiser& raiser, const LowTet& low) {
   return moved;
 }
 
+/// Moves the nodes round the tet together; the tets that were changed, or none.
+std::vector<std::int32_t> raise_together(HeightRaiser& raiser, std::int32_t tet) {
+  WorkMesh& work = raiser.work;
+  NodePatch patch = patch_round(work, tet);
+  if (patch.nodes.empty()) return {};
+  const Vec3& here = work.point(patch.nodes.front());
+  HeightMeasure measure{wanted2_at(here, raiser.options), 0, HUGE_VAL};
+  measure.lowest_at_first = worst_in(patch, -HUGE_VAL, measure);
+  measure.floor = std::min(raiser.options.floor, worst_of(work, patch.tets));
+  const double after = climb_together(patch, 1, measure);
+  if (!is_worth(measure.lowest_at_first, after) || !move_patch(work, patch)) return {};
+  return std::move(patch.tets);
+}
+
+/// Fills a cavity round the tet with other tets of the same nodes; those, or none.
+std::vector<std::int32_t> reconnect_higher(HeightRaiser& raiser, std::int32_t tet) {
+  WorkMesh& work = raiser.work;
+  const double wanted2 = wanted2_at(work.point(work.tet(tet)[0]), raiser.options);
+  ReconnectionOptions options;
+  options.enough = 1;
+  options.measure = HeightMeasure{wanted2, std::min(raiser.options.floor, work.goodness_of(tet)),
+                                  raiser.height2_of(tet) / wanted2};
+  const auto found = find_reconnection(work, tet, options);
+  return found ? replace_tets(work, *found) : std::vector<std::int32_t>{};
+}
+
+/// What no node could raise by itself is raised by neighbours together or by other tets of the same
+/// nodes, lowest first whatever is wanted there.
+void raise_lowest_together(HeightRaiser& raiser) {
+  std::priority_queue<LowTet> queue;
+  const auto queue_if_low = [&](std::int32_t t) {
+    if (raiser.share2_of(t) < 1) queue.push({raiser.height2_of(t), t});
+  };
+  const auto tets = static_cast<std::int32_t>(raiser.work.complex.nodes.size());
+  for (std::int32_t t = 0; t < tets; ++t) {
+    if (raiser.work.complex.is_live(t)) queue_if_low(t);
+  }
+  std::int64_t failures = 0;
+  while (!queue.empty() && failures < raiser.options.most_joint_failures) {
+    const LowTet low = queue.top();
+    queue.pop();
+    const bool is_current =
+        raiser.work.complex.is_live(low.tet) && raiser.height2_of(low.tet) == low.key;
+    if (!is_current) continue;
+    std::vector<std::int32_t> changed = raise_together(raiser, low.tet);
+    if (changed.empty()) changed = reconnect_higher(raiser, low.tet);
+    if (changed.empty()) ++failures;
+    for (const std::int32_t t : changed) queue_if_low(t);
+  }
+}
+
 }  // namespace
 
 double smallest_height2(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -130,9 +196,10 @@ std::int64_t raise_heights(WorkMesh& work, const HeightOptions& options) {
   while (!raiser.queue.empty() && stuck < options.most_stuck) {
     const LowTet low = raiser.queue.top();
     raiser.queue.pop();
-    if (raiser.share2_of(low.tet) != low.share2) continue;
+    if (raiser.share2_of(low.tet) != low.key) continue;
     if (!raise(raiser, low)) ++stuck;
   }
+  if (options.most_joint_failures > 0) raise_lowest_together(raiser);
   return work.changes - before;
 }
 

@@ -23,6 +23,9 @@ struct HeightOptions {
   /// After so many tets that cannot be raised nothing more is tried: all others are higher than
   /// they, and the smallest height of the mesh is what it is.
   std::int64_t most_stuck = std::numeric_limits<std::int64_t>::max();
+  /// The lowest tets that no node can raise by itself are tried by moving neighbours together and
+  /// by reconnection, until so many of them could not be raised by that either. 0: none is.
+  std::int64_t most_joint_failures = 0;
   /// Target edge length at a point; asked for only where spacings are wanted.
   std::function<double(const Vec3&)> spacing;
   /// Whether a tet is known to be high enough as long as no tet of its nodes has changed; may be
@@ -35,9 +38,9 @@ struct HeightOptions {
 /// The square of the smallest height of a tet; 0 for a flat or inverted one. Cost: 60 flops.
 double smallest_height2(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Lowest tets first; a node moves only where the lowest tet round it becomes 3 % higher at least.
-/// The number of moves. Deterministic. Cost: 20 flops and a spacing a tet, some 30 µs for each low
-/// one.
+/// Lowest tets first; nodes move only where the lowest tet round them becomes higher, the square of
+/// its height by 3 % at least. The number of changes. Deterministic. Cost: 20 flops and a spacing a
+/// tet, some 30 µs for each low one, and up to 5 ms for each that neighbours are moved for.
 std::int64_t raise_heights(WorkMesh& work, const HeightOptions& options);
 
 }  // namespace tetfarm::cosmetics

@@ -1,19 +1,19 @@
 #include "mesh/cosmetics/improve_mesh.h"
 
 #include <algorithm>
-#include <numbers>
 #include <queue>
 
 #include "base/check.h"
-#include "mesh/core/tet_quality.h"
 #include "mesh/cosmetics/edge_removal.h"
 #include "mesh/cosmetics/element_collapse.h"
 #include "mesh/cosmetics/element_splitting.h"
 #include "mesh/cosmetics/face_swapping.h"
 #include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/relaxation.h"
 #include "mesh/cosmetics/small_polyhedron_reconnection.h"
+#include "mesh/cosmetics/smallest_angle.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm {
@@ -266,10 +266,28 @@ void try_last_resorts(Improver& improver) {
   split_desperate(improver);
 }
 
+/// Where no node can help by itself: neighbours move at once.
+void move_together(Improver& improver) {
+  std::int64_t failures = 0;
+  for (const BadTet& bad : worst_given_up(improver, improver.wanted)) {
+    if (failures == improver.options.most_joint_failures) return;
+    if (!improver.is_current(bad)) continue;
+    const auto changed = cosmetics::improve_together(improver.work, bad.tet, improver.wanted);
+    if (changed.empty()) {
+      ++failures;
+      continue;
+    }
+    ++improver.report.joint_moves;
+    improver.queue_bad(changed);
+    run_pass(improver, true);
+  }
+}
+
 cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor) {
   cosmetics::HeightOptions heights;
   heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
   heights.floor = floor;
+  heights.most_joint_failures = options.most_joint_failures;
   const RegularTets& regular = options.regular;
   if (regular.least_height > heights.wanted_length && options.height_in_spacings == 0) {
     heights.is_high_at_first = [&regular](std::int32_t t) { return regular.holds(t); };
@@ -296,32 +314,13 @@ struct Limits {
   double relaxed = 0;
 };
 
-/// The cosine of the smallest angle of all tets that are added.
-class SmallestAngle {
- public:
-  void add(const TetComplex& complex, const Tet& tet, double its_goodness) {
-    // A tet with a smaller angle than the smallest so far cannot have a larger goodness.
-    if (its_goodness > goodness_) return;
-    const auto point = [&](std::size_t i) { return complex.points[at(tet[i])]; };
-    const double cosine = dihedral_cosines(point(0), point(1), point(2), point(3)).of_smallest;
-    if (cosine <= cosine_) return;
-    cosine_ = cosine;
-    goodness_ = (1 - cosine) * (1 + cosine) * (1 + 1e-6) + 1e-12;
-  }
-  double degrees() const { return std::acos(cosine_) * 180 / std::numbers::pi; }
-
- private:
-  double cosine_ = -1;
-  double goodness_ = HUGE_VAL;
-};
-
 /// Regular tets are looked at where they may be bad.
 Scan scan(const TetComplex& complex, const Limits& limits, const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
   constexpr double goodness_of_regular = 0.75;
   const bool skips_regular = std::max(limits.wanted, limits.relaxed) < goodness_of_regular;
   Scan result;
-  SmallestAngle smallest;
+  cosmetics::SmallestAngle smallest;
   result.tet2goodness.assign(complex.nodes.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
     if (!complex.is_live(t) || (skips_regular && regular.holds(t) && t != regular.first)) continue;
@@ -340,7 +339,7 @@ Scan scan(const TetComplex& complex, const Limits& limits, const CosmeticOptions
 }
 
 double min_dihedral_deg(const WorkMesh& work, const RegularTets& regular) {
-  SmallestAngle smallest;
+  cosmetics::SmallestAngle smallest;
   for (std::int32_t t = 0; at(t) < work.complex.nodes.size(); ++t) {
     if (!work.complex.is_live(t)) continue;
     if (regular.holds(t) && t != regular.first && work.is_untouched(t)) continue;
@@ -384,6 +383,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   requeue(improver, false);
   run_pass(improver, true);
   try_last_resorts(improver);
+  move_together(improver);
   if (heights.wants_any()) {
     improver.report.moves += cosmetics::raise_heights(improver.work, heights);
   }

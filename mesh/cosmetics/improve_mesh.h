@@ -44,6 +44,9 @@ struct CosmeticOptions {
   /// many spacings of their own place. 0: none.
   double height_in_smallest_spacings = 0.55;
   double height_in_spacings = 0;
+  /// The worst tets that nothing helped, and the lowest, are tried by moving neighbouring nodes
+  /// together, until so many of them could not be helped by that either.
+  std::int64_t most_joint_failures = 0;
   /// Off: the report's angles stay 0, which saves a scan.
   bool measures_angles = true;
   /// Not scanned; only those near a change are looked at.
@@ -58,6 +61,7 @@ struct CosmeticReport {
   std::int64_t collapses = 0;
   std::int64_t splits = 0;
   std::int64_t reconnections = 0;
+  std::int64_t joint_moves = 0;
 };
 
 /// Worst first; no operation makes the worst element of what it touches worse. Nodes below

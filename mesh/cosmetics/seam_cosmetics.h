@@ -20,6 +20,7 @@ inline CosmeticOptions cosmetics_near_cuts() {
   CosmeticOptions options;
   options.rebuilds_to_wanted = true;
   options.height_in_spacings = 0.35;
+  options.most_joint_failures = 2;
   return options;
 }
 

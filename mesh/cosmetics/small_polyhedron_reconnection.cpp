@@ -63,11 +63,17 @@ void take_tet(WorkMesh& work, Cavity& cavity, std::int32_t t) {
   }
 }
 
+double measure_of(const WorkMesh& work, std::int32_t t, const ReconnectionOptions& options) {
+  if (!options.measure) return work.goodness_of(t);
+  const auto& [a, b, c, d] = work.tet(t);
+  return options.measure(work.point(a), work.point(b), work.point(c), work.point(d));
+}
+
 /// Grows round t: first by tets that bring no new node, then by the worst ones; tets worse than t
 /// stay out, as they would be what the new tets are judged against.
 Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& options) {
   Cavity cavity;
-  const double least = work.goodness_of(t);
+  const double least = measure_of(work, t, options);
   work.clear_marks();
   take_tet(work, cavity, t);
   while (cavity.tets.size() < options.most_tets) {
@@ -77,11 +83,11 @@ Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& o
       for (int face = 0; face < 4; ++face) {
         const FaceHandle across = work.across(inside, face);
         if (across == no_face || work.is_marked(tet_of(across))) continue;
-        const double goodness_across = work.goodness_of(tet_of(across));
-        if (goodness_across < least) continue;
+        const double across_measure = measure_of(work, tet_of(across), options);
+        if (across_measure < least) continue;
         const bool is_new = !cavity.has(work.tet(tet_of(across))[at(face_of(across))]);
         if (is_new && cavity.nodes.size() == options.most_nodes) continue;
-        const double key = goodness_across + (is_new ? 2 : 0);
+        const double key = across_measure + (is_new ? 2 : 0);
         if (key < key_of_best || (key == key_of_best && tet_of(across) < best)) {
           key_of_best = key;
           best = tet_of(across);
@@ -168,6 +174,13 @@ class Search {
 
   bool is_over() const { return steps_ >= options_.most_steps || best_worst_ >= options_.enough; }
 
+  /// The measure; negative for an inverted tet.
+  double judge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
+    if (!options_.measure) return goodness(a, b, c, p);
+    return tet_volume(a, b, c, p) < 0 ? -options_.measure(b, a, c, p)
+                                      : options_.measure(a, b, c, p);
+  }
+
   /// The tet (face, apex): negative figures when it is inverted.
   Shape shape_of(const Face& face, Node apex) {
     std::array<Node, 4> n = {face[0], face[1], face[2], apex};
@@ -188,7 +201,7 @@ class Search {
       const Vec3& b = points_[n[1]];
       const Vec3& c = points_[n[2]];
       const Vec3& p = points_[n[3]];
-      shape = {goodness(a, b, c, p), 6 * tet_volume(a, b, c, p), true};
+      shape = {judge(a, b, c, p), 6 * tet_volume(a, b, c, p), true};
     }
     return odd ? Shape{-shape.goodness, -shape.volume6, true} : shape;
   }
@@ -301,7 +314,10 @@ std::optional<Replacement> find_reconnection(WorkMesh& work, std::int32_t t,
   const Cavity cavity = grown_cavity(work, t, options);
   const std::optional<Front> front = outer_front(work, cavity);
   if (!front) return std::nullopt;
-  const double before = worst_of(work, cavity.tets);
+  double before = 1;
+  for (const std::int32_t inside : cavity.tets) {
+    before = std::min(before, measure_of(work, inside, options));
+  }
   Search search(work, cavity, options, least_worth(before));
   search.run(*front, volume6_of(work, cavity.tets));
   if (search.best().empty()) return std::nullopt;

@@ -7,6 +7,7 @@
 /// (cavity.h).
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "mesh/cosmetics/cavity.h"
@@ -21,6 +22,8 @@ struct ReconnectionOptions {
   int most_steps = 4000;
   /// It ends when a tetrahedralization as good as this is found.
   double enough = 0.5;
+  /// What is to become larger instead of the goodness: a number for a positive tet. Empty: that.
+  std::function<double(const Vec3&, const Vec3&, const Vec3&, const Vec3&)> measure;
 };
 
 /// A better tetrahedralization of a cavity round tet t; nothing when there is none, or none was

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "tests/mesh/cosmetics/cut_bar.h"
+#include "tests/mesh/cosmetics/trial_meshes.h"
 
 namespace tetfarm {
 namespace {
@@ -115,7 +117,16 @@ TEST(ElementPassing, behind_the_first_layer_only_what_lies_round_bad_elements_le
   };
   EXPECT_TRUE(holds({6, 4, 4.93}));
   EXPECT_FALSE(holds({6, 8, 4}));
-  EXPECT_FALSE(holds({3, 4, 4}));
+  // Two layers round the bad ones, though the second is the fifth from the cut.
+  EXPECT_TRUE(holds({3, 4, 4}));
+  EXPECT_FALSE(holds({2, 4, 4}));
+}
+
+TEST(ElementPassing, what_is_bad_behind_the_layers_where_it_is_sought_stays_in_the_core) {
+  const CutBar bent({16, 9, 9}, left_or_right, [](const Cell& corner) {
+    return corner == Cell{2, 4, 4} ? Vec3{2, 4, 4.93} : trial::on_the_grid(corner);
+  });
+  EXPECT_EQ(extracted(bent, 2)[1].tets.size(), 6U * 9 * 9);
 }
 
 TEST(ElementPassing, the_core_is_what_is_left_of_its_own_mesh_only) {
@@ -193,6 +204,45 @@ TEST(ElementPassing, elements_at_the_node_of_many_are_in_the_section_of_many) {
   }
   EXPECT_TRUE(found.contains(Sharers{4, 5, 6, 7}));
   EXPECT_TRUE(found.contains(Sharers{4, 6}));
+}
+
+/// Of each node of a cut that is not on the surface, the leaves that have all its elements at hand.
+std::map<Origin, std::set<std::uint64_t>> leaves_that_may_move(
+    const std::vector<ElementSection>& sections) {
+  std::map<Origin, std::set<std::uint64_t>> able;
+  for (const ElementSection& section : sections) {
+    const std::set<std::uint64_t> sharers(section.sharers.begin(), section.sharers.end());
+    for (const Origin& origin : section.node_origin) {
+      if (origin.owner != 1) continue;
+      const auto [found, is_new] = able.try_emplace(origin, sharers);
+      if (!is_new) std::erase_if(found->second, [&](auto leaf) { return !sharers.contains(leaf); });
+    }
+  }
+  return able;
+}
+
+TEST(ElementPassing, every_node_of_a_cut_can_be_moved_in_some_turn) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    // Cells of five scattered points: cuts meet along lines at all angles.
+    std::array<Vec3, 5> middles;
+    for (std::size_t i = 0; i < 5; ++i) middles[i] = 10 * trial::random_vector(seed, i);
+    const CutBar bar({10, 10, 10}, [&](const Cell& cell) {
+      const Vec3 here = trial::on_the_grid(cell) - Vec3{4.5, 4.5, 4.5};
+      std::size_t nearest = 0;
+      for (std::size_t i = 1; i < 5; ++i) {
+        if (norm2(middles[i] - here) < norm2(middles[nearest] - here)) nearest = i;
+      }
+      return std::uint64_t{8} + nearest;
+    });
+    int nodes = 0;
+    int stuck = 0;
+    for (const auto& [origin, leaves] : leaves_that_may_move(all_extracted(bar))) {
+      ++nodes;
+      stuck += leaves.empty() ? 1 : 0;
+    }
+    EXPECT_GT(nodes, 100) << seed;
+    EXPECT_EQ(stuck, 0) << seed;
+  }
 }
 
 TEST(ElementPassing, layers_are_counted_from_the_elements_of_one_subdomain) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "mesh/cosmetics/edge_removal.h"
+#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
@@ -90,6 +91,45 @@ TEST(SmallPolyhedronReconnection, improves_what_it_touches_in_random_meshes) {
     EXPECT_NEAR(volume(complex), before, 1e-10 * before);
   }
   EXPECT_GT(found_count, 100);
+}
+
+TEST(SmallPolyhedronReconnection, raises_another_measure_where_one_is_given) {
+  ReconnectionOptions options;
+  options.enough = HUGE_VAL;
+  options.measure = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    return smallest_height2(a, b, c, d);
+  };
+  const auto lowest = [&options](const WorkMesh& work, const std::vector<std::int32_t>& tets) {
+    double least = HUGE_VAL;
+    for (const std::int32_t t : tets) {
+      const auto& [a, b, c, d] = work.tet(t);
+      least = std::min(least,
+                       options.measure(work.point(a), work.point(b), work.point(c), work.point(d)));
+    }
+    return least;
+  };
+  int found_count = 0;
+  int worse_goodness = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    TetComplex complex = make_tet_complex(trial::random_ball(2, 200, seed));
+    WorkMesh work(complex, 162);
+    for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
+      if (!complex.is_live(t) || lowest(work, {t}) > 0.002) continue;
+      const auto found = find_reconnection(work, t, options);
+      if (!found) continue;
+      const double before = lowest(work, found->old_tets);
+      const double goodness_before = worst_of(work, found->old_tets);
+      const auto tets = replace_tets(work, *found);
+      if (tets.empty()) continue;
+      ++found_count;
+      EXPECT_GT(lowest(work, tets), before);
+      EXPECT_NEAR(lowest(work, tets), found->new_worst, 1e-12);
+      if (worst_of(work, tets) < goodness_before) ++worse_goodness;
+    }
+    EXPECT_THAT(validate(complex), IsEmpty());
+  }
+  EXPECT_GT(found_count, 30);
+  EXPECT_GT(worse_goodness, 0);
 }
 
 /// Near a corner of a regular tet, a node that nobody needs.
