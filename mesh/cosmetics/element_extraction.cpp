@@ -78,9 +78,12 @@ class SetChoice {
   /// The smallest set that holds all sharers of the four nodes, so that each of them has at hand
   /// what its own nodes need; the preferred one of theirs where there is none.
   Rank of(std::array<Rank, 4> ranks) {
+    const Rank first = *std::min_element(ranks.begin(), ranks.end());
+    if (std::ranges::all_of(ranks, [first](Rank r) { return r == first || r == no_rank; })) {
+      return first;
+    }
     std::sort(ranks.begin(), ranks.end());
     const auto last = std::unique(ranks.begin(), std::find(ranks.begin(), ranks.end(), no_rank));
-    if (last - ranks.begin() == 1) return ranks[0];
     std::fill(last, ranks.end(), no_rank);
     const auto [place, is_new] = known_.try_emplace(ranks, ranks[0]);
     if (is_new) place->second = smallest_round(ranks);
@@ -123,16 +126,19 @@ std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_no
   std::vector<NearTet> near;
   std::vector<bool> may_gain = nodes_that_may_gain(mesh, of_node);
   std::vector<bool> is_near(mesh.tets.size(), false);
+  // Bytes: all of a leaf's stay in the nearest cache.
+  std::vector<std::uint8_t> is_reached(of_node.size());
+  for (std::size_t v = 0; v < of_node.size(); ++v) is_reached[v] = of_node[v] != no_rank ? 1 : 0;
   const int layers = options.sought_layers + options.layers_round_bad;
   for (int layer = 0; layer < layers; ++layer) {
     const std::size_t first = near.size();
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      if (is_near[t]) continue;
       const Tet& tet = mesh.tets[t];
-      const std::array ranks = {of_node[at(tet[0])], of_node[at(tet[1])], of_node[at(tet[2])],
-                                of_node[at(tet[3])]};
-      if (*std::min_element(ranks.begin(), ranks.end()) == no_rank) continue;
-      const Rank rank = sets.of(ranks);
+      const int reached = is_reached[at(tet[0])] | is_reached[at(tet[1])] | is_reached[at(tet[2])] |
+                          is_reached[at(tet[3])];
+      if (reached == 0 || is_near[t]) continue;
+      const Rank rank = sets.of(
+          {of_node[at(tet[0])], of_node[at(tet[1])], of_node[at(tet[2])], of_node[at(tet[3])]});
       is_near[t] = true;
       const bool is_taken =
           layer < options.taken_layers &&
@@ -155,6 +161,7 @@ std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_no
     for (std::size_t i = 0; i < reached.size(); ++i) {
       Rank& rank = of_node[at(reached[i])];
       rank = std::min(rank, rank_of_reached[i]);
+      is_reached[at(reached[i])] = 1;
     }
   }
   return near;
