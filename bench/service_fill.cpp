@@ -55,7 +55,7 @@ std::vector<File> outputs_of(const TaskRow& task) {
     case TaskKind::number:
       return files({"numbering"});
     case TaskKind::write:
-      return files({"portion"});
+      return files({"portion", "tets"});
     default:
       return files({"mesh.vtkhdf"});
   }

@@ -107,6 +107,7 @@ class Job {
         break;
       case TaskKind::write:
         add("portion");
+        add("tets");
         break;
       default:
         add("mesh.vtkhdf");

@@ -136,7 +136,7 @@ std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& resul
     case TaskKind::number:
       return {"numbering"};
     case TaskKind::write:
-      return {"portion"};
+      return {"portion", "tets"};
     case TaskKind::assemble:
       return {};
   }
@@ -268,7 +268,8 @@ TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t 
   task.job = inspect.job;
   task.kind = TaskKind::write;
   task.path = leaf;
-  task.inputs = {file_of(inspect.outputs, "surface"), file_of(number.outputs, "numbering")};
+  task.inputs = {file_of(inspect.inputs, "job"), file_of(inspect.outputs, "surface"),
+                 file_of(number.outputs, "numbering")};
   return task;
 }
 
@@ -288,8 +289,10 @@ TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
     if (node.state != SubdomainState::leaf) continue;
     const TaskRow* written = find_written(node.path);
     TF_CHECK(written != nullptr);
-    task.inputs.push_back(
-        renamed(file_of(written->outputs, "portion"), "portion:" + std::to_string(node.path)));
+    for (const std::string name : {"portion", "tets"}) {
+      task.inputs.push_back(
+          renamed(file_of(written->outputs, name), name + ":" + std::to_string(node.path)));
+    }
   }
   return task;
 }

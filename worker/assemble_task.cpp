@@ -8,23 +8,26 @@
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/write_ugrid.h"
-#include "mesh/assemble/write_vtkhdf.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
 
-/// A file in the making: its name in the result, where it grows, and who writes it.
-struct GrowingFile {
-  std::string name;
-  std::filesystem::path path;
-  std::unique_ptr<GlobalMeshWriter> writer;
-};
-
 std::string portion_of(const LeafNumbers& leaf) {
   return "portion:" + std::to_string(leaf.path.heap);
+}
+
+Portion read_portion(const TaskIo& io, const LeafNumbers& leaf) {
+  const std::string name = portion_of(leaf);
+  return portion_from_bytes(io.read(name), name);
+}
+
+void read_tets(const TaskIo& io, const LeafNumbers& leaf, Portion& portion) {
+  const std::string name = "tets:" + std::to_string(leaf.path.heap);
+  add_portion_tets(io.read(name), name, portion);
 }
 
 std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering) {
@@ -38,23 +41,69 @@ std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering
   return counts;
 }
 
-GrowingFile start_file(TaskIo& io, const std::string& format, const JobFile& job,
-                       const SurfaceMesh& surface, const Numbering& numbering) {
-  GrowingFile file;
-  file.name = job.name + "." + format;
-  file.path = io.store().scratch_path(file.name);
-  if (format == "vtkhdf") {
-    file.writer = write_vtkhdf(file.path, counts_of(io, numbering), surface.patch_names,
-                               surface.region_names);
-  } else if (format == "lb8.ugrid") {
-    file.writer = write_ugrid(file.path, numbering, meshed_sides(surface));
-    io.publish(job.name + ".mapbc", mapbc_text(surface.patch_names));
-  } else {
-    throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
-                     "[output] formats");
+/// The files of the result in the making.
+class ResultFiles {
+ public:
+  ResultFiles(TaskIo& io, const JobFile& job, const SurfaceMesh& surface,
+              const Numbering& numbering)
+      : io_(io), job_(job), surface_(surface), numbering_(numbering) {
+    for (const std::string& format : job.formats) start(format);
   }
-  return file;
-}
+
+  std::vector<GlobalMeshWriter*> writers() const {
+    std::vector<GlobalMeshWriter*> all;
+    if (vtkhdf_) all.push_back(vtkhdf_.get());
+    if (ugrid_) all.push_back(ugrid_.get());
+    return all;
+  }
+
+  /// With its tets where a file still needs them.
+  Portion read(const LeafNumbers& leaf) {
+    Portion portion = read_portion(io_, leaf);
+    const bool is_placed =
+        vtkhdf_ && !io_.assign().apart() &&
+        vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
+    if (!is_placed || ugrid_) read_tets(io_, leaf, portion);
+    return portion;
+  }
+
+  void publish() {
+    if (vtkhdf_) {
+      const ReadThrough& finished = vtkhdf_->finished();
+      io_.publish_checked_file(job_.name + ".vtkhdf", shared_mesh_file(io_).path,
+                               {finished.hash.hex(), static_cast<std::uint64_t>(finished.size)});
+    }
+    if (ugrid_) io_.publish_file(job_.name + ".lb8.ugrid", ugrid_path_);
+  }
+
+ private:
+  void start(const std::string& format) {
+    if (format == "vtkhdf") {
+      vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_mesh_file(io_), counts_of(io_, numbering_),
+                                               surface_, [this](std::size_t i) {
+                                                 const LeafNumbers& leaf = numbering_.leaves.at(i);
+                                                 Portion portion = read_portion(io_, leaf);
+                                                 read_tets(io_, leaf, portion);
+                                                 return std::move(portion.part);
+                                               });
+    } else if (format == "lb8.ugrid") {
+      ugrid_path_ = io_.store().scratch_path(job_.name + "." + format);
+      ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
+      io_.publish(job_.name + ".mapbc", mapbc_text(surface_.patch_names));
+    } else {
+      throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
+                       "[output] formats");
+    }
+  }
+
+  TaskIo& io_;
+  const JobFile& job_;
+  const SurfaceMesh& surface_;
+  const Numbering& numbering_;
+  std::unique_ptr<SharedVtkhdf> vtkhdf_;
+  std::filesystem::path ugrid_path_;
+  std::unique_ptr<GlobalMeshWriter> ugrid_;
+};
 
 /// Elements are counted by now; the model takes estimated ones.
 TaskCost cost_of(const SurfaceMesh& surface, const Numbering& numbering) {
@@ -136,24 +185,15 @@ void assemble_task(TaskIo& io) {
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
   const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
   report_cost(io, cost_of(surface, numbering));
-  std::vector<GrowingFile> files;
-  std::vector<GlobalMeshWriter*> writers;
-  for (const std::string& format : job.formats) {
-    files.push_back(start_file(io, format, job, surface, numbering));
-    writers.push_back(files.back().writer.get());
-  }
+  ResultFiles files(io, job, surface, numbering);
   std::int64_t tets = 0;
   const auto read = [&](const LeafNumbers& leaf) {
     tets += leaf.tets;
     io.progress("assemble", tets);
-    const std::string name = portion_of(leaf);
-    return portion_from_bytes(io.read(name), name);
+    return files.read(leaf);
   };
-  const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, writers);
-  for (GrowingFile& file : files) {
-    file.writer.reset();
-    io.publish_file(file.name, file.path);
-  }
+  const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, files.writers());
+  files.publish();
   report(io, summary, surface, job);
   if (surface.region_names.empty()) return;
   report_regions(io, summary.shapes, surface.region_names);

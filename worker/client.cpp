@@ -249,6 +249,7 @@ class Client {
                  wire::TaskKind_Name(assign.kind()), assign.path());
     assign_ = assign;
     is_apart_ = !sees_store_;
+    assign_.set_apart(is_apart_);
     if (!is_apart_) return start_child(options_.store);
     with_files([&] { files_.fetch_inputs(assign_); });
     if (child_ || unaccepted_ || files_.is_fetching()) return;

@@ -42,6 +42,7 @@ std::string dropped_lines(const std::vector<Origin>& gone) {
 struct LeafCounts {
   std::uint64_t nodes = 0;
   std::uint64_t tets = 0;
+  std::uint64_t triangles = 0;
 };
 
 /// Nodes of cuts that are on no boundary any more, as sub-domains on both sides were joined.
@@ -68,10 +69,12 @@ std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) 
     const ElementInput turn(io, "elements:" + std::to_string(heap));
     counts[heap].nodes = turn.head().next_node;
     counts[heap].tets += core.head().sections.at(0).tets.at(0);
+    counts[heap].triangles += core.head().sections.at(0).triangles.at(0);
     for (const ElementFileHead::Section& section : turn.head().sections) {
       if (last_turn(section.sharers, colours) != heap) continue;
       for (std::size_t i = 0; i < section.sharers.size(); ++i) {
         counts[section.sharers[i]].tets += section.tets[i];
+        counts[section.sharers[i]].triangles += section.triangles[i];
       }
     }
     gone.insert(gone.end(), turn.head().gone.begin(), turn.head().gone.end());
@@ -79,7 +82,7 @@ std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) 
   std::string table;
   for (const auto& [heap, leaf] : counts) {
     table += "leaf " + std::to_string(heap) + ' ' + std::to_string(leaf.nodes) + ' ' +
-             std::to_string(leaf.tets) + '\n';
+             std::to_string(leaf.tets) + ' ' + std::to_string(leaf.triangles) + '\n';
   }
   return table;
 }

@@ -90,6 +90,12 @@ void TaskIo::publish_file(const std::string& name, const std::filesystem::path& 
   add_output(done_, name, store_.publish_file(path));
 }
 
+void TaskIo::publish_checked_file(const std::string& name, const std::filesystem::path& path,
+                                  const StoredArtifact& known) {
+  store_.adopt_checked_file(path, known.hash);
+  add_output(done_, name, known);
+}
+
 void TaskIo::number(const std::string& name, double value) {
   (*done_.mutable_numbers())[name] = value;
 }

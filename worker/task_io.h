@@ -67,6 +67,8 @@ class TaskIo {
   /// such input.
   std::string read(const std::string& name) const;
   bool has_input(const std::string& name) const;
+  /// The checksum that names it. @throws Error when the task has no such input.
+  std::string input_hash(const std::string& name) const { return input(name).hash(); }
   /// 0 when the task has no such input.
   std::uint64_t input_size(const std::string& name) const;
   /// Where the checked file of that input lies, for readers of their own. @throws as read does.
@@ -86,6 +88,9 @@ class TaskIo {
   void publish(const std::string& name, std::string_view bytes);
   /// As publish, of a finished file in the store's scratch folder, which is moved.
   void publish_file(const std::string& name, const std::filesystem::path& path);
+  /// The same of a file whose checksum is known.
+  void publish_checked_file(const std::string& name, const std::filesystem::path& path,
+                            const StoredArtifact& known);
   void number(const std::string& name, double value);
   void text(const std::string& name, const std::string& value);
   /// A number among the parameters; `otherwise` when it is not there.

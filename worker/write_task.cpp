@@ -1,11 +1,14 @@
 #include "worker/write_task.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mesh/assemble/portion.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/io/artifact_file.h"
+#include "mesh/io/job_file.h"
 #include "worker/part_after_cosmetics.h"
+#include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -27,6 +30,19 @@ MeshPart read_part(const TaskIo& io, const SurfaceMesh& surface) {
   return part;
 }
 
+/// Where it may, it writes into the file of all. The portion says the same if it may not: the same
+/// inputs give the same bytes, wherever the task runs.
+void place(const TaskIo& io, const SurfaceMesh& surface, const Numbering& numbering,
+           Portion& portion) {
+  const JobFile job = parse_job_file(io.read("job"), "job.toml");
+  const bool is_wanted =
+      std::find(job.formats.begin(), job.formats.end(), "vtkhdf") != job.formats.end();
+  if (!is_wanted || !knows_places(numbering)) return;
+  SharedFile file = shared_mesh_file(io);
+  if (io.assign().apart()) file.path.clear();
+  portion.placed = place_cells(file, portion.part, numbering, surface);
+}
+
 }  // namespace
 
 void write_task(TaskIo& io) {
@@ -36,9 +52,11 @@ void write_task(TaskIo& io) {
   MeshPart part = read_part(io, surface);
   const auto tets = static_cast<double>(part.mesh.tets.size());
   report_cost(io, write_cost(static_cast<double>(surface.triangles.size()), tets));
-  const Portion portion = make_portion(std::move(part), surface, numbering);
+  Portion portion = make_portion(std::move(part), surface, numbering);
+  place(io, surface, numbering, portion);
   io.number("tets", tets);
   io.publish("portion", portion_to_bytes(portion));
+  io.publish("tets", portion_tets_to_bytes(portion));
 }
 
 }  // namespace tetfarm

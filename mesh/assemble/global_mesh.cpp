@@ -77,20 +77,12 @@ void meet(const Portion& portion, const LeafNumbers& leaf, Interfaces& interface
   }
 }
 
-template <std::size_t N>
-std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& local,
-                                         const NumberedPart& part) {
-  std::array<std::int64_t, N> global;
-  for (std::size_t i = 0; i < N; ++i) global[i] = part.local2global[at(local[i])];
-  return global;
-}
-
-/// Tets and triangles are counted on from `next_tet` and `next_triangle`.
-void add_elements(const NumberedPart& part, std::int64_t next_tet, std::int64_t next_triangle,
-                  MeshDigest& digest) {
-  for (const Tet& tet : part.tets) digest.add_tet(next_tet++, global_nodes(tet, part));
+/// Triangles are counted on from `next`.
+void add_triangles(const NumberedPart& part, std::int64_t next, MeshDigest& digest) {
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    digest.add_boundary_triangle(next_triangle++, global_nodes(part.faces[i], part),
+    const auto& [a, b, c] = part.faces[i];
+    const std::vector<std::int64_t>& global = part.local2global;
+    digest.add_boundary_triangle(next++, {global[at(a)], global[at(b)], global[at(c)]},
                                  part.patch_of_face[i]);
   }
 }
@@ -113,11 +105,12 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     const LeafNumbers& leaf = numbering.leaves[i];
     const Portion portion = read_portion(leaf);
     const NumberedPart& part = portion.part;
-    if (at(part.number) != i || std::ssize(part.tets) != leaf.tets) {
+    if (at(part.number) != i || portion.tets != leaf.tets) {
       refuse(leaf, "another portion, or other counts than in the numbering");
     }
     meet(portion, leaf, interfaces, digest);
-    add_elements(part, leaf.first_tet, triangles, digest);
+    digest.add_tets(portion.tet_digest);
+    add_triangles(part, triangles, digest);
     triangles += std::ssize(part.faces);
     add_shapes(portion.shapes, summary.shapes);
     face_sum += portion.face_sum;

@@ -50,9 +50,13 @@ bool add_line(const Line& line, Numbering& numbering, std::vector<Dropped>& drop
     numbering.cuts.push_back({{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}});
     return true;
   }
-  if (line.kind == "leaf" && n.size() == 3 && is_heap_number(n[0])) {
-    numbering.leaves.push_back(
-        {{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}, static_cast<std::int64_t>(n[2]), 0});
+  if (line.kind == "leaf" && (n.size() == 3 || n.size() == 4) && is_heap_number(n[0])) {
+    LeafNumbers leaf;
+    leaf.path = {n[0]};
+    leaf.nodes.made = static_cast<std::int64_t>(n[1]);
+    leaf.tets = static_cast<std::int64_t>(n[2]);
+    if (n.size() == 4) leaf.faces = static_cast<std::int64_t>(n[3]);
+    numbering.leaves.push_back(leaf);
     return true;
   }
   if (line.kind == "joined" && n.size() == 2 && is_heap_number(n[0]) && is_heap_number(n[1])) {
@@ -111,9 +115,16 @@ void give_numbers(Numbering& numbering) {
     next += cut.nodes.kept();
   }
   std::int64_t next_tet = 0;
+  std::optional<std::int64_t> next_face = 0;
   for (LeafNumbers& leaf : numbering.leaves) {
     leaf.nodes.first_node = next;
     leaf.first_tet = next_tet;
+    leaf.first_face = next_face;
+    if (next_face && leaf.faces) {
+      *next_face += *leaf.faces;
+    } else {
+      next_face.reset();
+    }
     next += leaf.nodes.kept();
     next_tet += leaf.tets;
   }
@@ -217,6 +228,7 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   }
   numbering.surface_nodes =
       static_cast<std::int64_t>(is_used.size() - numbering.unused_vertices.size());
+  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = meshed_sides(surface);
   give_numbers(numbering);
   return numbering;
 }
@@ -256,7 +268,8 @@ std::string numbering_to_text(const Numbering& numbering) {
   }
   for (const LeafNumbers& leaf : numbering.leaves) {
     text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.nodes.made) + ' ' +
-            std::to_string(leaf.tets) + '\n';
+            std::to_string(leaf.tets) + (leaf.faces ? ' ' + std::to_string(*leaf.faces) : "") +
+            '\n';
     add_dropped_text(leaf.path, leaf.nodes, text);
   }
   for (const JoinedLeaf& leaf : numbering.joined) {

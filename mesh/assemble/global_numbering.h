@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,10 @@ struct LeafNumbers {
   OwnedNodes nodes;
   std::int64_t tets = 0;
   std::int64_t first_tet = 0;
+  /// Triangles of the input surface in it, and in all leaves before; nothing where not all were
+  /// counted.
+  std::optional<std::int64_t> faces;
+  std::optional<std::int64_t> first_face;
 };
 
 /// A leaf of the tree that is part of the mesh of another.
@@ -72,9 +77,9 @@ struct Numbering {
 bool comes_before(TreePath a, TreePath b);
 
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
-/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS", "joined HEAP INTO" (a leaf that
-/// was joined with the leaf INTO), or "dropped HEAP FIRST COUNT" (nodes of that cut or leaf,
-/// ascending).
+/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES]", "joined HEAP INTO" (a
+/// leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT" (nodes of that cut or
+/// leaf, ascending).
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, O(vertices) for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetfarm {
+
+/// What an HDF5 file begins with; without it, it is none.
+inline constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
 /// Whether the library was built so that several threads may call it.
 bool hdf5_takes_threads();

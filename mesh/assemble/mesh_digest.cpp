@@ -38,6 +38,11 @@ void MeshDigest::add_tet(std::int64_t number, const std::array<std::int64_t, 4>&
   add(std::array{number, nodes[0], nodes[1], nodes[2], nodes[3]}, tets_);
 }
 
+void MeshDigest::add_tets(const Sum& tets) {
+  tets_.hash = sum_of(tets_.hash, tets.hash);
+  tets_.count += tets.count;
+}
+
 void MeshDigest::add_boundary_triangle(std::int64_t number,
                                        const std::array<std::int64_t, 3>& nodes,
                                        std::int32_t patch) {

@@ -23,21 +23,26 @@ namespace tetfarm {
 /// of a mesh may be summed apart, in any order.
 class MeshDigest {
  public:
+  /// A sum of hashes, and how many they are.
+  struct Sum {
+    Hash128 hash;
+    std::int64_t count = 0;
+
+    friend bool operator==(const Sum&, const Sum&) = default;
+  };
+
   /// Each node of the mesh once.
   void add_node(std::int64_t number, const Vec3& at);
   void add_tet(std::int64_t number, const std::array<std::int64_t, 4>& nodes);
   /// Normal out of the domain.
   void add_boundary_triangle(std::int64_t number, const std::array<std::int64_t, 3>& nodes,
                              std::int32_t patch);
+  /// Tets that another digest has summed.
+  void add_tets(const Sum& tets);
+  const Sum& tets() const { return tets_; }
   Hash128 finish() const;
 
  private:
-  /// A sum of hashes, and how many they are.
-  struct Sum {
-    Hash128 hash;
-    std::int64_t count = 0;
-  };
-
   template <class Record>
   static void add(const Record& record, Sum& sum);
 

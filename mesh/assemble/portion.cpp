@@ -92,6 +92,15 @@ void add_surface_triangles(const Subdomain& subdomain, const SurfaceMesh& surfac
   }
 }
 
+MeshDigest::Sum tet_digest_of(const NumberedPart& part, std::int64_t next) {
+  MeshDigest digest;
+  const std::vector<std::int64_t>& global = part.local2global;
+  for (const auto& [a, b, c, d] : part.tets) {
+    digest.add_tet(next++, {global[at(a)], global[at(b)], global[at(c)], global[at(d)]});
+  }
+  return digest.tets();
+}
+
 }  // namespace
 
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part) {
@@ -128,6 +137,8 @@ Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering&
   add_shapes(numbered.nodes, numbered.tets, numbered.region, std::move(part.is_on_cut),
              portion.shapes);
   portion.face_sum = face_sum_of(numbered);
+  portion.tets = std::ssize(numbered.tets);
+  portion.tet_digest = tet_digest_of(numbered, numbering.leaves[number].first_tet);
   return portion;
 }
 

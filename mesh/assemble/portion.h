@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/assemble/file_range.h"
 #include "mesh/assemble/global_numbering.h"
+#include "mesh/assemble/mesh_digest.h"
 #include "mesh/assemble/mesh_shapes.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
@@ -63,11 +65,16 @@ struct CountedPart {
 /// Of each tet, then of each face.
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part);
 
+/// Its tets may be apart, in a file of their own: then `part` has none.
 struct Portion {
   NumberedPart part;
+  std::int64_t tets = 0;
   std::vector<std::uint32_t> surface_triangles;  ///< of the input, that the faces are
   MeshShapes shapes;
   std::uint64_t face_sum = 0;  ///< see face_balance.h
+  MeshDigest::Sum tet_digest;
+  /// Where the cells lie already in a VTKHDF file of the whole mesh (shared_vtkhdf.h), if they do.
+  std::vector<FileRange> placed;
 };
 
 /// Numbers the leaf, and takes its figures. Its nodes of the surface lie where the surface has
@@ -87,9 +94,14 @@ struct PortionCounts {
 /// @throws IoError, CorruptFile naming `name`.
 PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name);
 
-/// The grammar is in store/formats.md.
+/// All but the tets. The grammar is in store/formats.md.
 std::string portion_to_bytes(const Portion& portion);
 /// @throws CorruptFile naming `name`, also when a local number is that of no node.
 Portion portion_from_bytes(std::string_view bytes, const std::string& name);
+
+std::string portion_tets_to_bytes(const Portion& portion);
+/// Adds the tets to their portion. @throws CorruptFile naming `name`, also when they are of
+/// another.
+void add_portion_tets(std::string_view bytes, const std::string& name, Portion& portion);
 
 }  // namespace tetfarm

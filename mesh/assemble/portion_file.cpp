@@ -12,11 +12,25 @@ namespace {
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
 
 constexpr std::string_view magic = "TFPORT\r\n";
-constexpr std::uint32_t version = 1;
+constexpr std::string_view tets_magic = "TFPTET\r\n";
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t tets_version = 1;
 constexpr std::size_t checksum_size = 16;
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
   for (const double x : {v.x, v.y, v.z}) writer.number(x);
+}
+
+void write_hash(const Hash128& hash, ByteWriter& writer) {
+  writer.number(hash.low);
+  writer.number(hash.high);
+}
+
+Hash128 read_hash(ByteReader& reader) {
+  Hash128 hash;
+  hash.low = reader.number<std::uint64_t>();
+  hash.high = reader.number<std::uint64_t>();
+  return hash;
 }
 
 Vec3 read_vector(ByteReader& reader) {
@@ -78,19 +92,17 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
 }
 
 /// What lies between the version and the checksum.
-std::string_view body_of(std::string_view bytes, const std::string& name) {
-  if (bytes.substr(0, magic.size()) != magic) {
+std::string_view body_of(std::string_view bytes, std::string_view kind, const std::string& name) {
+  if (bytes.substr(0, kind.size()) != kind) {
     throw CorruptFile("does not start as the expected kind of file", name);
   }
-  if (bytes.size() < magic.size() + sizeof version + checksum_size) {
+  if (bytes.size() < kind.size() + sizeof version + checksum_size) {
     throw CorruptFile("is cut short", name);
   }
   const std::string_view checked = bytes.substr(0, bytes.size() - checksum_size);
   ByteReader end(bytes.substr(checked.size()), name);
-  const auto low = end.number<std::uint64_t>();
-  const auto high = end.number<std::uint64_t>();
-  if (hash128(checked) != Hash128{high, low}) throw CorruptFile("its checksum is wrong", name);
-  return checked.substr(magic.size());
+  if (hash128(checked) != read_hash(end)) throw CorruptFile("its checksum is wrong", name);
+  return checked.substr(kind.size());
 }
 
 }  // namespace
@@ -117,24 +129,28 @@ std::string portion_to_bytes(const Portion& portion) {
   writer.number(part.number);
   writer.number(part.region);
   writer.number<std::uint64_t>(part.nodes.size());
-  writer.number<std::uint64_t>(part.tets.size());
+  writer.number<std::uint64_t>(static_cast<std::uint64_t>(portion.tets));
   writer.number<std::uint64_t>(part.faces.size());
   writer.array(part.nodes);
   writer.array(part.local2global);
-  writer.array(part.tets);
   writer.array(part.faces);
   writer.array(part.patch_of_face);
   writer.array(portion.surface_triangles);
   writer.number(portion.face_sum);
   write_all_shapes(portion.shapes, writer);
-  const Hash128 checksum = hash128(writer.bytes());
-  writer.number(checksum.low);
-  writer.number(checksum.high);
+  write_hash(portion.tet_digest.hash, writer);
+  writer.number<std::uint64_t>(portion.placed.size());
+  for (const FileRange& range : portion.placed) {
+    writer.number(range.offset);
+    writer.number(range.size);
+    write_hash(range.hash, writer);
+  }
+  write_hash(hash128(writer.bytes()), writer);
   return writer.take();
 }
 
 Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader(body_of(bytes, name), name);
+  ByteReader reader(body_of(bytes, magic, name), name);
   const auto found = reader.number<std::uint32_t>();
   if (found != version) reader.fail("has the format version " + std::to_string(found));
   Portion portion;
@@ -148,16 +164,48 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   const std::size_t faces = reader.count();
   part.nodes = reader.array<Vec3>(nodes);
   part.local2global = reader.array<std::int64_t>(nodes);
-  part.tets = reader.array<Tet>(tets);
   part.faces = reader.array<Triangle>(faces);
   part.patch_of_face = reader.array<std::int32_t>(faces);
   portion.surface_triangles = reader.array<std::uint32_t>(faces);
   portion.face_sum = reader.number<std::uint64_t>();
   portion.shapes = read_all_shapes(reader, part.region);
+  portion.tets = static_cast<std::int64_t>(tets);
+  portion.tet_digest = {read_hash(reader), portion.tets};
+  const std::size_t ranges = reader.count();
+  for (std::size_t i = 0; i < ranges; ++i) {
+    FileRange& range = portion.placed.emplace_back();
+    range.offset = reader.number<std::int64_t>();
+    range.size = reader.number<std::int64_t>();
+    range.hash = read_hash(reader);
+  }
   reader.expect_end();
-  check_indices(part.tets, nodes, reader);
   check_indices(part.faces, nodes, reader);
   return portion;
+}
+
+std::string portion_tets_to_bytes(const Portion& portion) {
+  ByteWriter writer;
+  writer.array(std::vector<char>(tets_magic.begin(), tets_magic.end()));
+  writer.number(tets_version);
+  writer.number(portion.part.number);
+  writer.number<std::uint64_t>(portion.part.tets.size());
+  writer.array(portion.part.tets);
+  write_hash(hash128(writer.bytes()), writer);
+  return writer.take();
+}
+
+void add_portion_tets(std::string_view bytes, const std::string& name, Portion& portion) {
+  ByteReader reader(body_of(bytes, tets_magic, name), name);
+  const auto found = reader.number<std::uint32_t>();
+  if (found != tets_version) reader.fail("has the format version " + std::to_string(found));
+  const auto number = reader.number<std::int32_t>();
+  const std::size_t tets = reader.count();
+  if (number != portion.part.number || static_cast<std::int64_t>(tets) != portion.tets) {
+    reader.fail("is of another portion");
+  }
+  portion.part.tets = reader.array<Tet>(tets);
+  reader.expect_end();
+  check_indices(portion.part.tets, portion.part.nodes.size(), reader);
 }
 
 }  // namespace tetfarm

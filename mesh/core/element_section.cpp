@@ -36,12 +36,21 @@ bool uses_every_node(const ElementSection& section) {
   return std::find(is_used.begin(), is_used.end(), false) == is_used.end();
 }
 
+std::vector<std::uint64_t> count_by_owner(const std::vector<std::uint8_t>& owners,
+                                          std::size_t sharers) {
+  std::vector<std::uint64_t> counts(sharers, 0);
+  for (const std::uint8_t owner : owners) ++counts[owner];
+  return counts;
+}
+
 }  // namespace
 
 std::vector<std::uint64_t> tets_by_sharer(const ElementSection& section) {
-  std::vector<std::uint64_t> counts(section.sharers.size(), 0);
-  for (const std::uint8_t owner : section.tet_owner) ++counts[owner];
-  return counts;
+  return count_by_owner(section.tet_owner, section.sharers.size());
+}
+
+std::vector<std::uint64_t> triangles_by_sharer(const ElementSection& section) {
+  return count_by_owner(section.triangle_owner, section.sharers.size());
 }
 
 std::vector<std::string> validate(const ElementSection& section) {

@@ -44,10 +44,13 @@ struct CoreElements {
   /// surface; ascending.
   std::vector<std::uint32_t> taken_tets;
   std::vector<std::uint32_t> taken_triangles;
+  std::uint64_t triangles = 0;  ///< of the input surface that are in the core
 };
 
 /// Tets of each sharer, in the order of the sharers.
 std::vector<std::uint64_t> tets_by_sharer(const ElementSection& section);
+/// Triangles of the input surface, the same way.
+std::vector<std::uint64_t> triangles_by_sharer(const ElementSection& section);
 
 /// What breaks the invariants, a line each; empty when all hold.
 std::vector<std::string> validate(const ElementSection& section);

@@ -330,6 +330,9 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   for (const NearTet& item : near) core.taken_tets.push_back(item.tet);
   core.taken_triangles = std::move(joined.triangle_index);
   std::sort(core.taken_triangles.begin(), core.taken_triangles.end());
+  const auto of_surface = std::count_if(leaf.triangle_origin.begin(), leaf.triangle_origin.end(),
+                                        [](const Origin& origin) { return origin.owner == 0; });
+  core.triangles = static_cast<std::uint64_t>(of_surface) - core.taken_triangles.size();
   return extracted;
 }
 

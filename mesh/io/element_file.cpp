@@ -17,7 +17,7 @@ static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16)
 constexpr std::string_view elements_magic = "TFELEM\r\n";
 constexpr std::string_view shared_magic = "TFSHAR\r\n";
 constexpr std::uint32_t shared_version = 1;
-constexpr std::uint32_t elements_version = 2;
+constexpr std::uint32_t elements_version = 3;
 /// Magic, version, size of the head, checksum of the head.
 constexpr std::size_t prefix_size = 8 + 4 + 8 + 16;
 
@@ -93,10 +93,12 @@ std::string core_bytes(const CoreElements& core) {
   return writer.take();
 }
 
-CoreElements core_from(std::string_view bytes, std::uint64_t tets, const std::string& name) {
+CoreElements core_from(std::string_view bytes, const ElementFileHead::Section& entry,
+                       const std::string& name) {
   ByteReader reader(bytes, name);
   CoreElements core;
-  core.tets = tets;
+  core.tets = entry.tets.front();
+  core.triangles = entry.triangles.front();
   const std::size_t taken_tets = reader.count();
   const std::size_t taken_triangles = reader.count();
   core.taken_tets = reader.array<std::uint32_t>(taken_tets);
@@ -112,10 +114,11 @@ CoreElements core_from(std::string_view bytes, std::uint64_t tets, const std::st
 
 /// What the head says of a section, or of the core.
 void add_entry(ByteWriter& writer, const Sharers& sharers, const std::vector<std::uint64_t>& tets,
-               const std::string& body) {
+               const std::vector<std::uint64_t>& triangles, const std::string& body) {
   writer.number<std::uint64_t>(sharers.size());
   writer.array(sharers);
   writer.array(tets);
+  writer.array(triangles);
   writer.number<std::uint64_t>(body.size());
   add_checksum(writer, hash128(body));
 }
@@ -130,9 +133,10 @@ std::string head_bytes(const ElementFileHead& head, const std::vector<ElementSec
   writer.origins(head.gone);
   writer.number<std::uint64_t>(bodies.size());
   auto body = bodies.begin();
-  if (core) add_entry(writer, {head.path.heap}, {core->tets}, *body++);
+  if (core) add_entry(writer, {head.path.heap}, {core->tets}, {core->triangles}, *body++);
   for (const ElementSection& section : sections) {
-    add_entry(writer, section.sharers, tets_by_sharer(section), *body++);
+    add_entry(writer, section.sharers, tets_by_sharer(section), triangles_by_sharer(section),
+              *body++);
   }
   return writer.take();
 }
@@ -151,6 +155,7 @@ ElementFileHead head_from(std::string_view bytes, const std::string& name) {
     if (sharers == 0 || sharers > most_sharers) reader.fail("has a section of nobody, or of many");
     section.sharers = reader.array<std::uint64_t>(sharers);
     section.tets = reader.array<std::uint64_t>(sharers);
+    section.triangles = reader.array<std::uint64_t>(sharers);
     section.offset = offset;
     section.size = reader.number<std::uint64_t>();
     section.checksum = read_checksum(reader);
@@ -215,7 +220,7 @@ ElementSection ElementFile::read(std::size_t section) {
 CoreElements ElementFile::read_core() {
   const bool is_core = !head_.sections.empty() && head_.sections.front().sharers.size() == 1;
   if (!is_core) throw CorruptFile("has no core", name_);
-  return core_from(read_body(0), head_.sections.front().tets.front(), name_);
+  return core_from(read_body(0), head_.sections.front(), name_);
 }
 
 std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {

@@ -21,8 +21,9 @@ namespace tetfarm {
 struct ElementFileHead {
   struct Section {
     Sharers sharers;
-    std::vector<std::uint64_t> tets;  ///< of each sharer
-    std::uint64_t offset = 0;         ///< in the file
+    std::vector<std::uint64_t> tets;       ///< of each sharer
+    std::vector<std::uint64_t> triangles;  ///< of the input surface, of each sharer
+    std::uint64_t offset = 0;              ///< in the file
     std::uint64_t size = 0;
     Hash128 checksum;
   };

@@ -127,6 +127,7 @@ inline TaskResult run_make_believe(const TaskRow& task) {
       break;
     case TaskKind::write:
       add("portion");
+      add("tets");
       break;
     case TaskKind::assemble:
       add("mesh.vtu");

@@ -97,6 +97,7 @@ class ServerTest : public testing::Test {
         break;
       case wire::WRITE:
         add("portion");
+        add("tets");
         break;
       default:
         add("mesh.vtu");

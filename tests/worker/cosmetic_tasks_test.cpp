@@ -92,6 +92,7 @@ class CosmeticTasks : public ::testing::Test {
                             const Parameters& parameters = {}) {
     wire::Assign assign;
     assign.set_path(path);
+    assign.set_apart(is_apart_);
     for (const auto& [name, artifact] : inputs) {
       wire::Artifact& input = *assign.add_inputs();
       input = artifact;
@@ -175,7 +176,10 @@ class CosmeticTasks : public ::testing::Test {
     }
   }
 
-  wire::Done assembled() {
+  wire::Done assembled() { return run(assemble_task, 0, written()); }
+
+  /// What assembling needs.
+  Files written() {
     Files files;
     for (const auto& [heap, leaf] : leaves_) {
       files["core:" + std::to_string(heap)] = extracted_.at(heap);
@@ -190,15 +194,28 @@ class CosmeticTasks : public ::testing::Test {
     to_assemble["numbering"] = output(run(number_task, 0, to_number, with_table), "numbering");
     for (const auto& [heap, leaf] : leaves_) {
       Files to_write = files;
+      to_write["job"] = job_;
       to_write["subdomain"] = leaf;
       to_write["mesh"] = meshes_.at(heap);
       to_write["surface"] = surface_;
       to_write["numbering"] = to_assemble.at("numbering");
       const Parameters colours = {{"colours", order_.texts().at("order")}};
-      to_assemble["portion:" + std::to_string(heap)] =
-          output(run(write_task, heap, to_write, colours), "portion");
+      const wire::Done written = run(write_task, heap, to_write, colours);
+      to_assemble["portion:" + std::to_string(heap)] = output(written, "portion");
+      to_assemble["tets:" + std::to_string(heap)] = output(written, "tets");
     }
-    return run(assemble_task, 0, to_assemble);
+    return to_assemble;
+  }
+
+  static Files without_tets(Files files) {
+    std::erase_if(files, [](const auto& file) { return file.first.starts_with("tets:"); });
+    return files;
+  }
+
+  void empty_scratch() {
+    for (const auto& entry : std::filesystem::directory_iterator(store_.scratch_folder())) {
+      std::filesystem::remove(entry.path());
+    }
   }
 
   TempFolder folder_;
@@ -212,6 +229,7 @@ class CosmeticTasks : public ::testing::Test {
   std::map<std::uint64_t, wire::Artifact> extracted_;
   std::map<std::uint64_t, wire::Artifact> mended_;
   wire::Done order_;
+  bool is_apart_ = false;
   std::map<std::uint64_t, Turn> turns_;
 };
 
@@ -226,6 +244,34 @@ TEST_F(CosmeticTasks, make_one_valid_mesh_with_the_surface_as_it_was) {
   EXPECT_EQ(report.digest.hex(), done.texts().at("digest"));
   EXPECT_EQ(report.boundary_triangles, 1280);
   EXPECT_EQ(report.subdomains, 4);
+}
+
+TEST_F(CosmeticTasks, what_leaves_wrote_into_the_common_file_is_not_read_or_written_again) {
+  give_all_turns();
+  const Files files = written();
+  const wire::Done done = run(assemble_task, 0, without_tets(files));
+  const std::string hash = output(done, "ball.vtkhdf").hash();
+  EXPECT_NO_THROW(store_.verify(hash, output(done, "ball.vtkhdf").size()));
+  EXPECT_TRUE(std::filesystem::is_empty(store_.scratch_folder()));
+  // The file went away with the result: it is made anew, which takes the tets.
+  EXPECT_TRUE(try_to_run(assemble_task, 0, without_tets(files)).has_failed());
+  EXPECT_EQ(output(run(assemble_task, 0, files), "ball.vtkhdf").hash(), hash);
+}
+
+TEST_F(CosmeticTasks, a_worker_without_the_store_writes_the_same_portions_and_the_same_mesh) {
+  give_all_turns();
+  const Files files = written();
+  const wire::Done done = run(assemble_task, 0, files);
+  empty_scratch();
+  is_apart_ = true;
+  const Files apart = written();
+  for (const auto& [name, artifact] : files) {
+    EXPECT_EQ(apart.at(name).hash(), artifact.hash()) << name;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(store_.scratch_folder()));
+  const wire::Done other = run(assemble_task, 0, apart);
+  EXPECT_EQ(output(other, "ball.vtkhdf").hash(), output(done, "ball.vtkhdf").hash());
+  EXPECT_EQ(other.texts().at("digest"), done.texts().at("digest"));
 }
 
 TEST_F(CosmeticTasks, every_leaf_keeps_its_elements_but_for_those_at_the_cuts) {

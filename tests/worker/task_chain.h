@@ -132,11 +132,13 @@ class TaskChain : public ::testing::Test {
     for (const auto& [name, artifact] : files) {
       if (!name.starts_with("mesh:")) continue;
       const std::string heap = name.substr(5);
-      last_ = run(write_task, {{"surface", files.at("surface")},
+      last_ = run(write_task, {{"job", files.at("job")},
+                               {"surface", files.at("surface")},
                                {"numbering", files.at("numbering")},
                                {"subdomain", files.at("subdomain:" + heap)},
                                {"mesh", artifact}});
       result["portion:" + heap] = output(last_, "portion");
+      result["tets:" + heap] = output(last_, "tets");
     }
     return result;
   }

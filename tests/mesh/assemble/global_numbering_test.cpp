@@ -102,6 +102,18 @@ TEST(GlobalNumbering, numbers_beyond_32_bits_are_kept) {
   EXPECT_EQ(numbering.leaves[1].first_tet, 30000000000);
 }
 
+TEST(GlobalNumbering, triangles_are_counted_on_as_far_as_all_leaves_before_are_counted) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  const Numbering all = number_globally(cube, "cut 1 5\nleaf 2 6 30 7\nleaf 3 1 1 5\n");
+  EXPECT_EQ(all.leaves[0].first_face, 0);
+  EXPECT_EQ(all.leaves[1].first_face, 7);
+  EXPECT_EQ(all.leaves[1].faces, 5);
+  EXPECT_EQ(numbering_from_text(numbering_to_text(all), "text").leaves[1].first_face, 7);
+  const Numbering some = number_globally(cube, "cut 1 5\nleaf 2 6 30\nleaf 3 1 1 5\n");
+  EXPECT_EQ(some.leaves[1].first_face, std::nullopt);
+  EXPECT_EQ(number_globally(cube, "leaf 1 1 1\n").leaves[0].faces, 12);
+}
+
 TEST(GlobalNumbering, refuses_what_is_not_one_whole_tree) {
   const SurfaceMesh cube = shapes::unit_cube();
   for (const char* wrong : {"", "cut 1 1\n", "cut 1 1\nleaf 2 1 1\n", "leaf 1 1 1\nleaf 2 1 1\n",

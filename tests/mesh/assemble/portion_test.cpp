@@ -19,9 +19,17 @@ Portion portion_of(const CutGrid& grid, std::uint64_t leaf) {
 TEST(Portion, survives_its_file_bit_by_bit) {
   const CutGrid grid = cut_grid(4);
   for (const std::uint64_t leaf : {2U, 6U, 7U}) {
-    const std::string bytes = portion_to_bytes(portion_of(grid, leaf));
-    const Portion read = portion_from_bytes(bytes, "portion");
+    Portion portion = portion_of(grid, leaf);
+    portion.placed = {{8, 80, {1, 2}}, {100, 7, {3, 4}}};
+    const std::string bytes = portion_to_bytes(portion);
+    const std::string tets = portion_tets_to_bytes(portion);
+    Portion read = portion_from_bytes(bytes, "portion");
+    EXPECT_TRUE(read.part.tets.empty());
+    add_portion_tets(tets, "tets", read);
     EXPECT_EQ(portion_to_bytes(read), bytes) << leaf;
+    EXPECT_EQ(portion_tets_to_bytes(read), tets) << leaf;
+    EXPECT_EQ(read.placed, portion.placed);
+    EXPECT_EQ(read.tet_digest, portion.tet_digest);
     EXPECT_EQ(read.part.tets, grid.parts.at(leaf).mesh.tets);
     EXPECT_EQ(read.part.nodes, grid.parts.at(leaf).mesh.nodes);
   }
@@ -37,6 +45,22 @@ TEST(Portion, a_file_that_is_cut_short_or_differs_in_one_byte_is_refused) {
     damaged[place] = static_cast<char>(damaged[place] ^ 1);
     EXPECT_THROW(portion_from_bytes(damaged, "portion"), CorruptFile) << place;
   }
+}
+
+TEST(Portion, tets_that_are_cut_short_damaged_or_of_another_are_refused) {
+  const CutGrid grid = cut_grid(2);
+  Portion portion = portion_of(grid, 7);
+  const std::string bytes = portion_tets_to_bytes(portion);
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    EXPECT_THROW(add_portion_tets(bytes.substr(0, size), "tets", portion), CorruptFile) << size;
+  }
+  for (std::size_t place = 0; place < bytes.size(); place += 5) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 1);
+    EXPECT_THROW(add_portion_tets(damaged, "tets", portion), CorruptFile) << place;
+  }
+  EXPECT_THROW(add_portion_tets(portion_tets_to_bytes(portion_of(grid, 6)), "tets", portion),
+               CorruptFile);
 }
 
 TEST(Portion, its_counts_are_told_by_its_first_bytes) {
@@ -58,7 +82,7 @@ TEST(Portion, an_element_of_no_node_is_refused) {
   for (const std::int32_t wrong : {-1, std::numeric_limits<std::int32_t>::max()}) {
     Portion portion = portion_of(cut_grid(2), 7);
     portion.part.tets.back()[2] = wrong;
-    EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);
+    EXPECT_THROW(add_portion_tets(portion_tets_to_bytes(portion), "tets", portion), CorruptFile);
     portion = portion_of(cut_grid(2), 7);
     portion.part.faces.back()[0] = wrong;
     EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);

@@ -30,6 +30,13 @@ TEST(ElementSection, counts_the_tets_of_each_sharer) {
   EXPECT_THAT(tets_by_sharer(section), ElementsAre(0, 2));
 }
 
+TEST(ElementSection, counts_the_triangles_of_each_sharer) {
+  ElementSection section = two_tets();
+  EXPECT_THAT(triangles_by_sharer(section), ElementsAre(1, 0));
+  section.triangle_owner = {1};
+  EXPECT_THAT(triangles_by_sharer(section), ElementsAre(0, 1));
+}
+
 TEST(ElementSection, validate_finds_each_broken_invariant) {
   const auto complains = [](void (*break_it)(ElementSection&)) {
     ElementSection section = two_tets();

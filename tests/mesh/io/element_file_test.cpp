@@ -30,7 +30,7 @@ ElementSection one_tet(Sharers sharers, double x) {
 class ElementFiles : public ::testing::Test {
  protected:
   std::string bytes_ = elements_to_bytes({{5}, 12, {{1, 3}, {5, 2}}, {}}, {one_tet({4, 5, 6}, 2)},
-                                         CoreElements{7, {0, 3}, {31}});
+                                         CoreElements{7, {0, 3}, {31}, 5});
   TempFolder folder_;
   std::filesystem::path path_ = folder_.path() / "elements";
 
@@ -82,6 +82,7 @@ TEST_F(ElementFiles, tell_the_core_by_what_was_taken_out_of_the_mesh) {
   EXPECT_THAT(file.head().sections[0].tets, ElementsAre(7));
   const CoreElements core = file.read_core();
   EXPECT_EQ(core.tets, 7U);
+  EXPECT_EQ(core.triangles, 5U);
   EXPECT_THAT(core.taken_tets, ElementsAre(0, 3));
   EXPECT_THAT(core.taken_triangles, ElementsAre(31));
   EXPECT_THROW(open(elements_to_bytes({{5}, 12, {}, {}}, {one_tet({4, 5, 6}, 2)})).read_core(),
