@@ -22,9 +22,6 @@ class ReadAhead : public MeshSource {
   /// What reading the part ahead threw is thrown when it is asked for.
   NumberedPart part(std::size_t i) const override;
   CountedPart counted_part(std::size_t i) const override { return source_->counted_part(i); }
-  std::vector<std::int64_t> face_numbers(std::size_t i) const override {
-    return source_->face_numbers(i);
-  }
   std::vector<std::string> complaints() const override { return source_->complaints(); }
   bool knows_subdomains() const override { return source_->knows_subdomains(); }
   std::vector<std::string> patch_names() const override { return source_->patch_names(); }

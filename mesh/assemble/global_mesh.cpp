@@ -77,12 +77,11 @@ void meet(const Portion& portion, const LeafNumbers& leaf, Interfaces& interface
   }
 }
 
-/// Triangles are counted on from `next`.
-void add_triangles(const NumberedPart& part, std::int64_t next, MeshDigest& digest) {
+void add_triangles(const NumberedPart& part, MeshDigest& digest) {
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     const auto& [a, b, c] = part.faces[i];
     const std::vector<std::int64_t>& global = part.local2global;
-    digest.add_boundary_triangle(next++, {global[at(a)], global[at(b)], global[at(c)]},
+    digest.add_boundary_triangle({global[at(a)], global[at(b)], global[at(c)]},
                                  part.patch_of_face[i]);
   }
 }
@@ -100,7 +99,6 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
   Interfaces interfaces(surface, numbering);
   MeshDigest digest;
   std::uint64_t face_sum = 0;
-  std::int64_t triangles = 0;
   for (std::size_t i = 0; i < numbering.leaves.size(); ++i) {
     const LeafNumbers& leaf = numbering.leaves[i];
     const Portion portion = read_portion(leaf);
@@ -110,8 +108,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     }
     meet(portion, leaf, interfaces, digest);
     digest.add_tets(portion.tet_digest);
-    add_triangles(part, triangles, digest);
-    triangles += std::ssize(part.faces);
+    add_triangles(part, digest);
     add_shapes(portion.shapes, summary.shapes);
     face_sum += portion.face_sum;
     for (GlobalMeshWriter* writer : writers) writer->add(part);

@@ -43,10 +43,9 @@ void MeshDigest::add_tets(const Sum& tets) {
   tets_.count += tets.count;
 }
 
-void MeshDigest::add_boundary_triangle(std::int64_t number,
-                                       const std::array<std::int64_t, 3>& nodes,
+void MeshDigest::add_boundary_triangle(const std::array<std::int64_t, 3>& nodes,
                                        std::int32_t patch) {
-  add(std::array<std::int64_t, 5>{number, nodes[0], nodes[1], nodes[2], patch}, triangles_);
+  add(std::array<std::int64_t, 4>{nodes[0], nodes[1], nodes[2], patch}, triangles_);
 }
 
 Hash128 MeshDigest::finish() const {

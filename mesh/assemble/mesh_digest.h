@@ -2,7 +2,7 @@
 ///
 /// Two meshes have the same digest when they have the same nodes with the same numbers and
 /// coordinates bit by bit, the same tets in the same order, the same boundary triangles with the
-/// same patch numbers in the same order.
+/// same patch numbers, in any order: formats that list them patch by patch keep the digest.
 #pragma once
 
 #include <array>
@@ -16,8 +16,7 @@ namespace tetfarm {
 /// XXH3-128 of four hashes (low half, high half, little endian, of each), of:
 /// 1. nodes: the sum modulo 2^128 of XXH3-128(number, x, y, z);
 /// 2. tets: the same sum of XXH3-128(number, four global node numbers);
-/// 3. boundary triangles: the same sum of XXH3-128(number, three global node numbers, patch
-/// number);
+/// 3. boundary triangles: the same sum of XXH3-128(three global node numbers, patch number);
 /// 4. the counts of nodes, tets and boundary triangles.
 /// Numbers are i64 and count from 0, coordinates f64, all little endian. As all are sums, the parts
 /// of a mesh may be summed apart, in any order.
@@ -35,8 +34,7 @@ class MeshDigest {
   void add_node(std::int64_t number, const Vec3& at);
   void add_tet(std::int64_t number, const std::array<std::int64_t, 4>& nodes);
   /// Normal out of the domain.
-  void add_boundary_triangle(std::int64_t number, const std::array<std::int64_t, 3>& nodes,
-                             std::int32_t patch);
+  void add_boundary_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch);
   /// Tets that another digest has summed.
   void add_tets(const Sum& tets);
   const Sum& tets() const { return tets_; }

@@ -172,8 +172,7 @@ void add_figures(const GlobalMesh& mesh, MeshReport& report) {
   }
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
     const auto& [a, b, c] = mesh.boundary[i];
-    digest.add_boundary_triangle(static_cast<std::int64_t>(i), {a, b, c},
-                                 mesh.patch_of_triangle[i]);
+    digest.add_boundary_triangle({a, b, c}, mesh.patch_of_triangle[i]);
   }
   add_all_shapes(mesh, report.shapes);
   for (const RegionShapes& region : report.shapes.regions) report.volume += region.volume;

@@ -78,13 +78,9 @@ void MeshCheck::add_tets(const NumberedPart& part) {
 
 void MeshCheck::add_faces(const NumberedPart& part) {
   if (!origin_ && !part.nodes.empty()) origin_ = part.nodes.front();
-  const std::vector<std::int64_t> numbers =
-      source_.face_numbers(static_cast<std::size_t>(part.number));
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     const Triangle& face = part.faces[i];
-    digest_.add_boundary_triangle(
-        numbers.empty() ? triangles_ + static_cast<std::int64_t>(i) : numbers[i],
-        global_nodes(face, part), part.patch_of_face[i]);
+    digest_.add_boundary_triangle(global_nodes(face, part), part.patch_of_face[i]);
     enclosed_ += signed_volume(*origin_, part.nodes[at(face[0])], part.nodes[at(face[1])],
                                part.nodes[at(face[2])]);
   }

@@ -47,10 +47,6 @@ class ListedSource : public MeshSource {
   std::size_t size() const override { return parts_.size(); }
   bool knows_subdomains() const override { return mesh_.knows_subdomains; }
   bool takes_threads() const override { return mesh_.takes_threads; }
-  std::vector<std::int64_t> face_numbers(std::size_t i) const override {
-    const std::vector<std::size_t>& triangles = parts_.at(i).triangles;
-    return {triangles.begin(), triangles.end()};
-  }
   std::vector<std::string> complaints() const override { return complaints_; }
   std::vector<std::string> patch_names() const override { return mesh_.patch_names; }
   std::vector<std::string> region_names() const override { return mesh_.region_names; }

@@ -24,9 +24,6 @@ class MeshSource {
   virtual bool knows_subdomains() const { return true; }
   /// Whether `part` may be called while another thread writes a mesh.
   virtual bool takes_threads() const { return false; }
-  /// Of each boundary triangle of part i its number in the whole mesh, from 0. Empty: they are
-  /// counted part after part.
-  virtual std::vector<std::int64_t> face_numbers(std::size_t) const { return {}; }
   /// What is wrong with what the file has beside its parts, a line each.
   virtual std::vector<std::string> complaints() const { return {}; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none

@@ -32,8 +32,6 @@ ListedMesh two_tets() {
 TEST(ListedMesh, triangles_go_with_the_tet_that_has_them_and_the_others_with_the_last_part) {
   const auto source = open_listed(two_tets(), 1);
   ASSERT_EQ(source->size(), 2U);
-  EXPECT_THAT(source->face_numbers(0), ElementsAre(1));
-  EXPECT_THAT(source->face_numbers(1), ElementsAre(0, 2, 3));
   EXPECT_THAT(source->part(0).patch_of_face, ElementsAre(1));
   EXPECT_THAT(source->part(1).patch_of_face, ElementsAre(0, 2, 3));
   EXPECT_THAT(source->part(1).local2global, ElementsAre(0, 1, 2, 3, 4));
