@@ -22,7 +22,8 @@ ExitCode plan_command(const PlanCommand& command);
 ExitCode quality_command(const QualityOptions& options);
 
 /// `input` itself, or of the meshes in the folder the first by name, .vtkhdf (which knows the
-/// sub-domains) before .ugrid. @throws Error when there is none.
+/// sub-domains) before .ugrid; without any, the folder if it is a case of OpenFOAM.
+/// @throws Error when there is none.
 std::filesystem::path mesh_file(const std::filesystem::path& input);
 
 /// Writes a mesh in another format.

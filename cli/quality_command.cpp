@@ -11,6 +11,7 @@
 #include "cli/run_folder.h"
 #include "mesh/check/mesh_check.h"
 #include "mesh/formats/open_mesh.h"
+#include "mesh/formats/openfoam_source.h"
 #include "mesh/io/job_file.h"
 
 namespace tetfarm {
@@ -202,6 +203,7 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
     if (name.ends_with(".vtkhdf") || name.ends_with(".ugrid")) meshes.push_back(entry.path());
   }
   if (meshes.empty()) {
+    if (is_openfoam_case(input)) return input;
     throw Error(ExitCode::not_found, input.string() + ": no mesh (.vtkhdf, .lb8.ugrid) in there");
   }
   return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {

@@ -8,6 +8,7 @@
 #include "mesh/formats/cgns_source.h"
 #include "mesh/formats/meshb_source.h"
 #include "mesh/formats/msh_source.h"
+#include "mesh/formats/openfoam_source.h"
 #include "mesh/formats/pvtu_source.h"
 #include "mesh/formats/su2_source.h"
 #include "mesh/formats/tetgen_source.h"
@@ -86,6 +87,7 @@ std::string readable_meshes() {
 }
 
 Source open_mesh(const fs::path& path, const fs::path& scratch_folder) {
+  if (is_openfoam_case(path)) return open_openfoam(path, scratch_folder);
   return open_mesh_as(path, path.filename().string(), scratch_folder);
 }
 
@@ -93,7 +95,9 @@ Source open_mesh_as(const fs::path& path, std::string_view name, const fs::path&
   for (const ReadableFormat& format : formats) {
     if (name.ends_with(format.ending)) return format.open(path, scratch_folder);
   }
-  throw InvalidInput("is no mesh by its ending; " + readable_meshes() + " are read", path.string());
+  throw InvalidInput(
+      "is no mesh by its ending; " + readable_meshes() + " are read, and the cases of OpenFOAM",
+      path.string());
 }
 
 }  // namespace tetfarm

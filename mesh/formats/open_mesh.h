@@ -10,8 +10,9 @@
 
 namespace tetfarm {
 
-/// The ending tells the format. Text formats are read once and kept in files without names in
-/// `scratch_folder` (parsed_mesh.h). @throws IoError, InvalidInput with file and line or byte.
+/// The ending tells the format; a folder is a case of OpenFOAM. Text formats are read once and kept
+/// in files without names in `scratch_folder` (parsed_mesh.h). @throws IoError, InvalidInput with
+/// file and line or byte.
 std::unique_ptr<MeshSource> open_mesh(
     const std::filesystem::path& path,
     const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());

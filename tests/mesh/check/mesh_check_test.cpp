@@ -238,6 +238,39 @@ TEST(MeshCheck, of_every_format_is_that_of_the_mesh_it_was_exported_from) {
   }
 }
 
+TEST(MeshCheck, of_openfoam_is_that_of_the_mesh_but_for_the_digest_which_the_order_of_nodes_is_in) {
+  GridSource source(cut_grid(4));
+  for (const std::size_t part : {1, 2}) source.parts[part].region = 2;
+  const MeshCheckResult wanted = check_mesh(source);
+  for (const char* format : {"openfoam", "openfoam-decomposed"}) {
+    SCOPED_TRACE(format);
+    const TempFolder folder;
+    export_mesh(source, find_mesh_format(format, "case"), folder.path() / "case");
+    const auto read = open_mesh(folder.path() / "case", folder.path());
+    const MeshCheckResult result = check_mesh(*read);
+    EXPECT_THAT(result.complaints, IsEmpty());
+    EXPECT_EQ(result.nodes, wanted.nodes);
+    EXPECT_NEAR(result.volume, wanted.volume, 1e-14);
+    EXPECT_NEAR(result.enclosed_volume, wanted.enclosed_volume, 1e-14);
+    EXPECT_EQ(result.forced.at_most_deg, wanted.forced.at_most_deg);
+    EXPECT_NE(result.digest, wanted.digest);
+  }
+}
+
+TEST(MeshCheck, of_openfoam_finds_a_cell_that_is_turned_inside_out) {
+  const TempFolder folder;
+  GridSource source = grid();
+  // Its nodes stay, and with them the faces of its neighbours.
+  Vec3& node = source.parts[0].nodes[at(source.parts[0].tets[0][0])];
+  const Vec3 was = node;
+  for (NumberedPart& part : source.parts) {
+    std::replace(part.nodes.begin(), part.nodes.end(), was, Vec3{0.9, 0.9, 0.9});
+  }
+  export_mesh(source, find_mesh_format("openfoam", "case"), folder.path() / "case");
+  EXPECT_THAT(check_mesh(*open_mesh(folder.path() / "case", folder.path())).complaints,
+              Contains(HasSubstr("has the volume -")));
+}
+
 TEST(MeshCheck, finds_the_same_with_the_least_memory) {
   GridSource source = GridSource(cut_grid(12));
   MeshCheckOptions small;
