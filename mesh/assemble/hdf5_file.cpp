@@ -229,6 +229,13 @@ std::size_t Hdf5Input::rows_of(const std::string& name, int columns) const {
   return size[0];
 }
 
+std::size_t Hdf5Input::rows_of_list(const std::string& name) const {
+  constexpr std::size_t most = std::size_t{1} << 24;
+  const std::size_t rows = rows_of(name, 1);
+  if (rows > most) fail(name + " has " + std::to_string(rows) + " numbers");
+  return rows;
+}
+
 void Hdf5Input::read(const std::string& name, hid_t type, void* numbers) const {
   const Hdf5Handle dataset = open(name);
   if (H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) < 0) {

@@ -142,10 +142,11 @@ class Hdf5Input {
   bool has(const std::string& name) const;
   std::string text_attribute(const std::string& group, const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
-  /// All rows, one after the other. @throws InvalidInput when the array has another shape.
+  /// A whole list: what there is one of for each part, not for each element.
+  /// @throws InvalidInput when the array has another shape, or is longer than any such list.
   template <class T>
-  std::vector<T> array(const std::string& name, int columns = 1) const {
-    std::vector<T> numbers(rows_of(name, columns) * static_cast<std::size_t>(columns));
+  std::vector<T> list(const std::string& name) const {
+    std::vector<T> numbers(rows_of_list(name));
     read(name, hdf5_type<T>(), numbers.data());
     return numbers;
   }
@@ -166,6 +167,7 @@ class Hdf5Input {
  private:
   friend class Hdf5Rows;
   std::size_t rows_of(const std::string& name, int columns) const;
+  std::size_t rows_of_list(const std::string& name) const;
   void read(const std::string& name, hid_t type, void* numbers) const;
   Hdf5Handle open(const std::string& name) const;
 

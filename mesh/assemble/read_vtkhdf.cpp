@@ -16,9 +16,9 @@ constexpr std::int32_t most_regions = 1'000'000;
 std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
-  const auto points = file.array<std::int64_t>("VTKHDF/NumberOfPoints");
-  const auto cells = file.array<std::int64_t>("VTKHDF/NumberOfCells");
-  const auto ids = file.array<std::int64_t>("VTKHDF/NumberOfConnectivityIds");
+  const auto points = file.list<std::int64_t>("VTKHDF/NumberOfPoints");
+  const auto cells = file.list<std::int64_t>("VTKHDF/NumberOfCells");
+  const auto ids = file.list<std::int64_t>("VTKHDF/NumberOfConnectivityIds");
   if (cells.size() != points.size() || ids.size() != points.size()) {
     file.fail("the numbers of points and cells are not of the same partitions");
   }

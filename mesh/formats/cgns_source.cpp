@@ -113,8 +113,8 @@ class Cgns {
   }
 
   void read_section(const std::string& name) {
-    const auto type = file_.array<std::int32_t>(data_of(name));
-    const auto range = file_.array<std::int64_t>(data_of(name + "/ElementRange"));
+    const auto type = file_.list<std::int32_t>(data_of(name));
+    const auto range = file_.list<std::int64_t>(data_of(name + "/ElementRange"));
     constexpr std::int64_t most = std::int64_t{1} << 60;
     if (type.empty() || range.size() != 2 || range[0] < 1 || range[1] < range[0] ||
         range[1] > most) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "mesh/assemble/hdf5_file.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/formats/open_mesh.h"
 #include "mesh/formats/ugrid_source.h"
@@ -42,6 +43,24 @@ TEST(MeshSource, refuses_a_node_number_that_is_missing) {
     for (std::int64_t& number : part.local2global) number += number > 50 ? 1 : 0;
   }
   EXPECT_THROW(outline_of(grid), InvalidInput);
+}
+
+TEST(MeshSource, a_vtkhdf_file_of_more_partitions_than_there_can_be_is_refused_unread) {
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "a.vtkhdf";
+  Hdf5Output file(path.string());
+  file.make_group("VTKHDF");
+  file.add_text_attribute("VTKHDF", "Type", "UnstructuredGrid");
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
+    file.room_for<std::int64_t>("VTKHDF/" + std::string(name), std::int64_t{1} << 26);
+  }
+  file.close();
+  try {
+    open_mesh(path);
+    ADD_FAILURE() << "taken";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("VTKHDF/NumberOfPoints has 67108864 numbers"));
+  }
 }
 
 TEST(MeshSource, vtkhdf_gives_the_parts_back) {

@@ -9,7 +9,7 @@ namespace tetfarm {
 namespace {
 
 std::vector<std::int64_t> larges(const Hdf5Input& file, const std::string& node) {
-  return file.array<std::int64_t>("Base/Zone1/" + node + "/ data");
+  return file.list<std::int64_t>("Base/Zone1/" + node + "/ data");
 }
 
 TEST(WriteCgns, has_the_same_mesh) {
@@ -17,7 +17,7 @@ TEST(WriteCgns, has_the_same_mesh) {
   const GridSource grid(cut_grid(4));
   const Hdf5Input file(export_as(grid, folder, "", "a.cgns").string());
   const auto coordinate = [&](const char* name) {
-    return file.array<double>("Base/Zone1/GridCoordinates/" + std::string(name) + "/ data");
+    return file.list<double>("Base/Zone1/GridCoordinates/" + std::string(name) + "/ data");
   };
   ReadMesh mesh(1);
   const auto x = coordinate("CoordinateX");
@@ -46,7 +46,7 @@ TEST(WriteCgns, tells_the_subdomain_of_each_tet) {
   const TempFolder folder;
   const GridSource grid(cut_grid(4));
   const Hdf5Input file(export_as(grid, folder, "", "a.cgns").string());
-  const auto subdomains = file.array<std::int32_t>("Base/Zone1/CellData/Subdomain/ data");
+  const auto subdomains = file.list<std::int32_t>("Base/Zone1/CellData/Subdomain/ data");
   ASSERT_EQ(subdomains.size(), 384u);
   for (std::int32_t i = 0; i < 3; ++i) {
     EXPECT_EQ(std::count(subdomains.begin(), subdomains.end(), i),
