@@ -2,8 +2,9 @@
 
 #include <array>
 #include <bit>
-#include <utility>
 #include <vector>
+
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -26,17 +27,9 @@ std::uint64_t hash_of_node(std::int64_t number, const Vec3& p) {
 
 /// Of the three in this or a turned order; its negative in the other.
 std::uint64_t hash_of_face(std::array<std::uint64_t, 3> nodes) {
-  bool is_odd = false;
-  const auto sort_two = [&](std::size_t i, std::size_t j) {
-    if (nodes[i] <= nodes[j]) return;
-    std::swap(nodes[i], nodes[j]);
-    is_odd = !is_odd;
-  };
-  sort_two(0, 1);
-  sort_two(1, 2);
-  sort_two(0, 1);
+  const bool is_turned = sort_face(nodes);
   const std::uint64_t hash = mixed(mixed(mixed(nodes[0]) ^ nodes[1]) ^ nodes[2]);
-  return is_odd ? 0 - hash : hash;
+  return is_turned ? 0 - hash : hash;
 }
 
 }  // namespace

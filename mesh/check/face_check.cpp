@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mesh/core/complaints.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -18,21 +19,6 @@ constexpr std::uint64_t boundary_bit = 2;
 constexpr int last_shift = 2;
 constexpr int middle_shift = 33;
 constexpr std::uint64_t node_bits = 0x7fffffff;
-
-/// Sorts three nodes; true when that turned them the other way round.
-template <class Node>
-bool sort_nodes(std::array<Node, 3>& nodes) {
-  bool is_odd = false;
-  const auto sort_two = [&](std::size_t i, std::size_t j) {
-    if (nodes[i] <= nodes[j]) return;
-    std::swap(nodes[i], nodes[j]);
-    is_odd = !is_odd;
-  };
-  sort_two(0, 1);
-  sort_two(1, 2);
-  sort_two(0, 1);
-  return is_odd;
-}
 
 /// Calls visit(nodes, bits of the key) for each face of each tet, then for each boundary triangle.
 template <class Visit>
@@ -70,7 +56,7 @@ class FaceBuckets {
     for_each_face(part, [&](Triangle nodes, std::uint64_t bits) {
       const std::int32_t lowest = std::min({nodes[0], nodes[1], nodes[2]});
       if (lowest < first_node || lowest >= last_node) return;
-      if (sort_nodes(nodes)) bits |= odd_bit;
+      if (sort_face(nodes)) bits |= odd_bit;
       keys_[end_[at(lowest - first_node)]++] =
           static_cast<std::uint64_t>(nodes[1]) << middle_shift |
           static_cast<std::uint64_t>(nodes[2]) << last_shift | bits;
@@ -130,7 +116,7 @@ void find_faces(const NumberedPart& part, const PartPlace& place, bool knows_sub
     const std::int64_t face = next++;
     FaceNodes nodes{};
     for (std::size_t k = 0; k < 3; ++k) nodes[k] = part.local2global[at(local[k])];
-    const std::size_t side = sort_nodes(nodes) ? 1 : 0;
+    const std::size_t side = sort_face(nodes) ? 1 : 0;
     const auto found = findings.find(nodes);
     if (found == findings.end()) return;
     FaceFinding& finding = found->second;
@@ -194,7 +180,7 @@ void FaceCheck::add(const NumberedPart& part) {
       if (is_matched_inside(use)) return;
       OpenFace open;
       for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = part.local2global[at(nodes[k])];
-      if (sort_nodes(open.nodes)) {
+      if (sort_face(open.nodes)) {
         std::swap(use.tets[0], use.tets[1]);
         std::swap(use.boundary[0], use.boundary[1]);
       }

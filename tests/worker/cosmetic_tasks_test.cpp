@@ -12,6 +12,7 @@
 #include "mesh/io/job_file.h"
 #include "tests/base/temp_folder.h"
 #include "tests/support/shapes.h"
+#include "tests/worker/task_chain.h"
 #include "worker/assemble_task.h"
 #include "worker/cosmetic_task.h"
 #include "worker/decompose_task.h"
@@ -28,18 +29,8 @@ namespace tetfarm {
 namespace {
 
 using Files = std::map<std::string, wire::Artifact>;
+using test::off_of;
 using Parameters = std::map<std::string, std::string>;
-
-std::string off_of(const SurfaceMesh& surface) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "OFF\n" << surface.vertices.size() << " " << surface.triangles.size() << " 0\n";
-  for (const Vec3& p : surface.vertices) text << p.x << " " << p.y << " " << p.z << "\n";
-  for (const Triangle& t : surface.triangles) {
-    text << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
-  }
-  return text.str();
-}
 
 struct Turn {
   std::int32_t colour = 0;
