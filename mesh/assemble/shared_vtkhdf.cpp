@@ -28,7 +28,7 @@ std::vector<VtkhdfCounts> counts_of_all_cells(const Numbering& numbering,
   return parts;
 }
 
-bool is_at(const FileRange& range, const FileRange& place) {
+bool is_at(const FileRange& range, const VtkhdfPlace& place) {
   return range.offset == place.offset && range.size == place.size;
 }
 
@@ -85,21 +85,10 @@ void SharedVtkhdf::write_frame() {
   remove_file(path_.scratch);
 }
 
-std::vector<FileRange> SharedVtkhdf::places_of(std::size_t part) const {
-  const VtkhdfBefore& from = before_[part];
-  const VtkhdfBefore& to = before_[part + 1];
-  const std::int64_t cells = to.cells - from.cells;
-  const auto number = static_cast<std::int64_t>(part);
-  return {{places_.connectivity + 8 * from.ids, 8 * (to.ids - from.ids), {}},
-          {places_.offsets + 8 * (from.cells + number), 8 * (cells + 1), {}},
-          {places_.types + from.cells, cells, {}},
-          {places_.subdomains + 4 * from.cells, 4 * cells, {}},
-          {places_.regions + 4 * from.cells, 4 * cells, {}},
-          {places_.patches + 4 * from.cells, 4 * cells, {}}};
-}
-
 bool SharedVtkhdf::takes(std::size_t part, std::span<const FileRange> cells) {
-  const std::vector<FileRange> wanted = places_of(part);
+  const auto wanted =
+      cell_places(places_, static_cast<std::int64_t>(part), before_.at(part), parts_.at(part))
+          .in_order();
   if (!std::equal(cells.begin(), cells.end(), wanted.begin(), wanted.end(), is_at)) return false;
   for (const FileRange& range : cells) placed_.emplace_back(range, part);
   taken_.insert(part);

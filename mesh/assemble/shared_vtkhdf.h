@@ -54,7 +54,6 @@ class SharedVtkhdf : public GlobalMeshWriter {
 
  private:
   void write_frame();
-  std::vector<FileRange> places_of(std::size_t part) const;
   void look_at_placed();
 
   SharedFile path_;

@@ -34,6 +34,21 @@ std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts) {
   return all;
 }
 
+VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
+                             const VtkhdfBefore& before, const VtkhdfCounts& counts) {
+  const std::int64_t cells = cells_of(counts);
+  const auto words_of_cells = [&](std::int64_t array) {
+    return VtkhdfPlace{array + 4 * before.cells, 4 * cells};
+  };
+  return {.connectivity = {places.connectivity + 8 * before.ids, 8 * ids_of(counts)},
+          // A partition has one offset more than cells.
+          .offsets = {places.offsets + 8 * (before.cells + number), 8 * (cells + 1)},
+          .types = {places.types + before.cells, cells},
+          .subdomains = words_of_cells(places.subdomains),
+          .regions = words_of_cells(places.regions),
+          .patches = words_of_cells(places.patches)};
+}
+
 VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
                                 std::span<const VtkhdfCounts> parts,
                                 const std::vector<std::string>& patch_names,

@@ -4,6 +4,7 @@
 /// of partitions, cells and their nodes alone: they are known before all points are counted.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -40,6 +41,31 @@ struct VtkhdfBefore {
 
 /// For each partition, and behind the last.
 std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts);
+
+/// A partition's piece of an array, bytes in the file.
+struct VtkhdfPlace {
+  std::int64_t offset = 0;
+  std::int64_t size = 0;
+};
+
+/// Its pieces of the arrays of cells.
+struct VtkhdfCellPlaces {
+  VtkhdfPlace connectivity;
+  VtkhdfPlace offsets;
+  VtkhdfPlace types;
+  VtkhdfPlace subdomains;
+  VtkhdfPlace regions;
+  VtkhdfPlace patches;
+
+  /// As they follow one another in the file.
+  std::array<VtkhdfPlace, 6> in_order() const {
+    return {connectivity, offsets, types, subdomains, regions, patches};
+  }
+};
+
+/// Of partition `number`, which has `counts` and comes behind `before`; its points do not count.
+VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
+                             const VtkhdfBefore& before, const VtkhdfCounts& counts);
 
 /// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.
 /// @throws IoError

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -15,9 +17,8 @@ constexpr std::size_t values_of_block = 65536;
 template <class T>
 class Row {
  public:
-  /// The first value comes `before` values behind the place where the array begins.
-  Row(OutputFile* file, std::int64_t array, std::int64_t before)
-      : file_(file), begin_(array + before * static_cast<std::int64_t>(sizeof(T))), next_(begin_) {
+  Row(OutputFile* file, const VtkhdfPlace& place)
+      : file_(file), place_(place), next_(place.offset) {
     values_.reserve(values_of_block);
   }
 
@@ -41,7 +42,8 @@ class Row {
   }
   FileRange finish() {
     store();
-    return {begin_, next_ - begin_, hasher_.finish()};
+    TF_CHECK(next_ == place_.offset + place_.size);
+    return {place_.offset, place_.size, hasher_.finish()};
   }
 
  private:
@@ -54,15 +56,18 @@ class Row {
   }
 
   OutputFile* file_;
-  std::int64_t begin_;
+  VtkhdfPlace place_;
   std::int64_t next_;
   Hasher hasher_;
   std::vector<T> values_;
 };
 
-FileRange write_offsets(std::int64_t array, std::int64_t before, const NumberedPart& part,
-                        OutputFile* file) {
-  Row<std::int64_t> offsets(file, array, before);
+VtkhdfCounts counts_of(const NumberedPart& part) {
+  return {std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)};
+}
+
+FileRange write_offsets(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
+  Row<std::int64_t> offsets(file, place);
   std::int64_t offset = 0;
   offsets.add(offset);
   for (std::size_t i = 0; i < part.tets.size(); ++i) offsets.add(offset += 4);
@@ -70,9 +75,8 @@ FileRange write_offsets(std::int64_t array, std::int64_t before, const NumberedP
   return offsets.finish();
 }
 
-FileRange write_regions(std::int64_t array, std::int64_t before, const NumberedPart& part,
-                        OutputFile* file) {
-  Row<std::int32_t> regions(file, array, before);
+FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
+  Row<std::int32_t> regions(file, place);
   if (part.region_of_tet.empty()) {
     regions.add(part.tets.size() + part.faces.size(), part.region);
   } else {
@@ -86,21 +90,21 @@ FileRange write_regions(std::int64_t array, std::int64_t before, const NumberedP
 
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                                           const NumberedPart& part, OutputFile* file) {
-  Row<std::int64_t> ids(file, places.connectivity, before.ids);
+  const VtkhdfCellPlaces here = cell_places(places, part.number, before, counts_of(part));
+  Row<std::int64_t> ids(file, here.connectivity);
   ids.add_nodes(part.tets);
   ids.add_nodes(part.faces);
   std::vector<FileRange> written = {ids.finish()};
-  // A partition has one offset more than cells.
-  written.push_back(write_offsets(places.offsets, before.cells + part.number, part, file));
-  Row<std::uint8_t> types(file, places.types, before.cells);
+  written.push_back(write_offsets(here.offsets, part, file));
+  Row<std::uint8_t> types(file, here.types);
   types.add(part.tets.size(), vtk_tetra);
   types.add(part.faces.size(), vtk_triangle);
   written.push_back(types.finish());
-  Row<std::int32_t> subdomains(file, places.subdomains, before.cells);
+  Row<std::int32_t> subdomains(file, here.subdomains);
   subdomains.add(part.tets.size() + part.faces.size(), part.number);
   written.push_back(subdomains.finish());
-  written.push_back(write_regions(places.regions, before.cells, part, file));
-  Row<std::int32_t> patches(file, places.patches, before.cells);
+  written.push_back(write_regions(here.regions, part, file));
+  Row<std::int32_t> patches(file, here.patches);
   patches.add(part.tets.size(), no_patch);
   for (const std::int32_t patch : part.patch_of_face) patches.add(patch);
   written.push_back(patches.finish());
