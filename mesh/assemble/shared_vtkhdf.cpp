@@ -98,12 +98,13 @@ bool SharedVtkhdf::takes(std::size_t part, std::span<const FileRange> cells) {
 void SharedVtkhdf::add(const NumberedPart& part) {
   const auto number = static_cast<std::size_t>(part.number);
   const VtkhdfCounts& counts = parts_.at(number);
+  const bool is_placed = taken_.contains(number);
   const bool has_tets = std::ssize(part.tets) == counts.tets;
   if (std::ssize(part.nodes) != counts.points || std::ssize(part.faces) != counts.faces ||
-      (!has_tets && !(part.tets.empty() && taken_.contains(number)))) {
+      (!has_tets && !(part.tets.empty() && is_placed))) {
     throw Error(ExitCode::failed, "a sub-domain has other counts than were announced");
   }
-  if (has_tets) write_vtkhdf_cells(places_, before_[number], part, &file_);
+  if (!is_placed) write_vtkhdf_cells(places_, before_[number], part, &file_);
   write_vtkhdf_points(places_, before_[number], part, file_);
 }
 

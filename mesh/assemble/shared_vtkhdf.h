@@ -33,7 +33,8 @@ bool knows_places(const Numbering& numbering);
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
                                    const Numbering& numbering, const SurfaceMesh& surface);
 
-/// Finishes the file. `add` takes a part with its tets, or without them when its cells are placed.
+/// Finishes the file. `add` takes a part with its tets, or without them when its cells are placed:
+/// those are not written again.
 class SharedVtkhdf : public GlobalMeshWriter {
  public:
   /// A part with its tets.

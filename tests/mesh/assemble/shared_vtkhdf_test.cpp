@@ -37,8 +37,11 @@ class SharedVtkhdfFile : public testing::Test {
     return place_cells(file_, parts_[part], numbering_, grid_.surface);
   }
 
-  /// Finishes the file; the parts that are in `placed` come without tets. How many were read whole.
-  int finish(const std::map<std::size_t, std::vector<FileRange>>& placed) {
+  enum class PlacedTets { stay_away, come_too };
+
+  /// Finishes the file; the parts that are in `placed` need no tets. How many were read whole.
+  int finish(const std::map<std::size_t, std::vector<FileRange>>& placed,
+             PlacedTets tets = PlacedTets::stay_away) {
     int read = 0;
     SharedVtkhdf shared(file_, grid_.counts(), grid_.surface, [&](std::size_t part) {
       ++read;
@@ -47,13 +50,21 @@ class SharedVtkhdfFile : public testing::Test {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       NumberedPart part = parts_[i];
       const auto found = placed.find(i);
-      if (found != placed.end() && shared.takes(i, found->second)) part.tets.clear();
+      const bool is_placed = found != placed.end() && shared.takes(i, found->second);
+      if (is_placed && tets == PlacedTets::stay_away) part.tets.clear();
       shared.add(part);
     }
     shared.finish();
     EXPECT_EQ(shared.finished().hash, hash128(result()));
     EXPECT_EQ(shared.finished().size, std::ssize(result()));
     return read;
+  }
+
+  void damage(std::int64_t place) {
+    std::string bytes = result();
+    char& byte = bytes.at(static_cast<std::size_t>(place));
+    byte = static_cast<char>(byte ^ 1);
+    write_file_atomically(file_.path, bytes);
   }
 
   std::string result() { return read_file(file_.path); }
@@ -83,14 +94,18 @@ TEST_F(SharedVtkhdfFile, nobody_need_have_placed_anything) {
 TEST_F(SharedVtkhdfFile, what_was_lost_or_damaged_is_written_again) {
   const auto first = place(0);
   const auto last = place(2);
-  std::string damaged = result();
-  const auto place_of_damage = static_cast<std::size_t>(last.front().offset + 20);
-  damaged[place_of_damage] = static_cast<char>(damaged[place_of_damage] ^ 1);
-  write_file_atomically(file_.path, damaged);
+  damage(last.front().offset + 20);
   EXPECT_EQ(finish({{0, first}, {2, last}}), 1);
   EXPECT_EQ(result(), alone());
   remove_file(file_.path);
   EXPECT_EQ(finish({{0, first}, {2, last}}), 2);
+  EXPECT_EQ(result(), alone());
+}
+
+TEST_F(SharedVtkhdfFile, placed_cells_are_not_written_again_when_their_tets_come_for_another_file) {
+  const auto first = place(0);
+  damage(first.front().offset + 20);
+  EXPECT_EQ(finish({{0, first}}, PlacedTets::come_too), 1) << "damage was written over unseen";
   EXPECT_EQ(result(), alone());
 }
 
