@@ -84,7 +84,6 @@ void MeshCheck::add_faces(const NumberedPart& part) {
     enclosed_ += signed_volume(*origin_, part.nodes[at(face[0])], part.nodes[at(face[1])],
                                part.nodes[at(face[2])]);
   }
-  triangles_ += std::ssize(part.faces);
   angles_.add(part);
 }
 

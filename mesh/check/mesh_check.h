@@ -64,7 +64,6 @@ class MeshCheck {
   long double volume_ = 0;
   long double enclosed_ = 0;
   std::int64_t tets_ = 0;
-  std::int64_t triangles_ = 0;
 };
 
 /// Of a whole mesh, for who wants nothing else.
