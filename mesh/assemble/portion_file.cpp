@@ -21,18 +21,6 @@ void write_vector(const Vec3& v, ByteWriter& writer) {
   for (const double x : {v.x, v.y, v.z}) writer.number(x);
 }
 
-void write_hash(const Hash128& hash, ByteWriter& writer) {
-  writer.number(hash.low);
-  writer.number(hash.high);
-}
-
-Hash128 read_hash(ByteReader& reader) {
-  Hash128 hash;
-  hash.low = reader.number<std::uint64_t>();
-  hash.high = reader.number<std::uint64_t>();
-  return hash;
-}
-
 Vec3 read_vector(ByteReader& reader) {
   Vec3 v;
   for (double* x : {&v.x, &v.y, &v.z}) *x = reader.number<double>();
@@ -101,7 +89,7 @@ std::string_view body_of(std::string_view bytes, std::string_view kind, const st
   }
   const std::string_view checked = bytes.substr(0, bytes.size() - checksum_size);
   ByteReader end(bytes.substr(checked.size()), name);
-  if (hash128(checked) != read_hash(end)) throw CorruptFile("its checksum is wrong", name);
+  if (hash128(checked) != end.hash()) throw CorruptFile("its checksum is wrong", name);
   return checked.substr(kind.size());
 }
 
@@ -138,14 +126,14 @@ std::string portion_to_bytes(const Portion& portion) {
   writer.array(portion.surface_triangles);
   writer.number(portion.face_sum);
   write_all_shapes(portion.shapes, writer);
-  write_hash(portion.tet_digest.hash, writer);
+  writer.hash(portion.tet_digest.hash);
   writer.number<std::uint64_t>(portion.placed.size());
   for (const FileRange& range : portion.placed) {
     writer.number(range.offset);
     writer.number(range.size);
-    write_hash(range.hash, writer);
+    writer.hash(range.hash);
   }
-  write_hash(hash128(writer.bytes()), writer);
+  writer.hash(hash128(writer.bytes()));
   return writer.take();
 }
 
@@ -170,13 +158,13 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   portion.face_sum = reader.number<std::uint64_t>();
   portion.shapes = read_all_shapes(reader, part.region);
   portion.tets = static_cast<std::int64_t>(tets);
-  portion.tet_digest = {read_hash(reader), portion.tets};
+  portion.tet_digest = {reader.hash(), portion.tets};
   const std::size_t ranges = reader.count();
   for (std::size_t i = 0; i < ranges; ++i) {
     FileRange& range = portion.placed.emplace_back();
     range.offset = reader.number<std::int64_t>();
     range.size = reader.number<std::int64_t>();
-    range.hash = read_hash(reader);
+    range.hash = reader.hash();
   }
   reader.expect_end();
   check_indices(part.faces, nodes, reader);
@@ -190,7 +178,7 @@ std::string portion_tets_to_bytes(const Portion& portion) {
   writer.number(portion.part.number);
   writer.number<std::uint64_t>(portion.part.tets.size());
   writer.array(portion.part.tets);
-  write_hash(hash128(writer.bytes()), writer);
+  writer.hash(hash128(writer.bytes()));
   return writer.take();
 }
 

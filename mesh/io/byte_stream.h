@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "mesh/core/subdomain.h"
 
 namespace tetfarm {
@@ -33,6 +34,10 @@ class ByteWriter {
   void origins(const std::vector<Origin>& origins) {
     for (const Origin& origin : origins) number(origin.owner);
     for (const Origin& origin : origins) number(origin.index);
+  }
+  void hash(const Hash128& hash) {
+    number(hash.low);
+    number(hash.high);
   }
   const std::string& bytes() const { return bytes_; }
   std::string take() { return std::move(bytes_); }
@@ -74,6 +79,12 @@ class ByteReader {
     std::vector<Origin> origins(count);
     for (std::size_t i = 0; i < count; ++i) origins[i] = {owners[i], indices[i]};
     return origins;
+  }
+  Hash128 hash() {
+    Hash128 hash;
+    hash.low = number<std::uint64_t>();
+    hash.high = number<std::uint64_t>();
+    return hash;
   }
   void expect_end() const {
     if (!rest_.empty()) fail("has " + std::to_string(rest_.size()) + " bytes too many");

@@ -21,18 +21,6 @@ constexpr std::uint32_t elements_version = 3;
 /// Magic, version, size of the head, checksum of the head.
 constexpr std::size_t prefix_size = 8 + 4 + 8 + 16;
 
-void add_checksum(ByteWriter& writer, const Hash128& checksum) {
-  writer.number(checksum.low);
-  writer.number(checksum.high);
-}
-
-Hash128 read_checksum(ByteReader& reader) {
-  Hash128 checksum;
-  checksum.low = reader.number<std::uint64_t>();
-  checksum.high = reader.number<std::uint64_t>();
-  return checksum;
-}
-
 /// Magic and version, then what follows them.
 ByteReader start_reading(std::string_view bytes, std::string_view magic, std::uint32_t version,
                          const std::string& name) {
@@ -120,7 +108,7 @@ void add_entry(ByteWriter& writer, const Sharers& sharers, const std::vector<std
   writer.array(tets);
   writer.array(triangles);
   writer.number<std::uint64_t>(body.size());
-  add_checksum(writer, hash128(body));
+  writer.hash(hash128(body));
 }
 
 std::string head_bytes(const ElementFileHead& head, const std::vector<ElementSection>& sections,
@@ -158,7 +146,7 @@ ElementFileHead head_from(std::string_view bytes, const std::string& name) {
     section.triangles = reader.array<std::uint64_t>(sharers);
     section.offset = offset;
     section.size = reader.number<std::uint64_t>();
-    section.checksum = read_checksum(reader);
+    section.checksum = reader.hash();
     offset += section.size;
   }
   reader.expect_end();
@@ -184,7 +172,7 @@ std::string elements_to_bytes(const ElementFileHead& head,
   ByteWriter prefix;
   prefix.number(elements_version);
   prefix.number<std::uint64_t>(described.size());
-  add_checksum(prefix, hash128(described));
+  prefix.hash(hash128(described));
   std::string bytes = std::string(elements_magic) + prefix.bytes() + described;
   for (std::string& body : bodies) {
     bytes += body;
@@ -198,7 +186,7 @@ ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
   const std::string prefix = read_bytes(0, prefix_size);
   ByteReader reader = start_reading(prefix, elements_magic, elements_version, name_);
   const auto size = reader.number<std::uint64_t>();
-  const Hash128 checksum = read_checksum(reader);
+  const Hash128 checksum = reader.hash();
   const std::string bytes = read_bytes(prefix_size, size);
   if (hash128(bytes) != checksum) reader.fail("has a wrong checksum of its head");
   head_ = head_from(bytes, name_);
@@ -267,7 +255,7 @@ std::string shared_nodes_to_bytes(const SharedNodes& shared) {
   }
   std::string bytes = std::string(shared_magic) + writer.bytes();
   ByteWriter end;
-  add_checksum(end, hash128(bytes));
+  end.hash(hash128(bytes));
   return bytes + end.bytes();
 }
 
@@ -277,7 +265,7 @@ SharedNodes shared_nodes_from_bytes(std::string_view bytes, const std::string& n
   const std::string_view body = bytes.substr(0, bytes.size() - checksum_size);
   ByteReader end(bytes.substr(body.size()), name);
   ByteReader reader = start_reading(body, shared_magic, shared_version, name);
-  if (read_checksum(end) != hash128(body)) reader.fail("has a wrong checksum");
+  if (end.hash() != hash128(body)) reader.fail("has a wrong checksum");
   SharedNodes shared;
   shared.path.heap = reader.number<std::uint64_t>();
   const std::size_t sets = reader.count();
