@@ -1,10 +1,8 @@
 /// The bytes of a portion (portion.h).
-#include <algorithm>
 
 #include "base/file_system.h"
-#include "base/hash.h"
 #include "mesh/assemble/portion.h"
-#include "mesh/io/byte_stream.h"
+#include "mesh/io/checked_bytes.h"
 
 namespace tetfarm {
 namespace {
@@ -15,7 +13,6 @@ constexpr std::string_view magic = "TFPORT\r\n";
 constexpr std::string_view tets_magic = "TFPTET\r\n";
 constexpr std::uint32_t version = 2;
 constexpr std::uint32_t tets_version = 1;
-constexpr std::size_t checksum_size = 16;
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
   for (const double x : {v.x, v.y, v.z}) writer.number(x);
@@ -79,20 +76,6 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
   }
 }
 
-/// What lies between the version and the checksum.
-std::string_view body_of(std::string_view bytes, std::string_view kind, const std::string& name) {
-  if (bytes.substr(0, kind.size()) != kind) {
-    throw CorruptFile("does not start as the expected kind of file", name);
-  }
-  if (bytes.size() < kind.size() + sizeof version + checksum_size) {
-    throw CorruptFile("is cut short", name);
-  }
-  const std::string_view checked = bytes.substr(0, bytes.size() - checksum_size);
-  ByteReader end(bytes.substr(checked.size()), name);
-  if (hash128(checked) != end.hash()) throw CorruptFile("its checksum is wrong", name);
-  return checked.substr(kind.size());
-}
-
 }  // namespace
 
 PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name) {
@@ -111,9 +94,7 @@ PortionCounts portion_counts(const std::filesystem::path& path, const std::strin
 
 std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
-  ByteWriter writer;
-  writer.array(std::vector<char>(magic.begin(), magic.end()));
-  writer.number(version);
+  ByteWriter writer = begin_checked(magic, version);
   writer.number(part.number);
   writer.number(part.region);
   writer.number<std::uint64_t>(part.nodes.size());
@@ -133,14 +114,11 @@ std::string portion_to_bytes(const Portion& portion) {
     writer.number(range.size);
     writer.hash(range.hash);
   }
-  writer.hash(hash128(writer.bytes()));
-  return writer.take();
+  return finish_checked(std::move(writer));
 }
 
 Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader(body_of(bytes, magic, name), name);
-  const auto found = reader.number<std::uint32_t>();
-  if (found != version) reader.fail("has the format version " + std::to_string(found));
+  ByteReader reader = read_checked(bytes, magic, version, name);
   Portion portion;
   NumberedPart& part = portion.part;
   part.number = reader.number<std::int32_t>();
@@ -172,20 +150,15 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
 }
 
 std::string portion_tets_to_bytes(const Portion& portion) {
-  ByteWriter writer;
-  writer.array(std::vector<char>(tets_magic.begin(), tets_magic.end()));
-  writer.number(tets_version);
+  ByteWriter writer = begin_checked(tets_magic, tets_version);
   writer.number(portion.part.number);
   writer.number<std::uint64_t>(portion.part.tets.size());
   writer.array(portion.part.tets);
-  writer.hash(hash128(writer.bytes()));
-  return writer.take();
+  return finish_checked(std::move(writer));
 }
 
 void add_portion_tets(std::string_view bytes, const std::string& name, Portion& portion) {
-  ByteReader reader(body_of(bytes, tets_magic, name), name);
-  const auto found = reader.number<std::uint32_t>();
-  if (found != tets_version) reader.fail("has the format version " + std::to_string(found));
+  ByteReader reader = read_checked(bytes, tets_magic, tets_version, name);
   const auto number = reader.number<std::int32_t>();
   const std::size_t tets = reader.count();
   if (number != portion.part.number || static_cast<std::int64_t>(tets) != portion.tets) {

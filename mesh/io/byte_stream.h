@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -21,16 +22,23 @@ static_assert(std::endian::native == std::endian::little);
 
 class ByteWriter {
  public:
+  void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   template <class T>
   void number(T value) {
     static_assert(std::is_arithmetic_v<T>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   template <class T>
-  void array(const std::vector<T>& items) {
+  void array(std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
+    bytes_.append(reinterpret_cast<const char*>(items.data()), items.size_bytes());
   }
+  template <class T>
+  void array(const std::vector<T>& items) {
+    array(std::span<const T>(items));
+  }
+  /// Not its length.
+  void text(std::string_view text) { bytes_ += text; }
   void origins(const std::vector<Origin>& origins) {
     for (const Origin& origin : origins) number(origin.owner);
     for (const Origin& origin : origins) number(origin.index);
@@ -73,6 +81,7 @@ class ByteReader {
     if (count > 0) std::memcpy(items.data(), bytes.data(), bytes.size());
     return items;
   }
+  std::string text(std::size_t count) { return std::string(take(count, 1)); }
   std::vector<Origin> origins(std::size_t count) {
     const auto owners = array<std::uint64_t>(count);
     const auto indices = array<std::uint32_t>(count);

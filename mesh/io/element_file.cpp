@@ -7,7 +7,7 @@
 #include <cerrno>
 
 #include "base/check.h"
-#include "mesh/io/byte_stream.h"
+#include "mesh/io/checked_bytes.h"
 
 namespace tetfarm {
 namespace {
@@ -19,22 +19,7 @@ constexpr std::string_view shared_magic = "TFSHAR\r\n";
 constexpr std::uint32_t shared_version = 1;
 constexpr std::uint32_t elements_version = 3;
 /// Magic, version, size of the head, checksum of the head.
-constexpr std::size_t prefix_size = 8 + 4 + 8 + 16;
-
-/// Magic and version, then what follows them.
-ByteReader start_reading(std::string_view bytes, std::string_view magic, std::uint32_t version,
-                         const std::string& name) {
-  if (bytes.substr(0, magic.size()) != magic) {
-    throw CorruptFile("does not start as the expected kind of file", name);
-  }
-  ByteReader reader(bytes.substr(magic.size()), name);
-  const auto found = reader.number<std::uint32_t>();
-  if (found != version) {
-    reader.fail("has the format version " + std::to_string(found) + ", not " +
-                std::to_string(version));
-  }
-  return reader;
-}
+constexpr std::size_t prefix_size = 8 + 4 + 8 + checksum_size;
 
 std::string section_bytes(const ElementSection& section) {
   ByteWriter writer;
@@ -184,7 +169,7 @@ std::string elements_to_bytes(const ElementFileHead& head,
 ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
     : path_(path), name_(std::move(name)) {
   const std::string prefix = read_bytes(0, prefix_size);
-  ByteReader reader = start_reading(prefix, elements_magic, elements_version, name_);
+  ByteReader reader = read_begun(prefix, elements_magic, elements_version, name_);
   const auto size = reader.number<std::uint64_t>();
   const Hash128 checksum = reader.hash();
   const std::string bytes = read_bytes(prefix_size, size);
@@ -239,8 +224,7 @@ std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {
 }
 
 std::string shared_nodes_to_bytes(const SharedNodes& shared) {
-  ByteWriter writer;
-  writer.number(shared_version);
+  ByteWriter writer = begin_checked(shared_magic, shared_version);
   writer.number(shared.path.heap);
   writer.number<std::uint64_t>(shared.sets.size());
   for (const Sharers& sharers : shared.sets) {
@@ -253,19 +237,11 @@ std::string shared_nodes_to_bytes(const SharedNodes& shared) {
     writer.number(node.origin.index);
     writer.number(node.set);
   }
-  std::string bytes = std::string(shared_magic) + writer.bytes();
-  ByteWriter end;
-  end.hash(hash128(bytes));
-  return bytes + end.bytes();
+  return finish_checked(std::move(writer));
 }
 
 SharedNodes shared_nodes_from_bytes(std::string_view bytes, const std::string& name) {
-  constexpr std::size_t checksum_size = 16;
-  if (bytes.size() < shared_magic.size() + checksum_size) throw CorruptFile("is cut short", name);
-  const std::string_view body = bytes.substr(0, bytes.size() - checksum_size);
-  ByteReader end(bytes.substr(body.size()), name);
-  ByteReader reader = start_reading(body, shared_magic, shared_version, name);
-  if (end.hash() != hash128(body)) reader.fail("has a wrong checksum");
+  ByteReader reader = read_checked(bytes, shared_magic, shared_version, name);
   SharedNodes shared;
   shared.path.heap = reader.number<std::uint64_t>();
   const std::size_t sets = reader.count();
