@@ -5,6 +5,7 @@
 
 #include "base/file_system.h"
 #include "cli/commands.h"
+#include "mesh/assemble/read_global_mesh.h"
 #include "mesh/assemble/read_vtkhdf.h"
 #include "mesh/render/render_mesh.h"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/assemble/mesh_in_memory.h"
 
 namespace tetfarm {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/assemble/global_mesh.h"
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/assemble/mesh_in_memory.h"
 
 namespace tetfarm {
 

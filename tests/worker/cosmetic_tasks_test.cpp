@@ -7,10 +7,11 @@
 #include <map>
 #include <sstream>
 
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/assemble/read_global_mesh.h"
 #include "mesh/io/element_file.h"
 #include "mesh/io/job_file.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/mesh_report.h"
 #include "tests/support/shapes.h"
 #include "tests/worker/task_chain.h"
 #include "worker/assemble_task.h"

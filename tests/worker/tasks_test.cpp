@@ -8,10 +8,11 @@
 #include <map>
 #include <sstream>
 
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/assemble/read_global_mesh.h"
 #include "mesh/core/validate.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "tests/support/mesh_report.h"
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
 #include "tests/worker/task_chain.h"

@@ -5,12 +5,13 @@
 
 #include <numeric>
 
-#include "mesh/assemble/mesh_report.h"
+#include "mesh/assemble/read_global_mesh.h"
 #include "mesh/figures/cut_nodes.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/formats/open_mesh.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/support/mesh_report.h"
 
 namespace tetfarm {
 namespace {

@@ -1,13 +1,9 @@
-#include "mesh/assemble/mesh_report.h"
+#include "tests/support/mesh_report.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
-#include "base/error.h"
 #include "mesh/assemble/mesh_digest.h"
-#include "mesh/assemble/read_ugrid.h"
-#include "mesh/assemble/read_vtkhdf.h"
 #include "mesh/core/validate.h"
 
 namespace tetfarm {
@@ -145,22 +141,6 @@ void add_all_shapes(const GlobalMesh& mesh, MeshShapes& shapes) {
   }
 }
 
-/// As of the surface that was meshed; without regions, edges of more than two triangles do not
-/// count.
-ForcedDihedral forced_by_regions(const GlobalMesh& mesh) {
-  std::map<std::int32_t, std::vector<Triangle>> region2triangles;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
-    const bool is_known = !mesh.region_of_triangle.empty();
-    region2triangles[is_known ? mesh.region_of_triangle[i] : 1].push_back(mesh.boundary[i]);
-  }
-  ForcedDihedral smallest;
-  for (const auto& [region, triangles] : region2triangles) {
-    const ForcedDihedral forced = forced_dihedral(mesh.mesh.nodes, triangles);
-    if (forced.at_most_deg < smallest.at_most_deg) smallest = forced;
-  }
-  return smallest;
-}
-
 void add_figures(const GlobalMesh& mesh, MeshReport& report) {
   MeshDigest digest;
   for (std::size_t v = 0; v < mesh.mesh.nodes.size(); ++v) {
@@ -176,19 +156,10 @@ void add_figures(const GlobalMesh& mesh, MeshReport& report) {
   }
   add_all_shapes(mesh, report.shapes);
   for (const RegionShapes& region : report.shapes.regions) report.volume += region.volume;
-  report.enclosed_volume = enclosed_volume(mesh.mesh.nodes, mesh.boundary);
-  report.forced = forced_by_regions(mesh);
   report.digest = digest.finish();
 }
 
 }  // namespace
-
-GlobalMesh read_global_mesh(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  if (name.ends_with(".vtkhdf") || name.ends_with(".hdf")) return read_vtkhdf(path);
-  if (name.ends_with(".lb8.ugrid")) return read_ugrid(path);
-  throw InvalidInput("not a mesh file: .vtkhdf and .lb8.ugrid are read", path.string());
-}
 
 MeshReport report_on(const GlobalMesh& mesh) {
   MeshReport report;
@@ -196,7 +167,6 @@ MeshReport report_on(const GlobalMesh& mesh) {
   report.tets = std::ssize(mesh.mesh.tets);
   report.boundary_triangles = std::ssize(mesh.boundary);
   report.subdomains = mesh.subdomains;
-  report.region_names = mesh.region_names;
   report.complaints = validate(mesh.mesh, mesh.boundary);
   if (all_nodes_exist(mesh)) add_figures(mesh, report);
   return report;

@@ -1,0 +1,16 @@
+#include "mesh/assemble/read_global_mesh.h"
+
+#include "base/error.h"
+#include "mesh/assemble/read_ugrid.h"
+#include "mesh/assemble/read_vtkhdf.h"
+
+namespace tetfarm {
+
+GlobalMesh read_global_mesh(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  if (name.ends_with(".vtkhdf") || name.ends_with(".hdf")) return read_vtkhdf(path);
+  if (name.ends_with(".lb8.ugrid")) return read_ugrid(path);
+  throw InvalidInput("not a mesh file: .vtkhdf and .lb8.ugrid are read", path.string());
+}
+
+}  // namespace tetfarm
