@@ -5,17 +5,10 @@
 
 #include "mesh/formats/input_file.h"
 #include "mesh/formats/listed_mesh.h"
+#include "mesh/io/medit_keywords.h"
 
 namespace tetfarm {
 namespace {
-
-enum Keyword : std::int32_t {
-  dimension = 3,
-  vertices = 4,
-  triangles = 6,
-  tetrahedra = 8,
-  end = 54
-};
 
 /// A list of records of 8-byte numbers.
 struct List {
@@ -75,18 +68,18 @@ class Meshb {
   /// Returns where the next keyword is; 0 after the last.
   std::int64_t read_keyword(std::int64_t place) {
     const auto keyword = file_.at<std::int32_t>(place);
-    if (keyword == end) return 0;
+    if (keyword == medit::end) return 0;
     const auto next = file_.at<std::int64_t>(place + 4);
     if (next != 0 && (next <= place || next > file_.size())) {
       file_.fail("the place of the next keyword is wrong", place + 4);
     }
-    if (keyword == dimension) {
+    if (keyword == medit::dimension) {
       if (file_.at<std::int32_t>(place + 12) != 3) file_.fail("not of three dimensions", place);
-    } else if (keyword == vertices) {
+    } else if (keyword == medit::vertices) {
       nodes = list_at(place, 32);
-    } else if (keyword == triangles) {
+    } else if (keyword == medit::triangles) {
       faces = list_at(place, 32);
-    } else if (keyword == tetrahedra) {
+    } else if (keyword == medit::tetrahedra) {
       tets = list_at(place, 40);
     } else {
       file_.fail("unknown keyword " + std::to_string(keyword), place);

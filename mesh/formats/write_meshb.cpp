@@ -1,24 +1,17 @@
 #include "mesh/formats/write_meshb.h"
 
 #include "mesh/formats/node_records.h"
+#include "mesh/io/medit_keywords.h"
 
 namespace tetfarm {
 namespace {
-
-enum Keyword : std::int32_t {
-  dimension = 3,
-  vertices = 4,
-  triangles = 6,
-  tetrahedra = 8,
-  end = 54
-};
 
 constexpr std::int32_t byte_order_mark = 1;
 constexpr std::int32_t version = 4;
 
 /// Writes the head of a list, and returns where its records begin; `place` moves behind them.
-std::int64_t begin_list(OutputFile& file, std::int64_t& place, Keyword keyword, std::int64_t count,
-                        std::int64_t bytes_each) {
+std::int64_t begin_list(OutputFile& file, std::int64_t& place, medit::Keyword keyword,
+                        std::int64_t count, std::int64_t bytes_each) {
   constexpr std::int64_t head_bytes = 4 + 8 + 8;
   NumberText head = NumberText::raw();
   const std::int64_t first = place + head_bytes;
@@ -39,20 +32,22 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
   NumberText head = raw;
   head.small(byte_order_mark);
   head.small(version);
-  head.small(dimension);
+  head.small(medit::dimension);
   head.integer(head.size() + 8 + 4);
   head.small(3);
   file.write(0, head.bytes());
   std::int64_t place = head.size();
   const std::int64_t node_bytes = raw.record_bytes(1, 3);
-  const std::int64_t first_node = begin_list(file, place, vertices, outline.nodes, node_bytes);
+  const std::int64_t first_node =
+      begin_list(file, place, medit::vertices, outline.nodes, node_bytes);
   const std::int64_t triangle_bytes = raw.record_bytes(4, 0);
   const std::int64_t first_triangle =
-      begin_list(file, place, triangles, outline.boundary_triangles, triangle_bytes);
+      begin_list(file, place, medit::triangles, outline.boundary_triangles, triangle_bytes);
   const std::int64_t tet_bytes = raw.record_bytes(5, 0);
-  const std::int64_t first_tet = begin_list(file, place, tetrahedra, outline.tets, tet_bytes);
+  const std::int64_t first_tet =
+      begin_list(file, place, medit::tetrahedra, outline.tets, tet_bytes);
   NumberText tail = raw;
-  tail.small(end);
+  tail.small(medit::end);
   tail.integer(0);
   file.write(place, tail.bytes());
 

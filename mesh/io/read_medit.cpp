@@ -3,19 +3,12 @@
 #include <limits>
 
 #include "mesh/io/input_scanner.h"
+#include "mesh/io/medit_keywords.h"
 #include "mesh/io/patch_names.h"
 #include "mesh/io/used_vertices.h"
 
 namespace tetfarm {
 namespace {
-
-enum Keyword : std::int32_t {
-  dimension = 3,
-  vertices = 4,
-  triangles = 6,
-  quadrangles = 7,
-  end = 54
-};
 
 class MeditReader {
  public:
@@ -63,15 +56,15 @@ class MeditReader {
     while (here + 8 <= bytes_.size()) {
       go_to(here);
       const std::int64_t keyword = small();
-      if (keyword == end) return;
+      if (keyword == medit::end) return;
       const std::int64_t next = version_ < 3 ? small() : large();
-      if (keyword == dimension) {
+      if (keyword == medit::dimension) {
         if (small() != 3) scanner_.fail("the mesh is not of 3 dimensions");
-      } else if (keyword == vertices) {
+      } else if (keyword == medit::vertices) {
         read_vertices(list_length());
-      } else if (keyword == triangles) {
+      } else if (keyword == medit::triangles) {
         read_triangles(list_length());
-      } else if (keyword == quadrangles && list_length() > 0) {
+      } else if (keyword == medit::quadrangles && list_length() > 0) {
         scanner_.fail("quadrangles: only triangles are read");
       }
       if (next <= static_cast<std::int64_t>(here) ||
