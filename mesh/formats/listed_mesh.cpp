@@ -31,6 +31,61 @@ struct PartOfList {
   std::vector<std::size_t> triangles;
 };
 
+/// The boundary triangles for whose tets is looked.
+class UnclaimedTriangles {
+ public:
+  explicit UnclaimedTriangles(const ListedMesh& mesh) : has_node_(at(mesh.nodes), false) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const FaceNodes& nodes = mesh.triangles[t].nodes;
+      for (const std::int64_t node : nodes) has_node_[at(node)] = true;
+      by_nodes_.emplace_back(smallest_first(nodes), t);
+    }
+    std::sort(by_nodes_.begin(), by_nodes_.end());
+    is_taken_.resize(by_nodes_.size(), false);
+  }
+
+  /// Of each node of the mesh, whether a boundary triangle has it.
+  const std::vector<bool>& nodes() const { return has_node_; }
+
+  /// Appends those that the tet has as faces. Of several equal ones the first goes to the first
+  /// who asks.
+  void give_faces(const Nodes& tet, std::vector<std::size_t>& to) {
+    std::array<bool, 4> is_outside{};
+    for (std::size_t k = 0; k < 4; ++k) is_outside[k] = has_node_[at(tet[k])];
+    if (is_outside[0] + is_outside[1] + is_outside[2] + is_outside[3] < 3) return;
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      if (is_outside[at(i)] && is_outside[at(j)] && is_outside[at(k)]) {
+        give(smallest_first({tet[at(i)], tet[at(j)], tet[at(k)]}), to);
+      }
+    }
+  }
+
+  /// Those that nobody got, ascending.
+  std::vector<std::size_t> rest() const {
+    std::vector<std::size_t> left;
+    for (std::size_t t = 0; t < is_taken_.size(); ++t) {
+      if (!is_taken_[t]) left.push_back(t);
+    }
+    return left;
+  }
+
+ private:
+  void give(const FaceNodes& face, std::vector<std::size_t>& to) {
+    auto found =
+        std::lower_bound(by_nodes_.begin(), by_nodes_.end(), std::pair(face, std::size_t{0}));
+    for (; found != by_nodes_.end() && found->first == face; ++found) {
+      if (is_taken_[found->second]) continue;
+      is_taken_[found->second] = true;
+      to.push_back(found->second);
+      return;
+    }
+  }
+
+  std::vector<bool> has_node_;
+  std::vector<std::pair<FaceNodes, std::size_t>> by_nodes_;  ///< sorted; with its number
+  std::vector<bool> is_taken_;                               ///< by its number
+};
+
 class ListedSource : public MeshSource {
  public:
   ListedSource(ListedMesh mesh, std::int64_t tets_of_piece) : mesh_(std::move(mesh)) {
@@ -130,45 +185,23 @@ class ListedSource : public MeshSource {
 
   /// Gives each part its triangles, and the last one those that no tet has.
   void share_out() {
-    std::vector<bool> is_used(at(mesh_.nodes), false);
-    std::vector<bool> is_on_boundary(at(mesh_.nodes), false);
-    std::vector<std::pair<FaceNodes, std::size_t>> wanted;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const FaceNodes& nodes = mesh_.triangles[t].nodes;
-      for (const std::int64_t node : nodes) is_on_boundary[at(node)] = is_used[at(node)] = true;
-      wanted.emplace_back(smallest_first(nodes), t);
-    }
-    std::sort(wanted.begin(), wanted.end());
-    std::vector<bool> is_taken(wanted.size(), false);
-    const auto take = [&](const FaceNodes& face, PartOfList& part) {
-      auto found = std::lower_bound(wanted.begin(), wanted.end(), std::pair(face, std::size_t{0}));
-      for (; found != wanted.end() && found->first == face; ++found) {
-        if (is_taken[found->second]) continue;
-        is_taken[found->second] = true;
-        part.triangles.push_back(found->second);
-        return;
-      }
-    };
+    UnclaimedTriangles unclaimed(mesh_);
+    std::vector<bool> is_used = unclaimed.nodes();
     for (PartOfList& part : parts_) {
       for_each_tet(part, [&](const Nodes& tet) {
-        std::array<bool, 4> is_outside{};
-        for (std::size_t k = 0; k < 4; ++k) {
-          is_used[at(tet[k])] = true;
-          is_outside[k] = is_on_boundary[at(tet[k])];
-        }
-        if (is_outside[0] + is_outside[1] + is_outside[2] + is_outside[3] < 3) return;
-        for (const auto& [i, j, k] : tet_face_nodes) {
-          if (is_outside[at(i)] && is_outside[at(j)] && is_outside[at(k)]) {
-            take(smallest_first({tet[at(i)], tet[at(j)], tet[at(k)]}), part);
-          }
-        }
+        for (const std::int64_t node : tet) is_used[at(node)] = true;
+        unclaimed.give_faces(tet, part.triangles);
       });
     }
-    for (std::size_t t = 0; t < is_taken.size(); ++t) {
-      if (!is_taken[t]) parts_.back().triangles.push_back(t);
-    }
+    const std::vector<std::size_t> rest = unclaimed.rest();
+    std::vector<std::size_t>& last = parts_.back().triangles;
+    last.insert(last.end(), rest.begin(), rest.end());
     // As the file has them.
     for (PartOfList& part : parts_) std::sort(part.triangles.begin(), part.triangles.end());
+    complain_of_unused(is_used);
+  }
+
+  void complain_of_unused(const std::vector<bool>& is_used) {
     const auto unused = std::find(is_used.begin(), is_used.end(), false);
     if (unused == is_used.end()) return;
     complaints_.push_back("node " + std::to_string(unused - is_used.begin()) +
