@@ -17,7 +17,7 @@ const char* help_for(ExitCode code) {
     case ExitCode::usage:
       return "see `tetfarm --help`, docs/job_file.md and docs/security.md";
     case ExitCode::bad_geometry:
-      return "repair the surface there; `tetfarm check` shows every defect";
+      return "mend the input there; `tetfarm check` shows every defect of a surface";
     case ExitCode::not_found:
       return "check the name, and that the coordinator runs and can be reached";
     case ExitCode::out_of_resources:

@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include "base/error.h"
+#include "mesh/assemble/hdf5_soundness.h"
 
 namespace tetfarm {
 namespace {
@@ -166,6 +167,7 @@ void Hdf5Output::close() {
 Hdf5Input::Hdf5Input(std::string path) : path_(std::move(path)) {
   silence();
   if (::access(path_.c_str(), R_OK) != 0) throw IoError("cannot read", path_, errno);
+  expect_sound_hdf5(path_);
   file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
   if (!file_.is_open()) fail("not an HDF5 file, or a damaged one");
 }

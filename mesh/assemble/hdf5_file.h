@@ -136,7 +136,8 @@ class Hdf5Rows {
 /// A file being read. Missing and unfit things throw InvalidInput naming the file.
 class Hdf5Input {
  public:
-  /// @throws IoError when there is no such file, InvalidInput when it is not HDF5.
+  /// @throws IoError when there is no such file, InvalidInput when it is not HDF5, or so damaged
+  /// that the library cannot go through it.
   explicit Hdf5Input(std::string path);
 
   bool has(const std::string& name) const;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "mesh/formats/export_mesh.h"
 #include "tests/mesh/formats/grid_source.h"
 #include "tests/mesh/formats/refusal.h"
@@ -46,6 +48,21 @@ TEST(CgnsSource, refuses_a_node_that_is_not_there) {
   ASSERT_NE(place, bytes.npos);
   bytes[place + 4] = 1;
   EXPECT_THAT(refusal_of("a.cgns", bytes), HasSubstr("tet 0 has node"));
+}
+
+// Some of these end the HDF5 library by a signal.
+TEST(CgnsSource, a_damaged_byte_of_the_structure_ends_in_a_refusal_or_a_mesh) {
+  const TempFolder folder;
+  export_mesh(GridSource(cut_grid(3)), find_mesh_format("cgns", ""), folder.path() / "a.cgns");
+  const std::string bytes = read_file(folder.path() / "a.cgns");
+  std::mt19937 random(1);
+  int refused = 0;
+  for (int i = 0; i < 150; ++i) {
+    std::string damaged = bytes;
+    for (int k = 0; k < 8; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
+    EXPECT_NO_THROW(refused += !refusal_of("a.cgns", damaged).empty());
+  }
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace
