@@ -8,6 +8,7 @@
 #include "cli/client_options.h"
 #include "cli/keys_command_line.h"
 #include "cli/pool_command_line.h"
+#include "cli/service_command_line.h"
 #include "cli/view_command_line.h"
 #include "mesh/shapes/make_shape.h"
 
@@ -78,8 +79,7 @@ class Parser {
     add_clients();
     add_viewers();
     add_operators();
-    add_coordinator();
-    add_worker();
+    add_services(app_, services_, [this](const Command& command) { command_ = command; });
     add_pool(app_, pool_, [this] { command_ = pool_; });
     add_keys(app_, keys_, [this] { command_ = keys_; });
   }
@@ -325,116 +325,6 @@ class Parser {
     add_client(drain, drain_.client);
   }
 
-  void add_coordinator() {
-    CLI::App& coordinator =
-        add("coordinator", "Serve jobs to workers",
-            "tetfarm coordinator --store /shared/farm --listen tcp://127.0.0.1:5555", coordinator_);
-    coordinator.add_option("--store", coordinator_.store, "Folder of everything durable")
-        ->required()
-        ->option_text("DIR");
-    coordinator
-        .add_option("--database", coordinator_.database,
-                    "Folder of the database, on a disk of this host (default: the store)")
-        ->option_text("DIR");
-    coordinator
-        .add_option("--keys", coordinator_.keys,
-                    "Folder of the keys, see `tetfarm keys` (default: keys beside the database)")
-        ->option_text("DIR");
-    coordinator
-        .add_option("--allow-root", coordinator_.allowed_roots,
-                    "A folder that jobs may name surfaces in, besides the store; may be repeated")
-        ->option_text("DIR");
-    coordinator.add_option("--listen", coordinator_.endpoints, "Where to listen; may be repeated")
-        ->required()
-        ->option_text("tcp://ADDRESS:PORT");
-    coordinator
-        .add_option("--heartbeat-ms", coordinator_.heartbeat_ms, "Between heartbeats (1000)")
-        ->check(CLI::Range(10, 600'000));
-    coordinator.add_option("--lease-ms", coordinator_.lease_ms, "A silent worker is lost (10000)")
-        ->check(CLI::Range(50, 86'400'000));
-    coordinator.add_option("--max-connections", coordinator_.max_connections, "At once (16384)")
-        ->check(CLI::Range(1, 1'000'000));
-    coordinator.add_option("--max-workers", coordinator_.max_workers, "At once (10000)")
-        ->check(CLI::Range(1, 1'000'000));
-    coordinator
-        .add_option("--task-limit", coordinator_.task_limit_s,
-                    "A task may run so long, or 20 times what is expected of its kind (3600)")
-        ->check(CLI::PositiveNumber)
-        ->option_text("SECONDS");
-    coordinator
-        .add_option("--first-task-limit", coordinator_.first_task_limit_s,
-                    "The same while nothing is known of its kind (86400)")
-        ->check(CLI::PositiveNumber)
-        ->option_text("SECONDS");
-    coordinator.add_flag("--insecure", coordinator_.insecure,
-                         "Plain text and no keys, also where other hosts can reach it: whoever "
-                         "comes may do anything");
-    coordinator
-        .add_option("--http", coordinator_.http_address,
-                    "Show /, /metrics, /healthz and /readyz there (default: nowhere)")
-        ->option_text("127.0.0.1:8080");
-    coordinator
-        .add_option("--http-token", coordinator_.http_token,
-                    "A file with a token that HTTP asks for; required where others can reach it")
-        ->option_text("FILE");
-    coordinator.add_flag("--one-job", coordinator_.one_job)->group("");
-    coordinator.add_flag("-q,--quiet", coordinator_.quiet, "Warnings only");
-  }
-
-  void add_worker() {
-    CLI::App& worker =
-        add("worker", "Work for a coordinator, one task at a time",
-            "tetfarm worker --connect tcp://head:5555 --store /shared/farm", worker_);
-    worker.add_option("--connect", worker_.endpoint, "The coordinator")
-        ->envname("TETFARM_COORDINATOR")
-        ->required()
-        ->option_text("tcp://HOST:PORT");
-    add_keys_of_a_peer(worker, worker_.keys);
-    worker
-        .add_option("--store", worker_.store,
-                    "The coordinator's store, as seen from here (default: files come over the "
-                    "connection)")
-        ->envname("TETFARM_STORE")
-        ->option_text("DIR");
-    worker.add_flag("--no-shared-store", worker_.no_shared_store,
-                    "Files come over the connection, whether it sees the store or not");
-    worker
-        .add_option("--cache", worker_.cache,
-                    "For files that come over the connection (default: in $TMPDIR)")
-        ->option_text("DIR");
-    worker
-        .add_option("--cache-size", worker_.cache_bytes,
-                    "How much of them is kept from task to task (10GiB)")
-        ->transform(CLI::AsSizeValue(false))
-        ->option_text("SIZE");
-    worker.add_option("--grace", worker_.grace_s, "To finish a task in after SIGTERM (30)")
-        ->check(CLI::NonNegativeNumber)
-        ->option_text("SECONDS");
-    worker
-        .add_option("--memory,--memory-limit", worker_.memory_bytes,
-                    "For its tasks (default: what the machine has)")
-        ->transform(CLI::AsSizeValue(false))
-        ->option_text("SIZE");
-    worker
-        .add_option("--walltime", worker_.walltime_s,
-                    "It will be ended then (default: as the batch system says)")
-        ->check(CLI::PositiveNumber)
-        ->option_text("SECONDS");
-    worker.add_option("--tag", worker_.tag, "How the pool that submitted it knows it")
-        ->option_text("POOL/JOB");
-    worker
-        .add_option("--pool-memory", worker_.pool_memory_bytes,
-                    "The most that another worker of its pool can have: larger tasks wait for one")
-        ->transform(CLI::AsSizeValue(false))
-        ->option_text("SIZE");
-    worker.add_flag("-q,--quiet", worker_.quiet, "Warnings only");
-
-    CLI::App& task = add("task", "", "", task_);
-    task.group("");
-    task.add_option("STORE", task_.store)->required();
-    add("task-host", "", "", task_host_).group("");
-  }
-
   CLI::App app_{"Tetfarm: conforming tetrahedral meshes on many machines that may fail", "tetfarm"};
   Command command_;
   RunOptions run_;
@@ -452,12 +342,9 @@ class Parser {
   CancelCommand cancel_;
   RetryCommand retry_;
   DrainCommand drain_;
-  CoordinatorCommand coordinator_;
-  WorkerCommand worker_;
+  Services services_;
   PoolCommand pool_;
   KeysCommand keys_;
-  TaskCommand task_;
-  TaskHostCommand task_host_;
 };
 
 }  // namespace
