@@ -5,10 +5,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -29,6 +27,7 @@
 #include "coordinator/space_watch.h"
 #include "coordinator/start_rules.h"
 #include "coordinator/status_server.h"
+#include "coordinator/stop_signals.h"
 #include "coordinator/surface_roots.h"
 #include "proto/peer_security.h"
 #include "proto/wire.h"
@@ -45,40 +44,6 @@ constexpr int messages_per_commit = 256;
 constexpr std::chrono::milliseconds rest{4};
 constexpr int linger_ms = 500;
 constexpr std::int64_t scratch_age_ms = std::int64_t{7} * 24 * 3600 * 1000;
-
-std::atomic<bool> stop_signal{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-/// While it lives, SIGTERM and SIGINT only set stop_signal, and a limit on the size of files
-/// (SIGXFSZ) makes writes fail instead of ending the process.
-class SignalGuard {
- public:
-  explicit SignalGuard(bool active) : active_(active) {
-    if (!active_) return;
-    stop_signal = false;
-    struct sigaction action {};
-    action.sa_handler = [](int) { stop_signal = true; };
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGTERM, &action, old_.data());
-    sigaction(SIGINT, &action, &old_[1]);
-    action.sa_handler = SIG_IGN;
-    sigaction(SIGXFSZ, &action, &old_[2]);
-  }
-  ~SignalGuard() {
-    if (!active_) return;
-    sigaction(SIGTERM, old_.data(), nullptr);
-    sigaction(SIGINT, &old_[1], nullptr);
-    sigaction(SIGXFSZ, &old_[2], nullptr);
-  }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-
-  bool stopped() const { return active_ && stop_signal; }
-
- private:
-  bool active_;
-  std::array<struct sigaction, 3> old_{};
-};
 
 spdlog::logger make_log(const CoordinatorOptions& options) {
   auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(
@@ -143,7 +108,7 @@ class Server {
   }
 
   void run() {
-    const SignalGuard signals(options_.handle_signals);
+    const StopSignals signals(options_.handle_signals);
     log_.info("started, protocol {}, store {}", protocol_version, options_.store.string());
     tell_security();
     log_.flush();
