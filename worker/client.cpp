@@ -4,15 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <bit>
-#include <memory>
 #include <optional>
-#include <zmq.hpp>
 
 #include "base/clock.h"
 #include "base/ids.h"
-#include "proto/wire.h"
 #include "worker/child_task.h"
+#include "worker/coordinator_socket.h"
 #include "worker/drain_signals.h"
 #include "worker/file_exchange.h"
 #include "worker/machine.h"
@@ -27,7 +24,6 @@ constexpr std::int64_t result_again_ms = 1'000;
 constexpr std::int64_t room_again_ms = 1'000;
 constexpr std::int64_t tick_ms = 100;
 constexpr std::int64_t flag_tick_ms = 10;
-constexpr int linger_ms = 500;
 
 class Client {
  public:
@@ -37,6 +33,7 @@ class Client {
         nonce_(random_hex(16)),
         memory_bytes_(options.memory_bytes > 0 ? options.memory_bytes : machine_memory()),
         ends_at_(options.ends_in_ms > 0 ? steady_ms() + options.ends_in_ms : 0),
+        socket_(options.endpoint, options.keys, options.store),
         probe_(options.store),
         files_(options.cache, options.cache_bytes),
         host_(options.host_command) {}
@@ -46,7 +43,7 @@ class Client {
     while (!finished_) {
       wait();
       take_signals();
-      heed_handshake();
+      socket_.heed_handshake();
       take_messages();
       take_outcome();
       move_files();
@@ -59,37 +56,13 @@ class Client {
   bool is_idle() const { return attempt_ == 0; }
 
   void connect() {
-    handshakes_.reset();
-    socket_ = std::make_unique<zmq::socket_t>(context_, zmq::socket_type::dealer);
-    socket_->set(zmq::sockopt::linger, linger_ms);
-    socket_->set(zmq::sockopt::immediate, 1);
-    socket_->set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
-    socket_->set(zmq::sockopt::reconnect_ivl, 100);
-    socket_->set(zmq::sockopt::reconnect_ivl_max, 2000);
-    secure(*socket_, read_peer_keys(options_.keys, options_.store));
-    handshakes_.emplace(context_, *socket_);
-    socket_->connect(options_.endpoint);
+    socket_.connect();
     registered_ = false;
     say_hello();
   }
 
-  /// A broken handshake is tried again: the coordinator may just have been ended.
-  void heed_handshake() {
-    const HandshakeWatch::Outcome outcome = handshakes_->take();
-    if (outcome == HandshakeWatch::Outcome::none) return;
-    if (outcome != HandshakeWatch::Outcome::broken) {
-      throw Error(ExitCode::failed, options_.endpoint + ": " + explanation_of(outcome));
-    }
-    if (std::has_single_bit(++broken_handshakes_)) {
-      spdlog::warn("{}: {}", options_.endpoint, explanation_of(outcome));
-    }
-  }
-
-  void send(const wire::Envelope& envelope) {
-    const std::string bytes = encode(envelope);
-    // Whatever cannot be sent now is said again later: the protocol does not rely on arrival.
-    socket_->send(zmq::buffer(bytes), zmq::send_flags::dontwait);
-  }
+  /// Whatever does not arrive is said again later: the protocol does not rely on arrival.
+  void send(const wire::Envelope& envelope) { socket_.send(envelope); }
 
   void say_hello() {
     hello_at_ = steady_ms() + hello_again_ms_;
@@ -147,7 +120,7 @@ class Client {
   }
 
   void wait() {
-    std::vector<zmq::pollitem_t> items = {{socket_->handle(), 0, ZMQ_POLLIN, 0}};
+    std::vector<zmq::pollitem_t> items = {socket_.poll_item()};
     if (signals_.fd() >= 0) items.push_back({nullptr, signals_.fd(), ZMQ_POLLIN, 0});
     if (child_) items.push_back({nullptr, child_->fd(), ZMQ_POLLIN, 0});
     try {
@@ -178,13 +151,10 @@ class Client {
 
   void take_messages() {
     while (!finished_) {
-      zmq::message_t message;
-      if (!socket_->recv(message, zmq::recv_flags::dontwait)) return;
-      Decoded decoded = decode(message.to_string_view());
-      if (decoded.state == WireState::good || decoded.envelope.has_refused()) {
-        heard_at_ = steady_ms();
-        take(decoded.envelope);
-      }
+      const std::optional<wire::Envelope> envelope = socket_.receive();
+      if (!envelope) return;
+      heard_at_ = steady_ms();
+      take(*envelope);
     }
   }
 
@@ -402,10 +372,7 @@ class Client {
   const std::string nonce_;
   const std::uint64_t memory_bytes_;
   const std::int64_t ends_at_;  ///< 0: not known
-  zmq::context_t context_{1};
-  std::unique_ptr<zmq::socket_t> socket_;
-  std::optional<HandshakeWatch> handshakes_;  // goes before its socket
-  std::uint64_t broken_handshakes_ = 0;
+  CoordinatorSocket socket_;
 
   StoreProbe probe_;
   FileExchange files_;
