@@ -53,7 +53,7 @@ std::optional<Replacement> fill_with_star(WorkMesh& work, const std::vector<std:
   }
   const Place place = climb(star, start, options.enough);
   const double before = worst_of(work, cavity);
-  if (!is_worth(before, place.worst)) return std::nullopt;
+  if (!(place.worst > (options.takes_any ? 0 : least_worth(before)))) return std::nullopt;
   const auto is_too_near = [&](const Vec3& corner) {
     return norm2(corner - place.point) < options.least_distance * options.least_distance;
   };

@@ -17,6 +17,8 @@ struct SplitOptions {
   double enough = 0.5;
   /// The new node stays at least this far from the others.
   double least_distance = 0;
+  /// The worst may be as bad as it likes, as moves are to follow that make up for it.
+  bool takes_any = false;
 };
 
 /// The better of: the new node on one of t's inner edges, or in a cavity grown from t where it sees

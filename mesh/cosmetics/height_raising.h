@@ -26,6 +26,10 @@ struct HeightOptions {
   /// The lowest tets that no node can raise by itself are tried by moving neighbours together and
   /// by reconnection, until so many of them could not be raised by that either. 0: none is.
   std::int64_t most_joint_failures = 0;
+  /// Before such a tet counts as a failure, height is bought with angle where the smallest goodness
+  /// round a node is below this: a share of the height for at most a third of it of the smallest
+  /// angle. 0: none is.
+  double traded_goodness = 0;
   /// Target edge length at a point; asked for only where spacings are wanted.
   std::function<double(const Vec3&)> spacing;
   /// Whether a tet is known to be high enough as long as no tet of its nodes has changed; may be

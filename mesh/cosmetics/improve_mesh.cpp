@@ -1,25 +1,28 @@
 #include "mesh/cosmetics/improve_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "base/check.h"
+#include "mesh/cosmetics/bad_tets.h"
 #include "mesh/cosmetics/edge_removal.h"
 #include "mesh/cosmetics/element_collapse.h"
 #include "mesh/cosmetics/element_splitting.h"
 #include "mesh/cosmetics/face_swapping.h"
 #include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/joint_climbing.h"
+#include "mesh/cosmetics/joint_splitting.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/relaxation.h"
 #include "mesh/cosmetics/small_polyhedron_reconnection.h"
-#include "mesh/cosmetics/smallest_angle.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm {
 
 namespace {
 
+using cosmetics::BadTet;
 using cosmetics::Replacement;
 using cosmetics::WorkMesh;
 
@@ -35,22 +38,10 @@ constexpr double shortest_mild_split = 0.6;
 /// What is still worse than this at the end may be split at a shorter distance: where the surface's
 /// own nodes lie that near to each other, no node at the other distance can help.
 constexpr double desperate_deg = 8;
-constexpr double shortest_desperate_split = 0.1;
+constexpr double shortest_near_split = 0.1;
 /// The lowest tet that is stuck bounds the time step, whatever is done to the others; a few more
 /// are tried, as now and then raising them sets it free.
 constexpr std::int64_t most_stuck_heights = 4;
-
-/// A tet to work on. Stale when the tet is dead or its goodness has changed: it is then queued
-/// anew.
-struct BadTet {
-  double goodness;
-  std::int32_t tet;
-
-  /// The worst comes first out of a priority queue.
-  friend bool operator<(const BadTet& a, const BadTet& b) {
-    return a.goodness != b.goodness ? a.goodness > b.goodness : a.tet > b.tet;
-  }
-};
 
 /// A bad tet that nothing helped, and the number of changes made until then.
 struct GivenUp {
@@ -172,14 +163,17 @@ bool collapse(Improver& improver, const BadTet& bad, double least) {
   return true;
 }
 
+/// As many spacings as that, at the centre of the tet.
+double length_at(const Improver& improver, const BadTet& bad, double spacings) {
+  if (!improver.options.spacing) return 0;
+  Vec3 centre;
+  for (const std::int32_t v : improver.work.tet(bad.tet)) centre += 0.25 * improver.work.point(v);
+  return spacings * improver.options.spacing(centre);
+}
+
 bool split(Improver& improver, const BadTet& bad, double shortest, double least) {
-  cosmetics::SplitOptions options{improver.enough, 0};
-  if (improver.options.spacing) {
-    const Tet& tet = improver.work.tet(bad.tet);
-    Vec3 centre;
-    for (const std::int32_t v : tet) centre += 0.25 * improver.work.point(v);
-    options.least_distance = shortest * improver.options.spacing(centre);
-  }
+  const cosmetics::SplitOptions options{.enough = improver.enough,
+                                        .least_distance = length_at(improver, bad, shortest)};
   const auto found = cosmetics::find_split(improver.work, bad.tet, options);
   if (!found || found->new_worst < least || !apply(improver, *found)) return false;
   ++improver.report.splits;
@@ -257,7 +251,7 @@ void reconnect_worst(Improver& improver) {
 void split_desperate(Improver& improver) {
   for (const BadTet& bad : worst_given_up(improver, cosmetics::goodness_of_angle(desperate_deg))) {
     if (!improver.is_current(bad)) continue;
-    if (split(improver, bad, shortest_desperate_split, 0)) run_pass(improver, true);
+    if (split(improver, bad, shortest_near_split, 0)) run_pass(improver, true);
   }
 }
 
@@ -283,11 +277,41 @@ void move_together(Improver& improver) {
   }
 }
 
+/// Where no node that is there can help: one is put near to others, and they move with it. The tets
+/// that were changed, or none.
+std::vector<std::int32_t> split_together(Improver& improver, const BadTet& bad) {
+  const double distance = length_at(improver, bad, shortest_near_split);
+  auto changed = cosmetics::split_together(improver.work, bad.tet, improver.enough, distance);
+  improver.report.splits += changed.empty() ? 0 : 1;
+  return changed;
+}
+
+/// Worst first; when a few of them cannot be helped, the smallest angle is what it is. Nothing is
+/// done here that does not heed heights.
+void split_worst(Improver& improver) {
+  const double below = cosmetics::goodness_of_angle(improver.options.jointly_split_dihedral_deg);
+  std::vector<BadTet> failed;
+  while (std::ssize(failed) < improver.options.most_joint_failures) {
+    const std::vector<BadTet> worst = worst_given_up(improver, below);
+    const auto next = std::find_if(worst.begin(), worst.end(), [&failed](const BadTet& bad) {
+      return std::find(failed.begin(), failed.end(), bad) == failed.end();
+    });
+    if (next == worst.end()) return;
+    const auto changed = split_together(improver, *next);
+    if (changed.empty()) failed.push_back(*next);
+    for (const std::int32_t t : changed) {
+      const double now = improver.work.goodness_of(t);
+      if (now < improver.wanted) improver.given_up.push_back({{now, t}, improver.work.changes});
+    }
+  }
+}
+
 cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor) {
   cosmetics::HeightOptions heights;
   heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
   heights.floor = floor;
   heights.most_joint_failures = options.most_joint_failures;
+  heights.traded_goodness = cosmetics::goodness_of_angle(options.rebuilt_dihedral_deg);
   const RegularTets& regular = options.regular;
   if (regular.least_height > heights.wanted_length && options.height_in_spacings == 0) {
     heights.is_high_at_first = [&regular](std::int32_t t) { return regular.holds(t); };
@@ -300,63 +324,16 @@ cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor
   return heights;
 }
 
-struct Scan {
-  double min_dihedral_deg = 0;
-  std::vector<double> tet2goodness;
-  std::vector<BadTet> bad;
-  /// Set for the nodes of tets to relax; empty when there are none.
-  std::vector<bool> to_relax;
-};
-
-/// The goodnesses below which a tet is bad, and below which its nodes are relaxed.
-struct Limits {
-  double wanted = 0;
-  double relaxed = 0;
-};
-
-/// Regular tets are looked at where they may be bad.
-Scan scan(const TetComplex& complex, const Limits& limits, const CosmeticOptions& options) {
-  const RegularTets& regular = options.regular;
-  constexpr double goodness_of_regular = 0.75;
-  const bool skips_regular = std::max(limits.wanted, limits.relaxed) < goodness_of_regular;
-  Scan result;
-  cosmetics::SmallestAngle smallest;
-  result.tet2goodness.assign(complex.nodes.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
-    if (!complex.is_live(t) || (skips_regular && regular.holds(t) && t != regular.first)) continue;
-    const Tet& tet = complex.nodes[at(t)];
-    const double now = cosmetics::goodness(complex, tet);
-    result.tet2goodness[at(t)] = now;
-    if (now < limits.wanted) result.bad.push_back({now, t});
-    if (now < limits.relaxed) {
-      if (result.to_relax.empty()) result.to_relax.resize(complex.points.size());
-      for (const std::int32_t v : tet) result.to_relax[at(v)] = true;
-    }
-    if (options.measures_angles) smallest.add(complex, tet, now);
-  }
-  if (options.measures_angles) result.min_dihedral_deg = smallest.degrees();
-  return result;
-}
-
-double min_dihedral_deg(const WorkMesh& work, const RegularTets& regular) {
-  cosmetics::SmallestAngle smallest;
-  for (std::int32_t t = 0; at(t) < work.complex.nodes.size(); ++t) {
-    if (!work.complex.is_live(t)) continue;
-    if (regular.holds(t) && t != regular.first && work.is_untouched(t)) continue;
-    smallest.add(work.complex, work.tet(t), work.goodness_of(t));
-  }
-  return smallest.degrees();
-}
-
 }  // namespace
 
 CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
                             const CosmeticOptions& options) {
   if (complex.live_tets() == 0) return {};
-  const Limits limits{cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
-                      cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
+  const cosmetics::GoodnessLimits limits{
+      cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
+      cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
   const cosmetics::HeightOptions heights = heights_of(options, limits.wanted);
-  Scan before = scan(complex, limits, options);
+  cosmetics::BadTetScan before = cosmetics::scan_for_bad_tets(complex, limits, options);
   CosmeticReport report;
   report.min_dihedral_before_deg = before.min_dihedral_deg;
   report.min_dihedral_after_deg = before.min_dihedral_deg;
@@ -387,8 +364,10 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   if (heights.wants_any()) {
     improver.report.moves += cosmetics::raise_heights(improver.work, heights);
   }
+  split_worst(improver);
   if (options.measures_angles) {
-    improver.report.min_dihedral_after_deg = min_dihedral_deg(improver.work, options.regular);
+    improver.report.min_dihedral_after_deg =
+        cosmetics::min_dihedral_deg(improver.work, options.regular);
   }
   return improver.report;
 }

@@ -32,6 +32,9 @@ struct CosmeticOptions {
   /// Those above it too, where all that comes of them is as wanted. For small meshes: each costs
   /// some 0.1 ms.
   bool rebuilds_to_wanted = false;
+  /// Tets below this that nothing helped are split by a node that may lie near to others and moves
+  /// together with them, as long as no tet there gets lower than the lowest was. 0: none.
+  double jointly_split_dihedral_deg = 0;
   /// Nodes of tets below this are relaxed at the end, for rounder tets on average. 0: none.
   double relaxed_dihedral_deg = 45;
   int most_passes = 6;
@@ -45,7 +48,8 @@ struct CosmeticOptions {
   double height_in_smallest_spacings = 0.55;
   double height_in_spacings = 0;
   /// The worst tets that nothing helped, and the lowest, are tried by moving neighbouring nodes
-  /// together, until so many of them could not be helped by that either.
+  /// together, until so many of them could not be helped by that either. Below
+  /// `rebuilt_dihedral_deg` the lowest may also be raised for a few per cent of the worst angle.
   std::int64_t most_joint_failures = 0;
   /// Off: the report's angles stay 0, which saves a scan.
   bool measures_angles = true;
@@ -64,7 +68,8 @@ struct CosmeticReport {
   std::int64_t joint_moves = 0;
 };
 
-/// Worst first; no operation makes the worst element of what it touches worse. Nodes below
+/// Worst first; no operation makes the worst element of what it touches worse, but for heights that
+/// are bought with angles (most_joint_failures). Nodes below
 /// `fixed_nodes` and the boundary faces (no neighbour) stay as they are, and so do the nodes of
 /// boundary faces. Interior nodes may be moved, removed or added (at the end of points); on return
 /// the complex is valid, removed points have node2tet == -1. Angles above 180° less the wanted one

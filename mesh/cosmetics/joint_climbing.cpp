@@ -60,28 +60,6 @@ std::vector<Vec3> dense(const TetSlope& slope, std::size_t nodes) {
   return vector;
 }
 
-/// The goodness, as long as no tet gets lower than the lowest was: that height counts as the worst
-/// goodness at first, and no rise of the smallest measure goes below it.
-struct GuardedGoodness {
-  static constexpr double slope = 0.2;
-  double worst_at_first = 0;
-  double lowest2_at_first = 0;
-
-  double of_height(double height2) const {
-    return worst_at_first + slope * (height2 / lowest2_at_first - 1);
-  }
-  double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-    return std::min(goodness(a, b, c, d), of_height(smallest_height2(a, b, c, d)));
-  }
-  MeasurePieces pieces(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-    const TetPieces tet = pieces_of(a, b, c, d);
-    MeasurePieces all;
-    std::copy(tet.sines2.begin(), tet.sines2.end(), all.begin());
-    for (std::size_t i = 0; i < 4; ++i) all[6 + i] = of_height(tet.heights2[i]);
-    return all;
-  }
-};
-
 GuardedGoodness guard(const NodePatch& patch, double worst) {
   double lowest2 = HUGE_VAL;
   for (const auto& [a, b, c, d] : patch.corners) {
@@ -92,6 +70,20 @@ GuardedGoodness guard(const NodePatch& patch, double worst) {
 }
 
 }  // namespace
+
+double GuardedGoodness::operator()(const Vec3& a, const Vec3& b, const Vec3& c,
+                                   const Vec3& d) const {
+  return std::min(goodness(a, b, c, d), of_height(smallest_height2(a, b, c, d)));
+}
+
+MeasurePieces GuardedGoodness::pieces(const Vec3& a, const Vec3& b, const Vec3& c,
+                                      const Vec3& d) const {
+  const TetPieces tet = pieces_of(a, b, c, d);
+  MeasurePieces all;
+  std::copy(tet.sines2.begin(), tet.sines2.end(), all.begin());
+  for (std::size_t i = 0; i < 4; ++i) all[6 + i] = of_height(tet.heights2[i]);
+  return all;
+}
 
 NodePatch patch_round(WorkMesh& work, std::int32_t t) {
   constexpr std::size_t most = 32;

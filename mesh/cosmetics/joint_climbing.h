@@ -51,6 +51,20 @@ concept TetMeasure = requires(const T& measure, const Vec3& p) {
   { measure.pieces(p, p, p, p) } -> std::same_as<MeasurePieces>;
 };
 
+/// The goodness, as long as no tet gets lower than a height: that counts as the worst goodness at
+/// first, and no rise of the smallest measure above it leaves a lower tet.
+struct GuardedGoodness {
+  static constexpr double slope = 0.2;
+  double worst_at_first = 0;
+  double least_height2 = 0;
+
+  double of_height(double height2) const {
+    return worst_at_first + slope * (height2 / least_height2 - 1);
+  }
+  double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const;
+  MeasurePieces pieces(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const;
+};
+
 /// The slope of a piece of a tet's measure at the corners that move; the others have the node -1.
 struct TetSlope {
   std::array<std::int32_t, 4> nodes = {-1, -1, -1, -1};

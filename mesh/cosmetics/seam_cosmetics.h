@@ -19,6 +19,7 @@ namespace tetfarm {
 inline CosmeticOptions cosmetics_near_cuts() {
   CosmeticOptions options;
   options.rebuilds_to_wanted = true;
+  options.jointly_split_dihedral_deg = 12;
   options.height_in_spacings = 0.35;
   options.most_joint_failures = 2;
   return options;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "mesh/cosmetics/quality.h"
+#include "mesh/cosmetics/smoothing.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
 namespace tetfarm::cosmetics {
@@ -17,13 +18,17 @@ double height2_of(const WorkMesh& work, const Tet& tet) {
 
 double lowest2(const WorkMesh& work) {
   double lowest = HUGE_VAL;
-  for (const Tet& tet : work.complex.nodes) lowest = std::min(lowest, height2_of(work, tet));
+  for (const Tet& tet : work.complex.nodes) {
+    if (tet[0] >= 0) lowest = std::min(lowest, height2_of(work, tet));
+  }
   return lowest;
 }
 
 double worst_goodness(const WorkMesh& work) {
   double worst = 1;
-  for (const Tet& tet : work.complex.nodes) worst = std::min(worst, goodness(work.complex, tet));
+  for (const Tet& tet : work.complex.nodes) {
+    if (tet[0] >= 0) worst = std::min(worst, goodness(work.complex, tet));
+  }
   return worst;
 }
 
@@ -102,6 +107,71 @@ TEST(HeightRaising, a_few_stuck_tets_end_it_when_the_lowest_are_raised) {
     EXPECT_LT(2 * few, all) << seed;
     EXPECT_GT(lowest_of_few, 1.2 * lowest_at_first) << seed;
   }
+}
+
+/// Tets round one inner node, 8: two of them over a needle triangle and its neighbour at a sharp
+/// edge, where what is good for the angles of the one is bad for the height of the other.
+TetMesh tets_over_a_needle() {
+  TetMesh mesh;
+  mesh.nodes = {{-0.555, -0.104, -0.054}, {0.456, -0.284, -0.079}, {0.455, 0.735, -0.079},
+                {-0.041, -0.136, -0.014}, {-0.251, 0.047, 0.074},  {0.365, 0.057, 0.148},
+                {0.474, -0.23, 0.033},    {-0.028, 0.034, 0.191},  {0.063, 0.025, 0.001}};
+  mesh.tets = {{0, 1, 2, 8}, {1, 0, 3, 8}, {8, 0, 3, 4}, {8, 2, 0, 4}, {5, 2, 6, 8}, {6, 8, 7, 5},
+               {7, 8, 6, 4}, {3, 6, 8, 4}, {7, 2, 8, 4}, {8, 2, 7, 5}, {2, 1, 6, 8}, {1, 3, 6, 8}};
+  mesh.boundary_nodes = 8;
+  return mesh;
+}
+
+struct Raised {
+  double lowest2 = 0;
+  double worst = 0;
+};
+
+/// A mesh of one inner node, the last, that was moved to where the worst tet round it is best, and
+/// then to where the lowest is highest.
+Raised raised_round_one_node(const TetMesh& mesh, double traded_goodness) {
+  TetComplex complex = make_tet_complex(mesh);
+  const std::int32_t node = mesh.boundary_nodes;
+  WorkMesh work(complex, node);
+  const std::vector<std::int32_t> ball = ball_of_node(work, node);
+  while (const auto place = find_move(work, ball, node, 1)) {
+    move_node(work, ball, node, place->point);
+  }
+  HeightOptions options = wanting(1, 1);
+  options.most_joint_failures = 1;
+  options.traded_goodness = traded_goodness;
+  raise_heights(work, options);
+  EXPECT_THAT(validate(complex), IsEmpty());
+  return {lowest2(work), worst_goodness(work)};
+}
+
+TEST(HeightRaising, a_stuck_tet_is_raised_for_a_third_as_much_of_the_angle_at_most) {
+  const Raised kept = raised_round_one_node(tets_over_a_needle(), 0);
+  const Raised sold = raised_round_one_node(tets_over_a_needle(), 1);
+  EXPECT_GT(sold.lowest2, 1.1 * kept.lowest2);
+  EXPECT_LT(sold.worst, 0.98 * kept.worst);
+  EXPECT_GT(std::pow(sold.worst / kept.worst, 3) * sold.lowest2 / kept.lowest2, 1.03);
+}
+
+TEST(HeightRaising, no_angle_is_sold_for_less_than_three_times_as_much_of_the_height) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    TetMesh mesh = trial::kuhn_box(2, 0.5);
+    for (std::size_t v = 0; v < mesh.nodes.size(); ++v) {
+      mesh.nodes[v] += 0.8 * trial::random_vector(seed, v);
+      mesh.nodes[v].z *= 0.3;
+    }
+    if (!validate(make_tet_complex(mesh)).empty()) continue;
+    const Raised kept = raised_round_one_node(mesh, 0);
+    const Raised sold = raised_round_one_node(mesh, 1);
+    EXPECT_GE(std::pow(sold.worst / kept.worst, 3) * sold.lowest2 / kept.lowest2, 1) << seed;
+  }
+}
+
+TEST(HeightRaising, angles_that_are_not_below_the_limit_are_not_sold) {
+  const TetMesh mesh = tets_over_a_needle();
+  const double kept = raised_round_one_node(mesh, 0).worst;
+  EXPECT_EQ(raised_round_one_node(mesh, 0.999 * kept).worst, kept);
+  EXPECT_LT(raised_round_one_node(mesh, 1.001 * kept).worst, kept);
 }
 
 TEST(HeightRaising, a_low_tet_is_as_high_as_is_wanted_where_spacings_are_small) {
