@@ -26,6 +26,16 @@ Works works_of(const Subdomain& left, const Subdomain& right, const SpacingField
           estimated_elements(right, spacing, samples_of_half)};
 }
 
+/// Of a half that is cut further what placing the cut found is enough: within some percent.
+Works works_of(const Cut& cut, bool left_is_counted, bool right_is_counted,
+               const SpacingField& spacing) {
+  const auto counted = [&spacing](const Subdomain& half) {
+    return estimated_elements(half, spacing, samples_of_half);
+  };
+  return {left_is_counted ? counted(cut.left) : cut.left_work,
+          right_is_counted ? counted(cut.right) : cut.right_work};
+}
+
 /// How many leaves the halves are to become: as was told, or as many as the memory asks for.
 class Wanted {
  public:
@@ -40,6 +50,9 @@ class Wanted {
   }
   std::int64_t parts() const { return left_ + right_; }
   bool depends_on_memory() const { return most_bytes_ > 0; }
+  /// Whether the number of the half's elements decides, or is that of a leaf.
+  bool left_counts() const { return depends_on_memory() || left_ == 1; }
+  bool right_counts() const { return depends_on_memory() || right_ == 1; }
   std::int64_t left_parts(const Subdomain& left, const Works& works) const {
     return parts(left, works.left, left_);
   }
@@ -128,7 +141,7 @@ void decompose_task(TaskIo& io) {
     return;
   }
   const Cut& cut = *outcome.cut;
-  const Works works = works_of(cut.left, cut.right, spacing);
+  const Works works = works_of(cut, wanted.left_counts(), wanted.right_counts(), spacing);
   if (wanted.depends_on_memory()) {
     tell_parts(io, wanted.left_parts(cut.left, works), wanted.right_parts(cut.right, works));
   }

@@ -1,10 +1,7 @@
 #include "mesh/assemble/face_balance.h"
 
-#include <array>
 #include <bit>
 #include <vector>
-
-#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -26,10 +23,12 @@ std::uint64_t hash_of_node(std::int64_t number, const Vec3& p) {
 }
 
 /// Of the three in this or a turned order; its negative in the other.
-std::uint64_t hash_of_face(std::array<std::uint64_t, 3> nodes) {
-  const bool is_turned = sort_face(nodes);
-  const std::uint64_t hash = mixed(mixed(mixed(nodes[0]) ^ nodes[1]) ^ nodes[2]);
-  return is_turned ? 0 - hash : hash;
+std::uint64_t hash_of_face(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+  // No branch: the hashes come in no order, so that each would be guessed wrong every other time.
+  const std::uint64_t is_turned =
+      std::uint64_t{a < b} ^ std::uint64_t{b < c} ^ std::uint64_t{a < c};
+  const std::uint64_t hash = mixed(a + b + c);
+  return (hash ^ (0 - is_turned)) + is_turned;
 }
 
 }  // namespace
@@ -42,11 +41,11 @@ std::uint64_t face_sum_of(const NumberedPart& part) {
   }
   for (const Tet& tet : part.tets) {
     for (const auto& [i, j, k] : tet_face_nodes) {
-      sum += hash_of_face({hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]});
+      sum += hash_of_face(hashes[at(tet[at(i)])], hashes[at(tet[at(j)])], hashes[at(tet[at(k)])]);
     }
   }
   for (const Triangle& face : part.faces) {
-    sum -= hash_of_face({hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]});
+    sum -= hash_of_face(hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]);
   }
   return sum;
 }

@@ -1,7 +1,8 @@
 #include "mesh/assemble/mesh_shapes.h"
 
 #include <algorithm>
-#include <utility>
+
+#include "mesh/core/tet_layers.h"
 
 namespace tetfarm {
 namespace {
@@ -10,25 +11,25 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-std::vector<bool> tets_near_cuts(std::span<const Tet> tets, std::vector<bool> is_on_cut) {
-  std::vector<bool> is_near = std::move(is_on_cut);
+std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bool>& is_on_cut) {
   std::vector<bool> result(tets.size(), false);
+  if (std::find(is_on_cut.begin(), is_on_cut.end(), true) == is_on_cut.end()) return result;
+  TetLayers layers(tets, is_on_cut.size());
+  for (std::size_t v = 0; v < is_on_cut.size(); ++v) {
+    if (is_on_cut[v]) layers.reach(static_cast<std::int32_t>(v));
+  }
   for (int layer = 0; layer < layers_near_cuts; ++layer) {
-    for (std::size_t t = 0; t < tets.size(); ++t) {
-      result[t] = result[t] || std::any_of(tets[t].begin(), tets[t].end(),
-                                           [&](std::int32_t v) { return is_near[at(v)]; });
-    }
-    for (std::size_t t = 0; t < tets.size(); ++t) {
-      if (!result[t]) continue;
-      for (const std::int32_t v : tets[t]) is_near[at(v)] = true;
+    for (const std::uint32_t t : layers.next()) {
+      result[t] = true;
+      for (const std::int32_t v : tets[t]) layers.reach(v);
     }
   }
   return result;
 }
 
 void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
-                std::vector<bool> is_on_cut, MeshShapes& shapes) {
-  const std::vector<bool> is_near = tets_near_cuts(tets, std::move(is_on_cut));
+                const std::vector<bool>& is_on_cut, MeshShapes& shapes) {
+  const std::vector<bool> is_near = tets_near_cuts(tets, is_on_cut);
   shapes.regions.resize(std::max(shapes.regions.size(), at(region)));
   RegionShapes& here = shapes.regions[at(region - 1)];
   double volume = 0;

@@ -30,12 +30,12 @@ struct MeshShapes {
 };
 
 /// Of each tet of a sub-domain whether it is near a cut; `is_on_cut` tells it of each node.
-std::vector<bool> tets_near_cuts(std::span<const Tet> tets, std::vector<bool> is_on_cut);
+std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bool>& is_on_cut);
 
 /// Adds the tets of one sub-domain. `is_on_cut` tells it of each node; layers grow within the
 /// sub-domain. Cost: O(tets) and of the nodes' number.
 void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
-                std::vector<bool> is_on_cut, MeshShapes& shapes);
+                const std::vector<bool>& is_on_cut, MeshShapes& shapes);
 
 /// Adds the figures of one sub-domain to those of the ones before it. Sums are sums of the
 /// sub-domains' sums, so that they do not depend on who worked them out.

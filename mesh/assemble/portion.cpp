@@ -134,8 +134,7 @@ Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering&
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
   part.is_on_cut.resize(numbered.nodes.size(), false);
-  add_shapes(numbered.nodes, numbered.tets, numbered.region, std::move(part.is_on_cut),
-             portion.shapes);
+  add_shapes(numbered.nodes, numbered.tets, numbered.region, part.is_on_cut, portion.shapes);
   portion.face_sum = face_sum_of(numbered);
   portion.tets = std::ssize(numbered.tets);
   portion.tet_digest = tet_digest_of(numbered, numbering.leaves[number].first_tet);

@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/core/tet_layers.h"
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/quality.h"
@@ -51,17 +53,16 @@ std::vector<Rank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
   return ranks;
 }
 
-/// A flag for the shared nodes that may gain from a move. Those round which the leaf has nothing
-/// but tets of the even lattice do not: no other place would make one of these better. Such are
-/// most nodes of a cut along the lattice.
-std::vector<bool> nodes_that_may_gain(const TetMesh& mesh, const std::vector<Rank>& of_node) {
+/// A flag for the shared nodes that may gain from a move, from the tets at them. Those round which
+/// the leaf has nothing but tets of the even lattice do not: no other place would make one of these
+/// better. Such are most nodes of a cut along the lattice.
+std::vector<bool> nodes_that_may_gain(const TetMesh& mesh, const std::vector<Rank>& of_node,
+                                      const std::vector<std::uint32_t>& tets_at_cuts) {
   constexpr double least_dihedral_deg = 59.9;  // the lattice's tets have 60 and 90
   const double perfect = cosmetics::goodness_of_angle(least_dihedral_deg);
   std::vector<bool> may_gain(of_node.size(), false);
-  for (const Tet& tet : mesh.tets) {
-    if (std::all_of(tet.begin(), tet.end(), [&](auto v) { return of_node[at(v)] == no_rank; })) {
-      continue;
-    }
+  for (const std::uint32_t t : tets_at_cuts) {
+    const Tet& tet = mesh.tets[t];
     const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
     if (cosmetics::goodness(point(0), point(1), point(2), point(3)) >= perfect) continue;
     for (const std::int32_t v : tet) may_gain[at(v)] = of_node[at(v)] != no_rank;
@@ -115,57 +116,69 @@ class SetChoice {
 struct NearTet {
   std::uint32_t tet = 0;
   Rank rank = no_rank;
-  bool is_sought = false;  ///< in a layer where bad tets are sought
   bool is_taken = false;
 };
 
-/// The tets within reach of a shared node with their ranks, layer by layer; those of the layers
-/// that are always taken at nodes that may gain are.
-std::vector<NearTet> tets_near_cuts(const TetMesh& mesh, std::vector<Rank> of_node, SetChoice sets,
-                                    const ExtractionOptions& options) {
-  std::vector<NearTet> near;
-  std::vector<bool> may_gain = nodes_that_may_gain(mesh, of_node);
-  std::vector<bool> is_near(mesh.tets.size(), false);
-  // Bytes: all of a leaf's stay in the nearest cache.
-  std::vector<std::uint8_t> is_reached(of_node.size());
-  for (std::size_t v = 0; v < of_node.size(); ++v) is_reached[v] = of_node[v] != no_rank ? 1 : 0;
-  const int layers = options.sought_layers + options.layers_round_bad;
-  for (int layer = 0; layer < layers; ++layer) {
-    const std::size_t first = near.size();
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      const Tet& tet = mesh.tets[t];
-      const int reached = is_reached[at(tet[0])] | is_reached[at(tet[1])] | is_reached[at(tet[2])] |
-                          is_reached[at(tet[3])];
-      if (reached == 0 || is_near[t]) continue;
-      const Rank rank = sets.of(
-          {of_node[at(tet[0])], of_node[at(tet[1])], of_node[at(tet[2])], of_node[at(tet[3])]});
-      is_near[t] = true;
-      const bool is_taken =
-          layer < options.taken_layers &&
-          std::any_of(tet.begin(), tet.end(), [&](auto v) { return may_gain[at(v)]; });
-      near.push_back(
-          {static_cast<std::uint32_t>(t), rank, layer < options.sought_layers, is_taken});
-    }
-    std::vector<std::int32_t> reached;
-    std::vector<Rank> rank_of_reached;
-    std::vector<std::int32_t> gain_next;
-    for (std::size_t i = first; i < near.size(); ++i) {
-      for (const std::int32_t v : mesh.tets[near[i].tet]) {
-        if (near[i].is_taken) gain_next.push_back(v);
-        if (of_node[at(v)] != no_rank) continue;
-        reached.push_back(v);
-        rank_of_reached.push_back(near[i].rank);
-      }
-    }
-    for (const std::int32_t v : gain_next) may_gain[at(v)] = true;
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      Rank& rank = of_node[at(reached[i])];
-      rank = std::min(rank, rank_of_reached[i]);
-      is_reached[at(reached[i])] = 1;
+/// Finds the tets within reach of a shared node, layer by layer, and their ranks.
+class NearTets {
+ public:
+  NearTets(const TetMesh& mesh, std::vector<Rank> of_node, SetChoice sets)
+      : mesh_(mesh),
+        of_node_(std::move(of_node)),
+        sets_(std::move(sets)),
+        layers_(mesh.tets, of_node_.size()) {
+    for (std::size_t v = 0; v < of_node_.size(); ++v) {
+      if (of_node_[v] != no_rank) layers_.reach(static_cast<std::int32_t>(v));
     }
   }
-  return near;
-}
+
+  /// The next layer; one that is always taken is taken at nodes that may gain.
+  void add_layer(bool is_always_taken) {
+    const std::vector<std::uint32_t> tets = layers_.next();
+    if (near_.empty()) may_gain_ = nodes_that_may_gain(mesh_, of_node_, tets);
+    const std::size_t first = near_.size();
+    for (const std::uint32_t t : tets) {
+      near_.push_back({t, rank_of(mesh_.tets[t]), is_always_taken && may_gain(mesh_.tets[t])});
+    }
+    reach_nodes_from(first);
+  }
+
+  /// Layer by layer.
+  std::vector<NearTet>& tets() { return near_; }
+
+ private:
+  Rank rank_of(const Tet& tet) {
+    return sets_.of(
+        {of_node_[at(tet[0])], of_node_[at(tet[1])], of_node_[at(tet[2])], of_node_[at(tet[3])]});
+  }
+
+  bool may_gain(const Tet& tet) const {
+    return std::any_of(tet.begin(), tet.end(), [&](auto v) { return may_gain_[at(v)]; });
+  }
+
+  /// Of the tets from the `first` on: their nodes, at which no tet has been, have the least rank of
+  /// these.
+  void reach_nodes_from(std::size_t first) {
+    std::vector<std::pair<std::int32_t, Rank>> reached;
+    for (std::size_t i = first; i < near_.size(); ++i) {
+      for (const std::int32_t v : mesh_.tets[near_[i].tet]) {
+        if (near_[i].is_taken) may_gain_[at(v)] = true;
+        if (of_node_[at(v)] == no_rank) reached.emplace_back(v, near_[i].rank);
+      }
+    }
+    for (const auto& [v, rank] : reached) {
+      of_node_[at(v)] = std::min(of_node_[at(v)], rank);
+      layers_.reach(v);
+    }
+  }
+
+  const TetMesh& mesh_;
+  std::vector<Rank> of_node_;
+  SetChoice sets_;
+  TetLayers layers_;
+  std::vector<bool> may_gain_;
+  std::vector<NearTet> near_;
+};
 
 /// What cosmetics would leave as it is.
 struct GoodEnough {
@@ -185,29 +198,53 @@ struct GoodEnough {
   }
 };
 
-/// Takes the bad tets and so many layers round them, of those that are near.
-void take_round_bad(const TetMesh& mesh, const ExtractionOptions& options,
-                    std::vector<NearTet>& near) {
+/// The nodes of those tets that are bad.
+std::vector<std::int32_t> nodes_of_bad(const TetMesh& mesh, const std::vector<NearTet>& near,
+                                       const ExtractionOptions& options) {
   const GoodEnough is_good(options);
-  std::vector<bool> is_reached(mesh.nodes.size(), false);
+  std::vector<std::int32_t> nodes;
   for (const NearTet& item : near) {
-    if (!item.is_sought) continue;
     const Tet& tet = mesh.tets[item.tet];
     const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
-    if (is_good(point(0), point(1), point(2), point(3))) continue;
-    for (const std::int32_t v : tet) is_reached[at(v)] = true;
+    if (!is_good(point(0), point(1), point(2), point(3))) {
+      nodes.insert(nodes.end(), tet.begin(), tet.end());
+    }
   }
-  std::vector<std::int32_t> reached;
-  for (int layer = 0; layer < options.layers_round_bad; ++layer) {
-    reached.clear();
+  return nodes;
+}
+
+/// Takes so many layers round the nodes, of the tets that are near.
+void take_round(std::vector<std::int32_t> nodes, const TetMesh& mesh, int layers,
+                std::vector<NearTet>& near) {
+  std::vector<bool> is_reached(mesh.nodes.size(), false);
+  for (int layer = 0; layer < layers; ++layer) {
+    for (const std::int32_t v : nodes) is_reached[at(v)] = true;
+    nodes.clear();
     for (NearTet& item : near) {
       const Tet& tet = mesh.tets[item.tet];
       if (std::none_of(tet.begin(), tet.end(), [&](auto v) { return is_reached[at(v)]; })) continue;
       item.is_taken = true;
-      reached.insert(reached.end(), tet.begin(), tet.end());
+      nodes.insert(nodes.end(), tet.begin(), tet.end());
     }
-    for (const std::int32_t v : reached) is_reached[at(v)] = true;
   }
+}
+
+/// The tets that are taken, ascending.
+std::vector<NearTet> taken_tets(const TetMesh& mesh, NearTets near,
+                                const ExtractionOptions& options) {
+  for (int layer = 0; layer < options.sought_layers; ++layer) {
+    near.add_layer(layer < options.taken_layers);
+  }
+  std::vector<std::int32_t> bad = nodes_of_bad(mesh, near.tets(), options);
+  if (!bad.empty()) {
+    for (int layer = 0; layer < options.layers_round_bad; ++layer) near.add_layer(false);
+    take_round(std::move(bad), mesh, options.layers_round_bad, near.tets());
+  }
+  std::vector<NearTet> taken = std::move(near.tets());
+  std::erase_if(taken, [](const NearTet& item) { return !item.is_taken; });
+  std::sort(taken.begin(), taken.end(),
+            [](const NearTet& a, const NearTet& b) { return a.tet < b.tet; });
+  return taken;
 }
 
 Origin origin_of(const Subdomain& leaf, std::size_t node) {
@@ -300,12 +337,8 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   TF_CHECK(shared.path == leaf.path);
   const std::vector<std::uint32_t> preference = by_preference(shared.sets);
   std::vector<Rank> ranks = ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference);
-  std::vector<NearTet> near =
-      tets_near_cuts(mesh, std::move(ranks), SetChoice(shared.sets, preference), options);
-  take_round_bad(mesh, options, near);
-  std::erase_if(near, [](const NearTet& item) { return !item.is_taken; });
-  std::sort(near.begin(), near.end(),
-            [](const NearTet& a, const NearTet& b) { return a.tet < b.tet; });
+  const std::vector<NearTet> near = taken_tets(
+      mesh, NearTets(mesh, std::move(ranks), SetChoice(shared.sets, preference)), options);
   std::vector<bool> has_tets(shared.sets.size(), false);
   for (const NearTet& item : near) has_tets[preference[item.rank]] = true;
   std::vector<Sharers> sharers;

@@ -38,8 +38,8 @@ struct ExtractedElements {
 /// An element belongs to the set of sharers at the nearest shared node, in layers. Where nodes of
 /// several sets are equally near, it belongs to the smallest set that holds all of them; where
 /// there is none, to the largest of them, then the first.
-/// @pre `mesh` is of `leaf` and `shared` its shared nodes. Cost: O(n), some 30 ns a tet, and
-/// O(m log m) for m that are taken.
+/// @pre `mesh` is of `leaf` and `shared` its shared nodes. Cost: O(n), and O(m log m)
+/// for m that are near cuts.
 ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
                                    const SharedNodes& shared,
                                    const ExtractionOptions& options = {});

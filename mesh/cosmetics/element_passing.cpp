@@ -75,6 +75,20 @@ std::vector<Origin>::const_iterator first_not_before(std::vector<Origin>::const_
   return std::lower_bound(first, first + std::min(last - first, step + 1), wanted);
 }
 
+/// Room for all elements at once: what grows step by step costs its pages twice.
+void reserve_elements(std::span<const ElementSection> sections, JoinedElements& joined) {
+  std::size_t tets = 0;
+  std::size_t triangles = 0;
+  for (const ElementSection& section : sections) {
+    tets += section.tets.size();
+    triangles += section.triangles.size();
+  }
+  joined.tets.reserve(tets);
+  joined.tet_home.reserve(tets);
+  joined.triangles.reserve(triangles);
+  joined.triangle_index.reserve(triangles);
+}
+
 }  // namespace
 
 std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
@@ -138,6 +152,7 @@ JoinedElements join_elements(std::span<const ElementSection> sections) {
   merge_runs(origins, std::move(ends));
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
   joined.nodes.resize(origins.size());
+  reserve_elements(sections, joined);
   std::vector<bool> is_placed(origins.size(), false);
   std::vector<std::int32_t> node_of;
   for (std::uint32_t s = 0; s < sections.size(); ++s) {

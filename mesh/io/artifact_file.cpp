@@ -39,6 +39,9 @@ std::vector<std::array<std::int32_t, N>> read_elements(std::size_t count, std::s
                                                        ByteReader& reader) {
   auto elements = reader.array<std::array<std::int32_t, N>>(count);
   for (const auto& element : elements) {
+    bool are_there = true;
+    for (const std::int32_t node : element) are_there &= at(node) < nodes;
+    if (are_there) continue;
     for (const std::int32_t node : element) check_index(node, nodes, reader);
   }
   return elements;

@@ -137,7 +137,7 @@ void add_all_shapes(const GlobalMesh& mesh, MeshShapes& shapes) {
     for (const std::int32_t v : local.local2global) {
       is_on_cut.push_back(shared.contains(v, range.region));
     }
-    add_shapes(local.nodes, local.tets, range.region, std::move(is_on_cut), shapes);
+    add_shapes(local.nodes, local.tets, range.region, is_on_cut, shapes);
   }
 }
 
