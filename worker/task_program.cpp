@@ -75,15 +75,24 @@ void write_frame(int fd, const wire::Envelope& envelope) {
   }
 }
 
+/// These read the file of one leaf after the other.
+void choose_memory_for(wire::TaskKind kind) {
+  if (kind == wire::ASSEMBLE || kind == wire::ORDER) {
+    keep_freed_memory();
+  } else {
+    give_back_large_blocks();
+  }
+}
+
 }  // namespace
 
 void run_task_program(const std::filesystem::path& store, int in, int out) {
   ::prctl(PR_SET_NAME, "tetfarm-task");  // what `top` shows
-  give_back_large_blocks();
   wire::Assign assign;
   if (!assign.ParseFromString(read_all(in))) {
     throw Error(ExitCode::failed, "the assignment cannot be read");
   }
+  choose_memory_for(assign.kind());
   const auto say = [out](const wire::Progress& progress) {
     wire::Envelope envelope;
     *envelope.mutable_progress() = progress;
