@@ -14,7 +14,8 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bool>& is_on_cut) {
   std::vector<bool> result(tets.size(), false);
   if (std::find(is_on_cut.begin(), is_on_cut.end(), true) == is_on_cut.end()) return result;
-  TetLayers layers(tets, is_on_cut.size());
+  const TetBlocks blocks(tets, is_on_cut.size());
+  TetLayers layers(blocks);
   for (std::size_t v = 0; v < is_on_cut.size(); ++v) {
     if (is_on_cut[v]) layers.reach(static_cast<std::int32_t>(v));
   }

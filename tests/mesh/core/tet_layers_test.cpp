@@ -20,7 +20,8 @@ std::vector<Tet> row(std::int32_t tets) {
 
 TEST(TetLayers, grow_by_the_tets_that_share_a_node) {
   const std::vector<Tet> tets = row(20);
-  TetLayers layers(tets, 23);
+  const TetBlocks blocks(tets, 23);
+  TetLayers layers(blocks);
   layers.reach(10);
   EXPECT_THAT(layers.next(), ElementsAre(7, 8, 9, 10));
   for (std::int32_t v = 7; v <= 13; ++v) layers.reach(v);
@@ -29,7 +30,8 @@ TEST(TetLayers, grow_by_the_tets_that_share_a_node) {
 
 TEST(TetLayers, without_a_new_node_there_is_no_further_layer) {
   const std::vector<Tet> tets = row(20);
-  TetLayers layers(tets, 23);
+  const TetBlocks blocks(tets, 23);
+  TetLayers layers(blocks);
   EXPECT_THAT(layers.next(), IsEmpty());
   layers.reach(3);
   layers.next();
@@ -45,7 +47,8 @@ TEST(TetLayers, miss_no_tet_of_a_mesh_in_any_order) {
     const auto first = static_cast<std::int32_t>(random() % (nodes - 40));
     tets.push_back({first, first + 1, first + 7, first + 39});
   }
-  TetLayers layers(tets, nodes);
+  const TetBlocks blocks(tets, nodes);
+  TetLayers layers(blocks);
   std::vector<bool> is_reached(nodes, false);
   std::vector<bool> is_given(tets.size(), false);
   is_reached[1500] = true;
