@@ -73,7 +73,7 @@ ElementSection latest(const Sharers& sharers, Surroundings& inputs) {
     ElementInput& file = inputs.waiting.at(heap);
     if (const auto place = file.head().find(sharers)) pieces.push_back(file.read(*place));
   }
-  return join_pieces(pieces);
+  return join_pieces(std::move(pieces));
 }
 
 void report(TaskIo& io, const SeamResult& result, const Surroundings& inputs) {

@@ -25,8 +25,8 @@ void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::vect
 
 ElementSection core_as_meshed(const TaskIo& io, const std::string& extracted) {
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  const TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
-  return core_section(leaf, mesh, ElementInput(io, extracted).read_core());
+  TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
+  return core_section(leaf, std::move(mesh), ElementInput(io, extracted).read_core());
 }
 
 /// The sections that the leaf shares, as the last turns left them, and its core; what is not its

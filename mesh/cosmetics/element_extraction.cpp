@@ -50,13 +50,33 @@ Origin origin_of(const Subdomain& leaf, std::size_t node) {
   return {leaf.path.heap, static_cast<std::uint32_t>(node - outer)};
 }
 
-/// Gives the section those nodes of the mesh, ascending by origin, and its elements the numbers
-/// there.
-void take_nodes_by_origin(const Subdomain& leaf, const TetMesh& mesh,
-                          const std::vector<bool>& is_used, ElementSection& section) {
+/// The tets without those that were taken, in place.
+std::vector<Tet> without(const std::vector<std::uint32_t>& taken, std::vector<Tet> tets) {
+  auto next = taken.begin();
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (next != taken.end() && *next == t) {
+      ++next;
+    } else {
+      tets[kept++] = tets[t];
+    }
+  }
+  tets.resize(kept);
+  return tets;
+}
+
+/// Gives the section those nodes of the mesh that its tets have, ascending by origin, and its
+/// elements the numbers there.
+void take_nodes_by_origin(const Subdomain& leaf, const std::vector<Vec3>& nodes,
+                          ElementSection& section) {
+  std::vector<std::int32_t> number(nodes.size(), -1);
+  for (const Tet& tet : section.tets) {
+    for (const std::int32_t v : tet) number[at(v)] = 0;
+  }
   std::vector<std::int32_t> order;
-  for (std::size_t v = 0; v < mesh.nodes.size(); ++v) {
-    if (is_used[v]) order.push_back(static_cast<std::int32_t>(v));
+  order.reserve(nodes.size());
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    if (number[v] == 0) order.push_back(static_cast<std::int32_t>(v));
   }
   const auto by_origin = [&leaf](std::int32_t a, std::int32_t b) {
     return origin_of(leaf, at(a)) < origin_of(leaf, at(b));
@@ -64,10 +84,11 @@ void take_nodes_by_origin(const Subdomain& leaf, const TetMesh& mesh,
   if (!std::is_sorted(order.begin(), order.end(), by_origin)) {
     std::sort(order.begin(), order.end(), by_origin);
   }
-  std::vector<std::int32_t> number(mesh.nodes.size(), -1);
+  section.nodes.reserve(order.size());
+  section.node_origin.reserve(order.size());
   for (const std::int32_t v : order) {
     number[at(v)] = static_cast<std::int32_t>(section.nodes.size());
-    section.nodes.push_back(mesh.nodes[at(v)]);
+    section.nodes.push_back(nodes[at(v)]);
     section.node_origin.push_back(origin_of(leaf, at(v)));
   }
   for (Tet& tet : section.tets) {
@@ -167,7 +188,7 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   return extracted;
 }
 
-ElementSection core_section(const Subdomain& leaf, const TetMesh& mesh, const CoreElements& core) {
+ElementSection core_section(const Subdomain& leaf, TetMesh mesh, const CoreElements& core) {
   const auto& taken = core.taken_tets;
   if (core.tets + taken.size() != mesh.tets.size() ||
       (!taken.empty() && taken.back() >= mesh.tets.size())) {
@@ -175,17 +196,7 @@ ElementSection core_section(const Subdomain& leaf, const TetMesh& mesh, const Co
   }
   ElementSection section;
   section.sharers = {leaf.path.heap};
-  std::vector<bool> is_used(mesh.nodes.size(), false);
-  auto next = taken.begin();
-  section.tets.reserve(core.tets);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    if (next != taken.end() && *next == t) {
-      ++next;
-      continue;
-    }
-    section.tets.push_back(mesh.tets[t]);
-    for (const std::int32_t v : mesh.tets[t]) is_used[at(v)] = true;
-  }
+  section.tets = without(taken, std::move(mesh.tets));
   section.tet_owner.assign(section.tets.size(), 0);
   const auto& triangles = core.taken_triangles;
   for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
@@ -196,7 +207,7 @@ ElementSection core_section(const Subdomain& leaf, const TetMesh& mesh, const Co
     section.triangle_index.push_back(origin.index);
   }
   section.triangle_owner.assign(section.triangles.size(), 0);
-  take_nodes_by_origin(leaf, mesh, is_used, section);
+  take_nodes_by_origin(leaf, mesh.nodes, section);
   return section;
 }
 

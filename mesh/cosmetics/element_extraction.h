@@ -46,6 +46,6 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
 
 /// The core as a section, whose one sharer is the leaf.
 /// @throws Error when it is not of this mesh. Cost: O(n).
-ElementSection core_section(const Subdomain& leaf, const TetMesh& mesh, const CoreElements& core);
+ElementSection core_section(const Subdomain& leaf, TetMesh mesh, const CoreElements& core);
 
 }  // namespace tetfarm

@@ -75,18 +75,45 @@ std::vector<Origin>::const_iterator first_not_before(std::vector<Origin>::const_
   return std::lower_bound(first, first + std::min(last - first, step + 1), wanted);
 }
 
-/// Room for all elements at once: what grows step by step costs its pages twice.
-void reserve_elements(std::span<const ElementSection> sections, JoinedElements& joined) {
-  std::size_t tets = 0;
-  std::size_t triangles = 0;
-  for (const ElementSection& section : sections) {
-    tets += section.tets.size();
-    triangles += section.triangles.size();
+/// Where in the joined mesh the nodes of the section are; puts them there.
+std::vector<std::int32_t> place_nodes(const ElementSection& section, std::vector<bool>& is_placed,
+                                      JoinedElements& joined) {
+  const std::vector<Origin>& origins = joined.node_origin;
+  std::vector<std::int32_t> places;
+  places.reserve(section.nodes.size());
+  auto found = origins.cbegin();
+  for (std::size_t v = 0; v < section.nodes.size(); ++v) {
+    found = first_not_before(found, origins.cend(), section.node_origin[v]);
+    const auto place = at(found - origins.cbegin());
+    TF_CHECK(!is_placed[place] || joined.nodes[place] == section.nodes[v]);
+    is_placed[place] = true;
+    joined.nodes[place] = section.nodes[v];
+    places.push_back(static_cast<std::int32_t>(place));
   }
-  joined.tets.reserve(tets);
-  joined.tet_home.reserve(tets);
-  joined.triangles.reserve(triangles);
-  joined.triangle_index.reserve(triangles);
+  return places;
+}
+
+/// Adds the elements of a section, whose nodes have these places. Those of the first stay where
+/// they lie in memory: it may be a whole leaf's core.
+void add_elements(std::uint32_t number, ElementSection section,
+                  const std::vector<std::int32_t>& places, JoinedElements& joined) {
+  for (Tet& tet : section.tets) {
+    for (std::int32_t& v : tet) v = places[at(v)];
+  }
+  for (Triangle& triangle : section.triangles) {
+    for (std::int32_t& v : triangle) v = places[at(v)];
+  }
+  for (const std::uint8_t owner : section.tet_owner) joined.tet_home.push_back({number, owner});
+  const auto add = [](auto& from, auto& to) {
+    if (to.empty()) {
+      to = std::move(from);
+    } else {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+  };
+  add(section.tets, joined.tets);
+  add(section.triangles, joined.triangles);
+  add(section.triangle_index, joined.triangle_index);
 }
 
 }  // namespace
@@ -141,52 +168,35 @@ std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
   return sections;
 }
 
-JoinedElements join_elements(std::span<const ElementSection> sections) {
+JoinedElements join_elements(std::vector<ElementSection> sections) {
   JoinedElements joined;
   auto& origins = joined.node_origin;
   std::vector<std::size_t> ends = {0};
+  std::size_t tets = 0;
   for (const ElementSection& section : sections) {
     origins.insert(origins.end(), section.node_origin.begin(), section.node_origin.end());
     ends.push_back(origins.size());
+    tets += section.tets.size();
   }
   merge_runs(origins, std::move(ends));
   origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
   joined.nodes.resize(origins.size());
-  reserve_elements(sections, joined);
+  joined.tet_home.reserve(tets);
   std::vector<bool> is_placed(origins.size(), false);
-  std::vector<std::int32_t> node_of;
   for (std::uint32_t s = 0; s < sections.size(); ++s) {
-    const ElementSection& section = sections[s];
-    node_of.clear();
-    auto found = origins.cbegin();
-    for (std::size_t v = 0; v < section.nodes.size(); ++v) {
-      found = first_not_before(found, origins.cend(), section.node_origin[v]);
-      const auto place = at(found - origins.cbegin());
-      TF_CHECK(!is_placed[place] || joined.nodes[place] == section.nodes[v]);
-      is_placed[place] = true;
-      joined.nodes[place] = section.nodes[v];
-      node_of.push_back(static_cast<std::int32_t>(place));
-    }
-    for (std::size_t t = 0; t < section.tets.size(); ++t) {
-      Tet tet = section.tets[t];
-      for (std::int32_t& v : tet) v = node_of[at(v)];
-      joined.tets.push_back(tet);
-      joined.tet_home.push_back({s, section.tet_owner[t]});
-    }
-    for (std::size_t i = 0; i < section.triangles.size(); ++i) {
-      Triangle triangle = section.triangles[i];
-      for (std::int32_t& v : triangle) v = node_of[at(v)];
-      joined.triangles.push_back(triangle);
-      joined.triangle_index.push_back(section.triangle_index[i]);
-    }
+    ElementSection section = std::move(sections[s]);
+    const std::vector<std::int32_t> places = place_nodes(section, is_placed, joined);
+    add_elements(s, std::move(section), places, joined);
+    joined.tets.reserve(tets);
   }
   return joined;
 }
 
-ElementSection join_pieces(std::span<const ElementSection> pieces) {
-  JoinedElements joined = join_elements(pieces);
+ElementSection join_pieces(std::vector<ElementSection> pieces) {
+  const Sharers sharers = pieces.front().sharers;
+  JoinedElements joined = join_elements(std::move(pieces));
   for (ElementHome& home : joined.tet_home) home.section = 0;
-  return share_out_elements(joined, {&pieces.front().sharers, 1}).front();
+  return share_out_elements(joined, {&sharers, 1}).front();
 }
 
 ElementSection elements_of(const ElementSection& section, std::uint64_t owner) {

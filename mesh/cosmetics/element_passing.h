@@ -35,7 +35,7 @@ struct JoinedElements {
 
 /// Tets and triangles in the order of the sections.
 /// @pre a node of several sections has the same place in all. Cost: O(n log n).
-JoinedElements join_elements(std::span<const ElementSection> sections);
+JoinedElements join_elements(std::vector<ElementSection> sections);
 
 /// The reverse: each tet to its home, each triangle to that of its tet; nodes that no tet has are
 /// left out. @pre every triangle is a face of a tet. Cost: O(n log n).
@@ -49,7 +49,7 @@ std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<
 
 /// The pieces that several leaves have of one section as the whole of it.
 /// @pre all have the same sharers, and there is one at least.
-ElementSection join_pieces(std::span<const ElementSection> pieces);
+ElementSection join_pieces(std::vector<ElementSection> pieces);
 
 /// What one sharer owns of a section: its tets, their triangles and nodes.
 ElementSection elements_of(const ElementSection& section, std::uint64_t owner);

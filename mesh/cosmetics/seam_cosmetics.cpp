@@ -185,8 +185,7 @@ SeamResult improve_seams(std::vector<ElementSection> sections, const SeamTurn& t
   if (sections.empty()) return result;
   std::vector<Sharers> sharers;
   for (const ElementSection& section : sections) sharers.push_back(section.sharers);
-  JoinedElements joined = join_elements(sections);
-  sections = {};
+  JoinedElements joined = join_elements(std::move(sections));
   Region region = region_of(joined, tets_within_reach(joined, sharers, turn, options));
   TetComplex complex = std::move(region.complex);
   result.tets = std::ssize(region.tets);
