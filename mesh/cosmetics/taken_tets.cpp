@@ -81,11 +81,24 @@ struct GoodEnough {
         height2_in_edges(options.height_in_edges * options.height_in_edges) {}
 
   bool operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-    if (cosmetics::goodness(a, b, c, d) < goodness) return false;
-    const double longest2 = std::max(
-        std::max(std::max(norm2(b - a), norm2(c - a)), std::max(norm2(d - a), norm2(c - b))),
-        std::max(norm2(d - b), norm2(d - c)));
-    return cosmetics::smallest_height2(a, b, c, d) >= height2_in_edges * longest2;
+    const std::array<double, 6> edges2 = {norm2(b - a), norm2(c - a), norm2(d - a),
+                                          norm2(c - b), norm2(d - b), norm2(d - c)};
+    const auto [shortest2, longest2] = std::minmax_element(edges2.begin(), edges2.end());
+    if (is_clearly_good(tet_volume(a, b, c, d), *shortest2, *longest2)) return true;
+    return cosmetics::goodness(a, b, c, d) >= goodness &&
+           cosmetics::smallest_height2(a, b, c, d) >= height2_in_edges * *longest2;
+  }
+
+ private:
+  /// By bounds that the tets of the lattice meet. No face is larger than √3/4 L² with the longest
+  /// edge L, so that no height is below 4√3 V/L², and no sine of a dihedral angle,
+  /// 3/2 V l / (A₁ A₂), below 8 V l / L⁴ with the shortest edge l.
+  bool is_clearly_good(double volume, double shortest2, double longest2) const {
+    constexpr double margin = 1.001;
+    const double longest6 = longest2 * longest2 * longest2;
+    return volume > 0 &&
+           64 * volume * volume * shortest2 >= margin * goodness * longest6 * longest2 &&
+           48 * volume * volume >= margin * height2_in_edges * longest6;
   }
 };
 
