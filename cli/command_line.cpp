@@ -107,10 +107,8 @@ class Parser {
   template <class Options>
   CLI::App& add(const std::string& name, const std::string& what, const std::string& example,
                 Options& options) {
-    CLI::App& sub = *app_.add_subcommand(name, what);
-    sub.footer("Example: " + example);
-    sub.callback([this, &options] { command_ = options; });
-    return sub;
+    return add_command(app_, name, what, example, options,
+                       [this](const Command& chosen) { command_ = chosen; });
   }
 
   void add_run() {

@@ -108,10 +108,7 @@ void add_services(CLI::App& app, Services& services,
                   const std::function<void(const Command&)>& chosen) {
   const auto add = [&](const char* name, const char* what, const char* example,
                        auto& command) -> CLI::App& {
-    CLI::App& sub = *app.add_subcommand(name, what);
-    sub.footer(std::string("Example: ") + example);
-    sub.callback([&command, chosen] { chosen(command); });
-    return sub;
+    return add_command(app, name, what, example, command, chosen);
   };
   CLI::App& coordinator =
       add("coordinator", "Serve jobs to workers",

@@ -22,21 +22,19 @@ void add_copy(CLI::App& sub, BackupCommand& copy) {
 }
 
 void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
-  CLI::App& backup = *app.add_subcommand(
-      "backup", "Copy the database into a file, also while a coordinator uses it");
-  backup.footer("Example: tetfarm backup /shared/farm -o farm.backup");
+  CLI::App& backup =
+      add_command(app, "backup", "Copy the database into a file, also while a coordinator uses it",
+                  "tetfarm backup /shared/farm -o farm.backup", views.backup, chosen);
   backup.add_option("STORE", views.backup.store, "The store")->required();
   backup.add_option("-o,--output", views.backup.file, "The file")->required()->option_text("FILE");
   add_copy(backup, views.backup);
-  backup.callback([&views, chosen] { chosen(views.backup); });
 
-  CLI::App& restore = *app.add_subcommand(
-      "restore", "Put a backup in the place of a store's database; no coordinator may run");
-  restore.footer("Example: tetfarm restore farm.backup /shared/farm");
+  CLI::App& restore = add_command(
+      app, "restore", "Put a backup in the place of a store's database; no coordinator may run",
+      "tetfarm restore farm.backup /shared/farm", views.restore, chosen);
   restore.add_option("FILE", views.restore.from.file, "The backup")->required();
   restore.add_option("STORE", views.restore.from.store, "The store")->required();
   add_copy(restore, views.restore.from);
-  restore.callback([&views, chosen] { chosen(views.restore); });
 }
 
 }  // namespace
@@ -44,9 +42,7 @@ void add_copies(CLI::App& app, Views& views, const std::function<void(const Comm
 void add_views(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
   const auto add = [&](const char* name, const char* what, const char* example,
                        auto& command) -> CLI::App& {
-    CLI::App& sub = *app.add_subcommand(name, what);
-    sub.footer(std::string("Example: ") + example);
-    sub.callback([&command, chosen] { chosen(command); });
+    CLI::App& sub = add_command(app, name, what, example, command, chosen);
     add_view(sub, command.view);
     return sub;
   };

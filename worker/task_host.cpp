@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "base/again_if_interrupted.h"
 #include "base/child_process.h"
 #include "worker/task_environment.h"
 
@@ -42,15 +43,6 @@ union DescriptorSpace {
   cmsghdr header;
   std::array<char, CMSG_SPACE(sizeof(Descriptors))> bytes;
 };
-
-template <class Call>
-ssize_t again_if_interrupted(const Call& call) {
-  ssize_t n = -1;
-  do {
-    n = call();
-  } while (n < 0 && errno == EINTR);
-  return n;
-}
 
 bool send_request(int socket, StartRequest request, std::string store, Descriptors fds) {
   std::array<iovec, 2> parts = {iovec{&request, sizeof request}, iovec{store.data(), store.size()}};

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/again_if_interrupted.h"
 #include "base/child_process.h"
 #include "base/error.h"
 #include "mesh/assemble/hdf5_file.h"
@@ -85,13 +86,6 @@ bool can_walk(const char* path) {
   ::_exit(can_walk(path) ? 0 : 1);
 }
 
-int wait_for(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
 }  // namespace
 
 void expect_sound_hdf5(const std::string& path) {
@@ -99,7 +93,8 @@ void expect_sound_hdf5(const std::string& path) {
   const pid_t process = ::fork();
   if (process < 0) throw IoError("cannot start a process to read", path, errno);
   if (process == 0) walk(path.c_str(), parent);
-  const int status = wait_for(process);
+  int status = 0;
+  again_if_interrupted([&] { return ::waitpid(process, &status, 0); });
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     throw InvalidInput(signal == SIGALRM

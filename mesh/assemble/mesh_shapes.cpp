@@ -20,10 +20,9 @@ std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bo
     if (is_on_cut[v]) layers.reach(static_cast<std::int32_t>(v));
   }
   for (int layer = 0; layer < layers_near_cuts; ++layer) {
-    for (const std::uint32_t t : layers.next()) {
-      result[t] = true;
-      for (const std::int32_t v : tets[t]) layers.reach(v);
-    }
+    const std::vector<std::uint32_t> found = layers.next();
+    for (const std::uint32_t t : found) result[t] = true;
+    layers.reach_nodes_of(found);
   }
   return result;
 }

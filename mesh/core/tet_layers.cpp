@@ -37,6 +37,12 @@ void TetLayers::reach(std::int32_t node) {
   has_new_[at(node) / TetBlocks::nodes_of_page] = 1;
 }
 
+void TetLayers::reach_nodes_of(std::span<const std::uint32_t> tets) {
+  for (const std::uint32_t t : tets) {
+    for (const std::int32_t v : blocks_.tets()[t]) reach(v);
+  }
+}
+
 std::vector<std::uint32_t> TetLayers::next() {
   std::vector<std::uint32_t> layer;
   for (std::size_t block = 0; block < blocks_.blocks(); ++block) {

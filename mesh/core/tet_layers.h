@@ -46,6 +46,8 @@ class TetLayers {
 
   /// The next layer goes round this node, too.
   void reach(std::int32_t node);
+  /// Round the nodes of these tets.
+  void reach_nodes_of(std::span<const std::uint32_t> tets);
 
   /// The tets at nodes that were reached, ascending, without those of earlier layers.
   std::vector<std::uint32_t> next();

@@ -158,16 +158,15 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   std::vector<Sharers> preferred;
   for (const std::uint32_t set : preference) preferred.push_back(shared.sets[set]);
   const std::vector<TakenTet> taken = taken_tets(mesh, std::move(ranks), preferred, options);
-  std::vector<bool> has_tets(shared.sets.size(), false);
-  for (const TakenTet& item : taken) has_tets[preference[item.rank]] = true;
+  std::vector<bool> has_tets(preferred.size(), false);
+  for (const TakenTet& item : taken) has_tets[item.rank] = true;
   std::vector<Sharers> sharers;
-  for (std::size_t set = 0; set < shared.sets.size(); ++set) {
-    if (has_tets[set]) sharers.push_back(shared.sets[set]);
+  for (SetRank rank = 0; rank < preferred.size(); ++rank) {
+    if (has_tets[rank]) sharers.push_back(preferred[rank]);
   }
   std::sort(sharers.begin(), sharers.end());
   std::vector<ElementHome> home_of_rank;
-  for (const std::uint32_t set : preference) {
-    const Sharers& wanted = shared.sets[set];
+  for (const Sharers& wanted : preferred) {
     const auto section = std::lower_bound(sharers.begin(), sharers.end(), wanted);
     const auto owner = std::lower_bound(wanted.begin(), wanted.end(), leaf.path.heap);
     home_of_rank.push_back({static_cast<std::uint32_t>(section - sharers.begin()),

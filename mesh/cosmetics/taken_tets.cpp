@@ -214,9 +214,7 @@ class NearTets {
     std::vector<Ring> rings;
     for (int ring = 0; ring < count; ++ring) {
       rings.push_back(round.next());
-      for (const std::uint32_t t : rings.back()) {
-        for (const std::int32_t v : mesh_.tets[t]) round.reach(v);
-      }
+      round.reach_nodes_of(rings.back());
     }
     return rings;
   }
