@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/ids.h"
+#include "base/utf8.h"
 
 namespace tetfarm {
 namespace {
@@ -200,7 +201,9 @@ void remove_file(const fs::path& path) {
 }
 
 std::string unique_temp_name(std::string_view stem) {
-  return std::string(stem) + "." + std::to_string(::getpid()) + "." + random_hex(8) + ".tmp";
+  constexpr std::size_t longest_stem = 200;  // what file systems take is 255 bytes in all
+  return std::string(cut_utf8(stem, longest_stem)) + "." + std::to_string(::getpid()) + "." +
+         random_hex(8) + ".tmp";
 }
 
 }  // namespace tetfarm

@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/hex_text.h"
 
 namespace tetfarm {
 namespace {
@@ -30,17 +31,11 @@ JobId parse_job_name(const std::string& text) {
 }
 
 std::string random_hex(std::size_t bytes) {
-  std::array<unsigned char, 64> raw{};
+  std::array<char, 64> raw{};
   TF_CHECK(bytes <= raw.size());
   const ssize_t got = getrandom(raw.data(), bytes, 0);
   if (got != static_cast<ssize_t>(bytes)) throw IoError("cannot read", "getrandom", errno);
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    text += digits[raw[i] >> 4U];
-    text += digits[raw[i] & 15U];
-  }
-  return text;
+  return hex_of_bytes({raw.data(), bytes});
 }
 
 }  // namespace tetfarm

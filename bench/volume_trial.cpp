@@ -1,11 +1,15 @@
 // How long a sub-domain takes without cosmetics, stage by stage: volume_trial SURFACE_FILE
 // [constant spacing; 0: by the surface] [1: with cosmetics]. CPU seconds.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string>
 
 #include "base/error.h"
+#include "mesh/core/tet_quality.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/volume/volume_mesh.h"
 
@@ -15,6 +19,25 @@ using namespace tetfarm;
 
 double seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// The smallest dihedral angle, and how many tets have one below some.
+void print_angles(const TetMesh& mesh) {
+  constexpr double deg = 57.29577951308232;
+  constexpr std::array<double, 6> limits = {0.1, 1, 3, 8, 15, 20};
+  std::array<std::size_t, limits.size()> below{};
+  double smallest = 180;
+  for (const Tet& tet : mesh.tets) {
+    const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
+    const double angle =
+        deg *
+        std::acos(dihedral_cosines(at(tet[0]), at(tet[1]), at(tet[2]), at(tet[3])).of_smallest);
+    smallest = std::min(smallest, angle);
+    for (std::size_t i = 0; i < limits.size(); ++i) below[i] += angle < limits[i] ? 1 : 0;
+  }
+  std::printf("smallest dihedral angle %.4g deg; tets below 0.1, 1, 3, 8, 15, 20 deg:", smallest);
+  for (const std::size_t n : below) std::printf(" %zu", n);
+  std::printf("\n");
+}
+
 void run(const std::string& path, double constant, bool with_cosmetics) {
   const SurfaceMesh surface = read_surface(path);
   const SpacingField field =
@@ -22,13 +45,13 @@ void run(const std::string& path, double constant, bool with_cosmetics) {
   VolumeMeshOptions options;
   options.cosmetics = with_cosmetics;
   const double start = seconds_now();
-  options.progress = [start](const char* stage, std::int64_t tets) {
-    std::printf("%8.3f s  %s, %lld tets\n", seconds_now() - start, stage,
-                static_cast<long long>(tets));
-  };
+  options.progress = WorkProgress([start](const WorkCount& count) {
+    std::printf("%8.3f s  %s\n", seconds_now() - start, work_text(count).c_str());
+  });
   VolumeMeshReport report;
   const TetMesh mesh = mesh_volume(root_subdomain(surface), field, options, &report);
   const double seconds = seconds_now() - start;
+  print_angles(mesh);
   std::uint64_t sum = 0;
   for (const Tet& tet : mesh.tets) {
     for (const std::int32_t v : tet) {

@@ -2,11 +2,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/angle_text.h"
 #include "cli/commands.h"
 #include "cli/job_input.h"
-#include "mesh/decompose/planar_cut.h"
+#include "cli/json_line.h"
+#include "cli/surface_angles.h"
 #include "mesh/io/read_surface.h"
 #include "worker/inspect_task.h"
+#include "worker/job_domain.h"
 
 namespace tetfarm {
 namespace {
@@ -17,16 +20,13 @@ using Json = nlohmann::ordered_json;
 struct Estimate {
   double elements = 0;
   std::int64_t subdomains = 0;
+  SurfaceAngles angles;  ///< that the domain's boundary forces
 };
 
 Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
-  const OuterBoundary outer = outer_boundary_of(job);
-  const SurfaceMesh domain = outer.kind == OuterBoundary::Kind::none
-                                 ? checked.surface
-                                 : add_outer_boundary(checked.surface, outer, job.growth);
-  const SpacingField spacing = make_spacing_field(domain, spacing_options_of(job));
-  const double elements = estimated_elements(root_subdomain(domain), spacing);
-  return {elements, wanted_parts(job, elements, region_count(domain))};
+  const JobDomain domain = domain_of_job(job, checked.surface);
+  return {domain.elements, wanted_parts(job, domain.elements, region_count(domain.surface)),
+          surface_angles_of(domain.surface)};
 }
 
 Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -57,6 +57,10 @@ Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
   return json;
 }
 
+void print_remark(const std::string& remark) {
+  std::printf("remark          %s\n", remark.c_str());
+}
+
 void print_region(const RegionFigures& region) {
   if (region.number > 0) {
     std::printf("region %-8d %s", region.number, region.name.c_str());
@@ -74,10 +78,9 @@ void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
       report.shells.size());
   std::printf("volume          %.9g\nedges           %.4g shortest, %.4g median, %.4g longest\n",
               report.volume, report.shortest_edge, report.median_edge, report.longest_edge);
-  std::printf("smallest angle  %.3g deg\n", report.smallest_angle_deg);
+  std::printf("smallest angle  %s deg\n", angle_text(report.smallest_angle_deg).c_str());
   for (const RegionFigures& region : report.regions) print_region(region);
-  for (const std::string& remark : report.remarks)
-    std::printf("remark          %s\n", remark.c_str());
+  for (const std::string& remark : report.remarks) print_remark(remark);
 }
 
 /// `asked` is a file, a folder, or empty: here.
@@ -105,12 +108,17 @@ ExitCode check_command(const CheckOptions& options) {
     const Estimate coming = estimate(input.job, checked);
     json["estimated_elements"] = coming.elements;
     json["subdomains"] = coming.subdomains;
+    json["angles"] = surface_angles_json(coming.angles);
+    for (const std::string& remark : angle_remarks(coming.angles)) {
+      json["remarks"].push_back(remark);
+      if (!options.json) print_remark(remark);
+    }
     if (!options.json) {
       std::printf("elements        about %.3g, in %lld sub-domains\n", coming.elements,
                   static_cast<long long>(coming.subdomains));
     }
   }
-  if (options.json) std::printf("%s\n", json.dump().c_str());
+  if (options.json) std::printf("%s\n", json_line(json).c_str());
   if (is_sound) return ExitCode::ok;
   const std::string file = defects_file(options.defects_file, input.job.name);
   write_defects_vtp(surface, checked.report.defects, file);

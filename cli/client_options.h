@@ -23,11 +23,19 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
 }
 
 void add_json(CLI::App& app, bool& json);
-void add_keys_of_a_peer(CLI::App& app, KeyFiles& keys);
+
+/// Whether a command has --store: what lies there by default is told only where it can be named.
+enum class StoreOption { no, yes };
+void add_keys_of_a_peer(CLI::App& app, KeyFiles& keys, StoreOption store);
+
+/// --connect, which is returned and not required, the keys, and how long to wait.
+CLI::Option& add_peer(CLI::App& app, ClientOptions& client, StoreOption store);
+/// Of commands that take a job as well as a file: where the job is.
+void add_place_of_jobs(CLI::App& app, ViewOptions& view);
 
 /// Of commands that talk to a coordinator: --connect is required.
-void add_client(CLI::App& app, ClientOptions& client);
-/// The same, and returns --connect, which is not required.
-CLI::Option& add_connection(CLI::App& app, ClientOptions& client);
+void add_client(CLI::App& app, ClientOptions& client, StoreOption store);
+/// The same, but --connect, which is returned, is not required.
+CLI::Option& add_connection(CLI::App& app, ClientOptions& client, StoreOption store);
 
 }  // namespace tetfarm

@@ -7,8 +7,10 @@
 #include "base/error.h"
 #include "cli/client_options.h"
 #include "cli/keys_command_line.h"
+#include "cli/option_checks.h"
 #include "cli/pool_command_line.h"
 #include "cli/service_command_line.h"
+#include "cli/unknown_words.h"
 #include "cli/view_command_line.h"
 #include "mesh/shapes/make_shape.h"
 
@@ -21,7 +23,8 @@ constexpr const char* exit_codes =
     "75 stopped at a checkpoint: the same command goes on.";
 
 constexpr const char* a_mesh =
-    "A mesh (.vtkhdf .ugrid .cgns .msh .su2 .meshb .pvtu .vtu .node .ele) or the folder of a run";
+    "A mesh (.vtkhdf .ugrid .cgns .msh .su2 .meshb .pvtu .vtu .node .ele), the folder of a run, or "
+    "a job (job-7)";
 
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
@@ -39,23 +42,35 @@ void add_job(CLI::App& app, RunOptions& job) {
                  ".fro, also .gz) or a job.toml")
       ->required();
   app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: by size)")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+      ->check(whole_number(1, std::int64_t{1} << 40))
       ->option_text("N");
   app.add_option("--groups", job.groups, "Join the sub-domains into this many, of even work")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 30))
+      ->check(whole_number(1, std::int64_t{1} << 30))
       ->option_text("N");
   app.add_option("--max-memory", job.max_memory, "So many sub-domains that no task needs more")
       ->option_text("2GiB")
       ->excludes("--subdomains")
       ->excludes("--groups");
-  app.add_option("--size", job.size, "Target edge length away from the surface")
-      ->check(CLI::PositiveNumber)
+  app.add_option("--size", job.size,
+                 "Target edge length away from the surface, and at most on an outer boundary")
+      ->check(positive_number())
       ->option_text("H");
   app.add_option("--growth", job.growth, "Growth of the edge length per unit of length (0.3)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("G");
   app.add_option("--outer", job.outer, "Mesh the outside of the body, up to this boundary")
       ->option_text("box[:FACTOR]|sphere[:FACTOR]");
+  app.add_option("--outer-size", job.outer_size,
+                 "Edge length on the outer boundary (default: as growth and --size allow)")
+      ->check(positive_number())
+      ->option_text("H");
+  CLI::Option* most = app.add_option("--max-elements", job.max_elements,
+                                     "Refuse a job that would have more elements (2000000000)")
+                          ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+                          ->option_text("N");
+  app.add_flag("--force", job.force,
+               "Start it however many elements it has, and whatever room the disk has")
+      ->excludes(most);
   app.add_option("--format", job.formats, "Files to write: vtkhdf, lb8.ugrid, ... (default vtkhdf)")
       ->delimiter(',')
       ->option_text("F,...");
@@ -82,22 +97,21 @@ class Parser {
     add_services(app_, services_, [this](const Command& command) { command_ = command; });
     add_pool(app_, pool_, [this] { command_ = pool_; });
     add_keys(app_, keys_, [this] { command_ = keys_; });
+    refuse_empty_paths(app_);
   }
 
   Command parse(int argc, const char* const* argv) {
+    require_known_command(app_, argc, argv);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
       std::printf("%s", app_.help().c_str());
-      return NothingToDo{0};
+      return NothingToDo{};
     } catch (const CLI::CallForVersion&) {
       std::printf("tetfarm 0.1.0\n");
-      return NothingToDo{0};
+      return NothingToDo{};
     } catch (const CLI::ParseError& error) {
-      const auto chosen = app_.get_subcommands();
-      const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-      std::fprintf(stderr, "error: %s\nhelp: see `tetfarm%s --help`\n", error.what(), name.c_str());
-      return NothingToDo{static_cast<int>(ExitCode::usage)};
+      throw UsageError(what_is_wrong(app_, error), "");
     }
     return command_;
   }
@@ -118,13 +132,13 @@ class Parser {
     sub.add_option("-o,--output", run_.output, "Folder of the result; run again to go on (out)")
         ->option_text("DIR");
     sub.add_option("-j,--workers", run_.workers, "Worker processes (default: one a core)")
-        ->check(CLI::Range(1, 4096))
+        ->check(whole_number(1, 4096))
         ->option_text("N");
     sub.add_option("--database", run_.database,
                    "Folder of the database, on a disk of this host (default: in the output)")
         ->option_text("DIR");
     sub.add_option("--grace", run_.grace_s, "How long running tasks may go on after Ctrl-C (5)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->option_text("SECONDS");
     add_json(sub, run_.json);
     add_progress(sub, run_.progress);
@@ -164,6 +178,13 @@ class Parser {
     CLI::App& sub = add("plan", "Say what would be done, and what each task would take",
                         "tetfarm plan wing.stl --max-memory 500MB", plan_);
     add_job(sub, plan_.job);
+    CLI::Option* store =
+        sub.add_option("--store", plan_.job.store,
+                       "Learn from what the tasks of this store (or folder of a run) took")
+            ->option_text("DIR");
+    sub.add_option("--database", plan_.job.database, "Folder of the store's database")
+        ->option_text("DIR")
+        ->needs(store);
     add_json(sub, plan_.job.json);
   }
 
@@ -182,6 +203,7 @@ class Parser {
     sub.add_option("--scratch", quality_.scratch,
                    "Where that lies for the time (the system's folder for temporary files)")
         ->option_text("DIR");
+    add_place_of_jobs(sub, quality_.source);
     add_json(sub, quality_.json);
   }
 
@@ -196,8 +218,7 @@ class Parser {
         ->option_text("F");
     mesh.add_option("--partitions", export_.partitions,
                     "Parts for a solver: the sub-domains, or N even ones by METIS (as-meshed)")
-        ->transform(CLI::Transformer(std::map<std::string, int>{{"as-meshed", 0}}))
-        ->check(CLI::Range(0, 1 << 20))
+        ->transform(number_of_parts(1 << 20))
         ->option_text("as-meshed|N");
     mesh.add_option(
             "--numbering", export_.numbering,
@@ -205,6 +226,7 @@ class Parser {
             "reverse Cuthill-McKee (as-meshed)")
         ->check(CLI::IsMember({"as-meshed", "hilbert", "rcm"}))
         ->option_text("as-meshed|hilbert|rcm");
+    add_place_of_jobs(mesh, export_.source);
     add_json(mesh, export_.json);
 
     CLI::App& surface = add("convert", "Write a surface in another format",
@@ -221,8 +243,10 @@ class Parser {
     const auto place = [&sub](const char* name, std::vector<double>& value, const char* what) {
       sub.add_option(name, value, what)->delimiter(',')->expected(3)->option_text("X,Y,Z");
     };
-    sub.add_option("FILE", render_.input, "A mesh (.vtkhdf, .lb8.ugrid) or the folder of a run")
+    sub.add_option("FILE", render_.input,
+                   "A mesh (.vtkhdf, .lb8.ugrid), the folder of a run, or a job (job-7)")
         ->required();
+    add_place_of_jobs(sub, render_.source);
     sub.add_option("-o,--output", render_.output, "The picture")->required()->option_text("PNG");
     sub.add_option("--view", render_.view,
                    "The surface, the sub-domains apart, or the mesh cut open")
@@ -235,7 +259,7 @@ class Parser {
     place("--from", render_.from, "Direction from the mesh to the eye (-1,-2,1)");
     place("--up", render_.up, "Direction that is up in the picture (0,0,1)");
     sub.add_option("--zoom", render_.zoom, "Larger than what fits (1)")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->option_text("Z");
     sub.add_option("--body", render_.bodies, "Patches that are shown whole (all but outer_*)")
         ->delimiter(',')
@@ -247,10 +271,10 @@ class Parser {
     sub.add_option("--at", render_.at, "Place of the plane along its normal (the middle)")
         ->option_text("D");
     sub.add_option("--explode", render_.explode, "How far apart the sub-domains go (0.4)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->option_text("SHARE");
     sub.add_option("--edges", render_.edge_width, "Width of the edges in pixels, 0: none (0.9)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->option_text("W");
   }
 
@@ -264,40 +288,50 @@ class Parser {
         ->required()
         ->option_text("FILE");
     sub.add_option("--spacing", shape_.spacing, "Edge length; of the wing: on it (0.1)")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->option_text("H");
     sub.add_option("--growth", shape_.growth, "Of the edge length away from the wing (0.2)")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->option_text("G");
   }
 
   void add_clients() {
     CLI::App& submit =
         add("submit", "Hand a job to a coordinator",
-            "tetfarm submit wing.stl --connect tcp://head:5555 --store /shared/farm", submit_);
+            "tetfarm submit wing.stl --connect tcp://head:5555 --key anna.key", submit_);
     add_job(submit, submit_.job);
     submit
         .add_option("--store", submit_.job.store,
-                    "The coordinator's store, as seen from here, to put the surface into; without "
-                    "it the coordinator fetches the file, if it lies where it allows")
+                    "The coordinator's store, as seen from here, to put the surface into (default: "
+                    "the surface goes over the connection)")
         ->envname("TETFARM_STORE")
         ->option_text("DIR");
-    add_client(submit, submit_.client);
+    submit.add_flag("!--no-check", submit_.check,
+                    "Leave it to the farm to find out whether the surface can be meshed");
+    submit
+        .add_flag("--coordinator-reads", submit_.coordinator_reads,
+                  "Send only the surface's path: the coordinator reads the file, if it lies where "
+                  "its --allow-root says")
+        ->excludes("--store");
+    add_progress(submit, submit_.client.progress);
+    add_client(submit, submit_.client, StoreOption::yes);
 
     CLI::App& wait = add("wait", "Wait until a job ends; its exit code is the job's",
-                         "tetfarm wait job-7 -o out --store /shared/farm", wait_);
+                         "tetfarm wait job-7 -o out --connect tcp://head:5555", wait_);
     wait.add_option("JOB", wait_.client.job, "The job")->required();
     wait.add_option("-o,--output", wait_.client.output, "Folder to bring the result to")
         ->option_text("DIR");
-    wait.add_option("--store", wait_.store, "The coordinator's store, as seen from here")
+    wait.add_option("--store", wait_.store,
+                    "The coordinator's store, as seen from here (default: files come over the "
+                    "connection)")
         ->envname("TETFARM_STORE")
         ->option_text("DIR");
-    add_client(wait, wait_.client);
+    add_client(wait, wait_.client, StoreOption::yes);
     add_progress(wait, wait_.client.progress);
 
     CLI::App& cancel = add("cancel", "Cancel a job", "tetfarm cancel job-7", cancel_);
     cancel.add_option("JOB", cancel_.client.job, "The job")->required();
-    add_client(cancel, cancel_.client);
+    add_client(cancel, cancel_.client, StoreOption::no);
   }
 
   void add_viewers() {
@@ -309,18 +343,18 @@ class Parser {
                           "tetfarm retry job-7 31", retry_);
     CLI::Option* job = retry.add_option("JOB", retry_.client.job, "The job");
     retry.add_option("TASK", retry_.task, "One task (default: all of the job)")
-        ->check(CLI::PositiveNumber);
+        ->check(counting_number());
     retry.add_option("--host", retry_.host, "A host instead of a job")
         ->excludes(job)
         ->option_text("NAME");
-    add_client(retry, retry_.client);
+    add_client(retry, retry_.client, StoreOption::no);
 
     CLI::App& drain = add("drain", "Let workers finish what they do, and leave",
                           "tetfarm drain worker-7", drain_);
     CLI::Option* worker =
         drain.add_option("WORKER", drain_.worker, "As `status --workers` names it");
     drain.add_flag("--all", drain_.all, "Every worker that is here now")->excludes(worker);
-    add_client(drain, drain_.client);
+    add_client(drain, drain_.client, StoreOption::no);
   }
 
   CLI::App app_{"Tetfarm: conforming tetrahedral meshes on many machines that may fail", "tetfarm"};

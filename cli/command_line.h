@@ -25,6 +25,9 @@ struct RunOptions {
   std::optional<double> size;
   std::optional<double> growth;
   std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
+  std::optional<double> outer_size;
+  std::optional<std::int64_t> max_elements;
+  bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
   bool json = false;
   ProgressStyle progress = ProgressStyle::automatic;
@@ -46,9 +49,28 @@ struct PlanCommand {
   RunOptions job;
 };
 
+/// status, wait, cancel and submit talk to a running coordinator.
+struct ClientOptions {
+  std::string endpoint;
+  KeyFiles keys;
+  std::string job;  ///< "": all
+  bool json = false;
+  double timeout_s = 10;
+  std::string output;  ///< of wait: where the files go
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+/// Where to look: a coordinator, or the store's own rows when no coordinator answers.
+struct ViewOptions {
+  ClientOptions client;
+  std::string store;      ///< "": only the coordinator
+  std::string database;   ///< folder of the database; "": the store
+  bool is_quiet = false;  ///< does not say on standard error who answered
+};
+
 struct QualityOptions {
-  std::string input;
-  std::string run;  ///< the folder of the run that made it; "": where it lies
+  std::string input;   ///< a mesh, the folder of a run, or a job of `source`
+  ViewOptions source;  ///< of a job
+  std::string run;     ///< the folder of the run that made it; "": where it lies
   bool check_faces = true;
   std::string memory = "256MiB";  ///< for comparing what is apart in the file
   std::string scratch;            ///< a folder for what does not fit; "": the system's
@@ -57,7 +79,8 @@ struct QualityOptions {
 
 /// A mesh in another format.
 struct ExportCommand {
-  std::string input;
+  std::string input;   ///< as of QualityOptions
+  ViewOptions source;  ///< of a job
   std::string output;
   std::string format;                   ///< "": by the ending of the output
   int partitions = 0;                   ///< for solvers; 0: the sub-domains as they were meshed
@@ -73,7 +96,8 @@ struct ConvertCommand {
 };
 
 struct RenderCommand {
-  std::string input;
+  std::string input;   ///< as of QualityOptions
+  ViewOptions source;  ///< of a job
   std::string output;
   std::string view = "surface";      ///< surface, exploded or cut
   std::string colour = "subdomain";  ///< subdomain, region or patch
@@ -96,23 +120,6 @@ struct ShapeCommand {
   double growth = 0.2;
 };
 
-/// status, wait, cancel and submit talk to a running coordinator.
-struct ClientOptions {
-  std::string endpoint;
-  KeyFiles keys;
-  std::string job;  ///< "": all
-  bool json = false;
-  double timeout_s = 10;
-  std::string output;  ///< of wait: where the files go
-  ProgressStyle progress = ProgressStyle::automatic;
-};
-/// Where to look: a coordinator, or the store's own rows when no coordinator answers.
-struct ViewOptions {
-  ClientOptions client;
-  std::string store;      ///< "": only the coordinator
-  std::string database;   ///< folder of the database; "": the store
-  bool is_quiet = false;  ///< does not say on standard error who answered
-};
 struct StatusCommand {
   ViewOptions view;
   bool workers = false;  ///< a line for each
@@ -183,12 +190,14 @@ struct DrainCommand {
 struct SubmitCommand {
   ClientOptions client;
   RunOptions job;
+  bool check = true;               ///< of the surface, before it is submitted
+  bool coordinator_reads = false;  ///< the surface, by its path
 };
 
 struct CoordinatorCommand {
   std::string store;
   std::string database;  ///< "": the store
-  std::string keys;      ///< "": "keys" beside the database
+  std::string keys;      ///< "": see find_keys
   std::vector<std::string> endpoints;
   std::vector<std::string> allowed_roots;
   std::size_t max_connections = 16384;
@@ -273,10 +282,8 @@ struct TaskCommand {
 /// What a worker starts once, and what then starts its tasks (worker/task_host.h); not for people.
 struct TaskHostCommand {};
 
-/// Help or the version was printed, or an error was: nothing more to do.
-struct NothingToDo {
-  int exit_code = 0;
-};
+/// Help or the version was printed: nothing more to do.
+struct NothingToDo {};
 
 using Command =
     std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
@@ -286,6 +293,7 @@ using Command =
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand>;
 
+/// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);
 
 }  // namespace tetfarm

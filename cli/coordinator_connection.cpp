@@ -5,12 +5,15 @@
 
 #include "base/clock.h"
 #include "base/error.h"
+#include "proto/address_family.h"
+#include "proto/reconnection.h"
 #include "proto/wire.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int64_t ask_again_ms = 1'000;
+constexpr std::int64_t exchange_tick_ms = 100;
 
 wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
   switch (question.body_case()) {
@@ -49,10 +52,10 @@ void CoordinatorConnection::connect() {
   socket_ = std::make_unique<Socket>();
   socket_->dealer.set(zmq::sockopt::linger, 0);
   socket_->dealer.set(zmq::sockopt::immediate, 1);
-  socket_->dealer.set(zmq::sockopt::reconnect_ivl, 20);
-  socket_->dealer.set(zmq::sockopt::reconnect_ivl_max, 1000);
+  set_reconnection(socket_->dealer, endpoint_);
   socket_->dealer.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
   secure(socket_->dealer, keys_);
+  set_address_family(socket_->dealer, endpoint_, EndpointUse::connect);
   try {
     socket_->dealer.connect(endpoint_);
   } catch (const zmq::error_t& error) {
@@ -69,28 +72,35 @@ void CoordinatorConnection::heed_handshake() {
   throw Error(ExitCode::failed, endpoint_ + ": " + explanation_of(outcome));
 }
 
+/// Nothing when `until` or a signal comes first, or what came says nothing.
+/// @throws Error when it is a refusal.
+std::optional<wire::Envelope> CoordinatorConnection::receive(std::int64_t until) {
+  const std::int64_t left = std::max<std::int64_t>(0, until - steady_ms());
+  socket_->dealer.set(zmq::sockopt::rcvtimeo, static_cast<int>(left));
+  zmq::message_t message;
+  try {
+    if (!socket_->dealer.recv(message)) return std::nullopt;
+  } catch (const zmq::error_t& error) {
+    if (error.num() == EINTR) return std::nullopt;
+    throw;
+  }
+  Decoded decoded = decode(message.to_string_view());
+  if (decoded.envelope.has_refused()) {
+    const int code = decoded.envelope.refused().exit_code();
+    throw Error(code > 0 && code < 256 ? static_cast<ExitCode>(code) : ExitCode::failed,
+                "the coordinator refuses: " + decoded.envelope.refused().reason());
+  }
+  if (decoded.state != WireState::good) return wire::Envelope();
+  return std::move(decoded.envelope);
+}
+
 /// The answer, or an Envelope without a body when `until` comes first.
 wire::Envelope CoordinatorConnection::wait_for(wire::Envelope::BodyCase wanted,
                                                std::int64_t until) {
   while (true) {
-    const std::int64_t left = std::max<std::int64_t>(0, until - steady_ms());
-    socket_->dealer.set(zmq::sockopt::rcvtimeo, static_cast<int>(left));
-    zmq::message_t message;
-    try {
-      if (!socket_->dealer.recv(message)) return {};
-    } catch (const zmq::error_t& error) {
-      if (error.num() == EINTR) return {};
-      throw;
-    }
-    Decoded decoded = decode(message.to_string_view());
-    if (decoded.envelope.has_refused()) {
-      const int code = decoded.envelope.refused().exit_code();
-      throw Error(code > 0 && code < 256 ? static_cast<ExitCode>(code) : ExitCode::failed,
-                  "the coordinator refuses: " + decoded.envelope.refused().reason());
-    }
-    if (decoded.state == WireState::good && decoded.envelope.body_case() == wanted) {
-      return std::move(decoded.envelope);
-    }
+    std::optional<wire::Envelope> message = receive(until);
+    if (!message) return {};
+    if (message->body_case() == wanted) return std::move(*message);
   }
 }
 
@@ -163,8 +173,45 @@ wire::Draining CoordinatorConnection::drain(std::uint64_t worker, std::int64_t t
   return ask(question, timeout_ms).draining();
 }
 
-wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {
-  const StoredArtifact surface = store.publish(input.surface);
+/// False when there is no connection now.
+bool CoordinatorConnection::send(const wire::Envelope& envelope) {
+  const std::string bytes = encode(envelope);
+  try {
+    return socket_->dealer.send(zmq::buffer(bytes), zmq::send_flags::dontwait).has_value();
+  } catch (const zmq::error_t& error) {
+    if (error.num() == EINTR) return false;
+    throw;
+  }
+}
+
+void CoordinatorConnection::exchange(PieceExchange& files, std::int64_t timeout_ms,
+                                     const std::function<void()>& moved) {
+  std::int64_t moved_ms = steady_ms();
+  std::int64_t connected_ms = moved_ms;
+  while (!files.is_complete()) {
+    heed_handshake();
+    for (const wire::Envelope& envelope : files.due(steady_ms())) {
+      if (send(envelope)) continue;
+      files.ask_again();
+      break;
+    }
+    const std::optional<wire::Envelope> message = receive(steady_ms() + exchange_tick_ms);
+    const std::int64_t now = steady_ms();
+    if (message && files.take(*message, now)) {
+      moved_ms = now;
+      moved();
+    } else if (now - moved_ms > timeout_ms) {
+      throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there" + trouble_ +
+                                           "; the same command goes on from here");
+    } else if (now - std::max(moved_ms, connected_ms) > timeout_ms / 2) {
+      connect();
+      files.ask_again();
+      connected_ms = now;
+    }
+  }
+}
+
+wire::Submit submission_of(const JobInput& input, const StoredArtifact& surface) {
   wire::Submit submit;
   submit.set_job_toml(to_toml(input.job));
   submit.set_name(input.job.name);
@@ -176,7 +223,13 @@ wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {
   return submit;
 }
 
+wire::Submit publish_job(const ArtifactStore& store, const JobInput& input) {
+  check_submittable(input);
+  return submission_of(input, store.publish(input.surface));
+}
+
 wire::Submit name_job(const JobInput& input) {
+  check_submittable(input);
   wire::Submit submit;
   submit.set_job_toml(to_toml(input.job));
   submit.set_name(input.job.name);

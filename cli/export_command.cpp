@@ -2,9 +2,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/large_blocks.h"
 #include "cli/commands.h"
+#include "cli/json_line.h"
+#include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "mesh/formats/export_mesh.h"
 #include "mesh/formats/open_mesh.h"
@@ -22,6 +25,20 @@ std::filesystem::path folder_of(const std::filesystem::path& output) {
   const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
   make_folders(folder);
   return folder;
+}
+
+/// Parts that nobody could tell apart in the file would be worked out for nothing.
+void require_parts_in(const MeshFormat& format, int partitions) {
+  if (partitions == 0 || format.holds_parts) return;
+  std::string others;
+  for (const MeshFormat& other : mesh_formats()) {
+    if (other.holds_parts) others += (others.empty() ? "" : ", ") + std::string(other.name);
+  }
+  throw ErrorWithHelp(
+      ExitCode::usage,
+      "--partitions " + std::to_string(partitions) + ": a file of the format " +
+          std::string(format.name) + " does not tell which part a tet is in",
+      "leave it out where the solver divides the mesh itself; formats with parts: " + others);
 }
 
 /// How far apart the numbers of neighbours are, in the parts as they were and as they are written.
@@ -70,12 +87,14 @@ nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& f
 ExitCode export_command(const ExportCommand& command) {
   keep_freed_memory();
   const MeshFormat& format = find_mesh_format(command.format, command.output);
-  std::unique_ptr<MeshSource> source =
-      open_mesh(mesh_file(command.input), folder_of(command.output));
+  require_parts_in(format, command.partitions);
+  const std::filesystem::path folder = folder_of(command.output);
+  const MeshInput mesh = find_mesh(command.input, command.source, folder);
+  std::unique_ptr<MeshSource> source = open_mesh(mesh, folder);
   PartitionFigures figures;
   if (command.partitions > 0) {
-    auto parts = std::make_unique<PartitionedMesh>(*source, PartitionOptions{command.partitions},
-                                                   folder_of(command.output));
+    auto parts =
+        std::make_unique<PartitionedMesh>(*source, PartitionOptions{command.partitions}, folder);
     figures = parts->figures();
     source = std::move(parts);
   }
@@ -84,7 +103,7 @@ ExitCode export_command(const ExportCommand& command) {
   if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
   const ExportCounts counts = export_mesh(*source, format, command.output);
   if (command.json) {
-    std::printf("%s\n", json_of(command, format, counts, figures, numbering).dump().c_str());
+    std::printf("%s\n", json_line(json_of(command, format, counts, figures, numbering)).c_str());
     return ExitCode::ok;
   }
   std::printf("%s: %s; %lld tets, %lld nodes, %lld boundary triangles\n", command.output.c_str(),
@@ -109,12 +128,11 @@ ExitCode convert_command(const ConvertCommand& command) {
   const SurfaceMesh surface = read_surface(command.input);
   write_surface(surface, command.output);
   if (command.json) {
-    std::printf("%s\n", nlohmann::ordered_json({{"type", "convert"},
-                                                {"file", command.output},
-                                                {"vertices", surface.vertices.size()},
-                                                {"triangles", surface.triangles.size()},
-                                                {"patches", surface.patch_names}})
-                            .dump()
+    std::printf("%s\n", json_line({{"type", "convert"},
+                                   {"file", command.output},
+                                   {"vertices", surface.vertices.size()},
+                                   {"triangles", surface.triangles.size()},
+                                   {"patches", surface.patch_names}})
                             .c_str());
   } else {
     std::printf("%s: %zu triangles, %zu vertices, %zu patches\n", command.output.c_str(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/angle_text.h"
 #include "cli/text_table.h"
 
 namespace tetfarm {
@@ -96,7 +97,7 @@ std::string time_step_text(const MeshFigures& figures) {
 std::string worst_text(const MeshFigures& figures) {
   std::vector<std::vector<std::string>> rows;
   for (const WorstTet& tet : figures.worst) {
-    rows.push_back({format("%.3f", tet.min_dihedral_deg), format("%.3f", tet.max_dihedral_deg),
+    rows.push_back({angle_text(tet.min_dihedral_deg, 3), angle_text(tet.max_dihedral_deg, 3),
                     format("%.4f", tet.radius_ratio), format("%.4g", tet.height),
                     format("%zu", tet.subdomain), tet.is_near_cut ? "yes" : "no",
                     place_text(tet.centroid)});

@@ -1,13 +1,19 @@
 #include "cli/job_input.h"
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
+#include "base/job_name.h"
+#include "cli/output_formats.h"
 #include "mesh/io/read_flite_sources.h"
 #include "mesh/io/read_surface.h"
+#include "mesh/io/surface_type.h"
+#include "mesh/io/toml_limits.h"
+#include "worker/inspect_task.h"
 
 namespace tetfarm {
 namespace {
@@ -23,9 +29,18 @@ void set_outer(JobFile& job, const std::string& text) {
   if (colon == std::string::npos) return;
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, job.outer_factor);
-  if (error != std::errc() || stopped != end || !(job.outer_factor > 1)) {
+  const bool is_number = error == std::errc() && stopped == end && std::isfinite(job.outer_factor);
+  if (!is_number || job.outer_factor <= 1) {
     throw UsageError("the factor in \"" + text + "\" must be a number above 1", "--outer");
   }
+}
+
+void set_outer_size(JobFile& job, double size) {
+  if (job.outer_kind == "none") {
+    throw UsageError("there is no outer boundary; give --outer box or --outer sphere too",
+                     "--outer-size");
+  }
+  job.outer_spacing = size;
 }
 
 void set_max_memory(JobFile& job, const std::string& text) {
@@ -51,11 +66,15 @@ void take_sources_of_file(JobFile& job) {
 
 JobFile base_job(const std::string& input) {
   if (input.ends_with(".toml")) {
-    JobFile read = parse_job_file(read_file(input), input);
+    // One byte too many is enough to be refused.
+    JobFile read = parse_job_file(read_part_of_file(input, 0, largest_job_file + 1), input);
     take_sources_of_file(read);
     return read;
   }
   JobFile job;
+  if (std::filesystem::is_directory(input)) {
+    throw UsageError("is a folder; a surface or a job file is wanted", input);
+  }
   job.surface = input;
   job.name =
       std::filesystem::path(without_ending(input, ".gz")).filename().replace_extension("").string();
@@ -77,8 +96,15 @@ JobInput describe_job(const RunOptions& options) {
   if (options.size) job.spacing_default = *options.size;
   if (options.growth) job.growth = *options.growth;
   if (options.outer) set_outer(job, *options.outer);
-  if (!options.formats.empty()) job.formats = options.formats;
+  if (options.outer_size) set_outer_size(job, *options.outer_size);
+  if (options.max_elements) job.max_elements = *options.max_elements;
+  if (options.force) job.max_elements = 0;
+  if (!options.formats.empty()) {
+    require_formats_of_run(options.formats, options.output);
+    job.formats = options.formats;
+  }
   input.path = job.surface;
+  surface_ending_of(input.path);  // refused before a file is read or anything is started
   job.surface = std::filesystem::path(without_ending(job.surface, ".gz")).filename().string();
   return input;
 }
@@ -87,6 +113,31 @@ JobInput read_job(const RunOptions& options) {
   JobInput input = describe_job(options);
   input.surface = read_maybe_gzip(input.path);
   return input;
+}
+
+void check_submittable(const JobInput& input) {
+  const std::string problem = problem_with_job_name(input.job.name);
+  if (!problem.empty()) {
+    throw UsageError("the job is named like this file, and a job's name " + problem +
+                         "; rename the file, or write a job file with a `name`",
+                     input.path);
+  }
+  const std::size_t size = to_toml(input.job).size();
+  if (size > largest_job_file) {
+    throw UsageError("the job has " + std::to_string(size) +
+                         " bytes with its sources, and may have " +
+                         std::to_string(largest_job_file),
+                     input.path);
+  }
+}
+
+void require_readable(const JobInput& input) { read_surface_bytes(input.surface, input.path); }
+
+void require_meshable(const JobInput& input) {
+  const CheckedSurface checked =
+      check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
+  if (checked.report.defects.empty()) return;
+  throw Error(ExitCode::bad_geometry, input.path + ": " + defect_message(checked.report.defects));
 }
 
 std::string key_of(const JobInput& input) {

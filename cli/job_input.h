@@ -21,6 +21,18 @@ JobInput read_job(const RunOptions& options);
 /// The same without the surface's bytes, for a surface that somebody else is to read.
 JobInput describe_job(const RunOptions& options);
 
+/// What every coordinator would refuse. @throws UsageError when the job's name, which comes from
+/// the surface's file, is none that a job may have, or its job file is too large.
+void check_submittable(const JobInput& input);
+
+/// Whether the surface's bytes are those of a surface. @throws InvalidInput naming the path as the
+/// user wrote it. Cost: O(n).
+void require_readable(const JobInput& input);
+
+/// The same, and whether it can be meshed: all that `check` would refuse. @throws Error
+/// (bad_geometry). Cost: as the first task of a job.
+void require_meshable(const JobInput& input);
+
 /// The same job file and the same surface have the same key, wherever they lie.
 std::string key_of(const JobInput& input);
 

@@ -2,20 +2,18 @@
 
 #include <cstdio>
 
+#include "base/printable_text.h"
+#include "cli/coloured_text.h"
 #include "cli/job_report.h"
+#include "cli/quality_gates.h"
 
 namespace tetfarm {
 namespace {
 
-std::vector<std::filesystem::path> deliver(const wire::JobStatus& status,
-                                           const OutcomeOptions& options) {
-  if (options.store.empty() || options.output.empty()) return {};
-  return deliver_files(status, options.store, options.output);
-}
-
-double number_or_zero(const wire::JobStatus& status, const char* name) {
-  const auto found = status.numbers().find(name);
-  return found == status.numbers().end() ? 0 : found->second;
+/// A file below the current folder by its way from there, as a person would type it.
+std::string shown(const std::filesystem::path& file) {
+  const std::string near = file.lexically_proximate(std::filesystem::current_path()).string();
+  return near.starts_with("..") ? file.string() : near;
 }
 
 }  // namespace
@@ -25,26 +23,28 @@ bool has_ended(const wire::JobStatus& status) {
 }
 
 ExitCode report_outcome(const wire::JobStatus& status, const OutcomeOptions& options) {
-  const std::vector<std::filesystem::path> files = deliver(status, options);
   if (status.state() == "cancelled") throw Error(ExitCode::failed, "the job was cancelled");
   if (status.state() == "failed") {
-    std::string message = status.message();
-    for (const std::filesystem::path& file : files) message += "\n  see " + file.string();
+    std::string message = printable(status.message());
+    for (const std::filesystem::path& file : options.files) {
+      message += "\n  see " + printable(shown(file));
+    }
     throw Error(static_cast<ExitCode>(status.exit_code()), message);
   }
   if (options.json) {
-    std::printf("%s\n", result_json(status, options.seconds, files).c_str());
+    std::printf("%s\n", result_json(status, options.seconds, options.files).c_str());
   } else {
-    std::fprintf(stderr, "%s", result_text(status, options.seconds, files).c_str());
+    const std::string text =
+        result_text(status, options.seconds, options.files, standard_error_has_colours());
+    std::fputs(text.c_str(), stderr);
   }
-  const double gate = number_or_zero(status, "min_dihedral_gate_deg");
-  const double smallest = number_or_zero(status, "min_dihedral_deg");
-  if (smallest >= gate) return ExitCode::ok;
-  std::fprintf(stderr,
-               "error: the smallest dihedral angle is %.3f deg, the job's gate is %.3f deg\n"
-               "help: the mesh is complete; look at it with `tetfarm quality`\n",
-               smallest, gate);
-  return ExitCode::gate;
+  bool is_passed = true;
+  for (const QualityGate& gate : quality_gates_of(status)) {
+    if (gate.is_passed()) continue;
+    is_passed = false;
+    std::fputs(gate_text(gate).c_str(), stderr);
+  }
+  return is_passed ? ExitCode::ok : ExitCode::gate;
 }
 
 }  // namespace tetfarm

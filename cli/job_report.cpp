@@ -9,8 +9,19 @@
 #include <string_view>
 #include <utility>
 
+#include "base/angle_text.h"
 #include "base/file_system.h"
+#include "base/printable_text.h"
+#include "base/utf8.h"
+#include "cli/coloured_text.h"
+#include "cli/counted.h"
+#include "cli/json_line.h"
+#include "cli/printable_reply.h"
 #include "cli/progress_display.h"
+#include "cli/quality_gates.h"
+#include "cli/running_report.h"
+#include "cli/surface_angles.h"
+#include "cli/text_table.h"
 #include "mesh/core/subdomain.h"
 #include "store/artifact_store.h"
 
@@ -18,6 +29,8 @@ namespace tetfarm {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_remark = 600;
 
 double number_of(const wire::JobStatus& status, const std::string& name) {
   const auto found = status.numbers().find(name);
@@ -35,9 +48,7 @@ std::array<double, 3> place_of(const wire::JobStatus& status, const std::string&
           number_of(status, what + "_z")};
 }
 
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string line_of(const Json& json) { return json_line(json); }
 
 /// The figures that assembly reports under names that begin with `whose`; null when there are none.
 Json shapes_json(const wire::JobStatus& status, const std::string& whose) {
@@ -82,6 +93,20 @@ std::vector<std::pair<std::string, std::string>> said_of_subdomains(const wire::
   return said;
 }
 
+/// A line for each of the first few, and one for all others.
+std::string subdomains_text(const wire::JobStatus& status, std::string_view mark,
+                            const std::string& what) {
+  constexpr std::size_t most_lines = 5;
+  const auto said = said_of_subdomains(status, mark);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most_lines, said.size()); ++i) {
+    text += "           sub-domain " + said[i].first + " " + what + said[i].second + "\n";
+  }
+  if (said.size() <= most_lines) return text;
+  return text + "           and " + std::to_string(said.size() - most_lines) +
+         " more like that (--json names them)\n";
+}
+
 Json said_json(const wire::JobStatus& status, std::string_view mark) {
   Json json = Json::object();
   for (const auto& [path, said] : said_of_subdomains(status, mark)) json[path] = said;
@@ -95,21 +120,70 @@ std::string format(const char* pattern, Arguments... arguments) {
   return text;
 }
 
-/// Where the smallest angle is and whether the surface is the cause; empty when it is a good one.
+std::string indented(const std::string& text) { return "           " + text + "\n"; }
+
+/// The range of all dihedral angles, in red where it ends within a degree of flat.
+std::string angles_text(const wire::JobStatus& status, bool is_coloured) {
+  constexpr double bad_deg = 1;
+  const double smallest = number_of(status, "min_dihedral_deg");
+  const double largest = number_of(status, "max_dihedral_deg");
+  const bool is_bad = smallest < bad_deg || largest > 180 - bad_deg;
+  return red("dihedral " + angle_text(smallest) + " to " + angle_text(largest) + " deg",
+             is_coloured && is_bad);
+}
+
+/// Where the smallest angle is, whether the surface is the cause, and what the rest is like; empty
+/// when it is a good one.
 std::string worst_text(const wire::JobStatus& status) {
   constexpr double good_deg = 20;
   const double smallest = number_of(status, "min_dihedral_deg");
   if (smallest >= good_deg) return "";
-  const auto worst = place_of(status, "worst");
-  std::string text = format("           worst %.2f deg at (%.6g, %.6g, %.6g)", smallest, worst[0],
-                            worst[1], worst[2]);
+  const auto place = [&status](const std::string& what) {
+    const auto at = place_of(status, what);
+    return format("(%.6g, %.6g, %.6g)", at[0], at[1], at[2]);
+  };
+  std::string worst = "worst " + angle_text(smallest) + " deg at " + place("worst");
   const double forced = number_of(status, "forced_dihedral_deg");
   if (forced < good_deg) {
-    const auto at = place_of(status, "forced");
-    text += format("; the surface forces at most %.2f deg, at (%.6g, %.6g, %.6g)", forced, at[0],
-                   at[1], at[2]);
+    worst += "; the surface forces at most " + angle_text(forced) + " deg, at " + place("forced");
   }
-  return text + "\n";
+  std::string text = indented(worst);
+  const double unforced = number_of(status, "unforced_min_dihedral_deg");
+  if (number_of(status, "unforced_elements") > 0 && unforced > smallest) {
+    text += indented("where the surface forces no small angles: dihedral from " +
+                     angle_text(unforced) + " deg, at " + place("unforced_worst"));
+  }
+  return text;
+}
+
+std::string near_cuts_text(const wire::JobStatus& status) {
+  if (!status.numbers().contains("near_cuts_elements")) return "";
+  return indented("near the cuts: dihedral from " +
+                  angle_text(number_of(status, "near_cuts_min_dihedral_deg")) +
+                  format(" deg, smallest height %.4g; elsewhere: from ",
+                         number_of(status, "near_cuts_smallest_height")) +
+                  angle_text(number_of(status, "away_from_cuts_min_dihedral_deg")) +
+                  format(" deg, %.4g", number_of(status, "away_from_cuts_smallest_height")));
+}
+
+/// Of the tets where the surface forces no small angles; null when there are none.
+Json unforced_json(const wire::JobStatus& status) {
+  if (number_of(status, "unforced_elements") == 0) return nullptr;
+  return {{"elements", static_cast<std::int64_t>(number_of(status, "unforced_elements"))},
+          {"min_dihedral_deg", number_of(status, "unforced_min_dihedral_deg")},
+          {"worst_at", place_of(status, "unforced_worst")}};
+}
+
+Json gates_json(const wire::JobStatus& status) {
+  Json json = Json::array();
+  for (const QualityGate& gate : quality_gates_of(status)) {
+    json.push_back({{"key", gate.key},
+                    {"limit_deg", gate.limit_deg},
+                    {"smallest_deg", gate.smallest_deg},
+                    {"at", gate.at},
+                    {"passed", gate.is_passed()}});
+  }
+  return json;
 }
 
 /// How evenly the work is spread, largest over mean, and what the assimilation came to.
@@ -194,6 +268,10 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   json["forced_dihedral_deg"] = number_of(status, "forced_dihedral_deg");
   json["forced_at"] = place_of(status, "forced");
   json["smallest_height"] = number_of(status, "smallest_height");
+  json["surface"] = surface_angles_json(surface_angles_of(status));
+  json["unforced"] = unforced_json(status);
+  json["gates"] = gates_json(status);
+  json["remarks"] = angle_remarks(surface_angles_of(status));
   json["near_cuts"] = shapes_json(status, "near_cuts_");
   json["away_from_cuts"] = shapes_json(status, "away_from_cuts_");
   json["regions"] = regions_json(status);
@@ -233,6 +311,9 @@ std::string status_json(const wire::JobStatus& status) {
                      {"subdomains_mended", status.leaves_mended()},
                      {"elements", status.elements()},
                      {"estimated_elements", status.estimated_elements()},
+                     {"expected_task_bytes", number_of(status, "forecast_bytes")},
+                     {"expected_disk_bytes", number_of(status, "forecast_disk_bytes")},
+                     {"expected_cpu_seconds", number_of(status, "forecast_seconds")},
                      {"tasks_done", status.tasks_done()},
                      {"tasks_ready", status.tasks_ready()},
                      {"tasks_running", status.tasks_running()},
@@ -240,6 +321,8 @@ std::string status_json(const wire::JobStatus& status) {
                      {"crashes", status.crashes()},
                      {"out_of_memory", status.starvings()},
                      {"quarantine", quarantine_json(status)},
+                     {"running", running_json(status)},
+                     {"elements_under_way", status.elements_under_way()},
                      {"peak_rss_bytes_worker", status.peak_rss_bytes_worker()},
                      {"seconds", status.seconds()},
                      {"balance", balance_json(status)},
@@ -249,40 +332,36 @@ std::string status_json(const wire::JobStatus& status) {
   return line_of(json);
 }
 
-std::string result_text(const wire::JobStatus& status, double seconds,
-                        const std::vector<std::filesystem::path>& files) {
-  std::string text = format(
-      "done       %s tets, %s nodes, %.0f sub-domains, dihedral %.2f to %.2f deg, "
-      "mean radius ratio %.3f   %s\n",
-      short_count(number_of(status, "elements")).c_str(),
-      short_count(number_of(status, "nodes")).c_str(), number_of(status, "subdomains"),
-      number_of(status, "min_dihedral_deg"), number_of(status, "max_dihedral_deg"),
-      number_of(status, "mean_radius_ratio"), clock_text(seconds).c_str());
+std::string result_text(const wire::JobStatus& said, double seconds,
+                        const std::vector<std::filesystem::path>& files, bool is_coloured) {
+  const wire::JobStatus status = printable_reply(said);
+  std::string text =
+      format("done       %s tets, %s nodes, %s, ",
+             short_count(number_of(status, "elements")).c_str(),
+             short_count(number_of(status, "nodes")).c_str(),
+             counted(static_cast<std::uint64_t>(number_of(status, "subdomains")), "sub-domain")
+                 .c_str()) +
+      angles_text(status, is_coloured) +
+      format(", mean radius ratio %.3f   %s\n", number_of(status, "mean_radius_ratio"),
+             clock_text(seconds).c_str());
   text += worst_text(status);
-  if (status.numbers().contains("near_cuts_elements")) {
-    text += format(
-        "           near the cuts: dihedral from %.2f deg, smallest height %.4g; "
-        "elsewhere: from %.2f deg, %.4g\n",
-        number_of(status, "near_cuts_min_dihedral_deg"),
-        number_of(status, "near_cuts_smallest_height"),
-        number_of(status, "away_from_cuts_min_dihedral_deg"),
-        number_of(status, "away_from_cuts_smallest_height"));
+  for (const std::string& remark : angle_remarks(surface_angles_of(status))) {
+    text += indented(harmless(remark, longest_remark));
   }
+  text += near_cuts_text(status);
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
-    text += "           " + text_of(status, region_prefix(i) + "name") +
-            format(": %s tets, dihedral from %.2f deg\n",
-                   short_count(number_of(status, region_prefix(i) + "elements")).c_str(),
-                   number_of(status, region_prefix(i) + "min_dihedral_deg"));
+    text += indented(text_of(status, region_prefix(i) + "name") + ": " +
+                     short_count(number_of(status, region_prefix(i) + "elements")) +
+                     " tets, dihedral from " +
+                     angle_text(number_of(status, region_prefix(i) + "min_dihedral_deg")) + " deg");
   }
-  for (const auto& [path, reason] : said_of_subdomains(status, "cut_further:")) {
-    text += "           sub-domain " + path + " was cut further than planned: " + reason + "\n";
-  }
-  for (const auto& [path, reason] : said_of_subdomains(status, "uncut:")) {
-    text += "           sub-domain " + path + " is larger than wanted: no cut, " + reason + "\n";
-  }
+  text += subdomains_text(status, "cut_further:", "was cut further than planned: ");
+  text += subdomains_text(status, "uncut:", "is larger than wanted: no cut, ");
   text += "           " + memory_text(status) + "\n";
   if (number_of(status, "subdomains") > 1) text += "           " + balance_text(status) + "\n";
-  for (const std::filesystem::path& file : files) text += "           " + file.string() + "\n";
+  for (const std::filesystem::path& file : files) {
+    text += "           " + printable(file.string()) + "\n";
+  }
   return text;
 }
 
@@ -298,28 +377,34 @@ std::string farm_json(const wire::StatusReply& reply) {
   const std::map<std::string, std::uint64_t> refused(reply.refused().begin(),
                                                      reply.refused().end());
   for (const auto& [kind, count] : refused) json["refused"][kind] = count;
+  if (!reply.trouble().empty()) json["trouble"] = reply.trouble();
   return line_of(json);
 }
 
-std::string status_text(const wire::StatusReply& reply) {
-  std::string text =
-      format("%u workers, %d jobs, %llu messages and handshakes refused\n", reply.workers(),
-             reply.jobs_size(), static_cast<unsigned long long>(reply.dropped_messages()));
+std::string status_text(const wire::StatusReply& said) {
+  const wire::StatusReply reply = printable_reply(said);
+  std::string text = counted(reply.workers(), "worker") + ", " +
+                     counted(static_cast<std::uint64_t>(reply.jobs_size()), "job") +
+                     format(", %llu messages and handshakes refused\n",
+                            static_cast<unsigned long long>(reply.dropped_messages()));
+  if (!reply.trouble().empty()) text += reply.trouble() + "\n";
   if (reply.security() == "insecure") {
     text += "INSECURE: whoever reaches this coordinator may submit, cancel and give results\n";
   }
   for (const wire::JobStatus& status : reply.jobs()) {
-    text += format("%-8s %-20s %-10s ", status.job().c_str(), status.name().substr(0, 60).c_str(),
-                   status.state().c_str()) +
+    text += format("%-8s %-20s %-10s ", status.job().c_str(),
+                   std::string(cut_utf8(status.name(), 60)).c_str(), status.state().c_str()) +
             progress_text(status, 0) + "\n";
+    const std::string forecast = status.state() == "running" ? forecast_text(status) : "";
+    if (!forecast.empty()) text += "         expected: " + forecast + "\n";
     if (status.leaves_made() > 1) text += "         " + balance_text(status) + "\n";
+    text += running_tasks_text(status);
     if (!status.message().empty()) text += "         " + status.message() + "\n";
     if (status.state() != "running") continue;  // its message names them
     for (const wire::TaskInQuarantine& task : status.quarantine()) {
-      text += format("         in quarantine: task %llu, %s %llu: ",
-                     static_cast<unsigned long long>(task.task()), task.kind().c_str(),
-                     static_cast<unsigned long long>(task.path())) +
-              task.reason() + "\n";
+      text += "         in quarantine: task " + std::to_string(task.task()) + ", " + task.kind() +
+              (task.path() == 0 ? "" : " " + TreePath{task.path()}.text()) + ": " + task.reason() +
+              "\n";
     }
   }
   for (const wire::HostInQuarantine& host : reply.hosts()) {
@@ -329,7 +414,8 @@ std::string status_text(const wire::StatusReply& reply) {
   return text;
 }
 
-std::string workers_text(const wire::StatusReply& reply) {
+std::string workers_text(const wire::StatusReply& said) {
+  const wire::StatusReply reply = printable_reply(said);
   std::string text;
   for (const wire::WorkerStatus& worker : reply.at_work()) {
     text += format("worker-%-6llu %s process %lld, %llu MiB",

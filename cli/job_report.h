@@ -19,9 +19,9 @@ std::string status_json(const wire::JobStatus& status);
 /// {"type":"farm", …}: the first line of `status --json` of all jobs.
 std::string farm_json(const wire::StatusReply& reply);
 
-/// The same for a person, with line ends.
+/// The same for a person, with line ends; angles that no solver likes in red.
 std::string result_text(const wire::JobStatus& status, double seconds,
-                        const std::vector<std::filesystem::path>& files);
+                        const std::vector<std::filesystem::path>& files, bool is_coloured = false);
 std::string status_text(const wire::StatusReply& reply);
 
 /// A line for each worker that is here.

@@ -1,27 +1,43 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <string>
 
+#include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "proto/authorized_keys.h"
 #include "proto/key_file.h"
+#include "proto/keys_folder.h"
 
 namespace tetfarm {
 namespace {
 
+constexpr std::size_t digits_of_a_key = 64;
+const std::string coordinator = "coordinator";
+
 std::filesystem::path list_of(const KeysCommand& command) {
-  const std::filesystem::path folder = command.folder.empty() ? "." : command.folder;
-  if (!size_of_file(public_key_path(folder, "coordinator"))) {
-    throw UsageError("is no coordinator's folder of keys: there is no coordinator.pub (see --keys)",
-                     folder.string());
+  const std::filesystem::path folder =
+      command.folder.empty() ? default_keys_folder() : std::filesystem::path(command.folder);
+  if (!size_of_file(public_key_path(folder, coordinator))) {
+    throw UsageError(
+        "there is no coordinator.pub in it; name the coordinator's folder of keys with --keys, or "
+        "make a key: tetfarm keys new coordinator",
+        folder.string());
   }
   return authorized_keys_path(folder);
 }
 
 void make_key(const KeysCommand& command) {
-  const std::filesystem::path folder = command.folder.empty() ? "." : command.folder;
+  const std::filesystem::path standard =
+      command.subject == coordinator ? default_keys_folder() : ".";
+  const std::filesystem::path folder =
+      command.folder.empty() ? standard : std::filesystem::path(command.folder);
   write_new_key(folder, command.subject);
+  if (const std::filesystem::path store = store_round(folder); !store.empty()) {
+    std::fprintf(stderr, "warning: %s is a store, which others can reach: keep keys elsewhere\n",
+                 store.c_str());
+  }
   std::printf("%s\n%s\n", secret_key_path(folder, command.subject).c_str(),
               public_key_path(folder, command.subject).c_str());
 }
@@ -29,6 +45,10 @@ void make_key(const KeysCommand& command) {
 void authorize_key(const KeysCommand& command) {
   AuthorizedPeer peer;
   const bool is_file = size_of_file(command.subject).has_value();
+  if (!is_file && command.subject.size() != digits_of_a_key) {
+    throw ErrorWithHelp(ExitCode::not_found, command.subject + ": there is no such file",
+                        "name a .pub file, or give the key's 64 hexadecimal digits");
+  }
   peer.key = is_file ? read_public_key(command.subject)
                      : public_key_of_hex(command.subject, command.subject);
   peer.role = role_of_name(command.role).value();

@@ -19,7 +19,9 @@ void add_folder(CLI::App& sub, KeysCommand& command, const char* what) {
   sub.add_option("--keys", command.folder, what)->envname("TETFARM_KEYS")->option_text("DIR");
 }
 
-constexpr const char* farm_folder = "The coordinator's folder of keys";
+constexpr const char* farm_folder =
+    "The coordinator's folder of keys (default: /etc/tetfarm/keys for root, tetfarm/keys in "
+    "$XDG_CONFIG_HOME or ~/.config for others)";
 
 }  // namespace
 
@@ -30,16 +32,16 @@ void add_keys(CLI::App& app, KeysCommand& keys, const std::function<void()>& cho
   using Action = KeysCommand::Action;
 
   CLI::App& make = add_action(all, "new", "Make a key: NAME.key, secret, and NAME.pub",
-                              "tetfarm keys new coordinator --keys /var/lib/tetfarm/keys",
-                              Action::make, keys, chosen);
+                              "tetfarm keys new coordinator", Action::make, keys, chosen);
   make.add_option("NAME", keys.subject, "Of the key's files; a coordinator's is \"coordinator\"")
       ->required();
-  add_folder(make, keys, "Where it goes (the current folder)");
+  add_folder(make, keys,
+             "Where it goes (default: the current folder; for \"coordinator\" /etc/tetfarm/keys "
+             "for root, tetfarm/keys in $XDG_CONFIG_HOME or ~/.config for others)");
 
-  CLI::App& authorize =
-      add_action(all, "authorize", "Let the holder of a key in; a running coordinator heeds it",
-                 "tetfarm keys authorize anna.pub --role submitter --keys /var/lib/tetfarm/keys",
-                 Action::authorize, keys, chosen);
+  CLI::App& authorize = add_action(
+      all, "authorize", "Let the holder of a key in; a running coordinator heeds it",
+      "tetfarm keys authorize anna.pub --role submitter", Action::authorize, keys, chosen);
   authorize.add_option("KEY", keys.subject, "A .pub file, or the key's 64 digits")->required();
   authorize.add_option("--role", keys.role, "What the holder may do")
       ->required()
@@ -50,8 +52,7 @@ void add_keys(CLI::App& app, KeysCommand& keys, const std::function<void()>& cho
   add_folder(authorize, keys, farm_folder);
 
   CLI::App& revoke = add_action(all, "revoke", "Shut a key out, at once",
-                                "tetfarm keys revoke anna --keys /var/lib/tetfarm/keys",
-                                Action::revoke, keys, chosen);
+                                "tetfarm keys revoke anna", Action::revoke, keys, chosen);
   revoke.add_option("NAME", keys.subject, "A name of the list, or a key's 64 digits")->required();
   add_folder(revoke, keys, farm_folder);
 

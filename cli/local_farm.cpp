@@ -22,6 +22,7 @@ constexpr std::int64_t short_life_ms = 2'000;
 constexpr std::int64_t first_pause_ms = 50;
 constexpr int most_short_lives = 6;
 constexpr std::int64_t coordinator_end_ms = 3'000;
+constexpr std::int64_t slowest_look_ms = 10;
 constexpr std::size_t kept_log = 4'000;
 
 std::string this_program() {
@@ -85,7 +86,7 @@ std::string last_error(const std::filesystem::path& log) {
 LocalFarm::LocalFarm(const FarmOptions& options) : options_(options) {
   folder_ = make_socket_folder();
   endpoint_ = "ipc://" + folder_.string() + "/farm";
-  workers_.resize(static_cast<std::size_t>(options.workers));
+  workers_.resize(static_cast<std::size_t>(options.first_workers));
   try {
     start(coordinator_, coordinator_command(), "coordinator.log");
     for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
@@ -182,10 +183,19 @@ void LocalFarm::look_after() {
   }
 }
 
+void LocalFarm::grow(std::size_t tasks) {
+  const std::size_t wanted = std::min(tasks, static_cast<std::size_t>(options_.workers));
+  while (workers_.size() < wanted) {
+    start(workers_.emplace_back(), worker_command(), "workers.log");
+  }
+}
+
 bool LocalFarm::wait_for_end(Member& member, std::int64_t until_ms, bool (*hurry)()) {
+  std::int64_t pause_ms = 1;
   while (member.process > 0 && !reap(member)) {
     if (steady_ms() >= until_ms || hurry()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    pause_ms = std::min(2 * pause_ms, slowest_look_ms);
   }
   return true;
 }

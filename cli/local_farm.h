@@ -20,13 +20,15 @@ namespace tetfarm {
 struct FarmOptions {
   std::filesystem::path store;
   std::filesystem::path database;  ///< "": the store
-  int workers = 1;
+  int workers = 1;                 ///< at most
+  int first_workers = 1;           ///< that start at once
   double grace_s = 5;
 };
 
 class LocalFarm {
  public:
-  /// Starts all processes. Call from the thread that outlives the farm. @throws IoError.
+  /// Starts the coordinator and the first workers. Call from the thread that outlives the farm.
+  /// @throws IoError.
   explicit LocalFarm(const FarmOptions& options);
   /// Kills what still runs.
   ~LocalFarm();
@@ -38,6 +40,9 @@ class LocalFarm {
   /// Starts again what has died. @throws Error with the coordinator's own words when it cannot
   /// start.
   void look_after();
+
+  /// Starts workers until there are as many as tasks, within the limit; none is ever let go.
+  void grow(std::size_t tasks);
 
   /// Lets running tasks finish within the grace time, then ends everything. `hurry` is asked now
   /// and then: true ends it at once.

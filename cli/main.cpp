@@ -1,31 +1,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/error_help.h"
 #include "cli/job_report.h"
+#include "cli/terminal.h"
 
 namespace tetfarm {
 namespace {
-
-const char* help_for(ExitCode code) {
-  switch (code) {
-    case ExitCode::usage:
-      return "see `tetfarm --help`, docs/job_file.md and docs/security.md";
-    case ExitCode::bad_geometry:
-      return "mend the input there; `tetfarm check` shows every defect of a surface";
-    case ExitCode::not_found:
-      return "check the name, and that the coordinator runs and can be reached";
-    case ExitCode::out_of_resources:
-      return "make room; the same command goes on from here";
-    default:
-      return "the logs lie in the store; the same command tries again";
-  }
-}
 
 /// Whether the command asked for JSON; looked up before it is parsed, as parsing may be what fails.
 bool wants_json(int argc, char** argv) {
@@ -33,16 +21,16 @@ bool wants_json(int argc, char** argv) {
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
-int complain(const std::string& message, ExitCode code, bool json) {
-  if (json) std::printf("%s\n", error_json(message, static_cast<int>(code)).c_str());
-  std::fprintf(stderr, "error: %s\nhelp: %s\n", message.c_str(), help_for(code));
-  return static_cast<int>(code);
+int complain(const Error& error, int argc, char** argv) {
+  const int code = static_cast<int>(error.code());
+  if (wants_json(argc, argv)) std::printf("%s\n", error_json(error.what(), code).c_str());
+  const std::string help = help_for(error, argc > 1 ? argv[1] : "");
+  std::fputs(complaint(error.what(), help).c_str(), stderr);
+  return code;
 }
 
 struct Execute {
-  ExitCode operator()(const NothingToDo& nothing) const {
-    return static_cast<ExitCode>(nothing.exit_code);
-  }
+  ExitCode operator()(const NothingToDo& /*nothing*/) const { return ExitCode::ok; }
   ExitCode operator()(const RunOptions& options) const { return run_command(options); }
   ExitCode operator()(const CheckOptions& options) const { return check_command(options); }
   ExitCode operator()(const GcCommand& command) const { return gc_command(command); }
@@ -83,14 +71,17 @@ struct Execute {
 
 int main(int argc, char** argv) {
   using namespace tetfarm;
-  const bool json = wants_json(argc, argv);
+  guard_terminal();
   try {
     return static_cast<int>(std::visit(Execute{}, parse_command_line(argc, argv)));
   } catch (const Error& error) {
-    return complain(error.what(), error.code(), json);
+    return complain(error, argc, argv);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory", ExitCode::out_of_resources, json);
+    return complain(Error(ExitCode::out_of_resources, "out of memory"), argc, argv);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().empty() ? "a path" : error.path1().string();
+    return complain(Error(ExitCode::failed, path + ": " + error.code().message()), argc, argv);
   } catch (const std::exception& error) {
-    return complain(error.what(), ExitCode::failed, json);
+    return complain(Error(ExitCode::failed, error.what()), argc, argv);
   }
 }

@@ -1,15 +1,23 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/mebibytes.h"
 #include "cli/commands.h"
 #include "cli/job_input.h"
+#include "cli/json_line.h"
 #include "cli/progress_display.h"
+#include "cli/seen_times.h"
+#include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/decomposition_plan.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/io/read_surface.h"
+#include "store/disk_room.h"
 #include "worker/inspect_task.h"
+#include "worker/job_domain.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -26,56 +34,75 @@ struct Plan {
   SubdomainSize root;
   std::int64_t groups = 0;
   bool across_cuts = true;
+  JobForecast forecast;
+  TaskTimes times;
 };
 
-SurfaceMesh domain_of(const JobInput& input, CheckedSurface checked) {
-  const OuterBoundary outer = outer_boundary_of(input.job);
-  if (outer.kind == OuterBoundary::Kind::none) return std::move(checked.surface);
-  return add_outer_boundary(checked.surface, outer, input.job.growth);
-}
-
 Plan make_plan(const JobInput& input) {
-  CheckedSurface checked =
+  const CheckedSurface checked =
       check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defect_message(checked.report.defects));
   }
-  const SurfaceMesh domain = domain_of(input, std::move(checked));
-  const SpacingField spacing = make_spacing_field(domain, spacing_options_of(input.job));
-  const Subdomain root = root_subdomain(domain);
+  const JobDomain domain = domain_of_job(input.job, checked.surface);
   Plan plan;
   plan.groups = input.job.groups;
   plan.across_cuts = input.job.across_cuts;
   plan.input_bytes = static_cast<double>(input.surface.size());
-  plan.root = {estimated_elements(root, spacing), static_cast<double>(root.triangles.size()),
-               static_cast<double>(spacing.to_bytes().size())};
+  plan.root = {domain.elements, static_cast<double>(domain.root.triangles.size()),
+               static_cast<double>(domain.spacing.to_bytes().size()),
+               static_cast<double>(needle_count(domain.root.vertices, domain.root.triangles))};
   require_room(input.job, plan.input_bytes, plan.root);
   const auto most_bytes = static_cast<double>(input.job.max_memory_bytes);
-  const std::int64_t parts =
-      most_bytes > 0 ? parts_for_memory(plan.root, most_bytes)
-                     : wanted_parts(input.job, plan.root.elements, region_count(domain));
+  const std::int64_t parts = parts_of_job(input.job, plan.root, region_count(domain.surface));
+  plan.forecast = forecast_of(input.job, plan.input_bytes, plan.root, static_cast<double>(parts));
   plan.tree = plan_decomposition(
-      root, spacing, parts, [&](double elements, double triangles, std::int64_t wanted) {
+      domain.root, domain.spacing, parts,
+      [&](double elements, double triangles, std::int64_t wanted) {
         if (most_bytes == 0) return wanted;
         return parts_for_memory({elements, triangles, plan.root.spacing_bytes}, most_bytes);
       });
   return plan;
 }
 
+/// Where the needles will be is not known: they are shared out by elements.
 SubdomainSize size_of_node(const Plan& plan, const PlannedSubdomain& node) {
-  return {node.elements, node.triangles, plan.root.spacing_bytes};
+  const double share = plan.root.elements > 0 ? node.elements / plan.root.elements : 1;
+  return {node.elements, node.triangles, plan.root.spacing_bytes, share * plan.root.needles};
 }
 
 /// What all tasks of a kind come to: their number, the largest memory, the sum of the seconds.
 struct KindCost {
+  const char* name = "";
   std::size_t count = 0;
-  TaskCost cost;
+  double bytes = 0;
+  SecondsRange seconds;
+};
+
+/// The kinds in the order in which they come.
+class Costs {
+ public:
+  explicit Costs(const TaskTimes& times) : times_(times) {}
 
   void add(const TaskCost& task) {
-    ++count;
-    cost.bytes = std::max(cost.bytes, task.bytes);
-    cost.seconds += task.seconds;
+    KindCost& kind = kinds_.at(static_cast<std::size_t>(task.kind));
+    kind.name = name_of(task.kind);
+    ++kind.count;
+    kind.bytes = std::max(kind.bytes, task.bytes);
+    kind.seconds += times_.seconds(task.kind, task.size);
   }
+
+  std::vector<KindCost> of_kinds() const {
+    std::vector<KindCost> result;
+    for (const KindCost& kind : kinds_) {
+      if (kind.count > 0) result.push_back(kind);
+    }
+    return result;
+  }
+
+ private:
+  const TaskTimes& times_;
+  std::array<KindCost, static_cast<std::size_t>(TaskKind::assemble) + 1> kinds_;
 };
 
 std::vector<SubdomainSize> leaves_of_tree(const Plan& plan) {
@@ -97,53 +124,61 @@ std::vector<SubdomainSize> joined(const Plan& plan, const std::vector<SubdomainS
   const auto groups = static_cast<double>(plan.groups);
   const double in_group = std::max(1.0, static_cast<double>(leaves.size()) / groups);
   const double triangles = sum_of_triangles(leaves) / groups / std::cbrt(in_group);
-  const SubdomainSize group{plan.root.elements / groups, triangles, plan.root.spacing_bytes};
+  const SubdomainSize group{plan.root.elements / groups, triangles, plan.root.spacing_bytes,
+                            plan.root.needles / groups};
   return std::vector<SubdomainSize>(static_cast<std::size_t>(plan.groups), group);
 }
 
-using KindCosts = std::vector<std::pair<const char*, KindCost>>;
+/// The turn of a leaf; its memory is a bound, its seconds go by the elements that are expected near
+/// the triangles of its cuts.
+TaskCost turn_cost(const SubdomainSize& leaf, double cut_triangles) {
+  constexpr double elements_near_triangle = 16;
+  TaskCost cost = cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes);
+  cost.size.elements = std::min(cost.size.elements, elements_near_triangle * cut_triangles);
+  return cost;
+}
 
-/// In the order in which the kinds of tasks come.
-KindCosts cost_of_kinds(const Plan& plan) {
-  KindCost inspect;
-  KindCost decompose;
-  KindCost assimilate;
-  KindCost mesh;
-  KindCost order;
-  KindCost extract;
-  KindCost cosmetic;
-  KindCost number;
-  KindCost write;
-  KindCost assemble;
-  inspect.add(inspect_cost(plan.input_bytes, plan.root.triangles, plan.root.spacing_bytes));
+/// The tasks on leaves, of which there are as many as leaves.
+void add_leaves(const Plan& plan, const std::vector<SubdomainSize>& leaves, Costs& costs) {
+  const bool has_turns = plan.across_cuts && leaves.size() > 1;
+  const double all_triangles = sum_of_triangles(leaves);
+  if (has_turns) costs.add(order_cost(all_triangles));
+  const double cut_triangles =
+      std::max(0.0, all_triangles - plan.root.triangles) / static_cast<double>(leaves.size());
+  for (const SubdomainSize& leaf : leaves) {
+    costs.add(mesh_cost(leaf));
+    costs.add(write_cost(plan.root.triangles, leaf.elements));
+    if (!has_turns) continue;
+    costs.add(extract_cost(leaf.elements, leaf.triangles));
+    costs.add(turn_cost(leaf, cut_triangles));
+  }
+}
+
+std::vector<KindCost> cost_of_kinds(const Plan& plan) {
+  Costs costs(plan.times);
+  costs.add(inspect_cost(plan.input_bytes, plan.root));
   for (const PlannedSubdomain& node : plan.tree) {
-    if (node.parts > 1) decompose.add(decompose_cost(size_of_node(plan, node)));
+    if (node.parts > 1) costs.add(decompose_cost(size_of_node(plan, node)));
   }
   std::vector<SubdomainSize> leaves = leaves_of_tree(plan);
   if (plan.groups > 0) {
     const double triangles = sum_of_triangles(leaves);
     leaves = joined(plan, leaves);
-    assimilate.add(assimilate_cost(triangles, leaves.front().triangles));
+    costs.add(assimilate_cost(triangles, leaves.front().triangles));
   }
-  const bool has_turns = plan.across_cuts && leaves.size() > 1;
-  if (has_turns) order.add(order_cost(sum_of_triangles(leaves)));
-  SubdomainSize largest;
-  for (const SubdomainSize& leaf : leaves) {
-    mesh.add(mesh_cost(leaf));
-    write.add(write_cost(plan.root.triangles, leaf.elements));
-    if (leaf.elements > largest.elements) largest = leaf;
-    if (!has_turns) continue;
-    extract.add(extract_cost(leaf.elements, leaf.triangles));
-    cosmetic.add(cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes));
-  }
-  number.add(number_cost(plan.root.triangles));
-  assemble.add(assemble_cost(plan.root.triangles, plan.root.elements, largest));
-  KindCosts all = {{"inspect", inspect},   {"decompose", decompose}, {"assimilate", assimilate},
-                   {"mesh", mesh},         {"order", order},         {"extract", extract},
-                   {"cosmetic", cosmetic}, {"number", number},       {"write", write},
-                   {"assemble", assemble}};
-  std::erase_if(all, [](const auto& kind) { return kind.second.count == 0; });
-  return all;
+  add_leaves(plan, leaves, costs);
+  const auto largest = std::max_element(
+      leaves.begin(), leaves.end(),
+      [](const SubdomainSize& a, const SubdomainSize& b) { return a.elements < b.elements; });
+  costs.add(number_cost(plan.root.triangles));
+  costs.add(assemble_cost(plan.root.triangles, plan.root.elements, *largest));
+  return costs.of_kinds();
+}
+
+SecondsRange sum_of(const std::vector<KindCost>& kinds) {
+  SecondsRange sum;
+  for (const KindCost& kind : kinds) sum += kind.seconds;
+  return sum;
 }
 
 TaskCost cost_of_node(const Plan& plan, const PlannedSubdomain& node) {
@@ -151,31 +186,43 @@ TaskCost cost_of_node(const Plan& plan, const PlannedSubdomain& node) {
   return node.parts > 1 ? decompose_cost(size) : mesh_cost(size);
 }
 
+void put(const SecondsRange& seconds, Json& json) {
+  json["seconds"] = seconds.expected;
+  json["seconds_low"] = seconds.low;
+  json["seconds_high"] = seconds.high;
+}
+
 void print_json(const JobInput& input, const Plan& plan) {
   Json json = {{"type", "plan"},
                {"name", input.job.name},
                {"estimated_elements", plan.root.elements},
+               {"disk_bytes", plan.forecast.disk_bytes},
+               {"surface_triangles", plan.root.triangles},
+               {"needles", plan.root.needles},
                {"groups", plan.groups},
-               {"max_memory_bytes", input.job.max_memory_bytes},
-               {"subdomains", Json::array()},
-               {"tasks", Json::object()}};
+               {"max_memory_bytes", input.job.max_memory_bytes}};
+  const std::vector<KindCost> kinds = cost_of_kinds(plan);
+  put(sum_of(kinds), json);
+  json["learnt_from_tasks"] = plan.times.learnt();
+  json["subdomains"] = Json::array();
   for (const PlannedSubdomain& node : plan.tree) {
     const TaskCost cost = cost_of_node(plan, node);
     json["subdomains"].push_back({{"path", node.path.text()},
                                   {"parts", node.parts},
                                   {"elements", node.elements},
                                   {"triangles", node.triangles},
-                                  {"bytes", cost.bytes},
-                                  {"seconds", cost.seconds}});
+                                  {"bytes", cost.bytes}});
+    put(plan.times.seconds(cost.kind, cost.size), json["subdomains"].back());
   }
-  for (const auto& [kind, total] : cost_of_kinds(plan)) {
-    json["tasks"][kind] = {
-        {"count", total.count}, {"bytes", total.cost.bytes}, {"seconds", total.cost.seconds}};
+  json["tasks"] = Json::object();
+  for (const KindCost& kind : kinds) {
+    json["tasks"][kind.name] = {{"count", kind.count}, {"bytes", kind.bytes}};
+    put(kind.seconds, json["tasks"][kind.name]);
   }
-  std::printf("%s\n", json.dump().c_str());
+  std::printf("%s\n", json_line(json).c_str());
 }
 
-void print_text(const Plan& plan) {
+void print_tree(const Plan& plan) {
   std::printf("%-32s %-10s %10s %10s %9s %8s\n", "sub-domain", "task", "elements", "triangles",
               "MB", "seconds");
   std::size_t lines = 0;
@@ -190,29 +237,61 @@ void print_text(const Plan& plan) {
     const char* leaf_task = plan.groups > 0 ? "assimilate" : "mesh";
     std::printf("%-32s %-10s %10s %10s %9.0f %8.2f\n", name.c_str(),
                 node.parts > 1 ? "decompose" : leaf_task, short_count(node.elements).c_str(),
-                short_count(node.triangles).c_str(), cost.bytes / 1e6, cost.seconds);
+                short_count(node.triangles).c_str(), cost.bytes / 1e6,
+                plan.times.seconds(cost.kind, cost.size).expected);
   }
-  std::printf("\n%-12s %8s %16s %12s\n", "tasks", "number", "MB, at most", "seconds");
-  double seconds = 0;
-  for (const auto& [kind, total] : cost_of_kinds(plan)) {
-    seconds += total.cost.seconds;
-    std::printf("%-12s %8zu %16.0f %12.2f\n", kind, total.count, total.cost.bytes / 1e6,
-                total.cost.seconds);
+}
+
+void print_text(const Plan& plan, const std::string& store) {
+  print_tree(plan);
+  std::printf("\n%-12s %8s %16s %12s   %s\n", "tasks", "number", "MB, at most", "seconds", "range");
+  const std::vector<KindCost> kinds = cost_of_kinds(plan);
+  for (const KindCost& kind : kinds) {
+    std::printf("%-12s %8zu %16.0f %12.2f   %s\n", kind.name, kind.count, kind.bytes / 1e6,
+                kind.seconds.expected, range_text(kind.seconds.low, kind.seconds.high).c_str());
   }
-  std::printf("\nabout %s elements, %.1f s of one core\n", short_count(plan.root.elements).c_str(),
-              seconds);
+  const SecondsRange sum = sum_of(kinds);
+  JobForecast forecast = plan.forecast;
+  forecast.seconds = sum.expected;
+  std::printf("\n%s\n%s of one core, most likely %s\n", forecast_text(forecast).c_str(),
+              range_text(sum.low, sum.high).c_str(),
+              range_text(sum.expected, sum.expected).c_str());
+  if (plan.root.needles > 0) {
+    std::printf(
+        "%.0f of the surface's %.0f triangles have an angle below %g deg, which may take "
+        "most of the time\n",
+        plan.root.needles, plan.root.triangles, needle_deg);
+  }
+  if (store.empty()) {
+    std::printf(
+        "times are those of other surfaces on another machine; with --store DIR they are "
+        "learnt from what a store, or the folder of a run, has seen\n");
+  } else {
+    std::printf("times learnt from %zu tasks of %s\n", plan.times.learnt(), store.c_str());
+  }
+}
+
+/// It need not be run here: nothing is refused.
+void warn_of_small_disk(const Plan& plan, const std::string& output) {
+  const DiskRoom room = disk_room(std::filesystem::absolute(output));
+  if (room.has(static_cast<std::uint64_t>(std::min(plan.forecast.disk_bytes, 1e18)))) return;
+  std::fprintf(stderr, "warning: the disk here has only %s free\n",
+               mebibytes(room.free_bytes).c_str());
 }
 
 }  // namespace
 
 ExitCode plan_command(const PlanCommand& command) {
   const JobInput input = read_job(command.job);
-  const Plan plan = make_plan(input);
+  TaskTimes times = times_seen_in(command.job.store, command.job.database);
+  Plan plan = make_plan(input);
+  plan.times = std::move(times);
   if (command.job.json) {
     print_json(input, plan);
   } else {
-    print_text(plan);
+    print_text(plan, command.job.store);
   }
+  warn_of_small_disk(plan, command.job.output);
   return ExitCode::ok;
 }
 

@@ -14,10 +14,12 @@
 #include <thread>
 
 #include "base/clock.h"
+#include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
+#include "coordinator/log_lines.h"
 #include "pool/run_command.h"
 
 namespace tetfarm {
@@ -79,6 +81,17 @@ PoolSettings settings_of(const PoolCommand& command, const PoolRules& rules) {
   settings.options = command.options;
   settings.hosts = command.hosts;
   return settings;
+}
+
+/// A farm that wants a key of the pool wants one of each worker, too.
+void require_worker_key(const PoolCommand& command) {
+  if (command.keys.own.empty() || !command.worker_key.empty() || command.stop) return;
+  throw ErrorWithHelp(
+      ExitCode::usage,
+      "--worker-key: is missing; the farm has keys (--key), and without one of their "
+      "own its workers would be turned away",
+      "`tetfarm keys new worker`, `tetfarm keys authorize worker.pub --role worker "
+      "--keys DIR`, then --worker-key worker.key");
 }
 
 /// One pool of a name on a machine: two would submit twice as much. Held until this process ends.
@@ -252,6 +265,7 @@ void wait_between_looks(double seconds) {
 }  // namespace
 
 ExitCode pool_command(const PoolCommand& command) {
+  require_worker_key(command);
   const PoolRules rules = rules_of(command);
   const auto system = make_batch_system(command.system, settings_of(command, rules));
   if (command.dry_run) {
@@ -259,6 +273,7 @@ ExitCode pool_command(const PoolCommand& command) {
     return ExitCode::ok;
   }
   spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
+  spdlog::set_formatter(one_line_formatter());
   if (command.system != "ssh") make_folders(absolute_unless_empty(command.logs));
   const OnlyOne only_one(rules.name);
   std::signal(SIGINT, ask_to_end);

@@ -1,5 +1,7 @@
 #include "cli/pool_command_line.h"
 
+#include "cli/option_checks.h"
+
 namespace tetfarm {
 namespace {
 
@@ -50,10 +52,10 @@ void add_workers(CLI::App& sub, PoolCommand& pool) {
             return std::string();
           },
           "", ""))
-      ->check(CLI::PositiveNumber)
+      ->check(counting_number())
       ->option_text("H:MM:SS");
   sub.add_option("--grace", pool.grace_s, "To finish a task in, before a worker is ended (60)")
-      ->check(CLI::Range(0, 86'400))
+      ->check(whole_number(0, 86'400))
       ->option_text("SECONDS");
   sub.add_option("--option", pool.options,
                  "A line for the script (\"--partition=mesh\", \"-q long\") or the submit "
@@ -66,20 +68,20 @@ void add_workers(CLI::App& sub, PoolCommand& pool) {
 
 void add_limits(CLI::App& sub, PoolCommand& pool) {
   sub.add_option("--min", pool.min, "Workers to keep without work (0)")
-      ->check(CLI::Range(0, 100'000))
+      ->check(whole_number(0, 100'000))
       ->option_text("N");
   sub.add_option("--max", pool.max, "Jobs at the batch system at most")
       ->required()
-      ->check(CLI::Range(1, 100'000))
+      ->check(whole_number(1, 100'000))
       ->option_text("N");
   sub.add_option("--idle", pool.idle_s, "Without work so long, a worker is let go (120)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative_number())
       ->option_text("SECONDS");
   sub.add_option("--interval", pool.interval_s, "Between looks (5)")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_between(0.1, 3600.0))
       ->option_text("SECONDS");
   sub.add_option("--rate", pool.rate, "Jobs to submit in a minute, at most (60)")
-      ->check(CLI::Range(1, 100'000))
+      ->check(whole_number(1, 100'000))
       ->option_text("N");
 }
 

@@ -6,12 +6,20 @@
 #include <cstdio>
 
 #include "base/clock.h"
+#include "base/printable_text.h"
+#include "base/utf8.h"
+#include "cli/terminal.h"
+#include "proto/doing.h"
+#include "worker/job_forecast.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int64_t between_lines_ms = 5'000;
-constexpr int bar_width = 24;
+constexpr std::int64_t between_task_stages_ms = 1'000;
+constexpr std::size_t longest_bar = 24;
+constexpr std::size_t shortest_bar = 4;
+constexpr const char* erase_line = "\r\033[K";
 
 template <class... Arguments>
 std::string format(const char* pattern, Arguments... arguments) {
@@ -20,16 +28,22 @@ std::string format(const char* pattern, Arguments... arguments) {
   return text;
 }
 
-double share_done(const wire::JobStatus& status) {
-  if (status.stage() == "mesh" && status.estimated_elements() > 0) {
-    return std::min(1.0, static_cast<double>(status.elements()) / status.estimated_elements());
-  }
-  const bool is_mending =
+double share_done(const wire::JobStatus& status, const MeshingRate& rate) {
+  if (status.stage() == "mesh") return rate.share();
+  const bool is_improving =
       status.stage() == "order" || status.stage() == "extract" || status.stage() == "cosmetic";
-  if (is_mending || status.stage() == "number" || status.stage() == "write" ||
+  if (is_improving || status.stage() == "number" || status.stage() == "write" ||
       status.stage() == "assemble")
     return 1;
   return 0;
+}
+
+/// The longest running one that has said something; null when none has.
+const wire::RunningTask* task_to_show(const wire::JobStatus& status) {
+  for (const wire::RunningTask& task : status.running()) {
+    if (task.has_doing()) return &task;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -47,17 +61,17 @@ std::string clock_text(double seconds) {
   return format("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string progress_text(const wire::JobStatus& status, double tets_per_second) {
-  std::string text = format("%-10s", status.stage().c_str());
+std::string progress_text(const wire::JobStatus& status, double tets_per_second, bool says_rate) {
+  std::string text = format("%-10s", printable(status.stage()).c_str());
   if (status.leaves_made() > 0) {
     text += format(" %u/%u sub-domains", status.leaves_meshed(), status.leaves_made());
   }
-  if (status.leaves_mended() > 0) text += format("  %u mended", status.leaves_mended());
+  if (status.leaves_mended() > 0) text += format("  %u improved at cuts", status.leaves_mended());
   if (status.elements() > 0) {
     text += "  " + short_count(static_cast<double>(status.elements())) + " tets";
   }
-  if (tets_per_second > 0) text += "  " + short_count(tets_per_second) + " tets/s";
-  const double left = status.estimated_elements() - static_cast<double>(status.elements());
+  if (says_rate && tets_per_second > 0) text += "  " + short_count(tets_per_second) + " tets/s";
+  const double left = status.estimated_elements() - made_elements(status);
   if (status.stage() == "mesh" && tets_per_second > 0 && left > 0) {
     text += "  eta " + clock_text(left / tets_per_second);
   }
@@ -67,37 +81,98 @@ std::string progress_text(const wire::JobStatus& status, double tets_per_second)
   return text;
 }
 
+std::string running_text(const wire::JobStatus& status) {
+  const wire::RunningTask* task = task_to_show(status);
+  if (task == nullptr) return {};
+  std::string text = task->kind() == status.stage() ? "" : printable(task->kind()) + " ";
+  text += printable(doing_text(task->doing()));
+  if (status.tasks_running() <= 1) return text;
+  const std::uint64_t others = status.tasks_running() - 1;
+  return text + " (+" + std::to_string(others) + (others == 1 ? " task)" : " tasks)");
+}
+
+std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns) {
+  // The last column stays free: a line that wraps could not be erased.
+  const std::size_t room = columns == 0                 ? std::string::npos
+                           : columns > shortest_bar + 2 ? columns - shortest_bar - 2
+                                                        : 1;
+  const auto fits = [room](const std::string& text) { return text.size() <= room; };
+  const auto found = std::find_if(texts.begin(), texts.end(), fits);
+  const std::string text(found == texts.end() ? cut_utf8(texts.back(), room) : *found);
+  const std::size_t bar = shortest_bar + std::min(longest_bar - shortest_bar, room - text.size());
+  const auto full = static_cast<std::size_t>(share * static_cast<double>(bar));
+  std::string line;
+  for (std::size_t i = 0; i < bar; ++i) line += i < full ? "█" : "─";
+  return line + " " + text;
+}
+
+std::string forecast_text(const wire::JobStatus& status) {
+  const auto& numbers = status.numbers();
+  if (!numbers.contains("forecast_seconds")) return "";
+  const auto number = [&numbers](const char* name) {
+    const auto found = numbers.find(name);
+    return found == numbers.end() ? 0 : found->second;
+  };
+  return forecast_text({.elements = status.estimated_elements(),
+                        .subdomains = number("parts"),
+                        .task_bytes = number("forecast_bytes"),
+                        .disk_bytes = number("forecast_disk_bytes"),
+                        .seconds = number("forecast_seconds")});
+}
+
 ProgressDisplay::ProgressDisplay(ProgressStyle style)
     : style_(style), is_bar_(style == ProgressStyle::automatic && ::isatty(STDERR_FILENO) == 1) {}
 
 void ProgressDisplay::show(const wire::JobStatus& status) {
   if (style_ == ProgressStyle::none) return;
+  show_forecast(status);
   const std::int64_t now = steady_ms();
-  if (first_ms_ == 0) {
-    first_ms_ = now;
-    first_elements_ = status.elements();
-  }
-  const double seconds = static_cast<double>(now - first_ms_) / 1000;
-  const double made = static_cast<double>(status.elements() - first_elements_);
-  const std::string text = progress_text(status, seconds > 0 ? std::max(0.0, made / seconds) : 0);
-  if (is_bar_) return draw_bar(status, text);
-  if (status.stage() == last_stage_ && now - last_line_ms_ < between_lines_ms) return;
+  rate_.note(status, now);
+  const std::string running = running_text(status);
+  if (is_bar_) return draw_bar(status, running.empty() ? "" : "  " + running);
+  if (!is_line_due(status, now)) return;
   last_stage_ = status.stage();
+  const wire::RunningTask* task = task_to_show(status);
+  last_running_ = task == nullptr ? wire::RunningTask() : *task;
   last_line_ms_ = now;
-  std::fprintf(stderr, "%s\n", text.c_str());
+  const std::string text = progress_text(status, rate_.tets_per_second());
+  std::fprintf(stderr, "%s%s%s\n", text.c_str(), running.empty() ? "" : "  ", running.c_str());
 }
 
-void ProgressDisplay::draw_bar(const wire::JobStatus& status, const std::string& text) {
-  const int full = static_cast<int>(share_done(status) * bar_width);
-  std::string bar;
-  for (int i = 0; i < bar_width; ++i) bar += i < full ? "█" : "─";
-  std::fprintf(stderr, "\r\033[K%s %s", bar.c_str(), text.c_str());
+/// At once with each stage of the job, sooner than otherwise with each of the task that is shown.
+bool ProgressDisplay::is_line_due(const wire::JobStatus& status, std::int64_t now_ms) const {
+  const std::int64_t since_ms = now_ms - last_line_ms_;
+  if (status.stage() != last_stage_ || since_ms >= between_lines_ms) return true;
+  const wire::RunningTask* running = task_to_show(status);
+  if (running == nullptr || since_ms < between_task_stages_ms) return false;
+  const bool shows_another =
+      last_running_.attempt() != 0 && running->attempt() != last_running_.attempt();
+  return !shows_another && running->doing().stage() != last_running_.doing().stage();
+}
+
+void ProgressDisplay::show_forecast(const wire::JobStatus& status) {
+  if (style_ == ProgressStyle::none || told_forecast_) return;
+  const std::string text = forecast_text(status);
+  if (text.empty()) return;
+  end();
+  std::fprintf(stderr, "expected   %s\n", text.c_str());
+  told_forecast_ = true;
+}
+
+void ProgressDisplay::draw_bar(const wire::JobStatus& status, const std::string& running) {
+  const double rate = rate_.tets_per_second();
+  const std::string line = bar_line(
+      share_done(status, rate_),
+      {progress_text(status, rate) + running, progress_text(status, rate, false) + running},
+      terminal_columns(stderr));
+  steer_terminal(stderr, erase_line);
+  std::fprintf(stderr, "%s", line.c_str());
   std::fflush(stderr);
   bar_is_drawn_ = true;
 }
 
 void ProgressDisplay::end() {
-  if (bar_is_drawn_) std::fprintf(stderr, "\r\033[K");
+  if (bar_is_drawn_) steer_terminal(stderr, erase_line);
   bar_is_drawn_ = false;
 }
 

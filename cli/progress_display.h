@@ -4,14 +4,28 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.h"
+#include "cli/meshing_rate.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
 
-/// "mesh       41/63 sub-domains  212.4M tets  3.1M tets/s  eta 01:12"
-std::string progress_text(const wire::JobStatus& status, double tets_per_second);
+/// "mesh       41/63 sub-domains  212.4M tets  3.1M tets/s  eta 01:12"; the rate may be left out.
+std::string progress_text(const wire::JobStatus& status, double tets_per_second,
+                          bool says_rate = true);
+
+/// What the task that runs longest does, and how many others run: "recovery pass 3: 312 of 1,204
+/// edges (+2 tasks)"; "" when nothing is known of any.
+std::string running_text(const wire::JobStatus& status);
+
+/// A bar with the first of the texts that has room on a line of so many columns (0: not known)
+/// beside a bar of 4 at least; the last one is cut where none has.
+std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns);
+
+/// What the job will come to, as worker/job_forecast.h words it; "" while that is not known.
+std::string forecast_text(const wire::JobStatus& status);
 
 /// "12", "1.3k", "212.4M".
 std::string short_count(double count);
@@ -23,19 +37,24 @@ class ProgressDisplay {
  public:
   explicit ProgressDisplay(ProgressStyle style);
   void show(const wire::JobStatus& status);
+  /// What the job comes to, once, as soon as it is known; also of a job that ended before anything
+  /// was shown.
+  void show_forecast(const wire::JobStatus& status);
   /// Clears the bar, so that other lines may follow.
   void end();
 
  private:
-  void draw_bar(const wire::JobStatus& status, const std::string& text);
+  void draw_bar(const wire::JobStatus& status, const std::string& running);
+  bool is_line_due(const wire::JobStatus& status, std::int64_t now_ms) const;
 
   ProgressStyle style_;
   bool is_bar_;
   bool bar_is_drawn_ = false;
+  bool told_forecast_ = false;
   std::string last_stage_;
+  wire::RunningTask last_running_;
   std::int64_t last_line_ms_ = 0;
-  std::int64_t first_ms_ = 0;
-  std::uint64_t first_elements_ = 0;
+  MeshingRate rate_;
 };
 
 }  // namespace tetfarm

@@ -4,9 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/angle_text.h"
 #include "base/large_blocks.h"
 #include "cli/commands.h"
 #include "cli/figures_report.h"
+#include "cli/json_line.h"
+#include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "cli/run_folder.h"
 #include "mesh/check/mesh_check.h"
@@ -137,8 +140,8 @@ std::string forced_text(const ForcedDihedral& forced) {
   if (forced.at_most_deg >= worth_saying_deg) return "";
   char text[200];
   std::snprintf(text, sizeof text,
-                "                the surface forces at most %.3f deg, at (%.6g, %.6g, %.6g)\n",
-                forced.at_most_deg, forced.at.x, forced.at.y, forced.at.z);
+                "                the surface forces at most %s deg, at (%.6g, %.6g, %.6g)\n",
+                angle_text(forced.at_most_deg, 3).c_str(), forced.at.x, forced.at.y, forced.at.z);
   return text;
 }
 
@@ -150,8 +153,9 @@ void print_report(const Report& report) {
               static_cast<long long>(figures.boundary_triangles));
   std::printf("sub-domains     %zu\nvolume          %.12g, enclosed %.12g\n",
               subdomains_of(figures), report.check.volume, report.check.enclosed_volume);
-  std::printf("dihedral        %.3f to %.3f deg; worst at (%.6g, %.6g, %.6g)\n",
-              shapes.min_dihedral_deg, shapes.max_dihedral_deg, shapes.worst_centroid.x,
+  std::printf("dihedral        %s to %s deg; worst at (%.6g, %.6g, %.6g)\n",
+              angle_text(shapes.min_dihedral_deg, 3).c_str(),
+              angle_text(shapes.max_dihedral_deg, 3).c_str(), shapes.worst_centroid.x,
               shapes.worst_centroid.y, shapes.worst_centroid.z);
   std::fputs(forced_text(report.check.forced).c_str(), stdout);
   std::printf(
@@ -176,12 +180,13 @@ MeshCheckOptions check_options(const QualityOptions& options) {
 }
 
 /// With lengths over the spacing where the run is known that made the mesh.
-Report report_of(const QualityOptions& options, const std::filesystem::path& file) {
-  const MeshCheckOptions check_as = check_options(options);
-  std::unique_ptr<MeshSource> source = open_mesh(file, check_as.folder);
+Report report_of(const QualityOptions& options, const MeshCheckOptions& check_as,
+                 const MeshInput& mesh) {
+  std::unique_ptr<MeshSource> source = open_mesh(mesh, check_as.folder);
   if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
-  const std::optional<SpacingField> spacing =
-      spacing_beside(options.run.empty() ? file : mesh_file(options.run));
+  const std::optional<SpacingField> spacing = options.run.empty()
+                                                  ? spacing_of(mesh, options.source)
+                                                  : spacing_beside(mesh_file(options.run));
   SpacingAt spacing_at;
   if (spacing) spacing_at = [&spacing](const Vec3& p) { return spacing->at(p); };
   MeshCheck check(*source, check_as);
@@ -213,18 +218,19 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
 
 ExitCode quality_command(const QualityOptions& options) {
   keep_freed_memory();
-  const std::filesystem::path file = mesh_file(options.input);
-  const Report report = report_of(options, file);
+  const MeshCheckOptions check_as = check_options(options);
+  const MeshInput mesh = find_mesh(options.input, options.source, check_as.folder);
+  const Report report = report_of(options, check_as, mesh);
   if (options.json) {
-    Json json = report_json(report, file.string());
+    Json json = report_json(report, mesh.name);
     if (report.is_valid()) json.update(figures_json(report.figures));
-    std::printf("%s\n", json.dump().c_str());
+    std::printf("%s\n", json_line(json).c_str());
   } else {
     print_report(report);
     if (report.is_valid()) std::fputs(figures_text(report.figures).c_str(), stdout);
   }
   if (report.is_valid()) return ExitCode::ok;
-  std::string message = file.string() + ": not a valid mesh";
+  std::string message = mesh.name + ": not a valid mesh";
   for (const std::string& complaint : report.check.complaints) message += "\n  " + complaint;
   throw Error(ExitCode::gate, message);
 }

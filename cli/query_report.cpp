@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
+#include "cli/json_line.h"
+#include "cli/printable_reply.h"
 #include "cli/progress_display.h"
+#include "cli/running_report.h"
 #include "cli/text_table.h"
 #include "mesh/core/subdomain.h"
 
@@ -15,9 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string line_of(const Json& json) { return json_line(json); }
 
 std::string worker_name(std::uint64_t worker) {
   return worker == 0 ? "" : "worker-" + std::to_string(worker);
@@ -33,6 +34,14 @@ std::string seconds_text(double seconds) {
 
 std::string mebibytes(std::uint64_t bytes) {
   return bytes == 0 ? "" : std::to_string(bytes >> 20U) + " MiB";
+}
+
+/// A task's state in a word for people: programs read "leased".
+std::string state_text(const std::string& state) { return state == "leased" ? "running" : state; }
+
+/// "3.1 s and 20 MiB"; memory that is not known is left out.
+std::string cost_text(double seconds, std::uint64_t bytes) {
+  return seconds_text(seconds) + " s" + (bytes == 0 ? "" : " and " + mebibytes(bytes));
 }
 
 std::string tries_text(const wire::TaskLine& task) {
@@ -52,29 +61,31 @@ double seconds_of(const wire::AttemptLine& attempt) {
 }
 
 Json json_of(const wire::TaskLine& task) {
-  return {{"type", "task"},
-          {"task", task.task()},
-          {"job", task.job()},
-          {"kind", task.kind()},
-          {"path", task.path()},
-          {"place", place_text(task.path())},
-          {"state", task.state()},
-          {"attempt", task.attempt()},
-          {"worker", worker_name(task.worker())},
-          {"host", task.host()},
-          {"errors", task.crashes()},
-          {"losses", task.losses()},
-          {"out_of_memory", task.starvings()},
-          {"seconds", task.seconds()},
-          {"peak_rss_bytes", task.peak_rss_bytes()},
-          {"memory_bytes", task.memory_bytes()},
-          {"expected_seconds", task.expected_seconds()},
-          {"cpu_seconds", task.cpu_seconds()},
-          {"expected_bytes", task.expected_bytes()},
-          {"expected_elements", task.expected_elements()},
-          {"elements", task.elements()},
-          {"exit_code", task.exit_code()},
-          {"message", task.message()}};
+  Json json = {{"type", "task"},
+               {"task", task.task()},
+               {"job", task.job()},
+               {"kind", task.kind()},
+               {"path", task.path()},
+               {"place", place_text(task.path())},
+               {"state", task.state()},
+               {"attempt", task.attempt()},
+               {"worker", worker_name(task.worker())},
+               {"host", task.host()},
+               {"errors", task.crashes()},
+               {"losses", task.losses()},
+               {"out_of_memory", task.starvings()},
+               {"seconds", task.seconds()},
+               {"peak_rss_bytes", task.peak_rss_bytes()},
+               {"memory_bytes", task.memory_bytes()},
+               {"expected_seconds", task.expected_seconds()},
+               {"cpu_seconds", task.cpu_seconds()},
+               {"expected_bytes", task.expected_bytes()},
+               {"expected_elements", task.expected_elements()},
+               {"elements", task.elements()},
+               {"exit_code", task.exit_code()},
+               {"message", task.message()}};
+  add_doing(task, json);
+  return json;
 }
 
 Json json_of(const wire::AttemptLine& attempt) {
@@ -193,7 +204,8 @@ std::string explanation_json(const wire::Explanation& explanation) {
 
 std::string jobs_text(const std::vector<wire::JobStatus>& jobs) {
   std::vector<std::vector<std::string>> rows;
-  for (const wire::JobStatus& job : jobs) {
+  for (const wire::JobStatus& said : jobs) {
+    const wire::JobStatus job = printable_reply(said);
     const std::uint64_t failed = static_cast<std::uint64_t>(job.quarantine_size());
     const std::uint64_t all = job.tasks_done() + job.tasks_ready() + job.tasks_running() + failed;
     rows.push_back({job.job(), harmless(job.name(), 30), job.state(), job.stage(),
@@ -209,12 +221,15 @@ std::string jobs_text(const std::vector<wire::JobStatus>& jobs) {
 
 std::string tasks_text(const std::vector<wire::TaskLine>& tasks) {
   std::vector<std::vector<std::string>> rows;
-  for (const wire::TaskLine& task : tasks) {
+  for (const wire::TaskLine& said : tasks) {
+    const wire::TaskLine task = printable_reply(said);
     const std::string where = worker_name(task.worker());
-    rows.push_back({std::to_string(task.task()), task.job(), task.kind(), place_text(task.path()),
-                    task.state(), task.seconds() > 0 ? seconds_text(task.seconds()) : "",
-                    mebibytes(task.peak_rss_bytes()), tries_text(task),
-                    where.empty() ? "" : where + " " + task.host(), task.message()});
+    const std::string doing = doing_with_share(task);
+    rows.push_back(
+        {std::to_string(task.task()), task.job(), task.kind(), place_text(task.path()),
+         state_text(task.state()), task.seconds() > 0 ? seconds_text(task.seconds()) : "",
+         mebibytes(task.peak_rss_bytes()), tries_text(task),
+         where.empty() ? "" : where + " " + task.host(), doing.empty() ? task.message() : doing});
   }
   return table_text(
       {"TASK", "JOB", "KIND", "SUB-DOMAIN", "STATE", "SECONDS", "PEAK", "TRIED", "WHERE", ""},
@@ -223,7 +238,8 @@ std::string tasks_text(const std::vector<wire::TaskLine>& tasks) {
 
 std::string workers_table(const std::vector<wire::WorkerLine>& workers) {
   std::vector<std::vector<std::string>> rows;
-  for (const wire::WorkerLine& worker : workers) {
+  for (const wire::WorkerLine& said : workers) {
+    const wire::WorkerLine worker = printable_reply(said);
     rows.push_back({worker_name(worker.worker()), worker.host(), std::to_string(worker.process()),
                     worker.state(), worker.task() == 0 ? "" : std::to_string(worker.task()),
                     std::to_string(worker.done()), std::to_string(worker.not_done()),
@@ -231,12 +247,13 @@ std::string workers_table(const std::vector<wire::WorkerLine>& workers) {
                     time_text(worker.seen_ms()),
                     worker.host_in_quarantine() ? "host in quarantine" : ""});
   }
-  return table_text({"WORKER", "HOST", "PROCESS", "STATE", "TASK", "DONE", "NOT DONE", "BUSY S",
-                     "MEMORY", "SINCE (UTC)", ""},
+  return table_text({"WORKER", "HOST", "PROCESS", "STATE", "TASK", "DONE", "FAILED ATTEMPTS",
+                     "BUSY S", "MEMORY", "SINCE (UTC)", ""},
                     rows);
 }
 
-std::string event_text(const wire::EventLine& event) {
+std::string event_text(const wire::EventLine& said) {
+  const wire::EventLine event = printable_reply(said);
   std::string line = time_text(event.wall_ms()) + "  ";
   if (!event.job().empty()) line += event.job() + " ";
   if (event.task() != 0) line += "task " + std::to_string(event.task()) + " ";
@@ -247,7 +264,8 @@ std::string event_text(const wire::EventLine& event) {
   return harmless(line, 1000) + "\n";
 }
 
-std::string log_text(const wire::AttemptLine& attempt) {
+std::string log_text(const wire::AttemptLine& said) {
+  const wire::AttemptLine attempt = printable_reply(said);
   std::string text = attempt.job() + " task " + std::to_string(attempt.task()) + ", " +
                      attempt.kind() + " " + place_text(attempt.path()) + ": attempt " +
                      std::to_string(attempt.attempt()) + " on " + worker_name(attempt.worker()) +
@@ -264,14 +282,15 @@ std::string log_text(const wire::AttemptLine& attempt) {
   return text;
 }
 
-std::string explanation_text(const wire::Explanation& explanation) {
+std::string explanation_text(const wire::Explanation& said) {
+  const wire::Explanation explanation = printable_reply(said);
   const wire::TaskLine& task = explanation.task();
   std::string text =
       "task " + std::to_string(task.task()) + " of " + task.job() + ": " + task.kind();
   if (task.path() != 0) {
     text += " of sub-domain " + place_text(task.path()) + " (" + std::to_string(task.path()) + ")";
   }
-  text += ", " + task.state() + "\n";
+  text += ", " + state_text(task.state()) + "\n";
   if (task.path() > 1) {
     text += "  in the tree: below " + place_text(task.path() / 2) + ", beside " +
             place_text(task.path() ^ 1U) + "; sub-domain " + explanation.subdomain_state() + "\n";
@@ -279,14 +298,20 @@ std::string explanation_text(const wire::Explanation& explanation) {
   for (const std::string& reason : explanation.reasons()) {
     text += "  why: " + harmless(reason, 1000) + "\n";
   }
+  if (const std::string doing = doing_with_share(task); !doing.empty()) {
+    text += "  does: " + doing + "\n";
+  }
   if (task.state() == "done") text += "  took " + seconds_text(task.seconds()) + " s\n";
   if (task.state() == "failed") {
     text += "  try again: tetfarm retry " + task.job() + " " + std::to_string(task.task()) + "\n";
   }
   if (explanation.expected_seconds() > 0 && task.state() != "done") {
-    text += "  expected " + seconds_text(explanation.expected_seconds()) + " s and " +
-            mebibytes(explanation.room_bytes()) + ", ended after " +
-            seconds_text(explanation.limit_seconds()) + " s\n";
+    text +=
+        "  expected to take " + cost_text(explanation.expected_seconds(), explanation.room_bytes());
+    if (explanation.limit_seconds() > 0) {
+      text += "; it is stopped after " + seconds_text(explanation.limit_seconds()) + " s";
+    }
+    text += "\n";
   }
   std::vector<std::vector<std::string>> rows;
   for (const wire::AttemptLine& attempt : explanation.attempts()) {

@@ -1,10 +1,14 @@
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
+#include "cli/mesh_input.h"
 #include "mesh/assemble/read_global_mesh.h"
 #include "mesh/assemble/read_vtkhdf.h"
 #include "mesh/render/render_mesh.h"
@@ -70,19 +74,33 @@ NumberedPart whole_mesh(GlobalMesh mesh) {
   return part;
 }
 
-Picture picture_of(const std::filesystem::path& file, const RenderOptions& options) {
-  if (file.extension() == ".ugrid") {
-    NumberedPart part = whole_mesh(read_global_mesh(file));
+Picture picture_of(const MeshInput& mesh, const RenderOptions& options) {
+  if (mesh.name.ends_with(".ugrid")) {
+    NumberedPart part = whole_mesh(read_global_mesh(mesh.file, mesh.name));
     return render_mesh([&part](const auto& visit) { visit(part); }, {}, options);
   }
+  const std::filesystem::path& file = mesh.file;
   return render_mesh([&file](const auto& visit) { for_each_vtkhdf_part(file, visit); },
                      vtkhdf_patch_names(file), options);
+}
+
+void require_png(const std::string& output) {
+  std::string ending = std::filesystem::path(output).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".png") return;
+  throw ErrorWithHelp(ExitCode::usage,
+                      output + ": render writes PNG pictures only; give the name the ending .png",
+                      "");
 }
 
 }  // namespace
 
 ExitCode render_command(const RenderCommand& command) {
-  const Picture picture = picture_of(mesh_file(command.input), options_of(command));
+  require_png(command.output);
+  const RenderOptions options = options_of(command);
+  const std::filesystem::path folder = std::filesystem::absolute(command.output).parent_path();
+  const Picture picture = picture_of(find_mesh(command.input, command.source, folder), options);
   write_file_atomically(command.output, png_of(picture));
   return ExitCode::ok;
 }

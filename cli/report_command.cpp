@@ -5,11 +5,11 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/job_report.h"
+#include "cli/mesh_input.h"
 #include "cli/run_folder.h"
 #include "mesh/formats/open_mesh.h"
 #include "mesh/render/render_mesh.h"
 #include "report/report_page.h"
-#include "store/artifact_store.h"
 
 namespace tetfarm {
 namespace {
@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 /// What there is of a job, or of a mesh alone.
 struct Reported {
   std::string name;
+  MeshInput input;  ///< keeps a mesh that came over the connection
   std::unique_ptr<MeshSource> mesh;
   std::optional<SpacingField> spacing;
   std::optional<ReportedWork> work;
@@ -42,39 +43,30 @@ ReportedWork work_of(FarmView& view, const std::string& job) {
   return work;
 }
 
-/// The job's mesh as it lies in the store, the formats that are read best first.
-std::unique_ptr<MeshSource> mesh_of_job(const wire::JobStatus& status, const fs::path& store) {
-  const ArtifactStore files = ArtifactStore::open_existing(store);
-  for (const char* ending : {".vtkhdf", ".lb8.ugrid"}) {
-    for (const wire::Artifact& file : status.files()) {
-      if (!file.name().ends_with(ending) || !files.has(file.hash(), file.size())) continue;
-      return open_mesh_as(files.path_of(file.hash()), file.name());
-    }
-  }
-  throw Error(ExitCode::not_found, status.job() + ": no mesh (.vtkhdf, .lb8.ugrid) in the store");
-}
-
-Reported of_job(ViewOptions options, const std::string& job, const fs::path& store) {
+/// Of a store at rest, or of a coordinator.
+Reported of_job(ViewOptions options, const std::string& job, const fs::path& scratch_folder) {
   options.client.job = job;
   FarmView view(options);
   Reported reported;
   reported.work = work_of(view, job);
   const wire::JobStatus& status = reported.work->status;
   reported.name = status.name();
-  reported.mesh = mesh_of_job(status, store);
-  reported.spacing = spacing_of_job(view, store, job);
+  reported.input = mesh_of_job(status, options, scratch_folder);
+  reported.mesh = open_mesh(reported.input, scratch_folder);
+  reported.spacing = spacing_of(reported.input, options);
   return reported;
 }
 
 /// A mesh by itself: what made it is not known, but its spacing where it lies beside.
 Reported of_mesh(const fs::path& input) {
   const fs::path file = mesh_file(input);
-  return {file.filename().string(), open_mesh(file), spacing_beside(file), std::nullopt};
+  return {file.filename().string(), {}, open_mesh(file), spacing_beside(file), std::nullopt};
 }
 
-/// The folder of a run, a mesh, or a job of a store.
+/// The folder of a run, a mesh, or a job.
 Reported reported_of(const ReportCommand& command) {
   const std::string& subject = command.view.client.job;
+  const fs::path scratch_folder = fs::absolute(command.output).parent_path();
   ViewOptions options = command.view;
   options.is_quiet = true;
   options.client.job.clear();
@@ -84,16 +76,15 @@ Reported reported_of(const ReportCommand& command) {
     options.store = subject;
     FarmView view(options);
     const std::string job = last_done_job(view);
-    return job.empty() ? of_mesh(subject) : of_job(options, job, *store);
+    return job.empty() ? of_mesh(subject) : of_job(options, job, scratch_folder);
   }
   if (fs::exists(subject)) return of_mesh(subject);
-  if (options.store.empty()) {
-    throw Error(ExitCode::not_found,
-                subject + ": no such folder or mesh; of a job name its store (--store)");
+  if (options.store.empty() && options.client.endpoint.empty()) {
+    throw Error(
+        ExitCode::not_found,
+        subject + ": no such folder or mesh; of a job say where it is (--connect, --store)");
   }
-  const std::optional<fs::path> store = store_of(options.store);
-  if (!store) throw Error(ExitCode::not_found, options.store + ": no store");
-  return of_job(options, subject, *store);
+  return of_job(options, subject, scratch_folder);
 }
 
 ReportPicture picture_of(const MeshSource& mesh, const RenderOptions& options,

@@ -1,6 +1,7 @@
 #include "cli/service_command_line.h"
 
 #include "cli/client_options.h"
+#include "cli/option_checks.h"
 
 namespace tetfarm {
 namespace {
@@ -13,10 +14,12 @@ void add_folders(CLI::App& sub, CoordinatorCommand& coordinator) {
                  "Folder of the database, on a disk of this host (default: the store)")
       ->option_text("DIR");
   sub.add_option("--keys", coordinator.keys,
-                 "Folder of the keys, see `tetfarm keys` (default: keys beside the database)")
+                 "Folder of the keys, see `tetfarm keys` (default: /etc/tetfarm/keys for root, "
+                 "tetfarm/keys in $XDG_CONFIG_HOME or ~/.config for others)")
+      ->envname("TETFARM_KEYS")
       ->option_text("DIR");
   sub.add_option("--allow-root", coordinator.allowed_roots,
-                 "A folder that jobs may name surfaces in, besides the store; may be repeated")
+                 "A folder that jobs may name surfaces in (none); may be repeated")
       ->option_text("DIR");
   sub.add_option("--listen", coordinator.endpoints, "Where to listen; may be repeated")
       ->required()
@@ -25,20 +28,20 @@ void add_folders(CLI::App& sub, CoordinatorCommand& coordinator) {
 
 void add_limits(CLI::App& sub, CoordinatorCommand& coordinator) {
   sub.add_option("--heartbeat-ms", coordinator.heartbeat_ms, "Between heartbeats (1000)")
-      ->check(CLI::Range(10, 600'000));
+      ->check(whole_number(10, 600'000));
   sub.add_option("--lease-ms", coordinator.lease_ms, "A silent worker is lost (10000)")
-      ->check(CLI::Range(50, 86'400'000));
+      ->check(whole_number(50, 86'400'000));
   sub.add_option("--max-connections", coordinator.max_connections, "At once (16384)")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(whole_number(1, 1'000'000));
   sub.add_option("--max-workers", coordinator.max_workers, "At once (10000)")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(whole_number(1, 1'000'000));
   sub.add_option("--task-limit", coordinator.task_limit_s,
                  "A task may run so long, or 20 times what is expected of its kind (3600)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("SECONDS");
   sub.add_option("--first-task-limit", coordinator.first_task_limit_s,
                  "The same while nothing is known of its kind (86400)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("SECONDS");
 }
 
@@ -61,7 +64,7 @@ void add_coordinator(CLI::App& sub, WorkerCommand& worker) {
       ->envname("TETFARM_COORDINATOR")
       ->required()
       ->option_text("tcp://HOST:PORT");
-  add_keys_of_a_peer(sub, worker.keys);
+  add_keys_of_a_peer(sub, worker.keys, StoreOption::yes);
 }
 
 void add_files(CLI::App& sub, WorkerCommand& worker) {
@@ -83,7 +86,7 @@ void add_files(CLI::App& sub, WorkerCommand& worker) {
 
 void add_what_it_has(CLI::App& sub, WorkerCommand& worker) {
   sub.add_option("--grace", worker.grace_s, "To finish a task in after SIGTERM (30)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative_number())
       ->option_text("SECONDS");
   sub.add_option("--memory,--memory-limit", worker.memory_bytes,
                  "For its tasks (default: what the machine has)")
@@ -91,7 +94,7 @@ void add_what_it_has(CLI::App& sub, WorkerCommand& worker) {
       ->option_text("SIZE");
   sub.add_option("--walltime", worker.walltime_s,
                  "It will be ended then (default: as the batch system says)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("SECONDS");
   sub.add_option("--tag", worker.tag, "How the pool that submitted it knows it")
       ->option_text("POOL/JOB");

@@ -1,5 +1,6 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <charconv>
@@ -9,11 +10,17 @@
 #include <thread>
 
 #include "base/clock.h"
+#include "base/error_with_help.h"
+#include "base/file_system.h"
+#include "cli/bring_surface.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
+#include "cli/counted.h"
+#include "cli/fetch_files.h"
 #include "cli/job_outcome.h"
 #include "cli/job_report.h"
 #include "cli/progress_display.h"
+#include "coordinator/log_lines.h"
 #include "coordinator/server.h"
 #include "worker/client.h"
 #include "worker/machine.h"
@@ -47,22 +54,12 @@ wire::JobStatus status_of_job(CoordinatorConnection& connection, const ClientOpt
   return reply.jobs(0);
 }
 
-void log_to_stderr(bool quiet) {
-  spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
-  spdlog::set_level(quiet ? spdlog::level::warn : spdlog::level::info);
-  spdlog::flush_on(spdlog::level::info);
+FetchOptions fetch_options(const ClientOptions& client) {
+  return {.timeout_ms = in_ms(client.timeout_s), .progress = client.progress};
 }
 
-}  // namespace
-
-ExitCode submit_command(const SubmitCommand& command) {
-  const std::string& store = command.job.store;
-  const wire::Submit submit =
-      store.empty() ? name_job(describe_job(command.job))
-                    : publish_job(ArtifactStore::open_existing(store), read_job(command.job));
-  CoordinatorConnection connection = connect(command.client, store);
-  const wire::Submitted submitted = connection.submit(submit, in_ms(command.client.timeout_s));
-  if (command.client.json) {
+ExitCode report_submitted(const wire::Submitted& submitted, bool json) {
+  if (json) {
     std::printf("{\"type\":\"submitted\",\"job\":\"%s\",\"existed\":%s}\n", submitted.job().c_str(),
                 submitted.existed() ? "true" : "false");
   } else {
@@ -71,11 +68,56 @@ ExitCode submit_command(const SubmitCommand& command) {
   return ExitCode::ok;
 }
 
+void log_to_stderr(bool quiet) {
+  spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
+  spdlog::set_formatter(one_line_formatter());
+  spdlog::set_level(quiet ? spdlog::level::warn : spdlog::level::info);
+  spdlog::flush_on(spdlog::level::info);
+}
+
+/// With the surface checked, unless that is left to the farm or only the coordinator sees it.
+JobInput job_to_submit(const SubmitCommand& command) {
+  const JobInput described = describe_job(command.job);
+  check_submittable(described);
+  const bool is_here = size_of_file(described.path).has_value();
+  if (!is_here && !command.coordinator_reads) {
+    throw ErrorWithHelp(ExitCode::not_found, described.path + ": no such file",
+                        "check the path; where only the coordinator sees the file: "
+                        "--coordinator-reads");
+  }
+  if (command.coordinator_reads && !command.check) return described;
+  if (!is_here) {
+    std::fprintf(stderr, "note: %s is not to be seen from here: the farm checks it\n",
+                 described.path.c_str());
+    return described;
+  }
+  JobInput input = read_job(command.job);
+  if (command.check) require_meshable(input);
+  return input;
+}
+
+/// After the surface has gone where the coordinator finds it, unless only its path goes.
+wire::Submit bring_job(const SubmitCommand& command, const JobInput& input,
+                       CoordinatorConnection& connection) {
+  if (command.coordinator_reads) return name_job(input);
+  const std::string& store = command.job.store;
+  if (!store.empty()) return publish_job(ArtifactStore::open_existing(store), input);
+  return submission_of(input, bring_surface(connection, input.surface, input.job.surface,
+                                            fetch_options(command.client)));
+}
+
+}  // namespace
+
+ExitCode submit_command(const SubmitCommand& command) {
+  const ClientOptions& client = command.client;
+  const JobInput input = job_to_submit(command);
+  CoordinatorConnection connection = connect(client, command.job.store);
+  const wire::Submit submit = bring_job(command, input, connection);
+  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);
+}
+
 ExitCode wait_command(const WaitCommand& command) {
   const ClientOptions& client = command.client;
-  if (!client.output.empty() && command.store.empty()) {
-    throw UsageError("to bring the files, say where the store is", "--output needs --store");
-  }
   CoordinatorConnection connection = connect(client, command.store);
   ProgressDisplay display(client.progress);
   wire::JobStatus status = status_of_job(connection, client);
@@ -84,22 +126,34 @@ ExitCode wait_command(const WaitCommand& command) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     status = status_of_job(connection, client);
   }
+  display.show_forecast(status);
   display.end();
-  return report_outcome(status, {.store = command.store,
-                                 .output = client.output,
-                                 .seconds = status.seconds(),
-                                 .json = client.json});
+  std::vector<std::filesystem::path> files;
+  if (!client.output.empty()) {
+    files = command.store.empty()
+                ? fetch_files(connection, status, client.output, fetch_options(client))
+                : deliver_files(status, command.store, client.output);
+  }
+  return report_outcome(
+      status, {.files = std::move(files), .seconds = status.seconds(), .json = client.json});
 }
 
 ExitCode cancel_command(const CancelCommand& command) {
   const ClientOptions& client = command.client;
   CoordinatorConnection connection = connect(client, "");
+  const wire::StatusReply status = connection.status(client.job, in_ms(client.timeout_s));
+  const std::string before = status.jobs_size() == 0 ? "" : status.jobs(0).state();
   const bool found = connection.cancel(client.job, in_ms(client.timeout_s)).found();
-  if (!found) throw Error(ExitCode::not_found, "no running job " + client.job);
+  if (!found) throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
+  if (before == "done" || before == "failed") {
+    throw ErrorWithHelp(ExitCode::failed,
+                        client.job + " is " + before + " already: there is nothing to cancel", "");
+  }
   if (client.json) {
     std::printf("{\"type\":\"cancelled\",\"job\":\"%s\"}\n", client.job.c_str());
   } else {
-    std::printf("%s cancelled\n", client.job.c_str());
+    std::printf("%s %s\n", client.job.c_str(),
+                before == "cancelled" ? "was cancelled already" : "cancelled");
   }
   return ExitCode::ok;
 }
@@ -135,7 +189,7 @@ ExitCode drain_command(const DrainCommand& command) {
   if (client.json) {
     std::printf("{\"type\":\"draining\",\"count\":%llu}\n", static_cast<unsigned long long>(count));
   } else {
-    std::printf("%llu workers drain\n", static_cast<unsigned long long>(count));
+    std::printf("%s %s\n", counted(count, "worker").c_str(), count == 1 ? "drains" : "drain");
   }
   return ExitCode::ok;
 }
@@ -174,6 +228,11 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
 
 ExitCode worker_command(const WorkerCommand& command) {
   log_to_stderr(command.quiet);
+  // What a farm's worker writes is not for others than its group, as in run_coordinator; the store
+  // of a run is its user's own.
+  if (std::filesystem::path(command.store).filename() != ".tetfarm") {
+    ::umask(::umask(0) | S_IRWXO);
+  }
   WorkerOptions options;
   options.endpoint = command.endpoint;
   options.keys = command.keys;

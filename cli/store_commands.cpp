@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_system.h"
+#include "base/tree_way.h"
 #include "cli/commands.h"
+#include "cli/json_line.h"
 #include "coordinator/start_rules.h"
 #include "store/folder_lock.h"
 #include "store/garbage.h"
@@ -38,7 +40,7 @@ std::set<std::string> needed_of_all_jobs(const JobDatabase& database, const Dura
 }
 
 std::string task_text(const TaskRow& task) {
-  const std::string place = task.path == 0 ? "" : " of sub-domain " + std::to_string(task.path);
+  const std::string place = task.path == 0 ? "" : " of sub-domain " + tree_way(task.path);
   return "task " + std::to_string(task.id.value) + " of " + job_name(task.job) + " (" +
          name_of(task.kind) + place + ")";
 }
@@ -91,7 +93,7 @@ ExitCode check_store_command(const CheckOptions& options) {
   const DurableState rows = database_of(store.folder(), options.database).load();
   const StoreReport report = check_store(rows, look_into(store, true));
   if (options.json) {
-    std::printf("%s\n", json_of(report, rows).dump().c_str());
+    std::printf("%s\n", json_line(json_of(report, rows)).c_str());
   } else {
     print(report, rows);
   }
@@ -116,7 +118,7 @@ ExitCode gc_command(const GcCommand& command) {
                        {"files", garbage.files.size()},
                        {"bytes", garbage.bytes},
                        {"perhaps_being_written", garbage.too_young}};
-    std::printf("%s\n", json.dump().c_str());
+    std::printf("%s\n", json_line(json).c_str());
     return ExitCode::ok;
   }
   if (command.dry_run) {

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
+#include "base/printable_text.h"
+#include "base/utf8.h"
+
 namespace tetfarm {
 
 std::string harmless(const std::string& text, std::size_t longest) {
-  std::string line = text;
-  if (line.size() > longest) {
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
-    line = line.substr(0, end) + "…";
-  }
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  return line;
+  const std::string line = printable(text);
+  return line.size() <= longest ? line : std::string(cut_utf8(line, longest)) + "…";
 }
 
 std::string table_text(const std::vector<std::string>& head,

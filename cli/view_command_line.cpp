@@ -1,12 +1,13 @@
 #include "cli/view_command_line.h"
 
 #include "cli/client_options.h"
+#include "cli/option_checks.h"
 
 namespace tetfarm {
 namespace {
 
 void add_view(CLI::App& app, ViewOptions& view) {
-  add_connection(app, view.client);
+  add_connection(app, view.client, StoreOption::yes);
   app.add_option("--store", view.store,
                  "The store, or the folder of a run: its rows are read when no coordinator answers")
       ->envname("TETFARM_STORE")
@@ -57,8 +58,9 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
       add("tasks", "List the tasks", "tetfarm tasks job-7 --state ready", views.tasks);
   tasks.add_option("JOB", views.tasks.view.client.job, "Of one job (default: all)");
   tasks.add_option("--state", views.tasks.state, "Only these")
-      ->check(CLI::IsMember({"waiting", "ready", "leased", "done", "failed", "replaced"}))
-      ->option_text("waiting|ready|leased|done|failed");
+      ->check(
+          CLI::IsMember({"waiting", "ready", "running", "leased", "done", "failed", "replaced"}))
+      ->option_text("waiting|ready|running|done|failed");
   tasks.add_option("--kind", views.tasks.kind, "Only these: inspect, decompose, mesh, ...");
 
   CLI::App& workers = add("workers", "List the workers, what they run and what they did",
@@ -68,9 +70,9 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
   CLI::App& events =
       add("events", "Show what happened, oldest first", "tetfarm events job-7 --all", views.events);
   events.add_option("JOB", views.events.view.client.job, "Of one job (default: all)");
-  events.add_option("--task", views.events.task, "Of one task")->check(CLI::PositiveNumber);
-  CLI::Option* last =
-      events.add_option("-n,--last", views.events.last, "So many (50)")->check(CLI::Range(1, 1000));
+  events.add_option("--task", views.events.task, "Of one task")->check(counting_number());
+  CLI::Option* last = events.add_option("-n,--last", views.events.last, "So many (50)")
+                          ->check(whole_number(1, 1000));
   events.add_flag("--all", views.events.all, "All that are kept")->excludes(last);
 
   CLI::App& logs = add("logs", "Show what the processes of tasks said, attempt by attempt",
@@ -82,7 +84,7 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
                           "tetfarm explain 31", views.explain);
   explain.add_option("TASK", views.explain.task, "Its number, as `tetfarm tasks` shows it")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(counting_number());
 
   CLI::App& trace = add("trace", "Write who did what when, for ui.perfetto.dev",
                         "tetfarm trace job-7 -o trace.json", views.trace);
@@ -93,7 +95,7 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
                          "tetfarm report out -o report.html", views.report);
   report
       .add_option("JOB", views.report.view.client.job,
-                  "The folder of a run, a mesh, or a job of the store (job-7)")
+                  "The folder of a run, a mesh, or a job (job-7)")
       ->required();
   report.add_option("-o,--output", views.report.output, "The page")
       ->required()

@@ -46,9 +46,12 @@ ExitCode status_command(const StatusCommand& command) {
 ExitCode jobs_command(const JobsCommand& command) {
   FarmView view(command.view);
   std::vector<wire::JobStatus> jobs;
+  std::string trouble;
   view.ask(about(wire::Query::JOBS), [&](const wire::QueryReply& page) {
     jobs.insert(jobs.end(), page.jobs().begin(), page.jobs().end());
+    trouble = page.trouble();
   });
+  if (!command.view.client.json && !trouble.empty()) print_line(trouble);
   if (!command.view.client.json) print(jobs.empty() ? "no jobs\n" : jobs_text(jobs));
   if (command.view.client.json) {
     for (const wire::JobStatus& job : jobs) print_line(job_json(job));
@@ -58,11 +61,12 @@ ExitCode jobs_command(const JobsCommand& command) {
 
 ExitCode tasks_command(const TasksCommand& command) {
   const ClientOptions& client = command.view.client;
+  const std::string wanted = command.state == "running" ? "leased" : command.state;
   FarmView view(command.view);
   std::vector<wire::TaskLine> tasks;
   view.ask(about(wire::Query::TASKS, client.job), [&](const wire::QueryReply& page) {
     for (const wire::TaskLine& task : page.tasks()) {
-      const bool is_wanted = (command.state.empty() || task.state() == command.state) &&
+      const bool is_wanted = (wanted.empty() || task.state() == wanted) &&
                              (command.kind.empty() || task.kind() == command.kind);
       if (!is_wanted) continue;
       if (client.json) print_line(task_json(task));

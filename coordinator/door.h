@@ -34,8 +34,9 @@ struct Sender {
   std::string name;          ///< of the key
 
   bool is_plain() const { return key.empty(); }
-  bool may_send(wire::Envelope::BodyCase kind) const {
-    return is_plain() ? is_for_the_coordinator(kind) : role && tetfarm::may_send(*role, kind);
+  bool may_send(const wire::Envelope& envelope) const {
+    return is_plain() ? is_for_the_coordinator(envelope.body_case())
+                      : role && tetfarm::may_send(*role, envelope);
   }
 };
 

@@ -1,10 +1,10 @@
-/// What is done with the store's files for workers that do not see it, chunk by chunk; and looking
-/// whether a file is damaged, as a worker says.
+/// What is done with the store's files for workers and clients that do not see it, chunk by chunk;
+/// and looking whether a file is damaged, as a worker says.
 ///
 /// An order is carried out by the thread of files (file_thread.h): reading, writing and syncing a
 /// file must not make the others wait. A file that comes lies in the store's scratch folder, under
-/// the name of its attempt, until all of it is there and has been checked; what is there of it when
-/// a connection or the coordinator is lost is gone on from.
+/// the name of its attempt or its client, until all of it is there and has been checked; what is
+/// there of it when a connection or the coordinator is lost is gone on from.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
@@ -25,10 +26,13 @@ struct FileOrder {
     open,    ///< how much of the offered file is there already?
     append,  ///< the chunk behind what is there
     drop,    ///< the file will not be finished
+    clear,   ///< the attempt is over: what it left in its scratch folder
+    forget,  ///< the worker is gone: its probe, named by the hash of `file`
     check    ///< is it what its name says? A damaged one is put aside
   };
   Kind kind = Kind::read;
   std::string connection;
+  std::string client = {};  ///< "": of a worker; else of a client, by the hash of its key
   TaskId task;
   AttemptId attempt;
   StoredArtifact file;
@@ -50,6 +54,7 @@ struct CheckedFile {
 
 struct FileAnswer {
   std::string connection;
+  std::string client = {};  ///< as in the order
   wire::Envelope envelope;  ///< without a body: nothing to say
   std::string trouble;      ///< for the log
   bool is_out_of_room = false;
@@ -62,6 +67,18 @@ FileAnswer carry_out(const FileOrder& order, const ArtifactStore& store) noexcep
 
 /// Removes what came of files for other attempts than these. @throws IoError.
 void drop_uploads_but(const std::set<AttemptId>& running, const ArtifactStore& store);
+
+/// A client's surface of which a part has come.
+struct BegunSurface {
+  std::string client;
+  std::string hash;
+  friend auto operator<=>(const BegunSurface&, const BegunSurface&) = default;
+};
+/// Those in the store's scratch folder.
+std::vector<BegunSurface> begun_surfaces(const ArtifactStore& store);
+/// Where one grows.
+std::filesystem::path surface_path(const ArtifactStore& store, const std::string& client,
+                                   const std::string& hash);
 
 /// Where a file of the attempt grows.
 std::filesystem::path upload_path(const ArtifactStore& store, AttemptId attempt,

@@ -8,20 +8,20 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "coordinator/file_orders.h"
 #include "coordinator/job_state.h"
+#include "coordinator/order_lines.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
 
 class FileTransfers {
  public:
-  explicit FileTransfers(std::size_t most_transfers = 32) : most_transfers_(most_transfers) {}
+  explicit FileTransfers(std::size_t most_transfers = 32) : lines_({.served = most_transfers}) {}
 
   /// FetchFile, OfferFile or FileChunk of a worker that the state knows. False when it makes no
   /// sense.
@@ -32,31 +32,15 @@ class FileTransfers {
   std::vector<FileOrder> take_orders(const JobState& state, Moment now);
 
   /// An order of that connection was carried out.
-  void note_answer(const std::string& connection);
+  void note_answer(const std::string& connection) { lines_.note_answer(connection); }
 
   /// All connections are unknown again. What came of files stays for who comes back.
   void forget_connections() { lines_.clear(); }
 
  private:
-  /// What one worker wants.
-  struct Line {
-    WorkerId worker;
-    TaskId task;
-    AttemptId attempt;
-    std::deque<FileOrder> waiting;
-    std::size_t under_way = 0;
-    bool is_served = false;
-    std::int64_t heard_ms = 0;
-    std::uint64_t turn = 0;  ///< who asked first is served first
-  };
-
-  bool add(const std::string& connection, WorkerId worker, FileOrder order, Moment now);
   void drop_finished(const JobState& state, std::vector<FileOrder>& orders);
-  void let_next_in(Moment now);
 
-  std::size_t most_transfers_;
-  std::uint64_t last_turn_ = 0;
-  std::map<std::string, Line> lines_;                                  ///< by connection
+  OrderLines lines_;
   std::map<AttemptId, std::map<std::string, std::uint64_t>> uploads_;  ///< hash to size
 };
 

@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_system.h"
@@ -19,7 +22,8 @@ namespace {
 
 constexpr std::size_t shortest_token = 16;
 constexpr int backlog = 64;
-constexpr int most_reads = 16;  // of a connection in one turn
+constexpr int most_accepted = 256;  // in one turn
+constexpr int most_reads = 16;      // of a connection in one turn
 constexpr std::int64_t last_words_ms = 1'000;
 
 const char* reason_of(int status) {
@@ -150,27 +154,75 @@ void HttpServer::add_poll_items(std::vector<zmq::pollitem_t>& items) const {
   }
 }
 
-void HttpServer::accept_all(std::int64_t now_ms) {
-  while (true) {
-    const int fd = ::accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+std::vector<HttpPlace> HttpServer::places(bool reserved) const {
+  std::vector<HttpPlace> places;
+  for (const auto& [fd, exchange] : exchanges_) {
+    if (exchange.is_reserved != reserved) continue;
+    const bool asks = exchange.answer.empty();
+    places.push_back({.fd = fd,
+                      .peer = exchange.peer,
+                      .stage = exchange.is_over ? HttpPlace::Stage::over
+                               : asks           ? HttpPlace::Stage::asks
+                                                : HttpPlace::Stage::listens,
+                      .since_ms = asks ? exchange.begun_ms : exchange.heard_ms});
+  }
+  return places;
+}
+
+/// Ends one of these exchanges; false when all are being served.
+bool HttpServer::make_way(const std::vector<HttpPlace>& places, std::int64_t now_ms) {
+  const std::optional<int> fd = who_gives_way(places, now_ms);
+  if (!fd) return false;
+  ::close(*fd);
+  exchanges_.erase(*fd);
+  return true;
+}
+
+/// False when there is none for it.
+bool HttpServer::find_place(Exchange& newcomer, std::int64_t now_ms) {
+  const std::vector<HttpPlace> taken = places(false);
+  const std::vector<HttpPlace> own = places_of(newcomer.peer, taken);
+  if (!newcomer.peer.empty() && own.size() >= options_.max_of_address) {
+    return make_way(own, now_ms);
+  }
+  if (taken.size() < options_.max_connections || make_way(taken, now_ms)) return true;
+  newcomer.is_reserved = true;
+  const std::vector<HttpPlace> reserve = places(true);
+  return reserve.size() < options_.reserved || make_way(reserve, now_ms);
+}
+
+/// Each is read from at once: a request that has come with its connection is answered before
+/// anybody else can want its place.
+void HttpServer::accept_all(std::int64_t now_ms, const Pages& pages) {
+  for (int i = 0; i < most_accepted; ++i) {
+    sockaddr_storage from{};
+    socklen_t size = sizeof from;
+    const int fd = ::accept4(listener_, reinterpret_cast<sockaddr*>(&from), &size,
+                             SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (fd < 0) return;
-    if (exchanges_.size() >= options_.max_connections) {
+    Exchange exchange;
+    exchange.peer = peer_of(from);
+    exchange.begun_ms = now_ms;
+    exchange.ends_ms = now_ms + std::min(options_.request_ms, options_.exchange_ms);
+    if (find_place(exchange, now_ms) && serve_one(fd, exchange, now_ms, pages)) {
+      exchanges_[fd] = std::move(exchange);
+    } else {
       ::close(fd);
-      continue;
     }
-    exchanges_[fd].ends_ms = now_ms + options_.exchange_ms;
   }
 }
 
 void HttpServer::answer(Exchange& exchange, const Pages& pages) const {
-  const HttpRequest request = parse_http_request(exchange.request, token_);
+  HttpRequest request = parse_http_request(exchange.request, token_);
+  const bool is_vital = request.path == "/healthz" || request.path == "/readyz";
+  if (request.refusal == 0 && exchange.is_reserved && !is_vital) request.refusal = 503;
   const HttpAnswer page = request.refusal == 0 ? pages(request.path) : refusal(request.refusal);
   exchange.answer = worded(page, request.is_head);
 }
 
 /// False when the exchange is over. A connection that is closed with bytes unread would take the
 /// answer along, so the other side is given a moment to end it.
-bool HttpServer::go_on(int fd, Exchange& exchange, const Pages& pages) const {
+bool HttpServer::go_on(int fd, Exchange& exchange, std::int64_t now_ms, const Pages& pages) const {
   std::array<char, 4096> buffer;
   bool has_ended = false;
   for (int i = 0; i < most_reads && !has_ended; ++i) {
@@ -191,35 +243,44 @@ bool HttpServer::go_on(int fd, Exchange& exchange, const Pages& pages) const {
       exchange.answer = worded(refusal(431), false);
     }
     exchange.request.shrink_to_fit();
+    if (!exchange.answer.empty()) {
+      exchange.heard_ms = now_ms;
+      exchange.ends_ms = exchange.begun_ms + options_.exchange_ms;
+    }
   }
   while (exchange.sent < exchange.answer.size()) {
     const ssize_t n = ::send(fd, exchange.answer.data() + exchange.sent,
                              exchange.answer.size() - exchange.sent, MSG_NOSIGNAL);
     if (n < 0) return would_block();
     exchange.sent += static_cast<std::size_t>(n);
+    exchange.heard_ms = now_ms;
   }
   return !has_ended;
 }
 
+/// False when the exchange is over, for one reason or another.
+bool HttpServer::serve_one(int fd, Exchange& exchange, std::int64_t now_ms,
+                           const Pages& pages) const {
+  if (now_ms >= exchange.ends_ms || !go_on(fd, exchange, now_ms, pages)) return false;
+  const bool is_said = !exchange.answer.empty() && exchange.sent == exchange.answer.size();
+  if (!is_said || exchange.is_over) return true;
+  exchange.is_over = true;
+  exchange.request.clear();
+  exchange.ends_ms = now_ms + last_words_ms;
+  ::shutdown(fd, SHUT_WR);
+  return true;
+}
+
 void HttpServer::serve(std::int64_t now_ms, const Pages& pages) {
-  accept_all(now_ms);
   std::vector<int> over;
   for (auto& [fd, exchange] : exchanges_) {
-    if (now_ms >= exchange.ends_ms || !go_on(fd, exchange, pages)) {
-      over.push_back(fd);
-      continue;
-    }
-    const bool is_said = !exchange.answer.empty() && exchange.sent == exchange.answer.size();
-    if (!is_said || exchange.is_over) continue;
-    exchange.is_over = true;
-    exchange.request.clear();
-    exchange.ends_ms = now_ms + last_words_ms;
-    ::shutdown(fd, SHUT_WR);
+    if (!serve_one(fd, exchange, now_ms, pages)) over.push_back(fd);
   }
   for (const int fd : over) {
     ::close(fd);
     exchanges_.erase(fd);
   }
+  accept_all(now_ms, pages);
 }
 
 }  // namespace tetfarm

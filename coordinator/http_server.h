@@ -2,8 +2,10 @@
 /// else.
 ///
 /// It has no thread: the coordinator's loop polls its sockets, so that an answer means that the
-/// loop turns. Nothing here waits. Everything is bounded: connections, the size of a request, the
-/// time of an exchange. One request a connection.
+/// loop turns. Nothing here waits. Everything is bounded: connections, those of one address, the
+/// size of a request, the time until it is complete, the time of an exchange. One request a
+/// connection. Who holds a place without using it gives it up when another wants it, and some
+/// places are for /healthz and /readyz alone: slow or idle clients, however many, keep nobody out.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +17,18 @@
 #include <vector>
 #include <zmq.hpp>
 
+#include "coordinator/http_places.h"
+
 namespace tetfarm {
 
 struct HttpOptions {
   std::string address;               ///< "127.0.0.1:8080", "[::1]:0": any free port
   std::filesystem::path token_file;  ///< "": no token; only loopback addresses then
   std::size_t max_connections = 64;
+  std::size_t reserved = 8;         ///< more of them, for /healthz and /readyz only
+  std::size_t max_of_address = 16;  ///< of one other host; this one may speak for many
   std::size_t max_request_bytes = 8192;
+  std::int64_t request_ms = 5'000;    ///< from the connection to the end of the request
   std::int64_t exchange_ms = 10'000;  ///< from the connection to the end of the answer
 };
 
@@ -65,11 +72,19 @@ class HttpServer {
     std::string request;
     std::string answer;
     std::size_t sent = 0;
-    bool is_over = false;  ///< only the other side's end is waited for
+    bool is_over = false;      ///< only the other side's end is waited for
+    bool is_reserved = false;  ///< its place is for /healthz and /readyz
+    std::string peer;
+    std::int64_t begun_ms = 0;
+    std::int64_t heard_ms = 0;  ///< when it last took a part of the answer
     std::int64_t ends_ms = 0;
   };
-  void accept_all(std::int64_t now_ms);
-  bool go_on(int fd, Exchange& exchange, const Pages& pages) const;
+  void accept_all(std::int64_t now_ms, const Pages& pages);
+  bool find_place(Exchange& newcomer, std::int64_t now_ms);
+  bool make_way(const std::vector<HttpPlace>& places, std::int64_t now_ms);
+  std::vector<HttpPlace> places(bool reserved) const;
+  bool serve_one(int fd, Exchange& exchange, std::int64_t now_ms, const Pages& pages) const;
+  bool go_on(int fd, Exchange& exchange, std::int64_t now_ms, const Pages& pages) const;
   void answer(Exchange& exchange, const Pages& pages) const;
 
   HttpOptions options_;

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/tree_way.h"
 #include "coordinator/assimilation_graph.h"
 #include "coordinator/job_state.h"
 
@@ -12,11 +13,21 @@ namespace {
 
 constexpr int exit_failed = static_cast<int>(ExitCode::failed);
 
+/// What a submission's key stands for; see JobRow::content.
+std::string content_of(const TaskRow& inspect) {
+  std::string content;
+  for (const ArtifactRef& input : inspect.inputs) {
+    content += (content.empty() ? "" : "\n") + input.name + " " + input.hash;
+  }
+  return content;
+}
+
 }  // namespace
 
 std::string place_of(const TaskRow& task) {
   std::string place = name_of(task.kind);
-  if (task.path != 0) place += " of sub-domain " + std::to_string(task.path);
+  if (task.path == 1) place += " of the whole domain";
+  if (task.path > 1) place += " of sub-domain " + tree_way(task.path);
   return place;
 }
 
@@ -62,7 +73,7 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   set_state(task, TaskState::done);
   if (!made_before) remember_work(task);
   expectation_.learn(task);
-  host2crashes_.erase(workers_.at(worker).host);
+  note_done_on_host(id, workers_.at(worker).host, now);
   not_before_ms_.erase(id);
   failed_on_.erase(id);
   stuck_delay_ms_ = 0;
@@ -250,8 +261,14 @@ bool JobState::has_results(JobId job) const {
 }
 
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
-  if (submission.replaces_others) cancel_others(submission.key, now);
-  const auto known = submission.key.empty() ? keys_.end() : keys_.find(submission.key);
+  TaskRow inspect = inspect_task({}, submission.job_file, submission.inputs);
+  const std::string content = content_of(inspect);
+  const auto known =
+      submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});
+  if (known != keys_.end() && durable_.jobs.at(known->second).content != content) {
+    return {known->second, true, true};
+  }
+  if (submission.replaces_others) cancel_others(submission, now);
   if (known != keys_.end()) {
     if (has_results(known->second)) return {known->second, true};
     bring_back(known->second);
@@ -266,17 +283,21 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   job.name = submission.name;
   job.job_toml = submission.job_toml;
   job.created_ms = now.wall_ms;
+  job.owner = submission.owner;
+  job.content = content;
   dirty_jobs_.insert(job.id);
-  if (!job.key.empty()) keys_[job.key] = job.id;
+  if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
   durable_.jobs.emplace(job.id, job);
   new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
-  add_task(inspect_task(job.id, submission.job_file, submission.inputs), now);
+  inspect.job = job.id;
+  add_task(std::move(inspect), now);
   return {job.id, false};
 }
 
-void JobState::cancel_others(const std::string& key, Moment now) {
+void JobState::cancel_others(const Submission& submission, Moment now) {
   for (const auto& [id, job] : durable_.jobs) {
-    if (job.phase == JobPhase::running && job.key != key) cancel(id, now);
+    const bool is_same = job.key == submission.key && job.owner == submission.owner;
+    if (job.phase == JobPhase::running && !is_same) cancel(id, now);
   }
 }
 

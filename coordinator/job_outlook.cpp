@@ -37,7 +37,7 @@ std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
     if (maker) {
       const TaskRow& made_by = durable_.tasks.at(maker);
       text += "task " + std::to_string(maker.value) + ", " + place_of(made_by) + ", makes it (" +
-              name_of(made_by.state) + ")";
+              (made_by.state == TaskState::leased ? "running" : name_of(made_by.state)) + ")";
     } else {
       text += "it was submitted: submit the job again";
     }
@@ -130,7 +130,8 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
     if (other == task.id) break;
     ++ahead;
   }
-  if (ahead > 0) reasons.push_back(std::to_string(ahead) + " ready tasks come before it");
+  if (ahead == 1) reasons.push_back("1 ready task comes before it");
+  if (ahead > 1) reasons.push_back(std::to_string(ahead) + " ready tasks come before it");
   return reasons;
 }
 

@@ -4,9 +4,14 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/sha256.h"
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
+
+JobState::Process JobState::process_of(const WorkerInfo& info) {
+  return {info.key, info.nonce.empty() ? "" : sha256_hex(info.nonce)};
+}
 
 bool JobState::is_current(TaskId task, AttemptId attempt) const {
   const auto found = durable_.running_attempts.find(attempt);
@@ -54,7 +59,7 @@ void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
   Session& session = sessions_[worker];
   session.heard_ms = now.steady_ms;
   forget_process(worker);
-  session.nonce = info.nonce;
+  session.process = process_of(info);
   session.shares_memory = info.shares_memory;
   session.tag = info.tag;
   session.ends_ms = info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0;
@@ -63,7 +68,7 @@ void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
 void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task, AttemptId attempt,
                            Moment now) {
   const AttemptId held = sessions_.at(worker).attempt;
-  const bool is_another = sessions_.at(worker).nonce != info.nonce;
+  const bool is_another = sessions_.at(worker).process != process_of(info);
   if (held && is_another) {
     lose_attempt(held, AttemptState::lost, "another process took its place", now);
   }
@@ -74,13 +79,13 @@ void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task,
 /// What the process holds, on this connection or an earlier one, is its own; nothing else is. True
 /// when it shall go on with the attempt that it named.
 bool JobState::settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  const std::string nonce = sessions_.at(worker).nonce;
+  const Process process = sessions_.at(worker).process;
   const bool goes_on = take_over(worker, task, attempt, now);
-  if (nonce.empty()) return goes_on;
+  if (process.nonce_hash.empty()) return goes_on;
   // An assignment that was lost on the way is said again when it is ready.
-  const auto held = process2attempt_.find(nonce);
+  const auto held = process2attempt_.find(process);
   if (held != process2attempt_.end()) move_attempt(held->second, worker, now);
-  const auto [earlier, is_first] = process2worker_.emplace(nonce, worker);
+  const auto [earlier, is_first] = process2worker_.emplace(process, worker);
   if (!is_first && earlier->second != worker) {
     const WorkerId left = earlier->second;
     earlier->second = worker;
@@ -90,14 +95,16 @@ bool JobState::settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment
 }
 
 void JobState::forget_process(WorkerId worker) {
-  const auto process = process2worker_.find(sessions_.at(worker).nonce);
+  const auto process = process2worker_.find(sessions_.at(worker).process);
   if (process != process2worker_.end() && process->second == worker) process2worker_.erase(process);
 }
 
 /// False when the attempt is stale, or another process's.
 bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
   if (!attempt || !is_current(task, attempt)) return false;
-  if (durable_.running_attempts.at(attempt).nonce != sessions_.at(worker).nonce) return false;
+  if (process_of(durable_.running_attempts.at(attempt)) != sessions_.at(worker).process) {
+    return false;
+  }
   move_attempt(attempt, worker, now);
   idle_.erase(worker);
   lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;

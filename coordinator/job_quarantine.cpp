@@ -1,5 +1,5 @@
 /// JobState, the part about what fails again and again: errors, losses and lack of memory are
-/// counted apart; tasks and hosts go into quarantine, and come out when a person says so.
+/// counted apart; tasks go into quarantine, and come out when a person says so.
 #include <algorithm>
 
 #include "base/error.h"
@@ -50,8 +50,8 @@ void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& me
   task.message = message;
   not_before_ms_[task.id] =
       now.steady_ms + delay_ms(rules_.crash_delay_ms, task.crashes, rules_.longest_delay_ms);
-  if (suspect_host(task.id, worker, message, now)) return;
-  if (task.crashes < rules_.max_crashes) return;
+  note_crash_on_host(task, worker, message);
+  if (task.crashes < rules_.max_crashes || speaks_against_its_host(task, worker, now)) return;
   fail_task(task, exit_failed, quarantine_reason(task, "crashed", task.crashes, message), now);
 }
 
@@ -142,49 +142,6 @@ void JobState::end_hopeless_jobs(Moment now) {
     }
     fail_job(job, first.exit_code, message, now);
   }
-}
-
-/// Different tasks that fail on one host, with none done there in between, speak against the host:
-/// it gets no more, and the tasks are not blamed. Only where there is another host to go on with.
-bool JobState::suspect_host(TaskId task, WorkerId worker, const std::string& message, Moment now) {
-  const auto row = workers_.find(worker);
-  if (row == workers_.end()) return false;
-  const std::string& host = row->second.host;
-  std::map<TaskId, std::uint32_t>& crashes = host2crashes_[host];
-  ++crashes[task];
-  if (durable_.quarantined_hosts.contains(host)) return false;
-  const bool has_another =
-      std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) {
-        const std::string& other = workers_.at(session.first).host;
-        return other != host && !durable_.quarantined_hosts.contains(other);
-      });
-  if (crashes.size() < rules_.host_tasks || !has_another) return false;
-  for (const auto& [id, count] : crashes) {
-    if (!durable_.tasks.contains(id)) continue;  // its job is over
-    TaskRow& blamed = edit(id);
-    blamed.crashes -= std::min(blamed.crashes, count);
-  }
-  const HostRow quarantined{
-      host, true, now.wall_ms,
-      std::to_string(crashes.size()) + " different tasks failed there, at last: " + message};
-  durable_.quarantined_hosts[host] = quarantined;
-  dirty_hosts_[host] = quarantined;
-  host2crashes_.erase(host);
-  new_events_.push_back(
-      {now.wall_ms, {}, task, {}, worker, "host quarantined", host + ": " + quarantined.reason});
-  return true;
-}
-
-bool JobState::let_host_go(const std::string& host, Moment now) {
-  const auto found = durable_.quarantined_hosts.find(host);
-  if (found == durable_.quarantined_hosts.end()) return false;
-  HostRow row = found->second;
-  row.is_quarantined = false;
-  row.since_ms = now.wall_ms;
-  dirty_hosts_[host] = row;
-  durable_.quarantined_hosts.erase(found);
-  new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "host let go", host});
-  return true;
 }
 
 void JobState::forgive(TaskId id) {

@@ -33,7 +33,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   finished_ = finished == nullptr ? &none : finished;
   expectation_ = finished_->expectation();
   for (const auto& [id, job] : durable_.jobs) {
-    if (!job.key.empty()) keys_[job.key] = id;
+    if (!job.key.empty()) keys_[{job.owner, job.key}] = id;
   }
   for (const auto& [key, subdomain] : durable_.subdomains) index(subdomain, true);
   for (const auto& [id, task] : durable_.tasks) {
@@ -46,7 +46,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
     started_ms_[id] = now.steady_ms;
     if (attempt.is_rival) rivals_[attempt.task] = id;
-    if (!attempt.nonce.empty()) process2attempt_[attempt.nonce] = id;
+    if (!attempt.nonce_hash.empty()) process2attempt_[process_of(attempt)] = id;
   }
   for (const auto& [id, job] : durable_.jobs) {
     if (job.phase == JobPhase::running) wake_waiting(id, now);
@@ -242,6 +242,10 @@ std::vector<std::string> JobState::validate() const {
   if (lease_ends_ms_.size() != durable_.running_attempts.size()) {
     broken.emplace_back("a lease without a running attempt");
   }
+  for (const auto& [attempt, work] : works_) {
+    if (durable_.running_attempts.contains(attempt)) continue;
+    broken.push_back("work of attempt " + std::to_string(attempt.value) + ", which is over");
+  }
   for (const auto& [task, rival] : rivals_) {
     if (!durable_.running_attempts.contains(rival)) report(task, "is raced by nobody");
   }
@@ -250,7 +254,7 @@ std::vector<std::string> JobState::validate() const {
     const auto found = durable_.running_attempts.find(session.attempt);
     if (found == durable_.running_attempts.end() || found->second.worker != id) {
       broken.push_back("worker " + std::to_string(id.value) + " holds what is not its own");
-    } else if (found->second.nonce != session.nonce) {
+    } else if (process_of(found->second) != session.process) {
       broken.push_back("worker " + std::to_string(id.value) + " holds another process's attempt");
     }
   }

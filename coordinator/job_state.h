@@ -15,6 +15,7 @@
 ///  4. A task is on offer exactly when it is ready and its job is running.
 ///  5. A host in quarantine gets no tasks.
 ///  6. A place in the graph has one task; those that were replaced there are never run again.
+///  7. What is known of the work of an attempt is forgotten with it.
 /// Units: times in milliseconds.
 #pragma once
 
@@ -29,6 +30,7 @@
 #include <variant>
 #include <vector>
 
+#include "coordinator/attempt_work.h"
 #include "coordinator/cosmetic_graph.h"
 #include "coordinator/finished_jobs.h"
 #include "coordinator/task_expectation.h"
@@ -51,7 +53,7 @@ struct FarmRules {
       50;  ///< kills and lost leases: operators and schedulers kill processes
   std::uint32_t max_starvings = 12;    ///< out of memory, each time with twice the room
   std::uint32_t max_further_cuts = 6;  ///< of a leaf, one below the other, for want of memory
-  std::uint32_t host_tasks = 3;        ///< that failed on a host, none done between: its quarantine
+  std::uint32_t host_tasks = 3;        ///< that a host failed at and others did: its quarantine
   std::int64_t crash_delay_ms = 1000;  ///< doubled by each crash
   std::int64_t loss_delay_ms = 100;    ///< doubled by each loss
   std::int64_t longest_delay_ms = 30000;
@@ -73,11 +75,12 @@ struct WorkerInfo {
   std::uint32_t cores = 0;
   std::uint64_t memory_bytes = 0;
   std::string program_version = {};
-  std::string nonce = {};       ///< random, of this process: the same on each of its connections
+  std::string nonce = {};       ///< random, of this process, on each of its connections; never kept
   bool shares_memory = true;    ///< memory_bytes are the host's, not this worker's own
   std::int64_t ends_in_ms = 0;  ///< until its batch system ends it; 0: not known
   std::string tag = {};         ///< of the pool that brought it
   std::uint64_t pool_memory_bytes = 0;  ///< the most that another worker of its pool can have
+  std::string key = {};                 ///< public key of its connection, "": plain
 };
 
 struct TaskFailure {
@@ -100,17 +103,20 @@ struct Submission {
   ArtifactRef job_file;  ///< job_toml, published
   std::vector<ArtifactRef> inputs;
   bool replaces_others = false;  ///< running jobs are cancelled: this is the one that is wanted
+  std::string owner = {};        ///< the submitter's public key, "": a plain connection
 };
 
 struct SubmitAnswer {
   JobId job;
   bool existed = false;
+  bool differs = false;  ///< the job of that key has other contents: nothing was done
 };
 
 /// A worker that is here.
 struct WorkerAtWork {
   WorkerRow row;
   TaskId task;  ///< that it runs, 0: none
+  AttemptId attempt;
   bool drains = false;
   std::string tag;  ///< of the pool that brought it
 };
@@ -158,6 +164,8 @@ class JobState {
                    Moment now);
   void worker_is_ready(WorkerId worker, Moment now);
   void heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
+  /// What it says of an attempt that it does not hold is not heard.
+  void note_work(WorkerId worker, TaskId task, AttemptId attempt, const WorkCount& count);
   void done(WorkerId worker, TaskId task, AttemptId attempt, const TaskResult& result, Moment now);
   void failed(WorkerId worker, TaskId task, AttemptId attempt, const TaskFailure& failure,
               Moment now);
@@ -198,6 +206,8 @@ class JobState {
   bool is_at_hand(JobId job) const { return at_hand_.contains(job); }
   std::size_t worker_count() const { return sessions_.size(); }
   std::vector<WorkerAtWork> workers_at_work() const;
+  /// What a running attempt does; null when nothing was heard of it. Good until it is heard again.
+  const AttemptWork* work_of(AttemptId attempt) const;
   /// How many tasks would run if there were workers for them, by the memory that each wants (0: not
   /// known): ready ones, and those that a running one brings beside the first. Cost: O(running and
   /// ready tasks), at most O(sub-domains) for each job that joins or orders them.
@@ -219,15 +229,33 @@ class JobState {
   std::vector<std::string> validate() const;
 
  private:
+  /// Who holds an attempt: whoever has only the nonce, or only the key, is another.
+  struct Process {
+    std::string key;
+    std::string nonce_hash;  ///< "": it has none
+
+    friend auto operator<=>(const Process&, const Process&) = default;
+  };
+  static Process process_of(const AttemptRow& attempt) { return {attempt.key, attempt.nonce_hash}; }
   struct Session {
     AttemptId attempt;  ///< running there, 0: none
     bool drains = false;
     bool shares_memory = true;
-    std::string nonce;
+    Process process;
     std::int64_t ends_ms = 0;  ///< 0: not known
     std::int64_t heard_ms = 0;
     std::string tag;
     std::uint64_t reach_bytes = 0;  ///< its memory, or what its pool can bring
+  };
+  struct CrashesOfTask {
+    JobId job;
+    std::uint32_t count = 0;
+    bool was_done_elsewhere = false;  ///< and crashed nowhere else
+  };
+  /// What crashed on a host since a task was last done there.
+  struct HostCrashes {
+    std::map<TaskId, CrashesOfTask> tasks;
+    std::string last_message;
   };
   using Offer = std::tuple<int, TaskId>;  ///< rank, task
   /// Of each host whose workers share its memory: what running attempts were given of it.
@@ -256,6 +284,7 @@ class JobState {
   std::vector<SubdomainRow> tree_of(JobId job) const;
 
   // job_processes.cpp: who is who
+  static Process process_of(const WorkerInfo& info);
   bool is_current(TaskId task, AttemptId attempt) const;
   void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
@@ -307,7 +336,7 @@ class JobState {
   void take_failure(TaskRow& task, WorkerId worker, AttemptId attempt, const TaskFailure& failure,
                     Moment now);
   bool has_results(JobId job) const;
-  void cancel_others(const std::string& key, Moment now);
+  void cancel_others(const Submission& submission, Moment now);
 
   // job_quarantine.cpp: what fails again and again
   void fail_task(TaskRow& task, std::int32_t exit_code, const std::string& message, Moment now);
@@ -317,9 +346,17 @@ class JobState {
   void count_loss(TaskRow& task, const std::string& message, Moment now);
   void count_starving(TaskRow& task, std::uint64_t had_bytes, const TaskFailure& failure,
                       Moment now);
-  bool suspect_host(TaskId task, WorkerId worker, const std::string& message, Moment now);
   void forgive(TaskId task);
   void resume(JobRow& job, Moment now);
+
+  // job_hosts.cpp: hosts on which tasks crash
+  void note_crash_on_host(const TaskRow& task, WorkerId worker, const std::string& message);
+  std::size_t hosts_where_it_crashed(TaskId task) const;
+  bool waits_for_another_host(const TaskRow& task, const std::string& host, Moment now) const;
+  bool speaks_against_its_host(const TaskRow& task, WorkerId worker, Moment now) const;
+  void note_done_on_host(TaskId task, const std::string& host, Moment now);
+  void quarantine_if_proven(const std::string& host, Moment now);
+  bool has_host_besides(const std::string& host) const;
 
   // job_further_cuts.cpp: leaves that no worker has the memory for
   std::string why_no_further_cut(const TaskRow& task) const;
@@ -355,20 +392,20 @@ class JobState {
   std::set<WorkerId> idle_;  ///< that asked for a task and were given none
   std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
   std::int64_t next_late_look_ms_ = std::numeric_limits<std::int64_t>::min();
-  std::map<std::string, WorkerId> process2worker_;    ///< by nonce; its newest connection
-  std::map<std::string, AttemptId> process2attempt_;  ///< by nonce; running ones
+  std::map<Process, WorkerId> process2worker_;    ///< its newest connection
+  std::map<Process, AttemptId> process2attempt_;  ///< running ones
   std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools
   /// After a restart workers come back one by one: until then the largest may be missing.
   std::int64_t all_back_ms_ = std::numeric_limits<std::int64_t>::min();
   std::map<AttemptId, std::int64_t> lease_ends_ms_;
+  std::map<AttemptId, AttemptWork> works_;        ///< running ones of which something was heard
   std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
   std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first
   TaskExpectation expectation_;
   std::set<Offer> offers_;
   std::map<TaskId, std::int64_t> not_before_ms_;
   std::map<TaskId, WorkerId> failed_on_;
-  /// Crashes on a host since a task was last done there.
-  std::map<std::string, std::map<TaskId, std::uint32_t>> host2crashes_;
+  std::map<std::string, HostCrashes> host2crashes_;
   std::map<JobId, std::set<TaskId>> active_;  ///< ready or leased
   std::map<JobId, std::set<TaskId>> failed_;  ///< in quarantine
   std::map<Place, TaskId> places_;
@@ -380,7 +417,7 @@ class JobState {
   std::map<JobId, std::int64_t> turns_over_;
   std::map<JobId, std::set<std::uint64_t>> cut_further_;  ///< sub-domains that were leaves
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::set<TaskId>> done_work_;  ///< by work_key
-  std::map<std::string, JobId> keys_;
+  std::map<std::pair<std::string, std::string>, JobId> keys_;  ///< by owner and key
   std::int64_t stuck_until_ms_ = 0;
   std::int64_t stuck_delay_ms_ = 0;  ///< 0: not stuck
   std::string stuck_message_;

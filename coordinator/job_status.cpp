@@ -48,12 +48,17 @@ void add_assimilation(const TaskRow& assimilate, JobSummary& summary) {
   }
 }
 
+/// What the job will come to, as the inspection tells.
 void add_estimate(const TaskRow& inspect, JobSummary& summary) {
   for (const char* name : {"estimated_elements", "total_work"}) {
     const auto found = inspect.numbers.find(name);
     if (found == inspect.numbers.end()) continue;
     summary.estimated_elements = found->second;
-    return;
+    break;
+  }
+  for (const char* name : {"parts", "forecast_bytes", "forecast_disk_bytes", "forecast_seconds"}) {
+    const auto found = inspect.numbers.find(name);
+    if (found != inspect.numbers.end()) summary.numbers[name] = found->second;
   }
 }
 
@@ -77,6 +82,23 @@ void add_cost(const TaskRow& task, JobSummary& summary) {
   most("_expected_bytes", told("expected_bytes"));
   const double bound = told("expected_bytes");
   if (bound > 0) most("_of_expected_bytes", static_cast<double>(task.peak_rss_bytes) / bound);
+}
+
+/// Of the tets where the surface forces no small angles: their number, their smallest angle of all
+/// leaves, and where it is.
+void add_unforced(const TaskRow& write, JobSummary& summary) {
+  const auto count = write.numbers.find("unforced_elements");
+  if (count == write.numbers.end()) return;
+  summary.numbers["unforced_elements"] += count->second;
+  constexpr const char* angle = "unforced_min_dihedral_deg";
+  const auto here = write.numbers.find(angle);
+  if (here == write.numbers.end()) return;
+  const auto known = summary.numbers.find(angle);
+  if (known != summary.numbers.end() && known->second <= here->second) return;
+  for (const char* name : {angle, "unforced_worst_x", "unforced_worst_y", "unforced_worst_z"}) {
+    const auto found = write.numbers.find(name);
+    if (found != write.numbers.end()) summary.numbers[name] = found->second;
+  }
 }
 
 void count_task(const TaskRow& task, JobSummary& summary) {
@@ -169,6 +191,9 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
       add_assimilation(task, summary);
     }
+    if (task.kind == TaskKind::write && task.state == TaskState::done) {
+      add_unforced(task, summary);
+    }
     if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
       summary.numbers.insert(task.numbers.begin(), task.numbers.end());
       summary.texts.insert(task.texts.begin(), task.texts.end());
@@ -181,6 +206,11 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     }
   }
   summary.stage = name_of(stage);
+  // Cosmetics change a little what the leaves had: the mesh counts once it is there.
+  const auto elements = summary.numbers.find("elements");
+  if (job.phase == JobPhase::done && elements != summary.numbers.end()) {
+    summary.elements = static_cast<std::uint64_t>(elements->second);
+  }
   return summary;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "coordinator/job_state.h"
+#include "coordinator/mesh_share.h"
 
 namespace tetfarm {
 
@@ -29,6 +30,21 @@ void JobState::heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment
   } else {
     commands_.emplace_back(SendAccepted{worker, task, attempt, was_accepted(task, attempt)});
   }
+}
+
+void JobState::note_work(WorkerId worker, TaskId task, AttemptId attempt, const WorkCount& count) {
+  if (!holds(worker, task, attempt)) return;
+  const TaskRow& row = durable_.tasks.at(task);
+  const double share =
+      row.kind == TaskKind::mesh
+          ? mesh_share(count, parameter_or_zero(row, "work"), parameter_or_zero(row, "needles"))
+          : 0;
+  works_[attempt].note(count, share);
+}
+
+const AttemptWork* JobState::work_of(AttemptId attempt) const {
+  const auto found = works_.find(attempt);
+  return found == works_.end() ? nullptr : &found->second;
 }
 
 void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
@@ -67,9 +83,10 @@ AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const st
   row.message = message;
   row.ended_ms = now.wall_ms;
   dirty_attempts_[attempt] = row;
-  process2attempt_.erase(row.nonce);
+  process2attempt_.erase(process_of(row));
   lease_ends_ms_.erase(attempt);
   started_ms_.erase(attempt);
+  works_.erase(attempt);
   leave_race(row);
   const auto session = sessions_.find(row.worker);
   if (session != sessions_.end() && session->second.attempt == attempt) {
@@ -153,7 +170,7 @@ std::vector<WorkerAtWork> JobState::workers_at_work() const {
     const auto attempt = durable_.running_attempts.find(session.attempt);
     const TaskId task =
         attempt == durable_.running_attempts.end() ? TaskId{} : attempt->second.task;
-    all.push_back({workers_.at(id), task, session.drains, session.tag});
+    all.push_back({workers_.at(id), task, session.attempt, session.drains, session.tag});
   }
   return all;
 }
@@ -182,7 +199,7 @@ void JobState::hand_out(Moment now) {
 }
 
 /// Whether a ready task may go to the worker now: not before its back-off is over, elsewhere than
-/// where it failed for a while, with time and room for it.
+/// where it failed for a while, on another host than where it crashed, with time and room for it.
 bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Moment now) const {
   const auto not_before = not_before_ms_.find(id);
   const std::int64_t from_ms = not_before == not_before_ms_.end() ? 0 : not_before->second;
@@ -193,7 +210,8 @@ bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Momen
     return false;
   }
   const TaskRow& task = durable_.tasks.at(id);
-  return memory_for(task) <= free_bytes && has_time_for(sessions_.at(worker), task, now);
+  return memory_for(task) <= free_bytes && has_time_for(sessions_.at(worker), task, now) &&
+         !waits_for_another_host(task, workers_.at(worker).host, now);
 }
 
 /// The best task for a worker; 0 when there is none for it now. Tasks whose inputs turn out to be
@@ -223,13 +241,14 @@ void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now)
   attempt.worker = worker;
   attempt.started_ms = now.wall_ms;
   TaskRow& row = edit(task);
-  attempt.nonce = session.nonce;
+  attempt.nonce_hash = session.process.nonce_hash;
+  attempt.key = session.process.key;
   attempt.host = workers_.at(worker).host;
   attempt.memory_bytes = session.shares_memory ? memory_for(row) : workers_.at(worker).memory_bytes;
   attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);
   dirty_attempts_[attempt.id] = attempt;
-  if (!attempt.nonce.empty()) process2attempt_[attempt.nonce] = attempt.id;
+  if (!attempt.nonce_hash.empty()) process2attempt_[session.process] = attempt.id;
   lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
   session.attempt = attempt.id;
   started_ms_[attempt.id] = now.steady_ms;

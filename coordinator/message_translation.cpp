@@ -7,7 +7,6 @@ namespace {
 
 /// Longer than any walltime, and far from where sums of times overflow.
 constexpr std::uint64_t longest_ms = std::uint64_t{1} << 50U;
-constexpr std::size_t longest_tag = 200;
 
 /// A name that cannot lead out of a folder.
 std::string plain_name(std::string name) {
@@ -16,10 +15,6 @@ std::string plain_name(std::string name) {
       [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 127; }, '_');
   if (name.empty() || name == "." || name == "..") return "_";
   return name;
-}
-
-std::string end_of(const std::string& log) {
-  return log.size() > longest_log ? log.substr(log.size() - longest_log) : log;
 }
 
 wire::TaskKind wire_kind(TaskKind kind) {
@@ -66,7 +61,7 @@ WorkerInfo worker_info_of(const wire::Hello& hello) {
   info.nonce = hello.nonce();
   info.shares_memory = !hello.own_memory();
   info.ends_in_ms = static_cast<std::int64_t>(std::min(hello.ends_in_ms(), longest_ms));
-  info.tag = hello.tag().substr(0, longest_tag);
+  info.tag = hello.tag();
   info.pool_memory_bytes = hello.pool_memory_bytes();
   return info;
 }
@@ -86,7 +81,7 @@ TaskResult result_of(const wire::Done& done) {
   result.texts = {done.texts().begin(), done.texts().end()};
   result.seconds = done.seconds();
   result.peak_rss_bytes = done.peak_rss_bytes();
-  result.log = end_of(done.log());
+  result.log = done.log();
   return result;
 }
 
@@ -99,7 +94,7 @@ TaskFailure failure_of(const wire::Failed& failed) {
   failure.killed = failed.killed();
   failure.out_of_memory = failed.out_of_memory();
   failure.peak_rss_bytes = failed.peak_rss_bytes();
-  failure.log = end_of(failed.log());
+  failure.log = failed.log();
   failure.evidence = files_of(failed.evidence());
   return failure;
 }

@@ -1,7 +1,8 @@
 /// Messages of the wire to the plain structs of job_state, and back.
 ///
 /// What comes from the network is made harmless here: file names become plain names; malformed
-/// hashes are left to the store, which has no such file.
+/// hashes are left to the store, which has no such file. Its texts are bounded before, see
+/// proto/text_limits.h.
 #pragma once
 
 #include "coordinator/job_state.h"

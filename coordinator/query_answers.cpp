@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "coordinator/job_status.h"
 #include "coordinator/message_translation.h"
+#include "coordinator/running_tasks.h"
 
 namespace tetfarm {
 namespace {
@@ -28,9 +29,13 @@ class JobStatuses {
       return status;
     }
     const auto own = tasks_.find(job.id);
-    return status_message(summary_of(
-        state_.durable(), job, own == tasks_.end() ? std::vector<const TaskRow*>{} : own->second,
-        state_.is_stuck() ? state_.stuck_message() : "", now_.wall_ms));
+    const std::vector<const TaskRow*> none;
+    const std::vector<const TaskRow*>& tasks = own == tasks_.end() ? none : own->second;
+    wire::JobStatus status =
+        status_message(summary_of(state_.durable(), job, tasks,
+                                  state_.is_stuck() ? state_.stuck_message() : "", now_.wall_ms));
+    add_running_tasks(state_, tasks, now_, status);
+    return status;
   }
 
  private:
@@ -155,6 +160,7 @@ class Answer {
     line.set_exit_code(task.exit_code);
     line.set_message(task.message);
     set_expectations(task, line);
+    add_doing(state_, task, line);
     const auto attempt = rows_.running_attempts.find(task.attempt);
     if (attempt == rows_.running_attempts.end()) return line;
     line.set_seconds(static_cast<double>(now_.wall_ms - attempt->second.started_ms) / 1000);
@@ -198,6 +204,7 @@ class Answer {
                      : at_work->second.task   ? "busy"
                                               : "idle");
       if (is_here) line.set_task(at_work->second.task.value);
+      if (is_here) add_doing(state_, at_work->second, line);
       line.set_done(record.done);
       line.set_not_done(record.not_done);
       line.set_busy_seconds(record.busy_seconds);

@@ -4,6 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/printable_text.h"
+#include "base/utf8.h"
+
 namespace tetfarm {
 namespace {
 
@@ -22,16 +25,8 @@ constexpr std::array<const char*, refusal_kinds> names = {"unknown_key",
                                                           "wrong_version",
                                                           "senseless",
                                                           "stale",
-                                                          "outside_roots"};
-
-/// What a stranger sent must not be able to forge a line of the log.
-std::string printable(std::string text) {
-  if (text.size() > longest_told) text.resize(longest_told);
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-  }
-  return text;
-}
+                                                          "outside_roots",
+                                                          "no_result"};
 
 }  // namespace
 
@@ -43,7 +38,8 @@ void Refusals::count(Refusal kind, const std::string& told, std::int64_t now_ms)
   if (!std::has_single_bit(counts_.at(i)) && now_ms - told_ms_.at(i) < quiet_ms) return;
   told_ms_.at(i) = now_ms;
   complaints_.push_back(std::string("refused: ") + name_of(kind) + " (" +
-                        std::to_string(counts_.at(i)) + " so far): " + printable(told));
+                        std::to_string(counts_.at(i)) +
+                        " so far): " + printable(cut_utf8(told, longest_told)));
 }
 
 std::uint64_t Refusals::total() const {

@@ -20,14 +20,15 @@ enum class Refusal {
   too_many_workers,      ///< Hello above the limit
   foreign_connection,    ///< a connection's name used with another key
   garbage,               ///< no message of the protocol
-  too_large,             ///< more bytes than a message may have
+  too_large,             ///< more bytes than a message, or a text in it, may have
   wrong_version,         ///< of the protocol
   senseless,             ///< readable, but not for the coordinator to get
   stale,                 ///< of an attempt that is over: late, or replayed
   outside_roots,         ///< a surface outside the folders that jobs may name
+  no_result,             ///< a file asked for that is no result of the job named
 };
 
-inline constexpr std::size_t refusal_kinds = 13;
+inline constexpr std::size_t refusal_kinds = 14;
 
 const char* name_of(Refusal kind);
 

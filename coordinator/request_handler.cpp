@@ -8,17 +8,35 @@
 #include "base/hash.h"
 #include "coordinator/job_status.h"
 #include "coordinator/message_translation.h"
+#include "coordinator/submitted_job.h"
+#include "proto/doing.h"
+#include "proto/field_count.h"
+#include "proto/text_limits.h"
 #include "proto/wire.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t longest_text = 4096;
 constexpr std::size_t longest_probe = 256;
 constexpr std::int64_t answers_per_lease = 4;
 
 bool is_about_files(const wire::Envelope& envelope) {
   return envelope.has_fetch_file() || envelope.has_offer_file() || envelope.has_file_chunk();
+}
+
+bool is_question(const wire::Envelope& envelope) {
+  return envelope.has_status_request() || envelope.has_query();
+}
+
+/// Of a client; it waits for the answer.
+bool asks_for_a_decision(const wire::Envelope& envelope) {
+  return envelope.has_submit() || envelope.has_cancel() || envelope.has_retry() ||
+         envelope.has_drain_workers();
+}
+
+bool tells_a_decision(const wire::Envelope& envelope) {
+  return envelope.has_submitted() || envelope.has_cancelled() || envelope.has_retried() ||
+         envelope.has_draining();
 }
 
 Refusal refusal_of(WireState state) {
@@ -34,13 +52,36 @@ Refusal refusal_of(WireState state) {
   }
 }
 
+bool names_a_surface(const std::vector<ArtifactRef>& inputs) {
+  return std::any_of(inputs.begin(), inputs.end(),
+                     [](const ArtifactRef& input) { return input.name == "input_surface"; });
+}
+
+}  // namespace
+
 std::string who(const Sender& sender) {
   if (sender.is_plain()) return "somebody without a key";
   if (!sender.role) return "key " + sender.key;
   return std::string(name_of(*sender.role)) + " " + sender.name;
 }
 
-}  // namespace
+void RequestHandler::close(const std::string& reason, ExitCode code) {
+  closed_ = reason;
+  closed_code_ = code;
+}
+
+std::vector<Reply> RequestHandler::take_replies_uncommitted() {
+  std::vector<Reply> replies;
+  for (Reply& reply : take_replies()) {
+    if (!reply.needs_commit) {
+      replies.push_back(std::move(reply));
+    } else if (is_closed() && tells_a_decision(reply.envelope)) {
+      const int code = static_cast<int>(closed_code_);
+      replies.push_back({reply.connection, refused_message(closed_, false, code), false});
+    }
+  }
+  return replies;
+}
 
 std::vector<Reply> RequestHandler::take_replies() { return std::exchange(replies_, {}); }
 
@@ -57,7 +98,9 @@ void RequestHandler::forget_workers() {
   workers_.clear();
   connections_.clear();
   transfers_.forget_connections();
+  client_files_.forget_connections();
   checks_.forget();
+  leftovers_.forget_workers();
 }
 
 void RequestHandler::drop(const Sender& sender, const std::string& why, Moment now) {
@@ -95,7 +138,7 @@ bool RequestHandler::is_welcome(const Sender& sender, Moment now) {
 void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobState& state,
                             Moment now) {
   if (!is_welcome(sender, now)) return;
-  const Decoded decoded = decode(bytes);
+  Decoded decoded = has_too_many_fields(bytes) ? Decoded{WireState::too_large, {}} : decode(bytes);
   if (decoded.state != WireState::good) {
     refusals_.count(refusal_of(decoded.state), who(sender), now.steady_ms);
   }
@@ -111,7 +154,8 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
                     ExitCode::usage);
     case WireState::too_large:
       return refuse(sender.connection,
-                    "a message may have " + std::to_string(max_message_size) + " bytes",
+                    "a message may have " + std::to_string(max_message_size) + " bytes and " +
+                        std::to_string(max_fields) + " fields",
                     ExitCode::usage);
     default:
       return;
@@ -121,10 +165,14 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
                     now.steady_ms);
     return;
   }
-  if (!sender.may_send(envelope.body_case())) {
+  if (!sender.may_send(envelope)) {
     const std::string what = who(sender) + " may not send " + name_of(envelope.body_case());
     refusals_.count(Refusal::wrong_role, what, now.steady_ms);
     return refuse(sender.connection, what, ExitCode::failed);
+  }
+  if (const std::string too_long = apply_text_limits(decoded.envelope); !too_long.empty()) {
+    refusals_.count(Refusal::too_large, who(sender) + ": " + too_long, now.steady_ms);
+    return refuse(sender.connection, too_long, ExitCode::usage);
   }
   dispatch(sender, envelope, state, now);
 }
@@ -132,6 +180,14 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
 void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelope, JobState& state,
                               Moment now) {
   const std::string& connection = sender.connection;
+  const bool is_clients_file = is_of_client(envelope);
+  if (is_closed() && !is_question(envelope)) {
+    if (is_clients_file || asks_for_a_decision(envelope)) {
+      refuse(connection, closed_, closed_code_);
+    }
+    return;
+  }
+  if (is_clients_file) return client_file(sender, envelope, state, now);
   switch (envelope.body_case()) {
     case wire::Envelope::kHello:
       return hello(sender, envelope.hello(), state, now);
@@ -194,7 +250,12 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
   } else if (envelope.has_heartbeat()) {
     const wire::Heartbeat& beat = envelope.heartbeat();
     answer_heartbeat(connection, beat, now);
-    state.heartbeat(worker, TaskId{beat.task()}, AttemptId{beat.attempt()}, now);
+    const TaskId task{beat.task()};
+    const AttemptId attempt{beat.attempt()};
+    state.heartbeat(worker, task, attempt, now);
+    if (const auto count = work_count_of(beat.doing())) {
+      state.note_work(worker, task, attempt, *count);
+    }
   } else if (envelope.has_progress()) {
     const wire::Progress& progress = envelope.progress();
     state.heartbeat(worker, TaskId{progress.task()}, AttemptId{progress.attempt()}, now);
@@ -218,7 +279,8 @@ void RequestHandler::answer_heartbeat(const std::string& connection, const wire:
   if (now.steady_ms - answered_ms < options_.lease_ms / answers_per_lease) return;
   answered_ms = now.steady_ms;
   wire::Envelope reply;
-  *reply.mutable_heartbeat() = beat;
+  reply.mutable_heartbeat()->set_task(beat.task());
+  reply.mutable_heartbeat()->set_attempt(beat.attempt());
   answer(connection, std::move(reply), false);
 }
 
@@ -253,6 +315,13 @@ bool RequestHandler::sees_store(const wire::Hello& hello) const {
   }
 }
 
+void RequestHandler::note_store(const std::string& connection, WorkerId worker,
+                                const wire::Hello& hello) {
+  const bool sees_it = sees_store(hello);
+  workers_.at(connection).sees_store = sees_it;
+  if (sees_it) leftovers_.note_probe(worker, hello.probe_file());
+}
+
 void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobState& state,
                            Moment now) {
   const std::string& connection = sender.connection;
@@ -261,12 +330,14 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
     refusals_.count(Refusal::senseless, who(sender) + ": hello without a nonce", now.steady_ms);
     return refuse(connection, "a worker's hello has a nonce", ExitCode::usage);
   }
+  WorkerInfo info = worker_info_of(hello);
+  info.key = sender.key;
   const TaskId task{hello.running_task()};
   const AttemptId attempt{hello.running_attempt()};
   const WorkerId known = worker_of(connection);
   if (known && state.knows_worker(known)) {
-    workers_[connection].sees_store = sees_store(hello);
-    state.greet_again(known, worker_info_of(hello), task, attempt, now);
+    note_store(connection, known, hello);
+    state.greet_again(known, info, task, attempt, now);
     return;
   }
   forget(known);
@@ -276,18 +347,21 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
                   "there are " + std::to_string(options_.max_workers) + " workers already",
                   ExitCode::out_of_resources);
   }
-  const WorkerId worker = state.add_worker(worker_info_of(hello), task, attempt, now);
-  workers_[connection] = {worker, sender.key, sees_store(hello)};
+  const WorkerId worker = state.add_worker(info, task, attempt, now);
+  workers_[connection] = {worker, sender.key};
   connections_[worker] = connection;
+  note_store(connection, worker, hello);
 }
 
 std::vector<FileOrder> RequestHandler::take_file_orders(const JobState& state, Moment now) {
   std::vector<FileOrder> orders = transfers_.take_orders(state, now);
+  for (FileOrder& order : client_files_.take_orders(now)) orders.push_back(std::move(order));
   for (FileOrder& order : checks_.take_orders()) orders.push_back(std::move(order));
   return orders;
 }
 
 void RequestHandler::note_file(const FileAnswer& answer, JobState& state, Moment now) {
+  if (!answer.client.empty()) return client_files_.note_answer(answer);
   transfers_.note_answer(answer.connection);
   if (!answer.checked) return;
   const auto failure = checks_.note(*answer.checked);
@@ -300,7 +374,6 @@ void RequestHandler::note_file(const FileAnswer& answer, JobState& state, Moment
 void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobState& state,
                             Moment now) {
   TaskFailure failure = failure_of(message);
-  if (failure.message.size() > longest_text) failure.message.resize(longest_text);
   const TaskId task{message.task()};
   const AttemptId attempt{message.attempt()};
   const auto& named = message.damaged_inputs();
@@ -320,7 +393,7 @@ void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobSta
 Submission RequestHandler::submission_of(const wire::Submit& message) const {
   Submission submission;
   submission.key = message.key();
-  submission.name = message.name();
+  submission.name = checked_job_name(message);
   submission.job_toml = message.job_toml();
   submission.replaces_others = message.replaces_others();
   submission.inputs = files_of(message.inputs());
@@ -328,6 +401,9 @@ Submission RequestHandler::submission_of(const wire::Submit& message) const {
     const StoredArtifact surface = roots_.take(message.surface_path(), store_);
     submission.inputs.push_back({"input_surface", surface.hash, surface.size});
     if (submission.key.empty()) submission.key = hash128(message.job_toml() + surface.hash).hex();
+  }
+  if (!names_a_surface(submission.inputs)) {
+    throw UsageError("names no surface", "the submission");
   }
   for (const ArtifactRef& input : submission.inputs) {
     if (store_.has(input.hash, input.size)) continue;
@@ -356,7 +432,14 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   } catch (const Error& error) {
     return refuse(connection, error.what(), error.code());
   }
+  submission.owner = sender.key;
   const SubmitAnswer submitted = state.submit(submission, now);
+  if (submitted.differs) {
+    return refuse(connection,
+                  "the key of this submission is that of " + job_name(submitted.job) +
+                      ", which has another job file or another surface: give it a key of its own",
+                  ExitCode::usage);
+  }
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);

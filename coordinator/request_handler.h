@@ -11,10 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
+#include "coordinator/client_files.h"
 #include "coordinator/damage_checks.h"
 #include "coordinator/door.h"
 #include "coordinator/file_transfers.h"
 #include "coordinator/job_state.h"
+#include "coordinator/leftovers.h"
 #include "coordinator/refusals.h"
 #include "coordinator/surface_roots.h"
 #include "proto/messages.pb.h"
@@ -39,6 +42,9 @@ struct Reply {
   bool needs_commit = true;  ///< tells of something that must be durable first
 };
 
+/// Who sent a message, in words.
+std::string who(const Sender& sender);
+
 class RequestHandler {
  public:
   RequestHandler(const ArtifactStore& store, const SurfaceRoots& roots,
@@ -56,6 +62,12 @@ class RequestHandler {
   /// what they hold.
   void expel(const Door& door, JobState& state, Moment now);
 
+  /// Until open(): whoever wants something decided is refused with that reason, workers are not
+  /// heard, as if nobody were here, and questions are answered.
+  void close(const std::string& reason, ExitCode code);
+  void open() { closed_.clear(); }
+  bool is_closed() const { return !closed_.empty(); }
+
   void set_security(const std::string& security) { options_.security = security; }
 
   /// Turns what job_state wants sent into replies.
@@ -69,9 +81,20 @@ class RequestHandler {
   /// What the thread of files shall do now: files of workers that do not see the store, and those
   /// of which a worker says that they are damaged.
   std::vector<FileOrder> take_file_orders(const JobState& state, Moment now);
+  /// What those have left whom these changes, which are durable now, declare gone.
+  std::vector<FileOrder> orders_after(const ChangeSet& changes) {
+    return leftovers_.orders_after(changes);
+  }
+  /// Clients' surfaces that had begun to come before a restart.
+  void remember_surfaces(const std::vector<BegunSurface>& begun, Moment now) {
+    client_files_.remember(begun, now);
+  }
   /// What became of one, but for what is to be said of it.
   void note_file(const FileAnswer& answer, JobState& state, Moment now);
 
+  /// What is to be sent since the last call, of a turn that was not committed: without what would
+  /// tell of something that is not durable. While this is closed, clients are refused instead.
+  std::vector<Reply> take_replies_uncommitted();
   std::vector<Reply> take_replies();
   /// Troubles with files since the last call, for the log.
   std::vector<std::string> take_complaints();
@@ -101,12 +124,16 @@ class RequestHandler {
   void files(const std::string& connection, WorkerId worker, const wire::Envelope& envelope,
              JobState& state, Moment now);
   bool sees_store(const wire::Hello& hello) const;
+  void note_store(const std::string& connection, WorkerId worker, const wire::Hello& hello);
   void forget(WorkerId worker);
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
   void submit(const Sender& sender, const wire::Submit& message, JobState& state, Moment now);
   Submission submission_of(const wire::Submit& message) const;
   void retry(const std::string& connection, const wire::Retry& message, JobState& state,
              Moment now);
+  // request_client_files.cpp: results for clients, surfaces of theirs
+  void client_file(const Sender& sender, const wire::Envelope& envelope, const JobState& state,
+                   Moment now);
   // request_replies.cpp: what was decided, put into words
   void send(const Command& command, const JobState& state, Moment now);
   void forget_lost_workers(const JobState& state);
@@ -132,9 +159,13 @@ class RequestHandler {
   };
   std::vector<Question> questions_;
   FileTransfers transfers_;
+  ClientFiles client_files_;
   DamageChecks checks_;
+  Leftovers leftovers_;
   bool heard_heartbeat_ = false;
   bool heard_other_ = false;
+  std::string closed_;  ///< why; "": it is open
+  ExitCode closed_code_ = ExitCode::failed;
   std::vector<Reply> replies_;
   std::vector<std::string> complaints_;
 };

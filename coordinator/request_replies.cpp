@@ -1,13 +1,28 @@
+#include <filesystem>
+
 #include "base/error.h"
 #include "coordinator/message_translation.h"
 #include "coordinator/query_answers.h"
 #include "coordinator/request_handler.h"
+#include "store/disk_room.h"
 
 namespace tetfarm {
 namespace {
 
 /// Workers that the state has forgotten may be remembered here until there are that many.
 constexpr std::size_t lost_workers_kept = 64;
+
+/// What the store's disk has for a new job; 0: it does not say, or it is full, which is no fault of
+/// this job: the farm waits until there is room (space_watch.h).
+std::uint64_t room_for_jobs(const std::filesystem::path& store) {
+  try {
+    const DiskRoom room = disk_room(store);
+    if (room.total_bytes == 0 || room.free_bytes <= room.reserve()) return 0;
+    return room.free_bytes - room.reserve();
+  } catch (const IoError&) {
+    return 0;
+  }
+}
 
 }  // namespace
 
@@ -29,6 +44,8 @@ wire::StatusReply RequestHandler::status_of_all(const wire::StatusRequest& reque
     (*status.mutable_refused())[name_of(refusal)] = refusals_.of(refusal);
   }
   status.set_security(options_.security);
+  status.set_trouble(closed_);
+  if (is_closed()) status.set_trouble_code(static_cast<int>(closed_code_));
   status.set_connections(static_cast<std::uint32_t>(door.connections()));
   status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
   return status;
@@ -41,6 +58,7 @@ void RequestHandler::answer_questions(const JobState& state, const JobHistory& h
     try {
       if (question.has_query()) {
         *reply.mutable_query_reply() = answer_query(question.query(), {state, history, now});
+        reply.mutable_query_reply()->set_trouble(closed_);
       } else {
         *reply.mutable_status_reply() = status_of_all(question.status_request(), state, door, now);
       }
@@ -75,6 +93,10 @@ void RequestHandler::send(const Command& command, const JobState& state, Moment 
     wire::Envelope envelope =
         assign_message(state.durable().tasks.at(assign->task), assign->attempt);
     envelope.mutable_assign()->set_limit_ms(static_cast<std::uint64_t>(assign->limit_ms));
+    if (envelope.assign().kind() == wire::INSPECT) {
+      (*envelope.mutable_assign()->mutable_parameters())["free_bytes"] =
+          std::to_string(room_for_jobs(store_.folder()));
+    }
     answer(connection->second, std::move(envelope));
   } else if (std::holds_alternative<SendDrain>(command)) {
     wire::Envelope envelope;

@@ -3,6 +3,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,10 +18,12 @@
 
 #include "base/clock.h"
 #include "base/file_system.h"
-#include "base/hash.h"
+#include "base/program_identity.h"
 #include "coordinator/door.h"
 #include "coordinator/file_thread.h"
+#include "coordinator/guarded_database.h"
 #include "coordinator/job_state.h"
+#include "coordinator/log_lines.h"
 #include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/service_manager.h"
@@ -29,11 +32,14 @@
 #include "coordinator/status_server.h"
 #include "coordinator/stop_signals.h"
 #include "coordinator/surface_roots.h"
+#include "proto/address_family.h"
+#include "proto/keys_folder.h"
 #include "proto/peer_security.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
+#include "store/attempt_scratch.h"
 #include "store/folder_lock.h"
-#include "store/job_database.h"
+#include "store/garbage.h"
 
 namespace tetfarm {
 namespace {
@@ -51,16 +57,41 @@ spdlog::logger make_log(const CoordinatorOptions& options) {
   auto terminal = std::make_shared<spdlog::sinks::stderr_sink_mt>();
   terminal->set_level(options.log_to_stderr ? spdlog::level::info : spdlog::level::warn);
   spdlog::logger log("coordinator", {file, terminal});
+  log.set_formatter(one_line_formatter());
   log.flush_on(spdlog::level::warn);
   // A full disk must not flood the terminal with spdlog's own complaints.
   log.set_error_handler([](const std::string&) {});
   return log;
 }
 
-/// The folder of keys, "" when this coordinator has none or shall not use them.
-std::filesystem::path keys_folder(const CoordinatorOptions& options) {
-  if (options.insecure) return {};
-  return keys_in_use(options.keys, database_folder(options.store, options.database));
+KeyPlaces key_places(const CoordinatorOptions& options) {
+  return {options.keys, default_keys_folder(),
+          database_folder(options.store, options.database) / "keys"};
+}
+
+/// None where this coordinator shall not use them: a run of its own speaks with itself only.
+KeysInUse keys_of(const CoordinatorOptions& options) {
+  if (options.insecure) return {{}, "--insecure", {}};
+  if (options.one_job) return {};
+  return find_keys(key_places(options));
+}
+
+/// Also the folders of keys that are not used now: they may have some.
+ClosedPlaces closed_places(const CoordinatorOptions& options) {
+  const KeyPlaces keys = key_places(options);
+  ClosedPlaces closed{options.store,
+                      database_folder(options.store, options.database),
+                      {keys.standard, keys.old, options.store / "keys"},
+                      {}};
+  if (!keys.wanted.empty()) closed.keys.push_back(keys.wanted);
+  if (!options.http_token.empty()) closed.files.push_back(options.http_token);
+  return closed;
+}
+
+/// Others than the group never see what a service writes; what the group may, the umask says. The
+/// store of a run is its user's own business.
+void keep_others_out(const CoordinatorOptions& options) {
+  if (!options.one_job) ::umask(::umask(0) | S_IRWXO);
 }
 
 Moment now() { return {steady_ms(), wall_ms()}; }
@@ -78,10 +109,11 @@ class Server {
         lock_(FolderLock::of_store(options.store)),
         log_(make_log(options)),
         database_(prepared_database(options.store, options.database, store_.probe())),
-        finished_(rows_in(database_)),
-        roots_(with_store(options.allowed_roots, options.store)),
+        finished_(rows_in(database_.rows())),
+        roots_(options.allowed_roots, closed_places(options)),
+        keys_(keys_of(options)),
         door_(context_,
-              {.keys_folder = keys_folder(options),
+              {.keys_folder = keys_.folder,
                .max_connections = options.max_connections,
                .handshake_ms = options.handshake_ms},
               refusals_),
@@ -100,10 +132,10 @@ class Server {
     rules_.lease_ms = options.lease_ms;
     rules_.least_limit_ms = options.task_limit_ms;
     rules_.unknown_limit_ms = options.first_task_limit_ms;
-    rules_.program = hash128(read_file("/proc/self/exe")).hex();
+    rules_.program = program_identity();
     allow_open_files(2 * options.max_connections);
     restore();
-    drop_stale_uploads();
+    sweep_up();
     bind();
   }
 
@@ -118,12 +150,14 @@ class Server {
     while (!signals.stopped() && !(options_.stop != nullptr && options_.stop->load())) turn();
     service_.stopping();
     remove_file(endpoints_file(options_.store));
+    const std::string saved = database_.save_when_removed(wall_ms());
+    if (!saved.empty()) log_.warn("what the database held is saved in {}", saved);
     log_.info("stopped");
   }
 
  private:
   void restore() {
-    DurableState rows = database_.load_unfinished();
+    DurableState rows = database_.rows().load_unfinished();
     finished_.put_others_than(rows);
     state_ = std::make_unique<JobState>(
         std::move(rows), rules_, [this](const ArtifactRef& file) { return has_file(file); }, now(),
@@ -131,10 +165,12 @@ class Server {
     for (const auto& [id, task] : state_->durable().tasks) space_.note(task);
   }
 
-  void drop_stale_uploads() {
+  void sweep_up() {
     std::set<AttemptId> running;
     for (const auto& [id, attempt] : state_->durable().running_attempts) running.insert(id);
     drop_uploads_but(running, store_);
+    sweep_leftovers(store_, running, untouchable_since_ms(state_->durable()));
+    handler_.remember_surfaces(begun_surfaces(store_), now());
   }
 
   /// While tasks are handed out, a file that many of them read is looked for once.
@@ -148,12 +184,6 @@ class Server {
       log_.warn("{}", error.what());
       return false;
     }
-  }
-
-  static std::vector<std::filesystem::path> with_store(std::vector<std::filesystem::path> roots,
-                                                       const std::filesystem::path& store) {
-    roots.push_back(store);
-    return roots;
   }
 
   void bind() {
@@ -182,14 +212,14 @@ class Server {
 
   void listen(const std::string& endpoint) {
     if (!options_.insecure && !door_.has_keys() && !is_local(endpoint)) {
-      throw UsageError(
-          "other hosts can reach it, and this coordinator has no key: tetfarm keys new coordinator "
-          "--keys " +
-              (database_folder(options_.store, options_.database) / "keys").string() +
-              ", or --insecure to let in whoever comes",
-          endpoint);
+      throw UsageError("other hosts can reach it, and this coordinator has no key (" +
+                           keys_.remark + "): tetfarm keys new coordinator --keys " +
+                           default_keys_folder().string() +
+                           ", or --insecure to let in whoever comes",
+                       endpoint);
     }
     door_.make_next_listener(socket_, door_.has_keys() && !is_ipc(endpoint));
+    set_address_family(socket_, endpoint, EndpointUse::bind);
     try {
       socket_.bind(endpoint);
     } catch (const zmq::error_t& error) {
@@ -204,15 +234,20 @@ class Server {
                     [](const std::string& endpoint) { return !is_local(endpoint); });
     if (door_.has_keys()) {
       handler_.set_security("keys");
-      log_.info("encrypted, {} authorised keys", door_.authorized());
+      log_.info("encrypted, {}, {} authorised", keys_.remark, door_.authorized());
     } else if (is_open) {
       handler_.set_security("insecure");
       log_.warn("INSECURE: whoever reaches this coordinator may submit, cancel and give results");
+    } else {
+      log_.info("plain text, this host only{}", keys_.remark.empty() ? "" : ": " + keys_.remark);
     }
+    if (!keys_.warning.empty()) log_.warn("{}", keys_.warning);
   }
 
   void turn() {
+    watch_database();
     receive();
+    if (database_.is_closed()) return turn_while_closed();
     watch_space();
     seen_files_.emplace();
     state_->tick(now());
@@ -222,17 +257,50 @@ class Server {
     const bool committed = commit(changes);
     if (committed) note(changes);
     write_complaints();
-    for (Reply& reply : handler_.take_replies()) {
-      if (committed || !reply.needs_commit) send(std::move(reply));
-    }
+    send_all(committed ? handler_.take_replies() : handler_.take_replies_uncommitted());
     if (!committed) start_over();
-    const JobHistory history = database_.history();
-    handler_.answer_questions(*state_, history, door_, now());
-    for (Reply& reply : handler_.take_replies()) send(std::move(reply));
-    status_.serve({*state_, history, now()}, {refusals_, door_.connections()});
-    service_.turn(now().steady_ms);
+    tell();
     const bool moved_files = move_files();
     if (handler_.take_only_heartbeats() && !moved_files) std::this_thread::sleep_for(rest);
+  }
+
+  /// Nothing is decided. What files bring is forgotten like all else when it opens again.
+  void turn_while_closed() {
+    handler_.close(database_.trouble(), database_.trouble_code());
+    state_->hold_back(database_.trouble(), now());
+    files_.take_answers();
+    write_complaints();
+    send_all(handler_.take_replies());
+    tell();
+    if (handler_.take_only_heartbeats()) std::this_thread::sleep_for(rest);
+  }
+
+  /// Answers who only wants to know.
+  void tell() {
+    const JobHistory history = database_.rows().history();
+    handler_.answer_questions(*state_, history, door_, now());
+    send_all(handler_.take_replies());
+    status_.serve({*state_, history, now()}, {refusals_, database_.trouble(), door_.connections()});
+    service_.turn(now().steady_ms);
+  }
+
+  void watch_database() {
+    switch (database_.look(now().steady_ms)) {
+      case GuardedDatabase::Look::as_before:
+        return;
+      case GuardedDatabase::Look::has_closed:
+        return close();
+      case GuardedDatabase::Look::has_opened:
+        log_.warn("the database can be written to again");
+        handler_.open();
+        handler_.forget_workers();
+        restore();
+    }
+  }
+
+  void close() {
+    log_.error("{}", database_.trouble());
+    handler_.close(database_.trouble(), database_.trouble_code());
   }
 
   void watch_space() {
@@ -299,33 +367,32 @@ class Server {
     for (const std::string& line : handler_.take_complaints()) log_.warn("{}", line);
   }
 
-  /// False when the disk is full or the database is locked by somebody: to be tried again.
+  /// False when the database is locked by somebody, which passes, or closed.
   bool commit(const ChangeSet& changes) {
     const auto start = std::chrono::steady_clock::now();
-    try {
-      database_.apply(changes);
+    const GuardedDatabase::Outcome outcome = database_.commit(changes);
+    if (outcome == GuardedDatabase::Outcome::committed) {
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       status_.note(changes, took.count());
       return true;
-    } catch (const IoError& error) {
-      if (error.code() != ExitCode::out_of_resources && error.error_number() != EBUSY) throw;
-      commit_trouble_ = error.what();
-      status_.note_failed_commit();
-      log_.error("cannot commit: {}", commit_trouble_);
-      return false;
     }
+    status_.note_failed_commit();
+    log_.error("cannot commit: {}", database_.last_failure());
+    if (database_.is_closed()) close();
+    return false;
   }
 
   /// What was decided but not committed never happened: the same as a restart.
   void start_over() {
     handler_.forget_workers();
     restore();
-    state_->hold_back(commit_trouble_, now());
+    state_->hold_back(database_.last_failure(), now());
   }
 
   void note(const ChangeSet& changes) {
     for (const TaskRow& task : changes.tasks) space_.note(task);
     write_log(changes);
+    for (FileOrder& order : handler_.orders_after(changes)) files_.give(std::move(order));
     for (const DurableState& job : state_->take_finished()) finished_.put(job);
   }
 
@@ -337,6 +404,10 @@ class Server {
                event.attempt.value, event.worker.value, event.what, event.message);
     }
     if (!changes.events.empty()) log_.flush();
+  }
+
+  void send_all(std::vector<Reply> replies) {
+    for (Reply& reply : replies) send(std::move(reply));
   }
 
   void send(Reply reply) {
@@ -361,10 +432,11 @@ class Server {
   ArtifactStore store_;
   FolderLock lock_;
   mutable spdlog::logger log_;
-  JobDatabase database_;
+  GuardedDatabase database_;
   FinishedJobs finished_;
   FarmRules rules_;
   SurfaceRoots roots_;
+  KeysInUse keys_;
   Refusals refusals_;
   zmq::context_t context_;
   Door door_;
@@ -376,7 +448,6 @@ class Server {
   ServiceManager service_;
   std::unique_ptr<JobState> state_;
   std::vector<std::string> endpoints_;
-  std::string commit_trouble_;
   mutable std::optional<std::set<std::pair<std::string, std::uint64_t>>> seen_files_;
 };
 
@@ -387,6 +458,7 @@ std::filesystem::path endpoints_file(const std::filesystem::path& store) {
 }
 
 ExitCode run_coordinator(const CoordinatorOptions& options) {
+  keep_others_out(options);
   Server(options).run();
   return ExitCode::ok;
 }

@@ -19,7 +19,7 @@ namespace tetfarm {
 struct CoordinatorOptions {
   std::filesystem::path store;         ///< made when missing; may lie on a network file system
   std::filesystem::path database;      ///< folder of the database, on a local disk; "": the store
-  std::filesystem::path keys;          ///< folder of the keys; "": "keys" beside the database
+  std::filesystem::path keys;          ///< folder of the keys; "": see find_keys
   std::vector<std::string> endpoints;  ///< "ipc:///path", or "tcp://127.0.0.1:*" for any free port
   std::vector<std::filesystem::path> allowed_roots;  ///< folders that jobs may name surfaces in
   std::int64_t heartbeat_ms = 1000;                  ///< how often workers shall speak
@@ -53,9 +53,10 @@ std::filesystem::path endpoints_file(const std::filesystem::path& store);
 /// instant and running it again goes on where it was.
 ///
 /// With a coordinator's key in the folder of keys, all tcp endpoints are encrypted and take
-/// authorised keys only. Without one, only ipc and loopback addresses may be bound, unless
-/// `insecure`. Told to $NOTIFY_SOCKET, when systemd names one. ipc is always plain: its folder's
-/// permissions say who may come in.
+/// authorised keys only; which folder that is, is told to the log. Without one, only ipc and
+/// loopback addresses may be bound, unless `insecure`. Told to $NOTIFY_SOCKET, when systemd names
+/// one. ipc is always plain: its folder's permissions say who may come in. The process's umask
+/// takes all rights from others than the group, but for one_job.
 /// @throws IoError when the store cannot be used, UsageError when an endpoint cannot be bound,
 /// the keys are not in order, another coordinator holds the store, or the database belongs to
 /// another store or would lie on a network file system.

@@ -1,41 +1,80 @@
 #include "coordinator/start_rules.h"
 
+#include <arpa/inet.h>
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/file_system.h"
 #include "proto/key_file.h"
+#include "proto/keys_folder.h"
 
 namespace tetfarm {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool has_key(const fs::path& folder) {
+  return size_of_file(secret_key_path(folder, "coordinator")).has_value();
+}
+
+fs::path folder_with_key(const KeyPlaces& places) {
+  if (!places.wanted.empty()) {
+    if (has_key(places.wanted)) return places.wanted;
+    throw UsageError("has no key of a coordinator: tetfarm keys new coordinator --keys " +
+                         places.wanted.string(),
+                     places.wanted.string());
+  }
+  const bool is_old = has_key(places.old);
+  if (!has_key(places.standard)) return is_old ? places.old : "";
+  if (is_old && !fs::equivalent(places.old, places.standard)) {
+    throw UsageError("there are keys here and in " + places.old.string() +
+                         ", where earlier versions had them: say with --keys which are meant",
+                     places.standard.string());
+  }
+  return places.standard;
+}
+
+}  // namespace
 
 bool is_ipc(const std::string& endpoint) {
   return endpoint.starts_with("ipc://") || endpoint.starts_with("inproc://");
 }
 
 bool is_local(const std::string& endpoint) {
-  constexpr std::array<const char*, 3> loopback = {"tcp://127.",
-                                                   "tcp://localhost:", "tcp://[::1]:"};
-  return is_ipc(endpoint) || std::any_of(loopback.begin(), loopback.end(), [&](const char* prefix) {
-           return endpoint.starts_with(prefix);
-         });
+  constexpr std::string_view tcp = "tcp://";
+  if (!endpoint.starts_with(tcp)) return is_ipc(endpoint);
+  const std::string host = endpoint.substr(tcp.size(), endpoint.rfind(':') - tcp.size());
+  if (host == "localhost" || host == "[::1]") return true;
+  in_addr address{};  // not a name that only begins like one: 127.example.org
+  return host.starts_with("127.") && ::inet_pton(AF_INET, host.c_str(), &address) == 1;
 }
 
 fs::path database_folder(const fs::path& store, const fs::path& wanted) {
   return wanted.empty() ? store : wanted;
 }
 
-fs::path keys_in_use(const fs::path& wanted, const fs::path& database_folder) {
-  const fs::path folder = wanted.empty() ? database_folder / "keys" : wanted;
-  if (size_of_file(secret_key_path(folder, "coordinator"))) return folder;
-  if (wanted.empty()) return {};
-  throw UsageError(
-      "has no key of a coordinator: tetfarm keys new coordinator --keys " + folder.string(),
-      folder.string());
+KeysInUse find_keys(const KeyPlaces& places) {
+  KeysInUse found;
+  found.folder = folder_with_key(places);
+  if (found.folder.empty()) {
+    found.remark =
+        "no coordinator.key in " + places.standard.string() + " nor in " + places.old.string();
+    return found;
+  }
+  found.remark = "keys of " + found.folder.string();
+  if (found.folder != places.wanted && found.folder != places.standard) {
+    found.warning = "the keys lie in " + found.folder.string() +
+                    ", where earlier versions had them: move that folder to " +
+                    places.standard.string() + ", or name it with --keys";
+  } else if (const fs::path store = store_round(found.folder); !store.empty()) {
+    found.warning = "the keys lie in the store " + store.string() +
+                    ", which others can reach: move that folder out of it";
+  }
+  return found;
 }
 
 fs::path prepared_database(const fs::path& store, const fs::path& wanted,

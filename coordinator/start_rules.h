@@ -18,10 +18,22 @@ bool is_local(const std::string& endpoint);
 std::filesystem::path database_folder(const std::filesystem::path& store,
                                       const std::filesystem::path& wanted);
 
-/// The folder of keys to use: `wanted`, or "keys" beside the database when the coordinator's key is
-/// there, else "". @throws UsageError when `wanted` has no key of a coordinator.
-std::filesystem::path keys_in_use(const std::filesystem::path& wanted,
-                                  const std::filesystem::path& database_folder);
+/// Where keys are looked for.
+struct KeyPlaces {
+  std::filesystem::path wanted;    ///< "": not said
+  std::filesystem::path standard;  ///< see default_keys_folder
+  std::filesystem::path old;       ///< beside the database, where earlier versions had them
+};
+
+struct KeysInUse {
+  std::filesystem::path folder;  ///< "": none, all is plain
+  std::string remark;            ///< for the log: where they are, or were looked for
+  std::string warning;           ///< that they should lie elsewhere, "": they need not
+};
+
+/// The folder with the coordinator's key: `wanted`, else the standard one, else the old one.
+/// @throws UsageError when `wanted` has no key of a coordinator, or when both others have one.
+KeysInUse find_keys(const KeyPlaces& places);
 
 /// The database's path. A folder of its own is made when it is missing, and bound to the store with
 /// that probe. @throws UsageError when it is bound to another store, IoError.

@@ -6,6 +6,9 @@
 #include <map>
 #include <vector>
 
+#include "base/tree_way.h"
+#include "proto/doing.h"
+
 namespace tetfarm {
 namespace {
 
@@ -91,7 +94,7 @@ std::string tree_picture(const QueryContext& context) {
         static_cast<double>(row.path - (std::uint64_t{1} << static_cast<unsigned>(level)));
     boxes += box(row.meshed ? "meshed" : name_of(row.state), place * share, level * row_height,
                  share - 1, row_height - 2,
-                 "sub-domain " + std::to_string(row.path) + ": " +
+                 "sub-domain " + tree_way(row.path) + ": " +
                      (row.meshed ? std::to_string(row.tets) + " tets" : name_of(row.state)));
   }
   if (nodes == 0) return {};
@@ -105,14 +108,15 @@ std::string tree_picture(const QueryContext& context) {
 
 std::string workers_table(const QueryContext& context) {
   std::string text =
-      "<h2>Workers</h2><table><tr><th>worker<th>host<th>state<th>task<th>done<th>not done"
-      "<th>busy seconds</tr>\n";
+      "<h2>Workers</h2><table><tr><th>worker<th>host<th>state<th>task<th>does<th>done"
+      "<th>failed attempts<th>busy seconds</tr>\n";
   const wire::QueryReply reply = ask(context, wire::Query::WORKERS);
   for (const wire::WorkerLine& worker : reply.workers()) {
     text += "<tr>" + cell("worker-" + std::to_string(worker.worker())) + cell(worker.host()) +
             cell(worker.state()) + cell(worker.task() == 0 ? "" : std::to_string(worker.task())) +
-            cell(std::to_string(worker.done())) + cell(std::to_string(worker.not_done())) +
-            cell(number(worker.busy_seconds())) + "</tr>\n";
+            cell(doing_text(worker.doing())) + cell(std::to_string(worker.done())) +
+            cell(std::to_string(worker.not_done())) + cell(number(worker.busy_seconds())) +
+            "</tr>\n";
   }
   return text + "</table>\n" + (reply.next() != 0 ? "<p>and more</p>\n" : "");
 }
@@ -148,8 +152,8 @@ std::string timeline(const QueryContext& context) {
                                                          : "bad";
     const int row = process2row.at({attempt.host(), attempt.process()});
     boxes += box(look, x, row * row_height, w, row_height - 2,
-                 attempt.kind() + " " + std::to_string(attempt.path()) + ", task " +
-                     std::to_string(attempt.task()) + " on " + attempt.host() + ": " +
+                 attempt.kind() + (attempt.path() == 0 ? "" : " " + tree_way(attempt.path())) +
+                     ", task " + std::to_string(attempt.task()) + " on " + attempt.host() + ": " +
                      attempt.state() + " " + attempt.message());
   }
   return "<h2>The last " + number(span / 1000) + " s</h2>\n<svg width=\"" + number(width) +

@@ -47,8 +47,11 @@ HttpAnswer StatusServer::page(const std::string& path, const QueryContext& conte
   if (path == "/healthz") {
     answer.body = "ok\n";
   } else if (path == "/readyz") {
+    const std::string& closed = surroundings.database_trouble;
     const bool is_stuck = context.state.is_stuck();
-    answer.body = is_stuck ? "no room: " + context.state.stuck_message() + "\n" : trouble_;
+    answer.body = !closed.empty() ? "not ready: " + closed + "\n"
+                  : is_stuck      ? "no room: " + context.state.stuck_message() + "\n"
+                                  : trouble_;
     answer.status = answer.body.empty() ? 200 : 503;
     if (answer.body.empty()) answer.body = "ready\n";
   } else if (path == "/metrics") {

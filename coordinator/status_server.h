@@ -29,6 +29,7 @@ class StatusServer {
 
   struct Surroundings {
     const Refusals& refusals;
+    const std::string& database_trouble;  ///< "": none
     std::size_t connections = 0;
   };
   /// Answers requests; never waits.

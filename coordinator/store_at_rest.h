@@ -1,4 +1,5 @@
-/// A store whose coordinator does not answer: what its rows say, read and never changed.
+/// A store whose coordinator does not answer: what its rows say, read and never changed. When no
+/// coordinator can be there, a job that has not ended is "stopped", and its tasks do not run.
 #pragma once
 
 #include <filesystem>

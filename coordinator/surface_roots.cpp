@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/file_system.h"
 
@@ -15,12 +18,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t copied_at_once = std::size_t{4} << 20U;
+/// How files begin that are keys or databases of a farm, this one or another.
+constexpr std::array<std::string_view, 2> secret_beginnings = {"tetfarm secret key ",
+                                                               "SQLite format 3"};
+
 class OpenFile {
  public:
-  explicit OpenFile(const fs::path& path)
-      // Opening a pipe must not wait for a writer, nor a terminal become ours.
-      : number_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
-    if (number_ < 0) throw IoError("cannot open", path.string(), errno);
+  /// `name` is what the path is called in a message.
+  OpenFile(const fs::path& path, int flags, const fs::path& name)
+      : number_(::open(path.c_str(), flags | O_CLOEXEC)) {
+    if (number_ < 0) throw IoError("cannot open", name.string(), errno);
   }
   ~OpenFile() { ::close(number_); }
   OpenFile(const OpenFile&) = delete;
@@ -38,22 +46,76 @@ class OpenFile {
   int number_;
 };
 
+bool lies_in(const fs::path& folder, const fs::path& real) {
+  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
+         folder.end();
+}
+
+/// For a message: a NUL would end it.
+std::string printable(const fs::path& path) {
+  std::string text = path.string();
+  for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;) {
+    text.replace(at, 1, "\\0");
+  }
+  return text;
+}
+
+UsageError too_large(const fs::path& path) {
+  return UsageError("is larger than the " + std::to_string(max_taken_bytes) +
+                        " bytes that the coordinator copies; submit it with --store",
+                    path.string());
+}
+
+/// What is open in a process, the coordinator's own first of all.
+bool names_a_descriptor(const fs::path& path) {
+  return lies_in("/proc", path) || lies_in("/dev/fd", path);
+}
+
+bool begins_like_a_secret(std::string_view bytes) {
+  return std::any_of(secret_beginnings.begin(), secret_beginnings.end(),
+                     [&](std::string_view beginning) { return bytes.starts_with(beginning); });
+}
+
+/// False when it is a key or a database by its content. @throws UsageError, IoError.
+bool copy_out_of(const OpenFile& found, const fs::path& path, const fs::path& copy) {
+  const OpenFile file(found.link(), O_RDONLY | O_NONBLOCK, path);
+  std::uint64_t copied = 0;
+  while (true) {
+    const std::string bytes = read_part_of_file(file.link(), copied, copied_at_once);
+    if (copied == 0 && begins_like_a_secret(bytes)) return false;
+    if (copied + bytes.size() > max_taken_bytes) throw too_large(path);
+    append_to_file(copy, copied, bytes);
+    copied += bytes.size();
+    if (bytes.size() < copied_at_once) return true;
+  }
+}
+
 }  // namespace
 
-SurfaceRoots::SurfaceRoots(const std::vector<fs::path>& folders) {
+SurfaceRoots::SurfaceRoots(const std::vector<fs::path>& folders, ClosedPlaces closed)
+    : closed_(std::move(closed)) {
+  std::error_code error;
+  if (!closed_.store.empty()) store_ = fs::weakly_canonical(closed_.store, error);
   for (const fs::path& folder : folders) {
-    std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error || !fs::is_directory(real)) {
       throw UsageError("is no folder", "--allow-root " + folder.string());
+    }
+    if (is_closed_folder(closed_, real)) {
+      throw UsageError(
+          "jobs may name nothing in the store or among the keys; give their surfaces a folder of "
+          "their own",
+          "--allow-root " + folder.string());
     }
     roots_.push_back(real);
   }
 }
 
+/// What lies in the store is open only where a folder in it is a root itself.
 bool SurfaceRoots::contain(const fs::path& real) const {
+  const bool is_in_store = !store_.empty() && lies_in(store_, real);
   return std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-    return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+    return lies_in(root, real) && (!is_in_store || lies_in(store_, root));
   });
 }
 
@@ -64,37 +126,39 @@ std::string SurfaceRoots::list() const {
 }
 
 StoredArtifact SurfaceRoots::take(const fs::path& path, const ArtifactStore& store) const {
+  if (path.string().find('\0') != std::string::npos) {
+    throw UsageError("has a NUL, which no path can have", printable(path));
+  }
   if (!path.is_absolute()) throw UsageError("is not an absolute path", path.string());
-  const std::string roots = "; folders that jobs may name: " + list();
-  // Before it is opened: whoever may name any path must not learn what lies outside.
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);
-  if (error || !contain(real)) {
-    throw OutsideRoots(path.string() + (real == path || error ? "" : " (" + real.string() + ")") +
-                       ": not a place that jobs may name" + roots);
-  }
-  const OpenFile file(real);
+  const OutsideRoots refusal(
+      path.string() + (real == path || error ? "" : " (" + real.string() + ")") +
+      ": not a place that jobs may name; submit it without --coordinator-reads, or put it into one "
+      "of these folders: " +
+      list());
+  // Before it is opened: whoever may name any path must not learn what lies outside.
+  if (error || names_a_descriptor(path.lexically_normal()) || !contain(real)) throw refusal;
+  // Looked at before it is read: opening a device may do something.
+  const OpenFile found(real, O_PATH, path);
   // Between the look and the opening a link may have taken its place: what counts is what is open.
-  if (!contain(fs::read_symlink(file.link(), error)) || error) {
-    throw OutsideRoots(path.string() + ": not a place that jobs may name" + roots);
-  }
-  const struct stat about = file.about(path);
+  const fs::path opened = fs::read_symlink(found.link(), error);
+  const struct stat about = found.about(path);
+  if (error || !contain(opened)) throw refusal;
+  const OutsideRoots secret(path.string() +
+                            ": a key, a database or another file of a farm's own, which no job "
+                            "may name");
+  if (is_closed(closed_, about, opened)) throw secret;
   if (!S_ISREG(about.st_mode)) throw UsageError("is no file", path.string());
-  if (static_cast<std::uint64_t>(about.st_size) > max_taken_bytes) {
-    throw UsageError("is larger than the " + std::to_string(max_taken_bytes) +
-                         " bytes that the coordinator copies; submit it with --store",
-                     path.string());
-  }
+  if (static_cast<std::uint64_t>(about.st_size) > max_taken_bytes) throw too_large(path);
   const fs::path copy = store.scratch_path("surface");
-  fs::copy_file(file.link(), copy, error);
-  if (error) {
+  try {
+    if (!copy_out_of(found, path, copy)) throw secret;
+    return store.publish_file(copy);
+  } catch (...) {
     remove_file(copy);
-    throw IoError("cannot copy it", path.string(), error.value());
+    throw;
   }
-  // Workers of other users shall be able to read it.
-  fs::permissions(copy, fs::perms::owner_write | fs::perms::owner_read | fs::perms::group_read |
-                            fs::perms::others_read);
-  return store.publish_file(copy);
 }
 
 }  // namespace tetfarm

@@ -4,14 +4,24 @@
 #include <cstdlib>
 #include <vector>
 
+#include "store/task_time.h"
+
 namespace tetfarm {
 namespace {
 
-/// Estimated elements of the task's sub-domain; 1 where the task does not name them.
+/// Estimated elements of the task's sub-domain, with so many more as take as long as its needles;
+/// 1 where the task does not name them.
 double work_of(const TaskRow& task) {
-  const auto work = task.parameters.find("work");
-  if (work == task.parameters.end()) return 1;
-  return std::max(1.0, std::strtod(work->second.c_str(), nullptr));
+  if (!task.parameters.contains("work")) return 1;
+  const double elements = std::max(1.0, parameter_or_zero(task, "work"));
+  const double needles = parameter_or_zero(task, "needles");
+  constexpr double many = 1e6;
+  const auto usual = [&task](double elements_of, double needles_of) {
+    return usual_seconds(task.kind, {elements_of, 0, needles_of}).expected;
+  };
+  const double of_element = (usual(many, 0) - usual(0, 0)) / many;
+  if (!(needles > 0) || !(of_element > 0)) return elements;
+  return elements + (usual(0, needles) - usual(0, 0)) / of_element;
 }
 
 double median_of(const std::deque<double>& samples) {
@@ -28,6 +38,11 @@ double add_sample(std::deque<double>& samples, double value) {
 }
 
 }  // namespace
+
+double parameter_or_zero(const TaskRow& task, const char* name) {
+  const auto found = task.parameters.find(name);
+  return found == task.parameters.end() ? 0 : std::strtod(found->second.c_str(), nullptr);
+}
 
 void TaskExpectation::learn(const TaskRow& done) {
   Samples& samples = samples_[static_cast<std::size_t>(done.kind)];

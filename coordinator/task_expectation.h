@@ -1,5 +1,5 @@
 /// What tasks are expected to take, learnt from the finished ones: the median of the last tasks of
-/// a kind, seconds in proportion to the estimated elements where a task names them.
+/// a kind, seconds in proportion to its elements and needles (task_time.h) where a task names them.
 ///
 /// The expectation decides who gets a task and when one is late; it never decides what a task
 /// makes. Of a kind of which none is finished nothing is expected.
@@ -13,6 +13,9 @@
 #include "store/rows.h"
 
 namespace tetfarm {
+
+/// What the task was given under that name; 0 where it was given none.
+double parameter_or_zero(const TaskRow& task, const char* name);
 
 class TaskExpectation {
  public:

@@ -60,6 +60,11 @@ TaskRow decompose_task(const TaskRow& inspect, const SubdomainRow& subdomain) {
   return task;
 }
 
+/// Of a task on a sub-domain: how many triangles with a small angle the task that made it counted.
+void tell_needles(std::uint64_t needles, TaskRow& task) {
+  if (needles > 0) task.parameters["needles"] = std::to_string(needles);
+}
+
 /// What is to be done with new sub-domains. Leaves that are to be assimilated wait for the others.
 void add_tasks(const TaskRow& inspect, bool meshes_leaves, GraphStep& step) {
   for (const SubdomainRow& subdomain : step.subdomains) {
@@ -191,6 +196,7 @@ GraphStep after_inspect(const TaskRow& inspect) {
                                    work_of(inspect, "total_work"),
                                    file_of(inspect.outputs, "root"))};
   add_tasks(inspect, !is_assimilated(inspect), step);
+  for (TaskRow& task : step.tasks) tell_needles(count_or_zero(inspect.numbers, "needles"), task);
   return step;
 }
 
@@ -212,6 +218,15 @@ GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                       work_of(decompose, "right_work"), file_of(decompose.outputs, "right"))};
   }
   add_tasks(inspect, is_further || !is_assimilated(inspect), step);
+  for (TaskRow& task : step.tasks) {
+    const auto own = decompose.parameters.find("needles");
+    if (task.path == parent.path) {
+      if (own != decompose.parameters.end()) task.parameters["needles"] = own->second;
+    } else {
+      const char* side = task.path == 2 * parent.path ? "left_needles" : "right_needles";
+      tell_needles(count_or_zero(decompose.numbers, side), task);
+    }
+  }
   return step;
 }
 

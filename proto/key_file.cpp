@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
+#include "base/hex_text.h"
 
 namespace tetfarm {
 namespace {
@@ -24,17 +25,6 @@ constexpr std::size_t longest_key_file = 256;
 constexpr std::size_t longest_name = 64;
 const std::string secret_mark = "tetfarm secret key ";
 const std::string public_mark = "tetfarm public key ";
-
-std::string to_hex(const std::string& bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += digits[byte >> 4U];
-    text += digits[byte & 15U];
-  }
-  return text;
-}
 
 /// Empty when `text` is not the hexadecimal digits of a key.
 std::string from_hex(const std::string& text) {
@@ -121,7 +111,7 @@ void make_private_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::string hex_of(const PublicKey& key) { return to_hex(key.bytes); }
+std::string hex_of(const PublicKey& key) { return hex_of_bytes(key.bytes); }
 
 PublicKey public_key_of_hex(const std::string& text, const std::string& where) {
   PublicKey key{from_hex(text)};
@@ -160,7 +150,7 @@ KeyPair write_new_key(const fs::path& folder, const std::string& name) {
   }
   make_private_folder(folder);
   KeyPair pair = make_key_pair();
-  write_secret(secret_key_path(folder, name), secret_mark + to_hex(pair.secret_bytes) + "\n");
+  write_secret(secret_key_path(folder, name), secret_mark + hex_of_bytes(pair.secret_bytes) + "\n");
   write_public_key(public_key_path(folder, name), pair.public_key);
   return pair;
 }

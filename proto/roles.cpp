@@ -23,9 +23,9 @@ constexpr std::array<Permission, 16> permissions = {{
     {Kind::kFailed, true, false, false},
     {Kind::kHeartbeat, true, false, false},
     {Kind::kGoodbye, true, false, false},
-    {Kind::kFetchFile, true, false, false},
-    {Kind::kOfferFile, true, false, false},
-    {Kind::kFileChunk, true, false, false},
+    {Kind::kFetchFile, true, true, false},
+    {Kind::kOfferFile, true, true, false},
+    {Kind::kFileChunk, true, true, false},
     {Kind::kSubmit, false, true, false},
     {Kind::kCancel, false, true, false},
     {Kind::kRetry, false, true, false},
@@ -73,6 +73,31 @@ bool may_send(Role role, wire::Envelope::BodyCase kind) {
       return line->viewer;
   }
   return false;
+}
+
+bool is_of_client(const wire::Envelope& envelope) {
+  switch (envelope.body_case()) {
+    case wire::Envelope::kFetchFile:
+      return envelope.fetch_file().attempt() == 0;
+    case wire::Envelope::kOfferFile:
+      return envelope.offer_file().attempt() == 0;
+    case wire::Envelope::kFileChunk:
+      return envelope.file_chunk().attempt() == 0;
+    default:
+      return false;
+  }
+}
+
+bool may_send(Role role, const wire::Envelope& envelope) {
+  if (!may_send(role, envelope.body_case())) return false;
+  switch (envelope.body_case()) {
+    case wire::Envelope::kFetchFile:
+    case wire::Envelope::kOfferFile:
+    case wire::Envelope::kFileChunk:
+      return is_of_client(envelope) == (role == Role::submitter);
+    default:
+      return true;
+  }
 }
 
 bool is_for_the_coordinator(wire::Envelope::BodyCase kind) { return find(kind) != nullptr; }

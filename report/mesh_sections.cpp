@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/angle_text.h"
 #include "report/html_table.h"
 #include "report/html_text.h"
 #include "report/report_page.h"
@@ -115,7 +116,7 @@ std::string facts(const MeshFigures& figures) {
       {"boundary triangles", count_text(figures.boundary_triangles)},
       {"volume", format("%.10g", figures.volume)},
       {"dihedral angles",
-       format("%.2f° to %.2f°", shapes.min_dihedral_deg, shapes.max_dihedral_deg)},
+       angle_text(shapes.min_dihedral_deg) + "° to " + angle_text(shapes.max_dihedral_deg) + "°"},
       {"mean radius ratio", format("%.4f", shapes.mean_radius_ratio())},
       {"smallest height", format("%.6g", shapes.smallest_height)}};
   if (figures.knows_subdomains) {
@@ -142,14 +143,19 @@ std::string near_and_away(const MeshFigures& figures) {
                                     format(pattern, value_of(figures.away_from_cuts)),
                                     format(pattern, value_of(figures.all))};
   };
+  const auto angles = [&](const char* name, const auto& value_of) {
+    const auto text = [&](const TetFigures& of) { return angle_text(value_of(of)) + "°"; };
+    return std::vector<std::string>{name, text(figures.near_cuts), text(figures.away_from_cuts),
+                                    text(figures.all)};
+  };
   return "<h3>Near the cuts and away from them</h3>\n" +
          html_table({"", "near", "away", "all"},
                     {{"tetrahedra", count_text(figures.near_cuts.shapes.tets),
                       count_text(figures.away_from_cuts.shapes.tets), count_text(figures.tets)},
-                     row("smallest dihedral angle", "%.2f°",
-                         [](const TetFigures& of) { return of.shapes.min_dihedral_deg; }),
-                     row("largest dihedral angle", "%.2f°",
-                         [](const TetFigures& of) { return of.shapes.max_dihedral_deg; }),
+                     angles("smallest dihedral angle",
+                            [](const TetFigures& of) { return of.shapes.min_dihedral_deg; }),
+                     angles("largest dihedral angle",
+                            [](const TetFigures& of) { return of.shapes.max_dihedral_deg; }),
                      row("mean radius ratio", "%.4f",
                          [](const TetFigures& of) { return of.shapes.mean_radius_ratio(); }),
                      row("smallest height = time step × wave speed", "%.6g",
@@ -175,10 +181,10 @@ std::string time_step(const MeshFigures& figures) {
 std::string worst(const MeshFigures& figures) {
   std::vector<std::vector<std::string>> rows;
   for (const WorstTet& tet : figures.worst) {
-    rows.push_back({format("%.3f°", tet.min_dihedral_deg), format("%.3f°", tet.max_dihedral_deg),
-                    format("%.4f", tet.radius_ratio), format("%.4g", tet.height),
-                    std::to_string(tet.subdomain), tet.is_near_cut ? "yes" : "no",
-                    place_text(tet.centroid), count_text(tet.tet)});
+    rows.push_back({angle_text(tet.min_dihedral_deg, 3) + "°",
+                    angle_text(tet.max_dihedral_deg, 3) + "°", format("%.4f", tet.radius_ratio),
+                    format("%.4g", tet.height), std::to_string(tet.subdomain),
+                    tet.is_near_cut ? "yes" : "no", place_text(tet.centroid), count_text(tet.tet)});
   }
   return format("<h2>The worst %zu tetrahedra</h2>\n<div class=\"scroll\">", rows.size()) +
          html_table({"angle from", "to", "radius ratio", "height", "sub-domain", "near a cut",

@@ -52,7 +52,7 @@ StoredArtifact checksum_of_file(const fs::path& path) {
 }
 
 fs::path probe_path(const ArtifactStore& store, const std::string& name) {
-  return store.scratch_folder() / ("probe-" + name);
+  return store.scratch_folder() / (std::string(probe_stem) + name);
 }
 
 ArtifactStore::ArtifactStore(fs::path folder, std::string probe)

@@ -24,6 +24,9 @@ StoredArtifact checksum_of_file(const std::filesystem::path& path);
 
 class ArtifactStore;
 
+/// What the names of such files begin with.
+inline constexpr std::string_view probe_stem = "probe-";
+
 /// Where a worker that wants to know whether it sees the coordinator's store leaves a file of that
 /// name.
 std::filesystem::path probe_path(const ArtifactStore& store, const std::string& name);

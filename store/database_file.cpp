@@ -1,10 +1,14 @@
 #include "store/database_file.h"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "base/error.h"
 #include "store/sqlite_statement.h"
@@ -12,6 +16,7 @@
 namespace tetfarm {
 namespace {
 
+constexpr mode_t private_mode = S_IRUSR | S_IWUSR;
 constexpr int busy_timeout_ms = 5000;
 constexpr int all_pages = -1;  // at once: what others write between two steps would begin it anew
 constexpr int pause_ms = 10;
@@ -60,12 +65,27 @@ SqlitePtr open_to_read(const std::string& path) {
   return open_as(uri_of(path) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, path);
 }
 
+/// What is in it is nobody else's business: made for its owner alone, and taken from everybody
+/// where an earlier program gave it to them. SQLite gives its log the same rights. What a group was
+/// given on purpose it keeps.
+void keep_others_out(const std::filesystem::path& path) {
+  const sqlite3_vfs* files = sqlite3_vfs_find(nullptr);
+  if (files == nullptr || !std::string_view(files->zName).starts_with("unix")) return;
+  const int made = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, private_mode);
+  if (made < 0) return;  // SQLite says what is wrong
+  struct stat about {};
+  const bool is_open_to_all = ::fstat(made, &about) == 0 && (about.st_mode & S_IRWXO) != 0;
+  if (is_open_to_all && about.st_uid == ::geteuid()) ::fchmod(made, private_mode);
+  ::close(made);
+}
+
 }  // namespace
 
 void CloseSqlite::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 SqlitePtr open_database(const std::filesystem::path& path, DatabaseAccess access) {
   if (access == DatabaseAccess::write) {
+    if (path != ":memory:") keep_others_out(path);
     return open_as(path.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, path.string());
   }
   if (!std::filesystem::exists(path)) throw IoError("no database", path.string(), ENOENT);

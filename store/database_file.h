@@ -18,8 +18,8 @@ enum class DatabaseAccess {
   read,
 };
 
-/// `path` may be ":memory:". Read, also in a folder that may not be written to, as long as no
-/// process left a log of changes there.
+/// `path` may be ":memory:". One that is made has mode 0600. Read, also in a folder that may not be
+/// written to, as long as no process left a log of changes there.
 /// @throws IoError (not_found when there is none to read), CorruptFile.
 SqlitePtr open_database(const std::filesystem::path& path, DatabaseAccess access);
 

@@ -1,8 +1,12 @@
 #include "store/job_database.h"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -26,6 +30,24 @@ void refuse_network_file_system(const std::filesystem::path& folder) {
                        "a disk of this "
                        "host with --database DIR (the store itself may stay where it is)",
                    folder.string());
+}
+
+bool is_forbidden(int error_number) {
+  return error_number == EROFS || error_number == EACCES || error_number == EPERM;
+}
+
+[[noreturn]] void refuse_read_only(const std::filesystem::path& path, int error_number) {
+  throw IoError(
+      "the database can be read but not written to; a coordinator needs to write to this file and "
+      "to its folder: change their permissions or owner, mount the disk for writing, or name "
+      "another folder with --database DIR",
+      path.string(), error_number);
+}
+
+void roll_back(sqlite3* database) {
+  // Some errors end the transaction by themselves; a second ROLLBACK would only hide the first.
+  if (sqlite3_get_autocommit(database) != 0) return;
+  sqlite3_exec(database, "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
 constexpr const char* forget_events =
@@ -57,11 +79,22 @@ JobDatabase::JobDatabase(const std::filesystem::path& path, const HistoryBounds&
   refuse_network_file_system(path.has_parent_path() ? path.parent_path() : ".");
   database_ = open_database(path, DatabaseAccess::write);
   sqlite3* opened = database_.get();
-  execute(opened, "PRAGMA journal_mode = WAL");
-  execute(opened, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = OFF;");
-  // A table that is built anew is dropped first, which foreign keys would forbid.
-  migrate(opened);
-  execute(opened, "PRAGMA foreign_keys = ON");
+  // What SQLite may not write to it opens all the same, to read.
+  if (sqlite3_db_readonly(opened, "main") == 1) {
+    refuse_read_only(path,
+                     ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0 ? EROFS : errno);
+  }
+  try {
+    execute(opened, "PRAGMA journal_mode = WAL");
+    execute(opened, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = OFF;");
+    // A table that is built anew is dropped first, which foreign keys would forbid.
+    migrate(opened);
+    execute(opened, "PRAGMA foreign_keys = ON");
+    try_to_write();
+  } catch (const IoError& error) {
+    if (is_forbidden(error.error_number())) refuse_read_only(path, error.error_number());
+    throw;
+  }
 }
 
 JobDatabase::JobDatabase(SqlitePtr database) : database_(std::move(database)) {}
@@ -90,13 +123,32 @@ void JobDatabase::apply(const ChangeSet& changes) {
     execute(database_.get(), "COMMIT");
   } catch (...) {
     writing_.reset();
-    // Some errors end the transaction by themselves; a second ROLLBACK would only hide the first
-    // error.
-    if (sqlite3_get_autocommit(database_.get()) == 0) {
-      sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
-    }
+    roll_back(database_.get());
     throw;
   }
+}
+
+void JobDatabase::try_to_write() {
+  // SQLite writes the page of the version whether it changes or not.
+  const std::string sql =
+      "BEGIN IMMEDIATE; PRAGMA user_version = " + std::to_string(schema_version(database_.get())) +
+      "; COMMIT";
+  try {
+    execute(database_.get(), sql.c_str());
+  } catch (...) {
+    roll_back(database_.get());
+    throw;
+  }
+}
+
+void JobDatabase::save_copy(const std::filesystem::path& file) const {
+  const SqlitePtr copy = open_database(file, DatabaseAccess::write);
+  copy_database(database_.get(), copy.get());
+  execute(copy.get(), "PRAGMA journal_mode = DELETE");
+}
+
+void JobDatabase::leave_files_alone() {
+  sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
 }
 
 DurableState JobDatabase::load() const { return read_state(database_.get(), JobsToRead::all); }

@@ -17,7 +17,7 @@
 namespace tetfarm {
 
 /// The schema that this program writes; older databases are brought up to it when they are opened.
-inline constexpr int database_version = 7;
+inline constexpr int database_version = 8;
 
 /// How much history is kept: the newest so many.
 struct HistoryBounds {
@@ -28,8 +28,8 @@ struct HistoryBounds {
 class JobDatabase {
  public:
   /// Opens or makes the database, with a write-ahead log.
-  /// @throws UsageError on a network file system; IoError, CorruptFile when it is no database of
-  /// ours, or one of a newer program.
+  /// @throws UsageError on a network file system; IoError, also when it may be read but not written
+  /// to, which is tried; CorruptFile when it is no database of ours, or one of a newer program.
   explicit JobDatabase(const std::filesystem::path& path, const HistoryBounds& bounds = {});
   /// Opens one that is there, whether a coordinator runs or not, and never changes it: an older
   /// schema is brought up in a copy in memory. apply() then fails.
@@ -42,6 +42,17 @@ class JobDatabase {
   /// Writes all rows in one transaction, or none. Durable when it returns.
   /// @throws IoError (out_of_resources when the disk is full).
   void apply(const ChangeSet& changes);
+
+  /// Writes what is there already in a transaction of its own: may it be written to?
+  /// @throws IoError as apply does.
+  void try_to_write();
+
+  /// Everything in it, into a file that is not there yet. @throws IoError.
+  void save_copy(const std::filesystem::path& file) const;
+
+  /// Closing it will leave the files as they are: for when others lie under their names, which
+  /// SQLite would take for its own.
+  void leave_files_alone();
 
   /// Everything that decides what happens next. Cost: one pass over the tables.
   DurableState load() const;

@@ -12,9 +12,10 @@ namespace tetfarm {
 namespace {
 
 constexpr const char* attempt_columns =
-    "attempts.id, task, worker, attempts.state, started_ms, ended_ms, attempts.message, nonce, "
+    "attempts.id, task, worker, attempts.state, started_ms, ended_ms, attempts.message, "
+    "nonce_hash, "
     "rival, attempts.memory_bytes, attempts.peak_rss_bytes, "
-    "(SELECT host FROM workers WHERE workers.id = worker) FROM attempts ";
+    "(SELECT host FROM workers WHERE workers.id = worker), key FROM attempts ";
 constexpr const char* worker_columns =
     "SELECT id, host, process, cores, memory_bytes, program_version, seen_ms, gone";
 
@@ -29,11 +30,12 @@ std::vector<AttemptRow> read_attempts(Statement& rows) {
     attempt.started_ms = rows.integer();
     attempt.ended_ms = rows.integer();
     attempt.message = rows.text();
-    attempt.nonce = rows.text();
+    attempt.nonce_hash = rows.text();
     attempt.is_rival = rows.integer() != 0;
     attempt.memory_bytes = rows.unsigned_integer();
     attempt.peak_rss_bytes = rows.unsigned_integer();
     attempt.host = rows.text();
+    attempt.key = rows.text();
     attempts.push_back(std::move(attempt));
   }
   return attempts;
@@ -56,7 +58,8 @@ WorkerRow read_worker(Statement& rows) {
 void read_costs(sqlite3* database, std::vector<TaskRow>& tasks) {
   Statement values(database,
                    "SELECT sort, name, number, text FROM task_values WHERE task = ? AND name IN "
-                   "('expected_seconds', 'expected_bytes', 'cpu_seconds', 'tets', 'work')");
+                   "('expected_seconds', 'expected_bytes', 'cpu_seconds', 'tets', 'work', "
+                   "'size_elements', 'size_triangles', 'size_needles')");
   for (TaskRow& task : tasks) {
     values.bind(task.id.value);
     while (values.step()) {

@@ -36,7 +36,7 @@ SubdomainState subdomain_state_of(const std::string& name) {
 void load_jobs(sqlite3* database, const std::string& which, DurableState& state) {
   const std::string sql =
       "SELECT id, coalesce(key, ''), name, job_toml, phase, exit_code, message, "
-      "created_ms, finished_ms FROM jobs" +
+      "created_ms, finished_ms, owner, content FROM jobs" +
       which;
   Statement rows(database, sql.c_str());
   while (rows.step()) {
@@ -50,6 +50,8 @@ void load_jobs(sqlite3* database, const std::string& which, DurableState& state)
     job.message = rows.text();
     job.created_ms = rows.integer();
     job.finished_ms = rows.integer();
+    job.owner = rows.text();
+    job.content = rows.text();
     state.jobs.emplace(job.id, std::move(job));
   }
 }

@@ -10,7 +10,7 @@ namespace {
 using Files = std::vector<ArtifactRef>;
 
 constexpr const char* put_job =
-    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?) "
+    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?) "
     "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
     "job_toml = excluded.job_toml, phase = excluded.phase, "
     "exit_code = excluded.exit_code, message = excluded.message, "
@@ -48,7 +48,7 @@ constexpr const char* put_worker =
     "INSERT INTO workers VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
     "ON CONFLICT (id) DO UPDATE SET gone = excluded.gone";
 constexpr const char* put_attempt =
-    "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+    "INSERT INTO attempts VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
     "ON CONFLICT (id) DO UPDATE SET worker = excluded.worker, "
     "state = excluded.state, ended_ms = excluded.ended_ms, "
     "message = excluded.message, rival = excluded.rival, "
@@ -94,7 +94,7 @@ void RowWriter::write(const ChangeSet& changes) {
 void RowWriter::write(const JobRow& job) {
   job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
   job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
-  job_.bind(job.created_ms).bind(job.finished_ms).run();
+  job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content).run();
 }
 
 void RowWriter::write(const SubdomainRow& row) {
@@ -167,9 +167,9 @@ void RowWriter::write(const WorkerRow& worker) {
 void RowWriter::write(const AttemptRow& attempt) {
   attempt_.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
   attempt_.bind(name_of(attempt.state)).bind(attempt.started_ms);
-  attempt_.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce);
+  attempt_.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce_hash);
   attempt_.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes);
-  attempt_.bind(attempt.peak_rss_bytes).run();
+  attempt_.bind(attempt.peak_rss_bytes).bind(attempt.key).run();
   if (!attempt.log.empty()) log_.bind(attempt.id.value).bind(attempt.log).run();
 }
 

@@ -68,6 +68,8 @@ struct JobRow {
   std::string message;
   std::int64_t created_ms = 0;
   std::int64_t finished_ms = 0;
+  std::string owner = {};  ///< the submitter's public key, "": a plain connection; `key` is its own
+  std::string content = {};  ///< "NAME HASH" of each input of its inspection, a line each
 
   friend bool operator==(const JobRow&, const JobRow&) = default;
 };
@@ -121,12 +123,13 @@ struct AttemptRow {
   std::int64_t started_ms = 0;
   std::int64_t ended_ms = 0;
   std::string message;
-  std::string nonce;      ///< of the worker's process: nobody else may go on with it
-  bool is_rival = false;  ///< races another attempt of its task, which is `TaskRow::attempt`
+  std::string nonce_hash;  ///< of the worker's process: nobody else may go on with it
+  bool is_rival = false;   ///< races another attempt of its task, which is `TaskRow::attempt`
   std::uint64_t memory_bytes = 0;    ///< room that it was given; 0: not known
   std::uint64_t peak_rss_bytes = 0;  ///< of an ended one, as far as its worker said
   std::string log = {};   ///< what its process said, its end; kept apart and not read with the row
   std::string host = {};  ///< of its worker, in whose row it is kept
+  std::string key = {};   ///< public key of the worker's process, "": a plain connection
 
   friend bool operator==(const AttemptRow&, const AttemptRow&) = default;
 };

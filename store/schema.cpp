@@ -241,9 +241,40 @@ DROP TABLE task_values;
 ALTER TABLE new_task_values RENAME TO task_values;
 )sql";
 
+/// A submission's key is its submitter's own, and stands for one content: the inputs of the job's
+/// inspection. Of an attempt's process the key is kept, and of its nonce only a hash: what earlier
+/// programs wrote is forgotten, and an attempt that runs belongs to nobody and is made again.
+constexpr const char* who_it_belongs_to = R"sql(
+CREATE TABLE new_jobs (
+  id INTEGER PRIMARY KEY,
+  key TEXT,
+  name TEXT NOT NULL,
+  job_toml TEXT NOT NULL,
+  phase TEXT NOT NULL,
+  exit_code INTEGER NOT NULL,
+  message TEXT NOT NULL,
+  created_ms INTEGER NOT NULL,
+  finished_ms INTEGER NOT NULL,
+  owner TEXT NOT NULL,
+  content TEXT NOT NULL
+) STRICT;
+INSERT INTO new_jobs SELECT jobs.*, '', coalesce(
+  (SELECT group_concat(line, char(10)) FROM
+    (SELECT task_inputs.name || ' ' || hash AS line FROM tasks
+     JOIN task_inputs ON task_inputs.task = tasks.id
+     WHERE tasks.job = jobs.id AND kind = 'inspect' AND path = 0 AND state <> 'replaced'
+     ORDER BY place)), '') FROM jobs;
+DROP TABLE jobs;
+ALTER TABLE new_jobs RENAME TO jobs;
+CREATE UNIQUE INDEX one_job_of_a_key ON jobs (owner, key);
+ALTER TABLE attempts RENAME COLUMN nonce TO nonce_hash;
+UPDATE attempts SET nonce_hash = '';
+ALTER TABLE attempts ADD COLUMN key TEXT NOT NULL DEFAULT '';
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {
     first_schema, any_kind_of_task, joined_subdomains, quarantine,
-    history,      replaced_tasks,   tasks_of_one_job};
+    history,      replaced_tasks,   tasks_of_one_job,  who_it_belongs_to};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);
@@ -267,12 +298,14 @@ void migrate(sqlite3* database) {
     throw CorruptFile(
         "written by a newer tetfarm (database version " + std::to_string(version) + ")", path);
   }
+  if (version == database_version) return;
+  std::string sql = "BEGIN IMMEDIATE;";
   for (auto next = static_cast<std::size_t>(version); next < migrations.size(); ++next) {
-    const std::string sql = std::string("BEGIN IMMEDIATE;") + migrations[next] +
-                            "PRAGMA application_id = " + std::to_string(application_id) +
-                            ";PRAGMA user_version = " + std::to_string(next + 1) + ";COMMIT;";
-    execute(database, sql.c_str());
+    sql += migrations[next];
   }
+  sql += "PRAGMA application_id = " + std::to_string(application_id) +
+         ";PRAGMA user_version = " + std::to_string(database_version) + ";COMMIT;";
+  execute(database, sql.c_str());
 }
 
 }  // namespace tetfarm

@@ -7,6 +7,21 @@
 namespace tetfarm {
 namespace {
 
+/// What the system said when a file of the database failed last: of failed commits SQLite tells it
+/// in this way only. 0: nothing.
+int last_errno(sqlite3* database) {
+  sqlite3_file* log = nullptr;
+  int error_number = 0;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_JOURNAL_POINTER, &log);
+  if (log != nullptr && log->pMethods != nullptr) {
+    log->pMethods->xFileControl(log, SQLITE_FCNTL_LAST_ERRNO, &error_number);
+  }
+  if (error_number != 0) return error_number;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_LAST_ERRNO, &error_number);
+  return error_number;
+}
+
+/// EINVAL where the world is not to blame but what was asked for.
 int errno_of(sqlite3* database, int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
@@ -20,13 +35,21 @@ int errno_of(sqlite3* database, int code) {
       return EROFS;
     case SQLITE_PERM:
       return EACCES;
-    default: {
+    case SQLITE_IOERR:
+    case SQLITE_CANTOPEN: {
       const int system_error = database != nullptr ? sqlite3_system_errno(database) : 0;
       if (system_error != 0) return system_error;
+      const int file_error = database != nullptr ? last_errno(database) : 0;
+      if (file_error != 0) return file_error;
       // SQLite tells a full disk from other failed writes, but not a quota or a limit on the file's
       // size.
       return code == SQLITE_IOERR_WRITE ? EFBIG : EIO;
     }
+    case SQLITE_PROTOCOL:
+    case SQLITE_NOLFS:
+      return EIO;
+    default:
+      return EINVAL;
   }
 }
 

@@ -11,8 +11,9 @@
 
 namespace tetfarm {
 
-/// Throws what `code` means for the database at `path`: IoError (ENOSPC when full, EBUSY when
-/// locked, EIO, …) or CorruptFile.
+/// Throws what `code` means for the database: CorruptFile or IoError (ENOSPC when full, EBUSY when
+/// locked, EROFS when it may not be written to, EIO, …; EINVAL when the world is not to blame but a
+/// statement, which is wrong or breaks a rule of the tables).
 [[noreturn]] void throw_sqlite_error(sqlite3* database, int code, const std::string& what);
 
 /// Runs statements without results. @throws IoError, CorruptFile.

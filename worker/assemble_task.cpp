@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/job_name.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/write_ugrid.h"
+#include "mesh/inspect/small_angles.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
 #include "worker/shared_mesh_file.h"
@@ -70,10 +72,10 @@ class ResultFiles {
   void publish() {
     if (vtkhdf_) {
       const ReadThrough& finished = vtkhdf_->finished();
-      io_.publish_checked_file(job_.name + ".vtkhdf", shared_mesh_file(io_).path,
+      io_.publish_checked_file(file_name_of_job(job_.name, ".vtkhdf"), shared_mesh_file(io_).path,
                                {finished.hash.hex(), static_cast<std::uint64_t>(finished.size)});
     }
-    if (ugrid_) io_.publish_file(job_.name + ".lb8.ugrid", ugrid_path_);
+    if (ugrid_) io_.publish_file(file_name_of_job(job_.name, ".lb8.ugrid"), ugrid_path_);
   }
 
  private:
@@ -87,9 +89,9 @@ class ResultFiles {
                                                  return std::move(portion.part);
                                                });
     } else if (format == "lb8.ugrid") {
-      ugrid_path_ = io_.store().scratch_path(job_.name + "." + format);
+      ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
-      io_.publish(job_.name + ".mapbc", mapbc_text(surface_.patch_names));
+      io_.publish(file_name_of_job(job_.name, ".mapbc"), mapbc_text(surface_.patch_names));
     } else {
       throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
                        "[output] formats");
@@ -158,6 +160,25 @@ std::string regions_text(const MeshShapes& shapes, const std::vector<std::string
   return text;
 }
 
+/// Which angles the surface forces, of the whole of it, however it was cut.
+void report_forcing(TaskIo& io, const SurfaceMesh& surface) {
+  const ForcedDihedral forced = forced_dihedral(surface);
+  io.number("forced_dihedral_deg", forced.at_most_deg);
+  report_place(io, "forced", forced.at);
+  const SmallAngles small = small_angles(surface);
+  io.number("surface_triangles", static_cast<double>(small.triangles));
+  io.number("surface_smallest_angle_deg", small.smallest_deg);
+  io.number("surface_triangles_below_1_deg", static_cast<double>(small.below_1_deg));
+  io.number("surface_triangles_below_5_deg", static_cast<double>(small.below_5_deg));
+  for (std::size_t i = 0; i < small.worst.size(); ++i) {
+    const std::string which = "surface_worst_" + std::to_string(i + 1);
+    io.number(which + "_triangle", static_cast<double>(small.worst[i].triangle));
+    io.number(which + "_angle_deg", small.worst[i].angle_deg);
+    report_place(io, which, small.worst[i].at);
+    io.text(which + "_patch", small.worst[i].patch);
+  }
+}
+
 void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& surface,
             const JobFile& job) {
   io.number("nodes", static_cast<double>(summary.nodes));
@@ -171,10 +192,8 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
   io.number("volume", summary.volume);
   io.number("min_dihedral_gate_deg", job.min_dihedral_deg);
   report_place(io, "worst", summary.shapes.all.worst_centroid);
-  // Of the whole surface, however it was cut.
-  const ForcedDihedral forced = forced_dihedral(surface);
-  io.number("forced_dihedral_deg", forced.at_most_deg);
-  report_place(io, "forced", forced.at);
+  io.number("min_unforced_dihedral_gate_deg", job.min_unforced_dihedral_deg);
+  report_forcing(io, surface);
   io.text("digest", summary.digest.hex());
 }
 
@@ -186,10 +205,9 @@ void assemble_task(TaskIo& io) {
   const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
   report_cost(io, cost_of(surface, numbering));
   ResultFiles files(io, job, surface, numbering);
-  std::int64_t tets = 0;
+  io.progress().begin(WorkStage::assemble, numbering.leaves.size());
   const auto read = [&](const LeafNumbers& leaf) {
-    tets += leaf.tets;
-    io.progress("assemble", tets);
+    io.progress().add();
     return files.read(leaf);
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, files.writers());
@@ -198,7 +216,8 @@ void assemble_task(TaskIo& io) {
   if (surface.region_names.empty()) return;
   report_regions(io, summary.shapes, surface.region_names);
   if (std::find(job.formats.begin(), job.formats.end(), "lb8.ugrid") != job.formats.end()) {
-    io.publish(job.name + ".regions", regions_text(summary.shapes, surface.region_names));
+    io.publish(file_name_of_job(job.name, ".regions"),
+               regions_text(summary.shapes, surface.region_names));
   }
 }
 

@@ -87,8 +87,9 @@ GroupFigures join_groups(TaskIo& io, const std::vector<LeafLine>& leaves,
             std::to_string(groups[group].front().heap) + "\n";
   }
   GroupFigures figures;
+  io.progress().begin(WorkStage::join, groups.size());
   for (const std::vector<TreePath>& members : groups) {
-    io.progress("join", std::ssize(figures.faces));
+    io.progress().add();
     const Subdomain group = joined_group(io, members);
     nodes.add_joined(group);
     figures.faces.push_back(static_cast<double>(group.triangles.size()));
@@ -109,8 +110,9 @@ void assimilate_task(TaskIo& io) {
   const std::vector<LeafLine> leaves = leaves_of(io.parameter("table"));
   SubdomainGraphBuilder builder;
   CutNodes nodes;
-  io.progress("graph", 0);
+  io.progress().begin(WorkStage::graph, leaves.size());
   for (const auto& [path, work] : leaves) {
+    io.progress().add();
     const Subdomain leaf = read_leaf(io, path);
     builder.add(leaf, work);
     nodes.add_leaf(leaf);

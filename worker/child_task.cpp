@@ -15,6 +15,7 @@
 
 #include "base/child_process.h"
 #include "base/error.h"
+#include "base/work_stage.h"
 #include "store/rows.h"
 #include "worker/task_environment.h"
 
@@ -170,6 +171,14 @@ void ChildTask::write_log(std::string line) {
   if (log_.size() > longest_log) log_.erase(0, log_.size() - longest_log);
 }
 
+/// Once: a task may go through some of its stages many times.
+void ChildTask::log_stage(const std::string& stage) {
+  const bool is_known = std::find(stages_.begin(), stages_.end(), stage) != stages_.end();
+  if (is_known || stages_.size() == work_stages) return;
+  stages_.push_back(stage);
+  write_log(stage);
+}
+
 void ChildTask::read_last_words() {
   std::array<char, 4096> buffer;
   while (true) {
@@ -182,7 +191,7 @@ void ChildTask::read_last_words() {
   }
 }
 
-void ChildTask::read_frames(const std::function<void(const wire::Progress&)>& progress) {
+void ChildTask::read_frames(const Hear& hear) {
   std::array<char, 65536> buffer;
   while (!frames_ended_) {
     const ssize_t n = ::read(frames_fd_, buffer.data(), buffer.size());
@@ -191,10 +200,10 @@ void ChildTask::read_frames(const std::function<void(const wire::Progress&)>& pr
     if (n == 0) frames_ended_ = true;
     unread_.append(buffer.data(), static_cast<std::size_t>(n));
   }
-  take_frames(progress);
+  take_frames(hear);
 }
 
-void ChildTask::take_frames(const std::function<void(const wire::Progress&)>& progress) {
+void ChildTask::take_frames(const Hear& hear) {
   while (unread_.size() >= 4) {
     const std::size_t length = frame_length(unread_);
     if (length > largest_frame) {
@@ -207,25 +216,19 @@ void ChildTask::take_frames(const std::function<void(const wire::Progress&)>& pr
     const bool understood = envelope.ParseFromArray(unread_.data() + 4, static_cast<int>(length));
     unread_.erase(0, 4 + length);
     if (!understood) continue;
-    if (envelope.has_progress()) {
-      envelope.mutable_progress()->set_task(task_);
-      envelope.mutable_progress()->set_attempt(attempt_);
-      if (envelope.progress().stage() != stage_) {
-        stage_ = envelope.progress().stage();
-        write_log(stage_);
-      }
-      progress(envelope.progress());
+    if (envelope.has_heartbeat()) {
+      log_stage(envelope.heartbeat().doing().stage());
+      hear(envelope.heartbeat().doing());
     } else if (envelope.has_done() || envelope.has_failed()) {
       answer_ = std::move(envelope);
     }
   }
 }
 
-std::optional<wire::Envelope> ChildTask::poll(
-    const std::function<void(const wire::Progress&)>& progress) {
+std::optional<wire::Envelope> ChildTask::poll(const Hear& hear) {
   if (process_ <= 0) return std::nullopt;
   read_last_words();
-  read_frames(progress);
+  read_frames(hear);
   int status = 0;
   rusage usage{};
   pid_t ended = 0;
@@ -234,7 +237,7 @@ std::optional<wire::Envelope> ChildTask::poll(
   } while (ended < 0 && errno == EINTR);
   if (ended == 0) return std::nullopt;
   read_last_words();
-  read_frames(progress);
+  read_frames(hear);
   process_ = -1;
   return outcome(status, usage);
 }

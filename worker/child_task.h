@@ -2,10 +2,10 @@
 /// worker.
 ///
 /// The child is a program, or a copy of one that is loaded already (TaskHost), that reads a
-/// wire::Assign from its standard input and writes framed wire::Envelopes (Progress, then one Done
-/// or Failed) to task_result_fd. What it says on
-/// standard error is kept for the message of a failure, and for the log of the attempt. It dies
-/// with the thread that started it.
+/// wire::Assign from its standard input and writes framed wire::Envelopes (Heartbeats with what it
+/// does, then one Done
+/// or Failed) to task_result_fd. What it says on standard error is kept for the message of a
+/// failure, and for the log of the attempt. It dies with the thread that started it.
 #pragma once
 
 #include <sys/resource.h>
@@ -50,10 +50,12 @@ class ChildTask {
   std::uint64_t task() const { return task_; }
   std::uint64_t attempt() const { return attempt_; }
 
-  /// Reads what the child said. Calls `progress` for its news; when it has ended returns Done or
+  using Hear = std::function<void(const wire::Doing&)>;
+
+  /// Reads what the child said. Calls `hear` with what it does; when it has ended returns Done or
   /// Failed (an Envelope without a version), with peak memory, time and the number
   /// cpu_seconds filled in. Does not block while it runs.
-  std::optional<wire::Envelope> poll(const std::function<void(const wire::Progress&)>& progress);
+  std::optional<wire::Envelope> poll(const Hear& hear);
 
   /// Ends the child now; poll() then returns Failed.
   void kill();
@@ -61,8 +63,9 @@ class ChildTask {
   void end_overdue(std::int64_t limit_ms);
 
  private:
-  void read_frames(const std::function<void(const wire::Progress&)>& progress);
-  void take_frames(const std::function<void(const wire::Progress&)>& progress);
+  void read_frames(const Hear& hear);
+  void take_frames(const Hear& hear);
+  void log_stage(const std::string& stage);
   void read_last_words();
   void write_log(std::string line);
   wire::Envelope outcome(int status, const rusage& usage);
@@ -79,8 +82,8 @@ class ChildTask {
   std::int64_t overdue_ms_ = 0;  ///< the limit that it broke, 0: none
   std::string unread_;
   std::string last_words_;
-  std::string log_;    ///< stages with their times, and what it said; its end
-  std::string stage_;  ///< as last told
+  std::string log_;                  ///< stages with their times, and what it said; its end
+  std::vector<std::string> stages_;  ///< that are in the log
   std::optional<wire::Envelope> answer_;
 };
 

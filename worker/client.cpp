@@ -8,6 +8,7 @@
 
 #include "base/clock.h"
 #include "base/ids.h"
+#include "store/attempt_scratch.h"
 #include "worker/child_task.h"
 #include "worker/coordinator_socket.h"
 #include "worker/drain_signals.h"
@@ -39,6 +40,7 @@ class Client {
         host_(options.host_command) {}
 
   ExitCode run() {
+    host_.prepare();
     connect();
     while (!finished_) {
       wait();
@@ -85,7 +87,7 @@ class Client {
     }
     hello.set_running_task(task_);
     hello.set_running_attempt(attempt_);
-    send(envelope);
+    hello_waits_for_connection_ = !socket_.send(envelope);
   }
 
   /// Who has no room for a task's files waits until there is some.
@@ -105,8 +107,20 @@ class Client {
     send(envelope);
   }
 
-  void forget_task() {
+  /// With what it has left when it was killed.
+  void end_child() {
+    if (!child_) return;
     child_.reset();
+    doing_.Clear();
+    try {
+      remove_attempt_scratch(ArtifactStore::open_existing(task_store_), AttemptId{attempt_});
+    } catch (const IoError& error) {
+      spdlog::warn("{}", error.what());
+    }
+  }
+
+  void forget_task() {
+    end_child();
     unaccepted_.reset();
     said_ready_ = false;
     result_waits_for_files_ = false;
@@ -120,7 +134,7 @@ class Client {
   }
 
   void wait() {
-    std::vector<zmq::pollitem_t> items = {socket_.poll_item()};
+    std::vector<zmq::pollitem_t> items = {socket_.poll_item(hello_waits_for_connection_)};
     if (signals_.fd() >= 0) items.push_back({nullptr, signals_.fd(), ZMQ_POLLIN, 0});
     if (child_) items.push_back({nullptr, child_->fd(), ZMQ_POLLIN, 0});
     try {
@@ -128,7 +142,9 @@ class Client {
                 std::chrono::milliseconds(options_.drain != nullptr ? flag_tick_ms : tick_ms));
     } catch (const zmq::error_t& error) {
       if (error.num() != EINTR) throw;
+      return;
     }
+    if ((items[0].revents & ZMQ_POLLOUT) != 0) say_hello();
   }
 
   void take_signals() {
@@ -179,6 +195,8 @@ class Client {
   }
 
   void take_welcome(const wire::Welcome& welcome) {
+    // A coordinator that started meanwhile has swept it away.
+    if (!welcome.sees_store() && probe_.is_lost()) return say_hello();
     registered_ = true;
     note_store(welcome.sees_store());
     hello_again_ms_ = first_hello_again_ms;
@@ -237,6 +255,7 @@ class Client {
                                  .memory_limit_bytes = memory_bytes_};
     limit_ms_ = static_cast<std::int64_t>(assign_.limit_ms());
     assigned_at_ = steady_ms();
+    task_store_ = store;
     try {
       child_.emplace(child, assign_);
     } catch (const IoError& error) {
@@ -246,7 +265,7 @@ class Client {
 
   /// The attempt ends here because of the world around it.
   void fail(const Error& error, const std::string& damaged_input = "") {
-    child_.reset();
+    end_child();
     unaccepted_.emplace();
     wire::Failed& failed = *unaccepted_->mutable_failed();
     failed.set_task(task_);
@@ -305,15 +324,10 @@ class Client {
 
   void take_outcome() {
     if (!child_) return;
-    const auto pass_on = [this](const wire::Progress& progress) {
-      if (!registered_) return;
-      wire::Envelope envelope;
-      *envelope.mutable_progress() = progress;
-      send(envelope);
-    };
-    std::optional<wire::Envelope> outcome = child_->poll(pass_on);
+    std::optional<wire::Envelope> outcome =
+        child_->poll([this](const wire::Doing& doing) { doing_ = doing; });
     if (!outcome) return;
-    child_.reset();
+    end_child();
     unaccepted_ = std::move(outcome);
     if (is_apart_) with_files([&] { files_.send_outputs(*unaccepted_); });
     if (unaccepted_->has_failed()) {
@@ -360,6 +374,8 @@ class Client {
       wire::Envelope envelope;
       envelope.mutable_heartbeat()->set_task(task_);
       envelope.mutable_heartbeat()->set_attempt(attempt_);
+      if (child_ && !doing_.stage().empty())
+        *envelope.mutable_heartbeat()->mutable_doing() = doing_;
       send(envelope);
     }
     if (unaccepted_ && now >= result_at_) send_result();
@@ -387,10 +403,13 @@ class Client {
   std::uint64_t attempt_ = 0;
   TaskHost host_;
   std::optional<ChildTask> child_;
+  wire::Doing doing_;                 ///< what its task said last
+  std::filesystem::path task_store_;  ///< where the task at hand runs
   std::optional<wire::Envelope> unaccepted_;
 
   std::int64_t hello_again_ms_ = first_hello_again_ms;
   std::int64_t hello_at_ = 0;
+  bool hello_waits_for_connection_ = false;
   std::int64_t heard_at_ = 0;
   std::int64_t heartbeat_ms_ = 1'000;
   std::int64_t lease_ms_ = 10'000;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "proto/address_family.h"
+#include "proto/reconnection.h"
 #include "proto/wire.h"
 
 namespace tetfarm {
@@ -25,10 +27,10 @@ void CoordinatorSocket::connect() {
   socket_->set(zmq::sockopt::linger, linger_ms);
   socket_->set(zmq::sockopt::immediate, 1);
   socket_->set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_message_size));
-  socket_->set(zmq::sockopt::reconnect_ivl, 100);
-  socket_->set(zmq::sockopt::reconnect_ivl_max, 2000);
+  set_reconnection(*socket_, endpoint_);
   secure(*socket_, read_peer_keys(keys_, store_));
   handshakes_.emplace(context_, *socket_);
+  set_address_family(*socket_, endpoint_, EndpointUse::connect);
   socket_->connect(endpoint_);
 }
 
@@ -43,9 +45,9 @@ void CoordinatorSocket::heed_handshake() {
   }
 }
 
-void CoordinatorSocket::send(const wire::Envelope& envelope) {
+bool CoordinatorSocket::send(const wire::Envelope& envelope) {
   const std::string bytes = encode(envelope);
-  socket_->send(zmq::buffer(bytes), zmq::send_flags::dontwait);
+  return socket_->send(zmq::buffer(bytes), zmq::send_flags::dontwait).has_value();
 }
 
 std::optional<wire::Envelope> CoordinatorSocket::receive() {

@@ -24,11 +24,15 @@ class CoordinatorSocket {
   /// A broken handshake is tried again: the coordinator may just have been ended.
   /// @throws Error when trying again does not help.
   void heed_handshake();
-  /// Without waiting; what cannot be sent now is lost.
-  void send(const wire::Envelope& envelope);
+  /// Without waiting; what cannot be sent now is lost: false.
+  bool send(const wire::Envelope& envelope);
   /// The next message that is sound, or refuses; nothing when no more has come.
   std::optional<wire::Envelope> receive();
-  zmq::pollitem_t poll_item() const { return {socket_->handle(), 0, ZMQ_POLLIN, 0}; }
+  /// `waits_to_send`: is ready, with ZMQ_POLLOUT, also when there is a connection to send over.
+  zmq::pollitem_t poll_item(bool waits_to_send) const {
+    const int events = waits_to_send ? ZMQ_POLLIN | ZMQ_POLLOUT : ZMQ_POLLIN;
+    return {socket_->handle(), 0, static_cast<short>(events), 0};
+  }
 
  private:
   const std::string endpoint_;

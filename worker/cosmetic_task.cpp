@@ -101,7 +101,7 @@ void report(TaskIo& io, const SeamResult& result, const Surroundings& inputs) {
 void cosmetic_task(TaskIo& io) {
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   Surroundings inputs = open_inputs(io);
-  io.progress("read", 0);
+  io.progress().begin(WorkStage::read);
   std::vector<ElementSection> sections;
   for (const Sharers& sharers : shared_sections(inputs)) {
     sections.push_back(latest(sharers, inputs));
@@ -114,7 +114,7 @@ void cosmetic_task(TaskIo& io) {
   SeamOptions options;
   options.cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
   options.cosmetics.smallest_spacing = spacing.smallest();
-  io.progress("cosmetic", 0);
+  options.cosmetics.progress = io.progress();
   const SeamResult result = improve_seams(std::move(sections), turn, options);
   report(io, result, inputs);
   io.publish("elements", elements_to_bytes({{inputs.self}, result.next_node, result.gone, {}},

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "mesh/core/subdomain_regions.h"
+#include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/region_split.h"
 #include "mesh/io/artifact_file.h"
 #include "worker/task_cost.h"
@@ -92,6 +93,8 @@ void publish_halves(TaskIo& io, const Works& works, const Subdomain& left, const
   require_sound(right);
   io.number("left_work", works.left);
   io.number("right_work", works.right);
+  io.number("left_needles", static_cast<double>(needle_count(left.vertices, left.triangles)));
+  io.number("right_needles", static_cast<double>(needle_count(right.vertices, right.triangles)));
   io.publish("left", subdomain_to_bytes(left));
   io.publish("right", subdomain_to_bytes(right));
 }
@@ -130,11 +133,12 @@ void decompose_task(TaskIo& io) {
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   report_cost(io, decompose_cost(size_of(io, subdomain, io.number_parameter("work", 0))));
   const Wanted wanted(io);
-  io.progress("cut", 0);
+  io.progress().begin(WorkStage::cut);
   if (subdomain.region == 0) return divide_regions(io, subdomain, spacing, wanted);
   CutOptions options;
   options.planes = cut_planes_of(job);
   options.left_share = wanted.left_share();
+  options.progress = io.progress();
   const CutOutcome outcome = planar_cut(subdomain, spacing, options);
   if (!outcome.cut) {
     io.text("reason", outcome.reason);

@@ -8,7 +8,7 @@
 /// estimated elements.
 /// Outputs: "left", "right", or none when no plane was found: the sub-domain then stays a leaf, and
 /// text "reason" says why. Numbers: interdomain_nodes, candidates_tried, left_work and right_work
-/// (elements).
+/// (elements), left_needles and right_needles.
 #pragma once
 
 #include "mesh/decompose/planar_cut.h"

@@ -18,9 +18,9 @@ std::string coordinates(const Vec3& p) {
 
 }  // namespace
 
-std::string defects_as_vtp(const ArtifactStore& store, const SurfaceMesh& surface,
+std::string defects_as_vtp(const TaskIo& io, const SurfaceMesh& surface,
                            const std::vector<SurfaceDefect>& defects) {
-  const std::filesystem::path path = store.scratch_path("defects.vtp");
+  const std::filesystem::path path = io.scratch_path("defects.vtp");
   write_defects_vtp(surface, defects, path.string());
   std::string bytes = read_file(path);
   remove_file(path);

@@ -6,12 +6,12 @@
 
 #include "mesh/core/subdomain.h"
 #include "mesh/inspect/surface_check.h"
-#include "store/artifact_store.h"
+#include "worker/task_io.h"
 
 namespace tetfarm {
 
 /// The bytes of the .vtp file of the defects (write_defects_vtp). @throws IoError.
-std::string defects_as_vtp(const ArtifactStore& store, const SurfaceMesh& surface,
+std::string defects_as_vtp(const TaskIo& io, const SurfaceMesh& surface,
                            const std::vector<SurfaceDefect>& defects);
 
 /// "triangle 17 of the input" or "triangle 3 of the cut of LR", and its centroid.

@@ -13,7 +13,7 @@ void extract_task(TaskIo& io) {
   const SharedNodes shared = shared_nodes_from_bytes(io.read("shared"), "shared");
   report_cost(io, extract_cost(static_cast<double>(mesh.tets.size()),
                                static_cast<double>(leaf.triangles.size())));
-  io.progress("extract", std::ssize(mesh.tets));
+  io.progress().begin(WorkStage::extract);
   const ExtractedElements extracted = extract_elements(leaf, mesh, shared);
   ElementFileHead head;
   head.path = leaf.path;

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/file_system.h"
-#include "proto/file_chunks.h"
 
 namespace tetfarm {
 
@@ -26,37 +24,35 @@ InputFetch::InputFetch(const TaskCache& cache, const wire::Assign& assign)
 }
 
 InputFetch::~InputFetch() {
+  if (!receive_) return;
   std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  std::filesystem::remove(receive_->path(), ignored);
 }
 
 void InputFetch::begin_next_file() {
-  while (!files_.empty()) {
-    path_ = cache_.store().scratch_path("fetch");
-    hasher_ = Hasher();
-    there_ = 0;
-    window_.start_again(0);
-    if (files_.back().size > 0) return;
-    append_to_file(path_, 0, "");
+  while (!files_.empty() && damaged_.empty()) {
+    receive_.emplace(cache_.store().scratch_path("fetch"), files_.back());
+    if (receive_->state() == FileReceive::State::coming) return;
     finish_file();
   }
 }
 
 /// A file that is whole but wrong is damaged where it came from.
 void InputFetch::finish_file() {
-  if (hasher_.finish().hex() != files_.back().hash) {
-    remove_file(path_);
-    damaged_ = files_.back().hash;
+  if (receive_->state() == FileReceive::State::whole) {
+    cache_.store().adopt_checked_file(receive_->path(), files_.back().hash);
   } else {
-    cache_.store().adopt_checked_file(path_, files_.back().hash);
+    remove_file(receive_->path());
+    damaged_ = files_.back().hash;
   }
+  receive_.reset();
   files_.pop_back();
 }
 
 std::vector<wire::Envelope> InputFetch::due(std::int64_t now_ms) {
   std::vector<wire::Envelope> messages;
-  if (is_complete() || !damaged_.empty()) return messages;
-  while (const auto offset = window_.next(files_.back().size, there_, now_ms)) {
+  if (!receive_) return messages;
+  while (const auto offset = receive_->next(now_ms)) {
     wire::FetchFile& fetch = *messages.emplace_back().mutable_fetch_file();
     fetch.set_task(task_);
     fetch.set_attempt(attempt_);
@@ -67,21 +63,9 @@ std::vector<wire::Envelope> InputFetch::due(std::int64_t now_ms) {
 }
 
 void InputFetch::take(const wire::FileChunk& chunk, std::int64_t now_ms) {
-  if (is_complete() || !damaged_.empty() || chunk.attempt() != attempt_ ||
-      chunk.hash() != files_.back().hash) {
-    return;
-  }
-  if (chunk.missing()) {
-    damaged_ = chunk.hash();
-    return;
-  }
-  const std::uint64_t wanted = chunk_size(files_.back().size, there_);
-  if (chunk.offset() != there_ || chunk.bytes().size() != wanted || !is_intact(chunk)) return;
-  append_to_file(path_, there_, chunk.bytes());
-  hasher_.add(chunk.bytes().data(), chunk.bytes().size());
-  there_ += wanted;
-  window_.note(there_, now_ms);
-  if (there_ < files_.back().size) return;
+  if (!receive_ || chunk.attempt() != attempt_) return;
+  receive_->take(chunk, now_ms);
+  if (receive_->state() == FileReceive::State::coming) return;
   finish_file();
   begin_next_file();
 }

@@ -1,18 +1,15 @@
 /// Brings the inputs of a task from the coordinator into the worker's own store, chunk by chunk.
 ///
-/// Without a socket: it says what to send, and is told what came. At most `chunks_at_once` requests
-/// are open; the number follows the connection, so that a slow one is not filled for seconds.
+/// Without a socket: it says what to send, and is told what came, file by file (file_receive.h).
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/hash.h"
 #include "proto/messages.pb.h"
-#include "worker/chunk_window.h"
+#include "worker/file_receive.h"
 #include "worker/task_cache.h"
 
 namespace tetfarm {
@@ -35,7 +32,9 @@ class InputFetch {
   /// @throws IoError (out_of_resources when there is no room for it).
   void take(const wire::FileChunk& chunk, std::int64_t now_ms);
   /// The connection is new: what was asked for is asked for again.
-  void ask_again() { window_.start_again(there_); }
+  void ask_again() {
+    if (receive_) receive_->ask_again();
+  }
 
  private:
   void begin_next_file();
@@ -45,10 +44,7 @@ class InputFetch {
   std::uint64_t task_;
   std::uint64_t attempt_;
   std::vector<StoredArtifact> files_;  ///< still to come; the last is the one that comes
-  std::filesystem::path path_;
-  Hasher hasher_;
-  std::uint64_t there_ = 0;  ///< bytes of it
-  ChunkWindow window_;
+  std::optional<FileReceive> receive_;
   std::string damaged_;
 };
 

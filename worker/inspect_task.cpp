@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/job_name.h"
+#include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/gzip.h"
@@ -21,6 +23,23 @@ constexpr double most_parts = 1e6;
 constexpr double leaves_in_group = 16;
 constexpr double least_leaf_elements = 1000;
 
+/// Sub-domains when nobody says how large they are to be, by the job alone, so that all machines
+/// make the same mesh (docs/decisions/0024-size-of-a-subdomain.md). A job that one core meshes in a
+/// second or two stays whole; others have something to do for four workers.
+constexpr double uncut_elements = 400'000;
+constexpr double fewest_leaves = 4;
+constexpr double largest_leaf_elements = 2'000'000;
+
+double leaf_elements(double elements) {
+  if (elements < uncut_elements) return uncut_elements;
+  return std::min(elements / fewest_leaves, largest_leaf_elements);
+}
+
+double target_elements(const JobFile& job, double elements) {
+  return job.target_elements > 0 ? static_cast<double>(job.target_elements)
+                                 : leaf_elements(elements);
+}
+
 void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport& report) {
   io.number("input_triangles", static_cast<double>(surface.triangles.size()));
   io.number("shells", static_cast<double>(report.shells.size()));
@@ -32,47 +51,18 @@ void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport&
   if (!remarks.empty()) io.text("remarks", remarks);
 }
 
+void report_forecast(TaskIo& io, const JobForecast& forecast) {
+  io.number("forecast_bytes", forecast.task_bytes);
+  io.number("forecast_disk_bytes", forecast.disk_bytes);
+  io.number("forecast_seconds", forecast.seconds);
+}
+
 /// A file that the coordinator took as it was may be packed.
 std::string unpacked(std::string bytes) {
   return is_gzip(bytes) ? unpack_gzip(bytes, "input_surface") : std::move(bytes);
 }
 
 }  // namespace
-
-OuterBoundary outer_boundary_of(const JobFile& job) {
-  OuterBoundary outer;
-  if (job.outer_kind == "box") {
-    outer.kind = OuterBoundary::Kind::box;
-  } else if (job.outer_kind == "sphere") {
-    outer.kind = OuterBoundary::Kind::sphere;
-  } else if (job.outer_kind != "none") {
-    throw UsageError("unknown outer boundary \"" + job.outer_kind + "\"", "[domain] outer");
-  }
-  outer.factor = job.outer_factor;
-  outer.spacing = job.outer_spacing;
-  return outer;
-}
-
-SpacingOptions spacing_options_of(const JobFile& job) {
-  if (!job.sources_file.empty()) {
-    throw UsageError("sources of another file must be in the job when it is submitted",
-                     job.sources_file);
-  }
-  SpacingOptions options;
-  options.background = job.spacing_default;
-  options.growth = job.growth;
-  options.inherit_surface = job.inherit_surface;
-  for (const JobSource& source : job.sources) {
-    Source& added = options.sources.emplace_back();
-    for (const JobSource::Corner& corner : source.corners) {
-      added.corners.push_back({.at = corner.at,
-                               .spacing = corner.spacing,
-                               .inner_radius = corner.inner,
-                               .outer_radius = corner.outer});
-    }
-  }
-  return options;
-}
 
 RegionRules region_rules_of(const JobFile& job) {
   RegionRules rules;
@@ -89,6 +79,7 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.name = "settings";
   settings.surface = "surface";
   settings.regions = defaults.regions;
+  settings.max_elements = defaults.max_elements;
   settings.subdomains = defaults.subdomains;
   settings.target_elements = defaults.target_elements;
   settings.max_memory_bytes = defaults.max_memory_bytes;
@@ -96,18 +87,25 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.assimilate_method = defaults.assimilate_method;
   settings.across_cuts = defaults.across_cuts;
   settings.min_dihedral_deg = defaults.min_dihedral_deg;
+  settings.min_unforced_dihedral_deg = defaults.min_unforced_dihedral_deg;
   settings.formats = defaults.formats;
   return settings;
 }
 
 std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions) {
   if (job.subdomains > 0) return std::max<std::int64_t>(job.subdomains, regions);
-  const double by_size = std::ceil(elements / static_cast<double>(job.target_elements));
+  const double by_size = std::ceil(elements / target_elements(job, elements));
   const auto groups = static_cast<double>(job.groups);
   const double to_assimilate =
       std::min(leaves_in_group * groups, std::max(groups, elements / least_leaf_elements));
   const double wanted = std::max(by_size, to_assimilate);
   return static_cast<std::int64_t>(std::clamp(wanted, static_cast<double>(regions), most_parts));
+}
+
+std::int64_t parts_of_job(const JobFile& job, const SubdomainSize& root, std::int32_t regions) {
+  if (job.max_memory_bytes == 0) return wanted_parts(job, root.elements, regions);
+  return std::max<std::int64_t>(regions,
+                                parts_for_memory(root, static_cast<double>(job.max_memory_bytes)));
 }
 
 void require_room(const JobFile& job, double input_bytes, const SubdomainSize& root) {
@@ -133,46 +131,53 @@ std::string defect_message(const std::vector<SurfaceDefect>& defects) {
   return message;
 }
 
+namespace {
+
+/// @throws RefusedInput.
+CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const std::string& input) {
+  const SurfaceMesh surface = read_surface_bytes(input, job.surface);
+  io.progress().begin(WorkStage::check);
+  CheckedSurface checked = check_surface(surface, region_rules_of(job));
+  if (checked.report.defects.empty()) return checked;
+  const std::string defects = defects_as_vtp(io, surface, checked.report.defects);
+  throw RefusedInput(defect_message(checked.report.defects),
+                     {{file_name_of_job(job.name, ".defects.vtp"), defects}});
+}
+
+}  // namespace
+
 void inspect_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  io.progress("read", 0);
+  io.progress().begin(WorkStage::read);
   const std::string input = unpacked(io.read("input_surface"));
   const auto input_bytes = static_cast<double>(input.size());
-  SurfaceMesh surface = read_surface_bytes(input, job.surface);
-  io.progress("check", 0);
-  CheckedSurface checked = check_surface(surface, region_rules_of(job));
-  if (!checked.report.defects.empty()) {
-    const std::string defects = defects_as_vtp(io.store(), surface, checked.report.defects);
-    throw RefusedInput(defect_message(checked.report.defects),
-                       {{job.name + ".defects.vtp", defects}});
-  }
-  const OuterBoundary outer = outer_boundary_of(job);
-  surface = outer.kind == OuterBoundary::Kind::none
-                ? std::move(checked.surface)
-                : add_outer_boundary(checked.surface, outer, job.growth);
-  io.progress("spacing", 0);
-  const SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
-  const Subdomain root = root_subdomain(surface);
-  const double elements = estimated_elements(root, spacing);
-  const std::string spacing_bytes = spacing.to_bytes();
-  const SubdomainSize size{elements, static_cast<double>(root.triangles.size()),
-                           static_cast<double>(spacing_bytes.size())};
+  const CheckedSurface checked = checked_surface(io, job, input);
+  io.progress().begin(WorkStage::spacing);
+  const JobDomain domain = domain_of_job(job, checked.surface);
+  const std::string spacing_bytes = domain.spacing.to_bytes();
+  const SubdomainSize size{
+      domain.elements, static_cast<double>(domain.root.triangles.size()),
+      static_cast<double>(spacing_bytes.size()),
+      static_cast<double>(needle_count(domain.root.vertices, domain.root.triangles))};
   require_room(job, input_bytes, size);
-  report_cost(io, inspect_cost(input_bytes, size.triangles, size.spacing_bytes));
-  report_numbers(io, surface, checked.report);
-  io.number("total_work", elements);
-  const std::int32_t regions = region_count(surface);
-  const auto most_bytes = static_cast<double>(job.max_memory_bytes);
-  const std::int64_t parts =
-      most_bytes > 0 ? std::max<std::int64_t>(regions, parts_for_memory(size, most_bytes))
-                     : wanted_parts(job, elements, regions);
+  report_cost(io, inspect_cost(input_bytes, size));
+  report_numbers(io, domain.surface, checked.report);
+  io.number("total_work", domain.elements);
+  io.number("needles", size.needles);
+  const std::int32_t regions = region_count(domain.surface);
+  const std::int64_t parts = parts_of_job(job, size, regions);
   io.number("parts", static_cast<double>(parts));
-  io.number("most_bytes", most_bytes);
+  io.number("most_bytes", static_cast<double>(job.max_memory_bytes));
   io.number("groups", static_cast<double>(job.groups));
   io.number("across_cuts", job.across_cuts ? 1 : 0);
-  io.publish("surface", surface_to_bytes(surface));
+  const JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
+  require_disk(job, forecast,
+               limits_of_job(job, checked.surface, domain_volume(domain.surface),
+                             io.number_parameter("free_bytes", 0)));
+  report_forecast(io, forecast);
+  io.publish("surface", surface_to_bytes(domain.surface));
   io.publish("spacing", spacing_bytes);
-  io.publish("root", subdomain_to_bytes(root));
+  io.publish("root", subdomain_to_bytes(domain.root));
   io.publish("settings", to_toml(mesh_settings_of(job)));
 }
 

@@ -4,12 +4,15 @@
 /// Inputs: "job" (canonical TOML), "input_surface" (the file as it was, unpacked).
 /// Outputs: "surface", "spacing", "root"; "settings", the job file as far as the tasks on
 /// sub-domains read it. Numbers: parts, groups (0: no assimilation), most_bytes (0: no limit),
-/// total_work (elements), expected_bytes and expected_seconds (task_cost.h), and the report's.
+/// total_work (elements), needles (triangles with a small angle), expected_bytes and
+/// expected_seconds (task_cost.h), forecast_bytes, forecast_disk_bytes and forecast_seconds of the
+/// whole job (job_forecast.h), and the report's.
+/// Parameter: free_bytes, the room on the store's disk; a job that it cannot hold is refused.
 #pragma once
 
 #include "mesh/inspect/surface_check.h"
 #include "mesh/io/job_file.h"
-#include "mesh/spacing/spacing_field.h"
+#include "worker/job_domain.h"
 #include "worker/task_cost.h"
 #include "worker/task_io.h"
 
@@ -18,10 +21,7 @@ namespace tetfarm {
 /// @throws RefusedInput with every defect and a .vtp file of them.
 void inspect_task(TaskIo& io);
 
-/// The job's words in the terms of the mesh rooms. @throws UsageError for an unknown outer
-/// boundary.
-OuterBoundary outer_boundary_of(const JobFile& job);
-SpacingOptions spacing_options_of(const JobFile& job);
+/// The job's words in the terms of the mesh rooms.
 RegionRules region_rules_of(const JobFile& job);
 
 /// The job without what a sub-domain's mesh does not depend on: its name, its regions' names, its
@@ -30,8 +30,13 @@ RegionRules region_rules_of(const JobFile& job);
 JobFile mesh_settings_of(const JobFile& job);
 
 /// How many leaves the job wants: as it says, or so many that each holds at most target_elements
-/// and that there are enough to assimilate; and at least one for each region.
+/// and that there are enough to assimilate; and at least one for each region. Without
+/// target_elements a job below 400,000 elements stays whole, and larger ones have four sub-domains,
+/// or as many as have 2 million each: by the job alone, never by the machine.
 std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions);
+
+/// The same, or as many as max_memory asks for.
+std::int64_t parts_of_job(const JobFile& job, const SubdomainSize& root, std::int32_t regions);
 
 /// @throws UsageError when the job's max_memory is less than what the tasks need that do not become
 /// smaller by cutting.

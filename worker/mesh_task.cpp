@@ -27,7 +27,7 @@ VolumeMeshOptions volume_options_of(const JobFile& job) {
 /// Whether a half of a leaf that did not recover as a whole does.
 bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
   try {
-    mesh_volume(half, spacing, {.fill = false, .cosmetics = false, .progress = {}});
+    mesh_volume(half, spacing, {.fill = false, .cosmetics = false});
     return true;
   } catch (const RecoveryFailure&) {
     return false;
@@ -38,9 +38,10 @@ bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
 
 LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spacing) {
   VolumeMeshOptions options = volume_options_of(job);
-  options.progress = [&io](const char* stage, std::int64_t tets) { io.progress(stage, tets); };
+  options.progress = io.progress();
   CutOptions cutting;
   cutting.planes = cut_planes_of(job);
+  cutting.progress = io.progress();
   cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
     return boundary_recovers(left, spacing) && boundary_recovers(right, spacing);
   };
@@ -56,8 +57,7 @@ LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spa
   surface.vertices = leaf.vertices;
   surface.triangles = leaf.triangles;
   const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
-  const std::string shown =
-      defects_as_vtp(io.store(), surface, {{"not recovered", reason, numbers}});
+  const std::string shown = defects_as_vtp(io, surface, {{"not recovered", reason, numbers}});
   throw RefusedInput(subdomain_message(leaf, reason, triangles),
                      {{"subdomain_" + leaf.path.text() + ".defects.vtp", shown}});
 }
@@ -78,6 +78,7 @@ double smallest_dihedral_deg(const TetMesh& mesh) {
   double cosine = -1;
   const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
   for (const Tet& t : mesh.tets) {
+    if (!may_have_smaller_dihedral(at(t[0]), at(t[1]), at(t[2]), at(t[3]), cosine)) continue;
     const DihedralCosines here = dihedral_cosines(at(t[0]), at(t[1]), at(t[2]), at(t[3]));
     cosine = std::max(cosine, here.of_smallest);
   }
@@ -91,9 +92,8 @@ void mesh_task(TaskIo& io) {
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
   report_cost(io, mesh_cost(size_of(io, leaf, io.number_parameter("work", 0))));
-  io.progress("recovery", 0);
   const TetMesh mesh = mesh_or_refuse(io, job, leaf, spacing);
-  io.progress("validate", static_cast<std::int64_t>(mesh.tets.size()));
+  io.progress().begin(WorkStage::validate);
   const std::vector<std::string> complaints = validate(mesh, leaf.triangles);
   if (!complaints.empty()) {
     throw Error(ExitCode::failed, "sub-domain " + leaf.path.text() +

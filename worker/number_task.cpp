@@ -91,6 +91,7 @@ std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) 
 
 void number_task(TaskIo& io) {
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
+  io.progress().begin(WorkStage::number);
   report_cost(io, number_cost(static_cast<double>(surface.triangles.size())));
   std::string table = io.parameter("table");
   std::vector<Origin> gone = dropped_by_assimilation(io);

@@ -33,10 +33,10 @@ CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>
 
 void order_task(TaskIo& io) {
   std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves;
-  std::int64_t leaves = 0;
   double triangles = 0;
+  io.progress().begin(WorkStage::order, static_cast<std::size_t>(io.assign().inputs_size()));
   for (const wire::Artifact& input : io.assign().inputs()) {
-    io.progress("order", leaves++);
+    io.progress().add();
     const Subdomain leaf = subdomain_from_bytes(io.read(input.name()), input.name());
     triangles += static_cast<double>(leaf.triangles.size());
     region2leaves[leaf.region].push_back(interface_nodes(leaf));

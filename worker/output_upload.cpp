@@ -15,7 +15,10 @@ OutputUpload::OutputUpload(const TaskCache& cache, const wire::Envelope& outcome
   const auto& files = outcome.has_done() ? outcome.done().outputs() : outcome.failed().evidence();
   for (const wire::Artifact& file : files) {
     const StoredArtifact stored{file.hash(), file.size()};
-    if (std::find(files_.begin(), files_.end(), stored) == files_.end()) files_.push_back(stored);
+    const bool is_known =
+        std::any_of(files_.begin(), files_.end(),
+                    [&stored](const FileSend& known) { return known.file() == stored; });
+    if (!is_known) files_.emplace_back(stored);
   }
 }
 
@@ -24,13 +27,13 @@ wire::Envelope OutputUpload::offer() const {
   wire::OfferFile& message = *envelope.mutable_offer_file();
   message.set_task(task_);
   message.set_attempt(attempt_);
-  message.set_hash(files_.back().hash);
-  message.set_size(files_.back().size);
+  message.set_hash(files_.back().file().hash);
+  message.set_size(files_.back().file().size);
   return envelope;
 }
 
 wire::Envelope OutputUpload::chunk_at(std::uint64_t offset) const {
-  const StoredArtifact& file = files_.back();
+  const StoredArtifact& file = files_.back().file();
   wire::Envelope envelope;
   wire::FileChunk& chunk = *envelope.mutable_file_chunk();
   chunk.set_task(task_);
@@ -42,43 +45,23 @@ wire::Envelope OutputUpload::chunk_at(std::uint64_t offset) const {
   return envelope;
 }
 
-/// Who hears nothing for a while offers the file again: the answer says where to go on.
 std::vector<wire::Envelope> OutputUpload::due(std::int64_t now_ms) {
   std::vector<wire::Envelope> messages;
   if (is_complete()) return messages;
-  if (std::max(offered_ms_, heard_ms_) + chunk_again_ms < now_ms || offered_ms_ == never) {
-    offered_ms_ = now_ms;
-    is_open_ = false;
-    messages.push_back(offer());
-  }
-  if (!is_open_) return messages;
-  while (const auto offset = window_.next(files_.back().size, there_, now_ms)) {
-    messages.push_back(chunk_at(*offset));
-  }
+  const FileSend::Due due = files_.back().due(now_ms);
+  if (due.offer) messages.push_back(offer());
+  for (const std::uint64_t offset : due.chunks) messages.push_back(chunk_at(offset));
   return messages;
 }
 
 void OutputUpload::take(const wire::FileStored& stored, std::int64_t now_ms) {
-  if (is_complete() || stored.attempt() != attempt_ || stored.hash() != files_.back().hash) return;
-  heard_ms_ = now_ms;
-  if (stored.whole()) {
-    files_.pop_back();
-    is_open_ = false;
-    offered_ms_ = never;
-    there_ = 0;
-    return;
-  }
-  if (stored.resend()) {
-    // Each chunk behind a lost one says so; the first is enough.
-    if (is_open_ && now_ms - resent_ms_ < resend_pause_ms) return;
-    resent_ms_ = now_ms;
-    is_open_ = true;
-    there_ = stored.bytes();
-    window_.start_again(there_);
-  } else if (stored.bytes() > there_) {
-    there_ = stored.bytes();
-    window_.note(there_, now_ms);
-  }
+  if (is_complete() || stored.attempt() != attempt_) return;
+  files_.back().take(stored, now_ms);
+  if (files_.back().is_whole()) files_.pop_back();
+}
+
+void OutputUpload::ask_again() {
+  if (!is_complete()) files_.back().ask_again();
 }
 
 }  // namespace tetfarm

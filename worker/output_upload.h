@@ -1,8 +1,8 @@
 /// Brings the outputs of a task from the worker's own store to the coordinator, before the result
 /// is told.
 ///
-/// Without a socket: it says what to send, and is told how much of it is there. What is sent is at
-/// most `chunks_at_once` chunks ahead of that; after a break it goes on from there.
+/// Without a socket: it says what to send, and is told how much of it is there, file by file
+/// (file_send.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "proto/messages.pb.h"
-#include "worker/chunk_window.h"
+#include "worker/file_send.h"
 #include "worker/task_cache.h"
 
 namespace tetfarm {
@@ -26,25 +26,16 @@ class OutputUpload {
   std::vector<wire::Envelope> due(std::int64_t now_ms);
   void take(const wire::FileStored& stored, std::int64_t now_ms);
   /// The connection is new.
-  void ask_again() { offered_ms_ = never; }
+  void ask_again();
 
  private:
-  static constexpr std::int64_t never = -(std::int64_t{1} << 60);
-  static constexpr std::int64_t resend_pause_ms = 500;
-
   wire::Envelope offer() const;
   wire::Envelope chunk_at(std::uint64_t offset) const;
 
   const TaskCache& cache_;
   std::uint64_t task_;
   std::uint64_t attempt_;
-  std::vector<StoredArtifact> files_;  ///< still to go; the last is the one that goes
-  bool is_open_ = false;               ///< the coordinator has said where to begin
-  std::int64_t offered_ms_ = never;
-  std::int64_t heard_ms_ = never;
-  std::int64_t resent_ms_ = never;
-  std::uint64_t there_ = 0;
-  ChunkWindow window_;
+  std::vector<FileSend> files_;  ///< still to go; the last is the one that goes
 };
 
 }  // namespace tetfarm

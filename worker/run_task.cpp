@@ -4,6 +4,8 @@
 #include <new>
 
 #include "base/error.h"
+#include "store/attempt_scratch.h"
+#include "worker/job_forecast.h"
 
 namespace tetfarm {
 namespace {
@@ -59,6 +61,11 @@ wire::Failed caught_failure(const ArtifactStore* store) {
     return failure(error.what(), error.code(), false);
   } catch (const UsageError& error) {
     return failure(error.what(), error.code(), false);
+  } catch (const JobTooLarge& error) {
+    // What is short is room for this job, not for all of them.
+    wire::Failed failed = failure(error.what(), error.code(), false);
+    failed.set_out_of_resources(false);
+    return failed;
   } catch (const Error& error) {
     return failure(error.what(), error.code(), true);
   } catch (const std::bad_alloc&) {
@@ -70,6 +77,20 @@ wire::Failed caught_failure(const ArtifactStore* store) {
   }
 }
 
+/// Goes with the attempt, whether it succeeds or not.
+class ScratchOfAttempt {
+ public:
+  ScratchOfAttempt(const ArtifactStore& store, const wire::Assign& assign)
+      : store_(store), attempt_{assign.attempt()} {}
+  ~ScratchOfAttempt() { remove_attempt_scratch(store_, attempt_); }
+  ScratchOfAttempt(const ScratchOfAttempt&) = delete;
+  ScratchOfAttempt& operator=(const ScratchOfAttempt&) = delete;
+
+ private:
+  const ArtifactStore& store_;
+  AttemptId attempt_;
+};
+
 }  // namespace
 
 wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
@@ -80,6 +101,7 @@ wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
       throw Error(ExitCode::failed, "this worker does not know tasks of kind " +
                                         std::to_string(static_cast<int>(assign.kind())));
     }
+    const ScratchOfAttempt scratch(store, assign);
     TaskIo io(store, assign, say);
     body(io);
     *envelope.mutable_done() = io.done();

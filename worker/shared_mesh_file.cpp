@@ -7,8 +7,9 @@ namespace tetfarm {
 SharedFile shared_mesh_file(const TaskIo& io) {
   const std::string what =
       io.assign().job() + '\n' + io.input_hash("surface") + '\n' + io.input_hash("numbering");
-  return {io.store().scratch_folder() / ("mesh." + hash128(what).hex() + ".vtkhdf"),
-          io.store().scratch_path("frame.vtkhdf")};
+  const std::string name = "mesh." + hash128(what).hex() + ".vtkhdf";
+  return {io.assign().apart() ? io.scratch_path(name) : io.store().scratch_folder() / name,
+          io.scratch_path("frame.vtkhdf")};
 }
 
 }  // namespace tetfarm

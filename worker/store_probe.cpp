@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <system_error>
+
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/ids.h"
@@ -30,6 +32,11 @@ bool StoreProbe::put_into(wire::Hello& hello, std::int64_t now_ms) {
     }
     return now_ms - *missed_since_ms_ >= patience_ms;
   }
+}
+
+bool StoreProbe::is_lost() const noexcept {
+  std::error_code error;
+  return !file_.empty() && !std::filesystem::exists(file_, error) && !error;
 }
 
 void StoreProbe::make(const ArtifactStore& store) {

@@ -25,6 +25,9 @@ class StoreProbe {
   /// since the first call; until then false: ask again later.
   bool put_into(wire::Hello& hello, std::int64_t now_ms);
 
+  /// Whether the file that was named last is gone: the next Hello names another.
+  bool is_lost() const noexcept;
+
   static constexpr std::int64_t patience_ms = 10'000;
 
  private:

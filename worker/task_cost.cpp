@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/core/triangle_angles.h"
+
 namespace tetfarm {
 namespace {
 
@@ -14,35 +16,26 @@ constexpr double elements_in_estimate = 1.15;
 constexpr double mesh_bytes = 2e6;
 constexpr double mesh_bytes_per_element = 330;
 constexpr double mesh_bytes_per_triangle = 700;
-constexpr double mesh_seconds_per_element = 3.5e-6;
-constexpr double mesh_seconds_per_triangle = 12e-6;
 
 constexpr double decompose_bytes_per_triangle = 260;
 constexpr double decompose_bytes_per_element = 1;
 constexpr double decompose_bytes = 13e6;
-constexpr double decompose_seconds_per_triangle = 8e-6;
-constexpr double decompose_seconds_per_element = 0.1e-6;
 
 constexpr double inspect_bytes = 8e6;
 constexpr double inspect_spacing_copies = 2.5;
 constexpr double inspect_bytes_per_triangle = 220;
 constexpr double inspect_input_copies = 1.2;
-constexpr double inspect_seconds_per_triangle = 12e-6;
 
 constexpr double assimilate_bytes_per_triangle = 8;
 constexpr double assimilate_bytes_in_group = 500;
-constexpr double assimilate_seconds_per_triangle = 1.5e-6;
 
 constexpr double order_bytes_per_triangle = 90;
-constexpr double order_seconds_per_triangle = 1e-6;
 
 constexpr double extract_bytes_per_element = 190;
 constexpr double extract_bytes_per_triangle = 200;
-constexpr double extract_seconds_per_element = 0.3e-6;
 
 constexpr double cosmetic_bytes = 4e6;
 constexpr double cosmetic_bytes_per_element = 360;
-constexpr double cosmetic_seconds_per_element = 4e-6;
 /// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
 /// leaves these are all, and as many again of the neighbours.
 constexpr double turn_elements_of_leaf = 2.5;
@@ -53,60 +46,67 @@ constexpr double number_bytes_per_triangle = 60;
 constexpr double write_bytes = 4e6;
 constexpr double write_bytes_per_triangle = 250;
 constexpr double write_bytes_per_element = 150;
-constexpr double write_seconds_per_element = 0.8e-6;
 
 constexpr double assemble_bytes = 4e6;
 constexpr double assemble_bytes_per_triangle = 250;
 constexpr double assemble_bytes_per_element = 130;
-constexpr double assemble_seconds_per_element = 0.1e-6;
 
-constexpr double process_seconds = 0.02;
 constexpr double most_parts = 1e6;
+
+TaskCost cost_of(TaskKind kind, double bytes, const TaskSize& size) {
+  return {bytes, usual_seconds(kind, size).expected, kind, size};
+}
 
 }  // namespace
 
-TaskCost inspect_cost(double input_bytes, double triangles, double spacing_bytes) {
-  return {process_bytes + inspect_bytes + inspect_input_copies * input_bytes +
-              inspect_bytes_per_triangle * triangles + inspect_spacing_copies * spacing_bytes,
-          process_seconds + inspect_seconds_per_triangle * triangles};
+TaskCost inspect_cost(double input_bytes, const SubdomainSize& root) {
+  return cost_of(TaskKind::inspect,
+                 process_bytes + inspect_bytes + inspect_input_copies * input_bytes +
+                     inspect_bytes_per_triangle * root.triangles +
+                     inspect_spacing_copies * root.spacing_bytes,
+                 {root.elements, root.triangles, root.needles});
 }
 
 TaskCost decompose_cost(const SubdomainSize& size) {
-  return {process_bytes + size.spacing_bytes + decompose_bytes +
-              decompose_bytes_per_triangle * size.triangles +
-              decompose_bytes_per_element * size.elements,
-          process_seconds + decompose_seconds_per_triangle * size.triangles +
-              decompose_seconds_per_element * size.elements};
+  return cost_of(TaskKind::decompose,
+                 process_bytes + size.spacing_bytes + decompose_bytes +
+                     decompose_bytes_per_triangle * size.triangles +
+                     decompose_bytes_per_element * size.elements,
+                 {size.elements, size.triangles, size.needles});
 }
 
 TaskCost mesh_cost(const SubdomainSize& size) {
   const double elements = elements_in_estimate * size.elements;
-  return {process_bytes + mesh_bytes + size.spacing_bytes + mesh_bytes_per_element * elements +
-              mesh_bytes_per_triangle * size.triangles,
-          process_seconds + mesh_seconds_per_element * elements +
-              mesh_seconds_per_triangle * size.triangles};
+  return cost_of(TaskKind::mesh,
+                 process_bytes + mesh_bytes + size.spacing_bytes +
+                     mesh_bytes_per_element * elements + mesh_bytes_per_triangle * size.triangles,
+                 {size.elements, size.triangles, size.needles});
 }
 
 TaskCost assimilate_cost(double triangles, double largest_group) {
-  return {process_bytes + assimilate_bytes_per_triangle * triangles +
-              assimilate_bytes_in_group * largest_group,
-          process_seconds + assimilate_seconds_per_triangle * triangles};
+  return cost_of(TaskKind::assimilate,
+                 process_bytes + assimilate_bytes_per_triangle * triangles +
+                     assimilate_bytes_in_group * largest_group,
+                 {0, triangles, 0});
 }
 
 TaskCost order_cost(double triangles) {
-  return {process_bytes + order_bytes_per_triangle * triangles,
-          process_seconds + order_seconds_per_triangle * triangles};
+  return cost_of(TaskKind::order, process_bytes + order_bytes_per_triangle * triangles,
+                 {0, triangles, 0});
 }
 
 TaskCost extract_cost(double elements, double triangles) {
-  return {
+  return cost_of(
+      TaskKind::extract,
       process_bytes + extract_bytes_per_element * elements + extract_bytes_per_triangle * triangles,
-      process_seconds + extract_seconds_per_element * elements};
+      {elements, triangles, 0});
 }
 
 TaskCost cosmetic_cost(double elements, double spacing_bytes) {
-  return {process_bytes + cosmetic_bytes + spacing_bytes + cosmetic_bytes_per_element * elements,
-          process_seconds + cosmetic_seconds_per_element * elements};
+  return cost_of(
+      TaskKind::cosmetic,
+      process_bytes + cosmetic_bytes + spacing_bytes + cosmetic_bytes_per_element * elements,
+      {elements, 0, 0});
 }
 
 double turn_elements(const SubdomainSize& leaf) {
@@ -127,29 +127,36 @@ double triangles_of_leaves(const SubdomainSize& root, double parts) {
 }
 
 TaskCost number_cost(double surface_triangles) {
-  return {process_bytes + number_bytes_per_triangle * surface_triangles, process_seconds};
+  return cost_of(TaskKind::number, process_bytes + number_bytes_per_triangle * surface_triangles,
+                 {0, surface_triangles, 0});
 }
 
 TaskCost write_cost(double surface_triangles, double elements) {
-  return {process_bytes + write_bytes + write_bytes_per_triangle * surface_triangles +
-              write_bytes_per_element * elements,
-          process_seconds + write_seconds_per_element * elements};
+  return cost_of(TaskKind::write,
+                 process_bytes + write_bytes + write_bytes_per_triangle * surface_triangles +
+                     write_bytes_per_element * elements,
+                 {elements, surface_triangles, 0});
 }
 
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
-  return {process_bytes + assemble_bytes + assemble_bytes_per_triangle * surface_triangles +
-              assemble_bytes_per_element * elements_in_estimate * largest.elements,
-          process_seconds + assemble_seconds_per_element * elements_in_estimate * elements};
+  return cost_of(TaskKind::assemble,
+                 process_bytes + assemble_bytes + assemble_bytes_per_triangle * surface_triangles +
+                     assemble_bytes_per_element * elements_in_estimate * largest.elements,
+                 {elements, surface_triangles, 0});
 }
 
 SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements) {
   return {elements, static_cast<double>(subdomain.triangles.size()),
-          static_cast<double>(io.input_size("spacing"))};
+          static_cast<double>(io.input_size("spacing")),
+          static_cast<double>(needle_count(subdomain.vertices, subdomain.triangles))};
 }
 
 void report_cost(TaskIo& io, const TaskCost& cost) {
   io.number("expected_bytes", cost.bytes);
   io.number("expected_seconds", cost.seconds);
+  io.number("size_elements", cost.size.elements);
+  io.number("size_triangles", cost.size.triangles);
+  io.number("size_needles", cost.size.needles);
 }
 
 std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes) {
@@ -165,8 +172,8 @@ double least_memory(double input_bytes, const SubdomainSize& root) {
   const SubdomainSize nothing{0, 0, root.spacing_bytes};
   // Half a process more than the tasks of a leaf without elements: leaves of a useful size have to
   // fit.
-  return std::max({inspect_cost(input_bytes, root.triangles, root.spacing_bytes).bytes,
-                   decompose_cost(root).bytes, number_cost(root.triangles).bytes,
+  return std::max({inspect_cost(input_bytes, root).bytes, decompose_cost(root).bytes,
+                   number_cost(root.triangles).bytes,
                    assemble_cost(root.triangles, 0, nothing).bytes,
                    process_bytes / 2 + leaf_bytes(nothing)});
 }

@@ -4,20 +4,23 @@
 /// The thesis lets the user choose the number of sub-domains (4.3.1); here the size of a task is
 /// known before it runs: its surface's triangles, its estimated elements, and the spacing's bytes,
 /// which every task reads whole. The coefficients are measured:
-/// docs/decisions/0012-decompose-assimilation.md. Units: bytes of the process that runs the task
-/// (peak resident set); seconds of one core.
+/// docs/decisions/0012-decompose-assimilation.md; those of the seconds are in store/task_time.h.
+/// Units: bytes of the process that runs the task (peak resident set); CPU seconds.
 #pragma once
 
 #include <cstdint>
 
 #include "mesh/core/subdomain.h"
+#include "store/task_time.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {
 
 struct TaskCost {
   double bytes = 0;
-  double seconds = 0;
+  double seconds = 0;  ///< by the built-in terms
+  TaskKind kind = TaskKind::inspect;
+  TaskSize size;  ///< what the seconds depend on
 };
 
 /// The size of a sub-domain, and of what a task on it reads besides.
@@ -25,9 +28,10 @@ struct SubdomainSize {
   double elements = 0;   ///< estimated
   double triangles = 0;  ///< of its surface
   double spacing_bytes = 0;
+  double needles = 0;  ///< triangles of the input surface in it with a small angle
 };
 
-TaskCost inspect_cost(double input_bytes, double triangles, double spacing_bytes);
+TaskCost inspect_cost(double input_bytes, const SubdomainSize& root);
 TaskCost decompose_cost(const SubdomainSize& size);
 TaskCost mesh_cost(const SubdomainSize& size);
 /// `triangles` of all leaves together, and of the largest group when joined.
@@ -44,10 +48,11 @@ TaskCost write_cost(double surface_triangles, double elements);
 /// `largest` is the largest sub-domain, `elements` all of them.
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest);
 
-/// The size of the task's sub-domain; `elements` are estimated.
+/// The size of the task's sub-domain; `elements` are estimated. Cost: O(triangles).
 SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements);
 
-/// As numbers expected_bytes and expected_seconds of the task's result, for the job's report.
+/// As numbers of the task's result: expected_bytes and expected_seconds for the job's report, and
+/// size_elements, size_triangles, size_needles, from which later expectations are learnt.
 void report_cost(TaskIo& io, const TaskCost& cost);
 
 /// How many elements the cosmetic turn of a leaf reads, at most: its own near cuts and those of its

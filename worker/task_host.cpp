@@ -170,6 +170,10 @@ std::optional<pid_t> TaskHost::ask(const std::string& store, TaskFds fds,
   return task > 0 ? std::optional(task) : std::nullopt;
 }
 
+void TaskHost::prepare() {
+  if (can_copy_itself && !command_.empty() && process_ < 0) launch();
+}
+
 std::optional<pid_t> TaskHost::start(const std::string& store, TaskFds fds,
                                      std::uint64_t memory_limit_bytes, int patience_ms) {
   if (!can_copy_itself || command_.empty() || store.size() > longest_store) return std::nullopt;

@@ -21,7 +21,8 @@ namespace tetfarm {
 /// The file descriptor at which a host hears its worker.
 inline constexpr int task_host_fd = 3;
 
-/// The worker's side. The host starts with the first task, and anew when it was killed or stopped.
+/// The worker's side. The host starts when it is prepared, or with the first task, and anew when it
+/// was killed or stopped.
 class TaskHost {
  public:
   /// `command`: a program that calls serve_as_task_host(). Empty: there is no host.
@@ -30,6 +31,9 @@ class TaskHost {
   ~TaskHost();
   TaskHost(const TaskHost&) = delete;
   TaskHost& operator=(const TaskHost&) = delete;
+
+  /// Has the host load while there is no task yet; where that fails, start() tries again.
+  void prepare();
 
   /// The process of a new task, a child of the caller, with `fds` and limits in place. Nothing when
   /// no host can be had, or it does not answer within `patience_ms`: then the caller starts a

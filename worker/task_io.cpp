@@ -1,6 +1,10 @@
 #include "worker/task_io.h"
 
 #include <charconv>
+#include <system_error>
+
+#include "proto/doing.h"
+#include "store/attempt_scratch.h"
 
 namespace tetfarm {
 namespace {
@@ -24,7 +28,10 @@ void add_output(wire::Done& done, const std::string& name, const StoredArtifact&
 }  // namespace
 
 TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say)
-    : store_(store), assign_(assign), say_(std::move(say)) {}
+    : store_(store),
+      assign_(assign),
+      say_(std::move(say)),
+      progress_([this](const WorkCount& count) { pass_on(count); }) {}
 
 bool TaskIo::has_input(const std::string& name) const {
   return find_input(assign_, name) != nullptr;
@@ -96,6 +103,15 @@ void TaskIo::publish_checked_file(const std::string& name, const std::filesystem
   add_output(done_, name, known);
 }
 
+std::filesystem::path TaskIo::scratch_path(const std::string& name) const {
+  const std::filesystem::path folder = attempt_scratch(store_, AttemptId{assign_.attempt()});
+  std::error_code error;
+  // Nothing in it has to outlive a loss of power.
+  std::filesystem::create_directory(folder, error);
+  if (error) throw IoError("cannot make the folder", folder.string(), error.value());
+  return folder / name;
+}
+
 void TaskIo::number(const std::string& name, double value) {
   (*done_.mutable_numbers())[name] = value;
 }
@@ -104,15 +120,13 @@ void TaskIo::text(const std::string& name, const std::string& value) {
   (*done_.mutable_texts())[name] = value;
 }
 
-void TaskIo::progress(const std::string& stage, std::int64_t elements) {
+void TaskIo::pass_on(const WorkCount& count) {
   const auto now = std::chrono::steady_clock::now();
-  if (stage == last_stage_ && now - last_said_ < between_progress) return;
-  last_stage_ = stage;
+  const auto stage = static_cast<std::size_t>(count.stage);
+  if (said_stages_.test(stage) && now - last_said_ < between_progress) return;
+  said_stages_.set(stage);
   last_said_ = now;
-  wire::Progress progress;
-  progress.set_stage(stage);
-  progress.set_elements(static_cast<std::uint64_t>(elements));
-  say_(progress);
+  say_(doing_message(count));
 }
 
 }  // namespace tetfarm

@@ -4,6 +4,7 @@
 /// checksum of their bytes, so that a task that fails later leaves nothing but unused files.
 #pragma once
 
+#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/work_progress.h"
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
 
@@ -59,9 +61,11 @@ auto checked_input(const wire::Artifact& artifact, const Look& look) {
 
 class TaskIo {
  public:
-  using Say = std::function<void(const wire::Progress&)>;
+  using Say = std::function<void(const wire::Doing&)>;
 
   TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say);
+  TaskIo(const TaskIo&) = delete;
+  TaskIo& operator=(const TaskIo&) = delete;
 
   /// The checked bytes of the input of that name. @throws DamagedInput; Error when the task has no
   /// such input.
@@ -96,20 +100,28 @@ class TaskIo {
   /// A number among the parameters; `otherwise` when it is not there.
   double number_parameter(const std::string& name, double otherwise) const;
 
-  /// Tells the coordinator how far the task is; at most a few times a second are passed on.
-  void progress(const std::string& stage, std::int64_t elements);
+  /// What the task counts its work on; each new stage is passed on, and otherwise a few counts a
+  /// second.
+  const WorkProgress& progress() const { return progress_; }
+
+  /// Where a file in the making may lie: in a folder of the attempt's own, which is made now and
+  /// goes with the attempt, however that ends. Asked twice for one name it says the same. @throws
+  /// IoError.
+  std::filesystem::path scratch_path(const std::string& name) const;
 
   const ArtifactStore& store() const { return store_; }
   const wire::Done& done() const { return done_; }
 
  private:
   const wire::Artifact& input(const std::string& name) const;
+  void pass_on(const WorkCount& count);
 
   const ArtifactStore& store_;
   const wire::Assign& assign_;
   Say say_;
   wire::Done done_;
-  std::string last_stage_;
+  WorkProgress progress_;
+  std::bitset<work_stages> said_stages_;
   std::chrono::steady_clock::time_point last_said_;
 };
 

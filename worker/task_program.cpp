@@ -93,9 +93,9 @@ void run_task_program(const std::filesystem::path& store, int in, int out) {
     throw Error(ExitCode::failed, "the assignment cannot be read");
   }
   choose_memory_for(assign.kind());
-  const auto say = [out](const wire::Progress& progress) {
+  const auto say = [out](const wire::Doing& doing) {
     wire::Envelope envelope;
-    *envelope.mutable_progress() = progress;
+    *envelope.mutable_heartbeat()->mutable_doing() = doing;
     write_frame(out, envelope);
   };
   write_frame(out, run_task_in(store, assign, body_of(assign.kind()), say));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/assemble/forced_nodes.h"
 #include "mesh/assemble/portion.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/io/artifact_file.h"
@@ -43,18 +44,29 @@ void place(const TaskIo& io, const SurfaceMesh& surface, const Numbering& number
   portion.placed = place_cells(file, portion.part, numbering, surface);
 }
 
+/// What the job's gate on unforced angles is judged by, all leaves together.
+void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
+  io.number("unforced_elements", static_cast<double>(unforced.tets));
+  if (unforced.tets == 0) return;
+  io.number("unforced_min_dihedral_deg", unforced.min_dihedral_deg);
+  io.number("unforced_worst_x", unforced.worst_centroid.x);
+  io.number("unforced_worst_y", unforced.worst_centroid.y);
+  io.number("unforced_worst_z", unforced.worst_centroid.z);
+}
+
 }  // namespace
 
 void write_task(TaskIo& io) {
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
   const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
-  io.progress("write", 0);
+  io.progress().begin(WorkStage::write);
   MeshPart part = read_part(io, surface);
   const auto tets = static_cast<double>(part.mesh.tets.size());
   report_cost(io, write_cost(static_cast<double>(surface.triangles.size()), tets));
   Portion portion = make_portion(std::move(part), surface, numbering);
   place(io, surface, numbering, portion);
   io.number("tets", tets);
+  report_unforced(io, unforced_tets(portion, surface, numbering));
   io.publish("portion", portion_to_bytes(portion));
   io.publish("tets", portion_tets_to_bytes(portion));
 }

@@ -61,10 +61,9 @@ double forced_dihedral_at_edge(const Vec3& u, const Vec3& v, const Vec3& left, c
   return std::min(ForcedDihedral{}.at_most_deg, std::max(of_one, of_two));
 }
 
-ForcedDihedral forced_dihedral(std::span<const Vec3> nodes, std::span<const Triangle> boundary) {
-  const auto at = [&nodes](std::int32_t v) { return nodes[static_cast<std::size_t>(v)]; };
-  const std::vector<HalfEdge> edges = sorted_half_edges(boundary);
-  ForcedDihedral forced;
+void for_each_edge_of_two(std::span<const Triangle> triangles,
+                          const std::function<void(const EdgeOfTwo&)>& visit) {
+  const std::vector<HalfEdge> edges = sorted_half_edges(triangles);
   for (std::size_t first = 0; first < edges.size();) {
     std::size_t end = first + 1;
     while (end < edges.size() && edges[end].same_edge(edges[first])) ++end;
@@ -72,12 +71,19 @@ ForcedDihedral forced_dihedral(std::span<const Vec3> nodes, std::span<const Tria
     const HalfEdge& rising = edges[end - 1];
     const bool has_two = end - first == 2 && rising.is_rising && !falling.is_rising;
     first = end;
-    if (!has_two) continue;
-    const Vec3 u = at(rising.low);
-    const Vec3 v = at(rising.high);
-    const double bound = forced_dihedral_at_edge(u, v, at(rising.third), at(falling.third));
-    if (bound < forced.at_most_deg) forced = {bound, 0.5 * (u + v)};
+    if (has_two) visit({rising.low, rising.high, rising.third, falling.third});
   }
+}
+
+ForcedDihedral forced_dihedral(std::span<const Vec3> nodes, std::span<const Triangle> boundary) {
+  const auto at = [&nodes](std::int32_t v) { return nodes[static_cast<std::size_t>(v)]; };
+  ForcedDihedral forced;
+  for_each_edge_of_two(boundary, [&](const EdgeOfTwo& edge) {
+    const Vec3 u = at(edge.u);
+    const Vec3 v = at(edge.v);
+    const double bound = forced_dihedral_at_edge(u, v, at(edge.left), at(edge.right));
+    if (bound < forced.at_most_deg) forced = {bound, 0.5 * (u + v)};
+  });
   return forced;
 }
 

@@ -9,6 +9,8 @@
 /// near to each other as the triangle's short side. Units: degrees.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <span>
 
 #include "mesh/core/tet_mesh.h"
@@ -25,6 +27,18 @@ struct ForcedDihedral {
 
 /// The bound of one edge uv: of the triangles (u, v, left) and (v, u, right), normals outwards.
 double forced_dihedral_at_edge(const Vec3& u, const Vec3& v, const Vec3& left, const Vec3& right);
+
+/// Edge uv of exactly the triangles (u, v, left) and (v, u, right), by their numbers.
+struct EdgeOfTwo {
+  std::int32_t u = 0;
+  std::int32_t v = 0;
+  std::int32_t left = 0;
+  std::int32_t right = 0;
+};
+
+/// Calls visit for each such edge, by rising nodes. Cost: O(n log n).
+void for_each_edge_of_two(std::span<const Triangle> triangles,
+                          const std::function<void(const EdgeOfTwo&)>& visit);
 
 /// The smallest bound of all edges that belong to two triangles, the first of equals by its nodes.
 /// @pre the triangles' normals point out of the domain. Cost: O(n log n).

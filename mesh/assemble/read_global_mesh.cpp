@@ -7,7 +7,10 @@
 namespace tetfarm {
 
 GlobalMesh read_global_mesh(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
+  return read_global_mesh(path, path.filename().string());
+}
+
+GlobalMesh read_global_mesh(const std::filesystem::path& path, std::string_view name) {
   if (name.ends_with(".vtkhdf") || name.ends_with(".hdf")) return read_vtkhdf(path);
   if (name.ends_with(".lb8.ugrid")) return read_ugrid(path);
   throw InvalidInput("not a mesh file: .vtkhdf and .lb8.ugrid are read", path.string());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "mesh/assemble/mesh_in_memory.h"
 
@@ -11,5 +12,7 @@ namespace tetfarm {
 /// Reads .vtkhdf or .lb8.ugrid by the ending. @throws IoError, InvalidInput (another ending, a file
 /// that is no mesh of tets).
 GlobalMesh read_global_mesh(const std::filesystem::path& path);
+/// The same of a file that is kept under another name than `name`, which tells the format.
+GlobalMesh read_global_mesh(const std::filesystem::path& path, std::string_view name);
 
 }  // namespace tetfarm

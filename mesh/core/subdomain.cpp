@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/tree_way.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/core/validate.h"
@@ -89,12 +90,7 @@ int TreePath::depth() const {
   return static_cast<int>(std::bit_width(heap)) - 1;
 }
 
-std::string TreePath::text() const {
-  if (heap == 1) return "root";
-  std::string way;
-  for (int bit = depth() - 1; bit >= 0; --bit) way += (heap >> bit & 1) != 0 ? 'R' : 'L';
-  return way;
-}
+std::string TreePath::text() const { return tree_way(heap); }
 
 Subdomain root_subdomain(const SurfaceMesh& surface) {
   Subdomain whole;

@@ -41,6 +41,25 @@ DihedralCosines dihedral_cosines(const Vec3& a, const Vec3& b, const Vec3& c, co
   return cosines;
 }
 
+bool may_have_smaller_dihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                               double cosine) {
+  if (!(cosine > 0) || !(tet_volume(a, b, c, d) > 0)) return true;
+  const std::array<Vec3, 4> normals = face_normals(a, b, c, d);
+  std::array<double, 4> lengths2;
+  for (std::size_t i = 0; i < 4; ++i) lengths2[i] = norm2(normals[i]);
+  constexpr double rounding = 1e-9;
+  const double cosine2 = (1 - rounding) * cosine * cosine;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double product = -dot(normals[i], normals[j]);
+      const double most2 = cosine2 * lengths2[i] * lengths2[j];
+      if (product > 0 && !(product * product < most2)) return true;
+      if (!(most2 > 0)) return true;
+    }
+  }
+  return false;
+}
+
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const DihedralCosines cosines = dihedral_cosines(a, b, c, d);
   return {degrees(cosines.of_smallest), degrees(cosines.of_largest)};

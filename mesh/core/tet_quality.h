@@ -23,6 +23,11 @@ struct DihedralCosines {
 };
 DihedralCosines dihedral_cosines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// False only when dihedral_cosines(a, b, c, d).of_smallest is no more than that: without a root,
+/// for the smallest angle of many.
+bool may_have_smaller_dihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                               double cosine);
+
 /// 3 · inradius / circumradius: 1 for the regular tet, 0 for a flat one.
 double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

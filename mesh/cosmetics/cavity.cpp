@@ -119,18 +119,26 @@ double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets) {
 }
 
 std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node) {
-  std::vector<std::int32_t> ball = {work.complex.node2tet[at(node)]};
+  std::vector<std::int32_t> ball;
   ball.reserve(32);
   work.clear_marks();
-  work.set_mark(ball[0]);
+  const Tet* const tets = work.complex.nodes.data();
+  const std::array<FaceHandle, 4>* const neighbours = work.complex.neighbours.data();
+  // Each tet is met three times, mostly not in the caches: it is called for when it is first seen.
+  const auto take = [&](std::int32_t t) {
+    __builtin_prefetch(&tets[at(t)]);
+    __builtin_prefetch(&neighbours[at(t)]);
+    work.set_mark(t);
+    ball.push_back(t);
+  };
+  take(work.complex.node2tet[at(node)]);
   for (std::size_t i = 0; i < ball.size(); ++i) {
-    const std::int32_t t = ball[i];
-    for (int face = 0; face < 4; ++face) {
-      if (work.tet(t)[at(face)] == node) continue;
-      const FaceHandle across = work.across(t, face);
-      if (across == no_face || work.is_marked(tet_of(across))) continue;
-      work.set_mark(tet_of(across));
-      ball.push_back(tet_of(across));
+    const Tet& tet = tets[at(ball[i])];
+    const std::array<FaceHandle, 4>& across = neighbours[at(ball[i])];
+    for (std::size_t face = 0; face < 4; ++face) {
+      if (tet[face] == node || across[face] == no_face) continue;
+      const std::int32_t beyond = tet_of(across[face]);
+      if (!work.is_marked(beyond)) take(beyond);
     }
   }
   return ball;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "mesh/core/tet_complex.h"
+#include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
 
@@ -23,6 +24,8 @@ struct WorkMesh {
   std::uint32_t mark = 0;
   /// Not a number: not known.
   mutable std::vector<double> tet2goodness;
+  /// The factor that makes a change worth it, see is_worth.
+  double gain = usual_gain;
 
   WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_);
   void forget_goodness_of(std::int32_t t) {

@@ -104,7 +104,7 @@ std::optional<Replacement> find_edge_removal(const WorkMesh& work, std::int32_t 
   const double before = worst_of(work, ring->tets);
   const Parts parts = best_parts(work, *ring, std::max({before, beat, 0.0}));
   const double after = parts[0][ring->nodes.size() - 1].worst;
-  if (after <= beat || !is_worth(before, after)) return std::nullopt;
+  if (after <= beat || !is_worth(before, after, work.gain)) return std::nullopt;
   Replacement replacement{std::move(ring->tets), {}, before, after, std::nullopt};
   collect(parts, *ring, 0, ring->nodes.size() - 1, replacement.new_tets);
   return replacement;

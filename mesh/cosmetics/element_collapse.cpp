@@ -16,7 +16,7 @@ std::optional<Replacement> find_collapse(const WorkMesh& work,
     if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
     std::replace(tet.begin(), tet.end(), node, onto);
     replacement.new_worst = std::min(replacement.new_worst, goodness(work.complex, tet));
-    if (replacement.new_worst <= beat || !is_worth(before, replacement.new_worst)) {
+    if (replacement.new_worst <= beat || !is_worth(before, replacement.new_worst, work.gain)) {
       return std::nullopt;
     }
     replacement.new_tets.push_back(tet);

@@ -108,7 +108,7 @@ std::optional<Replacement> find_face_removal(const WorkMesh& work, std::int32_t 
     growth.add(grow(patch, {t, tet_of(across)}, edge, most_depth));
     if (growth.new_worst <= std::max(beat, 0.0)) return std::nullopt;
   }
-  if (!is_worth(growth.old_worst, growth.new_worst)) return std::nullopt;
+  if (!is_worth(growth.old_worst, growth.new_worst, work.gain)) return std::nullopt;
   return Replacement{std::move(growth.old_tets), std::move(growth.new_tets), growth.old_worst,
                      growth.new_worst, std::nullopt};
 }

@@ -25,10 +25,15 @@ double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 /// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
 double goodness_of_angle(double degrees);
 
-/// A worst of `before` is worth replacing by one above this only. The margin makes every sequence
-/// of accepted changes end.
-inline double least_worth(double before) { return std::max(0.0, 1.03 * before + 1e-9); }
-inline bool is_worth(double before, double after) { return after > least_worth(before); }
+/// A worst of `before` is worth replacing by one above this only. The gain makes every sequence of
+/// accepted changes end.
+inline constexpr double usual_gain = 1.03;
+inline double least_worth(double before, double gain = usual_gain) {
+  return std::max(0.0, gain * before + 1e-9);
+}
+inline bool is_worth(double before, double after, double gain = usual_gain) {
+  return after > least_worth(before, gain);
+}
 
 /// True when the volume of the tet is exactly positive.
 bool is_positive(const TetComplex& complex, const Tet& tet);

@@ -318,7 +318,7 @@ std::optional<Replacement> find_reconnection(WorkMesh& work, std::int32_t t,
   for (const std::int32_t inside : cavity.tets) {
     before = std::min(before, measure_of(work, inside, options));
   }
-  Search search(work, cavity, options, least_worth(before));
+  Search search(work, cavity, options, least_worth(before, work.gain));
   search.run(*front, volume6_of(work, cavity.tets));
   if (search.best().empty()) return std::nullopt;
   Replacement replacement{cavity.tets, {}, before, search.best_worst(), std::nullopt};

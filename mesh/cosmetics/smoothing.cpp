@@ -57,7 +57,7 @@ std::optional<Place> find_move(const WorkMesh& work, const std::vector<std::int3
     if (worst > best.worst) best = {p, worst};
   }
   if (best.worst < enough) best = climb(star, best.point, enough);
-  if (!is_worth(before, best.worst)) return std::nullopt;
+  if (!is_worth(before, best.worst, work.gain)) return std::nullopt;
   return best;
 }
 

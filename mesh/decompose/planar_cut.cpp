@@ -77,10 +77,12 @@ CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
                     {options.planes, options.left_share, options.candidates})) {
     candidates.emplace_back().place = place;
   }
+  options.progress.begin(WorkStage::cut, candidates.size());
   int accept_calls = 0;
   for (const Pass& pass : passes_to_make(options.smallest_angles_deg)) {
     for (Candidate& candidate : candidates) {
       if (is_balanced(candidate, options.left_share) != pass.is_balanced) continue;
+      options.progress.add(was_tried(candidate) ? 0 : 1);
       if (!passes(candidate, parent, pass.cosine_limit)) continue;
       Cut cut = make_cut(candidate, parent, work.total);
       if (options.accept) {

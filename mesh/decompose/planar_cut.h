@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/decompose/cut_plane.h"
 #include "mesh/spacing/spacing_field.h"
@@ -26,6 +27,8 @@ struct CutOptions {
   /// Gets the two halves. Empty: accept. Must be deterministic.
   std::function<bool(const Subdomain& left, const Subdomain& right)> accept;
   int most_accept_calls = 6;
+  /// Counts the candidates that were tried.
+  WorkProgress progress = {};
 };
 
 struct Cut {

@@ -22,6 +22,7 @@ struct MeshFormat {
                 const std::filesystem::path& file) = nullptr;
   /// Writes what goes beside `file`, where there is something.
   void (*write_beside)(const MeshOutline& outline, const std::filesystem::path& file) = nullptr;
+  bool holds_parts = false;  ///< the file tells of each tet which part it is in
 };
 
 struct ExportCounts {

@@ -44,7 +44,7 @@ void renumber(DelaunayTets& tets, const std::vector<std::int32_t>& order,
 
 }  // namespace
 
-DelaunayTets bowyer_watson(std::span<const Vec3> points) {
+DelaunayTets bowyer_watson(std::span<const Vec3> points, const WorkProgress& progress) {
   DelaunayTets result;
   TetComplex& complex = result.complex;
   Box3 box;
@@ -75,6 +75,7 @@ DelaunayTets bowyer_watson(std::span<const Vec3> points) {
   CavityInsertion insertion(complex, nullptr, order);
   std::int32_t last = first;
   for (std::int32_t v = 0; v < n; ++v) {
+    progress.add();
     const Location location = locate(complex, corner(v), last);
     TF_CHECK(location.tet >= 0);
     if (location.node >= 0) {

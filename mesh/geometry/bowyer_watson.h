@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/core/tet_complex.h"
 
 namespace tetfarm {
@@ -21,7 +22,7 @@ struct DelaunayTets {
   std::vector<std::array<std::int32_t, 2>> duplicates;
 };
 
-/// @pre coordinates are finite.
-DelaunayTets bowyer_watson(std::span<const Vec3> points);
+/// Counts the points on `progress`, in the stage that it is in. @pre coordinates are finite.
+DelaunayTets bowyer_watson(std::span<const Vec3> points, const WorkProgress& progress = {});
 
 }  // namespace tetfarm

@@ -14,7 +14,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr double most_triangles = 200'000;
 // A side of the box is at least this many default spacings long, and so is the sphere's diameter.
 constexpr double least_spacings = 6;
 // The edge of a regular icosahedron's face, seen from the centre, in radians.
@@ -51,27 +50,39 @@ void check_numbers(const SurfaceMesh& body, const OuterBoundary& outer, double g
         "the spacing must be positive, or 0 for the default; it is " + text_of(outer.spacing),
         "domain.spacing");
   }
+  if (!std::isfinite(outer.default_spacing) || outer.default_spacing < 0) {
+    throw UsageError(
+        "the spacing must be positive, or 0 for none; it is " + text_of(outer.default_spacing),
+        "spacing.default");
+  }
   if (!std::isfinite(growth) || growth < 0) {
     throw UsageError("the growth must not be negative; it is " + text_of(growth), "spacing.growth");
   }
 }
 
+/// The spacing of those that somebody asked for; 0: it follows from the body.
+double asked_spacing(const OuterBoundary& outer, double by_growth) {
+  if (outer.spacing > 0) return outer.spacing;
+  return outer.default_spacing > 0 && outer.default_spacing < by_growth ? outer.default_spacing : 0;
+}
+
 /// How many parts to divide `length` into, when `triangles_at_1` · parts² triangles come of it.
 int parts_of(double length, double triangles_at_1, int least, const OuterBoundary& outer,
-             double default_spacing) {
-  const double most = std::floor(std::sqrt(most_triangles / triangles_at_1));
-  if (outer.spacing == 0) {
-    const double parts = std::ceil(length / default_spacing);
-    return static_cast<int>(std::clamp(parts, static_cast<double>(least), most));
-  }
-  const double parts = std::ceil(length / outer.spacing);
-  if (parts > most) {
-    throw UsageError("a spacing of " + text_of(outer.spacing) + " makes more than " +
+             double by_growth) {
+  const auto parts_with = [&](double triangles) {
+    return std::floor(std::sqrt(triangles / triangles_at_1));
+  };
+  const double asked = asked_spacing(outer, by_growth);
+  const double parts = std::ceil(length / (asked > 0 ? asked : by_growth));
+  const double most = parts_with(asked > 0 && !outer.is_sketch ? most_triangles : few_triangles);
+  if (asked > 0 && !outer.is_sketch && parts > most) {
+    throw UsageError("a spacing of " + text_of(asked) + " makes more than " +
                          std::to_string(static_cast<int>(most_triangles)) +
-                         " triangles; the least that does not is " + text_of(length / most),
-                     "domain.spacing");
+                         " triangles on the outer boundary; the least that does not is " +
+                         text_of(length / most),
+                     outer.spacing > 0 ? "domain.spacing" : "spacing.default");
   }
-  return std::max(static_cast<int>(parts), least);
+  return static_cast<int>(std::clamp(parts, static_cast<double>(least), most));
 }
 
 void check_room(bool has_room, const OuterBoundary& outer) {

@@ -15,16 +15,27 @@ struct OuterBoundary {
   double factor = 0;
   /// Edge length of its triangles; 0: from the body's longest edges and growth over the distance.
   double spacing = 0;
+  /// The edge length that the job asks for everywhere (spacing.default), 0: none. Without a
+  /// `spacing` of its own the boundary has no longer edges than that.
+  double default_spacing = 0;
+  /// Instead of more triangles than few_triangles, coarser ones: enough to tell how many elements
+  /// there would be.
+  bool is_sketch = false;
 };
+
+/// A boundary is no finer by itself, whatever the body's edges.
+inline constexpr double few_triangles = 200'000;
+/// The most that a spacing may ask for.
+inline constexpr double most_triangles = 10'000'000;
 
 /// The body turned into a hole in a new outer boundary: body triangles reversed, then the
 /// boundary's, with a new patch "outer_box" or "outer_sphere". Kind none: the body as it is. A body
 /// with sides (checked with is_outside_meshed) keeps its triangles; its region 1 gets the boundary.
-/// The
-/// spacing is at most a sixth of the box's side, and coarser than asked where more than 200 000
-/// triangles would be needed.
+/// The spacing is at most a sixth of the box's side. Where it follows from the body's edges, it is
+/// coarser than they ask for rather than making more than few_triangles.
 /// @pre the body is closed and oriented outward.
-/// @throws UsageError when the boundary would touch the body, or a number makes no sense.
+/// @throws UsageError when the boundary would touch the body, a number makes no sense, or a spacing
+/// asks for more than most_triangles.
 SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer, double growth);
 
 }  // namespace tetfarm

@@ -1,22 +1,10 @@
 #include "mesh/inspect/surface_figures.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+
+#include "mesh/core/triangle_angles.h"
 
 namespace tetfarm {
-namespace {
-
-/// The smallest angle of the triangle abc in degrees; right also where its cosine rounds to 1.
-double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto angle = [](const Vec3& u, const Vec3& v) {
-    return std::atan2(norm(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi;
-  };
-  return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
-}
-
-}  // namespace
-
 void measure_surface(const SurfaceMesh& surface, std::span<const EdgeUse> uses,
                      SurfaceReport& report) {
   const auto at = [&surface](std::int32_t v) -> const Vec3& {
@@ -46,7 +34,7 @@ void measure_surface(const SurfaceMesh& surface, std::span<const EdgeUse> uses,
       }
     }
     if (is_measured[t] == 0) continue;
-    angle = std::min(angle, smallest_angle(at(nodes[0]), at(nodes[1]), at(nodes[2])));
+    angle = std::min(angle, smallest_angle_deg(at(nodes[0]), at(nodes[1]), at(nodes[2])));
   }
   if (!lengths.empty()) report.smallest_angle_deg = angle;
   report.unused_vertices = std::count(is_used.begin(), is_used.end(), 0);

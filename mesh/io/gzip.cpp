@@ -8,14 +8,21 @@
 #include <algorithm>
 #include <cerrno>
 #include <limits>
+#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/mebibytes.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t max_unpacked = std::size_t{32} << 30;
+constexpr std::uint64_t most_bytes = std::uint64_t{32} << 30;
+/// Surfaces as text pack to between a tenth and a fortieth; gzip itself reaches a thousandth.
+constexpr std::uint64_t most_times = 200;
+/// Whatever the ratio: small files are often regular.
+constexpr std::uint64_t always_allowed = std::uint64_t{64} << 20;
+constexpr std::size_t window_bytes = std::size_t{256} << 10;
 
 class Inflater {
  public:
@@ -42,32 +49,33 @@ class File {
   const int descriptor;
 };
 
-}  // namespace
+[[noreturn]] void refuse_size(std::uint64_t packed_bytes, std::uint64_t limit,
+                              const std::string& name) {
+  throw InvalidInput("unpacks to more than " + mebibytes(limit) + ", the most that is taken from " +
+                         std::to_string(packed_bytes) +
+                         " bytes of gzip; if that is what it should be, unpack it with gunzip and "
+                         "name the unpacked file",
+                     name);
+}
 
-bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
-
-std::string unpack_gzip(std::string_view bytes, const std::string& name) {
+/// What all members hold, one after the other, given to `take` a window at a time.
+template <class Take>
+void inflate_members(std::string_view bytes, const std::string& name, const Take& take) {
   Inflater inflater;
   z_stream& z = inflater.stream;
-  std::string unpacked;
-  std::size_t used = 0;
+  std::vector<char> window(window_bytes);
   constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max();
   const char* next = bytes.data();
   const char* const end = bytes.data() + bytes.size();
   for (;;) {
-    if (used == unpacked.size()) {
-      if (used >= max_unpacked) throw InvalidInput("is more than 32 GiB unpacked", name);
-      unpacked.resize(std::max(4 * bytes.size(), 2 * used) + 1024);
-    }
     const std::size_t in = std::min(static_cast<std::size_t>(end - next), most_at_once);
-    const std::size_t out = std::min(unpacked.size() - used, most_at_once);
     z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next));
     z.avail_in = static_cast<uInt>(in);
-    z.next_out = reinterpret_cast<Bytef*>(unpacked.data() + used);
-    z.avail_out = static_cast<uInt>(out);
+    z.next_out = reinterpret_cast<Bytef*>(window.data());
+    z.avail_out = static_cast<uInt>(window.size());
     const int result = inflate(&z, Z_NO_FLUSH);
     next += in - z.avail_in;
-    used += out - z.avail_out;
+    take(window.data(), window.size() - z.avail_out);
     if (result == Z_STREAM_END) {
       if (!is_gzip({next, static_cast<std::size_t>(end - next)})) break;
       TF_CHECK(inflateReset(&z) == Z_OK);
@@ -81,7 +89,30 @@ std::string unpack_gzip(std::string_view bytes, const std::string& name) {
   if (std::any_of(next, end, [](char c) { return c != '\0'; })) {
     throw InvalidInput("has more bytes after the gzip data", name);
   }
-  unpacked.resize(used);
+}
+
+}  // namespace
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+std::uint64_t most_unpacked(std::uint64_t packed_bytes) {
+  return std::min(most_bytes, std::max(always_allowed, most_times * packed_bytes));
+}
+
+std::string unpack_gzip(std::string_view bytes, const std::string& name) {
+  // Counted first: what is too large is refused without ever being in memory, and what is not gets
+  // memory once, no more than it needs.
+  const std::uint64_t limit = most_unpacked(bytes.size());
+  std::uint64_t size = 0;
+  inflate_members(bytes, name, [&](const char*, std::size_t count) {
+    size += count;
+    if (size > limit) refuse_size(bytes.size(), limit, name);
+  });
+  std::string unpacked;
+  unpacked.reserve(size);
+  inflate_members(bytes, name, [&unpacked](const char* window, std::size_t count) {
+    unpacked.append(window, count);
+  });
   return unpacked;
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include "base/job_name.h"
+#include "mesh/io/job_formats.h"
 #include "mesh/io/job_section.h"
 
 namespace tetfarm {
@@ -16,8 +19,8 @@ constexpr std::array<std::string_view, 12> top_keys = {
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
-constexpr std::array<std::string_view, 4> spacing_keys = {"default", "growth", "surface",
-                                                          "sources"};
+constexpr std::array<std::string_view, 5> spacing_keys = {"default", "growth", "surface", "sources",
+                                                          "max_elements"};
 constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
@@ -27,7 +30,7 @@ constexpr std::array<std::string_view, 1> cosmetics_keys = {"across_cuts"};
 constexpr std::array<std::string_view, 5> decompose_keys = {"subdomains", "target_elements",
                                                             "plane", "max_memory", "assimilate"};
 constexpr std::array<std::string_view, 2> assimilate_keys = {"groups", "method"};
-constexpr std::array<std::string_view, 1> quality_keys = {"min_dihedral"};
+constexpr std::array<std::string_view, 2> quality_keys = {"min_dihedral", "min_unforced_dihedral"};
 constexpr std::array<std::string_view, 1> output_keys = {"formats"};
 
 constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
@@ -41,6 +44,8 @@ constexpr std::array<std::string_view, 2> formats = {"vtkhdf", "lb8.ugrid"};
 
 /// No tet mesh reaches the angles of the regular tet, 70.53 degrees, everywhere.
 constexpr double regular_dihedral_deg = 70.5;
+
+constexpr std::int64_t least_target_elements = 1000;
 
 Vec3 parse_place(const JobSection& section) {
   const toml::array& at = section.array("at");
@@ -127,12 +132,16 @@ void parse_spacing(const JobSection& section, JobFile& job) {
   if (section.has("surface")) {
     job.inherit_surface = section.one_of("surface", surface_roles) == "inherit";
   }
+  if (section.has("max_elements")) job.max_elements = section.integer("max_elements", 0);
 }
 
 void parse_decompose(const JobSection& section, JobFile& job) {
   if (section.has("subdomains")) job.subdomains = section.integer("subdomains", 0);
   if (section.has("target_elements")) {
-    job.target_elements = section.integer("target_elements", 1000);
+    job.target_elements = section.integer("target_elements", 0);
+    if (job.target_elements > 0 && job.target_elements < least_target_elements) {
+      section.fail("target_elements", "must be at least 1000, or 0: by the job's size");
+    }
   }
   if (section.has("plane")) job.plane = section.one_of("plane", kinds_of_planes);
   if (section.has("max_memory")) {
@@ -163,12 +172,18 @@ void parse_cosmetics(const JobSection& section, JobFile& job) {
   if (section.has("across_cuts")) job.across_cuts = section.boolean("across_cuts");
 }
 
-void parse_quality(const JobSection& section, JobFile& job) {
-  if (!section.has("min_dihedral")) return;
-  job.min_dihedral_deg = section.not_negative("min_dihedral");
-  if (job.min_dihedral_deg >= regular_dihedral_deg) {
-    section.fail("min_dihedral", "must be less than 70.5, the angle of the regular tetrahedron");
+/// Of an angle that a mesh must not be below; 0: no gate.
+void parse_gate(const JobSection& section, const char* key, double& gate_deg) {
+  if (!section.has(key)) return;
+  gate_deg = section.not_negative(key);
+  if (gate_deg >= regular_dihedral_deg) {
+    section.fail(key, "must be less than 70.5, the angle of the regular tetrahedron");
   }
+}
+
+void parse_quality(const JobSection& section, JobFile& job) {
+  parse_gate(section, "min_dihedral", job.min_dihedral_deg);
+  parse_gate(section, "min_unforced_dihedral", job.min_unforced_dihedral_deg);
 }
 
 void parse_output(const JobSection& section, JobFile& job) {
@@ -186,9 +201,9 @@ void parse_output(const JobSection& section, JobFile& job) {
   if (job.formats.empty()) section.fail("formats", "must name a format");
 }
 
-bool is_plain_name(const std::string& name) {
-  return name != "." && name != ".." && name.find('/') == std::string::npos &&
-         name.find('\0') == std::string::npos;
+/// `file` as named in the job file at `path`, as a person would type it: relative where `path` is.
+std::string beside(const std::string& path, const std::string& file) {
+  return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
 }
 
 }  // namespace
@@ -207,13 +222,13 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   }
   JobFile job;
   job.name = top.has("name") ? top.text("name") : fs::path(path).stem().string();
-  if (job.name.empty()) top.fail("name", "must not be empty");
   // It names the files of the result: it must not lead them out of their folder.
-  if (!is_plain_name(job.name)) top.fail("name", "must be a plain name, without `/`");
+  const std::string problem = problem_with_job_name(job.name);
+  if (!problem.empty()) top.fail("name", problem);
   const JobSection geometry = top.table("geometry", geometry_keys);
   const std::string surface = geometry.text("surface");
   if (surface.empty()) geometry.fail("surface", "must not be empty");
-  job.surface = (fs::absolute(path).parent_path() / surface).lexically_normal().string();
+  job.surface = beside(path, surface);
   parse_domain(top.table("domain", domain_keys), job);
   for_each_table(top, "region", [&](const toml::node& node) {
     job.regions.push_back(parse_region(top.item(node, "region", region_keys)));
@@ -223,7 +238,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   if (spacing.has("sources")) {
     const std::string sources = spacing.text("sources");
     if (sources.empty()) spacing.fail("sources", "must not be empty");
-    job.sources_file = (fs::absolute(path).parent_path() / sources).lexically_normal().string();
+    job.sources_file = beside(path, sources);
   }
   for_each_table(top, "source",
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
@@ -234,6 +249,8 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   parse_output(top.table("output", output_keys), job);
   return job;
 }
+
+std::span<const std::string_view> job_output_formats() { return formats; }
 
 std::vector<std::string> job_file_keys() {
   const std::array<std::pair<std::string_view, Words>, 14> sections = {

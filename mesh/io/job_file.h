@@ -46,15 +46,17 @@ struct JobFile {
   /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
   /// it into `sources` (read_flite_sources.h); canonical text does not name it.
   std::string sources_file;
-  std::int64_t subdomains = 0;                    // [decompose] subdomains, 0: by target_elements
-  std::int64_t target_elements = 2'000'000;       // [decompose] target_elements
-  std::string plane = "auto";                     // [decompose] plane = "auto" | "lattice" | …
-  std::string points = "lattice";                 // [mesh] points = "lattice" | "sweeps"
-  bool across_cuts = true;                        // [cosmetics] across_cuts
-  std::int64_t max_memory_bytes = 0;              // [decompose] max_memory = "2GiB", 0: no limit
-  std::int64_t groups = 0;                        // [decompose.assimilate] groups, 0: none
-  std::string assimilate_method = "recursive";    // [decompose.assimilate] method
-  double min_dihedral_deg = 0;                    // [quality] min_dihedral, a gate; 0: none
+  std::int64_t max_elements = 2'000'000'000;    // [spacing] max_elements, 0: as many as come
+  std::int64_t subdomains = 0;                  // [decompose] subdomains, 0: by target_elements
+  std::int64_t target_elements = 0;             // [decompose] target_elements, 0: by the job's size
+  std::string plane = "auto";                   // [decompose] plane = "auto" | "lattice" | …
+  std::string points = "lattice";               // [mesh] points = "lattice" | "sweeps"
+  bool across_cuts = true;                      // [cosmetics] across_cuts
+  std::int64_t max_memory_bytes = 0;            // [decompose] max_memory = "2GiB", 0: no limit
+  std::int64_t groups = 0;                      // [decompose.assimilate] groups, 0: none
+  std::string assimilate_method = "recursive";  // [decompose.assimilate] method
+  double min_dihedral_deg = 0;                  // [quality] min_dihedral, a gate; 0: none
+  double min_unforced_dihedral_deg = 0.1;       // [quality] min_unforced_dihedral, the same
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
 };
 

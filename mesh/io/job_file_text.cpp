@@ -72,7 +72,8 @@ std::string to_toml(const JobFile& job) {
   }
   text += "\n[spacing]\ndefault = " + number(job.spacing_default) +
           "\ngrowth = " + number(job.growth) +
-          "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") + "\n";
+          "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") +
+          "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
   text += "\n[decompose]\n";
   if (job.max_memory_bytes > 0) {
@@ -89,6 +90,7 @@ std::string to_toml(const JobFile& job) {
   text += "\n[mesh]\npoints = " + quoted_toml(job.points) +
           "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
           "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
+          "\nmin_unforced_dihedral = " + number(job.min_unforced_dihedral_deg) +
           "\n\n[output]\nformats = [";
   for (std::size_t i = 0; i < job.formats.size(); ++i) {
     text += (i == 0 ? "" : ", ") + quoted_toml(job.formats[i]);

@@ -6,13 +6,25 @@
 
 #include "base/error.h"
 #include "mesh/io/edit_distance.h"
+#include "mesh/io/toml_limits.h"
 
 namespace tetfarm {
 namespace {
 
-std::string in_ticks(std::string_view word) { return "`" + std::string(word) + "`"; }
+constexpr std::size_t longest_quoted = 100;
+
+/// What somebody wrote, as far as a message has room for it.
+std::string quotable(std::string_view text) {
+  if (text.size() <= longest_quoted) return std::string(text);
+  std::size_t end = longest_quoted;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "…";
+}
+
+std::string in_ticks(std::string_view word) { return "`" + quotable(word) + "`"; }
 
 std::string did_you_mean(std::string_view word, Words known) {
+  if (word.size() > longest_quoted) return {};
   const std::string_view nearest = nearest_word(word, known);
   return nearest.empty() ? "" : "; did you mean " + in_ticks(nearest) + "?";
 }
@@ -46,6 +58,7 @@ std::string_view type_of(const toml::node& node) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& path) {
+  check_toml_limits(text, path);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -103,7 +116,7 @@ std::string JobSection::one_of(std::string_view key, Words known) const {
 void JobSection::check_known(const toml::node& at, std::string_view key, std::string_view value,
                              Words known) const {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
-  fail(at.source(), in_ticks(key) + " is \"" + std::string(value) + "\", not one of " +
+  fail(at.source(), in_ticks(key) + " is \"" + quotable(value) + "\", not one of " +
                         list_of(known) + did_you_mean(value, known));
 }
 

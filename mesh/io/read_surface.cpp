@@ -13,6 +13,7 @@
 #include "mesh/io/read_su2.h"
 #include "mesh/io/read_tetgen.h"
 #include "mesh/io/read_ugrid_surface.h"
+#include "mesh/io/surface_type.h"
 
 namespace tetfarm {
 namespace {
@@ -20,26 +21,16 @@ namespace {
 using Reader = SurfaceMesh (*)(std::string_view bytes, const std::string& name);
 
 Reader reader_of(const std::string& name) {
-  std::string lower = name;
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  if (lower.ends_with(".gz")) lower.resize(lower.size() - 3);
-  if (lower.ends_with(".stl")) return read_stl;
-  if (lower.ends_with(".obj")) return read_obj;
-  if (lower.ends_with(".off")) return read_off;
-  if (lower.ends_with(".msh")) return read_msh;
-  if (lower.ends_with(".ply")) return read_ply;
-  if (lower.ends_with(".ugrid")) return read_ugrid_surface;
-  if (lower.ends_with(".su2")) return read_su2;
-  if (lower.ends_with(".mesh") || lower.ends_with(".meshb")) return read_medit;
-  if (lower.ends_with(".poly") || lower.ends_with(".smesh")) return read_tetgen;
-  if (lower.ends_with(".fro")) return read_fro;
-  throw InvalidInput(
-      "is no surface by its ending; Tetfarm reads .stl .obj .off .msh .ply .ugrid .su2 .mesh "
-      ".meshb "
-      ".poly .smesh .fro, each also .gz",
-      name);
+  const std::string_view ending = surface_ending_of(name);
+  if (ending == ".stl") return read_stl;
+  if (ending == ".obj") return read_obj;
+  if (ending == ".off") return read_off;
+  if (ending == ".msh") return read_msh;
+  if (ending == ".ply") return read_ply;
+  if (ending == ".ugrid") return read_ugrid_surface;
+  if (ending == ".su2") return read_su2;
+  if (ending == ".fro") return read_fro;
+  return ending.find("mesh") == 1 ? read_medit : read_tetgen;
 }
 
 }  // namespace

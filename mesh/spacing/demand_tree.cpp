@@ -7,7 +7,7 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::uint32_t leaf_size = 8;
+constexpr std::uint32_t leaf_size = 16;
 constexpr std::size_t deepest_stack = 64;
 /// Of the growth across the radius of a cell: far more than what rounding may put a point of the
 /// cell outside its ball.
@@ -16,6 +16,21 @@ constexpr double rounding_slack = 1e-3;
 /// radius and of the distance between them.
 constexpr double near_share = 0.25;
 constexpr double far_share = 1;
+
+/// Squared.
+inline double distance2_to(const Box3& box, const Vec3& p) {
+  const double x = std::max(0.0, std::max(box.low.x - p.x, p.x - box.high.x));
+  const double y = std::max(0.0, std::max(box.low.y - p.y, p.y - box.high.y));
+  const double z = std::max(0.0, std::max(box.low.z - p.z, p.z - box.high.z));
+  return x * x + y * y + z * z;
+}
+
+/// Whether what lies that far away, squared, is for certain out of reach, without a root. The slack
+/// is far more than what rounding does to the reach and to what a demand comes to there.
+bool is_beyond(double distance2, double reach) {
+  constexpr double slack = 1 + 1e-9;
+  return reach < 0 || distance2 > slack * (reach * reach);
+}
 
 int widest_axis(const Box3& box) {
   const Vec3 size = box.size();
@@ -26,8 +41,9 @@ int widest_axis(const Box3& box) {
 }  // namespace
 
 DemandTree::DemandTree(std::vector<PointDemand> demands, double growth)
-    : demands_(std::move(demands)), growth_(growth) {
+    : demands_(std::move(demands)), growth_(growth), shares_of_growth_(1 / growth) {
   if (demands_.empty()) return;
+  last_winner_ = demands_.front();
   Node root;
   root.end = static_cast<std::uint32_t>(demands_.size());
   nodes_.push_back(root);
@@ -68,49 +84,54 @@ double DemandTree::value(const PointDemand& demand, const Vec3& point, double ra
   return demand.spacing + growth_ * std::max(0.0, beyond);
 }
 
-double DemandTree::bound(const Node& node, const Vec3& point, double radius) const {
-  Vec3 away;
-  for (int axis = 0; axis < 3; ++axis) {
-    away[axis] =
-        std::max({0.0, node.box.low[axis] - point[axis], point[axis] - node.box.high[axis]});
-  }
-  return std::max(node.least_spacing, node.least_apex + growth_ * (norm(away) - radius));
+double DemandTree::bound(const Node& node, const Vec3& point) const {
+  return std::max(node.least_spacing,
+                  node.least_apex + growth_ * std::sqrt(distance2_to(node.box, point)));
 }
 
-double DemandTree::lowest_below(std::uint32_t root, const Vec3& point, double radius,
-                                double limit) const {
-  double best = std::min(limit, value(demands_[last_winner_], point, radius));
+bool DemandTree::may_be_less(const Node& node, double distance2, double radius, double than) const {
+  return node.least_spacing < than &&
+         !is_beyond(distance2, radius + shares_of_growth_ * (than - node.least_apex));
+}
+
+void DemandTree::lower(const PointDemand& demand, const Vec3& point, double radius,
+                       double& best) const {
+  const double reach = radius + demand.plateau + shares_of_growth_ * (best - demand.spacing);
+  if (is_beyond(norm2(point - demand.at), reach)) return;
+  const double here = value(demand, point, radius);
+  if (here >= best) return;
+  best = here;
+  last_winner_ = demand;
+}
+
+void DemandTree::lower_below(std::uint32_t root, const Vec3& point, double radius,
+                             double& best) const {
   struct Pending {
     std::uint32_t node;
-    double bound;
+    double distance2;
   };
   std::array<Pending, deepest_stack> stack;
   std::size_t depth = 0;
-  stack[depth++] = {root, bound(nodes_[root], point, radius)};
-  while (depth > 0) {
-    const Pending pending = stack[--depth];
-    if (pending.bound >= best) continue;
-    const Node& node = nodes_[pending.node];
-    if (node.children != 0) {
-      Pending near{node.children, bound(nodes_[node.children], point, radius)};
-      Pending far{node.children + 1, bound(nodes_[node.children + 1], point, radius)};
-      if (far.bound < near.bound) std::swap(near, far);
-      stack[depth++] = far;
-      stack[depth++] = near;
-      continue;
+  Pending now{root, distance2_to(nodes_[root].box, point)};
+  while (true) {
+    const Node& node = nodes_[now.node];
+    if (may_be_less(node, now.distance2, radius, best)) {
+      if (node.children != 0) {
+        now = {node.children, distance2_to(nodes_[node.children].box, point)};
+        Pending far{node.children + 1, distance2_to(nodes_[node.children + 1].box, point)};
+        if (far.distance2 < now.distance2) std::swap(now, far);
+        stack[depth++] = far;
+        continue;
+      }
+      for (std::uint32_t i = node.begin; i < node.end; ++i) lower(demands_[i], point, radius, best);
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      const double here = value(demands_[i], point, radius);
-      if (here >= best) continue;
-      best = here;
-      last_winner_ = i;
-    }
+    if (depth == 0) return;
+    now = stack[--depth];
   }
-  return best;
 }
 
 DemandsInCell::DemandsInCell(const DemandTree& tree) : tree_(tree), lists_{{}} {
-  if (!tree.nodes_.empty()) nodes_.push_back(0);
+  if (!tree.nodes_.empty()) nodes_.push_back({0, -HUGE_VAL});
 }
 
 void DemandsInCell::enter(const Vec3& centre, double radius, double limit) {
@@ -130,13 +151,13 @@ double DemandsInCell::limit_in(const Ball& ball) {
   double limit = ball.limit;
   away_.clear();
   for (std::size_t i = lists_.back().demand; i < demands_.size(); ++i) {
-    const PointDemand& demand = demands_[i];
+    const PointDemand& demand = demands_[i].demand;
     away_.push_back(distance(demand.at, ball.centre));
     const double beyond = away_.back() + ball.radius - demand.plateau;
     limit = std::min(limit, demand.spacing + tree_.growth_ * std::max(0.0, beyond));
   }
   for (std::size_t i = lists_.back().node; i < nodes_.size(); ++i) {
-    const PointDemand& one_of_them = tree_.demands_[tree_.nodes_[nodes_[i]].begin];
+    const PointDemand& one_of_them = tree_.demands_[tree_.nodes_[nodes_[i].node].begin];
     limit = std::min(limit, tree_.value(one_of_them, ball.centre, -ball.radius));
   }
   return limit;
@@ -145,42 +166,62 @@ double DemandsInCell::limit_in(const Ball& ball) {
 void DemandsInCell::add_list(Ball ball) {
   ball.limit = limit_in(ball) + rounding_slack * tree_.growth_ * ball.radius;
   const Starts outer = lists_.back();
-  const Starts inner{demands_.size(), nodes_.size()};
+  const Starts inner{demands_.size(), nodes_.size(), ball.centre};
   for (std::size_t i = outer.demand; i < inner.demand; ++i) {
-    const PointDemand demand = demands_[i];
+    const PointDemand demand = demands_[i].demand;
     const double beyond = away_[i - outer.demand] - ball.radius - demand.plateau;
     if (demand.spacing + tree_.growth_ * std::max(0.0, beyond) > ball.limit) continue;
-    demands_.push_back(demand);
+    add(demand, ball);
   }
-  for (std::size_t i = outer.node; i < inner.node; ++i) add_below(nodes_[i], ball);
+  for (std::size_t i = outer.node; i < inner.node; ++i) add_below(nodes_[i].node, ball);
+  const auto first = [](auto& items, std::size_t start) {
+    return items.begin() + static_cast<std::ptrdiff_t>(start);
+  };
+  std::sort(first(demands_, inner.demand), demands_.end());
+  std::sort(first(nodes_, inner.node), nodes_.end());
   lists_.push_back(inner);
+}
+
+void DemandsInCell::add(const PointDemand& demand, const Ball& ball) {
+  demands_.push_back({demand, tree_.value(demand, ball.centre, 0)});
 }
 
 void DemandsInCell::add_below(std::uint32_t number, const Ball& ball) {
   const DemandTree::Node& node = tree_.nodes_[number];
-  if (tree_.bound(node, ball.centre, ball.radius) > ball.limit) return;
+  const double at_centre = tree_.bound(node, ball.centre);
+  if (at_centre - tree_.growth_ * ball.radius > ball.limit || node.least_spacing > ball.limit) {
+    return;
+  }
   const double far = distance(node.box.centre(), ball.centre);
   if (norm(node.box.size()) <= near_share * ball.radius + far_share * far) {
-    nodes_.push_back(number);
+    nodes_.push_back({number, at_centre});
   } else if (node.children != 0) {
     add_below(node.children, ball);
     add_below(node.children + 1, ball);
   } else {
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       const PointDemand& demand = tree_.demands_[i];
-      if (tree_.value(demand, ball.centre, ball.radius) <= ball.limit) demands_.push_back(demand);
+      if (tree_.value(demand, ball.centre, ball.radius) <= ball.limit) add(demand, ball);
     }
   }
 }
 
 double DemandsInCell::lowest(const Vec3& point, double radius, double limit) const {
-  for (std::size_t i = lists_.back().demand; i < demands_.size(); ++i) {
-    limit = std::min(limit, tree_.value(demands_[i], point, radius));
+  if (tree_.demands_.empty()) return limit;
+  double best = std::min(limit, tree_.value(tree_.last_winner_, point, radius));
+  const Starts& list = lists_.back();
+  // What is more than that at the centre is not less than the best here, nor is all behind it.
+  const double change =
+      (1 + rounding_slack) * tree_.growth_ * (distance(point, list.centre) + radius);
+  for (std::size_t i = list.demand; i < demands_.size(); ++i) {
+    if (demands_[i].at_centre - change > best) break;
+    tree_.lower(demands_[i].demand, point, radius, best);
   }
-  for (std::size_t i = lists_.back().node; i < nodes_.size(); ++i) {
-    limit = tree_.lowest_below(nodes_[i], point, radius, limit);
+  for (std::size_t i = list.node; i < nodes_.size(); ++i) {
+    if (nodes_[i].at_centre - change > best) break;
+    tree_.lower_below(nodes_[i].node, point, radius, best);
   }
-  return limit;
+  return best;
 }
 
 }  // namespace tetfarm

@@ -37,15 +37,21 @@ class DemandTree {
   /// spacing + growth * max(0, distance - radius - plateau): with radius 0 what is demanded at the
   /// point, else a lower bound of that within the radius.
   double value(const PointDemand& demand, const Vec3& point, double radius) const;
-  double bound(const Node& node, const Vec3& point, double radius) const;
-  /// The least value of the node's demands, or `limit` if less. Remembers the winner as the first
-  /// guess of the next call: ask in an order that stays near. Cost: O(log n).
-  double lowest_below(std::uint32_t node, const Vec3& point, double radius, double limit) const;
+  /// A lower bound of what the node's demands come to at the point.
+  double bound(const Node& node, const Vec3& point) const;
+  /// False when no demand of the node, whose box is that far away, squared, has a lesser value.
+  bool may_be_less(const Node& node, double distance2, double radius, double than) const;
+  /// Lowers `best` to the value of the demand, if that is less. Remembers the winner as the first
+  /// guess of the next call: ask in an order that stays near.
+  void lower(const PointDemand& demand, const Vec3& point, double radius, double& best) const;
+  /// The same for all demands of the node. Cost: O(log n).
+  void lower_below(std::uint32_t node, const Vec3& point, double radius, double& best) const;
 
   std::vector<PointDemand> demands_;
   double growth_;
+  double shares_of_growth_;  ///< length for a unit of spacing
   std::vector<Node> nodes_;
-  mutable std::uint32_t last_winner_ = 0;
+  mutable PointDemand last_winner_;
 };
 
 /// The demands that may be the lowest somewhere in a cell of an octree walk: a selection of those
@@ -69,6 +75,11 @@ class DemandsInCell {
   /// given there. Cost: O(length of the list), some dozens round cells of the wanted size.
   double lowest(const Vec3& point, double radius, double limit) const;
 
+  /// The length of the list.
+  std::size_t listed() const {
+    return demands_.size() - lists_.back().demand + nodes_.size() - lists_.back().node;
+  }
+
  private:
   struct Ball {
     Vec3 centre;
@@ -78,15 +89,32 @@ class DemandsInCell {
   struct Starts {
     std::size_t demand = 0;
     std::size_t node = 0;
+    Vec3 centre;  ///< of the ball
+  };
+  /// With its value at the centre of its list's ball, by which lists are sorted.
+  struct ListedDemand {
+    PointDemand demand;
+    double at_centre = 0;
+    friend bool operator<(const ListedDemand& a, const ListedDemand& b) {
+      return a.at_centre < b.at_centre;
+    }
+  };
+  struct ListedNode {
+    std::uint32_t node = 0;
+    double at_centre = 0;  ///< a lower bound
+    friend bool operator<(const ListedNode& a, const ListedNode& b) {
+      return a.at_centre < b.at_centre;
+    }
   };
   double limit_in(const Ball& ball);
   void add_list(Ball ball);
+  void add(const PointDemand& demand, const Ball& ball);
   void add_below(std::uint32_t number, const Ball& ball);
 
   const DemandTree& tree_;
   /// Lists above each other, each from its start on.
-  std::vector<PointDemand> demands_;
-  std::vector<std::uint32_t> nodes_;
+  std::vector<ListedDemand> demands_;
+  std::vector<ListedNode> nodes_;
   std::vector<Starts> lists_;
   /// The cell entered last, until it has a list.
   std::optional<Ball> unlisted_;

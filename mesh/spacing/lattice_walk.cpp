@@ -30,7 +30,10 @@ std::int32_t first_from(const GridFrame& frame, std::size_t axis, double x, bool
 class LatticeWalk {
  public:
   LatticeWalk(const SpacingOctree& octree, const Box3& box, const LatticeFilter& filter)
-      : octree_(octree), plane_(filter.plane), is_needless_(filter.is_needless) {
+      : octree_(octree),
+        plane_(filter.plane),
+        is_needless_(filter.is_needless),
+        visits_(filter.visits) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
       first_[axis] = first_from(octree.frame, axis, box.low[a], false);
@@ -62,6 +65,7 @@ class LatticeWalk {
   }
 
   bool meets(const LatticeCell& cell) const {
+    if (visits_ != nullptr) ++visits_->cells;
     const std::int32_t size = size_at_level(cell.level);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (cell.low[axis] > last_[axis] || cell.low[axis] + size < first_[axis]) return false;
@@ -78,6 +82,7 @@ class LatticeWalk {
 
   bool is_left_out(const LatticeCell& cell) const {
     if (is_needless_ == nullptr) return false;
+    if (visits_ != nullptr) ++visits_->questions;
     const std::int32_t size = size_at_level(cell.level);
     Box3 box;
     box.add(octree_.frame.position(cell.low));
@@ -111,7 +116,10 @@ class LatticeWalk {
   /// Among cells of one size each owns its corner 0 and its centre: nothing is looked up, and what
   /// holds no wanted node is counted without being visited.
   void visit_even_block(const LatticeCell& cell, int lattice_level) {
-    if (!meets(cell) || is_left_out(cell, lattice_level)) return;
+    if (meets(cell) && !is_left_out(cell, lattice_level)) enter_even_block(cell, lattice_level);
+  }
+  /// Of one that is known to be wanted.
+  void enter_even_block(const LatticeCell& cell, int lattice_level) {
     const auto finer = static_cast<unsigned>(lattice_level - cell.level);
     if (is_inside(cell) && pass_over(std::size_t{2} << 3 * finer)) return;
     if (finer == 0) {
@@ -159,9 +167,12 @@ class LatticeWalk {
 
   void visit_block(const LatticeCell& cell, const LatticeCell& block, int lattice_level) {
     if (!meets(cell) || is_left_out(cell, lattice_level)) return;
-    if (is_deep_in(cell, block)) return visit_even_block(cell, lattice_level);
+    if (is_deep_in(cell, block)) return enter_even_block(cell, lattice_level);
     if (cell.level == lattice_level) {
-      return emit(cell, owned_at_border(cell, block));
+      return emit(cell, looked_up([&] { return owned_in_block(cell, block); }));
+    }
+    if (cell.level > block.level && touches_equals_only(cell, lattice_level)) {
+      return enter_even_block(cell, lattice_level);
     }
     const std::int32_t half = size_at_level(cell.level + 1);
     for (std::size_t k = 0; k < 8; ++k) {
@@ -169,12 +180,18 @@ class LatticeWalk {
     }
   }
 
+  /// A part of a block that is not even as a whole.
+  bool touches_equals_only(const LatticeCell& cell, int lattice_level) {
+    return looked_up([&] { return is_among_equals(octree_, cell, lattice_level) ? 1U : 0U; }) != 0;
+  }
+
   /// Looked up once: both walks of a sample come to the same cells.
-  unsigned owned_at_border(const LatticeCell& cell, const LatticeCell& block) {
-    if (purpose_ == Purpose::choice) return owned_at_borders_[next_border_++];
-    const unsigned owned = owned_in_block(cell, block);
-    if (purpose_ == Purpose::count) owned_at_borders_.push_back(static_cast<std::uint8_t>(owned));
-    return owned;
+  template <class LookUp>
+  unsigned looked_up(LookUp&& look_up) {
+    if (purpose_ == Purpose::choice) return found_[next_found_++];
+    const unsigned found = look_up();
+    if (purpose_ == Purpose::count) found_.push_back(static_cast<std::uint8_t>(found));
+    return found;
   }
 
   unsigned owned_in_block(const LatticeCell& cell, const LatticeCell& block) const {
@@ -241,11 +258,12 @@ class LatticeWalk {
   const SpacingOctree& octree_;
   const LatticePlane* plane_;        // may be null
   const BoxPredicate* is_needless_;  // may be null
+  LatticeVisits* visits_;            // may be null
   Purpose purpose_ = Purpose::all;
   std::size_t seen_ = 0;  // nodes so far, wanted or not
   EvenChoice choice_;
-  std::vector<std::uint8_t> owned_at_borders_;
-  std::size_t next_border_ = 0;
+  std::vector<std::uint8_t> found_;  // by looked_up, in the order of the walk
+  std::size_t next_found_ = 0;
   GridPoint first_{};
   GridPoint last_{};
   std::vector<LatticeNode> nodes_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -27,17 +28,25 @@ std::size_t split(RefinedTree& tree, std::size_t node, int level) {
 
 class Refinement {
  public:
-  Refinement(const SpacingDemand& demand, const GridFrame& frame, const Box3& domain)
-      : demand_(demand), frame_(frame), domain_(domain), inside_(demand) {
+  Refinement(const SpacingDemand& demand, const GridFrame& frame, const Box3& domain,
+             std::uint64_t looks)
+      : demand_(demand), frame_(frame), domain_(domain), inside_(demand), most_looks_(looks) {
     while (is_too_large(ceiling_level_, demand.ceiling)) ++ceiling_level_;
   }
 
   RefinedTree run() {
-    visit(0, {0, {}});
+    visit(0, {0, {}}, std::nullopt);
     return std::move(tree_);
   }
 
  private:
+  /// What was asked for at the centre of a cell round this one.
+  struct Known {
+    Vec3 at;
+    double spacing = 0;
+  };
+  enum class Verdict { leaf, split, unknown };
+
   bool is_too_large(int level, double spacing) const {
     if (level < coarsest_level) return true;
     return level < octree_max_level &&
@@ -61,26 +70,63 @@ class Refinement {
     return !wide.overlaps(domain_);
   }
 
-  void visit(std::size_t node, const LatticeCell& cell) {
-    inside_.enter(demand_cell(frame_, cell));
-    const CellDemand::Bounds bounds = inside_.bounds(enough_in(cell.level));
-    if (bounds.is_ceiling) {
-      tree_.lattice_level[node] = static_cast<std::uint8_t>(std::max(cell.level, ceiling_level_));
-    } else if (is_too_large(cell.level, std::min(bounds.at_centre, 2 * bounds.lowest)) &&
-               (demand_.background > 0 || !is_far_outside(cell))) {
-      const std::size_t first = split(tree_, node, cell.level);
-      const std::int32_t half = size_at_level(cell.level + 1);
-      for (std::size_t k = 0; k < 8; ++k) {
-        visit(first + k, {cell.level + 1, corner_of(cell.low, half, k)});
-      }
+  /// What growth alone tells of a cell: most are far enough from the spacing that would split them,
+  /// or keep them whole. The same as asking, always.
+  Verdict verdict_by_growth(int level, const CellDemand::Cell& cell,
+                            const std::optional<Known>& known) const {
+    if (!known || demand_.grows_too_fast() || level < coarsest_level) return Verdict::unknown;
+    constexpr double rounding = 1e-9;
+    const double change = demand_.growth * distance(known->at, cell.centre);
+    const double least = (1 - rounding) * known->spacing - (1 + rounding) * change;
+    const double most = (1 + rounding) * (known->spacing + change);
+    if (most >= demand_.ceiling) return Verdict::unknown;
+    if (is_too_large(level, most)) return Verdict::split;
+    const double lowest = least - (1 + rounding) * demand_.growth * cell.half_diagonal;
+    if (lowest < enough_in(level) || is_too_large(level, least)) return Verdict::unknown;
+    return Verdict::leaf;
+  }
+
+  void visit(std::size_t node, const LatticeCell& cell, std::optional<Known> known) {
+    const CellDemand::Cell ball = demand_cell(frame_, cell);
+    const Verdict verdict = verdict_by_growth(cell.level, ball, known);
+    if (verdict == Verdict::leaf) return;
+    inside_.enter(ball);
+    if (inside_.looked_at() > most_looks_) {
+      throw InvalidInput("too many sources or edges ask for a small spacing at one place",
+                         "spacing");
+    }
+    if (verdict == Verdict::split || asks_for_split(node, cell, known)) {
+      split_and_visit(node, cell, known);
     }
     inside_.leave();
+  }
+
+  /// Asks, and notes what is known then. @pre the cell has been entered.
+  bool asks_for_split(std::size_t node, const LatticeCell& cell, std::optional<Known>& known) {
+    const CellDemand::Bounds bounds = inside_.bounds(enough_in(cell.level));
+    known = Known{demand_cell(frame_, cell).centre, bounds.at_centre};
+    if (bounds.is_ceiling) {
+      tree_.lattice_level[node] = static_cast<std::uint8_t>(std::max(cell.level, ceiling_level_));
+      return false;
+    }
+    return is_too_large(cell.level, std::min(bounds.at_centre, 2 * bounds.lowest));
+  }
+
+  void split_and_visit(std::size_t node, const LatticeCell& cell,
+                       const std::optional<Known>& known) {
+    if (demand_.background <= 0 && is_far_outside(cell)) return;
+    const std::size_t first = split(tree_, node, cell.level);
+    const std::int32_t half = size_at_level(cell.level + 1);
+    for (std::size_t k = 0; k < 8; ++k) {
+      visit(first + k, {cell.level + 1, corner_of(cell.low, half, k)}, known);
+    }
   }
 
   const SpacingDemand& demand_;
   const GridFrame& frame_;
   const Box3& domain_;
   CellDemand inside_;
+  std::uint64_t most_looks_;
   int ceiling_level_ = 0;
   RefinedTree tree_;
 };
@@ -149,8 +195,9 @@ CellDemand::Cell demand_cell(const GridFrame& frame, const LatticeCell& cell) {
   return {frame.position(corner_of(cell.low, half, 7)), std::sqrt(3 * half_edge * half_edge)};
 }
 
-RefinedTree refine(const SpacingDemand& demand, const GridFrame& frame, const Box3& domain) {
-  return Refinement(demand, frame, domain).run();
+RefinedTree refine(const SpacingDemand& demand, const GridFrame& frame, const Box3& domain,
+                   std::uint64_t looks) {
+  return Refinement(demand, frame, domain, looks).run();
 }
 
 void balance(RefinedTree& tree) { Balance(tree).run(); }

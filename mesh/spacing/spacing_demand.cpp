@@ -4,6 +4,12 @@
 #include <numeric>
 
 namespace tetfarm {
+namespace {
+
+/// What one source costs, in looks at a point's demand.
+constexpr std::size_t looks_of_source = 8;
+
+}  // namespace
 
 bool SpacingDemand::grows_too_fast() const {
   return background_mesh.has_value() ||
@@ -23,7 +29,12 @@ std::span<const std::uint32_t> CellDemand::sources_here() const {
   return std::span(sources_).subspan(starts_.back());
 }
 
+void CellDemand::note_look() const {
+  looked_at_ += 1 + looks_of_source * sources_here().size() + points_.listed();
+}
+
 void CellDemand::enter(const Cell& cell) {
+  note_look();
   const std::size_t begin = starts_.back();
   const std::size_t end = sources_.size();
   starts_.push_back(end);
@@ -52,6 +63,7 @@ void CellDemand::leave() {
 }
 
 CellDemand::Bounds CellDemand::bounds(double enough) const {
+  note_look();
   const Cell& cell = cells_.back();
   const double at_centre = at(cell.centre);
   if (!grows_too_fast_ && at_centre < demand_.ceiling) {
@@ -69,6 +81,7 @@ CellDemand::Bounds CellDemand::bounds(double enough) const {
 }
 
 double CellDemand::at(const Vec3& point) const {
+  note_look();
   double spacing = demand_.ceiling;
   for (const std::uint32_t source : sources_here()) {
     const SourceValue value =

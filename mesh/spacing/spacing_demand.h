@@ -59,8 +59,13 @@ class CellDemand {
   /// The spacing at a point of the cell last entered.
   double at(const Vec3& point) const;
 
+  /// How many demands have been looked at, those of sources by what they cost: what the walk has
+  /// taken so far, in units of some nanoseconds.
+  std::uint64_t looked_at() const { return looked_at_; }
+
  private:
   std::span<const std::uint32_t> sources_here() const;
+  void note_look() const;
 
   const SpacingDemand& demand_;
   DemandsInCell points_;
@@ -68,6 +73,7 @@ class CellDemand {
   std::vector<std::size_t> starts_;
   std::vector<Cell> cells_;
   bool grows_too_fast_;
+  mutable std::uint64_t looked_at_ = 0;
 };
 
 }  // namespace tetfarm

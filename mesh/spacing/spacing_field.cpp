@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "mesh/spacing/lattice_planes.h"
+#include "mesh/spacing/lattice_volume.h"
 #include "mesh/spacing/octree_build.h"
 
 namespace tetfarm {
@@ -116,10 +117,12 @@ std::vector<LatticeNode> SpacingField::lattice_nodes(const Box3& box) const {
 }
 
 std::vector<LatticeNode> SpacingField::lattice_nodes(const Box3& box,
-                                                     const BoxPredicate& is_needless) const {
+                                                     const BoxPredicate& is_needless,
+                                                     LatticeVisits* visits) const {
   if (box.empty()) return {};
   LatticeFilter filter;
   filter.is_needless = &is_needless;
+  filter.visits = visits;
   return lattice_nodes_in(*octree_, box, filter);
 }
 
@@ -131,6 +134,9 @@ std::vector<LatticeNode> SpacingField::lattice_nodes_in_plane(const Box3& box,
 
 LatticeSample SpacingField::sample_lattice(const Box3& box, std::size_t most) const {
   if (box.empty() || most == 0) return {};
+  if (cells_to_walk(*octree_, box) > most_cells_walked) {
+    return sample_by_volume(*octree_, box, most);
+  }
   return sample_lattice_in(*octree_, box, most);
 }
 

@@ -91,6 +91,12 @@ std::array<Vec3, 6> lattice_plane_normals();
 
 using BoxPredicate = std::function<bool(const Box3&)>;
 
+/// What a walk over the lattice came to, for measurements.
+struct LatticeVisits {
+  std::int64_t cells = 0;      // of the octree and of its blocks
+  std::int64_t questions = 0;  // whether a box is needless
+};
+
 class SpacingField {
  public:
   /// A constant field: for tests.
@@ -118,12 +124,15 @@ class SpacingField {
 
   /// The same without those of the blocks of cells of which `is_needless` holds: it is asked of
   /// cells of the octree, of blocks of 64 cells and more, and of the parts of those that are
-  /// needed.
-  std::vector<LatticeNode> lattice_nodes(const Box3& box, const BoxPredicate& is_needless) const;
+  /// needed. Adds to `visits`, if given.
+  std::vector<LatticeNode> lattice_nodes(const Box3& box, const BoxPredicate& is_needless,
+                                         LatticeVisits* visits = nullptr) const;
 
   /// Of those lattice nodes one of each n, scattered, n being the power of two that leaves no more
-  /// than `most` (and two).
-  /// Cost: O(cells that meet the box), some ten nanoseconds each.
+  /// than `most` (and two). Where that would visit too many cells, points as dense as the nodes
+  /// instead (lattice_volume.h).
+  /// Cost: O(cells of the octree, and at the faces of its blocks, that meet the box), some ten
+  /// nanoseconds each; never more than most_cells_walked of them.
   LatticeSample sample_lattice(const Box3& box, std::size_t most) const;
 
   /// Of those lattice nodes the ones in a plane. Cost: O(cells of the box that meet the plane).

@@ -99,6 +99,8 @@ struct LatticeFilter {
   const LatticePlane* plane = nullptr;  // only those in it, if given
   /// Cells of the octree and blocks of 64 of the lattice's are left out when it says so, if given.
   const BoxPredicate* is_needless = nullptr;
+  /// What the walk comes to is added here, if given.
+  LatticeVisits* visits = nullptr;
 };
 
 /// The lattice_nodes of a field, in the Morton order of the cells that own them.

@@ -1,6 +1,7 @@
 #include "mesh/volume/boundary_recovery.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/check.h"
 #include "mesh/volume/edge_recovery.h"
@@ -17,20 +18,24 @@ using Edge = std::array<std::int32_t, 2>;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// How deep and how long a pass searches for each thing that is missing.
-struct Effort {
-  int depth;
-  std::int64_t rings;
-};
-constexpr std::array<Effort, 4> efforts = {{{0, 200}, {1, 1000}, {2, 2000}, {3, 5000}}};
+/// How deep a pass searches for each thing that is missing: what is near goes first, and makes
+/// room. Chains of flips through fans of needles are some twenty long.
+constexpr std::array<int, 12> depths = {1, 2, 3, 4, 6, 8, 12, 16, 20, 30, 40, 60};
+/// Rings that a pass may try for each.
+constexpr std::int64_t most_rings = 300;
+/// A pass is done again while it finds more than one in so many of what it looked for.
+constexpr std::size_t least_gain = 20;
 
-/// Parts of what the deep searches did not find are short: they are there at once, or split again.
-constexpr std::size_t passes_after_splitting = 2;
+/// What is to be split is tried once more first: points put in for others may have made room.
+constexpr std::array<int, 3> depths_before_splitting = {1, 4, 16};
 
 /// Splitting ends after so many rounds, or when it makes more work than it does.
 constexpr int most_rounds = 40;
 constexpr std::size_t most_points_of_small_surface = 300;
 constexpr std::size_t most_growth = 3;
+
+/// Each thing that is tried takes some ten thousand instructions at least.
+constexpr int tell_every = 16;
 
 /// By a counter: the same on every machine. Seed 0 leaves the order alone.
 template <typename T>
@@ -43,31 +48,41 @@ void shuffle(std::vector<T>& things, std::uint64_t seed) {
   }
 }
 
-void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::size_t passes,
-                   std::vector<Edge>& missing) {
-  for (std::size_t pass = 0; pass < passes && !missing.empty();) {
+/// Tries `recover(thing, depth)` for everything that is missing, deeper from pass to pass.
+template <typename Thing, typename Recover>
+void recover_in_passes(std::vector<Thing>& missing, WorkStage stage, const WorkProgress& progress,
+                       Recover recover) {
+  if (missing.empty()) return;
+  progress.begin(stage, missing.size(), tell_every);
+  for (std::size_t pass = 0; pass < depths.size() && !missing.empty();) {
+    progress.next_pass();
     const std::size_t before = missing.size();
-    std::erase_if(missing, [&](const Edge& edge) {
-      removal.set_budget(efforts[pass].rings);
-      return recover_edge(mesh, removal, edge[0], edge[1], efforts[pass].depth);
+    std::erase_if(missing, [&](const Thing& thing) {
+      const bool is_there = recover(thing, depths[pass]);
+      progress.add(is_there ? 1 : 0);
+      return is_there;
     });
-    if (missing.size() == before) ++pass;
+    if (least_gain * (before - missing.size()) <= before) ++pass;
   }
 }
 
+void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::vector<Edge>& missing,
+                   const WorkProgress& progress) {
+  recover_in_passes(missing, WorkStage::edges, progress, [&](const Edge& edge, int depth) {
+    removal.set_budget(most_rings);
+    return recover_edge(mesh, removal, edge[0], edge[1], depth);
+  });
+}
+
 void recover_faces(LocalRemeshing& mesh, EdgeRemoval& removal, const RecoverySurface& surface,
-                   std::size_t passes, std::vector<std::int32_t>& missing) {
-  for (std::size_t pass = 0; pass < passes && !missing.empty();) {
-    const std::size_t before = missing.size();
-    std::erase_if(missing, [&](std::int32_t number) {
-      const Triangle& face = surface.triangles()[at(number)];
-      removal.set_budget(efforts[pass].rings);
-      if (!recover_face(mesh, removal, face, efforts[pass].depth)) return false;
-      mesh.constrain(mesh.find_face(face[0], face[1], face[2]), true);
-      return true;
-    });
-    if (missing.size() == before) ++pass;
-  }
+                   std::vector<std::int32_t>& missing, const WorkProgress& progress) {
+  recover_in_passes(missing, WorkStage::faces, progress, [&](std::int32_t number, int depth) {
+    const Triangle& face = surface.triangles()[at(number)];
+    removal.set_budget(most_rings);
+    if (!recover_face(mesh, removal, face, depth)) return false;
+    mesh.constrain(mesh.find_face(face[0], face[1], face[2]), true);
+    return true;
+  });
 }
 
 /// What one round of flips over the whole surface leaves missing.
@@ -78,18 +93,18 @@ struct Missing {
   std::int64_t faces_at_first = 0;
 };
 
-Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::size_t passes,
-                         std::uint64_t seed) {
+Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::uint64_t seed,
+                         const WorkProgress& progress) {
   Missing missing;
   EdgeRemoval removal(mesh, surface);
   missing.edges = missing_edges(mesh.complex(), surface);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
   shuffle(missing.edges, seed);
-  recover_edges(mesh, removal, passes, missing.edges);
+  recover_edges(mesh, removal, missing.edges, progress);
   missing.faces = constrain_faces(mesh, surface);
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
   shuffle(missing.faces, seed);
-  recover_faces(mesh, removal, surface, passes, missing.faces);
+  recover_faces(mesh, removal, surface, missing.faces, progress);
   return missing;
 }
 
@@ -111,30 +126,66 @@ bool is_pierced(const LocalRemeshing& mesh, const Triangle& face) {
          mesh.find_face(a, b, c) == no_face;
 }
 
-/// Splits every missing edge, and every missing face whose edges are all there. False: no point had
-/// room.
-bool split_missing(LocalRemeshing& mesh, const RecoverySurface& before, const Missing& missing,
-                   SplitSurface& surface) {
+/// The parts as recovery asks for them, made anew when they have changed.
+class CurrentParts {
+ public:
+  CurrentParts(const LocalRemeshing& mesh, SplitSurface& surface)
+      : mesh_(mesh), surface_(surface) {}
+  const RecoverySurface& get() {
+    const auto nodes = static_cast<std::int32_t>(mesh_.complex().points.size());
+    if (!parts_) parts_.emplace(surface_.triangles, nodes);
+    return *parts_;
+  }
+  /// To change them.
+  SplitSurface& surface() {
+    parts_.reset();
+    return surface_;
+  }
+
+ private:
+  const LocalRemeshing& mesh_;
+  SplitSurface& surface_;
+  std::optional<RecoverySurface> parts_;
+};
+
+bool recover_before_splitting(LocalRemeshing& mesh, CurrentParts& parts, const Edge& edge) {
+  EdgeRemoval removal(mesh, parts.get());
+  return std::any_of(depths_before_splitting.begin(), depths_before_splitting.end(), [&](int d) {
+    removal.set_budget(most_rings);
+    return recover_edge(mesh, removal, edge[0], edge[1], d);
+  });
+}
+
+/// Whether the edge is there now, whole or in two parts that may be missing.
+bool split_missing_edge(LocalRemeshing& mesh, const Edge& edge, CurrentParts& parts) {
+  if (recover_before_splitting(mesh, parts, edge)) return true;
+  const SegmentWalk walk = walk_segment(mesh, edge[0], edge[1]);
+  if (walk.crossings.empty()) return false;
+  if (cut_as_the_complex(mesh, edge, parts.surface())) return true;
+  const std::int32_t node = insert_on_edge(mesh, parts.get(), edge, walk);
+  if (node < 0) return false;
+  split_edge(parts.surface(), edge[0], edge[1], node);
+  return true;
+}
+
+/// Splits every missing edge, one by one, and every missing face whose edges are all there. False:
+/// no point had room.
+bool split_missing(LocalRemeshing& mesh, const Missing& missing, SplitSurface& surface,
+                   const WorkProgress& progress) {
   bool is_changed = false;
+  progress.begin(WorkStage::splits, missing.edges.size() + missing.faces.size(), tell_every);
+  CurrentParts parts(mesh, surface);
   for (const Edge& edge : missing.edges) {
-    const SegmentWalk walk = walk_segment(mesh, edge[0], edge[1]);
-    // A point inserted for another edge may have brought this one back.
-    if (walk.is_edge || walk.crossings.empty()) continue;
-    if (cut_as_the_complex(mesh, edge, surface)) {
-      is_changed = true;
-      continue;
-    }
-    const std::int32_t node = insert_on_edge(mesh, before, edge, walk);
-    if (node < 0) continue;
-    split_edge(surface, edge[0], edge[1], node);
-    is_changed = true;
+    progress.add();
+    if (split_missing_edge(mesh, edge, parts)) is_changed = true;
   }
   for (const std::int32_t number : missing.faces) {
+    progress.add();
     const Triangle face = surface.triangles[at(number)];
     if (!is_pierced(mesh, face)) continue;
-    const std::int32_t node = insert_on_face(mesh, before, face);
+    const std::int32_t node = insert_on_face(mesh, parts.get(), face);
     if (node < 0) continue;
-    split_face(surface, number, node);
+    split_face(parts.surface(), number, node);
     is_changed = true;
   }
   return is_changed;
@@ -143,14 +194,14 @@ bool split_missing(LocalRemeshing& mesh, const RecoverySurface& before, const Mi
 /// Every boundary triangle is a face, whole or in parts. What could not be recovered even so is
 /// lost.
 SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
-                              std::uint64_t seed, RecoveredBoundary& result) {
+                              std::uint64_t seed, const WorkProgress& progress,
+                              RecoveredBoundary& result) {
   std::size_t least_missing = triangles.size();
   SplitSurface surface = unsplit(triangles);
   for (int round = 0;; ++round) {
     const std::vector<Triangle> parts = surface.triangles;
     const RecoverySurface wanted(parts, static_cast<std::int32_t>(mesh.complex().points.size()));
-    const Missing missing =
-        recover_by_flips(mesh, wanted, round == 0 ? efforts.size() : passes_after_splitting, seed);
+    const Missing missing = recover_by_flips(mesh, wanted, seed, progress);
     if (round == 0) {
       result.missing_edges = missing.edges_at_first;
       result.missing_faces = missing.faces_at_first;
@@ -161,8 +212,9 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
     const bool is_hopeful =
         missing.faces.size() <= most_growth * least_missing + 10 &&
         surface.splits.size() <= triangles.size() + most_points_of_small_surface;
-    if (is_hopeful && round < most_rounds && split_missing(mesh, wanted, missing, surface))
+    if (is_hopeful && round < most_rounds && split_missing(mesh, missing, surface, progress)) {
       continue;
+    }
     for (const std::int32_t number : missing.faces) {
       result.lost.push_back(surface.source[at(number)]);
     }
@@ -172,25 +224,28 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
 
 /// Takes the Steiner points off the boundary and settles them; what does not work out is lost.
 void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, SplitSurface& surface,
-                RecoveredBoundary& result) {
+                const WorkProgress& progress, RecoveredBoundary& result) {
+  if (!surface.splits.empty()) progress.begin(WorkStage::added_points, surface.splits.size());
   std::vector<SteinerSplit> waiting(surface.splits.rbegin(), surface.splits.rend());
   std::vector<std::int32_t> points;
   constexpr int most_sweeps = 4;
   for (int sweep = 0; sweep < most_sweeps && !waiting.empty(); ++sweep) {
     // Those that have left already may make room.
-    if (sweep > 0) settle_steiner_points(mesh, points);
+    if (sweep > 0) settle_steiner_points(mesh, points, progress);
     std::erase_if(waiting, [&](const SteinerSplit& split) {
+      progress.add(0);
       if (!relocate_steiner_point(mesh, surface, triangles, split.node)) return false;
       // At once, or the room would be less and less from point to point.
       settle_steiner_point(mesh, split.node);
       points.push_back(split.node);
+      progress.add();
       return true;
     });
   }
   for (const SteinerSplit& split : waiting) {
     result.lost.insert(result.lost.end(), split.sources.begin(), split.sources.end());
   }
-  const SettledPoints settled = settle_steiner_points(mesh, points);
+  const SettledPoints settled = settle_steiner_points(mesh, points, progress);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
   for (const SteinerSplit& split : surface.splits) {
     if (std::find(settled.unsettled.begin(), settled.unsettled.end(), split.node) ==
@@ -254,12 +309,13 @@ std::vector<std::int32_t> constrain_faces(LocalRemeshing& mesh, const RecoverySu
 }
 
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                                   const std::vector<Triangle>& triangles, std::uint64_t seed) {
+                                   const std::vector<Triangle>& triangles, std::uint64_t seed,
+                                   const WorkProgress& progress) {
   RecoveredBoundary result;
   LocalRemeshing mesh(complex, constrained);
-  SplitSurface surface = recover_in_parts(mesh, triangles, seed, result);
+  SplitSurface surface = recover_in_parts(mesh, triangles, seed, progress, result);
   result.splits = static_cast<std::int64_t>(surface.splits.size());
-  if (result.lost.empty()) make_whole(mesh, triangles, surface, result);
+  if (result.lost.empty()) make_whole(mesh, triangles, surface, progress, result);
   std::sort(result.lost.begin(), result.lost.end());
   result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
   return result;

@@ -2,15 +2,17 @@
 ///
 /// Order of attack: the Delaunay tets hold nearly all; missing edges by flips, then missing faces
 /// by flips, with searches that go deeper from pass to pass; what is still missing is split by
-/// Steiner points and its parts are recovered in the same way. Then the Steiner points leave the
-/// boundary again, last in, first out (steiner_relocation.h), and most of them the complex
-/// (steiner_settling.h). Cost: about the number of tets when little is missing.
+/// Steiner points, one after the other, and its parts are recovered in the same way. Then the
+/// Steiner points leave the boundary again, last in, first out (steiner_relocation.h), and most of
+/// them the complex (steiner_settling.h). Cost: about the number of tets when little is missing,
+/// and a bounded number of rings for each thing that is (some ms).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/volume/local_remeshing.h"
 #include "mesh/volume/recovery_surface.h"
 
@@ -30,7 +32,8 @@ struct RecoveredBoundary {
 /// go.
 /// @pre every node of the boundary is in a tet; no face is constrained.
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
-                                   const std::vector<Triangle>& triangles, std::uint64_t seed = 0);
+                                   const std::vector<Triangle>& triangles, std::uint64_t seed = 0,
+                                   const WorkProgress& progress = {});
 
 /// The surface's edges that are not in the complex, in increasing order.
 std::vector<std::array<std::int32_t, 2>> missing_edges(const TetComplex& complex,

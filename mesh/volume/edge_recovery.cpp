@@ -103,17 +103,43 @@ SegmentWalk walk_segment(const LocalRemeshing& mesh, std::int32_t a, std::int32_
 
 namespace {
 
+/// A face by a 2-3 flip, else by those of its edges round which it is not convex with the tets on
+/// its two sides.
+bool clear_face(LocalRemeshing& mesh, EdgeRemoval& removal, FaceHandle face,
+                const RecoveryGuard& guard, int depth) {
+  const TetComplex& complex = mesh.complex();
+  const std::int32_t below = tet_of(face);
+  const FaceHandle other = complex.neighbours[at(below)][at(face_of(face))];
+  if (other == no_face) return false;
+  if (removal.remove_face(face, guard)) return true;
+  const std::array<std::int32_t, 3> x = complex.face_nodes(face);
+  const std::int32_t low = complex.nodes[at(below)][at(face_of(face))];
+  const std::int32_t high = complex.nodes[at(tet_of(other))][at(face_of(other))];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int32_t u = x[k], v = x[(k + 1) % 3];
+    if (mesh.orient(low, high, u, v) > 0) continue;
+    const std::size_t mark = mesh.mark();
+    if (removal.remove(below, u, v, guard, depth)) return true;
+    // The ring became shorter: who asked looks again at what is in the way.
+    if (mesh.mark() != mark) return false;
+  }
+  return false;
+}
+
 bool clear(LocalRemeshing& mesh, EdgeRemoval& removal, const Crossing& crossing,
            const RecoveryGuard& guard, int depth) {
-  if (crossing.face == no_face) {
-    return removal.remove(crossing.edge[0], crossing.edge[1], guard, depth);
-  }
-  if (removal.remove_face(crossing.face, guard)) return true;
-  const Tet& n = mesh.complex().nodes[at(tet_of(crossing.face))];
-  const auto& f = tet_face_nodes[at(face_of(crossing.face))];
-  const std::array<std::int32_t, 3> x = {n[at(f[0])], n[at(f[1])], n[at(f[2])]};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (removal.remove(x[k], x[(k + 1) % 3], guard, depth)) return true;
+  if (crossing.face != no_face) return clear_face(mesh, removal, crossing.face, guard, depth);
+  return removal.remove(crossing.edge[0], crossing.edge[1], guard, depth);
+}
+
+/// Whether something that was in the way from a to b is not any longer.
+bool clear_one(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::int32_t b,
+               const RecoveryGuard& guard, int depth) {
+  SegmentWalk walk = walk_segment(mesh, a, b);
+  for (std::size_t k = 0; k < walk.crossings.size(); ++k) {
+    const std::size_t mark = mesh.mark();
+    if (clear(mesh, removal, walk.crossings[k], guard, depth)) return true;
+    if (mesh.mark() != mark) walk = walk_segment(mesh, a, b);
   }
   return false;
 }
@@ -123,22 +149,16 @@ bool clear(LocalRemeshing& mesh, EdgeRemoval& removal, const Crossing& crossing,
 bool recover_edge(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::int32_t b,
                   int depth) {
   const RecoveryGuard guard = RecoveryGuard::of_edge(mesh, a, b);
-  for (;;) {
-    bool is_cleared = false;
-    for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
-      const SegmentWalk walk = walk_segment(mesh, from, to);
-      if (walk.is_edge) return true;
-      if (walk.node_on_it >= 0) return false;
-      for (const Crossing& crossing : walk.crossings) {
-        if (!clear(mesh, removal, crossing, guard, depth)) continue;
-        is_cleared = true;
-        break;
-      }
-      if (is_cleared) break;
-    }
-    if (!is_cleared) return false;
+  bool is_nearer = true;
+  while (is_nearer) {
+    const SegmentWalk walk = walk_segment(mesh, a, b);
+    if (walk.is_edge) return true;
+    if (walk.node_on_it >= 0) return false;
+    is_nearer = clear_one(mesh, removal, a, b, guard, depth) ||
+                clear_one(mesh, removal, b, a, guard, depth);
     mesh.forget_journal();
   }
+  return false;
 }
 
 }  // namespace tetfarm

@@ -1,8 +1,8 @@
 /// Recovers missing boundary edges by flips (thesis 4.3.3; kernel: boundary recovery, step 2).
 ///
-/// What crosses the edge is removed: faces by 2-3 flips, else their edges, so that every flip kept
-/// leaves fewer crossings. Source: H. Si, "TetGen" (2015), section 3. Cost: as the crossings, see
-/// edge_removal_by_flips.h.
+/// What crosses the edge is removed: faces by 2-3 flips, else their edges, so that whatever is
+/// removed leaves fewer crossings. Source: H. Si, "TetGen" (2015), section 3. Cost: as the
+/// crossings, see edge_removal_by_flips.h.
 #pragma once
 
 #include <array>

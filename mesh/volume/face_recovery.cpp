@@ -49,8 +49,8 @@ bool recover_face(LocalRemeshing& mesh, EdgeRemoval& removal, const Triangle& fa
     const bool is_cleared = std::any_of(edges.begin(), edges.end(), [&](const auto& edge) {
       return removal.remove(edge[0], edge[1], guard, depth);
     });
-    if (!is_cleared) return false;
     mesh.forget_journal();
+    if (!is_cleared) return false;
   }
   return true;
 }

@@ -21,6 +21,18 @@ constexpr int tets_of_cell = 12;
 
 constexpr unsigned all_types = (1U << tets_of_cell) - 1;
 
+/// How many of a cell's tets a mask has. std::popcount is a call where the machine's own
+/// instruction may not be used.
+constexpr std::array<std::uint8_t, 64> bits_of_six = [] {
+  std::array<std::uint8_t, 64> bits{};
+  for (std::size_t mask = 0; mask < 64; ++mask) {
+    bits[mask] = static_cast<std::uint8_t>(std::popcount(mask));
+  }
+  return bits;
+}();
+static_assert(tets_of_cell <= 12);
+std::int32_t count_of(unsigned mask) { return bits_of_six[mask & 63U] + bits_of_six[mask >> 6U]; }
+
 constexpr int tet_type(int axis, int along, int side) { return 4 * axis + 2 * along + side; }
 constexpr int ends_swapped(int along, int side) { return (along == 0) == (side == 1) ? 1 : 0; }
 constexpr std::size_t bit(int axis) { return std::size_t{1} << axis; }
@@ -67,7 +79,7 @@ void LatticeCore::find_tets() {
   for (std::int32_t slot = 0; slot < grid_.slot_count(); ++slot) {
     const std::uint16_t present = find_tets_of(slot);
     cells_[at(slot)] = {tet_count_, present};
-    tet_count_ += std::popcount(present);
+    tet_count_ += count_of(present);
   }
   for (std::int32_t slot = 0; slot < grid_.slot_count(); ++slot) {
     if (!has_tets_near(slot) || has_all_tets_near(slot)) continue;
@@ -125,7 +137,7 @@ std::int32_t LatticeCore::number_of(const Side& side) const {
   const CellTets& cell = cells_[at(side.slot)];
   const unsigned mask = 1U << side.type;
   if ((cell.present & mask) == 0) return -1;
-  return cell.first + std::popcount(cell.present & (mask - 1));
+  return cell.first + count_of(cell.present & (mask - 1));
 }
 
 Tet LatticeCore::nodes_of(std::int32_t slot, int type) const {

@@ -57,10 +57,11 @@ class OutsideBoxes {
 std::vector<LatticeNode> nodes_near_domain(const TetComplex& complex,
                                            const std::vector<std::uint8_t>& inside,
                                            const Subdomain& subdomain, const BoxTree& boundary,
-                                           const SpacingField& spacing) {
+                                           const SpacingField& spacing, LatticeVisits& visits) {
   OutsideBoxes outside(complex, inside, boundary);
-  return spacing.lattice_nodes(bounding_box(subdomain.vertices),
-                               [&](const Box3& box) { return outside.holds(box); });
+  return spacing.lattice_nodes(
+      bounding_box(subdomain.vertices), [&](const Box3& box) { return outside.holds(box); },
+      &visits);
 }
 
 /// Inserts the nodes that are listed, and notes their numbers.
@@ -100,8 +101,9 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
                          const std::vector<std::uint8_t>& inside, const Subdomain& subdomain,
                          const SpacingField& spacing, const PointInsertionOptions& options) {
   const BoxTree tree(triangle_boxes(subdomain.vertices, subdomain.triangles));
+  PendingCore pending;
   const std::vector<LatticeNode> nodes =
-      nodes_near_domain(complex, inside, subdomain, tree, spacing);
+      nodes_near_domain(complex, inside, subdomain, tree, spacing, pending.cost.visits);
   LatticeGrid grid(nodes);
   LatticeBoundary boundary = find_lattice_boundary(nodes, subdomain);
   std::vector<std::uint8_t> kinds = find_core_nodes(nodes, grid, subdomain, tree, boundary);
@@ -109,7 +111,8 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
   std::vector<std::uint8_t> is_core = core_nodes_inside(is_inside, std::move(kinds));
 
   const auto boundary_nodes = static_cast<std::int32_t>(complex.points.size());
-  PendingCore pending;
+  pending.cost.listed = static_cast<std::int64_t>(nodes.size());
+  pending.cost.inside = std::count(is_inside.begin(), is_inside.end(), 1);
   std::vector<std::int32_t> listed;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (is_inside[i] != 0 && is_core[i] == 0 && !boundary.has_vertex_at(i))

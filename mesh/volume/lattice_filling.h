@@ -15,6 +15,7 @@
 #include "mesh/core/tet_complex.h"
 #include "mesh/spacing/spacing_field.h"
 #include "mesh/volume/lattice_core.h"
+#include "mesh/volume/lattice_cost.h"
 #include "mesh/volume/point_insertion.h"
 
 namespace tetfarm {
@@ -28,6 +29,7 @@ struct PendingCore {
   std::vector<Vec3> places;
   /// Of the cells round core nodes.
   double smallest_cell_edge = 0;
+  LatticeCost cost;
 };
 
 /// Where the core's tets are in the complex after it was grafted.

@@ -208,6 +208,11 @@ std::int32_t LocalRemeshing::find_edge(std::int32_t a, std::int32_t b) const {
 std::optional<EdgeRing> LocalRemeshing::ring(std::int32_t a, std::int32_t b) const {
   const std::int32_t first = find_edge(a, b);
   if (first < 0) return std::nullopt;
+  return ring_from(first, a, b);
+}
+
+std::optional<EdgeRing> LocalRemeshing::ring_from(std::int32_t first, std::int32_t a,
+                                                  std::int32_t b) const {
   // p and q so that (a, b, p, q) is positive.
   constexpr std::array<std::array<std::array<int, 2>, 4>, 4> rest = {{
       {{{-1, -1}, {2, 3}, {3, 1}, {1, 2}}},

@@ -81,6 +81,8 @@ class LocalRemeshing {
   FaceHandle find_face(std::int32_t a, std::int32_t b, std::int32_t c) const;
   /// Nothing when there is no such edge, or the edge is on the outside of the complex.
   std::optional<EdgeRing> ring(std::int32_t a, std::int32_t b) const;
+  /// The same from a tet that holds the edge. Cost: O(ring).
+  std::optional<EdgeRing> ring_from(std::int32_t tet, std::int32_t a, std::int32_t b) const;
 
   bool is_constrained(FaceHandle face) const {
     return (constrained_[static_cast<std::size_t>(tet_of(face))] >> face_of(face) & 1) != 0;

@@ -89,12 +89,10 @@ void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
   const std::vector<Vec3> places(complex.points.begin() + first, complex.points.end());
-  std::int64_t done = 0;
-  constexpr std::int64_t report_every = 1 << 15;
+  constexpr int tell_every = 1 << 12;
+  options.progress.begin(WorkStage::points, nodes.size(), tell_every);
   for (const std::int32_t i : brio_order(places)) {
-    if (options.progress && ++done % report_every == 0) {
-      options.progress(static_cast<std::int64_t>(complex.live_tets()));
-    }
+    options.progress.add();
     const std::int32_t node = first + i;
     const Location location = locate(complex, places[at(i)], last);
     if (location.tet < 0) continue;

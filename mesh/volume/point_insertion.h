@@ -7,9 +7,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/spacing/spacing_field.h"
 
@@ -19,8 +19,7 @@ struct PointInsertionOptions {
   /// Shortest distance to a boundary face and to a boundary node, in local spacings.
   double face_clearance = 0.5;
   double node_clearance = 0.6;
-  /// Called now and then with the live tets so far.
-  std::function<void(std::int64_t tets)> progress;
+  WorkProgress progress = {};
 };
 
 /// A byte for each node: 1 when it lies in a tet with `inside` set. `core_kinds` are those of

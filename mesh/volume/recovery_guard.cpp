@@ -49,7 +49,7 @@ RecoveryGuard RecoveryGuard::of_face(const LocalRemeshing& mesh, const Triangle&
   return guard;
 }
 
-bool RecoveryGuard::forbids_edge(std::int32_t u, std::int32_t v) const {
+bool RecoveryGuard::crosses_edge(std::int32_t u, std::int32_t v) const {
   if (edge_) {
     const auto [a, b] = *edge_;
     if (u == a || u == b || v == a || v == b) return false;
@@ -67,7 +67,7 @@ bool RecoveryGuard::forbids_edge(std::int32_t u, std::int32_t v) const {
   return false;
 }
 
-bool RecoveryGuard::forbids_face(std::int32_t u, std::int32_t v, std::int32_t w) const {
+bool RecoveryGuard::crosses_face(std::int32_t u, std::int32_t v, std::int32_t w) const {
   if (!edge_) return false;
   const auto [a, b] = *edge_;
   const Triangle face = {u, v, w};

@@ -15,32 +15,39 @@ class RingSearch {
 
   bool sees_triangle(std::size_t i, std::size_t j, std::size_t k) const {
     const std::int32_t p = corners_[i], q = corners_[j], r = corners_[k];
-    return mesh_.orient(p, q, r, b_) > 0 && mesh_.orient(p, r, q, a_) > 0 &&
-           !guard_.forbids_face(p, q, r);
+    return mesh_.orient(p, q, r, b_) > 0 && mesh_.orient(p, r, q, a_) > 0;
   }
-
-  bool may_have_chord(std::size_t i, std::size_t j) const {
+  int triangle_crossings(std::size_t i, std::size_t j, std::size_t k) const {
+    return guard_.crossings(corners_[i], corners_[j], corners_[k]);
+  }
+  int chord_crossings(std::size_t i, std::size_t j) const {
     const std::int32_t p = corners_[i], q = corners_[j];
-    return !guard_.forbids_edge(p, q) && !guard_.forbids_face(p, q, a_) &&
-           !guard_.forbids_face(p, q, b_);
+    return guard_.crossings(p, q) + guard_.crossings(p, q, a_) + guard_.crossings(p, q, b_);
   }
 
-  bool run() {
+  /// The fewest crossings, or `never`.
+  int run() {
     const std::size_t n = corners_.size();
     third_.assign(n * n, none);
+    crossings_.assign(n * n, never);
+    for (std::size_t i = 0; i + 1 < n; ++i) crossings_[i * n + i + 1] = 0;
     for (std::size_t span = 2; span < n; ++span) {
       for (std::size_t i = 0; i + span < n; ++i) {
         const std::size_t j = i + span;
-        const bool is_chord = span + 1 < n;
-        if (is_chord && !may_have_chord(i, j)) continue;
+        int least = never;
         for (std::size_t k = i + 1; k < j; ++k) {
-          if (!is_cut(i, k) || !is_cut(k, j) || !sees_triangle(i, k, j)) continue;
+          const int parts = crossings_[i * n + k] + crossings_[k * n + j];
+          if (parts >= least || !sees_triangle(i, k, j)) continue;
+          const int whole = parts + triangle_crossings(i, k, j);
+          if (whole >= least) continue;
+          least = whole;
           third_[i * n + j] = k;
-          break;
         }
+        if (least < never && span + 1 < n) least += chord_crossings(i, j);
+        crossings_[i * n + j] = least;
       }
     }
-    return n < 3 || third_[n - 1] != none;
+    return n < 3 ? 0 : crossings_[n - 1];
   }
 
   void collect(std::size_t i, std::size_t j, std::vector<std::array<std::size_t, 3>>& out) const {
@@ -51,28 +58,28 @@ class RingSearch {
     collect(k, j, out);
   }
 
+  static constexpr int never = 1 << 20;
+
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  bool is_cut(std::size_t i, std::size_t j) const {
-    return j == i + 1 || third_[i * corners_.size() + j] != none;
-  }
-
   const LocalRemeshing& mesh_;
   std::vector<std::int32_t> corners_;
   std::int32_t a_;
   std::int32_t b_;
   const RecoveryGuard& guard_;
   std::vector<std::size_t> third_;
+  std::vector<int> crossings_;
 };
 
 }  // namespace
 
-std::optional<std::vector<std::array<std::size_t, 3>>> ring_triangulation(
-    const LocalRemeshing& mesh, const EdgeRing& ring, std::int32_t a, std::int32_t b,
-    std::int32_t ear, const RecoveryGuard& guard) {
+std::optional<RingTriangulation> ring_triangulation(const LocalRemeshing& mesh,
+                                                    const EdgeRing& ring, std::int32_t a,
+                                                    std::int32_t b, std::int32_t ear,
+                                                    const RecoveryGuard& guard) {
   const std::size_t n = ring.apexes.size();
   if (n < 3 || n > longest_ring) return std::nullopt;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  RingTriangulation result;
   std::vector<std::int32_t> corners = ring.apexes;
   std::vector<std::size_t> position(n);
   for (std::size_t i = 0; i < n; ++i) position[i] = i;
@@ -83,19 +90,23 @@ std::optional<std::vector<std::array<std::size_t, 3>>> ring_triangulation(
     std::array<std::size_t, 3> triangle = {(e + n - 1) % n, e, (e + 1) % n};
     const RingSearch whole(mesh, corners, a, b, guard);
     if (!whole.sees_triangle(triangle[0], triangle[1], triangle[2])) return std::nullopt;
-    if (n > 3 && !whole.may_have_chord(triangle[0], triangle[2])) return std::nullopt;
-    triangles.push_back(triangle);
+    result.crossings += whole.triangle_crossings(triangle[0], triangle[1], triangle[2]);
+    if (n > 3) result.crossings += whole.chord_crossings(triangle[0], triangle[2]);
+    result.triangles.push_back(triangle);
     corners.erase(it);
     position.erase(position.begin() + static_cast<std::ptrdiff_t>(e));
   }
   if (corners.size() >= 3) {
     RingSearch search(mesh, corners, a, b, guard);
-    if (!search.run()) return std::nullopt;
+    const int least = search.run();
+    if (least >= RingSearch::never) return std::nullopt;
+    result.crossings += least;
     std::vector<std::array<std::size_t, 3>> rest;
     search.collect(0, corners.size() - 1, rest);
-    for (const auto& [i, k, j] : rest) triangles.push_back({position[i], position[k], position[j]});
+    for (const auto& [i, k, j] : rest)
+      result.triangles.push_back({position[i], position[k], position[j]});
   }
-  return triangles;
+  return result;
 }
 
 }  // namespace tetfarm

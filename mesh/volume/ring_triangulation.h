@@ -17,11 +17,17 @@ namespace tetfarm {
 /// Longest ring that is tried.
 inline constexpr std::size_t longest_ring = 32;
 
-/// Triangles (i, j, k) of positions in ring.apexes, i < j < k; nothing when there is none with all
-/// tets exactly positive and nothing that the guard forbids. `ear` >= 0: that apex (a node) must
-/// lie in one triangle only.
-std::optional<std::vector<std::array<std::size_t, 3>>> ring_triangulation(
-    const LocalRemeshing& mesh, const EdgeRing& ring, std::int32_t a, std::int32_t b,
-    std::int32_t ear, const RecoveryGuard& guard);
+struct RingTriangulation {
+  /// Positions (i, j, k) in ring.apexes, i < j < k but for an ear's.
+  std::vector<std::array<std::size_t, 3>> triangles;
+  int crossings = 0;  ///< of the new edges and faces with what is to be recovered
+};
+
+/// The one with the fewest crossings; nothing when there is none with all tets exactly positive.
+/// `ear` >= 0: that apex (a node) must lie in one triangle only.
+std::optional<RingTriangulation> ring_triangulation(const LocalRemeshing& mesh,
+                                                    const EdgeRing& ring, std::int32_t a,
+                                                    std::int32_t b, std::int32_t ear,
+                                                    const RecoveryGuard& guard);
 
 }  // namespace tetfarm

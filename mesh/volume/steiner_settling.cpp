@@ -105,12 +105,16 @@ void settle_steiner_point(LocalRemeshing& mesh, std::int32_t point) {
   centre(mesh, point);
 }
 
-SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points) {
+SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points,
+                                    const WorkProgress& progress) {
   SettledPoints result;
   constexpr int most_sweeps = 20;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     // All move, also those that have a place: the room of one is that of its neighbours.
-    for (const std::int32_t v : points) settle_steiner_point(mesh, v);
+    for (const std::int32_t v : points) {
+      settle_steiner_point(mesh, v);
+      progress.add(0);
+    }
     result = {};
     for (const std::int32_t v : points) {
       if (mesh.complex().node2tet[at(v)] < 0) continue;

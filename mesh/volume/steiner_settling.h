@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/volume/local_remeshing.h"
 
 namespace tetfarm {
@@ -20,8 +21,9 @@ struct SettledPoints {
 };
 
 /// Constrained faces and their edges are left alone. @pre the points came by add_point and none
-/// lies on the surface any more.
-SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points);
+/// lies on the surface any more. `progress` is told that the work goes on.
+SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std::int32_t>& points,
+                                    const WorkProgress& progress = {});
 
 /// One step of that: takes the point out, or moves it to the middle of its room; nothing when it is
 /// in no tet.

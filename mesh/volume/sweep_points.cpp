@@ -51,13 +51,12 @@ class Sweeps {
   std::int64_t sweep() {
     const std::vector<Candidate> candidates = gather();
     std::int64_t added = 0;
-    std::int64_t tried = 0;
-    constexpr std::int64_t report_every = 1 << 15;
+    constexpr int tell_every = 1 << 12;
+    options_.progress.begin(WorkStage::points, candidates.size(), tell_every);
+    options_.progress.next_pass();
     for (const std::int32_t i : largest_first(candidates)) {
       if (insert(candidates[at(i)])) ++added;
-      if (options_.progress && ++tried % report_every == 0) {
-        options_.progress(static_cast<std::int64_t>(complex_.live_tets()));
-      }
+      options_.progress.add();
     }
     return added;
   }

@@ -11,9 +11,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/spacing/spacing_field.h"
 
@@ -27,8 +27,8 @@ struct SweepOptions {
   double other_clearance = 0.6;
   /// Least height over the boundary faces that the point would be joined to.
   double face_clearance = 0.4;
-  /// Called now and then with the live tets so far.
-  std::function<void(std::int64_t tets)> progress;
+  /// Counts candidates, sweep after sweep.
+  WorkProgress progress = {};
 };
 
 struct SweepReport {

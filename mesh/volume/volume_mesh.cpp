@@ -34,8 +34,10 @@ std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t 
   return found;
 }
 
-DelaunayTets boundary_delaunay(const Subdomain& subdomain) {
-  DelaunayTets tets = bowyer_watson(subdomain.vertices);
+DelaunayTets boundary_delaunay(const Subdomain& subdomain, const WorkProgress& progress) {
+  constexpr int tell_every = 1 << 12;
+  progress.begin(WorkStage::boundary, subdomain.vertices.size(), tell_every);
+  DelaunayTets tets = bowyer_watson(subdomain.vertices, progress);
   if (!tets.duplicates.empty()) {
     const std::int32_t node = tets.duplicates.front()[0];
     throw InvalidInput("two vertices have the same place " + text_of(subdomain.vertices[at(node)]),
@@ -79,15 +81,11 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
 TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
                   const VolumeMeshOptions& options, std::uint64_t seed, VolumeMeshReport* report) {
   const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
-  const auto tell = [&options](const char* stage, std::size_t tets) {
-    if (options.progress) options.progress(stage, static_cast<std::int64_t>(tets));
-  };
-  tell("boundary", 0);
-  DelaunayTets tets = boundary_delaunay(subdomain);
+  DelaunayTets tets = boundary_delaunay(subdomain, options.progress);
   TetComplex& complex = tets.complex;
   std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
   const RecoveredBoundary recovered =
-      recover_boundary(complex, constrained, subdomain.triangles, seed);
+      recover_boundary(complex, constrained, subdomain.triangles, seed, options.progress);
   if (report != nullptr) {
     report->missing_edges = recovered.missing_edges;
     report->missing_faces = recovered.missing_faces;
@@ -105,16 +103,15 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   std::vector<std::uint8_t> inside = sides();
   PendingCore core;
   if (options.fill) {
-    const auto tell_points = [&tell](std::int64_t live) {
-      tell("points", static_cast<std::size_t>(live));
-    };
+    options.progress.begin(WorkStage::points);
     if (options.points == InteriorPoints::lattice) {
       PointInsertionOptions insertion;
-      insertion.progress = tell_points;
+      insertion.progress = options.progress;
       core = insert_shell(complex, constrained, inside, subdomain, spacing, insertion);
+      if (report != nullptr) report->lattice = core.cost;
     } else {
       SweepOptions sweeps;
-      sweeps.progress = tell_points;
+      sweeps.progress = options.progress;
       sweep_points(complex, constrained, inside, spacing, sweeps);
     }
     inside = sides();
@@ -124,17 +121,15 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   const GraftedCore grafted = graft_pending_core(kept.complex, kept.constrained, std::move(core),
                                                  boundary_nodes, enclosing_nodes);
   if (options.fill && options.cosmetics) {
-    tell("cosmetics", kept.complex.live_tets());
     CosmeticOptions cosmetics;
+    cosmetics.progress = options.progress;
     cosmetics.spacing = [&spacing](const Vec3& p) { return spacing.at(p); };
     cosmetics.smallest_spacing = spacing.smallest();
     cosmetics.measures_angles = false;
     cosmetics.regular = {grafted.first, grafted.last, grafted.least_height};
     improve_mesh(kept.complex, boundary_nodes, cosmetics);
   }
-  TetMesh mesh = compact_mesh(kept.complex, boundary_nodes);
-  tell("done", mesh.tets.size());
-  return mesh;
+  return compact_mesh(kept.complex, boundary_nodes);
 }
 
 /// Small surfaces get more attempts: they are cheap, and blocked ones are mostly small.

@@ -3,15 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/work_progress.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
 #include "mesh/spacing/spacing_field.h"
+#include "mesh/volume/lattice_cost.h"
 
 namespace tetfarm {
 
@@ -24,8 +25,7 @@ struct VolumeMeshOptions {
   bool fill = true;
   bool cosmetics = true;
   InteriorPoints points = InteriorPoints::lattice;
-  /// Called now and then with the stage's name and the live tets so far.
-  std::function<void(const char* stage, std::int64_t tets)> progress;
+  WorkProgress progress = {};
 };
 
 struct VolumeMeshReport {
@@ -33,6 +33,7 @@ struct VolumeMeshReport {
   std::int64_t missing_faces = 0;
   std::int64_t boundary_steiner_points = 0;  // for a while, to recover the rest
   std::int64_t interior_steiner_points = 0;  // of these, the ones that are left, inside
+  LatticeCost lattice;                       // of points from the lattice
 };
 
 /// The surface could not be recovered: which sub-domain triangles are missing.

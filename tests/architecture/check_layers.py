@@ -33,7 +33,7 @@ ROOMS = {
     "mesh/render": ["mesh/assemble"],
     "proto": ["base"],
     "store": ["base"],
-    "coordinator": ["proto", "store"],
+    "coordinator": ["proto", "store", "mesh/io"],
     "worker": ["proto", "store", "mesh/inspect", "mesh/decompose", "mesh/volume", "mesh/assemble"],
     "pool": ["base"],
     "report": ["proto", "mesh/figures", "mesh/render"],

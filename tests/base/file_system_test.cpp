@@ -102,5 +102,12 @@ TEST(FileSystem, temporary_names_are_never_the_same) {
   EXPECT_EQ(names.size(), 1000U);
 }
 
+TEST(FileSystem, takes_names_as_long_as_the_file_system_does) {
+  const TempFolder folder;
+  const auto path = folder.path() / std::string(255, 'n');
+  write_file_atomically(path, "bytes");
+  EXPECT_EQ(read_file(path), "bytes");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+
 namespace tetfarm {
 namespace {
 
@@ -10,7 +12,15 @@ Command parse(std::vector<const char*> words) {
   return parse_command_line(static_cast<int>(words.size()), words.data());
 }
 
-int code_of(const Command& command) { return std::get<NothingToDo>(command).exit_code; }
+/// The exit code of a command line that leaves nothing to do.
+int code_of(const std::vector<const char*>& words) {
+  try {
+    EXPECT_TRUE(std::holds_alternative<NothingToDo>(parse(words)));
+    return 0;
+  } catch (const Error& error) {
+    return static_cast<int>(error.code());
+  }
+}
 
 TEST(CommandLine, run_takes_a_surface_and_options) {
   const Command command = parse({"run", "wing.stl", "-o", "d", "-j", "4", "--subdomains", "8",
@@ -29,6 +39,19 @@ TEST(CommandLine, run_takes_a_surface_and_options) {
   EXPECT_EQ(run.progress, ProgressStyle::none);
 }
 
+TEST(CommandLine, run_takes_limits_and_a_size_for_the_outer_boundary) {
+  const Command command = parse(
+      {"run", "a.stl", "--outer", "box", "--outer-size", "0.25", "--max-elements", "5000000"});
+  const auto& run = std::get<RunOptions>(command);
+  EXPECT_EQ(run.outer_size, 0.25);
+  EXPECT_EQ(run.max_elements, 5'000'000);
+  EXPECT_FALSE(run.force);
+  EXPECT_TRUE(std::get<RunOptions>(parse({"run", "a.stl", "--force"})).force);
+  EXPECT_EQ(code_of({"run", "a.stl", "--force", "--max-elements", "5"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--max-elements", "0"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--outer-size", "0"}), 2);
+}
+
 TEST(CommandLine, what_is_not_given_is_left_to_the_job_file) {
   const Command command = parse({"run", "job.toml"});
   const auto& run = std::get<RunOptions>(command);
@@ -39,25 +62,25 @@ TEST(CommandLine, what_is_not_given_is_left_to_the_job_file) {
 }
 
 TEST(CommandLine, mistakes_are_usage_errors) {
-  EXPECT_EQ(code_of(parse({})), 2);
-  EXPECT_EQ(code_of(parse({"runn"})), 2);
-  EXPECT_EQ(code_of(parse({"run"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "-j", "0"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "-j", "many"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "--size", "-1"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "--subdomains", "0"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "--progress", "loud"})), 2);
-  EXPECT_EQ(code_of(parse({"run", "a.stl", "b.stl"})), 2);
-  EXPECT_EQ(code_of(parse({"coordinator", "--store", "s"})), 2);
+  EXPECT_EQ(code_of({}), 2);
+  EXPECT_EQ(code_of({"runn"}), 2);
+  EXPECT_EQ(code_of({"run"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "-j", "0"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "-j", "many"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--size", "-1"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--subdomains", "0"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--progress", "loud"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "b.stl"}), 2);
+  EXPECT_EQ(code_of({"coordinator", "--store", "s"}), 2);
 }
 
 TEST(CommandLine, every_command_has_help) {
   for (const char* name : {"run", "check", "quality", "export", "convert", "shape", "submit",
                            "status", "wait", "cancel", "coordinator", "worker", "pool"}) {
-    EXPECT_EQ(code_of(parse({name, "--help"})), 0) << name;
+    EXPECT_EQ(code_of({name, "--help"}), 0) << name;
   }
-  EXPECT_EQ(code_of(parse({"--help"})), 0);
-  EXPECT_EQ(code_of(parse({"--version"})), 0);
+  EXPECT_EQ(code_of({"--help"}), 0);
+  EXPECT_EQ(code_of({"--version"}), 0);
 }
 
 TEST(CommandLine, a_coordinator_is_insecure_only_when_that_is_asked_for) {
@@ -75,7 +98,7 @@ TEST(CommandLine, the_coordinator_may_be_named_by_the_environment) {
   ::unsetenv("TETFARM_COORDINATOR");
   EXPECT_EQ(std::get<StatusCommand>(command).view.client.endpoint, "tcp://head:5555");
   EXPECT_EQ(std::get<StatusCommand>(command).view.client.job, "job-7");
-  EXPECT_EQ(code_of(parse({"wait", "job-7"})), 2);
+  EXPECT_EQ(code_of({"wait", "job-7"}), 2);
 }
 
 TEST(CommandLine, pool_takes_a_batch_system_and_limits) {
@@ -102,7 +125,7 @@ TEST(CommandLine, pool_takes_a_batch_system_and_limits) {
 TEST(CommandLine, mistakes_with_pools_are_usage_errors) {
   const auto code = [](std::vector<const char*> words) {
     words.insert(words.begin(), {"pool"});
-    return code_of(parse(words));
+    return code_of(words);
   };
   EXPECT_EQ(code({"slurm", "--max", "3"}), 2) << "of which coordinator?";
   EXPECT_EQ(code({"slurm", "--connect", "tcp://h:1"}), 2) << "how many?";

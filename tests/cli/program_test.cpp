@@ -127,6 +127,79 @@ TEST(TetfarmProgram, check_says_that_a_cube_can_be_meshed) {
   EXPECT_THAT(json.out, StartsWith("{\"type\":\"check\",\"can_be_meshed\":true"));
 }
 
+TEST(TetfarmProgram, a_size_that_is_far_too_small_is_refused_with_one_that_would_do) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  for (const char* size : {"0.001", "1e-5", "1e-7", "1e-300"}) {
+    const Ended planned = run_program(
+        {"plan", "cube.off", "--size", size, "--max-elements", "1000000"}, folder.path(), 60);
+    EXPECT_EQ(planned.code, 2) << size;
+    EXPECT_THAT(planned.err, HasSubstr("more than the 1.0 M that the job may have")) << size;
+    EXPECT_THAT(planned.err, HasSubstr("`--size 0.02")) << size;
+  }
+  write_contents(folder.path() / "job.toml",
+                 "[geometry]\nsurface = \"cube.off\"\n[spacing]\ndefault = 1e-7\n");
+  const Ended checked = run_program({"check", "job.toml"}, folder.path(), 60);
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_THAT(checked.err, HasSubstr("`--size 0.0017` would give"));
+}
+
+TEST(TetfarmProgram, run_refuses_too_many_elements_before_it_meshes) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const Ended ended =
+      run_program({"run", "cube.off", "-o", "out", "-j", "1", "--size", "1e-7"}, folder.path(), 60);
+  EXPECT_EQ(ended.code, 2) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("`--size 0.0017` would give about 1.9 G"));
+}
+
+TEST(TetfarmProgram, run_says_what_is_to_be_expected) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const std::vector<std::string> words = {"run", "cube.off", "-o",  "out",        "-j",
+                                          "1",   "--size",   "0.2", "--progress", "plain"};
+  std::vector<std::string> limited = words;
+  limited.insert(limited.end(), {"--max-elements", "100"});
+  EXPECT_EQ(run_program(limited, folder.path(), 60).code, 2);
+  const Ended ended = run_program(words, folder.path(), 60);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("of memory a task, "));
+  EXPECT_THAT(ended.err, HasSubstr("of disk, "));
+  std::vector<std::string> forced = words;
+  forced.push_back("--force");
+  EXPECT_EQ(run_program(forced, folder.path(), 60).code, 0);
+}
+
+TEST(TetfarmProgram, plan_says_memory_disk_and_time) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const Ended planned = run_program({"plan", "cube.off", "--size", "0.05"}, folder.path(), 60);
+  EXPECT_EQ(planned.code, 0) << planned.err;
+  EXPECT_THAT(planned.out, HasSubstr("of memory a task, "));
+  EXPECT_THAT(planned.out, HasSubstr("of disk, "));
+  EXPECT_THAT(planned.out, HasSubstr("of one core"));
+}
+
+TEST(TetfarmProgram, the_outer_boundary_has_a_size_of_its_own) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const auto triangles = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"plan", "cube.off", "--json", "--outer", "box:2"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended planned = run_program(words, folder.path(), 60);
+    EXPECT_EQ(planned.code, 0) << planned.err;
+    const std::string before = "\"triangles\":";
+    const std::size_t at = planned.out.find(before);
+    return at == std::string::npos ? 0 : std::stod(planned.out.substr(at + before.size()));
+  };
+  EXPECT_EQ(triangles({"--subdomains", "1", "--outer-size", "0.1"}), 12 + 12 * 20 * 20);
+  EXPECT_EQ(triangles({"--subdomains", "1", "--size", "0.125"}), 12 + 12 * 16 * 16)
+      << "sizes hold on the boundary too";
+  const Ended refused = run_program({"plan", "cube.off", "--outer-size", "0.1"}, folder.path());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--outer-size: there is no outer boundary"));
+}
+
 TEST(TetfarmProgram, check_shows_where_a_surface_is_open) {
   const TemporaryFolder folder;
   std::string open = cube_off("");

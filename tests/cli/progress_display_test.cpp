@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
+#include "proto/doing.h"
+
 namespace tetfarm {
 namespace {
 
@@ -23,12 +27,96 @@ TEST(ProgressText, says_stage_subdomains_rate_and_time_left) {
   EXPECT_THAT(text, HasSubstr("eta 00:30"));
 }
 
+TEST(ProgressText, says_how_many_subdomains_were_improved_at_their_cuts) {
+  wire::JobStatus status;
+  status.set_stage("cosmetic");
+  status.set_leaves_made(4);
+  status.set_leaves_meshed(4);
+  status.set_leaves_mended(3);
+  EXPECT_THAT(progress_text(status, 0), HasSubstr("4/4 sub-domains  3 improved at cuts"));
+}
+
 TEST(ProgressText, leaves_out_what_is_not_known) {
   wire::JobStatus status;
   status.set_stage("inspect");
   const std::string text = progress_text(status, 0);
   EXPECT_THAT(text, Not(HasSubstr("sub-domains")));
   EXPECT_THAT(text, Not(HasSubstr("eta")));
+}
+
+TEST(ProgressText, time_left_counts_what_running_tasks_have_done) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  status.set_leaves_made(1);
+  status.set_estimated_elements(4e6);
+  status.set_elements_under_way(1e6);
+  const std::string text = progress_text(status, 1e5);
+  EXPECT_THAT(text, HasSubstr("0/1 sub-domains"));
+  EXPECT_THAT(text, Not(HasSubstr(" tets ")));
+  EXPECT_THAT(text, HasSubstr("eta 00:30"));
+}
+
+TEST(RunningText, says_what_the_longest_running_task_does_that_has_said_something) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  status.set_tasks_running(1);
+  EXPECT_EQ(running_text(status), "");
+  status.add_running()->set_kind("decompose");
+  wire::RunningTask& task = *status.add_running();
+  task.set_kind("mesh");
+  *task.mutable_doing() = doing_message({WorkStage::edges, 3, 312, 1204});
+  EXPECT_EQ(running_text(status), "recovery pass 3: 312 of 1,204 edges");
+  status.set_tasks_running(2);
+  EXPECT_EQ(running_text(status), "recovery pass 3: 312 of 1,204 edges (+1 task)");
+  status.set_tasks_running(4);
+  status.set_stage("decompose");
+  EXPECT_EQ(running_text(status), "mesh recovery pass 3: 312 of 1,204 edges (+3 tasks)");
+}
+
+TEST(RunningText, a_coordinator_cannot_steer_the_terminal) {
+  wire::JobStatus status;
+  wire::RunningTask& task = *status.add_running();
+  task.set_kind("a\033[2J");
+  task.mutable_doing()->set_stage("\033[31m\nred");
+  EXPECT_EQ(running_text(status).find_first_of("\033\n"), std::string::npos);
+}
+
+/// Columns of a text whose characters take one each.
+std::size_t columns_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+TEST(BarLine, is_no_longer_than_the_terminal_and_says_the_first_text_that_has_room) {
+  const std::string whole(70, 'w');
+  const std::string part(50, 'p');
+  for (const std::size_t columns : {7U, 20U, 60U, 80U, 100U, 200U}) {
+    const std::string line = bar_line(0.5, {whole, part}, columns);
+    EXPECT_LT(columns_of(line), columns);
+    EXPECT_THAT(line, HasSubstr(columns >= 80 ? "ww" : "p")) << columns;
+  }
+  EXPECT_EQ(columns_of(bar_line(0.5, {whole, part}, 0)), 24U + 1 + 70) << "not known";
+}
+
+TEST(BarLine, is_full_by_its_share) {
+  EXPECT_EQ(bar_line(0, {"x"}, 7), "──── x");
+  EXPECT_EQ(bar_line(0.5, {"x"}, 7), "██── x");
+  EXPECT_EQ(bar_line(1, {"x"}, 7), "████ x");
+}
+
+TEST(ForecastText, is_there_once_the_surface_is_inspected) {
+  wire::JobStatus status;
+  EXPECT_EQ(forecast_text(status), "");
+  status.set_estimated_elements(2e6);
+  for (const auto& [name, value] :
+       {std::pair{"parts", 8.0}, std::pair{"forecast_bytes", 1e8},
+        std::pair{"forecast_disk_bytes", 2e8}, std::pair{"forecast_seconds", 12.0}}) {
+    (*status.mutable_numbers())[name] = value;
+  }
+  EXPECT_EQ(forecast_text(status),
+            "about 2.0 M elements in 8 sub-domains, 100 MB of memory a task, 200 MB of disk, "
+            "12 s of one core");
 }
 
 TEST(ShortCount, keeps_a_number_short) {

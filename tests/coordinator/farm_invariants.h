@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sha256.h"
 #include "tests/coordinator/durable_record.h"
 #include "tests/coordinator/simulated_database.h"
 #include "tests/coordinator/simulated_world.h"
@@ -23,12 +24,12 @@ class Invariants {
  public:
   // ---- what the farm tells
   void worker_starts(const WorkerInfo& info) {
-    processes_[info.nonce] = info;
+    processes_[sha256_hex(info.nonce)] = info;
     std::uint64_t& most = host_memory_[info.host];
     if (info.shares_memory) most = std::max(most, info.memory_bytes);
   }
   void result_said(AttemptId attempt, const std::string& nonce) {
-    presented_by_[attempt].insert(nonce);
+    presented_by_[attempt].insert(sha256_hex(nonce));
   }
 
   void committed(const ChangeSet& changes, const DurableRecord& record, const Disk& disk) {
@@ -41,6 +42,7 @@ class Invariants {
     pure(changes);
     conforming(changes, record.state());
     bounded(changes, record.state());
+    blamed_for_what_others_did(changes, record);
   }
 
   /// 1. A published file never changes, and a row names only files that are durable.
@@ -66,7 +68,7 @@ class Invariants {
       ++accepted_[attempt.task];
       EXPECT_LE(accepted_[attempt.task], 1 + wanted_again_[attempt.task])
           << "task " << attempt.task.value << " was accepted twice";
-      EXPECT_TRUE(presented_by_[attempt.id].contains(attempt.nonce))
+      EXPECT_TRUE(presented_by_[attempt.id].contains(attempt.nonce_hash))
           << "attempt " << attempt.id.value << " was brought by another process";
     }
   }
@@ -115,8 +117,8 @@ class Invariants {
     for (const auto& [id, attempt] : state.running_attempts) {
       EXPECT_LE(++attempts[attempt.task], 2) << "task " << attempt.task.value;
       EXPECT_FALSE(replaced_.contains(attempt.task)) << "a replaced task runs";
-      EXPECT_TRUE(busy.insert(attempt.nonce).second) << "two tasks for one worker";
-      const WorkerInfo& process = processes_.at(attempt.nonce);
+      EXPECT_TRUE(busy.insert(attempt.nonce_hash).second) << "two tasks for one worker";
+      const WorkerInfo& process = processes_.at(attempt.nonce_hash);
       EXPECT_LE(attempt.memory_bytes, process.memory_bytes) << "more room than there is";
       if (!process.shares_memory) continue;
       std::uint64_t& given = given_of_host[process.host];
@@ -140,6 +142,29 @@ class Invariants {
     EXPECT_TRUE(broken.empty()) << "after a restart: " << broken.front();
   }
 
+  /// Decision 15: a host comes into quarantine for tasks of several jobs that crashed there, and
+  /// that another host did.
+  void blamed_for_what_others_did(const ChangeSet& changes, const DurableRecord& record) {
+    for (const HostRow& host : changes.hosts) {
+      if (!host.is_quarantined) continue;
+      std::set<TaskId> crashed;
+      std::set<TaskId> proofs;
+      std::set<JobId> jobs;
+      for (const auto& [id, attempt] : record.attempts()) {
+        const bool is_crash = attempt.state == AttemptState::crashed;
+        if (is_crash && attempt.host == host.host) crashed.insert(attempt.task);
+      }
+      for (const auto& [id, attempt] : record.attempts()) {
+        const bool is_proof = attempt.state == AttemptState::done && attempt.host != host.host;
+        if (!is_proof || !crashed.contains(attempt.task)) continue;
+        proofs.insert(attempt.task);
+        jobs.insert(record.state().tasks.at(attempt.task).job);
+      }
+      EXPECT_GE(proofs.size(), FarmRules{}.host_tasks) << host.host << ": " << host.reason;
+      EXPECT_GE(jobs.size(), 2U) << host.host << ": " << host.reason;
+    }
+  }
+
   /// Decision 1: nothing is said that is not committed.
   void spoken_after_commit(const Command& command, const DurableRecord& record) {
     if (const auto* assign = std::get_if<SendAssign>(&command)) {
@@ -148,8 +173,9 @@ class Invariants {
       // One that was revoked in the same turn is still said, and was committed as ended.
       EXPECT_TRUE(record.attempts().contains(assign->attempt)) << "an attempt that nobody knows";
       if (!runs) return;
-      const auto [holder, is_new] = given_to_.emplace(assign->attempt, found->second.nonce);
-      EXPECT_EQ(holder->second, found->second.nonce) << "an attempt was given to two processes";
+      const auto [holder, is_new] = given_to_.emplace(assign->attempt, found->second.nonce_hash);
+      EXPECT_EQ(holder->second, found->second.nonce_hash)
+          << "an attempt was given to two processes";
       EXPECT_FALSE(is_new && state_has_quarantined(record.state(), found->second.worker))
           << "a host in quarantine got a task";
     } else if (const auto* accepted = std::get_if<SendAccepted>(&command)) {
@@ -199,7 +225,7 @@ class Invariants {
     return leaves;
   }
 
-  std::map<std::string, WorkerInfo> processes_;       // by nonce
+  std::map<std::string, WorkerInfo> processes_;       // by the hash of the nonce
   std::map<std::string, std::uint64_t> host_memory_;  // that its workers share
   std::map<AttemptId, std::set<std::string>> presented_by_;
   std::map<AttemptId, std::string> given_to_;

@@ -107,6 +107,25 @@ TEST_F(FileTransfersTest, only_inputs_of_the_attempt_that_the_worker_holds) {
   EXPECT_FALSE(send(1, "output", 0, "output")) << "not offered";
 }
 
+TEST_F(FileTransfersTest, an_attempt_can_offer_more_files_than_any_task_makes_but_not_without_end) {
+  lease();
+  int offers = 0;
+  while (offers < 1'000'000 && offer(1, std::to_string(offers))) {
+    ++offers;
+    for (const FileOrder& order : transfers_.take_orders(state_, now_)) {
+      transfers_.note_answer(order.connection);
+    }
+  }
+  EXPECT_EQ(offers, 10'000);
+  EXPECT_TRUE(offer(1, "0")) << "one that was offered may be again";
+}
+
+TEST_F(FileTransfersTest, far_behind_the_end_of_a_file_there_is_nothing) {
+  lease();
+  EXPECT_TRUE(fetch(1, chunk_bytes << 40U));
+  EXPECT_TRUE(carry_out_all().at(0).envelope.file_chunk().missing());
+}
+
 TEST_F(FileTransfersTest, a_missing_or_cut_file_is_said_to_be_missing) {
   lease();
   write_file_atomically(store_.path_of(hash128(surface_bytes).hex()), "short");

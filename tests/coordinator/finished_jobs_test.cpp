@@ -162,7 +162,7 @@ TEST_F(Finished, a_job_that_is_submitted_again_is_read_only_where_a_result_is_lo
   ASSERT_EQ(let_go(), 1U);
   const std::string key = record_.state().jobs.at(job).key;
   const auto submit_again = [&] {
-    return state_->submit({key, "wing", "toml", job_file_, {surface_}}, now_);
+    return state_->submit({key, "wing", "toml", make_believe_job(2, 0), {surface_}}, now_);
   };
   EXPECT_TRUE(submit_again().existed);
   EXPECT_FALSE(state_->is_at_hand(job));

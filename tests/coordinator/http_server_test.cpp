@@ -87,7 +87,9 @@ class HttpServerTest : public testing::Test {
     HttpOptions options;
     options.address = "127.0.0.1:0";
     options.max_connections = 3;
-    options.exchange_ms = 1000;
+    options.reserved = 2;
+    options.request_ms = 1000;
+    options.exchange_ms = 3000;
     return options;
   }
   int connect() const {
@@ -108,6 +110,7 @@ class HttpServerTest : public testing::Test {
     zmq::poll(items, std::chrono::milliseconds(5));
     server_.serve(now_ms_, [this](const std::string& path) {
       ++pages_;
+      if (path == "/healthz") return HttpAnswer{200, "text/plain", "ok"};
       return HttpAnswer{path == "/" ? 200 : 404, "text/plain", body_};
     });
   }
@@ -190,9 +193,51 @@ TEST_F(HttpServerTest, a_client_that_does_not_read_is_put_out_too) {
   ::send(slow, request.data(), request.size(), MSG_NOSIGNAL);
   for (int i = 0; i < 5; ++i) turn();
   EXPECT_EQ(server_.connections(), 1U);
-  turn(2000);
+  turn(4000);
   EXPECT_EQ(server_.connections(), 0U);
   ::close(slow);
+}
+
+TEST_F(HttpServerTest, slow_clients_keep_nobody_out_however_many) {
+  std::vector<int> slow;
+  for (int i = 0; i < 20; ++i) {
+    slow.push_back(connect());
+    ::send(slow.back(), "GET / HTTP/1.1\r\nX", 17, MSG_NOSIGNAL);
+    turn();
+  }
+  EXPECT_THAT(exchange(get("/")), HasSubstr("the page"));
+  EXPECT_THAT(exchange(get("/healthz")), HasSubstr("ok"));
+  EXPECT_LE(server_.connections(), 3U);
+  for (const int fd : slow) ::close(fd);
+}
+
+TEST_F(HttpServerTest, a_request_that_came_with_its_connection_is_answered_in_the_same_turn) {
+  const int honest = connect();
+  const std::string request = get("/");
+  ::send(honest, request.data(), request.size(), MSG_NOSIGNAL);
+  std::vector<int> slow;
+  for (int i = 0; i < 20; ++i) slow.push_back(connect());
+  turn();
+  EXPECT_EQ(pages_, 1);
+  EXPECT_THAT(read_all(honest), HasSubstr("the page"));
+  for (const int fd : slow) ::close(fd);
+}
+
+TEST_F(HttpServerTest, while_all_places_are_served_health_has_places_of_its_own) {
+  body_ = std::string(30'000'000, 'x');
+  std::vector<int> readers;
+  const std::string request = get("/");
+  for (int i = 0; i < 3; ++i) {
+    readers.push_back(connect());
+    ::send(readers.back(), request.data(), request.size(), MSG_NOSIGNAL);
+    for (int j = 0; j < 5; ++j) turn();
+  }
+  EXPECT_EQ(server_.connections(), 3U);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_THAT(exchange(get("/healthz")), HasSubstr("ok"));
+    EXPECT_THAT(exchange(get("/")), StartsWith("HTTP/1.1 503 "));
+  }
+  for (const int fd : readers) ::close(fd);
 }
 
 TEST_F(HttpServerTest, more_connections_than_allowed_are_closed_at_once) {

@@ -1,11 +1,10 @@
-// Tasks and hosts that fail again and again.
+// Tasks that fail again and again.
 #include "tests/coordinator/job_state_fixture.h"
 
 namespace tetfarm {
 namespace {
 
 using testing::HasSubstr;
-using testing::SizeIs;
 
 class Quarantine : public JobStateTest {
  protected:
@@ -65,61 +64,6 @@ TEST_F(Quarantine, retry_takes_one_task_out_of_quarantine_or_all_of_them) {
   run_all();
   EXPECT_EQ(job().phase, JobPhase::done);
   EXPECT_EQ(state_->retry(JobId{1}, {}, now_), 0U) << "a job that is done has nothing to retry";
-}
-
-TEST_F(Quarantine,
-       a_host_on_which_different_tasks_crash_is_quarantined_and_the_tasks_are_not_blamed) {
-  submit();
-  worker_ = new_worker();
-  run_until_meshes();
-  state_->worker_left(worker_, false, now_);
-  commit();
-  const WorkerId bad = add_worker({.host = "bad"});
-  const WorkerId good = add_worker({.host = "good"});
-  std::set<TaskId> crashed;
-  for (std::uint32_t i = 0; i < rules_.host_tasks; ++i) {
-    EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
-    const SendAssign assign = next(bad);
-    ASSERT_TRUE(assign.attempt);
-    crashed.insert(assign.task);
-    fail(bad, assign, crash());
-  }
-  ASSERT_THAT(crashed, SizeIs(rules_.host_tasks));
-  ASSERT_TRUE(state_->durable().quarantined_hosts.contains("bad"));
-  for (const TaskId id : crashed) EXPECT_EQ(task(id).crashes, 0U);
-  now_.steady_ms += rules_.lease_ms / 2;
-  EXPECT_FALSE(next(bad).attempt);
-  EXPECT_TRUE(next(good).attempt);
-  restart();
-  EXPECT_FALSE(next(add_worker({.host = "bad"})).attempt) << "it stays so after a restart";
-  EXPECT_FALSE(state_->let_host_go("good", now_));
-  EXPECT_TRUE(state_->let_host_go("bad", now_));
-  EXPECT_TRUE(next(add_worker({.host = "bad"})).attempt);
-}
-
-TEST_F(Quarantine, the_only_host_is_never_quarantined) {
-  submit();
-  worker_ = new_worker();
-  run_until_meshes();
-  for (std::uint32_t i = 0; i < rules_.host_tasks + 1; ++i) {
-    const SendAssign assign = i == 0 ? held_ : next(worker_);
-    if (assign.attempt) fail(worker_, assign, crash());
-  }
-  EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
-}
-
-TEST_F(Quarantine, one_task_that_crashes_everywhere_does_not_speak_against_its_hosts) {
-  submit();
-  const WorkerId a = add_worker({.host = "a"});
-  const WorkerId b = add_worker({.host = "b"});
-  for (std::uint32_t i = 0; i < rules_.max_crashes; ++i) {
-    now_.steady_ms += 60000;
-    for (const WorkerId worker : {a, b}) state_->heartbeat(worker, {}, {}, now_);
-    const WorkerId worker = i % 2 == 0 ? a : b;
-    fail(worker, next(worker), crash());
-  }
-  EXPECT_EQ(job().phase, JobPhase::failed);
-  EXPECT_TRUE(state_->durable().quarantined_hosts.empty());
 }
 
 }  // namespace

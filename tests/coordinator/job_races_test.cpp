@@ -25,6 +25,36 @@ TEST_F(Fencing, another_process_cannot_go_on_with_an_attempt) {
   EXPECT_TRUE(finish(again, assign));
 }
 
+TEST_F(Fencing, another_key_with_the_nonce_of_a_process_gets_nothing_of_it) {
+  submit();
+  const WorkerInfo rightful{.host = "host", .nonce = "n", .key = "its key"};
+  worker_ = add_worker(rightful);
+  const SendAssign assign = next(worker_);
+  for (const bool is_restarted : {false, true}) {
+    if (is_restarted) restart();
+    for (const char* key : {"another key", ""}) {
+      const WorkerInfo thief{.host = "host", .nonce = "n", .key = key};
+      const WorkerId other = state_->add_worker(thief, assign.task, assign.attempt, now_);
+      EXPECT_FALSE(std::get<SendWelcome>(state_->take_commands().front()).keep_running);
+      EXPECT_FALSE(state_->holds(other, assign.task, assign.attempt));
+      EXPECT_FALSE(finish(other, assign)) << "the result is another's";
+      EXPECT_FALSE(fail(other, assign, {})) << "nor can it end it";
+      EXPECT_EQ(state_->durable().running_attempts.count(assign.attempt), 1U);
+    }
+  }
+  const WorkerId again = state_->add_worker(rightful, assign.task, assign.attempt, now_);
+  EXPECT_TRUE(std::get<SendWelcome>(state_->take_commands().front()).keep_running);
+  EXPECT_TRUE(finish(again, assign));
+}
+
+TEST_F(Fencing, of_a_nonce_only_a_hash_is_kept_with_the_key) {
+  submit();
+  const SendAssign assign = next(add_worker({.nonce = "abc", .key = "its key"}));
+  const AttemptRow& row = record_.state().running_attempts.at(assign.attempt);
+  EXPECT_EQ(row.key, "its key");
+  EXPECT_EQ(row.nonce_hash, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
 TEST_F(Fencing, a_new_process_on_an_old_connection_does_not_inherit_its_attempt) {
   submit();
   worker_ = add_worker({.nonce = "first"});

@@ -143,7 +143,7 @@ TEST_F(Recovery, a_job_goes_on_with_what_a_task_made_before_it_came_into_quarant
   damaged.damaged_inputs = {lost};
   ASSERT_TRUE(fail(other, turn, damaged));
   const SendAssign maker = next(other);
-  ASSERT_TRUE(fail(other, maker, crash()));
+  ASSERT_TRUE(fail(other, maker, {}));
   ASSERT_EQ(task(maker.task).state, TaskState::failed);
   ASSERT_EQ(task(turn.task).state, TaskState::waiting);
   // Somebody brings the file back.

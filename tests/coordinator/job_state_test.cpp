@@ -43,6 +43,27 @@ TEST_F(JobStateTest, the_same_key_is_the_same_job) {
   EXPECT_NE(submit("other").job, first.job);
 }
 
+TEST_F(JobStateTest, a_key_with_other_contents_is_refused_and_changes_nothing) {
+  const SubmitAnswer first = submit();
+  commit();
+  const ArtifactRef other{"surface", std::string(32, 'f'), 4};
+  files_.insert(other.hash);
+  const Submission changed{"key", "wing", "toml", job_file_, {other}, true};
+  EXPECT_TRUE(state_->submit(changed, now_).differs);
+  EXPECT_TRUE(state_->take_changes().empty()) << "also where it was to replace the others";
+  EXPECT_FALSE(submit().differs);
+  Submission of_another = changed;
+  of_another.owner = "another";
+  of_another.replaces_others = false;
+  const SubmitAnswer second = state_->submit(of_another, now_);
+  EXPECT_FALSE(second.existed) << "a key is its submitter's own";
+  EXPECT_NE(second.job, first.job);
+  commit();
+  restart();
+  EXPECT_EQ(state_->submit(of_another, now_).job, second.job);
+  EXPECT_EQ(submit().job, first.job);
+}
+
 TEST_F(JobStateTest, jobs_without_a_key_are_all_different) {
   EXPECT_NE(submit("").job, submit("").job);
 }

@@ -133,7 +133,7 @@ TEST_F(QueryAnswers, a_task_behind_others_counts_them_and_names_what_keeps_each_
   submit("box");
   add_worker("a");
   tick();
-  EXPECT_THAT(reasons(3), ElementsAre("1 of 1 workers: busy", "1 ready tasks come before it"));
+  EXPECT_THAT(reasons(3), ElementsAre("1 of 1 workers: busy", "1 ready task comes before it"));
   EXPECT_THAT(reasons(1), IsEmpty()) << "it runs";
 }
 

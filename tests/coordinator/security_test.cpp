@@ -1,10 +1,12 @@
 // Nobody gets in who should not: real sockets, real keys, a coordinator in a process of its own.
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 
 #include <map>
 #include <random>
@@ -86,7 +88,7 @@ class Security : public testing::Test {
     viewer_ = peer("viewer", Role::viewer);
   }
 
-  std::filesystem::path keys_folder() const { return store_.folder() / "keys"; }
+  std::filesystem::path keys_folder() const { return folder_.path() / "keys"; }
   PeerKeys stranger() const { return {make_key_pair(), coordinator_key_}; }
   PeerKeys peer(const std::string& name, Role role) const {
     const PeerKeys keys = stranger();
@@ -95,6 +97,7 @@ class Security : public testing::Test {
   }
   void start(CoordinatorOptions options = {}) {
     options.endpoints = {"tcp://127.0.0.1:*"};
+    options.keys = keys_folder();
     coordinator_.emplace(store_.folder(), options);
   }
   const std::string& endpoint() const { return coordinator_->endpoint(); }
@@ -110,12 +113,17 @@ class Security : public testing::Test {
     const StoredArtifact surface = store_.publish("solid wing");
     wire::Envelope envelope;
     wire::Submit& submit = *envelope.mutable_submit();
-    submit.set_job_toml("spacing = 1");
+    submit.set_job_toml("[geometry]\nsurface = \"a.stl\"\n");
     submit.set_key(key);
     submit.add_inputs()->set_name("input_surface");
     submit.mutable_inputs(0)->set_hash(surface.hash);
     submit.mutable_inputs(0)->set_size(surface.size);
     return envelope;
+  }
+  /// How many files and folders there are.
+  std::ptrdiff_t artifacts() const {
+    return std::distance(
+        std::filesystem::recursive_directory_iterator(store_.folder() / "artifacts"), {});
   }
   /// A good client is served: the status it gets.
   wire::StatusReply status() const {
@@ -271,11 +279,13 @@ TEST_F(Security, another_roles_command_is_refused_and_changes_nothing) {
   all.push_back(message([](wire::Envelope& e) { e.mutable_heartbeat(); }));
   all.push_back(message([](wire::Envelope& e) { e.mutable_goodbye(); }));
   all.push_back(message([](wire::Envelope& e) { e.mutable_cancel()->set_job("job-1"); }));
+  all.push_back(message([](wire::Envelope& e) { e.mutable_fetch_file()->set_task(1); }));
+  all.push_back(message([](wire::Envelope& e) { e.mutable_fetch_file()->set_attempt(1); }));
   std::uint64_t refused = 0;
   for (const auto& [name, role] : roles) {
     Dealer dealer(endpoint(), keys.at(name));
     for (const wire::Envelope& envelope : all) {
-      if (may_send(role, envelope.body_case())) continue;
+      if (may_send(role, envelope)) continue;
       const wire::Envelope answer = dealer.ask(envelope);
       EXPECT_THAT(answer.refused().reason(),
                   HasSubstr(name + " may not send " + name_of(envelope.body_case())));
@@ -283,10 +293,31 @@ TEST_F(Security, another_roles_command_is_refused_and_changes_nothing) {
     }
   }
   const wire::StatusReply reply = status();
-  EXPECT_EQ(refused, 3U + 7U + 9U);
+  EXPECT_EQ(refused, 4U + 8U + 11U);
   EXPECT_EQ(reply.refused().at("wrong_role"), refused);
   EXPECT_EQ(reply.jobs_size(), 0);
   EXPECT_EQ(reply.workers(), 0U);
+}
+
+TEST_F(Security, a_submitter_fetches_no_file_that_is_not_a_result_of_the_job) {
+  start();
+  Dealer anna(endpoint(), anna_);
+  const wire::Envelope submitted = submission("k");
+  EXPECT_EQ(anna.ask(submitted).submitted().job(), "job-1");
+  const auto refused_for = [&](std::uint64_t job, const std::string& hash) {
+    wire::Envelope fetch;
+    fetch.mutable_fetch_file()->set_task(job);
+    fetch.mutable_fetch_file()->set_hash(hash);
+    const wire::Refused refused = anna.ask(fetch).refused();
+    EXPECT_EQ(refused.exit_code(), static_cast<int>(ExitCode::not_found));
+    return refused.reason();
+  };
+  const std::string surface = submitted.submit().inputs(0).hash();
+  EXPECT_EQ(refused_for(1, surface), "job-1 has no such file to give");
+  EXPECT_EQ(refused_for(2, surface), "no job job-2");
+  EXPECT_EQ(refused_for(0, surface), "no job job-0");
+  EXPECT_EQ(refused_for(1, "../tetfarm.db"), "job-1 has no such file to give");
+  expect_refused("no_result", 4);
 }
 
 TEST_F(Security, nobody_can_speak_under_the_name_of_anothers_connection) {
@@ -324,6 +355,69 @@ TEST_F(Security, an_old_attempts_message_sent_again_is_stale) {
   const wire::StatusReply reply = status();
   EXPECT_EQ(reply.refused().at("stale"), 1U);
   EXPECT_EQ(reply.jobs(0).tasks_done(), 0U);
+}
+
+TEST_F(Security, who_knows_the_nonce_of_another_key_gets_nothing_of_its_attempt) {
+  start();
+  Dealer anna(endpoint(), anna_);
+  anna.ask(submission("k"));
+  Dealer rightful(endpoint(), worker_);
+  rightful.ask(hello());
+  const wire::Assign held = rightful.ask(ready()).assign();
+  Dealer thief(endpoint(), peer("node-2", Role::worker));
+  wire::Envelope claim = hello();
+  claim.mutable_hello()->set_running_task(held.task());
+  claim.mutable_hello()->set_running_attempt(held.attempt());
+  const wire::Envelope welcome = thief.ask(claim);
+  ASSERT_TRUE(welcome.has_welcome());
+  EXPECT_FALSE(welcome.welcome().keep_running());
+  wire::Envelope failed;
+  failed.mutable_failed()->set_task(held.task());
+  failed.mutable_failed()->set_attempt(held.attempt());
+  EXPECT_FALSE(thief.ask(failed).accepted().taken());
+  EXPECT_EQ(rightful.ask(ready()).assign().attempt(), held.attempt()) << "it still holds it";
+  Dealer again(endpoint(), worker_);
+  EXPECT_TRUE(again.ask(claim).welcome().keep_running()) << "the same process, connected anew";
+}
+
+TEST_F(Security, the_database_is_for_its_owner_and_knows_no_nonce) {
+  start();
+  Dealer anna(endpoint(), anna_);
+  anna.ask(submission("k"));
+  Dealer worker(endpoint(), worker_);
+  wire::Envelope greeting = hello();
+  greeting.mutable_hello()->set_nonce("a nonce that nobody else may know");
+  worker.ask(greeting);
+  ASSERT_TRUE(worker.ask(ready()).has_assign());
+  for (const char* part : {"", "-wal", "-shm"}) {
+    const std::filesystem::path file = store_.folder() / (std::string("tetfarm.db") + part);
+    struct stat about {};
+    ASSERT_EQ(::stat(file.c_str(), &about), 0) << file;
+    EXPECT_EQ(about.st_mode & 07777U, 0600U) << file;
+    EXPECT_THAT(read_file(file), testing::Not(HasSubstr("nobody else may know")));
+  }
+}
+
+TEST_F(Security, a_submissions_key_stands_for_its_content_and_is_its_submitters_own) {
+  start();
+  Dealer anna(endpoint(), anna_);
+  const std::string first = anna.ask(submission("k")).submitted().job();
+  wire::Envelope other = submission("k");
+  other.mutable_submit()->set_job_toml("[geometry]\nsurface = \"b.stl\"\n");
+  EXPECT_THAT(anna.ask(other).refused().reason(), HasSubstr(first));
+  EXPECT_EQ(status().jobs_size(), 1);
+  EXPECT_TRUE(anna.ask(submission("k")).submitted().existed());
+  Dealer ben(endpoint(), peer("ben", Role::submitter));
+  const wire::Submitted of_ben = ben.ask(other).submitted();
+  EXPECT_FALSE(of_ben.existed());
+  EXPECT_NE(of_ben.job(), first);
+  const wire::Submitted same_as_annas = ben.ask(submission("x")).submitted();
+  EXPECT_FALSE(same_as_annas.existed());
+  coordinator_->stop(SIGKILL);
+  start();
+  Dealer later(endpoint(), anna_);
+  EXPECT_EQ(later.ask(submission("k")).submitted().job(), first);
+  EXPECT_TRUE(later.ask(other).has_refused());
 }
 
 /// A listener that passes on what a client sends, and keeps it.
@@ -548,7 +642,7 @@ TEST_F(Security, surfaces_are_taken_out_of_the_allowed_folders_only) {
   start(options);
   Dealer anna(endpoint(), anna_);
   wire::Envelope submit;
-  submit.mutable_submit()->set_job_toml("spacing = 1");
+  submit.mutable_submit()->set_job_toml("[geometry]\nsurface = \"a.stl\"\n");
   submit.mutable_submit()->set_surface_path((folder_.path() / "allowed/wing.stl").string());
   const wire::Envelope first = anna.ask(submit);
   ASSERT_TRUE(first.has_submitted()) << first.refused().reason();
@@ -560,11 +654,37 @@ TEST_F(Security, surfaces_are_taken_out_of_the_allowed_folders_only) {
   EXPECT_EQ(status().refused().at("outside_roots"), 1U);
 }
 
+TEST_F(Security, no_path_leads_to_the_coordinators_own_files) {
+  CoordinatorOptions options;
+  options.allowed_roots = {folder_.path()};  // the store and its keys lie in it
+  start(options);
+  const std::filesystem::path key = secret_key_path(keys_folder(), "coordinator");
+  std::filesystem::create_hard_link(key, folder_.path() / "wing.stl");
+  std::filesystem::create_symlink(key, folder_.path() / "link.stl");
+  const std::string held = std::to_string(::open(key.c_str(), O_RDONLY | O_CLOEXEC));
+  const std::string store = store_.folder().string();
+  const auto before = artifacts();
+  Dealer anna(endpoint(), anna_);
+  for (const std::string& path :
+       {key.string(), store + "/tetfarm.db", store + "/tetfarm.db-wal", store + "/coordinator.log",
+        store + "/store_id", folder_.path().string() + "/wing.stl",
+        folder_.path().string() + "/link.stl",
+        "/proc/" + std::to_string(::getpid()) + "/fd/" + held, key.string() + '\0' + "/wing.stl"}) {
+    wire::Envelope submit;
+    submit.mutable_submit()->set_job_toml("[geometry]\nsurface = \"a.stl\"\n");
+    submit.mutable_submit()->set_surface_path(path);
+    EXPECT_EQ(anna.ask(submit).refused().exit_code(), 2) << path;
+  }
+  EXPECT_EQ(artifacts(), before);
+  EXPECT_EQ(status().jobs_size(), 0);
+}
+
 class Start : public Security {
  protected:
   CoordinatorOptions options() const {
     CoordinatorOptions options;
     options.store = store_.folder();
+    options.keys = keys_folder();
     options.endpoints = {"tcp://127.0.0.1:*"};
     options.handle_signals = false;
     return options;
@@ -585,7 +705,7 @@ TEST_F(Start, is_refused_with_a_list_that_others_may_write) {
 
 TEST_F(Start, is_refused_when_the_folder_of_keys_has_none) {
   CoordinatorOptions wrong = options();
-  wrong.keys = folder_.path();
+  wrong.keys = folder_.path() / "none";
   EXPECT_THROW(run_coordinator(wrong), UsageError);
 }
 

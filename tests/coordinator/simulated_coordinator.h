@@ -181,6 +181,9 @@ class Coordinator {
       state_->worker_is_ready(worker, moment());
     } else if (const auto* beat = std::get_if<Beat>(&message)) {
       state_->heartbeat(worker, beat->task, beat->attempt, moment());
+      // Late and doubled messages say less than was known.
+      const auto done = static_cast<std::uint64_t>(moment().steady_ms % 100);
+      state_->note_work(worker, beat->task, beat->attempt, {WorkStage::edges, 0, done, 100});
     } else if (const auto* done = std::get_if<DoneSaid>(&message)) {
       state_->done(worker, done->task, done->attempt, done->result, moment());
     } else if (const auto* failed = std::get_if<FailedSaid>(&message)) {

@@ -39,6 +39,21 @@ TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
   EXPECT_EQ(second.subdomains[2].work, 90);
 }
 
+TEST(TaskGraph, tasks_on_subdomains_are_told_how_many_needles_they_have) {
+  TaskRow inspect = inspected(3);
+  inspect.numbers["needles"] = 700;
+  const GraphStep first = after_inspect(inspect);
+  TaskRow cut = first.tasks[0];
+  EXPECT_EQ(cut.parameters.at("needles"), "700");
+  const GraphStep whole = after_decompose(inspect, cut, first.subdomains[0], false);
+  EXPECT_EQ(whole.tasks.at(0).parameters.at("needles"), "700");
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"left_needles", 0}, {"right_needles", 690}};
+  const GraphStep halves = after_decompose(inspect, cut, first.subdomains[0], false);
+  EXPECT_FALSE(halves.tasks.at(0).parameters.contains("needles"));
+  EXPECT_EQ(halves.tasks.at(1).parameters.at("needles"), "690");
+}
+
 TEST(TaskGraph, what_cannot_be_cut_stays_whole) {
   const TaskRow inspect = inspected(3);
   const GraphStep first = after_inspect(inspect);

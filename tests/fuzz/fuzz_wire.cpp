@@ -47,7 +47,7 @@ void take_turn(RequestHandler& handler, JobState& state, const JobDatabase& data
 
 void wire(std::string_view input) {
   static const ArtifactStore store = make_store();
-  static const SurfaceRoots roots({store.folder()});
+  static const SurfaceRoots roots({}, {store.folder(), {}, {}, {}});
   static const JobDatabase database(store.folder() / "tetfarm.db");
   static zmq::context_t context;
   static Refusals refusals;

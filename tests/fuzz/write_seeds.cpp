@@ -78,7 +78,12 @@ void write_messages(const fs::path& folder) {
     e.mutable_hello()->set_host("h");
   });
   const auto ready = with([](wire::Envelope& e) { e.mutable_ready(); });
-  const auto beat = with([](wire::Envelope& e) { e.mutable_heartbeat()->set_task(1); });
+  const auto beat = with([](wire::Envelope& e) {
+    e.mutable_heartbeat()->set_task(1);
+    e.mutable_heartbeat()->set_attempt(1);
+    e.mutable_heartbeat()->mutable_doing()->set_stage("check");
+    e.mutable_heartbeat()->mutable_doing()->set_done(3);
+  });
   const auto done = with([](wire::Envelope& e) {
     e.mutable_done()->set_task(1);
     e.mutable_done()->set_attempt(1);

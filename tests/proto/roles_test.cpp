@@ -26,8 +26,32 @@ TEST(Roles, each_may_send_what_is_its_business_and_nothing_else) {
                                    "goodbye", "fetch_file", "offer_file", "file_chunk"));
   EXPECT_THAT(sendable(Role::submitter),
               UnorderedElementsAre("submit", "cancel", "retry", "drain_workers", "status_request",
-                                   "query"));
+                                   "query", "fetch_file", "offer_file", "file_chunk"));
   EXPECT_THAT(sendable(Role::viewer), UnorderedElementsAre("status_request", "query"));
+}
+
+TEST(Roles, files_of_an_attempt_are_for_workers_and_those_of_none_for_submitters) {
+  wire::Envelope fetch;
+  wire::Envelope offer;
+  wire::Envelope chunk;
+  fetch.mutable_fetch_file()->set_task(1);
+  offer.mutable_offer_file();
+  chunk.mutable_file_chunk();
+  for (const wire::Envelope* message : {&fetch, &offer, &chunk}) {
+    EXPECT_TRUE(is_of_client(*message));
+    EXPECT_FALSE(may_send(Role::worker, *message));
+    EXPECT_TRUE(may_send(Role::submitter, *message));
+    EXPECT_FALSE(may_send(Role::viewer, *message));
+  }
+  fetch.mutable_fetch_file()->set_attempt(7);
+  offer.mutable_offer_file()->set_attempt(7);
+  chunk.mutable_file_chunk()->set_attempt(7);
+  for (const wire::Envelope* message : {&fetch, &offer, &chunk}) {
+    EXPECT_FALSE(is_of_client(*message));
+    EXPECT_TRUE(may_send(Role::worker, *message));
+    EXPECT_FALSE(may_send(Role::submitter, *message));
+    EXPECT_FALSE(may_send(Role::viewer, *message));
+  }
 }
 
 // A new kind of message has to be put into the table, or here.

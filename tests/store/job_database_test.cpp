@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <sqlite3.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,7 +26,7 @@ std::string some_hash(char digit) { return std::string(32, digit); }
 
 ChangeSet some_changes() {
   ChangeSet changes;
-  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0, "", 5, 0};
+  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0, "", 5, 0, "owner", "job 1"};
   TaskRow task;
   task.id = TaskId{3};
   task.job = JobId{1};
@@ -49,6 +50,7 @@ ChangeSet some_changes() {
   changes.attempts = {
       {AttemptId{9}, TaskId{3}, WorkerId{2}, AttemptState::running, 6, 0, "", "", false, 0}};
   changes.attempts[0].host = "host";
+  changes.attempts[0].key = "key of the worker";
   changes.events = {{6, JobId{1}, TaskId{3}, AttemptId{9}, WorkerId{2}, "assigned", "x"}};
   return changes;
 }
@@ -246,6 +248,27 @@ TEST(JobDatabase, a_rival_and_its_first_may_run_at_a_time_but_no_third) {
   EXPECT_THAT(database.load().running_attempts, SizeIs(2));
   rival.attempts[0].id = AttemptId{11};
   EXPECT_THROW(database.apply(rival), IoError);
+}
+
+TEST(JobDatabase, is_made_for_its_owner_alone_and_closed_to_all_others) {
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "db";
+  const auto mode = [](const std::string& file) {
+    struct stat about {};
+    EXPECT_EQ(::stat(file.c_str(), &about), 0) << file;
+    return about.st_mode & 07777U;
+  };
+  {
+    JobDatabase database(path);
+    database.apply(some_changes());
+    for (const char* part : {"", "-wal", "-shm"}) EXPECT_EQ(mode(path.string() + part), 0600U);
+  }
+  ::chmod(path.c_str(), 0644);
+  { const JobDatabase database(path); }
+  EXPECT_EQ(mode(path), 0600U) << "as an earlier program left it";
+  ::chmod(path.c_str(), 0640);
+  { const JobDatabase database(path); }
+  EXPECT_EQ(mode(path), 0640U) << "what its owner gave a group";
 }
 
 TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {

@@ -174,6 +174,8 @@ TEST(JobHistory, is_read_in_a_folder_that_may_not_be_written_to) {
   ChangeSet changes = two_jobs();
   changes.events = {event(1, 1, "a")};
   { JobDatabase(path).apply(changes); }
+  // Its owner lets others read it.
+  std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0644));
   std::filesystem::permissions(folder.path(), static_cast<std::filesystem::perms>(0555));
   EXPECT_EQ(read_as_nobody(path), 42);
   std::filesystem::permissions(folder.path(), static_cast<std::filesystem::perms>(0755));

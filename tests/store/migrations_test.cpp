@@ -37,10 +37,15 @@ class Migrations : public testing::TestWithParam<int> {
 
 void expect_rows_of_fixture(const JobDatabase& database, int version) {
   const DurableState state = database.load();
+  const std::string inspected = "job " + std::string(32, 'a');
   ASSERT_THAT(state.jobs, SizeIs(2));
   EXPECT_EQ(state.jobs.at(JobId{1}).key, "key-1");
-  EXPECT_EQ(state.jobs.at(JobId{2}), (JobRow{JobId{2}, "", "it's a box", "spacing = 2",
-                                             JobPhase::failed, 3, "open edge", 2000, 2500}));
+  EXPECT_EQ(state.jobs.at(JobId{1}).owner, "");
+  EXPECT_EQ(state.jobs.at(JobId{1}).content,
+            inspected + (version >= 7 ? "\ninput_surface " + std::string(32, 'b') : ""));
+  EXPECT_EQ(state.jobs.at(JobId{2}),
+            (JobRow{JobId{2}, "", "it's a box", "spacing = 2", JobPhase::failed, 3, "open edge",
+                    2000, 2500, "", inspected}));
   ASSERT_THAT(state.subdomains, SizeIs(3));
   const SubdomainRow& leaf = state.subdomains.at({JobId{1}, 2});
   EXPECT_EQ(leaf.state, SubdomainState::leaf);
@@ -55,6 +60,8 @@ void expect_rows_of_fixture(const JobDatabase& database, int version) {
   EXPECT_EQ(cut.parameters.at("left_parts"), "1");
   EXPECT_EQ(state.tasks.at(TaskId{3}).numbers.at("tets"), 120);
   ASSERT_THAT(state.running_attempts, SizeIs(1));
+  EXPECT_EQ(state.running_attempts.at(AttemptId{5}).nonce_hash, "") << "a nonce is forgotten";
+  EXPECT_EQ(state.running_attempts.at(AttemptId{5}).key, "");
   EXPECT_EQ(state.running_attempts.at(AttemptId{5}).task, TaskId{4});
   EXPECT_EQ(state.running_attempts.at(AttemptId{5}).memory_bytes, version >= 4 ? 77U : 0U);
   EXPECT_THAT(state.quarantined_hosts, SizeIs(version >= 4 ? 1 : 0));
@@ -65,9 +72,25 @@ void expect_rows_of_fixture(const JobDatabase& database, int version) {
   EXPECT_THAT(database.damage(), IsEmpty());
 }
 
+std::string schema_of(const std::filesystem::path& path) {
+  const SqlitePtr database = open_database(path, DatabaseAccess::read);
+  Statement statement(database.get(), "SELECT group_concat(sql) FROM sqlite_schema");
+  statement.step();
+  return statement.text();
+}
+
 TEST_P(Migrations, keep_every_row) {
   const JobDatabase database(path());
   expect_rows_of_fixture(database, GetParam());
+}
+
+TEST_P(Migrations, that_fail_midway_leave_the_file_as_it_was) {
+  // The last of them makes an index of this name.
+  execute(open_database(path(), DatabaseAccess::write).get(), "CREATE TABLE one_job_of_a_key (x)");
+  const std::string before = schema_of(path());
+  EXPECT_THROW(JobDatabase{path()}, IoError);
+  EXPECT_EQ(schema_of(path()), before);
+  EXPECT_EQ(schema_version(open_database(path(), DatabaseAccess::read).get()), GetParam());
 }
 
 TEST_P(Migrations, of_a_reader_leave_the_file_as_it_is) {
@@ -101,18 +124,24 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   in_its_place.id = TaskId{7};
   in_its_place.state = TaskState::waiting;
   later.tasks = {mesh, task, in_its_place};
-  AttemptRow rival{AttemptId{6}, TaskId{4}, WorkerId{2}, AttemptState::running, 6, 0, "", "nonce",
+  AttemptRow rival{AttemptId{6}, TaskId{4}, WorkerId{2}, AttemptState::running, 6, 0, "", "hash",
                    true,         9};
   rival.host = "host-b";
+  rival.key = "its key";
   AttemptRow starved{
       AttemptId{7}, TaskId{3}, WorkerId{2}, AttemptState::starved, 6, 8, "x", "", false, 9,
       12,           "its log"};
   later.attempts = {rival, starved};
+  JobRow of_another = database.load().jobs.at(JobId{1});
+  of_another.id = JobId{3};
+  of_another.owner = "another";
+  later.jobs = {of_another};
   later.hosts = {{"worse-host", true, 8, "three tasks failed there"}};
   database.apply(later);
   const DurableState state = database.load();
   EXPECT_EQ(state.subdomains.at({JobId{1}, 3}), joined);
   EXPECT_EQ(state.tasks.at(TaskId{6}), task);
+  EXPECT_EQ(state.jobs.at(JobId{3}), of_another) << "a key is its owner's";
   EXPECT_EQ(state.tasks.at(TaskId{4}).state, TaskState::replaced);
   EXPECT_EQ(state.tasks.at(TaskId{7}), in_its_place);
   EXPECT_EQ(state.running_attempts.at(AttemptId{6}), rival);
@@ -127,6 +156,10 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   rival.task = TaskId{99};
   impossible.attempts = {rival};
   EXPECT_THROW(database.apply(impossible), IoError) << "foreign keys are checked again";
+  impossible = {};
+  of_another.id = JobId{4};
+  impossible.jobs = {of_another};
+  EXPECT_THROW(database.apply(impossible), IoError) << "two jobs of one key";
   impossible = {};
   in_its_place.id = TaskId{8};
   impossible.tasks = {in_its_place};

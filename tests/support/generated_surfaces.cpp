@@ -1,12 +1,13 @@
 #include "tests/support/generated_surfaces.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
-#include <random>
 #include <utility>
 
+#include "tests/support/chance.h"
+#include "tests/support/generated_skins.h"
 #include "tests/support/shapes.h"
+#include "tests/support/surface_parts.h"
 
 namespace tetfarm::shapes {
 namespace {
@@ -14,44 +15,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// The standard's distributions differ between libraries; this does not.
-class Chance {
- public:
-  explicit Chance(std::uint64_t seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) / 9007199254740992.0;
-  }
-  /// From low to high, both included.
-  int pick(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  bool coin() { return (random_() & 1024) != 0; }
-  /// A small number of any order of size.
-  double small(int lowest_power, int highest_power) {
-    const double leading = between(0.2, 1);
-    return leading * std::pow(10, pick(lowest_power, highest_power));
-  }
-
- private:
-  std::mt19937_64 random_;
-};
-
-void add_quad(SurfaceMesh& mesh, const std::array<std::int32_t, 4>& q, bool is_turned) {
-  if (is_turned) {
-    mesh.triangles.push_back({q[1], q[2], q[3]});
-    mesh.triangles.push_back({q[1], q[3], q[0]});
-  } else {
-    mesh.triangles.push_back({q[0], q[1], q[2]});
-    mesh.triangles.push_back({q[0], q[2], q[3]});
-  }
-}
-
-SurfaceMesh finished(SurfaceMesh mesh) {
-  mesh.patch_of_triangle.assign(mesh.triangles.size(), 0);
-  mesh.patch_names = {"surface"};
-  return mesh;
-}
 
 /// A prism of n sides whose top is turned; the sides' diagonals run inside.
 SurfaceMesh prism(int n, double twist, double height, double top_radius) {
@@ -71,7 +34,7 @@ SurfaceMesh prism(int n, double twist, double height, double top_radius) {
     const std::int32_t next = (k + 1) % n;
     add_quad(mesh, {k, next, n + next, n + k}, false);
   }
-  return finished(mesh);
+  return with_one_patch(mesh);
 }
 
 SurfaceMesh schoenhardt_prism(std::uint64_t seed, int) {
@@ -143,7 +106,7 @@ SurfaceMesh chazelle(std::uint64_t seed, int size) {
   add_side(low.back(), high, true, true);
   add_side(high.front(), low, false, false);
   add_side(high.back(), low, true, false);
-  return finished(mesh);
+  return with_one_patch(mesh);
 }
 
 SurfaceMesh star(std::uint64_t seed, int size) {
@@ -189,7 +152,7 @@ SurfaceMesh needles(std::uint64_t seed, int size) {
       }
     }
   }
-  return finished(mesh);
+  return with_one_patch(mesh);
 }
 
 /// A thin cone or spindle on a polygon: all its triangles meet at the tips.
@@ -208,7 +171,7 @@ SurfaceMesh spindle(std::uint64_t seed, int size) {
     mesh.triangles.push_back({k, next, n});
     mesh.triangles.push_back({next, k, n + 1});
   }
-  return finished(mesh);
+  return with_one_patch(mesh);
 }
 
 void append(SurfaceMesh& mesh, const SurfaceMesh& other) { mesh = between(mesh, other); }
@@ -232,106 +195,7 @@ SurfaceMesh near_shells(std::uint64_t seed, int size) {
     for (Vec3& p : beside.vertices) p.x += 2 + gap;
     append(mesh, beside);
   }
-  return finished(mesh);
-}
-
-/// The skin of the cells of an n x m x l grid that are in; diagonals by chance.
-SurfaceMesh skin(const std::array<int, 3>& n, const std::vector<bool>& is_in, Chance& chance) {
-  SurfaceMesh mesh;
-  std::map<std::array<int, 3>, std::int32_t> number;
-  const auto node = [&](const std::array<int, 3>& p) {
-    const auto [it, is_new] = number.try_emplace(p, static_cast<std::int32_t>(number.size()));
-    if (is_new) {
-      mesh.vertices.push_back({double(p[0]), double(p[1]), double(p[2])});
-    }
-    return it->second;
-  };
-  const auto holds = [&](const std::array<int, 3>& c) {
-    for (int k = 0; k < 3; ++k) {
-      if (c[at(k)] < 0 || c[at(k)] >= n[at(k)]) return false;
-    }
-    return static_cast<bool>(is_in[at((c[0] * n[1] + c[1]) * n[2] + c[2])]);
-  };
-  for (int cell = 0; cell < n[0] * n[1] * n[2]; ++cell) {
-    const std::array<int, 3> c = {cell / n[2] / n[1], cell / n[2] % n[1], cell % n[2]};
-    if (!holds(c)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int side = 0; side < 2; ++side) {
-        std::array<int, 3> beyond = c;
-        beyond[at(axis)] += 2 * side - 1;
-        if (holds(beyond)) continue;
-        std::array<int, 3> p = c;
-        p[at(axis)] += side;
-        std::array<std::int32_t, 4> q{};
-        for (int k = 0; k < 4; ++k) {
-          std::array<int, 3> corner = p;
-          corner[at((axis + 1) % 3)] += k == 1 || k == 2 ? 1 : 0;
-          corner[at((axis + 2) % 3)] += k >= 2 ? 1 : 0;
-          q[at(k)] = node(corner);
-        }
-        if (side == 0) std::swap(q[1], q[3]);
-        add_quad(mesh, q, chance.coin());
-      }
-    }
-  }
-  return finished(mesh);
-}
-
-/// Cells by chance; many touch along an edge and are told to be invalid.
-SurfaceMesh voxels(std::uint64_t seed, int size) {
-  Chance chance(seed);
-  const int n = chance.pick(2, 2 + size);
-  std::vector<bool> is_in(at(n * n * n), false);
-  // A walk, so that few cells touch along an edge only.
-  std::array<int, 3> c = {n / 2, n / 2, n / 2};
-  for (int step = chance.pick(2, 4 * n); step > 0; --step) {
-    is_in[at((c[0] * n + c[1]) * n + c[2])] = true;
-    int& x = c[at(chance.pick(0, 2))];
-    x = std::clamp(x + (chance.coin() ? 1 : -1), 0, n - 1);
-  }
-  return skin({n, n, n}, is_in, chance);
-}
-
-/// A plate with square holes: its genus is their number.
-SurfaceMesh handles(std::uint64_t seed, int size) {
-  Chance chance(seed);
-  const int n = 2 * chance.pick(1, size == 1 ? 2 : 7) + 1,
-            m = 2 * chance.pick(1, size == 1 ? 1 : 7) + 1;
-  std::vector<bool> is_in;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < m; ++j) is_in.push_back(i % 2 == 0 || j % 2 == 0);
-  }
-  SurfaceMesh mesh = skin({n, m, 1}, is_in, chance);
-  const double height = chance.coin() ? 1 : chance.small(-4, 1);
-  for (Vec3& p : mesh.vertices) p.z *= height;
-  return mesh;
-}
-
-/// A box of squares, its cospherical corners with diagonals by chance, some at random heights.
-SurfaceMesh grid(std::uint64_t seed, int size) {
-  Chance chance(seed);
-  const int n = chance.pick(1, 2 * size + 1);
-  SurfaceMesh mesh = skin({n, n, n}, std::vector<bool>(at(n * n * n), true), chance);
-  if (chance.coin()) return mesh;
-  for (Vec3& p : mesh.vertices) {
-    if (p.z == n) p.z += 0.25 * chance.pick(0, 12);
-  }
-  return mesh;
-}
-
-/// A cube of cubes: cells are left out at the odd places, as holes inside or as tunnels through
-/// all.
-SurfaceMesh cubes(std::uint64_t seed, int size) {
-  Chance chance(seed);
-  std::array<int, 3> n{};
-  for (int& x : n) x = 2 * chance.pick(1, size) + 1;
-  const int most_odd = chance.pick(1, 2);
-  std::vector<bool> is_in;
-  for (int cell = 0; cell < n[0] * n[1] * n[2]; ++cell) {
-    const std::array<int, 3> c = {cell / n[2] / n[1], cell / n[2] % n[1], cell % n[2]};
-    is_in.push_back(c[0] % 2 + c[1] % 2 + c[2] % 2 <= most_odd);
-  }
-  return skin(n, is_in, chance);
+  return with_one_patch(mesh);
 }
 
 /// Rings of points on a sphere or a cylinder: all on one sphere, quads flat.
@@ -360,7 +224,62 @@ SurfaceMesh rings(std::uint64_t seed, int size) {
       add_quad(mesh, {j * n + i, j * n + next, (j + 1) * n + next, (j + 1) * n + i}, chance.coin());
     }
   }
-  return finished(mesh);
+  return with_one_patch(mesh);
+}
+
+/// A cylinder as CAD tessellates it: both ends are fans of needles from one node of the rim, the
+/// side is a strip of two triangles a segment.
+SurfaceMesh drum(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int sides = size * chance.pick(20, 60);
+  const double height = chance.small(-3, 1);
+  const double top_radius = chance.coin() ? 1 : chance.between(0.3, 3);
+  return prism(sides, 0, height, top_radius);
+}
+
+/// The strip between two closed paths that begin side by side: at each step the one that lags goes
+/// on, so that where one has far more nodes there are fans.
+void add_strip(SurfaceMesh& mesh, std::int32_t first, int n, std::int32_t second, int m,
+               bool is_turned) {
+  const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+    mesh.triangles.push_back(is_turned ? Triangle{a, c, b} : Triangle{a, b, c});
+  };
+  for (int i = 0, j = 0; i < n || j < m;) {
+    const std::int32_t p = first + i % n, q = second + j % m;
+    if (j == m || (i < n && i * m <= j * n)) {
+      add(p, first + (i + 1) % n, q);
+      ++i;
+    } else {
+      add(p, second + (j + 1) % m, q);
+      ++j;
+    }
+  }
+}
+
+/// A plate with a round hole: rims of different numbers of nodes, strips of needles between them.
+SurfaceMesh washer(std::uint64_t seed, int size) {
+  Chance chance(seed);
+  const int outer = size * chance.pick(20, 60);
+  const int inner = size * chance.pick(5, 30);
+  const double thickness = chance.small(-3, 0);
+  const double radius = chance.between(0.3, 0.8);
+  SurfaceMesh mesh;
+  const auto add_rim = [&mesh](int n, double r, double z) {
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * pi * k / n;
+      mesh.vertices.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    }
+  };
+  add_rim(outer, 1, 0);
+  add_rim(outer, 1, thickness);
+  add_rim(inner, radius, 0);
+  add_rim(inner, radius, thickness);
+  const std::int32_t hole = 2 * outer;
+  add_strip(mesh, 0, outer, hole, inner, true);
+  add_strip(mesh, outer, outer, hole + inner, inner, false);
+  add_strip(mesh, 0, outer, outer, outer, false);
+  add_strip(mesh, hole, inner, hole + inner, inner, true);
+  return with_one_patch(mesh);
 }
 
 /// A tube along a torus knot that winds p times round the axis and q times round the ring.
@@ -392,13 +311,13 @@ SurfaceMesh knot(std::uint64_t seed, int size) {
       add_quad(mesh, {i * m + j, i * m + k, next * m + k, next * m + j}, chance.coin());
     }
   }
-  return finished(mesh);
+  return with_one_patch(mesh);
 }
 
 }  // namespace
 
 std::span<const SurfaceGenerator> surface_generators() {
-  static constexpr std::array<SurfaceGenerator, 13> all = {
+  static constexpr std::array<SurfaceGenerator, 15> all = {
       {{"schoenhardt_prism", schoenhardt_prism},
        {"twisted_prism", twisted_prism},
        {"chazelle", chazelle},
@@ -411,7 +330,9 @@ std::span<const SurfaceGenerator> surface_generators() {
        {"grid", grid},
        {"cubes", cubes},
        {"rings", rings},
-       {"knot", knot}}};
+       {"knot", knot},
+       {"drum", drum},
+       {"washer", washer}}};
   return all;
 }
 

@@ -72,6 +72,9 @@ Program::Program(const std::vector<std::string>& words, const std::filesystem::p
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     if (::chdir(folder.c_str()) != 0) ::_exit(127);
+    // Not the keys of whoever runs the test.
+    ::setenv("XDG_CONFIG_HOME", (folder / ".config").c_str(), 1);
+    ::unsetenv("TETFARM_KEYS");
     ::execv(arguments[0], arguments.data());
     ::_exit(127);
   }

@@ -54,6 +54,27 @@ TEST_F(Daemon, workers_outlive_a_killed_coordinator) {
   EXPECT_TRUE(two->is_running());
 }
 
+TEST_F(Daemon, a_worker_that_is_killed_leaves_nothing_behind_when_its_lease_is_over) {
+  const auto worker = start_worker();
+  submit(test::sphere_in_box(folder_.path(), 8, 2));
+  ASSERT_GT(stop_task_of(*worker), 0);
+  const std::filesystem::path scratch = folder_.path() / "store/scratch";
+  const std::string attempt = "attempt-" + std::to_string(attempts().back().id.value);
+  std::filesystem::create_directories(scratch / attempt);
+  test::write_contents(scratch / attempt / "mesh.vtkhdf", "half a mesh");
+  const auto files = [&scratch] {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(scratch)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  };
+  EXPECT_THAT(files(), ::testing::Contains(::testing::StartsWith("probe-")));
+  worker->signal(SIGKILL);
+  for (int i = 0; i < 400 && !files().empty(); ++i) pause_ms(50);
+  EXPECT_THAT(files(), ::testing::IsEmpty());
+}
+
 TEST_F(Daemon, a_worker_that_sleeps_past_its_lease_does_no_harm) {
   const std::string input = test::sphere_in_box(folder_.path(), 10, 2);
   const auto sleeper = start_worker();

@@ -21,7 +21,7 @@ class FurtherCuts : public test::Daemon {
     ASSERT_EQ(made.code, 0) << made.err;
   }
   /// Mesh tasks of half the ball need more; all other tasks, and those of a quarter, do not.
-  static constexpr const char* too_little_for_a_half = "28MB";
+  static constexpr const char* too_little_for_a_half = "31MB";
 
   std::string digest_of_local_run(int subdomains) const {
     return test::digest_of(
@@ -37,7 +37,7 @@ TEST_F(FurtherCuts, a_job_too_large_for_every_worker_gives_the_mesh_of_a_finer_o
   EXPECT_EQ(result["subdomains"], 4);
   ASSERT_EQ(result["cut_further"].size(), 2U);
   EXPECT_THAT(result["cut_further"]["L"].get<std::string>(),
-              HasSubstr("was out of memory with 28 MiB, all that the largest worker has"));
+              HasSubstr("was out of memory with 31 MiB, all that the largest worker has"));
   EXPECT_EQ(test::digest_of(ended), digest_of_local_run(4)) << "the same tree";
   EXPECT_THAT(ask({"events", "job-1", "--all"}).out, HasSubstr("cut further"));
 }

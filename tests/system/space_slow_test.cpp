@@ -96,6 +96,25 @@ TEST_F(Space, of_the_store_is_watched_before_it_is_gone) {
   expect_the_local_mesh(job);
 }
 
+TEST_F(Space, that_a_job_cannot_have_is_said_before_it_is_meshed) {
+  make_disk("disk", std::size_t{30} << 20U);
+  if (HasFatalFailure()) return;
+  start_coordinator("disk/store");
+  const auto worker = start_worker("--store", "disk/store");
+  const auto wait_for = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"submit", input_, "--store", store_};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended submitted = ask(words);
+    EXPECT_EQ(submitted.code, 0) << submitted.err;
+    return ask({"wait", submitted.out.substr(0, submitted.out.find('\n')), "--progress", "none"});
+  };
+  const Ended refused = wait_for({"--size", "0.06"});
+  EXPECT_EQ(refused.code, 6);
+  EXPECT_THAT(refused.err, HasSubstr("of disk, of which"));
+  EXPECT_THAT(refused.err, HasSubstr("would give about"));
+  EXPECT_EQ(wait_for({}).code, 0) << "others have room";
+}
+
 TEST_F(Space, of_one_worker_is_its_own_matter) {
   make_disk("disk", std::size_t{1} << 20U);
   if (HasFatalFailure()) return;

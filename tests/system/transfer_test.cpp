@@ -56,9 +56,9 @@ class Transfer : public ::testing::Test {
 
   std::unique_ptr<Program> start_coordinator(const std::string& endpoint) const {
     return std::make_unique<Program>(
-        std::vector<std::string>{"coordinator", "--store", "store", "--database", "state",
-                                 "--listen", endpoint, "--heartbeat-ms", "100", "--lease-ms",
-                                 "1500"},
+        std::vector<std::string>{"coordinator", "--store", "store", "--database", "state", "--keys",
+                                 "state/keys", "--listen", endpoint, "--heartbeat-ms", "100",
+                                 "--lease-ms", "1500"},
         folder_.path());
   }
   std::vector<std::string> with_key(std::vector<std::string> words, const std::string& name) const {

@@ -192,7 +192,7 @@ class ShownFarm : public ::testing::Test {
     if (at == std::string::npos || end == std::string::npos) return {};
     return all.substr(at + begin.size(), end - at - begin.size());
   }
-  std::string get(const std::string& path) const {
+  int connect() const {
     const std::string address = said("showing http://");
     const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in where{};
@@ -201,6 +201,10 @@ class ShownFarm : public ::testing::Test {
         htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.find(':') + 1))));
     ::inet_pton(AF_INET, "127.0.0.1", &where.sin_addr);
     EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&where), sizeof where), 0);
+    return fd;
+  }
+  std::string get(const std::string& path) const {
+    const int fd = connect();
     const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
     ::send(fd, request.data(), request.size(), MSG_NOSIGNAL);
     std::string answer;
@@ -222,6 +226,49 @@ TEST_F(ShownFarm, has_a_page_figures_and_health) {
   EXPECT_THAT(get("/metrics"), HasSubstr("\ntetfarm_workers{state=\"idle\"} 0\n"));
   EXPECT_THAT(get("/"), HasSubstr("<h2>Jobs</h2>"));
   EXPECT_THAT(get("/../etc/passwd"), HasSubstr("404"));
+}
+
+TEST_F(ShownFarm, has_health_while_slow_clients_take_every_place_again_and_again) {
+  std::vector<int> slow;
+  const std::string begin = "GET / HTTP/1.1\r\nX-Slow: ";
+  for (int round = 0; round < 20; ++round) {
+    for (int i = 0; i < 20; ++i) {
+      slow.push_back(connect());
+      ::send(slow.back(), begin.data(), begin.size(), MSG_NOSIGNAL);
+    }
+    EXPECT_THAT(get("/healthz"), HasSubstr("\r\n\r\nok\n")) << round;
+    EXPECT_THAT(get("/readyz"), HasSubstr("\r\n\r\nready\n")) << round;
+  }
+  for (const int fd : slow) ::close(fd);
+}
+
+TEST_F(ShownFarm, says_that_its_database_was_removed_and_takes_no_job_until_it_is_back) {
+  const std::string input = test::sphere_in_box(folder_.path(), 4, 1);
+  const std::string endpoint = said("listening on ");
+  const auto ask = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--connect", endpoint});
+    return run_program(words, folder_.path());
+  };
+  const std::filesystem::path database = folder_.path() / "store/tetfarm.db";
+  const std::filesystem::path elsewhere = folder_.path() / "elsewhere";
+  const std::string reason = database.filename().string() + ": the database was removed";
+  ASSERT_EQ(ask({"submit", input, "--store", "store"}).code, 0);
+  std::filesystem::rename(database, elsewhere);
+  const Ended refused = ask({"submit", input, "--size", "0.5", "--store", "store"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, HasSubstr(reason));
+  for (const char* command : {"jobs", "status"}) {
+    const Ended shown = ask({command});
+    EXPECT_EQ(shown.code, 0) << shown.err;
+    EXPECT_THAT(shown.out, HasSubstr(reason)) << command;
+    EXPECT_THAT(shown.out, HasSubstr("stuck")) << command;
+  }
+  EXPECT_THAT(get("/readyz"), HasSubstr("503"));
+  std::filesystem::rename(elsewhere, database);
+  while (get("/readyz").find("200 OK") == std::string::npos) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_THAT(ask({"submit", input, "--size", "0.5", "--store", "store"}).out, HasSubstr("job-2"));
 }
 
 TEST_F(ShownFarm, says_why_a_task_waits_and_escapes_what_strangers_wrote) {

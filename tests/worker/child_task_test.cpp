@@ -14,12 +14,12 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Runs a shell script as the task and returns its outcome; `said` collects the progress.
-wire::Envelope run_script(const std::string& script, std::vector<wire::Progress>* said = nullptr) {
+wire::Envelope run_script(const std::string& script, std::vector<wire::Doing>* said = nullptr) {
   wire::Assign assign;
   assign.set_task(7);
   assign.set_attempt(3);
   ChildTask child({.command = {"/bin/sh", "-c", script}}, assign);
-  const auto note = [said](const wire::Progress& progress) {
+  const auto note = [said](const wire::Doing& progress) {
     if (said != nullptr) said->push_back(progress);
   };
   while (true) {
@@ -58,27 +58,28 @@ TEST(ChildTask, result_carries_task_attempt_time_and_peak_memory) {
 }
 
 TEST(ChildTask, progress_arrives_before_the_result) {
-  wire::Envelope progress;
-  progress.mutable_progress()->set_stage("recovery");
-  progress.mutable_progress()->set_elements(11);
-  std::vector<wire::Progress> said;
-  const wire::Envelope outcome = run_script(say(progress) + say(done_with("elements", 1)), &said);
+  wire::Envelope beat;
+  beat.mutable_heartbeat()->mutable_doing()->set_stage("edges");
+  beat.mutable_heartbeat()->mutable_doing()->set_done(11);
+  std::vector<wire::Doing> said;
+  const wire::Envelope outcome = run_script(say(beat) + say(done_with("elements", 1)), &said);
   EXPECT_TRUE(outcome.has_done());
   ASSERT_EQ(said.size(), 1U);
-  EXPECT_EQ(said[0].stage(), "recovery");
-  EXPECT_EQ(said[0].elements(), 11U);
-  EXPECT_EQ(said[0].attempt(), 3U);
+  EXPECT_EQ(said[0].stage(), "edges");
+  EXPECT_EQ(said[0].done(), 11U);
 }
 
 TEST(ChildTask, the_log_has_the_stages_with_their_times_and_what_was_said) {
-  wire::Envelope progress;
-  progress.mutable_progress()->set_stage("recovery");
-  const wire::Envelope outcome =
-      run_script(say(progress) + say(progress) + "echo 'a warning' >&2; " + say(done_with("x", 1)));
+  wire::Envelope edges;
+  edges.mutable_heartbeat()->mutable_doing()->set_stage("edges");
+  wire::Envelope faces;
+  faces.mutable_heartbeat()->mutable_doing()->set_stage("faces");
+  const wire::Envelope outcome = run_script(say(edges) + say(faces) + say(edges) +
+                                            "echo 'a warning' >&2; " + say(done_with("x", 1)));
   ASSERT_TRUE(outcome.has_done());
   const std::string& log = outcome.done().log();
-  EXPECT_THAT(log, HasSubstr(" s  recovery\n"));
-  EXPECT_EQ(log.find("recovery"), log.rfind("recovery")) << "a stage is written once";
+  EXPECT_THAT(log, HasSubstr(" s  edges\n"));
+  EXPECT_EQ(log.find("edges"), log.rfind("edges")) << "a stage is written once";
   EXPECT_THAT(log, HasSubstr("a warning"));
   const wire::Envelope loud = run_script("head -c 100000 /dev/zero | tr '\\0' x; exit 1");
   ASSERT_TRUE(loud.has_failed());
@@ -129,16 +130,16 @@ TEST(ChildTask, garbage_and_an_absurd_length_do_not_hurt_the_worker) {
 TEST(ChildTask, a_program_that_is_not_there_is_a_failure) {
   ChildTask child({.command = {"/nowhere/tetfarm"}}, wire::Assign());
   std::optional<wire::Envelope> outcome;
-  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  while (!outcome) outcome = child.poll([](const wire::Doing&) {});
   EXPECT_TRUE(outcome->has_failed());
 }
 
 TEST(ChildTask, killing_ends_it) {
   ChildTask child({.command = {"/bin/sh", "-c", "sleep 1000"}}, wire::Assign());
-  EXPECT_FALSE(child.poll([](const wire::Progress&) {}).has_value());
+  EXPECT_FALSE(child.poll([](const wire::Doing&) {}).has_value());
   child.kill();
   std::optional<wire::Envelope> outcome;
-  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  while (!outcome) outcome = child.poll([](const wire::Doing&) {});
   EXPECT_THAT(outcome->failed().message(), HasSubstr("signal 9"));
 }
 
@@ -160,7 +161,7 @@ TEST(ChildTask, a_long_assignment_arrives_whole) {
                                "test $(wc -c) -eq " + wanted + " && " + say(done_with("ok", 1))}},
                   assign);
   std::optional<wire::Envelope> outcome;
-  while (!outcome) outcome = child.poll([](const wire::Progress&) {});
+  while (!outcome) outcome = child.poll([](const wire::Doing&) {});
   EXPECT_TRUE(outcome->has_done());
 }
 

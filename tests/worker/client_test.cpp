@@ -43,8 +43,12 @@ class WorkerClient : public ::testing::Test {
   }
 
   void start(const std::string& script, std::int64_t grace_ms = 20'000) {
-    const ArtifactStore store(folder_ + "/store");
     bind();
+    start_worker(script, grace_ms);
+  }
+
+  void start_worker(const std::string& script, std::int64_t grace_ms = 20'000) {
+    const ArtifactStore store(folder_ + "/store");
     worker_ = std::thread([this, script, grace_ms] {
       WorkerOptions options;
       options.endpoint = "ipc://" + folder_ + "/s";
@@ -143,6 +147,41 @@ std::string say_done() {
   wire::Envelope envelope;
   (*envelope.mutable_done()->mutable_numbers())["tets"] = 1;
   return printed(envelope);
+}
+
+TEST_F(WorkerClient, clears_up_behind_a_task_that_was_killed) {
+  const std::string scratch = folder_ + "/store/scratch";
+  start("mkdir " + scratch + "/attempt-9; echo half > " + scratch +
+        "/attempt-9/mesh.vtkhdf; kill -9 $$");
+  get_task_5();
+  EXPECT_EQ(hear(Body::kFailed).failed().attempt(), 9U);
+  EXPECT_FALSE(std::filesystem::exists(scratch + "/attempt-9"));
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, whose_probe_was_swept_away_leaves_another_before_it_does_without_the_store) {
+  start("true");
+  const std::string first = hear(Body::kHello).hello().probe_file();
+  std::filesystem::remove(folder_ + "/store/scratch/probe-" + first);
+  welcome(false, 60'000, false);
+  const std::string second = hear(Body::kHello).hello().probe_file();
+  EXPECT_NE(second, first);
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/store/scratch/probe-" + second));
+  welcome();
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, says_hello_as_soon_as_there_is_a_coordinator) {
+  start_worker("true");
+  // Long enough for the pauses between hellos that nobody hears to have grown to a second.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1'500));
+  bind();
+  router_.set(zmq::sockopt::rcvtimeo, 500);
+  ASSERT_EQ(hear_any().body_case(), Body::kHello);
+  router_.set(zmq::sockopt::rcvtimeo, 20'000);
+  welcome();
+  hear(Body::kReady);
 }
 
 TEST_F(WorkerClient, shows_the_stores_mark_and_asks_for_work) {

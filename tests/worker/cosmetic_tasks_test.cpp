@@ -91,7 +91,7 @@ class CosmeticTasks : public ::testing::Test {
       input.set_name(name);
     }
     assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
-    return run_task(store_, assign, body, [](const wire::Progress&) {});
+    return run_task(store_, assign, body, [](const wire::Doing&) {});
   }
 
   wire::Done run(const TaskBody& body, std::uint64_t path, const Files& inputs,

@@ -27,7 +27,7 @@ class RunTask : public ::testing::Test {
 
   wire::Envelope run(const TaskBody& body) {
     return run_task(store_, assign_, body,
-                    [this](const wire::Progress& progress) { said_.push_back(progress.stage()); });
+                    [this](const wire::Doing& progress) { said_.push_back(progress.stage()); });
   }
 
   void give(const std::string& name, const std::string& bytes) {
@@ -43,6 +43,22 @@ class RunTask : public ::testing::Test {
   wire::Assign assign_;
   std::vector<std::string> said_;
 };
+
+TEST_F(RunTask, what_an_attempt_has_in_the_making_goes_with_it_however_it_ends) {
+  const auto make = [](TaskIo& io) {
+    std::ofstream(io.scratch_path("mesh.vtkhdf")) << "half a mesh";
+    EXPECT_EQ(io.scratch_path("mesh.vtkhdf"), io.scratch_path("mesh.vtkhdf"));
+    EXPECT_TRUE(std::filesystem::exists(io.scratch_path("mesh.vtkhdf")));
+  };
+  EXPECT_TRUE(run(make).has_done());
+  EXPECT_TRUE(std::filesystem::is_empty(store_.scratch_folder()));
+  const wire::Envelope failed = run([&](TaskIo& io) {
+    make(io);
+    throw IoError("cannot write", "mesh.vtkhdf", ENOSPC);
+  });
+  EXPECT_TRUE(failed.failed().out_of_resources());
+  EXPECT_TRUE(std::filesystem::is_empty(store_.scratch_folder()));
+}
 
 TEST_F(RunTask, outputs_lie_in_the_store_under_their_names) {
   give("word", "tet");
@@ -116,18 +132,22 @@ TEST_F(RunTask, an_unknown_kind_fails) { EXPECT_TRUE(run(nullptr).has_failed());
 
 TEST_F(RunTask, every_stage_is_told_once_however_often_it_is_said) {
   const wire::Envelope result = run([](TaskIo& io) {
-    for (int i = 0; i < 1000; ++i) io.progress("recovery", i);
-    for (int i = 0; i < 1000; ++i) io.progress("points", i);
+    for (int round = 0; round < 100; ++round) {
+      io.progress().begin(WorkStage::edges, 10);
+      for (int i = 0; i < 10; ++i) io.progress().add();
+      io.progress().begin(WorkStage::points, 10);
+      for (int i = 0; i < 10; ++i) io.progress().add();
+    }
   });
   ASSERT_GE(said_.size(), 2U);
   EXPECT_LT(said_.size(), 100U);
-  EXPECT_EQ(said_.front(), "recovery");
-  EXPECT_EQ(said_.back(), "points");
+  EXPECT_EQ(said_[0], "edges");
+  EXPECT_EQ(said_[1], "points");
 }
 
 TEST_F(RunTask, a_missing_store_is_a_failure_not_a_crash) {
   const wire::Envelope result = run_task_in(
-      "/nowhere/at/all", assign_, [](TaskIo&) {}, [](const wire::Progress&) {});
+      "/nowhere/at/all", assign_, [](TaskIo&) {}, [](const wire::Doing&) {});
   EXPECT_TRUE(result.has_failed());
 }
 

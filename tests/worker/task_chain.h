@@ -65,7 +65,7 @@ class TaskChain : public ::testing::Test {
       input.set_name(name);
     }
     assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
-    return run_task(store_, assign, body, [](const wire::Progress&) {});
+    return run_task(store_, assign, body, [](const wire::Doing&) {});
   }
 
   wire::Artifact output(const wire::Envelope& result, const std::string& name) {

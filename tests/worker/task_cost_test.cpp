@@ -17,6 +17,14 @@ TEST(TaskCost, more_elements_triangles_and_spacing_take_more) {
   EXPECT_GT(mesh_cost({2e6, 5e4, 4e6}).seconds, 1.5 * mesh_cost(size).seconds);
 }
 
+TEST(TaskCost, needles_take_seconds_but_no_memory) {
+  const SubdomainSize good{1e5, 5e4, 4e6};
+  const SubdomainSize bad{1e5, 5e4, 4e6, 2000};
+  EXPECT_GT(mesh_cost(bad).seconds, 2 * mesh_cost(good).seconds);
+  EXPECT_GT(decompose_cost(bad).seconds, decompose_cost(good).seconds);
+  EXPECT_EQ(mesh_cost(bad).bytes, mesh_cost(good).bytes);
+}
+
 TEST(TaskCost, a_subdomain_that_fits_is_one_part_and_one_that_does_not_is_more) {
   const SubdomainSize size{1e6, 2e4, 1e6};
   const double own = leaf_bytes(size);
@@ -50,7 +58,7 @@ TEST(TaskCost, no_limit_below_the_process_itself_gives_endless_parts) {
 TEST(TaskCost, the_least_memory_has_room_for_every_task_that_does_not_shrink) {
   const SubdomainSize root{1e7, 2e5, 9e6};
   const double least = least_memory(1e7, root);
-  EXPECT_GE(least, inspect_cost(1e7, root.triangles, root.spacing_bytes).bytes);
+  EXPECT_GE(least, inspect_cost(1e7, root).bytes);
   EXPECT_GE(least, decompose_cost(root).bytes);
   EXPECT_GE(least, number_cost(root.triangles).bytes);
   EXPECT_LT(least, mesh_cost(root).bytes) << "else nothing is gained by cutting";

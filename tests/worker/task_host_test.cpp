@@ -47,6 +47,15 @@ TEST_F(TaskHosts, the_task_is_a_child_of_the_worker_and_not_of_the_host) {
   EXPECT_NE(host_.process(), *task);
 }
 
+TEST_F(TaskHosts, a_host_that_was_prepared_is_the_one_that_starts_tasks) {
+  host_.prepare();
+  const pid_t prepared = host_.process();
+  ASSERT_GT(prepared, 0);
+  host_.prepare();
+  EXPECT_EQ(exit_code(start(host_, "exit 7")), 7);
+  EXPECT_EQ(host_.process(), prepared);
+}
+
 TEST_F(TaskHosts, one_host_starts_many_tasks_side_by_side) {
   const auto first = start(host_, "sleep 1000");
   ASSERT_TRUE(first);
@@ -145,7 +154,7 @@ TEST_F(TaskHosts, a_child_task_runs_as_a_copy_or_else_as_its_program) {
     ChildTask child({.command = {"/bin/sh", "-c", "exit 8"}, .store = "exit 9", .host = &host},
                     assign);
     while (true) {
-      if (const auto outcome = child.poll([](const wire::Progress&) {})) {
+      if (const auto outcome = child.poll([](const wire::Doing&) {})) {
         return outcome->failed().message();
       }
       ::usleep(1000);

@@ -1,6 +1,9 @@
 // The tasks one after the other, without coordinator or processes: what each takes and gives.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -57,6 +60,92 @@ TEST_F(Tasks, parts_follow_from_the_wanted_size_when_not_given) {
   EXPECT_EQ(wanted_parts(job, 1e6, 1), 64) << "sixteen to a group";
   EXPECT_EQ(wanted_parts(job, 20'000, 1), 20) << "but no leaves of a few hundred elements";
   EXPECT_EQ(wanted_parts(job, 100, 1), 4);
+}
+
+TEST_F(Tasks, a_job_is_cut_by_its_own_size_when_nobody_says_how) {
+  const JobFile job = job_of(0);
+  EXPECT_EQ(wanted_parts(job, 3.9e5, 1), 1);
+  EXPECT_EQ(wanted_parts(job, 5e5, 1), 4) << "four workers have something to do";
+  EXPECT_EQ(wanted_parts(job, 4.1e5, 1), 4);
+  EXPECT_EQ(wanted_parts(job, 7.9e6, 1), 4);
+  EXPECT_EQ(wanted_parts(job, 3.2e7, 1), 16);
+  EXPECT_EQ(wanted_parts(job, 2e9, 1), 1000);
+}
+
+TEST_F(Tasks, inspect_refuses_more_elements_than_the_job_may_have_and_says_what_would_do) {
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 2);
+  JobFile job = job_of(0);
+  job.max_elements = 1'000'000;
+  for (const double size : {2e-3, 1e-5, 1e-7, 1e-300}) {
+    job.spacing_default = size;
+    const wire::Envelope result = inspect(job, ball);
+    ASSERT_TRUE(result.has_failed()) << size;
+    EXPECT_EQ(result.failed().exit_code(), 2);
+    EXPECT_FALSE(result.failed().may_retry());
+    EXPECT_THAT(result.failed().message(), HasSubstr("more than the 1.0 M that the job may have"));
+    EXPECT_THAT(result.failed().message(), HasSubstr("`--size 0.03"));
+  }
+}
+
+TEST_F(Tasks, the_size_that_inspect_names_is_within_the_limit) {
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 2);
+  JobFile job = job_of(0);
+  job.max_elements = 300'000;
+  job.spacing_default = 1e-4;
+  const std::string message = inspect(job, ball).failed().message();
+  const std::string before = "`--size ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  job.spacing_default = std::stod(message.substr(at + before.size()));
+  const wire::Envelope result = inspect(job, ball);
+  ASSERT_TRUE(result.has_done()) << result.failed().message();
+  EXPECT_LE(result.done().numbers().at("total_work"), 300'000);
+  EXPECT_GT(result.done().numbers().at("total_work"), 150'000) << "not far below it";
+}
+
+TEST_F(Tasks, inspect_refuses_what_the_disk_cannot_hold_unless_forced) {
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 2);
+  JobFile job = job_of(1);
+  job.spacing_default = 0.05;
+  const auto inspect_with = [&](const std::string& free_bytes) {
+    return run(inspect_task,
+               {{"job", publish(to_toml(job))}, {"input_surface", publish(off_of(ball))}},
+               {{"free_bytes", free_bytes}});
+  };
+  const wire::Envelope refused = inspect_with("9000000");
+  ASSERT_TRUE(refused.has_failed());
+  EXPECT_EQ(refused.failed().exit_code(), 6);
+  EXPECT_FALSE(refused.failed().may_retry());
+  EXPECT_FALSE(refused.failed().out_of_resources()) << "other jobs may go on";
+  EXPECT_THAT(refused.failed().message(), HasSubstr("of which 9.0 MB are free"));
+  EXPECT_THAT(refused.failed().message(), HasSubstr("`--size 0."));
+  EXPECT_TRUE(inspect_with("900000000").has_done());
+  EXPECT_TRUE(inspect_with("0").has_done()) << "not known";
+  job.max_elements = 0;
+  EXPECT_TRUE(inspect_with("9000000").has_done());
+}
+
+TEST_F(Tasks, inspect_forecasts_memory_disk_and_time) {
+  const wire::Envelope result = inspect(job_of(4), shapes::sphere({0, 0, 0}, 1, 3));
+  ASSERT_TRUE(result.has_done());
+  const auto& numbers = result.done().numbers();
+  EXPECT_GT(numbers.at("forecast_bytes"), 1e7);
+  EXPECT_GT(numbers.at("forecast_disk_bytes"), 50 * numbers.at("total_work"));
+  EXPECT_GT(numbers.at("forecast_seconds"), 0.1);
+}
+
+TEST_F(Tasks, sizes_asked_for_hold_on_the_outer_boundary) {
+  JobFile job = job_of(1);
+  job.outer_kind = "box";
+  job.outer_factor = 1.3;
+  const auto outer_triangles = [&](double size) {
+    job.spacing_default = size;
+    const wire::Envelope result = inspect(job, shapes::sphere({0, 0, 0}, 1, 2));
+    return surface_from_bytes(bytes(output(result, "surface")), "s").triangles.size() - 320;
+  };
+  // A side of 2.6, in parts of no more than 0.08.
+  EXPECT_EQ(outer_triangles(0.08), 12U * 33U * 33U);
+  EXPECT_LT(outer_triangles(0), 12U * 33U * 33U);
 }
 
 TEST_F(Tasks, each_region_is_a_part_at_least) {
@@ -280,6 +369,54 @@ TEST_F(Tasks, the_same_inputs_give_the_same_bytes) {
   EXPECT_EQ(once.done().SerializeAsString().size(), again.done().SerializeAsString().size());
   EXPECT_EQ(output(once, "left").hash(), output(again, "left").hash());
   EXPECT_EQ(output(once, "right").hash(), output(again, "right").hash());
+}
+
+/// While it lives, files of this process cannot grow beyond it, as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
+    const rlimit limit{bytes, before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  }
+  ~FileSizeLimit() {
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &before_), 0);
+    ::signal(SIGXFSZ, SIG_DFL);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(Tasks, that_fail_for_a_full_disk_leave_no_file_in_the_making) {
+  JobFile job = job_of(1);
+  job.formats = {"vtkhdf"};
+  const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 1));
+  Files files = {{"job", publish(to_toml(job))}, {"surface", output(inspected, "surface")}};
+  std::string table;
+  ASSERT_TRUE(settle(output(inspected, "root"), 1, 1, output(inspected, "spacing"), table, files));
+  const wire::Envelope numbered =
+      run(number_task, {{"surface", files["surface"]}}, {{"table", table}});
+  files["numbering"] = output(numbered, "numbering");
+  const Files inputs = {{"job", files["job"]},
+                        {"surface", files["surface"]},
+                        {"numbering", files["numbering"]},
+                        {"subdomain", files["subdomain:1"]},
+                        {"mesh", files["mesh:1"]}};
+  // In a process of its own, as tasks are: HDF5 may crash at the end of one in which a file could
+  // not be closed.
+  const auto fails_for_a_full_disk = [&] {
+    const FileSizeLimit full_disk(1000);
+    return run(write_task, inputs).has_failed();
+  };
+  EXPECT_EXIT(::_exit(fails_for_a_full_disk() ? 0 : 1), testing::ExitedWithCode(0), "");
+  for (const auto& entry : std::filesystem::directory_iterator(store_.scratch_folder())) {
+    ADD_FAILURE() << "left behind: " << entry.path();
+  }
+  EXPECT_TRUE(run(write_task, inputs).has_done()) << "with room it is done";
 }
 
 TEST(Evidence, names_triangles_of_the_input_and_of_cuts_with_their_place) {

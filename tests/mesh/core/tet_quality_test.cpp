@@ -31,6 +31,31 @@ TEST(TetQuality, the_corner_of_a_cube_has_right_angles) {
               1e-14);
 }
 
+TEST(TetQuality, only_tets_of_no_smaller_angle_are_passed_over) {
+  std::uint64_t state = 3;
+  const auto next = [&state] {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(state >> 11U) / 9007199254740992.0;
+  };
+  const auto point = [&next] {
+    const double px = next(), py = next(), pz = next();
+    return Vec3{px, py, pz};
+  };
+  int passed_over = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 a = point(), b = point(), c = point(), d = point();
+    const double smallest = dihedral_cosines(a, b, c, d).of_smallest;
+    for (const double cosine : {-1.0, 0.0, 0.5, 0.9, 0.99 * smallest, smallest, 1.01 * smallest}) {
+      if (may_have_smaller_dihedral(a, b, c, d, cosine)) continue;
+      EXPECT_LE(smallest, cosine);
+      ++passed_over;
+    }
+  }
+  EXPECT_GT(passed_over, 1000);
+  EXPECT_FALSE(may_have_smaller_dihedral(origin, x, y, z, 0.6));
+  EXPECT_TRUE(may_have_smaller_dihedral(origin, x, y, -z, 0.99)) << "inverted";
+}
+
 TEST(TetQuality, size_and_place_do_not_matter) {
   const Vec3 shift{100, -50, 25};
   const auto moved = [&](const Vec3& p) { return shift + 1e-3 * p; };

@@ -67,6 +67,13 @@ TEST(ValidateTetMesh, accepts_a_thin_wall_that_is_boundary_on_both_sides) {
   EXPECT_THAT(validate(mesh, triangles), IsEmpty());
 }
 
+TEST(ValidateTetMesh, finds_a_wall_that_is_boundary_on_both_sides_and_no_face) {
+  std::vector<Triangle> triangles = cube_triangles();
+  triangles.push_back({0, 1, 7});
+  triangles.push_back({0, 7, 1});
+  EXPECT_THAT(validate(star_of_cube(), triangles), Contains(HasSubstr("used by 0 tets")));
+}
+
 TEST(ValidateTetMesh, finds_a_missing_tet) {
   TetMesh mesh = star_of_cube();
   mesh.tets.pop_back();

@@ -61,6 +61,18 @@ TEST(WorkEstimate, knows_the_boundary_when_there_is_no_room_for_nodes) {
               tets_per_triangle * static_cast<double>(surface.triangles.size()), 1e-9);
 }
 
+TEST(WorkEstimate, of_more_nodes_than_could_be_visited_follows_the_volume) {
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 0.5, 3);
+  for (const double h : {1e-4, 1e-5, 1e-6}) {
+    SpacingOptions options;
+    options.background = h;
+    const SpacingField spacing = make_spacing_field(ball, options);
+    const double edge = spacing.lattice_cell_edge({0, 0, 0});
+    const double expected = 2 * tets_per_node * domain_volume(ball) / (edge * edge * edge);
+    EXPECT_NEAR(estimated_elements(root_subdomain(ball), spacing), expected, 0.02 * expected) << h;
+  }
+}
+
 TEST(WorkEstimate, keeps_samples_inside) {
   const WorkSamples work =
       sample_work(root_subdomain(shapes::nested_spheres(3)), SpacingField(0.1));

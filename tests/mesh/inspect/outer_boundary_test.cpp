@@ -89,6 +89,47 @@ TEST(OuterBoundary, is_coarser_by_itself_with_growth_but_never_too_coarse) {
   EXPECT_GT(triangles(500, 0), 150'000U);
 }
 
+double longest_edge(const SurfaceMesh& mesh, const std::string& patch) {
+  double longest = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.patch_names[static_cast<std::size_t>(mesh.patch_of_triangle[t])] != patch) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::pair{mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]};
+      longest = std::max(longest, distance(mesh.vertices[static_cast<std::size_t>(a)],
+                                           mesh.vertices[static_cast<std::size_t>(b)]));
+    }
+  }
+  return longest;
+}
+
+TEST(OuterBoundary, is_no_coarser_than_the_job_asks_for_everywhere) {
+  OuterBoundary outer{Kind::box, 1.3, 0};
+  const double by_itself = longest_edge(add_outer_boundary(body, outer, 0.3), "outer_box");
+  for (const double size : {0.04, 0.2, 0.5}) {
+    outer.default_spacing = size;
+    // A square's diagonal is the longest edge of its two triangles.
+    EXPECT_LE(longest_edge(add_outer_boundary(body, outer, 0.3), "outer_box"), 1.4143 * size);
+  }
+  outer.default_spacing = 100;
+  EXPECT_EQ(longest_edge(add_outer_boundary(body, outer, 0.3), "outer_box"), by_itself);
+  outer.default_spacing = 0.2;
+  outer.spacing = 0.9;
+  EXPECT_GT(longest_edge(add_outer_boundary(body, outer, 0.3), "outer_box"), 0.9)
+      << "a size of its own wins";
+}
+
+TEST(OuterBoundary, is_sketched_with_few_triangles_whatever_is_asked_for) {
+  for (const Kind kind : {Kind::box, Kind::sphere}) {
+    OuterBoundary outer{kind, 2, 0};
+    outer.default_spacing = 1e-9;
+    outer.is_sketch = true;
+    EXPECT_LE(add_outer_boundary(body, outer, 0.3).triangles.size(),
+              few_triangles + static_cast<double>(body.triangles.size()));
+    outer.is_sketch = false;
+    EXPECT_THROW(add_outer_boundary(body, outer, 0.3), UsageError);
+  }
+}
+
 TEST(OuterBoundary, refuses_what_would_touch_the_body) {
   for (const double factor : {0.0, -3.0, 0.9, 1.0, std::numeric_limits<double>::quiet_NaN(),
                               std::numeric_limits<double>::infinity()}) {
@@ -112,7 +153,7 @@ TEST(OuterBoundary, refuses_numbers_without_sense_and_says_which) {
   };
   EXPECT_THAT(message({Kind::box, 0.5, 0}, 0.3), HasSubstr("domain.factor: "));
   EXPECT_THAT(message({Kind::box, 5, -1}, 0.3), HasSubstr("domain.spacing: "));
-  EXPECT_THAT(message({Kind::box, 5, 1e-9}, 0.3), HasSubstr("more than 200000 triangles"));
+  EXPECT_THAT(message({Kind::box, 5, 1e-9}, 0.3), HasSubstr("more than 10000000 triangles"));
   EXPECT_THAT(message({Kind::box, 5, 0}, -0.1), HasSubstr("growth"));
   EXPECT_THROW(add_outer_boundary({}, {Kind::box, 5, 0}, 0.3), UsageError);
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <utility>
 
 #include "base/error.h"
 #include "tests/mesh/io/surface_texts.h"
@@ -78,12 +79,33 @@ TEST_F(ReadSurface, a_missing_file_is_not_found) {
   EXPECT_THROW(read_surface(folder_ / "folder.stl"), IoError);
 }
 
-TEST_F(ReadSurface, an_unknown_ending_lists_what_is_read) {
-  for (const std::string name : {"a.step", "a.gz", "a", "stl"}) {
-    EXPECT_THAT([&] { read_surface_bytes("x", name); },
-                ThrowsMessage<InvalidInput>(
-                    HasSubstr(name + ": is no surface by its ending; Tetfarm reads .stl .obj .off "
-                                     ".msh .ply")));
+/// What is said of a file type, with the exit code that goes with it.
+std::pair<ExitCode, std::string> refusal_of(const std::string& name) {
+  try {
+    read_surface_bytes("x", name);
+  } catch (const Error& error) {
+    return {error.code(), error.what()};
+  }
+  return {ExitCode::ok, ""};
+}
+
+TEST_F(ReadSurface, an_unknown_ending_is_a_usage_error_that_lists_what_is_read) {
+  for (const std::string name : {"a.foo", "a.FOO", "a.foo.gz"}) {
+    const auto [code, message] = refusal_of(name);
+    EXPECT_EQ(code, ExitCode::usage);
+    EXPECT_THAT(message,
+                HasSubstr(name + ": unsupported file type `.foo`; Tetfarm reads .stl .obj"));
+  }
+  for (const std::string name : {"a", "stl", "a.gz"}) {
+    EXPECT_THAT(refusal_of(name).second, HasSubstr(name + ": a file without an ending"));
+  }
+}
+
+TEST_F(ReadSurface, a_file_of_cad_is_refused_with_the_command_that_triangulates_it) {
+  for (const std::string ending : {".stp", ".step", ".STEP", ".iges"}) {
+    const auto [code, message] = refusal_of("d/x" + ending);
+    EXPECT_EQ(code, ExitCode::usage);
+    EXPECT_THAT(message, HasSubstr("for CAD: `gmsh -2 d/x" + ending + " -o d/x.msh`"));
   }
 }
 

@@ -21,7 +21,7 @@ SpacingOctree blocks_round_a_source() {
 }
 
 /// Whether the cells of a block's lattice and those round it are of one level; false at the rim.
-bool is_among_equals(const SpacingOctree& octree, const LatticeCell& block, int level) {
+bool has_equals_round(const SpacingOctree& octree, const LatticeCell& block, int level) {
   const std::int32_t step = size_at_level(level);
   const std::int32_t size = size_at_level(block.level);
   for (std::int32_t x = -step; x <= size; x += step) {
@@ -40,7 +40,20 @@ bool is_among_equals(const SpacingOctree& octree, const LatticeCell& block, int 
 struct Counts {
   int even = 0;
   int uneven = 0;
+  int even_parts_of_uneven = 0;
 };
+
+/// The eighths of a block.
+void check_parts(const SpacingOctree& octree, const LatticeCell& block, int lattice_level,
+                 Counts& counts) {
+  for (std::size_t k = 0; k < 8; ++k) {
+    const LatticeCell part{block.level + 1,
+                           corner_of(block.low, size_at_level(block.level + 1), k)};
+    const bool is_even = has_equals_round(octree, part, lattice_level);
+    EXPECT_EQ(is_among_equals(octree, part, lattice_level), is_even);
+    if (is_even) ++counts.even_parts_of_uneven;
+  }
+}
 
 void check_blocks(const SpacingOctree& octree, std::size_t node, const LatticeCell& cell,
                   Counts& counts) {
@@ -55,9 +68,11 @@ void check_blocks(const SpacingOctree& octree, std::size_t node, const LatticeCe
   const auto leaf = static_cast<std::size_t>(~child);
   const int lattice_level = octree.lattice_level[leaf];
   if (lattice_level == cell.level) return;
-  const bool is_even = is_among_equals(octree, cell, lattice_level);
+  const bool is_even = has_equals_round(octree, cell, lattice_level);
+  EXPECT_EQ(is_among_equals(octree, cell, lattice_level), is_even);
   EXPECT_EQ(octree.owned_corners[leaf], is_even ? owned_among_equals : 0);
   ++(is_even ? counts.even : counts.uneven);
+  if (!is_even) check_parts(octree, cell, lattice_level, counts);
 }
 
 TEST(EvenBlocks, are_marked_where_all_round_them_is_of_their_size) {
@@ -66,6 +81,7 @@ TEST(EvenBlocks, are_marked_where_all_round_them_is_of_their_size) {
   check_blocks(octree, 0, {0, {}}, counts);
   EXPECT_GT(counts.even, 10);
   EXPECT_GT(counts.uneven, 10);
+  EXPECT_GT(counts.even_parts_of_uneven, 10);
 }
 
 void forget_marks(SpacingOctree& octree, std::size_t node, int level) {

@@ -65,5 +65,38 @@ INSTANTIATE_TEST_SUITE_P(
       return name + (test.param.outer_box > 0 ? "_in_box" : "");
     });
 
+/// Closed and valid, but with the needles, caps and fans of CAD and modelling programs.
+class RecoveryOfTessellation : public testing::TestWithParam<const char*> {};
+
+TEST_P(RecoveryOfTessellation, loses_no_triangle_and_leaves_few_points_inside) {
+  const char* folder = std::getenv("TETFARM_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "TETFARM_DATA is not set";
+  const CheckedSurface checked =
+      check_surface(read_surface(std::string(folder) + "/" + GetParam()));
+  ASSERT_TRUE(checked.report.defects.empty());
+  const Subdomain domain = root_subdomain(checked.surface);
+  VolumeMeshOptions options;
+  options.fill = false;
+  VolumeMeshReport report;
+  const TetMesh mesh = mesh_volume(domain, SpacingField(1), options, &report);
+  expect_mesh_of(mesh, domain);
+  EXPECT_GT(report.missing_edges, 100);
+  EXPECT_LT(report.interior_steiner_points, report.missing_edges / 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, RecoveryOfTessellation,
+                         testing::Values("cdt_bracket/bracket.off", "thingi_65004/65004.stl",
+                                         "thingi_72214/72214.stl", "thingi_472042/472042.stl",
+                                         "thingi_520644/520644.stl", "thingi_58011/58011.stl",
+                                         "printer_spool_holder/printer_spool_holder.stl",
+                                         "printer_extruder_cover/printer_extruder_cover.stl",
+                                         "printer_adapter_printer/printer_adapter_printer.stl",
+                                         "printer_psu_cover_delta/printer_psu_cover_delta.stl",
+                                         "printer_cable_holder/printer_cable_holder.stl"),
+                         [](const auto& test) {
+                           const std::string name = test.param;
+                           return name.substr(0, name.find('/'));
+                         });
+
 }  // namespace
 }  // namespace tetfarm

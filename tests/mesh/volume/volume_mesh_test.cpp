@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <vector>
+
 #include "base/error.h"
 #include "mesh/core/tet_quality.h"
 #include "tests/mesh/volume/volume_checks.h"
@@ -101,6 +105,45 @@ TEST(VolumeMesh, is_the_same_to_the_last_bit_each_time) {
   const TetMesh b = mesh_volume(domain, SpacingField(0.12));
   EXPECT_EQ(a.tets, b.tets);
   EXPECT_EQ(a.nodes, b.nodes);
+}
+
+TEST(VolumeMesh, is_the_same_whether_somebody_listens) {
+  for (const SurfaceMesh& surface : {shapes::random_star(2, 0.25, 1.5, 5), shapes::schoenhardt()}) {
+    const Subdomain domain = root_subdomain(surface);
+    VolumeMeshOptions listened;
+    std::int64_t calls = 0;
+    listened.progress = WorkProgress([&calls](const WorkCount&) { ++calls; });
+    const TetMesh a = mesh_volume(domain, SpacingField(0.2));
+    const TetMesh b = mesh_volume(domain, SpacingField(0.2), listened);
+    EXPECT_EQ(a.tets, b.tets);
+    EXPECT_EQ(a.nodes, b.nodes);
+    EXPECT_GT(calls, 4);
+  }
+}
+
+TEST(VolumeMesh, tells_its_stages_in_order_with_counts_that_never_fall) {
+  for (const InteriorPoints points : {InteriorPoints::lattice, InteriorPoints::sweeps}) {
+    const Subdomain domain = root_subdomain(shapes::random_star(2, 0.25, 1.5, 7));
+    std::vector<WorkStage> stages;
+    std::map<WorkStage, WorkCount> last;
+    VolumeMeshOptions options;
+    options.points = points;
+    options.progress = WorkProgress([&](const WorkCount& count) {
+      if (!last.contains(count.stage)) stages.push_back(count.stage);
+      const WorkCount& before = last[count.stage];
+      EXPECT_GE(count.pass, before.pass);
+      EXPECT_GE(count.done, before.done);
+      EXPECT_GE(count.total, before.total);
+      EXPECT_TRUE(count.total == 0 || count.done <= count.total);
+      last[count.stage] = count;
+    });
+    mesh_volume(domain, SpacingField(0.2), options);
+    EXPECT_THAT(stages, testing::IsSupersetOf({WorkStage::boundary, WorkStage::edges,
+                                               WorkStage::points, WorkStage::cosmetics}));
+    EXPECT_TRUE(std::is_sorted(stages.begin(), stages.end()));
+    EXPECT_GT(last[WorkStage::edges].done, 0U) << "the star has missing edges";
+    EXPECT_GT(last[WorkStage::cosmetics].pass, 0U);
+  }
 }
 
 TEST(VolumeMesh, names_the_place_of_two_vertices_at_one_point) {

@@ -1,0 +1,72 @@
+#include "cli/error_help.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error_with_help.h"
+
+namespace tetfarm {
+namespace {
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Commands that take a job, and so a surface or a job file.
+constexpr std::array<std::string_view, 3> of_jobs = {"run", "plan", "submit"};
+/// Commands that ask a coordinator.
+constexpr std::array<std::string_view, 16> of_clients = {
+    "submit",  "status", "wait", "cancel",  "retry", "drain",  "jobs", "tasks",
+    "workers", "events", "logs", "explain", "trace", "report", "pool", "worker"};
+/// Commands that have to do with keys.
+constexpr std::array<std::string_view, 4> of_keys = {"coordinator", "worker", "pool", "keys"};
+
+std::string help_for_usage(const Error& error, std::string_view command) {
+  const bool is_command = !command.empty() && !command.starts_with('-');
+  const std::string help =
+      "see `tetfarm " + (is_command ? std::string(command) + " " : "") + "--help`";
+  const bool is_of_job_file = std::string_view(error.what()).find(".toml:") != std::string::npos;
+  if (is_of_job_file) return help + " and docs/job_file.md";
+  return is_one_of(command, of_keys) ? help + " and docs/security.md" : help;
+}
+
+std::string help_for_what_is_missing(const Error& error, std::string_view command) {
+  if (dynamic_cast<const IoError*>(&error) != nullptr) return "check the path";
+  return is_one_of(command, of_clients)
+             ? "check the name, and that the coordinator runs and can be reached"
+             : "";
+}
+
+std::string help_for_failure(std::string_view command) {
+  if (command == "run") return "the logs lie in .tetfarm of the output folder; run again to retry";
+  return command == "wait" ? "`tetfarm logs JOB` shows what its tasks said" : "";
+}
+
+}  // namespace
+
+std::string help_for(const Error& error, std::string_view command) {
+  const auto* own = dynamic_cast<const ErrorWithHelp*>(&error);
+  if (own != nullptr) return own->help();
+  switch (error.code()) {
+    case ExitCode::usage:
+      return help_for_usage(error, command);
+    case ExitCode::bad_geometry:
+      if (command == "check") return "repair the input there";
+      if (!is_one_of(command, of_jobs) && command != "wait") return "";
+      return "repair the input there; `tetfarm check` shows every defect of a surface";
+    case ExitCode::not_found:
+      return help_for_what_is_missing(error, command);
+    case ExitCode::out_of_resources:
+      return command == "run" ? "make room; the same command goes on from here"
+                              : "make room, then try again";
+    default:
+      return help_for_failure(command);
+  }
+}
+
+std::string complaint(const std::string& message, const std::string& help) {
+  return "error: " + message + "\n" + (help.empty() ? "" : "help: " + help + "\n");
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,39 @@
+#include "cli/meshing_rate.h"
+
+#include <algorithm>
+
+namespace tetfarm {
+namespace {
+
+/// Rates of shorter times say nothing.
+constexpr std::int64_t least_ms = 1'000;
+
+}  // namespace
+
+double made_elements(const wire::JobStatus& status) {
+  return static_cast<double>(status.elements()) + std::max(status.elements_under_way(), 0.0);
+}
+
+void MeshingRate::note(const wire::JobStatus& status, std::int64_t now_ms) {
+  const double made = made_elements(status);
+  if (!has_begun_) {
+    if (status.stage() != "mesh" && made == 0) return;
+    has_begun_ = true;
+    first_ms_ = now_ms;
+    first_elements_ = made;
+  }
+  last_ms_ = now_ms;
+  // A leaf that is done has a little more or less than its share stood for.
+  most_elements_ = std::max(most_elements_, made);
+  if (status.estimated_elements() > 0) {
+    share_ = std::clamp(most_elements_ / status.estimated_elements(), share_, 1.0);
+  }
+}
+
+double MeshingRate::tets_per_second() const {
+  const std::int64_t ms = last_ms_ - first_ms_;
+  if (ms < least_ms) return 0;
+  return std::max(most_elements_ - first_elements_, 0.0) * 1000 / static_cast<double>(ms);
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,71 @@
+// Thousands of CAD-like surfaces. Each case prints its seeds and the ten that took longest.
+//
+// TETFARM_CAD_SEEDS=N has each generator make N surfaces of size 0; 1600, which makes 20,000 with
+// the larger ones, takes twenty minutes of processor time.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "tests/mesh/volume/cad_surfaces_checks.h"
+
+namespace tetfarm {
+namespace {
+
+/// A bound that only something wrong exceeds: most take some milliseconds.
+constexpr double most_seconds = 30;
+
+struct Cost {
+  double seconds = 0;
+  std::uint64_t seed = 0;
+  int size = 1;
+};
+
+class ManyCadSurfaces : public testing::TestWithParam<shapes::SurfaceGenerator> {
+ protected:
+  void mesh_seeds(std::uint64_t first, std::uint64_t end, int size) {
+    for (std::uint64_t seed = first; seed < end; ++seed) {
+      const double seconds = mesh_cad_surface(GetParam(), seed, size);
+      EXPECT_LT(seconds, most_seconds) << name_of(GetParam(), seed, size);
+      costs_.push_back({seconds, seed, size});
+    }
+    std::printf("%s: size %d, seeds %llu to %llu\n", GetParam().name, size,
+                static_cast<unsigned long long>(first), static_cast<unsigned long long>(end - 1));
+  }
+
+  void TearDown() override {
+    std::sort(costs_.begin(), costs_.end(),
+              [](const Cost& a, const Cost& b) { return a.seconds > b.seconds; });
+    double all = 0;
+    for (const Cost& cost : costs_) all += cost.seconds;
+    std::printf("%zu surfaces, %.1f s; the longest:\n", costs_.size(), all);
+    costs_.resize(std::min<std::size_t>(costs_.size(), 10));
+    for (const Cost& cost : costs_) {
+      std::printf("  %s: %.3f s\n", name_of(GetParam(), cost.seed, cost.size).c_str(),
+                  cost.seconds);
+    }
+  }
+
+ private:
+  std::vector<Cost> costs_;
+};
+
+std::uint64_t wanted_seeds() {
+  const char* wanted = std::getenv("TETFARM_CAD_SEEDS");
+  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 100;
+}
+
+// 12 generators: 1,200 and 720 surfaces.
+TEST_P(ManyCadSurfaces, are_all_meshed_at_a_bounded_cost) {
+  mesh_seeds(1000, 1000 + wanted_seeds(), 0);
+}
+
+TEST_P(ManyCadSurfaces, are_all_meshed_when_they_are_larger) { mesh_seeds(0, 60, 1); }
+
+INSTANTIATE_TEST_SUITE_P(Generators, ManyCadSurfaces,
+                         testing::ValuesIn(shapes::cad_surface_generators().begin(),
+                                           shapes::cad_surface_generators().end()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace tetfarm

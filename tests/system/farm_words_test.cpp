@@ -1,0 +1,37 @@
+// What the commands that act upon a farm say, and that all tell the same of a job.
+#include "tests/system/daemon_farm.h"
+
+namespace tetfarm {
+namespace {
+
+using test::Ended;
+using ::testing::HasSubstr;
+
+class FarmWords : public test::Daemon {};
+
+TEST_F(FarmWords, tell_the_same_elements_of_a_job_and_what_cannot_be_cancelled) {
+  const auto worker = start_worker();
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 6, 2));
+  const nlohmann::json waited = test::result_of(wait_for(job));
+  ASSERT_GT(waited["elements"], 0);
+  EXPECT_EQ(test::result_of(ask({"jobs", "--json"}))["elements"], waited["elements"]);
+  EXPECT_EQ(test::result_of(ask({"status", job, "--json"}))["elements"], waited["elements"]);
+  const Ended cancel = ask({"cancel", job});
+  EXPECT_EQ(cancel.code, 1);
+  EXPECT_EQ(cancel.out, "");
+  EXPECT_THAT(cancel.err, HasSubstr(job + " is done already: there is nothing to cancel"));
+  EXPECT_EQ(ask({"drain", "--all"}).out, "1 worker drains\n");
+}
+
+TEST_F(FarmWords, of_a_waiting_task_say_what_is_known_of_it) {
+  const std::string job = submit(test::sphere_in_box(folder_.path(), 4, 1));
+  const Ended explained = ask({"explain", "1"});
+  EXPECT_THAT(explained.out, HasSubstr("no worker is here"));
+  EXPECT_THAT(explained.out, ::testing::Not(HasSubstr(" and ,")));
+  EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " cancelled"));
+  EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " was cancelled already"));
+  EXPECT_EQ(ask({"drain", "--all"}).out, "0 workers drain\n");
+}
+
+}  // namespace
+}  // namespace tetfarm

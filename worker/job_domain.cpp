@@ -1,0 +1,84 @@
+#include "worker/job_domain.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/decompose/planar_cut.h"
+#include "mesh/inspect/region_map.h"
+
+namespace tetfarm {
+namespace {
+
+JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
+  SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
+  Subdomain root = root_subdomain(surface);
+  const double elements = estimated_elements(root, spacing);
+  return {std::move(surface), std::move(spacing), std::move(root), elements};
+}
+
+JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
+  OuterBoundary outer = outer_boundary_of(job);
+  outer.is_sketch = true;
+  return domain_inside(add_outer_boundary(checked, outer, job.growth), job);
+}
+
+}  // namespace
+
+OuterBoundary outer_boundary_of(const JobFile& job) {
+  OuterBoundary outer;
+  if (job.outer_kind == "box") {
+    outer.kind = OuterBoundary::Kind::box;
+  } else if (job.outer_kind == "sphere") {
+    outer.kind = OuterBoundary::Kind::sphere;
+  } else if (job.outer_kind != "none") {
+    throw UsageError("unknown outer boundary \"" + job.outer_kind + "\"", "[domain] outer");
+  }
+  outer.factor = job.outer_factor;
+  outer.spacing = job.outer_spacing;
+  outer.default_spacing = job.spacing_default;
+  return outer;
+}
+
+SpacingOptions spacing_options_of(const JobFile& job) {
+  if (!job.sources_file.empty()) {
+    throw UsageError("sources of another file must be in the job when it is submitted",
+                     job.sources_file);
+  }
+  SpacingOptions options;
+  options.background = job.spacing_default;
+  options.growth = job.growth;
+  options.inherit_surface = job.inherit_surface;
+  for (const JobSource& source : job.sources) {
+    Source& added = options.sources.emplace_back();
+    for (const JobSource::Corner& corner : source.corners) {
+      added.corners.push_back({.at = corner.at,
+                               .spacing = corner.spacing,
+                               .inner_radius = corner.inner,
+                               .outer_radius = corner.outer});
+    }
+  }
+  return options;
+}
+
+JobLimits limits_of_job(const JobFile& job, const SurfaceMesh& checked, double volume,
+                        double free_bytes) {
+  const auto elements_with = [&job, &checked](double size) {
+    JobFile coarser = job;
+    coarser.spacing_default = size;
+    return sketched_domain(coarser, checked).elements;
+  };
+  return {volume, elements_with, free_bytes};
+}
+
+JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
+  JobDomain sketch = sketched_domain(job, checked);
+  require_few_elements(job, sketch.elements,
+                       limits_of_job(job, checked, domain_volume(sketch.surface), 0));
+  const OuterBoundary outer = outer_boundary_of(job);
+  if (outer.kind == OuterBoundary::Kind::none) return sketch;
+  SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
+  if (surface.triangles.size() == sketch.surface.triangles.size()) return sketch;
+  return domain_inside(std::move(surface), job);
+}
+
+}  // namespace tetfarm

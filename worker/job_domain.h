@@ -1,0 +1,41 @@
+/// The domain of a job before it is cut: its boundary, its spacing, and how many elements it will
+/// have.
+///
+/// Source: thesis 4.3.1.9. Shared by the task `inspect` and by the commands that tell what a job
+/// would come to. What cannot be meshed within the job's limit is found out from a sketch of the
+/// outer boundary: a fine one may be larger than the memory.
+#pragma once
+
+#include "mesh/core/subdomain.h"
+#include "mesh/core/surface_mesh.h"
+#include "mesh/inspect/outer_boundary.h"
+#include "mesh/io/job_file.h"
+#include "mesh/spacing/spacing_field.h"
+#include "worker/job_forecast.h"
+
+namespace tetfarm {
+
+struct JobDomain {
+  SurfaceMesh surface;  ///< with the outer boundary
+  SpacingField spacing;
+  Subdomain root;
+  double elements = 0;  ///< estimated
+};
+
+/// The job's words in the terms of the mesh rooms. @throws UsageError for an unknown outer
+/// boundary.
+OuterBoundary outer_boundary_of(const JobFile& job);
+SpacingOptions spacing_options_of(const JobFile& job);
+
+/// @pre `checked` is a surface without defects. @throws UsageError when it would have more elements
+/// than the job may have, or as add_outer_boundary does; InvalidInput as make_spacing_field does.
+/// Cost: that of the spacing field, twice when the outer boundary is large; nine times as much
+/// when the job is refused.
+JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked);
+
+/// For require_disk: the domain's volume, and what a coarser job would come to.
+/// @pre job and `checked` outlive the result.
+JobLimits limits_of_job(const JobFile& job, const SurfaceMesh& checked, double volume,
+                        double free_bytes);
+
+}  // namespace tetfarm
