@@ -263,8 +263,10 @@ class Client {
     }
   }
 
-  /// The attempt ends here because of the world around it.
-  void fail(const Error& error, const std::string& damaged_input = "") {
+  /// The attempt ends here because of the world around it. An output that was lost is no fault of
+  /// the task: it is counted leniently.
+  void fail(const Error& error, const std::string& damaged_input = "",
+            bool output_is_lost = false) {
     end_child();
     unaccepted_.emplace();
     wire::Failed& failed = *unaccepted_->mutable_failed();
@@ -274,6 +276,7 @@ class Client {
     failed.set_exit_code(static_cast<int>(error.code()));
     failed.set_may_retry(true);
     failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
+    failed.set_killed(output_is_lost);
     if (!damaged_input.empty()) failed.add_damaged_inputs(damaged_input);
     blame_own_disk(failed);
     files_.forget_task();
@@ -291,6 +294,8 @@ class Client {
   void with_files(const Action& action) {
     try {
       action();
+    } catch (const CorruptFile& error) {
+      fail(error, "", true);
     } catch (const IoError& error) {
       fail(error);
     }

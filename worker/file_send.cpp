@@ -16,6 +16,7 @@ FileSend::Due FileSend::due(std::int64_t now_ms) {
   if (!is_open_) return due;
   while (const auto offset = window_.next(file_.size, there_, now_ms)) {
     due.chunks.push_back(*offset);
+    sent_ = *offset + chunk_size(file_.size, *offset);
   }
   return due;
 }
@@ -30,6 +31,8 @@ bool FileSend::take(const wire::FileStored& stored, std::int64_t now_ms) {
     // Each chunk behind a lost one says so; the first is enough.
     if (is_open_ && now_ms - resent_ms_ < resend_pause_ms) return true;
     resent_ms_ = now_ms;
+    if (stored.bytes() < sent_) ++setbacks_;
+    sent_ = stored.bytes();
     is_open_ = true;
     there_ = stored.bytes();
     window_.start_again(there_);

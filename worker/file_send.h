@@ -22,6 +22,9 @@ class FileSend {
   bool is_whole() const { return is_whole_; }
   /// Bytes that the coordinator has.
   std::uint64_t there() const { return there_; }
+  /// How often it went back to what was sent before: a chunk was lost, or the file is not what its
+  /// name says.
+  int setbacks() const { return setbacks_; }
 
   struct Due {
     bool offer = false;                 ///< the answer says where to begin
@@ -45,6 +48,8 @@ class FileSend {
   std::int64_t heard_ms_ = never;
   std::int64_t resent_ms_ = never;
   std::uint64_t there_ = 0;
+  std::uint64_t sent_ = 0;  ///< up to here, since it was last said where to go on
+  int setbacks_ = 0;
   ChunkWindow window_;
 };
 

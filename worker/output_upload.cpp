@@ -1,6 +1,7 @@
 #include "worker/output_upload.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_system.h"
@@ -40,9 +41,21 @@ wire::Envelope OutputUpload::chunk_at(std::uint64_t offset) const {
   chunk.set_attempt(attempt_);
   chunk.set_hash(file.hash);
   chunk.set_offset(offset);
-  fill_chunk(chunk, read_part_of_file(cache_.store().path_of(file.hash), offset,
-                                      chunk_size(file.size, offset)));
+  const std::uint64_t size = chunk_size(file.size, offset);
+  std::string bytes = read_part_of_file(cache_.store().path_of(file.hash), offset, size);
+  if (bytes.size() != size) check_file();
+  fill_chunk(chunk, std::move(bytes));
   return envelope;
+}
+
+void OutputUpload::check_file() const {
+  const StoredArtifact& file = files_.back().file();
+  try {
+    cache_.store().verify(file.hash, file.size);
+  } catch (const CorruptFile&) {
+    cache_.drop(file.hash);
+    throw;
+  }
 }
 
 std::vector<wire::Envelope> OutputUpload::due(std::int64_t now_ms) {
@@ -56,7 +69,9 @@ std::vector<wire::Envelope> OutputUpload::due(std::int64_t now_ms) {
 
 void OutputUpload::take(const wire::FileStored& stored, std::int64_t now_ms) {
   if (is_complete() || stored.attempt() != attempt_) return;
+  const int setbacks = files_.back().setbacks();
   files_.back().take(stored, now_ms);
+  if (files_.back().setbacks() > setbacks) check_file();
   if (files_.back().is_whole()) files_.pop_back();
 }
 

@@ -22,8 +22,10 @@ class OutputUpload {
 
   bool is_complete() const { return files_.empty(); }
 
-  /// What to send now. @throws IoError when a file cannot be read.
+  /// What to send now. @throws IoError when a file cannot be read; CorruptFile as `take`.
   std::vector<wire::Envelope> due(std::int64_t now_ms);
+  /// A file that has to be sent again is looked at first: one that was damaged here would be
+  /// refused for ever. It is dropped from the cache. @throws CorruptFile, IoError.
   void take(const wire::FileStored& stored, std::int64_t now_ms);
   /// The connection is new.
   void ask_again();
@@ -31,6 +33,7 @@ class OutputUpload {
  private:
   wire::Envelope offer() const;
   wire::Envelope chunk_at(std::uint64_t offset) const;
+  void check_file() const;
 
   const TaskCache& cache_;
   std::uint64_t task_;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/security/farm_under_attack.h"
+#include "tests/support/sanitized.h"
 
 namespace tetfarm {
 namespace {
@@ -22,14 +23,12 @@ constexpr int exit_bad_geometry = 3;
 constexpr double soon_s = 60;
 [[maybe_unused]] constexpr std::uint64_t most_bytes = std::uint64_t{300} << 20U;
 
-/// No process that this one has waited for ever held more than `most_bytes`. Not looked at under a
-/// sanitizer, whose shadow and quarantine are larger than that.
+/// No process that this one has waited for ever held more than `most_bytes`.
 void expect_little_memory() {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  if (test::is_sanitized) return;
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
   EXPECT_LE(static_cast<std::uint64_t>(usage.ru_maxrss) << 10U, most_bytes);
-#endif
 }
 
 /// A number as it lies in a file, little end first.

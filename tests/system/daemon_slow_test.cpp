@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/support/sanitized.h"
 #include "tests/system/daemon_farm.h"
 
 namespace tetfarm {
@@ -134,9 +135,7 @@ TEST_F(Daemon, a_zombies_result_is_refused_while_another_works_on_the_task) {
 }
 
 TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
-#endif
+  if (test::is_sanitized) GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
   const auto small = start_worker({"--memory", "3MB"});
   const std::string job = submit(test::sphere_in_box(folder_.path(), 24, 2));
   // Alone in the farm it has all the memory there is.
