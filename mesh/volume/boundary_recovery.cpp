@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "base/check.h"
 #include "mesh/volume/edge_recovery.h"
 #include "mesh/volume/face_recovery.h"
+#include "mesh/volume/facet_flips.h"
 #include "mesh/volume/steiner_insertion.h"
 #include "mesh/volume/steiner_relocation.h"
 #include "mesh/volume/steiner_settling.h"
@@ -25,6 +28,11 @@ constexpr std::array<int, 12> depths = {1, 2, 3, 4, 6, 8, 12, 16, 20, 30, 40, 60
 constexpr std::int64_t most_rings = 300;
 /// A pass is done again while it finds more than one in so many of what it looked for.
 constexpr std::size_t least_gain = 20;
+
+/// When a first attempt has failed, edges inside flat facets are swapped in as well, before the
+/// deeper passes and after them. Searches that lead nowhere end sooner then.
+constexpr std::size_t passes_before_facets = 3;
+constexpr int most_idle_passes = 6;
 
 /// What is to be split is tried once more first: points put in for others may have made room.
 constexpr std::array<int, 3> depths_before_splitting = {1, 4, 16};
@@ -48,41 +56,53 @@ void shuffle(std::vector<T>& things, std::uint64_t seed) {
   }
 }
 
+/// How deep to go, and how many passes in a row may gain next to nothing before the search ends.
+struct Depths {
+  std::span<const int> depths;
+  int most_idle;
+};
+
 /// Tries `recover(thing, depth)` for everything that is missing, deeper from pass to pass.
 template <typename Thing, typename Recover>
-void recover_in_passes(std::vector<Thing>& missing, WorkStage stage, const WorkProgress& progress,
-                       Recover recover) {
+void recover_in_passes(std::vector<Thing>& missing, const Depths& search, WorkStage stage,
+                       const WorkProgress& progress, Recover recover) {
   if (missing.empty()) return;
   progress.begin(stage, missing.size(), tell_every);
-  for (std::size_t pass = 0; pass < depths.size() && !missing.empty();) {
+  int idle = 0;
+  for (std::size_t pass = 0;
+       pass < search.depths.size() && !missing.empty() && idle < search.most_idle;) {
     progress.next_pass();
     const std::size_t before = missing.size();
     std::erase_if(missing, [&](const Thing& thing) {
-      const bool is_there = recover(thing, depths[pass]);
+      const bool is_there = recover(thing, search.depths[pass]);
       progress.add(is_there ? 1 : 0);
       return is_there;
     });
-    if (least_gain * (before - missing.size()) <= before) ++pass;
+    const bool is_idle = least_gain * (before - missing.size()) <= before;
+    idle = is_idle ? idle + 1 : 0;
+    if (is_idle) ++pass;
   }
 }
 
 void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::vector<Edge>& missing,
-                   const WorkProgress& progress) {
-  recover_in_passes(missing, WorkStage::edges, progress, [&](const Edge& edge, int depth) {
+                   const Depths& search, const WorkProgress& progress) {
+  recover_in_passes(missing, search, WorkStage::edges, progress, [&](const Edge& edge, int depth) {
     removal.set_budget(most_rings);
     return recover_edge(mesh, removal, edge[0], edge[1], depth);
   });
 }
 
 void recover_faces(LocalRemeshing& mesh, EdgeRemoval& removal, const RecoverySurface& surface,
-                   std::vector<std::int32_t>& missing, const WorkProgress& progress) {
-  recover_in_passes(missing, WorkStage::faces, progress, [&](std::int32_t number, int depth) {
-    const Triangle& face = surface.triangles()[at(number)];
-    removal.set_budget(most_rings);
-    if (!recover_face(mesh, removal, face, depth)) return false;
-    mesh.constrain(mesh.find_face(face[0], face[1], face[2]), true);
-    return true;
-  });
+                   std::vector<std::int32_t>& missing, const Depths& search,
+                   const WorkProgress& progress) {
+  recover_in_passes(missing, search, WorkStage::faces, progress,
+                    [&](std::int32_t number, int depth) {
+                      const Triangle& face = surface.triangles()[at(number)];
+                      removal.set_budget(most_rings);
+                      if (!recover_face(mesh, removal, face, depth)) return false;
+                      mesh.constrain(mesh.find_face(face[0], face[1], face[2]), true);
+                      return true;
+                    });
 }
 
 /// What one round of flips over the whole surface leaves missing.
@@ -93,18 +113,58 @@ struct Missing {
   std::int64_t faces_at_first = 0;
 };
 
-Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& surface, std::uint64_t seed,
-                         const WorkProgress& progress) {
+/// Points that were put beside the boundary, with the boundary triangles that wanted them.
+using PointsBeside = std::vector<SteinerSplit>;
+
+/// Missing edges that cross nothing but edges in one plane with them.
+void recover_in_facets(LocalRemeshing& mesh, const RecoverySurface& wanted,
+                       const SplitSurface& surface, std::vector<Edge>& missing,
+                       PointsBeside& beside) {
+  std::erase_if(missing, [&](const Edge& edge) {
+    std::vector<std::int32_t> points;
+    if (!recover_edge_in_facet(mesh, wanted, edge[0], edge[1], points)) return false;
+    // At once, before others take their room.
+    std::erase_if(points, [&](std::int32_t v) { return remove_node(mesh, wanted, v); });
+    if (points.empty()) return true;
+    const std::vector<std::int32_t> sources = sources_at(surface, edge[0], edge[1]);
+    for (const std::int32_t point : points) beside.push_back({point, sources});
+    return true;
+  });
+}
+
+/// The first attempt does without swaps in facets: the points that they take are near the boundary,
+/// and make needles.
+void recover_edges_in_all_ways(LocalRemeshing& mesh, EdgeRemoval& removal,
+                               const RecoverySurface& wanted, const SplitSurface& surface,
+                               std::uint64_t seed, const WorkProgress& progress,
+                               std::vector<Edge>& missing, PointsBeside& beside) {
+  const std::span<const int> all = depths;
+  if (seed == 0) {
+    recover_edges(mesh, removal, missing, {all, static_cast<int>(all.size())}, progress);
+    return;
+  }
+  recover_edges(mesh, removal, missing, {all.first(passes_before_facets), most_idle_passes},
+                progress);
+  recover_in_facets(mesh, wanted, surface, missing, beside);
+  recover_edges(mesh, removal, missing, {all.subspan(passes_before_facets), most_idle_passes},
+                progress);
+  recover_in_facets(mesh, wanted, surface, missing, beside);
+}
+
+Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& wanted,
+                         const SplitSurface& surface, std::uint64_t seed,
+                         const WorkProgress& progress, PointsBeside& beside) {
   Missing missing;
-  EdgeRemoval removal(mesh, surface);
-  missing.edges = missing_edges(mesh.complex(), surface);
+  EdgeRemoval removal(mesh, wanted);
+  missing.edges = missing_edges(mesh.complex(), wanted);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
   shuffle(missing.edges, seed);
-  recover_edges(mesh, removal, missing.edges, progress);
-  missing.faces = constrain_faces(mesh, surface);
+  recover_edges_in_all_ways(mesh, removal, wanted, surface, seed, progress, missing.edges, beside);
+  missing.faces = constrain_faces(mesh, wanted);
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
   shuffle(missing.faces, seed);
-  recover_faces(mesh, removal, surface, missing.faces, progress);
+  const int idle = seed == 0 ? static_cast<int>(depths.size()) : most_idle_passes;
+  recover_faces(mesh, removal, wanted, missing.faces, {depths, idle}, progress);
   return missing;
 }
 
@@ -191,27 +251,36 @@ bool split_missing(LocalRemeshing& mesh, const Missing& missing, SplitSurface& s
   return is_changed;
 }
 
+/// A first attempt is given up early: the next ones have more to try.
+bool shrinks_well(std::size_t missing, std::size_t least_before) {
+  constexpr std::size_t few = 250;
+  if (missing > few) return 3 * missing <= 2 * least_before;
+  return missing <= most_growth * least_before + 10;
+}
+
 /// Every boundary triangle is a face, whole or in parts. What could not be recovered even so is
 /// lost.
 SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
                               std::uint64_t seed, const WorkProgress& progress,
-                              RecoveredBoundary& result) {
+                              PointsBeside& beside, RecoveredBoundary& result) {
   std::size_t least_missing = triangles.size();
   SplitSurface surface = unsplit(triangles);
   for (int round = 0;; ++round) {
     const std::vector<Triangle> parts = surface.triangles;
     const RecoverySurface wanted(parts, static_cast<std::int32_t>(mesh.complex().points.size()));
-    const Missing missing = recover_by_flips(mesh, wanted, seed, progress);
+    const Missing missing = recover_by_flips(mesh, wanted, surface, seed, progress, beside);
     if (round == 0) {
       result.missing_edges = missing.edges_at_first;
       result.missing_faces = missing.faces_at_first;
     }
     if (missing.faces.empty()) return surface;
-    least_missing = std::min(least_missing, missing.faces.size());
+    const std::size_t least_before =
+        std::exchange(least_missing, std::min(least_missing, missing.faces.size()));
     if (surface.splits.empty()) mesh.know_surface(triangles);
     const bool is_hopeful =
-        missing.faces.size() <= most_growth * least_missing + 10 &&
-        surface.splits.size() <= triangles.size() + most_points_of_small_surface;
+        surface.splits.size() <= triangles.size() + most_points_of_small_surface &&
+        (seed == 0 && round > 0 ? shrinks_well(missing.faces.size(), least_before)
+                                : missing.faces.size() <= most_growth * least_missing + 10);
     if (is_hopeful && round < most_rounds && split_missing(mesh, missing, surface, progress)) {
       continue;
     }
@@ -224,10 +293,12 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
 
 /// Takes the Steiner points off the boundary and settles them; what does not work out is lost.
 void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, SplitSurface& surface,
-                const WorkProgress& progress, RecoveredBoundary& result) {
+                const PointsBeside& beside, const WorkProgress& progress,
+                RecoveredBoundary& result) {
   if (!surface.splits.empty()) progress.begin(WorkStage::added_points, surface.splits.size());
   std::vector<SteinerSplit> waiting(surface.splits.rbegin(), surface.splits.rend());
   std::vector<std::int32_t> points;
+  for (const SteinerSplit& point : beside) points.push_back(point.node);
   constexpr int most_sweeps = 4;
   for (int sweep = 0; sweep < most_sweeps && !waiting.empty(); ++sweep) {
     // Those that have left already may make room.
@@ -247,7 +318,9 @@ void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, Sp
   }
   const SettledPoints settled = settle_steiner_points(mesh, points, progress);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
-  for (const SteinerSplit& split : surface.splits) {
+  std::vector<SteinerSplit> all = surface.splits;
+  all.insert(all.end(), beside.begin(), beside.end());
+  for (const SteinerSplit& split : all) {
     if (std::find(settled.unsettled.begin(), settled.unsettled.end(), split.node) ==
         settled.unsettled.end()) {
       continue;
@@ -313,9 +386,10 @@ RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t
                                    const WorkProgress& progress) {
   RecoveredBoundary result;
   LocalRemeshing mesh(complex, constrained);
-  SplitSurface surface = recover_in_parts(mesh, triangles, seed, progress, result);
+  PointsBeside beside;
+  SplitSurface surface = recover_in_parts(mesh, triangles, seed, progress, beside, result);
   result.splits = static_cast<std::int64_t>(surface.splits.size());
-  if (result.lost.empty()) make_whole(mesh, triangles, surface, progress, result);
+  if (result.lost.empty()) make_whole(mesh, triangles, surface, beside, progress, result);
   std::sort(result.lost.begin(), result.lost.end());
   result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
   return result;

@@ -27,9 +27,9 @@ struct RecoveredBoundary {
 };
 
 /// `seed`: another order of the flips, for another attempt from the Delaunay tets; 0 is the plain
-/// order. On success (nothing lost) the boundary's faces are constrained on both sides, and no
-/// other. Tets outside may then be flat or turned round at split points, where nothing but walks
-/// go.
+/// order. Other attempts swap edges inside flat facets as well (facet_flips.h). On success (nothing
+/// lost) the boundary's faces are constrained on both sides, and no other. Tets outside may then be
+/// flat or turned round at split points, where nothing but walks go.
 /// @pre every node of the boundary is in a tet; no face is constrained.
 RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                                    const std::vector<Triangle>& triangles, std::uint64_t seed = 0,

@@ -1,6 +1,7 @@
 #include "mesh/volume/face_recovery.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace tetfarm {
 namespace {
@@ -12,9 +13,15 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 std::vector<std::array<std::int32_t, 2>> piercing_edges(const LocalRemeshing& mesh,
                                                         const Triangle& face) {
   std::vector<std::array<std::int32_t, 2>> found;
+  // Large faces of fans and plates are pierced by thousands.
+  std::unordered_set<std::uint64_t> seen;
   const auto add_if_piercing = [&](std::int32_t u, std::int32_t v) {
     const std::array<std::int32_t, 2> edge = {std::min(u, v), std::max(u, v)};
-    if (std::find(found.begin(), found.end(), edge) != found.end()) return;
+    if (!seen.insert(std::uint64_t{static_cast<std::uint32_t>(edge[0])} << 32U |
+                     static_cast<std::uint32_t>(edge[1]))
+             .second) {
+      return;
+    }
     const auto is_corner = [&face](std::int32_t w) {
       return w == face[0] || w == face[1] || w == face[2];
     };

@@ -79,9 +79,11 @@ void centre(LocalRemeshing& mesh, std::int32_t node) {
 }  // namespace
 
 bool remove_node(LocalRemeshing& mesh, std::int32_t node) {
-  // The faces of the surface are all there: being constrained, they guard themselves.
-  const RecoverySurface no_surface({}, 0);
-  EdgeRemoval removal(mesh, no_surface);
+  return remove_node(mesh, RecoverySurface({}, 0), node);
+}
+
+bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int32_t node) {
+  EdgeRemoval removal(mesh, surface);
   constexpr std::int64_t most_rings = 2000;
   removal.set_budget(most_rings);
   const std::size_t mark = mesh.mark();

@@ -12,6 +12,7 @@
 
 #include "base/work_progress.h"
 #include "mesh/volume/local_remeshing.h"
+#include "mesh/volume/recovery_surface.h"
 
 namespace tetfarm {
 
@@ -29,7 +30,10 @@ SettledPoints settle_steiner_points(LocalRemeshing& mesh, const std::vector<std:
 /// in no tet.
 void settle_steiner_point(LocalRemeshing& mesh, std::int32_t point);
 
-/// Takes an inner node out of the complex by flips. False: nothing has changed.
+/// Takes an inner node out of the complex by flips. False: nothing has changed. @pre the surface's
+/// faces are all there: being constrained, they guard themselves.
 bool remove_node(LocalRemeshing& mesh, std::int32_t node);
+/// The same while faces are missing: no edge of the surface that is there is removed.
+bool remove_node(LocalRemeshing& mesh, const RecoverySurface& surface, std::int32_t node);
 
 }  // namespace tetfarm

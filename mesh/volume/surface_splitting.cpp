@@ -60,6 +60,14 @@ void split_face(SplitSurface& surface, std::int32_t triangle, std::int32_t node)
   surface.source.push_back(surface.source[i]);
 }
 
+std::vector<std::int32_t> sources_at(const SplitSurface& surface, std::int32_t a, std::int32_t b) {
+  std::vector<std::int32_t> sources;
+  for (const EdgePlace& place : triangles_on(surface, a, b)) {
+    sources.push_back(surface.source[place.triangle]);
+  }
+  return sources;
+}
+
 std::optional<std::array<std::int32_t, 2>> opposite_corners(const SplitSurface& surface,
                                                             std::int32_t a, std::int32_t b) {
   const auto found = triangles_on(surface, a, b);

@@ -35,6 +35,9 @@ void split_edge(SplitSurface& surface, std::int32_t a, std::int32_t b, std::int3
 /// One triangle becomes three.
 void split_face(SplitSurface& surface, std::int32_t triangle, std::int32_t node);
 
+/// The boundary triangles that have parts on the edge ab.
+std::vector<std::int32_t> sources_at(const SplitSurface& surface, std::int32_t a, std::int32_t b);
+
 /// The other corners of the two triangles on the edge ab, when both are parts of one boundary
 /// triangle.
 std::optional<std::array<std::int32_t, 2>> opposite_corners(const SplitSurface& surface,

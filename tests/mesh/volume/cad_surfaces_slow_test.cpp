@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 #include "tests/mesh/volume/cad_surfaces_checks.h"
@@ -66,6 +67,38 @@ INSTANTIATE_TEST_SUITE_P(Generators, ManyCadSurfaces,
                          testing::ValuesIn(shapes::cad_surface_generators().begin(),
                                            shapes::cad_surface_generators().end()),
                          [](const auto& test) { return std::string(test.param.name); });
+
+struct HardSurface {
+  const char* generator;
+  int size;
+  std::uint64_t seed;
+};
+
+/// Large faces cut by ear-clipping, which flips in space and splits alone do not bring.
+constexpr HardSurface hard_surfaces[] = {{"split_extrusion", 2, 38},
+                                         {"split_extrusion", 3, 0},
+                                         {"filleted_bar", 3, 0},
+                                         {"perforated_plate", 2, 2}};
+
+class HardCadSurface : public testing::TestWithParam<HardSurface> {};
+
+TEST_P(HardCadSurface, is_meshed_by_swaps_in_its_facets) {
+  const auto& [name, size, seed] = GetParam();
+  const auto all = shapes::cad_surface_generators();
+  const auto generator = std::find_if(all.begin(), all.end(), [&](const auto& candidate) {
+    return std::string_view(candidate.name) == name;
+  });
+  ASSERT_NE(generator, all.end());
+  const double seconds = mesh_cad_surface(*generator, seed, size);
+  std::printf("%s: %.3f s\n", name_of(*generator, seed, size).c_str(), seconds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, HardCadSurface, testing::ValuesIn(hard_surfaces),
+                         [](const auto& test) {
+                           return std::string(test.param.generator) + "_" +
+                                  std::to_string(test.param.size) + "_" +
+                                  std::to_string(test.param.seed);
+                         });
 
 }  // namespace
 }  // namespace tetfarm
