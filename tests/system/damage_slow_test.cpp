@@ -93,10 +93,11 @@ TEST_P(Damage, of_every_kind_of_file_of_a_finished_job) {
 }
 
 TEST_P(Damage, of_every_kind_of_file_half_way) {
+  test::sphere_in_box(folder_.path(), 24, 4);  // in place of the small one: it has to last
   const std::string digest = run("reference");
   std::set<std::string> harmed;
   int stops = 0;
-  for (int after_ms = 300;; after_ms += 200) {
+  for (int after_ms = 120;; after_ms += 50 + after_ms / 4) {
     Program half(words("out"), folder_.path());
     std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
     half.signal(SIGTERM);
