@@ -318,14 +318,12 @@ void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, Sp
   }
   const SettledPoints settled = settle_steiner_points(mesh, points, progress);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
-  std::vector<SteinerSplit> all = surface.splits;
-  all.insert(all.end(), beside.begin(), beside.end());
-  for (const SteinerSplit& split : all) {
-    if (std::find(settled.unsettled.begin(), settled.unsettled.end(), split.node) ==
-        settled.unsettled.end()) {
-      continue;
+  for (const auto* points_of : {&std::as_const(surface.splits), &beside}) {
+    for (const SteinerSplit& split : *points_of) {
+      const auto& unsettled = settled.unsettled;
+      if (std::find(unsettled.begin(), unsettled.end(), split.node) == unsettled.end()) continue;
+      result.lost.insert(result.lost.end(), split.sources.begin(), split.sources.end());
     }
-    result.lost.insert(result.lost.end(), split.sources.begin(), split.sources.end());
   }
 }
 

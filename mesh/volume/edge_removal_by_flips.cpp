@@ -52,15 +52,10 @@ bool EdgeRemoval::is_held(std::int32_t tet) const {
 /// Whether its faces may go, and its tets are of no other ring but, for an ear, the two that it
 /// shares with the ring round it.
 bool EdgeRemoval::is_free(const EdgeRing& ring, const Target& target) const {
-  const std::size_t n = ring.tets.size();
-  std::size_t held = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::int32_t t = ring.tets[i];
-    const int opposite = mesh_.complex().local_node(t, ring.apexes[(i + 1) % n]);
-    if (mesh_.is_constrained(face_handle(t, opposite))) return false;
-    held += is_held(t) ? 1 : 0;
-  }
-  return held <= (target.ear >= 0 ? 2U : 0U);
+  if (mesh_.has_constraint(ring)) return false;
+  const auto held = std::count_if(ring.tets.begin(), ring.tets.end(),
+                                  [this](std::int32_t t) { return is_held(t); });
+  return held <= (target.ear >= 0 ? 2 : 0);
 }
 
 bool EdgeRemoval::flip_ring(const EdgeRing& ring, const Target& target,
@@ -72,13 +67,7 @@ bool EdgeRemoval::flip_ring(const EdgeRing& ring, const Target& target,
   const bool is_outermost = target.ear < 0;
   if (is_outermost && guard.is_of_something() ? change_ + change >= 0 : change > 0) return false;
   change_ += change;
-  std::vector<Tet> tets;
-  for (const auto& [i, j, k] : found->triangles) {
-    const std::int32_t p = ring.apexes[i], q = ring.apexes[j], r = ring.apexes[k];
-    tets.push_back({p, q, r, target.b});
-    tets.push_back({p, r, q, target.a});
-  }
-  last_tets_ = mesh_.replace(ring.tets, tets);
+  last_tets_ = mesh_.replace(ring.tets, tets_of(*found, ring, target.a, target.b));
   return true;
 }
 

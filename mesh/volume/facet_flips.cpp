@@ -67,7 +67,7 @@ class FacetFlips {
 
   /// The edge of the ring becomes the one between its wings. False: nothing has changed.
   bool swap(const EdgeRing& ring, const Edge& edge, const Wings& wing) {
-    if (has_constraint(ring)) return false;
+    if (mesh_.has_constraint(ring)) return false;
     const std::size_t mark = mesh_.mark();
     const std::size_t points = inside_.size();
     std::vector<Tet> tets;
@@ -82,16 +82,6 @@ class FacetFlips {
   }
 
  private:
-  bool has_constraint(const EdgeRing& ring) const {
-    const std::size_t n = ring.tets.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::int32_t t = ring.tets[i];
-      const int opposite = mesh_.complex().local_node(t, ring.apexes[(i + 1) % n]);
-      if (mesh_.is_constrained(face_handle(t, opposite))) return true;
-    }
-    return false;
-  }
-
   /// The apexes from the i-th on to the j-th: what lies on one side of the plane.
   static EdgeRing part(const EdgeRing& ring, std::size_t i, std::size_t j) {
     EdgeRing side;
@@ -106,11 +96,8 @@ class FacetFlips {
     const auto [u, v] = edge;
     const auto found = ring_triangulation(mesh_, side, u, v, -1, RecoveryGuard::of_nothing(mesh_));
     if (!found) return fill_with_point(side, edge, tets);
-    for (const auto& [i, j, k] : found->triangles) {
-      const std::int32_t p = side.apexes[i], q = side.apexes[j], r = side.apexes[k];
-      tets.push_back({p, q, r, v});
-      tets.push_back({p, r, q, u});
-    }
+    const std::vector<Tet> cut = tets_of(*found, side, u, v);
+    tets.insert(tets.end(), cut.begin(), cut.end());
     return true;
   }
 

@@ -247,6 +247,17 @@ FaceHandle LocalRemeshing::find_face(std::int32_t a, std::int32_t b, std::int32_
   return no_face;
 }
 
+bool LocalRemeshing::has_constraint(const EdgeRing& ring) const {
+  const std::size_t n = ring.tets.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t t = ring.tets[i];
+    if (is_constrained(face_handle(t, complex_.local_node(t, ring.apexes[(i + 1) % n])))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void LocalRemeshing::constrain(FaceHandle face, bool on) {
   const auto set = [this, on](FaceHandle f) {
     if (f == no_face) return;

@@ -87,6 +87,8 @@ class LocalRemeshing {
   bool is_constrained(FaceHandle face) const {
     return (constrained_[static_cast<std::size_t>(tet_of(face))] >> face_of(face) & 1) != 0;
   }
+  /// Whether a face between the edge and an apex is constrained.
+  bool has_constraint(const EdgeRing& ring) const;
   /// Sets or clears both sides. Not in the journal: called between searches only.
   void constrain(FaceHandle face, bool on);
 

@@ -73,6 +73,17 @@ class RingSearch {
 
 }  // namespace
 
+std::vector<Tet> tets_of(const RingTriangulation& triangulation, const EdgeRing& ring,
+                         std::int32_t a, std::int32_t b) {
+  std::vector<Tet> tets;
+  for (const auto& [i, j, k] : triangulation.triangles) {
+    const std::int32_t p = ring.apexes[i], q = ring.apexes[j], r = ring.apexes[k];
+    tets.push_back({p, q, r, b});
+    tets.push_back({p, r, q, a});
+  }
+  return tets;
+}
+
 std::optional<RingTriangulation> ring_triangulation(const LocalRemeshing& mesh,
                                                     const EdgeRing& ring, std::int32_t a,
                                                     std::int32_t b, std::int32_t ear,

@@ -23,6 +23,10 @@ struct RingTriangulation {
   int crossings = 0;  ///< of the new edges and faces with what is to be recovered
 };
 
+/// The tets between the triangles and the ends of the edge ab.
+std::vector<Tet> tets_of(const RingTriangulation& triangulation, const EdgeRing& ring,
+                         std::int32_t a, std::int32_t b);
+
 /// The one with the fewest crossings; nothing when there is none with all tets exactly positive.
 /// `ear` >= 0: that apex (a node) must lie in one triangle only.
 std::optional<RingTriangulation> ring_triangulation(const LocalRemeshing& mesh,

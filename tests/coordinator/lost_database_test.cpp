@@ -12,6 +12,7 @@
 #include "store/job_database.h"
 #include "tests/base/temp_folder.h"
 #include "tests/coordinator/child_coordinator.h"
+#include "tests/coordinator/store_messages.h"
 #include "tests/support/failing_writes.h"
 
 namespace tetfarm {
@@ -23,9 +24,9 @@ using test::Dealer;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class LostDatabase : public testing::Test {
+class LostDatabase : public testing::Test, protected test::WithStore {
  protected:
-  LostDatabase() : store_(folder_.path()), coordinator_(folder_.path(), options()) {}
+  LostDatabase() : coordinator_(folder_.path(), options()) {}
 
   CoordinatorOptions options() const {
     CoordinatorOptions options;
@@ -34,28 +35,6 @@ class LostDatabase : public testing::Test {
       write_file_atomically(file, address);
     };
     return options;
-  }
-  wire::Envelope submission(const std::string& key) const {
-    const StoredArtifact surface = store_.publish("solid wing");
-    wire::Envelope envelope;
-    wire::Submit& submit = *envelope.mutable_submit();
-    submit.set_job_toml("[geometry]\nsurface = \"a.stl\"\n");
-    submit.set_name("wing");
-    submit.set_key(key);
-    wire::Artifact& input = *submit.add_inputs();
-    input.set_name("input_surface");
-    input.set_hash(surface.hash);
-    input.set_size(surface.size);
-    return envelope;
-  }
-  wire::Envelope hello(std::uint64_t task = 0, std::uint64_t attempt = 0) const {
-    wire::Envelope envelope;
-    envelope.mutable_hello()->set_host("here");
-    envelope.mutable_hello()->set_nonce("one process");
-    envelope.mutable_hello()->set_store_probe(store_.probe());
-    envelope.mutable_hello()->set_running_task(task);
-    envelope.mutable_hello()->set_running_attempt(attempt);
-    return envelope;
   }
   static wire::Envelope status_request() {
     wire::Envelope envelope;
@@ -102,8 +81,6 @@ class LostDatabase : public testing::Test {
   std::string log() const { return read_file(folder_.path() / "coordinator.log"); }
 
   test::FailingWrites disk_;
-  TempFolder folder_;
-  ArtifactStore store_;
   ChildCoordinator coordinator_;
 };
 

@@ -21,6 +21,7 @@
 #include "store/job_database.h"
 #include "tests/base/temp_folder.h"
 #include "tests/coordinator/child_coordinator.h"
+#include "tests/coordinator/store_messages.h"
 
 namespace tetfarm {
 namespace {
@@ -29,38 +30,14 @@ using test::ChildCoordinator;
 using test::Dealer;
 using testing::HasSubstr;
 
-class ServerTest : public testing::Test {
+class ServerTest : public testing::Test, protected test::WithStore {
  protected:
-  ServerTest() : store_(folder_.path()), coordinator_(folder_.path()) {}
+  ServerTest() : coordinator_(folder_.path()) {}
 
-  wire::Envelope hello(std::uint64_t task = 0, std::uint64_t attempt = 0) {
-    wire::Envelope envelope;
-    envelope.mutable_hello()->set_host("here");
-    envelope.mutable_hello()->set_nonce("one process");
-    envelope.mutable_hello()->set_store_probe(store_.probe());
-    envelope.mutable_hello()->set_running_task(task);
-    envelope.mutable_hello()->set_running_attempt(attempt);
-    return envelope;
-  }
   static wire::Envelope ready() {
     wire::Envelope envelope;
     envelope.mutable_ready();
     return envelope;
-  }
-  wire::Envelope submission(const std::string& key) {
-    const StoredArtifact surface = store_.publish("solid wing");
-    wire::Envelope envelope;
-    wire::Submit& submit = *envelope.mutable_submit();
-    submit.set_job_toml("[geometry]\nsurface = \"a.stl\"\n");
-    submit.set_name("wing");
-    submit.set_key(key);
-    add_file(*submit.add_inputs(), "input_surface", surface);
-    return envelope;
-  }
-  static void add_file(wire::Artifact& file, const std::string& name, const StoredArtifact& from) {
-    file.set_name(name);
-    file.set_hash(from.hash);
-    file.set_size(from.size);
   }
   /// The result of a make-believe task, its files published.
   /// Inspect, two cuts, a mesh and a portion for each of three leaves, number, assemble.
@@ -72,7 +49,7 @@ class ServerTest : public testing::Test {
     done.set_task(assign.task());
     done.set_attempt(assign.attempt());
     const auto add = [&](const std::string& name) {
-      add_file(
+      test::add_file(
           *done.add_outputs(), name,
           store_.publish(name + std::to_string(assign.kind()) + std::to_string(assign.path())));
     };
@@ -119,8 +96,6 @@ class ServerTest : public testing::Test {
     return envelope;
   }
 
-  TempFolder folder_;
-  ArtifactStore store_;
   ChildCoordinator coordinator_;
 };
 
