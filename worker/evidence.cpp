@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/file_system.h"
+#include "mesh/io/write_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -14,6 +15,25 @@ std::string coordinates(const Vec3& p) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
   return text;
+}
+
+SurfaceMesh surface_of(const Subdomain& subdomain) {
+  SurfaceMesh surface;
+  surface.vertices = subdomain.vertices;
+  surface.triangles = subdomain.triangles;
+  return surface;
+}
+
+std::string file_name_of(const Subdomain& subdomain, const std::string& ending) {
+  return "subdomain_" + subdomain.path.text() + ending;
+}
+
+Refusal::File marked_triangles(const TaskIo& io, const Subdomain& subdomain,
+                               const std::string& reason,
+                               const std::vector<std::int32_t>& triangles) {
+  const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
+  return {file_name_of(subdomain, ".defects.vtp"),
+          defects_as_vtp(io, surface_of(subdomain), {{"not recovered", reason, numbers}})};
 }
 
 }  // namespace
@@ -52,6 +72,27 @@ std::string subdomain_message(const Subdomain& subdomain, const std::string& rea
     message += "\n  and " + std::to_string(triangles.size() - named) + " more";
   }
   return message;
+}
+
+RefusedInput refused_subdomain(const TaskIo& io, const Subdomain& subdomain,
+                               const std::string& reason,
+                               const std::vector<std::int32_t>& triangles) {
+  return {subdomain_message(subdomain, reason, triangles),
+          {marked_triangles(io, subdomain, reason, triangles)}};
+}
+
+OwnDefect unrecovered_subdomain(const TaskIo& io, const Subdomain& subdomain,
+                                const std::string& reason,
+                                const std::vector<std::int32_t>& triangles) {
+  const std::string surface = file_name_of(subdomain, ".off");
+  const std::string message =
+      subdomain_message(subdomain, reason, triangles) +
+      "\nThis is a defect of Tetfarm: the surface is valid. Please send " + surface +
+      " to its developers; it holds this sub-domain exactly and is enough to repeat the failure. " +
+      "Another number of sub-domains may get around it.";
+  return {message,
+          {marked_triangles(io, subdomain, reason, triangles),
+           {surface, write_off(surface_of(subdomain))}}};
 }
 
 }  // namespace tetfarm

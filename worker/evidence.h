@@ -1,4 +1,4 @@
-/// Files that show a person what is wrong with a surface.
+/// Files that show a person what is wrong with a surface, and what a sub-domain's task ends with.
 #pragma once
 
 #include <string>
@@ -21,5 +21,17 @@ std::string describe_triangle(const Subdomain& subdomain, std::int32_t triangle)
 /// triangles.
 std::string subdomain_message(const Subdomain& subdomain, const std::string& reason,
                               const std::vector<std::int32_t>& triangles);
+
+/// The input is to blame: subdomain_message, and a .vtp file of the triangles. @throws IoError.
+RefusedInput refused_subdomain(const TaskIo& io, const Subdomain& subdomain,
+                               const std::string& reason,
+                               const std::vector<std::int32_t>& triangles);
+
+/// Tetfarm is to blame: a valid surface was not recovered. With the same .vtp, and with the
+/// sub-domain's surface as an OFF file whose coordinates are exact, which is enough to repeat it.
+/// @throws IoError.
+OwnDefect unrecovered_subdomain(const TaskIo& io, const Subdomain& subdomain,
+                                const std::string& reason,
+                                const std::vector<std::int32_t>& triangles);
 
 }  // namespace tetfarm

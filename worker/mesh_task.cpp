@@ -51,26 +51,15 @@ LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spa
                   &spacing](const Subdomain& part) { return planar_cut(part, spacing, cutting); }};
 }
 
-[[noreturn]] void refuse(TaskIo& io, const Subdomain& leaf, const std::string& reason,
-                         const std::vector<std::int32_t>& triangles) {
-  SurfaceMesh surface;
-  surface.vertices = leaf.vertices;
-  surface.triangles = leaf.triangles;
-  const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
-  const std::string shown = defects_as_vtp(io, surface, {{"not recovered", reason, numbers}});
-  throw RefusedInput(subdomain_message(leaf, reason, triangles),
-                     {{"subdomain_" + leaf.path.text() + ".defects.vtp", shown}});
-}
-
 TetMesh mesh_or_refuse(TaskIo& io, const JobFile& job, const Subdomain& leaf,
                        const SpacingField& spacing) {
   try {
     return leaf_mesh(leaf, real_meshers(io, job, spacing));
   } catch (const RecoveryFailure& failure) {
-    refuse(io, leaf, failure.what(), failure.triangles());
+    throw unrecovered_subdomain(io, leaf, failure.what(), failure.triangles());
   } catch (const InvalidInput& error) {
-    const std::vector<std::int32_t> triangles(error.triangles().begin(), error.triangles().end());
-    refuse(io, leaf, error.what(), triangles);
+    throw refused_subdomain(io, leaf, error.what(),
+                            {error.triangles().begin(), error.triangles().end()});
   }
 }
 

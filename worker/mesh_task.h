@@ -8,8 +8,9 @@
 
 namespace tetfarm {
 
-/// The mesh is validated before it is published. @throws RefusedInput naming the sub-domain and
-/// input triangles, with a .vtp file, when the leaf cannot be meshed.
+/// The mesh is validated before it is published. @throws OwnDefect naming the sub-domain and
+/// triangles, with files to look at and to send, when its boundary was not recovered; RefusedInput
+/// when two of its vertices lie in one place.
 void mesh_task(TaskIo& io);
 
 }  // namespace tetfarm

@@ -26,8 +26,8 @@ void call_out_of_memory(wire::Failed& failed) {
 }
 
 /// Evidence that cannot be stored must not hide the reason itself.
-void add_evidence(wire::Failed& failed, const ArtifactStore& store, const RefusedInput& refused) {
-  for (const RefusedInput::File& file : refused.evidence()) {
+void add_evidence(wire::Failed& failed, const ArtifactStore& store, const Refusal& refused) {
+  for (const Refusal::File& file : refused.evidence()) {
     try {
       const StoredArtifact stored = store.publish(file.bytes);
       wire::Artifact& artifact = *failed.add_evidence();
@@ -45,8 +45,8 @@ void add_evidence(wire::Failed& failed, const ArtifactStore& store, const Refuse
 wire::Failed caught_failure(const ArtifactStore* store) {
   try {
     throw;
-  } catch (const RefusedInput& refused) {
-    wire::Failed failed = failure(refused.what(), ExitCode::bad_geometry, false);
+  } catch (const Refusal& refused) {
+    wire::Failed failed = failure(refused.what(), refused.code(), false);
     if (store != nullptr) add_evidence(failed, *store, refused);
     return failed;
   } catch (const DamagedInput& error) {

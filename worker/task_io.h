@@ -20,19 +20,33 @@
 
 namespace tetfarm {
 
-/// Bad input together with files that show it; the runner publishes them.
-class RefusedInput : public std::runtime_error {
+/// An end for good, together with files that show why; the runner publishes them.
+class Refusal : public Error {
  public:
   struct File {
     std::string name;
     std::string bytes;
   };
-  RefusedInput(const std::string& message, std::vector<File> evidence)
-      : std::runtime_error(message), evidence_(std::move(evidence)) {}
+  Refusal(ExitCode code, const std::string& message, std::vector<File> evidence)
+      : Error(code, message), evidence_(std::move(evidence)) {}
   const std::vector<File>& evidence() const { return evidence_; }
 
  private:
   std::vector<File> evidence_;
+};
+
+/// The input is bad.
+class RefusedInput : public Refusal {
+ public:
+  RefusedInput(const std::string& message, std::vector<File> evidence)
+      : Refusal(ExitCode::bad_geometry, message, std::move(evidence)) {}
+};
+
+/// The input is good, and Tetfarm fails at it each time.
+class OwnDefect : public Refusal {
+ public:
+  OwnDefect(const std::string& message, std::vector<File> evidence)
+      : Refusal(ExitCode::failed, message, std::move(evidence)) {}
 };
 
 /// An input that is missing or not what its checksum says: the task that made it has to run again.

@@ -9,6 +9,8 @@
 #include <new>
 
 #include "base/error.h"
+#include "mesh/io/read_surface.h"
+#include "worker/evidence.h"
 
 namespace tetfarm {
 namespace {
@@ -88,6 +90,32 @@ TEST_F(RunTask, bad_input_ends_the_job_with_its_exit_code_and_evidence) {
   ASSERT_EQ(failed.evidence_size(), 1);
   EXPECT_EQ(failed.evidence(0).name(), "wing.defects.vtp");
   EXPECT_EQ(store_.read(failed.evidence(0).hash(), failed.evidence(0).size()), "<VTKFile/>");
+}
+
+TEST_F(RunTask, a_surface_that_was_not_recovered_is_called_our_defect_with_a_file_to_send) {
+  Subdomain subdomain;
+  subdomain.path = {5};
+  subdomain.vertices = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  subdomain.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for (std::uint32_t i = 0; i < 4; ++i) subdomain.triangle_origin.push_back({0, i + 10});
+  const wire::Envelope result = run([&](TaskIo& io) {
+    throw unrecovered_subdomain(io, subdomain, "1 boundary triangles were not recovered", {2});
+  });
+  const wire::Failed& failed = result.failed();
+  EXPECT_FALSE(failed.may_retry());
+  EXPECT_EQ(failed.exit_code(), 1);
+  EXPECT_THAT(failed.message(), HasSubstr("sub-domain LR: 1 boundary"));
+  EXPECT_THAT(failed.message(), HasSubstr("triangle 12 of the input at (0.333333"));
+  EXPECT_THAT(failed.message(), HasSubstr("defect of Tetfarm"));
+  ASSERT_EQ(failed.evidence_size(), 2);
+  EXPECT_EQ(failed.evidence(0).name(), "subdomain_LR.defects.vtp");
+  const wire::Artifact& to_send = failed.evidence(1);
+  EXPECT_THAT(failed.message(), HasSubstr("send " + to_send.name()));
+  const std::string file = folder_ + "/sent.off";
+  std::ofstream(file) << store_.read(to_send.hash(), to_send.size());
+  const SurfaceMesh sent = read_surface(file);
+  EXPECT_EQ(sent.vertices, subdomain.vertices);
+  EXPECT_EQ(sent.triangles, subdomain.triangles);
 }
 
 TEST_F(RunTask, a_wrong_job_file_is_not_tried_again) {
