@@ -67,9 +67,9 @@ void CoordinatorConnection::connect() {
 void CoordinatorConnection::heed_handshake() {
   const HandshakeWatch::Outcome outcome = socket_->handshakes.take();
   if (outcome == HandshakeWatch::Outcome::none) return;
-  trouble_ = "; " + explanation_of(outcome);
+  trouble_ = "; " + socket_->handshakes.explanation_of(outcome);
   if (outcome == HandshakeWatch::Outcome::broken) return;
-  throw Error(ExitCode::failed, endpoint_ + ": " + explanation_of(outcome));
+  throw Error(ExitCode::failed, endpoint_ + ": " + socket_->handshakes.explanation_of(outcome));
 }
 
 /// Nothing when `until` or a signal comes first, or what came says nothing.

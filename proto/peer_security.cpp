@@ -83,15 +83,18 @@ HandshakeWatch::Outcome HandshakeWatch::take() {
   return worst;
 }
 
-std::string explanation_of(HandshakeWatch::Outcome outcome) {
+std::string HandshakeWatch::explanation_of(Outcome outcome) const {
+  const bool has_key = ears_->watched.get(zmq::sockopt::mechanism) == ZMQ_CURVE;
   switch (outcome) {
-    case HandshakeWatch::Outcome::none:
+    case Outcome::none:
       return "";
-    case HandshakeWatch::Outcome::broken:
-      return "who listens there cuts the connection off: is --coordinator-key its key?";
-    case HandshakeWatch::Outcome::turned_away:
+    case Outcome::broken:
+      return has_key ? "who listens there cuts the connection off: is --coordinator-key its key?"
+                     : "who listens there cuts the connection off: one side wants keys and the "
+                       "other has none (see --key), or it is no coordinator";
+    case Outcome::turned_away:
       return "this key is not authorised there";
-    case HandshakeWatch::Outcome::other_kind:
+    case Outcome::other_kind:
       return "one side wants keys and the other has none: see --key";
   }
   return "";

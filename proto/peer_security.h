@@ -47,19 +47,19 @@ class HandshakeWatch {
 
   enum class Outcome {
     none,         ///< nothing new
-    broken,       ///< cut off without a word: a wrong key of the coordinator, or it just died
+    broken,       ///< cut off without a word: a wrong key of the coordinator, or none where it
+                  ///< wants one, or it just died
     turned_away,  ///< the coordinator does not know this key
     other_kind,   ///< one side is plain, the other encrypted
   };
   /// The worst outcome since the last call.
   Outcome take();
+  /// What to tell a person; "" for none.
+  std::string explanation_of(Outcome outcome) const;
 
  private:
   struct Ears;
   std::unique_ptr<Ears> ears_;
 };
-
-/// What to tell a person; "" for none.
-std::string explanation_of(HandshakeWatch::Outcome outcome);
 
 }  // namespace tetfarm

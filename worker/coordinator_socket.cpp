@@ -38,10 +38,10 @@ void CoordinatorSocket::heed_handshake() {
   const HandshakeWatch::Outcome outcome = handshakes_->take();
   if (outcome == HandshakeWatch::Outcome::none) return;
   if (outcome != HandshakeWatch::Outcome::broken) {
-    throw Error(ExitCode::failed, endpoint_ + ": " + explanation_of(outcome));
+    throw Error(ExitCode::failed, endpoint_ + ": " + handshakes_->explanation_of(outcome));
   }
   if (std::has_single_bit(++broken_handshakes_)) {
-    spdlog::warn("{}: {}", endpoint_, explanation_of(outcome));
+    spdlog::warn("{}: {}", endpoint_, handshakes_->explanation_of(outcome));
   }
 }
 
