@@ -14,8 +14,6 @@ namespace {
 
 static_assert(std::is_same_v<idx_t, std::int32_t>, "the graph is handed over as it is");
 
-constexpr idx_t seed = 20;
-
 /// METIS does not write to what it is given.
 idx_t* given(const std::vector<std::int32_t>& numbers) {
   return numbers.empty() ? nullptr : const_cast<idx_t*>(numbers.data());
@@ -24,7 +22,7 @@ idx_t* given(const std::vector<std::int32_t>& numbers) {
 std::array<idx_t, METIS_NOPTIONS> metis_options(const MetisOptions& options) {
   std::array<idx_t, METIS_NOPTIONS> values;
   METIS_SetDefaultOptions(values.data());
-  values[METIS_OPTION_SEED] = seed;
+  values[METIS_OPTION_SEED] = options.seed;
   values[METIS_OPTION_NCUTS] = options.trials;
   values[METIS_OPTION_UFACTOR] = options.imbalance_in_thousandths;
   values[METIS_OPTION_CONTIG] = options.contiguous ? 1 : 0;

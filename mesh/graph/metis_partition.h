@@ -18,6 +18,7 @@ struct MetisOptions {
   /// The heaviest part may exceed the mean by so many thousandths; METIS does not always keep it.
   std::int32_t imbalance_in_thousandths = 30;
   std::int32_t trials = 1;  ///< the best of so many is taken
+  std::int32_t seed = 20;   ///< another one gives another answer
   /// Parts are to be of one piece each; only k-way can, and only of a graph of one piece.
   bool contiguous = false;
   /// For k_way_volume: what it costs that another part has to know the node. One for each node.
