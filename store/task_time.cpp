@@ -39,7 +39,7 @@ Belief belief_of(TaskKind kind) {
     case TaskKind::assimilate:
       return {{0.01, 0, 1.5e-6, 0}};
     case TaskKind::mesh:
-      return {{0.006, 1.8e-6, 8e-6, 0.8e-3}};
+      return {{0.006, 1.8e-6, 8e-6, 0.45e-3}};
     case TaskKind::order:
       return {{0.006, 0, 0.1e-6, 0}};
     case TaskKind::extract:

@@ -27,13 +27,13 @@ TEST(TaskExpectation, goes_by_elements) {
 TEST(TaskExpectation, a_leaf_full_of_needles_is_expected_to_take_longer) {
   TaskExpectation expectation;
   for (int i = 0; i < 20; ++i) expectation.learn(mesh_task_of("100000", "", 0.3));
-  EXPECT_GT(*expectation.seconds(mesh_task_of("20000", "5000", 0)), 3);
+  EXPECT_GT(*expectation.seconds(mesh_task_of("20000", "5000", 0)), 2);
   EXPECT_NEAR(*expectation.seconds(mesh_task_of("100000", "0", 0)), 0.3, 1e-9);
 }
 
 TEST(TaskExpectation, a_leaf_full_of_needles_does_not_make_others_late) {
   TaskExpectation expectation;
-  expectation.learn(mesh_task_of("20000", "5000", 60));
+  expectation.learn(mesh_task_of("20000", "5000", 30));
   EXPECT_LT(*expectation.seconds(mesh_task_of("20000", "", 0)), 1);
 }
 

@@ -10,7 +10,7 @@ namespace tetfarm {
 namespace {
 
 constexpr TaskSize even{2e5, 1e4, 0};
-constexpr TaskSize with_needles{2e5, 1e4, 2000};
+constexpr TaskSize with_needles{2e5, 1e4, 4000};
 
 double width(const SecondsRange& range) { return range.high / range.low; }
 
@@ -44,7 +44,7 @@ TEST(TaskTime, one_task_changes_what_is_expected_but_not_all_the_way) {
 double taken(const TaskSize& size, std::mt19937& random) {
   const double error = 0.9 + 0.2 * static_cast<double>(random() % 1000) / 999;
   return error * (0.02 + 9e-6 * size.elements + 20e-6 * size.triangles +
-                  5e-3 * size.needles * size.needles / (size.needles + 2000));
+                  3e-3 * size.needles * size.needles / (size.needles + 2000));
 }
 
 TEST(TaskTime, after_many_tasks_is_that_of_the_machine_and_sure) {

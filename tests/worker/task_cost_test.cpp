@@ -19,7 +19,7 @@ TEST(TaskCost, more_elements_triangles_and_spacing_take_more) {
 
 TEST(TaskCost, needles_take_seconds_but_no_memory) {
   const SubdomainSize good{1e5, 5e4, 4e6};
-  const SubdomainSize bad{1e5, 5e4, 4e6, 2000};
+  const SubdomainSize bad{1e5, 5e4, 4e6, 4000};
   EXPECT_GT(mesh_cost(bad).seconds, 2 * mesh_cost(good).seconds);
   EXPECT_GT(decompose_cost(bad).seconds, decompose_cost(good).seconds);
   EXPECT_EQ(mesh_cost(bad).bytes, mesh_cost(good).bytes);
