@@ -16,7 +16,8 @@ class SlurmFarm : public test::BatchFarm {
     // munge wants its socket to be reachable by all.
     std::filesystem::permissions(folder_of_test_.path(), std::filesystem::perms(0711));
     ::setenv("SLURM_CONF", (slurm_ / "slurm.conf").c_str(), 1);
-    const int port = 20'000 + ::getpid() % 4'000 * 10;
+    // Below the ports that the system hands out by itself.
+    const int port = 20'000 + ::getpid() % 1'200 * 10;
     const CommandOutcome up =
         farm("up", "3 " + std::to_string(port) + " " + std::to_string(::getpid()));
     ASSERT_EQ(up.code, 0) << up.err;
