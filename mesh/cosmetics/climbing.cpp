@@ -5,9 +5,14 @@ namespace tetfarm::cosmetics {
 Vec3 shortest_in_hull(std::span<const Vec3> vectors) {
   Vec3 now = vectors[0];
   for (int i = 0; i < 24; ++i) {
-    const auto nearest =
-        std::min_element(vectors.begin(), vectors.end(),
-                         [&](const Vec3& a, const Vec3& b) { return dot(a, now) < dot(b, now); });
+    const Vec3* nearest = nullptr;
+    double least = HUGE_VAL;
+    for (const Vec3& vector : vectors) {
+      const double along = dot(vector, now);
+      if (nearest != nullptr && !(along < least)) continue;
+      nearest = &vector;
+      least = along;
+    }
     const Vec3 towards = *nearest - now;
     const double gain = -dot(now, towards);
     if (gain <= 1e-3 * norm2(now)) break;

@@ -32,6 +32,12 @@ concept Measure = requires(const T& measure, const StarFace& face, const Vec3& p
   { measure(face, p) } -> std::convertible_to<double>;
 };
 
+/// One that tells the smaller of two faces faster than one after the other.
+template <typename T>
+concept MeasureOfTwo = requires(const T& measure, const StarFace& face, const Vec3& p) {
+  { measure(face, face, p) } -> std::convertible_to<double>;
+};
+
 /// The shortest vector in the convex hull (Gilbert's iteration), close enough for a direction.
 Vec3 shortest_in_hull(std::span<const Vec3> vectors);
 
@@ -42,9 +48,14 @@ double shortest_distance2(const Star& star, const Vec3& p);
 template <Measure M>
 double worst_at(const Star& star, const Vec3& p, double least, const M& measure) {
   double worst = HUGE_VAL;
-  for (const StarFace& face : star) {
-    worst = std::min<double>(worst, measure(face, p));
-    if (worst < least) break;
+  std::size_t i = 0;
+  if constexpr (MeasureOfTwo<M>) {
+    for (; i + 1 < star.size() && !(worst < least); i += 2) {
+      worst = std::min<double>(worst, measure(star[i], star[i + 1], p));
+    }
+  }
+  for (; i < star.size() && !(worst < least); ++i) {
+    worst = std::min<double>(worst, measure(star[i], p));
   }
   return worst;
 }

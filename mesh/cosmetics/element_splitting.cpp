@@ -1,6 +1,7 @@
 #include "mesh/cosmetics/element_splitting.h"
 
 #include <algorithm>
+#include <queue>
 
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smoothing.h"
@@ -10,6 +11,8 @@ namespace tetfarm::cosmetics {
 namespace {
 
 constexpr std::size_t most_cavity = 24;
+/// Layers of flat tets are larger.
+constexpr std::size_t most_cavity_of_flat = 160;
 constexpr std::size_t most_ring = 12;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -20,18 +23,17 @@ struct CavityFace {
   std::int32_t beyond;
 };
 
-/// Those of the tet's faces that no marked tet lies beyond.
-std::vector<CavityFace> outer_faces(const WorkMesh& work, std::int32_t t) {
-  std::vector<CavityFace> faces;
+/// Calls visit(face) for those of the tet's faces that no marked tet lies beyond.
+template <class Visitor>
+void visit_outer_faces(const WorkMesh& work, std::int32_t t, Visitor&& visit) {
   const Tet& tet = work.tet(t);
   for (int face = 0; face < 4; ++face) {
     const FaceHandle across = work.across(t, face);
     const std::int32_t beyond = across == no_face ? -1 : tet_of(across);
     if (beyond >= 0 && work.is_marked(beyond)) continue;
     const auto& local = tet_face_nodes[at(face)];
-    faces.push_back({{tet[at(local[2])], tet[at(local[1])], tet[at(local[0])]}, beyond});
+    visit(CavityFace{{tet[at(local[2])], tet[at(local[1])], tet[at(local[0])]}, beyond});
   }
-  return faces;
 }
 
 std::vector<CavityFace> faces_of_cavity(WorkMesh& work, const std::vector<std::int32_t>& cavity) {
@@ -39,8 +41,7 @@ std::vector<CavityFace> faces_of_cavity(WorkMesh& work, const std::vector<std::i
   for (const std::int32_t t : cavity) work.set_mark(t);
   std::vector<CavityFace> faces;
   for (const std::int32_t t : cavity) {
-    const std::vector<CavityFace> outer = outer_faces(work, t);
-    faces.insert(faces.end(), outer.begin(), outer.end());
+    visit_outer_faces(work, t, [&](const CavityFace& face) { faces.push_back(face); });
   }
   return faces;
 }
@@ -57,22 +58,33 @@ double most_goodness_between(const Vec3& normal, const Vec3& other) {
   return lengths > 0 ? 0.5 * (1 + dot(normal, other) / lengths) : 1;
 }
 
-bool are_neighbours(const CavityFace& face, const CavityFace& other) {
-  int common = 0;
-  for (const std::int32_t v : face.nodes) {
-    common += static_cast<int>(std::count(other.nodes.begin(), other.nodes.end(), v));
-  }
-  return common == 2;
-}
+/// An edge of a face of a cavity, its lower node first.
+struct FaceEdge {
+  std::array<std::int32_t, 2> nodes;
+  std::size_t face;
+
+  friend auto operator<=>(const FaceEdge&, const FaceEdge&) = default;
+};
 
 /// Whether the angles between the cavity's faces leave a star with a goodness above this possible.
 bool has_room_for(const Star& star, const std::vector<CavityFace>& faces, double least) {
   std::vector<Vec3> normals;
-  for (const auto& [a, b, c] : star) normals.push_back(cross(b - a, c - a));
+  std::vector<FaceEdge> edges;
+  normals.reserve(faces.size());
+  edges.reserve(3 * faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (std::size_t j = i + 1; j < faces.size(); ++j) {
-      if (most_goodness_between(normals[i], normals[j]) > least) continue;
-      if (are_neighbours(faces[i], faces[j])) return false;
+    const auto& [a, b, c] = star[i];
+    normals.push_back(cross(b - a, c - a));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(faces[i].nodes[k], faces[i].nodes[(k + 1) % 3]);
+      edges.push_back({{low, high}, i});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    if (edges[i].nodes != edges[i + 1].nodes) continue;
+    if (most_goodness_between(normals[edges[i].face], normals[edges[i + 1].face]) <= least) {
+      return false;
     }
   }
   return true;
@@ -116,47 +128,86 @@ class GrowingCavity {
   }
   const std::vector<std::int32_t>& tets() const { return tets_; }
   struct Seen {
-    CavityFace face;
     double goodness;
+    std::int32_t number;
+    std::int32_t beyond;
+
+    friend bool operator<(const Seen& a, const Seen& b) {
+      return a.goodness != b.goodness ? a.goodness > b.goodness : a.number > b.number;
+    }
   };
   /// The first of those that p sees worst.
-  const Seen& worst() const { return *std::ranges::min_element(faces_, {}, &Seen::goodness); }
+  const Seen& worst() {
+    while (faces_.top().beyond >= 0 && work_.is_marked(faces_.top().beyond)) faces_.pop();
+    return faces_.top();
+  }
 
   void add(std::int32_t t) {
     tets_.push_back(t);
     work_.set_mark(t);
-    std::erase_if(faces_, [t](const Seen& seen) { return seen.face.beyond == t; });
-    for (const CavityFace& face : outer_faces(work_, t)) {
-      faces_.push_back({face, goodness_over(work_, face, p_)});
-    }
+    visit_outer_faces(work_, t, [this](const CavityFace& face) {
+      faces_.push({goodness_over(work_, face, p_), count_++, face.beyond});
+    });
   }
 
  private:
   WorkMesh& work_;
   Vec3 p_;
   std::vector<std::int32_t> tets_;
-  std::vector<Seen> faces_;
+  std::priority_queue<Seen> faces_;  // also those that a tet of the cavity lies beyond by now
+  std::int32_t count_ = 0;
 };
 
 /// Takes the tet beyond the face that p sees worst into the cavity, again and again, and returns
 /// the cavity that p saw best.
-std::vector<std::int32_t> grown_cavity(WorkMesh& work, std::int32_t t, const Vec3& p) {
+std::vector<std::int32_t> grown_cavity(WorkMesh& work, std::int32_t t, const Vec3& p,
+                                       std::size_t most_tets) {
   GrowingCavity cavity(work, t, p);
   std::size_t best_size = 1;
   double best_worst = -HUGE_VAL;
   while (true) {
-    const auto [face, goodness] = cavity.worst();
+    const auto [goodness, number, beyond] = cavity.worst();
     const double worst = std::min(goodness, 1.0);
     if (worst > best_worst) {
       best_worst = worst;
       best_size = cavity.tets().size();
     }
-    if (face.beyond < 0 || cavity.tets().size() == most_cavity) break;
-    cavity.add(face.beyond);
+    if (beyond < 0 || cavity.tets().size() == most_tets) break;
+    cavity.add(beyond);
   }
   std::vector<std::int32_t> tets = cavity.tets();
   tets.resize(best_size);
   return tets;
+}
+
+/// From a flat tet to places beside it: on both sides of its plane, and where its nodes are nearly
+/// on a line on four sides of that.
+std::vector<Vec3> steps_off(const WorkMesh& work, const Tet& tet) {
+  constexpr double slim = 0.05;
+  Vec3 normal;
+  Vec3 longest;
+  for (const auto& local : tet_face_nodes) {
+    const Vec3& a = work.point(tet[at(local[0])]);
+    const Vec3 ab = work.point(tet[at(local[1])]) - a;
+    const Vec3 here = cross(ab, work.point(tet[at(local[2])]) - a);
+    if (norm2(here) > norm2(normal)) normal = here;
+    if (norm2(ab) > norm2(longest)) longest = ab;
+  }
+  const double length = std::sqrt(norm2(longest));
+  const double width = std::sqrt(norm2(normal)) / length;
+  if (!(width > 0)) return {};
+  const bool is_slim = width < slim * length;
+  std::vector<Vec3> sides = {normalized(normal)};
+  if (is_slim) sides.push_back(normalized(cross(longest, normal)));
+  std::vector<Vec3> steps;
+  for (const double share : {1.0, 0.3, 0.1}) {
+    const double step = share * (is_slim ? length : width);
+    for (const Vec3& side : sides) {
+      steps.push_back(step * side);
+      steps.push_back(-step * side);
+    }
+  }
+  return steps;
 }
 
 }  // namespace
@@ -170,13 +221,18 @@ std::optional<Replacement> find_split(WorkMesh& work, std::int32_t t, const Spli
   const Tet tet = work.tet(t);
   Vec3 centre;
   for (const std::int32_t v : tet) centre += 0.25 * work.point(v);
-  try_cavity(grown_cavity(work, t, centre), centre);
+  const std::size_t most_tets = options.is_flat ? most_cavity_of_flat : most_cavity;
+  try_cavity(grown_cavity(work, t, centre, most_tets), centre);
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const Vec3 middle = 0.5 * (work.point(tet[at(i)]) + work.point(tet[at(j)]));
       const auto ring = ring_of_edge(work, t, i, j, most_ring);
       if (ring) try_cavity(ring->tets, middle);
     }
+  }
+  if (!options.is_flat) return best;
+  for (const Vec3& step : steps_off(work, tet)) {
+    try_cavity(grown_cavity(work, t, centre + step, most_tets), centre + step);
   }
   return best;
 }

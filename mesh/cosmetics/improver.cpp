@@ -22,8 +22,15 @@ constexpr double shortest_mild_split = 0.6;
 /// What is still worse than this at the end may be split at a shorter distance: where the surface's
 /// own nodes lie that near to each other, no node at the other distance can help.
 constexpr double desperate_deg = 8;
+/// What is flatter than this may be one of a whole layer of flat tets.
+constexpr double flat_deg = 2;
 /// What the search for the best filling of a cavity counts for.
 constexpr std::int64_t attempts_of_reconnection = 4;
+/// What the search for places beside a flat tet counts for.
+constexpr std::int64_t attempts_of_flat = 3;
+/// So many of these may fail for each that does not: on surfaces of nothing but needles nearly all
+/// do.
+constexpr std::int64_t failures_for_success = 10;
 /// A pass is told after so many tries; of each some ten thousand instructions are spent at least.
 constexpr int tell_every = 64;
 
@@ -110,13 +117,21 @@ bool collapse(Improver& improver, const BadTet& bad, double least) {
   return true;
 }
 
+/// A flat tet is also split from beside its plane, as long as that works often enough.
 bool split(Improver& improver, const BadTet& bad, double shortest, double least) {
+  const bool is_flat =
+      bad.goodness < goodness_of_angle(flat_deg) && improver.failures_beside_flat > 0;
   const SplitOptions options{.enough = improver.aims.enough,
-                             .least_distance = length_at(improver, bad, shortest)};
+                             .least_distance = length_at(improver, bad, shortest),
+                             .is_flat = is_flat};
   const auto found = find_split(improver.work, bad.tet, options);
-  if (!found || found->new_worst < least || !apply(improver, *found)) return false;
-  ++improver.report.splits;
-  return true;
+  const bool is_split = found && found->new_worst >= least && apply(improver, *found);
+  if (is_flat) {
+    improver.count_attempts(attempts_of_flat);
+    improver.failures_beside_flat += is_split ? failures_for_success : -1;
+  }
+  if (is_split) ++improver.report.splits;
+  return is_split;
 }
 
 /// Collapses or splits a tet that is bad enough for any gain, or that can be made good.

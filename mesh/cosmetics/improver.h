@@ -18,6 +18,9 @@ namespace tetfarm::cosmetics {
 /// A node that a last resort puts near to others keeps this many spacings from them.
 inline constexpr double shortest_near_split = 0.1;
 
+/// Searches for places beside flat tets that may fail at first.
+inline constexpr std::int64_t most_failures_beside_flat = 300;
+
 /// The goodness below which tets are worked on, the one below which swaps and moves are not all,
 /// and the one beyond which no operation is sought.
 struct Aims {
@@ -44,6 +47,8 @@ struct Improver {
   std::vector<std::int64_t> node2settled;
   /// How many more tets may be tried.
   std::int64_t attempts = std::numeric_limits<std::int64_t>::max();
+  /// How many more searches for places beside flat tets may fail; each that finds one adds some.
+  std::int64_t failures_beside_flat = most_failures_beside_flat;
 
   void count_attempts(std::int64_t n) {
     attempts -= n;

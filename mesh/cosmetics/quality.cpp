@@ -35,6 +35,35 @@ TwoVectors cross(const TwoVectors& a, const TwoVectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// The steps of goodness(), on two tets at a time; `turn`: -1, or 1 for one that is mirrored.
+double smaller_goodness(const TwoVectors& a, const TwoVectors& b, const TwoVectors& c,
+                        const TwoVectors& d, Two turn) {
+  const TwoVectors ab = b - a;
+  const TwoVectors ac = c - a;
+  const TwoVectors ad = d - a;
+  const TwoVectors normal_b = cross(ad, ac);
+  const TwoVectors normal_c = cross(ab, ad);
+  const TwoVectors normal_d = cross(ac, ab);
+  const Two volume6 = dot(normal_d, ad) * turn;
+  const Two area_a = norm2(normal_b + normal_c + normal_d);
+  const Two area_b = norm2(normal_b);
+  const Two area_c = norm2(normal_c);
+  const Two area_d = norm2(normal_d);
+  const Two at_a = min(min(norm2(ab) * area_a * area_b, norm2(ac) * area_a * area_c),
+                       norm2(ad) * area_a * area_d);
+  const Two opposite = min(min(norm2(c - b) * area_b * area_c, norm2(d - b) * area_b * area_d),
+                           norm2(d - c) * area_c * area_d);
+  const Two least = min(at_a, opposite);
+  const Two product = area_a * area_b * area_c * area_d;
+  double worst = 1;
+  for (int i = 0; i < 2; ++i) {
+    const bool is_sound = product[i] > 0 && std::isfinite(product[i]);
+    const double here = is_sound ? volume6[i] * std::fabs(volume6[i]) * least[i] / product[i] : 0;
+    worst = std::min(worst, here);
+  }
+  return worst;
+}
+
 }  // namespace
 
 double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -64,32 +93,15 @@ double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
                        const Vec3& below) {
-  // The steps of goodness(), on two numbers at a time; the tet below is mirrored.
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 normal_d = cross(ac, ab);
-  const TwoVectors ad = TwoVectors(above, below) - TwoVectors(a);
-  const TwoVectors normal_b = cross(ad, TwoVectors(ac));
-  const TwoVectors normal_c = cross(TwoVectors(ab), ad);
-  const Two volume6 = dot(TwoVectors(normal_d), ad) * Two{-1, 1};
-  const Two area_a = norm2(normal_b + normal_c + TwoVectors(normal_d));
-  const Two area_b = norm2(normal_b);
-  const Two area_c = norm2(normal_c);
-  const double area_d = norm2(normal_d);
-  const Two at_a = min(min(norm2(ab) * area_a * area_b, norm2(ac) * area_a * area_c),
-                       norm2(ad) * area_a * area_d);
-  const Two opposite = min(min(norm2(c - b) * area_b * area_c,
-                               norm2(TwoVectors(above, below) - TwoVectors(b)) * area_b * area_d),
-                           norm2(TwoVectors(above, below) - TwoVectors(c)) * area_c * area_d);
-  const Two least = min(at_a, opposite);
-  const Two product = area_a * area_b * area_c * area_d;
-  double worst = 1;
-  for (int i = 0; i < 2; ++i) {
-    const bool is_sound = product[i] > 0 && std::isfinite(product[i]);
-    const double here = is_sound ? volume6[i] * std::fabs(volume6[i]) * least[i] / product[i] : 0;
-    worst = std::min(worst, here);
-  }
-  return worst;
+  // The tet below is mirrored.
+  return smaller_goodness(TwoVectors(a), TwoVectors(b), TwoVectors(c), TwoVectors(above, below),
+                          Two{-1, 1});
+}
+
+double goodness_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
+                         const Vec3& d) {
+  return smaller_goodness(TwoVectors(face[0], other[0]), TwoVectors(face[1], other[1]),
+                          TwoVectors(face[2], other[2]), TwoVectors(d), Two{-1, -1});
 }
 
 double goodness(const TetComplex& complex, const Tet& tet) {

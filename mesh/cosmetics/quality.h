@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "mesh/core/tet_complex.h"
 
@@ -21,6 +22,11 @@ double goodness(const TetComplex& complex, const Tet& tet);
 /// but for rounding. Cost: little more than one of them.
 double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
                        const Vec3& below);
+
+/// The smaller goodness of the tets from two triangles to one node, to the last bit that of
+/// goodness(). Cost: as goodness_of_two.
+double goodness_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
+                         const Vec3& d);
 
 /// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
 double goodness_of_angle(double degrees);

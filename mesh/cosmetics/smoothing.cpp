@@ -14,6 +14,9 @@ struct Goodness {
   double operator()(const StarFace& face, const Vec3& p) const {
     return goodness(face[0], face[1], face[2], p);
   }
+  double operator()(const StarFace& face, const StarFace& other, const Vec3& p) const {
+    return goodness_over_two(face, other, p);
+  }
 };
 
 /// The mean of the nodes of the star; each counts as often as it has faces.

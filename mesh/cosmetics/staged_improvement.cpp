@@ -12,20 +12,20 @@ namespace {
 
 /// More than one in so many tets below the angle: the surface is one of needles.
 constexpr double needle_deg = 8;
-constexpr std::size_t tets_a_needle = 20;
+constexpr std::size_t tets_a_needle = 50;
 /// A change must make the worst by this factor better; less is not worth its time.
 constexpr double gain_among_needles = 1.1;
 constexpr int most_passes = 3;
 /// What every stage may try, however few are bad.
 constexpr std::int64_t least_attempts = 1000;
 
-/// Tets below the angle are worked on until they are good enough; so many attempts for each.
+/// Tets below the angle are worked on until they are good enough; so many attempts for each two.
 struct Stage {
   double wanted_deg;
   double enough_deg;
-  std::int64_t attempts;
+  std::int64_t attempts_of_two;
 };
-constexpr std::array<Stage, 4> stages = {{{0.5, 20, 10}, {3, 20, 5}, {8, 25, 2}, {15, 30, 1}}};
+constexpr std::array<Stage, 4> stages = {{{0.5, 20, 10}, {3, 20, 8}, {8, 25, 2}, {15, 30, 1}}};
 constexpr std::int64_t attempts_of_last_stage = 1;
 constexpr std::array<Stage, 2> stages_again = {{{3, 20, 10}, {1, 20, 20}}};
 
@@ -51,15 +51,16 @@ std::vector<BadTet> take_aims(Improver& improver, const Aims& aims) {
   return bad_tets(improver);
 }
 
-void begin_stage(Improver& improver, const Aims& aims, std::int64_t attempts) {
+void begin_stage(Improver& improver, const Aims& aims, std::int64_t attempts_of_two) {
   std::vector<BadTet> bad = take_aims(improver, aims);
-  improver.attempts = least_attempts + attempts * std::ssize(bad);
+  improver.attempts = least_attempts + attempts_of_two * std::ssize(bad) / 2;
   improver.queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(bad));
 }
 
 void run_stage(Improver& improver, const Stage& stage) {
   const double wanted = goodness_of_angle(stage.wanted_deg);
-  begin_stage(improver, {wanted, wanted, goodness_of_angle(stage.enough_deg)}, stage.attempts);
+  begin_stage(improver, {wanted, wanted, goodness_of_angle(stage.enough_deg)},
+              stage.attempts_of_two);
   for (int pass = 0; pass < most_passes && !improver.queue.empty(); ++pass) {
     begin_pass(improver);
     run_pass(improver, true);
@@ -86,7 +87,11 @@ void improve_in_stages(Improver& improver) {
 
 void improve_worst_again(Improver& improver) {
   const Aims aims = improver.aims;
-  for (const Stage& stage : stages_again) run_stage(improver, stage);
+  for (const Stage& stage : stages_again) {
+    improver.failures_beside_flat =
+        std::max(improver.failures_beside_flat, most_failures_beside_flat);
+    run_stage(improver, stage);
+  }
   for (const BadTet& bad : take_aims(improver, aims)) {
     improver.given_up.push_back({bad, improver.work.changes});
   }

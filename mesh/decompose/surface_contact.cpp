@@ -41,20 +41,49 @@ bool share_a_node(const Triangle& a, const Triangle& b) {
                      [&b](std::int32_t v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
 
+Box3 grown(const Box3& box, double margin) {
+  return {box.low - Vec3{margin, margin, margin}, box.high + Vec3{margin, margin, margin}};
+}
+
+/// The squared distance of points from a triangle, or infinity where its plane or its box is
+/// farther away than `within`: most are.
+class NearTriangle {
+ public:
+  NearTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double within)
+      : a_(a), b_(b), c_(c), normal_(cross(b - a, c - a)) {
+    constexpr double rounding = 1.01;
+    most_height2_ = rounding * within * within * norm2(normal_);
+    for (const Vec3& corner : {a, b, c}) box_.add(corner);
+    box_ = grown(box_, rounding * within);
+  }
+  double distance2(const Vec3& p) const {
+    if (!box_.overlaps({p, p})) return HUGE_VAL;
+    const double height = dot(p - a_, normal_);
+    if (height * height > most_height2_) return HUGE_VAL;
+    return closest_in_triangle(p, a_, b_, c_).distance2;
+  }
+
+ private:
+  Vec3 a_, b_, c_;
+  Vec3 normal_;
+  double most_height2_;
+  Box3 box_;
+};
+
+/// Exact where it is less than `within`.
 double squared_distance(const std::vector<Vec3>& points, const Triangle& cut,
-                        const Triangle& surface, std::int32_t first_new, bool is_at_rim) {
+                        const Triangle& surface, std::int32_t first_new, bool is_at_rim,
+                        double within) {
   const auto at = [&points](std::int32_t v) { return points[idx(v)]; };
   double distance2 = HUGE_VAL;
+  const NearTriangle near_surface(at(surface[0]), at(surface[1]), at(surface[2]), within);
   for (const std::int32_t v : cut) {
-    if (v < first_new) continue;
-    distance2 = std::min(
-        distance2,
-        closest_in_triangle(at(v), at(surface[0]), at(surface[1]), at(surface[2])).distance2);
+    if (v >= first_new) distance2 = std::min(distance2, near_surface.distance2(at(v)));
   }
   if (is_at_rim) return distance2;
+  const NearTriangle near_cut(at(cut[0]), at(cut[1]), at(cut[2]), within);
   for (const std::int32_t v : surface) {
-    distance2 = std::min(distance2,
-                         closest_in_triangle(at(v), at(cut[0]), at(cut[1]), at(cut[2])).distance2);
+    distance2 = std::min(distance2, near_cut.distance2(at(v)));
   }
   return distance2;
 }
@@ -62,10 +91,6 @@ double squared_distance(const std::vector<Vec3>& points, const Triangle& cut,
 double largest_spacing(const InterdomainMesh& mesh, const std::array<std::int32_t, 3>& triangle) {
   return std::max({mesh.spacing[idx(triangle[0])], mesh.spacing[idx(triangle[1])],
                    mesh.spacing[idx(triangle[2])]});
-}
-
-Box3 grown(const Box3& box, double margin) {
-  return {box.low - Vec3{margin, margin, margin}, box.high + Vec3{margin, margin, margin}};
 }
 
 Box3 box_of(const InterdomainMesh& mesh, const Subdomain& subdomain,
@@ -140,8 +165,8 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
       if (contact.meets) {
         contact.distance = 0;
       } else if (!share_a_node(cut, surface)) {
-        const double distance2 =
-            squared_distance(combined.points, cut, surface, first_new, contact.is_at_rim);
+        const double distance2 = squared_distance(combined.points, cut, surface, first_new,
+                                                  contact.is_at_rim, reach * unit);
         contact.distance = std::sqrt(distance2) / unit;
       }
       if (contact.distance < reach) contacts.push_back(contact);

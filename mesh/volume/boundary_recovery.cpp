@@ -23,16 +23,16 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// How deep a pass searches for each thing that is missing: what is near goes first, and makes
 /// room. Chains of flips through fans of needles are some twenty long.
-constexpr std::array<int, 12> depths = {1, 2, 3, 4, 6, 8, 12, 16, 20, 30, 40, 60};
+constexpr std::array<int, 5> depths = {1, 3, 8, 20, 60};
+/// Edges inside flat facets are swapped in after so many depths, and after all of them: what is
+/// left then crosses little else.
+constexpr std::size_t depths_before_facets = 3;
 /// Rings that a pass may try for each.
 constexpr std::int64_t most_rings = 300;
-/// A pass is done again while it finds more than one in so many of what it looked for.
-constexpr std::size_t least_gain = 20;
-
-/// When a first attempt has failed, edges inside flat facets are swapped in as well, before the
-/// deeper passes and after them. Searches that lead nowhere end sooner then.
-constexpr std::size_t passes_before_facets = 3;
-constexpr int most_idle_passes = 6;
+/// A pass is idle, and the next goes deeper, when it finds no more than one in so many of what it
+/// looked for; so many in a row end the search.
+constexpr std::size_t least_gain = 5;
+constexpr int most_idle_passes = 2;
 
 /// What is to be split is tried once more first: points put in for others may have made room.
 constexpr std::array<int, 3> depths_before_splitting = {1, 4, 16};
@@ -56,25 +56,19 @@ void shuffle(std::vector<T>& things, std::uint64_t seed) {
   }
 }
 
-/// How deep to go, and how many passes in a row may gain next to nothing before the search ends.
-struct Depths {
-  std::span<const int> depths;
-  int most_idle;
-};
-
 /// Tries `recover(thing, depth)` for everything that is missing, deeper from pass to pass.
 template <typename Thing, typename Recover>
-void recover_in_passes(std::vector<Thing>& missing, const Depths& search, WorkStage stage,
-                       const WorkProgress& progress, Recover recover) {
+void recover_in_passes(std::vector<Thing>& missing, std::span<const int> depths_of_passes,
+                       WorkStage stage, const WorkProgress& progress, Recover recover) {
   if (missing.empty()) return;
   progress.begin(stage, missing.size(), tell_every);
   int idle = 0;
   for (std::size_t pass = 0;
-       pass < search.depths.size() && !missing.empty() && idle < search.most_idle;) {
+       pass < depths_of_passes.size() && !missing.empty() && idle < most_idle_passes;) {
     progress.next_pass();
     const std::size_t before = missing.size();
     std::erase_if(missing, [&](const Thing& thing) {
-      const bool is_there = recover(thing, search.depths[pass]);
+      const bool is_there = recover(thing, depths_of_passes[pass]);
       progress.add(is_there ? 1 : 0);
       return is_there;
     });
@@ -85,17 +79,17 @@ void recover_in_passes(std::vector<Thing>& missing, const Depths& search, WorkSt
 }
 
 void recover_edges(LocalRemeshing& mesh, EdgeRemoval& removal, std::vector<Edge>& missing,
-                   const Depths& search, const WorkProgress& progress) {
-  recover_in_passes(missing, search, WorkStage::edges, progress, [&](const Edge& edge, int depth) {
-    removal.set_budget(most_rings);
-    return recover_edge(mesh, removal, edge[0], edge[1], depth);
-  });
+                   std::span<const int> depths_of_passes, const WorkProgress& progress) {
+  recover_in_passes(missing, depths_of_passes, WorkStage::edges, progress,
+                    [&](const Edge& edge, int depth) {
+                      removal.set_budget(most_rings);
+                      return recover_edge(mesh, removal, edge[0], edge[1], depth);
+                    });
 }
 
 void recover_faces(LocalRemeshing& mesh, EdgeRemoval& removal, const RecoverySurface& surface,
-                   std::vector<std::int32_t>& missing, const Depths& search,
-                   const WorkProgress& progress) {
-  recover_in_passes(missing, search, WorkStage::faces, progress,
+                   std::vector<std::int32_t>& missing, const WorkProgress& progress) {
+  recover_in_passes(missing, std::span<const int>(depths), WorkStage::faces, progress,
                     [&](std::int32_t number, int depth) {
                       const Triangle& face = surface.triangles()[at(number)];
                       removal.set_budget(most_rings);
@@ -132,23 +126,17 @@ void recover_in_facets(LocalRemeshing& mesh, const RecoverySurface& wanted,
   });
 }
 
-/// The first attempt does without swaps in facets: the points that they take are near the boundary,
-/// and make needles.
+/// By flips in space, and by swaps inside facets, which make more of them possible.
 void recover_edges_in_all_ways(LocalRemeshing& mesh, EdgeRemoval& removal,
                                const RecoverySurface& wanted, const SplitSurface& surface,
-                               std::uint64_t seed, const WorkProgress& progress,
-                               std::vector<Edge>& missing, PointsBeside& beside) {
+                               const WorkProgress& progress, std::vector<Edge>& missing,
+                               PointsBeside& beside) {
   const std::span<const int> all = depths;
-  if (seed == 0) {
-    recover_edges(mesh, removal, missing, {all, static_cast<int>(all.size())}, progress);
-    return;
+  for (const std::span<const int> part :
+       {all.first(depths_before_facets), all.subspan(depths_before_facets)}) {
+    recover_edges(mesh, removal, missing, part, progress);
+    recover_in_facets(mesh, wanted, surface, missing, beside);
   }
-  recover_edges(mesh, removal, missing, {all.first(passes_before_facets), most_idle_passes},
-                progress);
-  recover_in_facets(mesh, wanted, surface, missing, beside);
-  recover_edges(mesh, removal, missing, {all.subspan(passes_before_facets), most_idle_passes},
-                progress);
-  recover_in_facets(mesh, wanted, surface, missing, beside);
 }
 
 Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& wanted,
@@ -159,12 +147,11 @@ Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& wanted,
   missing.edges = missing_edges(mesh.complex(), wanted);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
   shuffle(missing.edges, seed);
-  recover_edges_in_all_ways(mesh, removal, wanted, surface, seed, progress, missing.edges, beside);
+  recover_edges_in_all_ways(mesh, removal, wanted, surface, progress, missing.edges, beside);
   missing.faces = constrain_faces(mesh, wanted);
   missing.faces_at_first = static_cast<std::int64_t>(missing.faces.size());
   shuffle(missing.faces, seed);
-  const int idle = seed == 0 ? static_cast<int>(depths.size()) : most_idle_passes;
-  recover_faces(mesh, removal, wanted, missing.faces, {depths, idle}, progress);
+  recover_faces(mesh, removal, wanted, missing.faces, progress);
   return missing;
 }
 
@@ -251,13 +238,6 @@ bool split_missing(LocalRemeshing& mesh, const Missing& missing, SplitSurface& s
   return is_changed;
 }
 
-/// A first attempt is given up early: the next ones have more to try.
-bool shrinks_well(std::size_t missing, std::size_t least_before) {
-  constexpr std::size_t few = 250;
-  if (missing > few) return 3 * missing <= 2 * least_before;
-  return missing <= most_growth * least_before + 10;
-}
-
 /// Every boundary triangle is a face, whole or in parts. What could not be recovered even so is
 /// lost.
 SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>& triangles,
@@ -274,13 +254,11 @@ SplitSurface recover_in_parts(LocalRemeshing& mesh, const std::vector<Triangle>&
       result.missing_faces = missing.faces_at_first;
     }
     if (missing.faces.empty()) return surface;
-    const std::size_t least_before =
-        std::exchange(least_missing, std::min(least_missing, missing.faces.size()));
+    least_missing = std::min(least_missing, missing.faces.size());
     if (surface.splits.empty()) mesh.know_surface(triangles);
     const bool is_hopeful =
         surface.splits.size() <= triangles.size() + most_points_of_small_surface &&
-        (seed == 0 && round > 0 ? shrinks_well(missing.faces.size(), least_before)
-                                : missing.faces.size() <= most_growth * least_missing + 10);
+        missing.faces.size() <= most_growth * least_missing + 10;
     if (is_hopeful && round < most_rounds && split_missing(mesh, missing, surface, progress)) {
       continue;
     }

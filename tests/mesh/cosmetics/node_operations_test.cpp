@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "mesh/cosmetics/element_collapse.h"
 #include "mesh/cosmetics/element_splitting.h"
 #include "mesh/cosmetics/quality.h"
@@ -131,6 +134,43 @@ TEST(ElementSplitting, keeps_the_distance_that_is_asked_for) {
   TetComplex complex = sliver_between_poles();
   WorkMesh work(complex, 6);
   EXPECT_FALSE(find_split(work, 0, {.least_distance = 1.2}).has_value());
+}
+
+/// A cone over a polygon whose node 0 lies a little lower than the others. Its base is a fan of
+/// triangles from node 0, its tets stand on one from node 1: between the two is a chain of flat
+/// tets, the first ones of the mesh.
+TetComplex cone_over_flat_tets(std::int32_t corners) {
+  TetMesh mesh;
+  for (std::int32_t i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    mesh.nodes.push_back({std::cos(angle), std::sin(angle), i == 0 ? -1e-9 : 0.0});
+  }
+  mesh.nodes.push_back({0, 0, 1});
+  for (std::int32_t i = 2; i + 1 < corners; ++i) mesh.tets.push_back({0, 1, i, i + 1});
+  for (std::int32_t i = 2; i < corners; ++i) {
+    mesh.tets.push_back({1, i, (i + 1) % corners, corners});
+  }
+  for (Tet& tet : mesh.tets) {
+    const auto point = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(tet[i])]; };
+    if (tet_volume(point(0), point(1), point(2), point(3)) < 0) std::swap(tet[0], tet[1]);
+  }
+  return make_tet_complex(mesh);
+}
+
+TEST(ElementSplitting, breaks_a_whole_layer_of_flat_tets_from_beside_their_plane) {
+  constexpr std::int32_t corners = 48;
+  TetComplex complex = cone_over_flat_tets(corners);
+  ASSERT_THAT(validate(complex), IsEmpty());
+  WorkMesh work(complex, corners + 1);
+  const std::int32_t in_the_middle = corners / 2;
+  ASSERT_LT(work.goodness_of(in_the_middle), 1e-12);
+  EXPECT_FALSE(find_split(work, in_the_middle, {}).has_value());
+  const auto found = find_split(work, in_the_middle, {.is_flat = true});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->new_worst, goodness_of_angle(2));
+  EXPECT_GT(found->old_tets.size(), 40U);
+  EXPECT_FALSE(replace_tets(work, *found).empty());
+  EXPECT_THAT(validate(complex), IsEmpty());
 }
 
 }  // namespace

@@ -57,5 +57,15 @@ TEST(Goodness, of_two_tets_is_the_smaller_one) {
   EXPECT_EQ(goodness_of_two(a, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, -1}), 0);
 }
 
+TEST(Goodness, over_two_faces_is_that_of_the_worse_to_the_last_bit) {
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    std::array<Vec3, 7> p;
+    for (std::size_t k = 0; k < 7; ++k) p[k] = trial::random_vector(8, 7 * i + k);
+    const double expected =
+        std::min(goodness(p[0], p[1], p[2], p[6]), goodness(p[3], p[4], p[5], p[6]));
+    EXPECT_EQ(goodness_over_two({p[0], p[1], p[2]}, {p[3], p[4], p[5]}, p[6]), expected);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm::cosmetics

@@ -14,9 +14,9 @@ std::vector<BadTet> tets_of_angle(std::size_t count, double degrees) {
   return std::vector<BadTet>(count, {goodness_of_angle(degrees), 0});
 }
 
-TEST(IsOfNeedles, when_more_than_one_tet_in_twenty_is_below_eight_degrees) {
-  EXPECT_FALSE(is_of_needles(tets_of_angle(50, 7), 1000));
-  EXPECT_TRUE(is_of_needles(tets_of_angle(51, 7), 1000));
+TEST(IsOfNeedles, when_more_than_one_tet_in_fifty_is_below_eight_degrees) {
+  EXPECT_FALSE(is_of_needles(tets_of_angle(20, 7), 1000));
+  EXPECT_TRUE(is_of_needles(tets_of_angle(21, 7), 1000));
 }
 
 TEST(IsOfNeedles, not_for_tets_that_are_only_not_good) {
