@@ -44,10 +44,11 @@ TEST_F(Daemon, workers_outlive_a_killed_coordinator) {
   const auto one = start_worker();
   const auto two = start_worker();
   const std::string job = submit(test::sphere_in_box(folder_.path(), 10, 2));
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  const pid_t task = stop_task_of(*one);
   coordinator_->signal(SIGKILL);
   coordinator_->wait();
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ::kill(task, SIGCONT);
+  pause_ms(300);
   coordinator_ = start_coordinator(endpoint_);
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -80,10 +81,11 @@ TEST_F(Daemon, a_worker_that_sleeps_past_its_lease_does_no_harm) {
   const std::string input = test::sphere_in_box(folder_.path(), 10, 2);
   const auto sleeper = start_worker();
   const std::string job = submit(input);
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const pid_t task = stop_task_of(*sleeper);
   sleeper->signal(SIGSTOP);
+  ::kill(task, SIGCONT);  // the task does not sleep
   const auto other = start_worker();
-  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  pause_ms(2500);
   sleeper->signal(SIGCONT);
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -166,7 +168,7 @@ TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
 TEST_F(Daemon, a_cancelled_job_ends_and_the_next_one_runs) {
   const std::string first = submit(test::sphere_in_box(folder_.path(), 12, 3));
   const auto worker = start_worker();
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_GT(stop_task_of(*worker), 0);  // only its end makes room for the next job
   EXPECT_EQ(ask({"cancel", first}).code, 0);
   EXPECT_EQ(wait_for(first).code, 1);
   EXPECT_EQ(ask({"cancel", "job-99"}).code, 5);
