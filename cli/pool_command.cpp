@@ -131,10 +131,10 @@ void print_what_would_be_done(const BatchSystem& system, const PoolRules& rules)
   for (const ShellCommand& command : system.list()) std::printf("%s", text_of(command).c_str());
 }
 
-FarmView view_of(const wire::StatusReply& reply) {
+CoordinatorView view_of(const wire::StatusReply& reply) {
   std::set<std::string> bad_hosts;
   for (const wire::HostInQuarantine& host : reply.hosts()) bad_hosts.insert(host.host());
-  FarmView view;
+  CoordinatorView view;
   for (const wire::WorkerStatus& worker : reply.at_work()) {
     view.workers.push_back({worker.worker(), worker.tag(), worker.task() != 0, worker.drains(),
                             worker.memory_bytes(), bad_hosts.contains(worker.host())});
@@ -202,7 +202,7 @@ class Pool {
     return all;
   }
 
-  std::optional<FarmView> look() {
+  std::optional<CoordinatorView> look() {
     try {
       return view_of(connection_.farm(status_timeout_ms));
     } catch (const Error& error) {

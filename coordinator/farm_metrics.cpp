@@ -86,13 +86,13 @@ void add_workers(std::string& text, const JobState& state) {
 
 }  // namespace
 
-void Histogram::add(double value) {
+void DurationHistogram::add(double value) {
   const auto* const bound = std::lower_bound(bounds.begin(), bounds.end(), value);
   ++counts_[static_cast<std::size_t>(bound - bounds.begin())];
   sum_ += value;
 }
 
-std::string Histogram::text(const std::string& name, const std::string& labels) const {
+std::string DurationHistogram::text(const std::string& name, const std::string& labels) const {
   std::string lines;
   const std::string prefix = labels.empty() ? "" : labels + ",";
   std::uint64_t below = 0;

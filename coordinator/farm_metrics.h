@@ -16,7 +16,7 @@
 namespace tetfarm {
 
 /// How many of what was seen took at most so long.
-class Histogram {
+class DurationHistogram {
  public:
   static constexpr std::array<double, 16> bounds = {
       0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 1, 5, 15, 60, 300, 900, 3600, 14400};
@@ -50,9 +50,9 @@ class FarmMetrics {
 
  private:
   std::int64_t started_wall_ms_;
-  std::map<std::string, std::uint64_t> attempts_;  ///< ended ones, by result
-  std::map<std::string, Histogram> task_seconds_;  ///< of accepted attempts, by kind
-  Histogram commit_seconds_;
+  std::map<std::string, std::uint64_t> attempts_;          ///< ended ones, by result
+  std::map<std::string, DurationHistogram> task_seconds_;  ///< of accepted attempts, by kind
+  DurationHistogram commit_seconds_;
   std::uint64_t failed_commits_ = 0;
   std::uint64_t events_ = 0;
 };

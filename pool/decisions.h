@@ -64,14 +64,14 @@ struct PoolWorker {
   bool is_shunned = false;  ///< gets no tasks: its host is in quarantine
 };
 
-struct FarmView {
+struct CoordinatorView {
   std::vector<PoolWorker> workers;
   std::map<std::uint64_t, std::uint64_t> demand;  ///< tasks without worker, by memory
 };
 
 struct PoolView {
   std::optional<std::vector<PoolJob>> jobs;  ///< nothing: the batch system did not answer
-  std::optional<FarmView> farm;              ///< nothing: the coordinator did not answer
+  std::optional<CoordinatorView> farm;       ///< nothing: the coordinator did not answer
 };
 
 /// `count` workers in jobs of `bytes`.

@@ -14,7 +14,7 @@ std::string script_of(const PoolSettings& settings, const WorkerOrder& order) {
   add("-S /bin/sh");
   add("-cwd");
   add("-l h_rt=" + hours_minutes_seconds(settings.walltime_s));
-  add("-l h_vmem=" + std::to_string(mebibytes(order.bytes)) + "M");
+  add("-l h_vmem=" + std::to_string(whole_mebibytes(order.bytes)) + "M");
   add("-notify");
   add("-r n");
   add("-j y");

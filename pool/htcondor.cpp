@@ -33,7 +33,7 @@ std::string description_of(const PoolSettings& settings, const WorkerOrder& orde
   add("transfer_executable", "false");
   add("should_transfer_files", "NO");
   add("request_cpus", "1");
-  add("request_memory", std::to_string(mebibytes(order.bytes)) + "MB");
+  add("request_memory", std::to_string(whole_mebibytes(order.bytes)) + "MB");
   add("kill_sig", "SIGTERM");
   add("want_graceful_removal", "true");
   add("job_max_vacate_time", std::to_string(settings.grace_s + 30));

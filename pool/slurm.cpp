@@ -16,7 +16,7 @@ std::string script_of(const PoolSettings& settings, const WorkerOrder& order) {
   add("--nodes=1");
   add("--ntasks=1");
   add("--cpus-per-task=1");
-  add("--mem=" + std::to_string(mebibytes(order.bytes)) + "M");
+  add("--mem=" + std::to_string(whole_mebibytes(order.bytes)) + "M");
   add("--time=" + hours_minutes_seconds(settings.walltime_s));
   add("--signal=B:TERM@" + std::to_string(settings.grace_s + slack_s));
   add("--no-requeue");

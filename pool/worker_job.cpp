@@ -8,10 +8,10 @@
 
 namespace tetfarm {
 
-std::uint64_t mebibytes(std::uint64_t bytes) { return bytes >> 20U; }
+std::uint64_t whole_mebibytes(std::uint64_t bytes) { return bytes >> 20U; }
 
 std::string job_name_of(const PoolSettings& settings, std::uint64_t bytes) {
-  return "tetfarm-" + settings.name + "-" + std::to_string(mebibytes(bytes)) + "M";
+  return "tetfarm-" + settings.name + "-" + std::to_string(whole_mebibytes(bytes)) + "M";
 }
 
 std::optional<std::uint64_t> bytes_of_job_name(const PoolSettings& settings,
@@ -28,7 +28,7 @@ std::optional<std::uint64_t> bytes_of_job_name(const PoolSettings& settings,
 
 std::vector<std::string> worker_words(const PoolSettings& settings, std::uint64_t bytes) {
   const auto size = [](std::uint64_t job) {
-    return std::to_string(mebibytes(task_bytes(job))) + "MB";
+    return std::to_string(whole_mebibytes(task_bytes(job))) + "MB";
   };
   std::vector<std::string> words = {settings.program, "worker", "--connect", settings.coordinator};
   if (settings.store.empty()) {

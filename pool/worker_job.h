@@ -12,7 +12,7 @@
 namespace tetfarm {
 
 /// In mebibytes, rounded down.
-std::uint64_t mebibytes(std::uint64_t bytes);
+std::uint64_t whole_mebibytes(std::uint64_t bytes);
 
 /// "tetfarm-POOL-4096M".
 std::string job_name_of(const PoolSettings& settings, std::uint64_t bytes);

@@ -76,7 +76,7 @@ struct GroupFigures {
 
 /// Publishes the groups and what became of the nodes of the cuts.
 GroupFigures join_groups(TaskIo& io, const std::vector<LeafLine>& leaves,
-                         const std::vector<std::int32_t>& leaf2group, CutNodes nodes) {
+                         const std::vector<std::int32_t>& leaf2group, CutNodeMarks nodes) {
   std::vector<std::vector<TreePath>> groups;
   std::string text;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
@@ -109,7 +109,7 @@ void assimilate_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const std::vector<LeafLine> leaves = leaves_of(io.parameter("table"));
   SubdomainGraphBuilder builder;
-  CutNodes nodes;
+  CutNodeMarks nodes;
   io.progress().begin(WorkStage::graph, leaves.size());
   for (const auto& [path, work] : leaves) {
     io.progress().add();

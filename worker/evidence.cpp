@@ -28,9 +28,9 @@ std::string file_name_of(const Subdomain& subdomain, const std::string& ending) 
   return "subdomain_" + subdomain.path.text() + ending;
 }
 
-Refusal::File marked_triangles(const TaskIo& io, const Subdomain& subdomain,
-                               const std::string& reason,
-                               const std::vector<std::int32_t>& triangles) {
+TaskRefusal::File marked_triangles(const TaskIo& io, const Subdomain& subdomain,
+                                   const std::string& reason,
+                                   const std::vector<std::int32_t>& triangles) {
   const std::vector<std::int64_t> numbers(triangles.begin(), triangles.end());
   return {file_name_of(subdomain, ".defects.vtp"),
           defects_as_vtp(io, surface_of(subdomain), {{"not recovered", reason, numbers}})};

@@ -26,8 +26,8 @@ void call_out_of_memory(wire::Failed& failed) {
 }
 
 /// Evidence that cannot be stored must not hide the reason itself.
-void add_evidence(wire::Failed& failed, const ArtifactStore& store, const Refusal& refused) {
-  for (const Refusal::File& file : refused.evidence()) {
+void add_evidence(wire::Failed& failed, const ArtifactStore& store, const TaskRefusal& refused) {
+  for (const TaskRefusal::File& file : refused.evidence()) {
     try {
       const StoredArtifact stored = store.publish(file.bytes);
       wire::Artifact& artifact = *failed.add_evidence();
@@ -45,7 +45,7 @@ void add_evidence(wire::Failed& failed, const ArtifactStore& store, const Refusa
 wire::Failed caught_failure(const ArtifactStore* store) {
   try {
     throw;
-  } catch (const Refusal& refused) {
+  } catch (const TaskRefusal& refused) {
     wire::Failed failed = failure(refused.what(), refused.code(), false);
     if (store != nullptr) add_evidence(failed, *store, refused);
     return failed;

@@ -21,13 +21,13 @@
 namespace tetfarm {
 
 /// An end for good, together with files that show why; the runner publishes them.
-class Refusal : public Error {
+class TaskRefusal : public Error {
  public:
   struct File {
     std::string name;
     std::string bytes;
   };
-  Refusal(ExitCode code, const std::string& message, std::vector<File> evidence)
+  TaskRefusal(ExitCode code, const std::string& message, std::vector<File> evidence)
       : Error(code, message), evidence_(std::move(evidence)) {}
   const std::vector<File>& evidence() const { return evidence_; }
 
@@ -36,17 +36,17 @@ class Refusal : public Error {
 };
 
 /// The input is bad.
-class RefusedInput : public Refusal {
+class RefusedInput : public TaskRefusal {
  public:
   RefusedInput(const std::string& message, std::vector<File> evidence)
-      : Refusal(ExitCode::bad_geometry, message, std::move(evidence)) {}
+      : TaskRefusal(ExitCode::bad_geometry, message, std::move(evidence)) {}
 };
 
 /// The input is good, and Tetfarm fails at it each time.
-class OwnDefect : public Refusal {
+class OwnDefect : public TaskRefusal {
  public:
   OwnDefect(const std::string& message, std::vector<File> evidence)
-      : Refusal(ExitCode::failed, message, std::move(evidence)) {}
+      : TaskRefusal(ExitCode::failed, message, std::move(evidence)) {}
 };
 
 /// An input that is missing or not what its checksum says: the task that made it has to run again.

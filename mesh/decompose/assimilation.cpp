@@ -243,7 +243,7 @@ std::vector<std::int32_t> assimilate(const SubdomainGraph& graph, std::int32_t g
 
 Subdomain join_subdomains(std::span<const Subdomain> leaves) { return Joining(leaves).result(); }
 
-void CutNodes::mark(const Subdomain& subdomain, Marks& marks) {
+void CutNodeMarks::mark(const Subdomain& subdomain, Marks& marks) {
   for (const Origin& origin : subdomain.node_origin) {
     if (origin.owner == 0) continue;
     std::vector<bool>& of_cut = marks[origin.owner];
@@ -252,7 +252,7 @@ void CutNodes::mark(const Subdomain& subdomain, Marks& marks) {
   }
 }
 
-std::vector<DroppedNodes> CutNodes::dropped() const {
+std::vector<DroppedNodes> CutNodeMarks::dropped() const {
   std::vector<DroppedNodes> dropped;
   for (const auto& [cut, there] : there_) {
     const auto found = kept_.find(cut);

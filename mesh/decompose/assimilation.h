@@ -43,7 +43,7 @@ struct DroppedNodes {
 
 /// Finds out which nodes of the cuts are dropped, seeing one sub-domain at a time.
 /// Cost: two bits a node.
-class CutNodes {
+class CutNodeMarks {
  public:
   void add_leaf(const Subdomain& leaf) { mark(leaf, there_); }
   void add_joined(const Subdomain& group) { mark(group, kept_); }

@@ -72,7 +72,7 @@ class Pool : public testing::Test {
   PoolRules rules_;
   std::optional<PoolDecisions> decisions_;
   std::vector<PoolJob> jobs_;
-  FarmView farm_;
+  CoordinatorView farm_;
   std::int64_t now_ms_ = 1'000'000;
   int last_ = 0;
 };

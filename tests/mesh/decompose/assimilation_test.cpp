@@ -121,7 +121,7 @@ void expect_sound_groups(const std::vector<Subdomain>& leaves,
                          const std::vector<std::int32_t>& leaf2group, double whole) {
   std::map<std::int32_t, std::vector<Subdomain>> members;
   for (std::size_t i = 0; i < leaves.size(); ++i) members[leaf2group[i]].push_back(leaves[i]);
-  CutNodes nodes;
+  CutNodeMarks nodes;
   for (const Subdomain& leaf : leaves) nodes.add_leaf(leaf);
   std::vector<Subdomain> groups;
   double sum = 0;
