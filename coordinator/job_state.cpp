@@ -53,6 +53,8 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   }
 }
 
+JobState::Offer JobState::offer_of(const TaskRow& task) { return {rank_of(task.kind), task.id}; }
+
 TaskRow& JobState::edit(TaskId task) {
   dirty_tasks_.insert(task);
   return durable_.tasks.at(task);
@@ -64,7 +66,7 @@ JobRow& JobState::edit(JobId job) {
 }
 
 void JobState::index(const TaskRow& task) {
-  const Offer offer{rank_of(task.kind), task.id};
+  const Offer offer = offer_of(task);
   if (task.state == TaskState::ready && durable_.jobs.at(task.job).phase == JobPhase::running) {
     offers_.insert(offer);
   } else {
@@ -215,50 +217,5 @@ ChangeSet JobState::take_changes() {
 }
 
 std::vector<Command> JobState::take_commands() { return std::exchange(commands_, {}); }
-
-std::vector<std::string> JobState::validate() const {
-  std::vector<std::string> broken;
-  const auto report = [&broken](TaskId task, const char* what) {
-    broken.push_back("task " + std::to_string(task.value) + ": " + what);
-  };
-  for (const auto& [id, task] : durable_.tasks) {
-    const bool runs = task.attempt && durable_.running_attempts.contains(task.attempt);
-    if ((task.state == TaskState::leased) != runs) report(id, "leased without attempt, or reverse");
-    if (task.state == TaskState::done && !task.attempt) report(id, "done by nobody");
-    const bool offered = offers_.contains(Offer{rank_of(task.kind), id});
-    const bool should =
-        task.state == TaskState::ready && durable_.jobs.at(task.job).phase == JobPhase::running;
-    if (offered != should) report(id, "wrongly on offer or not on offer");
-  }
-  for (const auto& [id, attempt] : durable_.running_attempts) {
-    const auto rival = rivals_.find(attempt.task);
-    const bool races = rival != rivals_.end() && rival->second == id;
-    if (races != attempt.is_rival) report(attempt.task, "has a rival that is none, or reverse");
-    const bool is_first = durable_.tasks.at(attempt.task).attempt == id;
-    if (is_first == races) report(attempt.task, "has a stray attempt");
-    if (!started_ms_.contains(id)) report(attempt.task, "runs since nobody knows when");
-    if (!lease_ends_ms_.contains(id)) report(attempt.task, "runs without a lease");
-  }
-  if (lease_ends_ms_.size() != durable_.running_attempts.size()) {
-    broken.emplace_back("a lease without a running attempt");
-  }
-  for (const auto& [attempt, work] : works_) {
-    if (durable_.running_attempts.contains(attempt)) continue;
-    broken.push_back("work of attempt " + std::to_string(attempt.value) + ", which is over");
-  }
-  for (const auto& [task, rival] : rivals_) {
-    if (!durable_.running_attempts.contains(rival)) report(task, "is raced by nobody");
-  }
-  for (const auto& [id, session] : sessions_) {
-    if (!session.attempt) continue;
-    const auto found = durable_.running_attempts.find(session.attempt);
-    if (found == durable_.running_attempts.end() || found->second.worker != id) {
-      broken.push_back("worker " + std::to_string(id.value) + " holds what is not its own");
-    } else if (process_of(found->second) != session.process) {
-      broken.push_back("worker " + std::to_string(id.value) + " holds another process's attempt");
-    }
-  }
-  return broken;
-}
 
 }  // namespace tetfarm

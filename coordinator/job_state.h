@@ -5,13 +5,13 @@
 /// committed rows it goes on where it was, so the daemon may be killed at any instant.
 ///
 /// States and transitions of a task: coordinator/task_states.dot. Messages: proto/protocol.md.
-/// Invariants, checked by validate():
+/// Invariants, checked by validate(), with the indexes beside the rows (5: wherever a task is
+/// leased):
 ///  1. A task is leased exactly when its attempt is running; at most one other, its rival, runs
 ///  too.
 ///  2. A done task names the attempt that was accepted; no other is ever accepted for it.
 ///  3. Every running attempt has a lease; a process holds at most one, whatever its connections,
-///  and
-///     only the process that was given an attempt holds it.
+///  and only the process that was given an attempt holds it.
 ///  4. A task is on offer exactly when it is ready and its job is running.
 ///  5. A host in quarantine gets no tasks.
 ///  6. A place in the graph has one task; those that were replaced there are never run again.
@@ -261,8 +261,17 @@ class JobState {
   /// Of each host whose workers share its memory: what running attempts were given of it.
   using HostMemory = std::map<std::string, std::uint64_t>;
   using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
+  using Complaints = std::vector<std::string>;
+
+  // job_invariants.cpp
+  void find_broken_tasks(Complaints& broken) const;
+  void find_broken_places(Complaints& broken) const;
+  void find_broken_attempts(Complaints& broken) const;
+  void find_broken_sessions(Complaints& broken) const;
+  void find_broken_counts(Complaints& broken) const;
 
   // job_state.cpp: rows and indexes
+  static Offer offer_of(const TaskRow& task);
   TaskRow& edit(TaskId task);
   JobRow& edit(JobId job);
   void set_state(TaskRow& task, TaskState state);

@@ -235,6 +235,7 @@ TaskId JobState::pick_for(WorkerId worker, const HostMemory& used, Moment now) {
 
 void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now) {
   Session& session = sessions_.at(worker);
+  TF_CHECK(may_work(worker));
   AttemptRow attempt;
   attempt.id = AttemptId{++durable_.last_attempt};
   attempt.task = task;

@@ -12,8 +12,7 @@ constexpr std::size_t looks_of_source = 8;
 }  // namespace
 
 bool SpacingDemand::grows_too_fast() const {
-  return background_mesh.has_value() ||
-         std::ranges::any_of(sources, [](const SourceDemand& s) { return s.varies; });
+  return std::ranges::any_of(sources, [](const SourceDemand& s) { return s.varies; });
 }
 
 CellDemand::CellDemand(const SpacingDemand& demand)
@@ -77,7 +76,7 @@ CellDemand::Bounds CellDemand::bounds(double enough) const {
     lowest = std::min(lowest, value.floor);
   }
   lowest = points_.lowest(cell.centre, cell.half_diagonal, lowest);
-  return {at_centre, lowest, !demand_.background_mesh && lowest >= demand_.ceiling};
+  return {at_centre, lowest, lowest >= demand_.ceiling};
 }
 
 double CellDemand::at(const Vec3& point) const {
@@ -88,7 +87,6 @@ double CellDemand::at(const Vec3& point) const {
         source_value(demand_.sources[source], point, 0, demand_.background, demand_.growth);
     spacing = std::min(spacing, value.asked);
   }
-  if (demand_.background_mesh) spacing = std::min(spacing, demand_.background_mesh->at(point));
   return points_.lowest(point, 0, spacing);
 }
 

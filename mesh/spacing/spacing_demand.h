@@ -8,11 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "mesh/spacing/background_mesh.h"
 #include "mesh/spacing/demand_tree.h"
 #include "mesh/spacing/sources.h"
 
@@ -21,7 +19,6 @@ namespace tetfarm {
 struct SpacingDemand {
   DemandTree points;
   std::vector<SourceDemand> sources;
-  std::optional<BackgroundMesh> background_mesh;
   /// 0: none.
   double background = 0;
   double growth = 0.3;

@@ -212,18 +212,11 @@ SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions
   const GridFrame frame = grid_frame(domain, reference_spacing(ceiling, options, points));
   SpacingDemand demand{DemandTree(std::move(points), options.growth),
                        {},
-                       {},
                        options.background,
                        options.growth,
                        ceiling};
   for (const Source& source : options.sources) {
     demand.sources.push_back(source_demand(source, options.growth));
-  }
-  if (options.background_mesh && !options.sources.empty()) {
-    Box3 root;
-    root.add(frame.position({0, 0, 0}));
-    root.add(frame.position({octree_span, octree_span, octree_span}));
-    demand.background_mesh.emplace(demand.sources, root, ceiling, options.growth);
   }
   auto octree = std::make_unique<SpacingField::Octree>();
   static_cast<SpacingOctree&>(*octree) = build_octree(demand, frame, domain);

@@ -40,10 +40,6 @@ struct SpacingOptions {
   /// The surface's own edge lengths count too.
   bool inherit_surface = true;
   std::vector<Source> sources;
-  /// Between the sources' corners and those of the domain's box the spacing is at most what is
-  /// linear in the tets that connect them (thesis 4.3.1.9). Fills the space between fine sources:
-  /// off by default.
-  bool background_mesh = false;
 };
 
 /// One node of the job's body-centred-cubic lattice (kernel: points inside). `cell_edge` is the

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/core/complaints.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/cosmetics/improve_mesh.h"
 #include "mesh/geometry/bowyer_watson.h"
@@ -19,10 +20,6 @@ namespace {
 constexpr std::int32_t enclosing_nodes = 4;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-std::string text_of(const Vec3& p) {
-  return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
-}
 
 /// Triangles at a node of the boundary: the place of an error.
 std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t node) {

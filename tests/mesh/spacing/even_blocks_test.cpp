@@ -12,7 +12,7 @@ namespace {
 /// A small source in a background that is kept in blocks.
 SpacingOctree blocks_round_a_source() {
   const double background = 0.02;
-  SpacingDemand demand{DemandTree({}, 0.5), {}, {}, background, 0.5, background};
+  SpacingDemand demand{DemandTree({}, 0.5), {}, background, 0.5, background};
   demand.sources.push_back(source_demand({{{{0.21, 0.33, 0.4}, 0.004, 0.01, 0.02}}}, 0.5));
   Box3 domain;
   domain.add(Vec3{0, 0, 0});

@@ -14,13 +14,13 @@ bool holds(const Box3& box, const Vec3& p) { return box.overlaps({p, p}); }
 
 /// Nothing but a background.
 SpacingOctree even_octree(double background) {
-  const SpacingDemand demand{DemandTree({}, 0.5), {}, {}, background, 0.5, background};
+  const SpacingDemand demand{DemandTree({}, 0.5), {}, background, 0.5, background};
   return build_octree(demand, grid_frame(unit_box, background), unit_box);
 }
 
 /// A source in a background that is kept in blocks.
 SpacingOctree graded_octree(double background) {
-  SpacingDemand demand{DemandTree({}, 0.5), {}, {}, background, 0.5, background};
+  SpacingDemand demand{DemandTree({}, 0.5), {}, background, 0.5, background};
   const double fine = background / 5;
   demand.sources.push_back(source_demand({{{{0.21, 0.33, 0.4}, fine, 0.05, 0.1}}}, 0.5));
   return build_octree(demand, grid_frame(unit_box, background), unit_box);

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 /// Sources at one place, none of which makes another needless.
 SpacingDemand crowd(int sources) {
   const double background = 1;
-  SpacingDemand demand{DemandTree({}, 0.5), {}, {}, background, 0.5, background};
+  SpacingDemand demand{DemandTree({}, 0.5), {}, background, 0.5, background};
   for (int i = 0; i < sources; ++i) {
     demand.sources.push_back(source_demand({{{{0.5, 0.5, 0.5}, 0.03, 0.2, 0.4}}}, 0.5));
   }
@@ -96,7 +96,7 @@ TEST(OctreeRefine, splits_as_if_all_demands_were_looked_at_in_every_cell) {
   const std::vector<PointDemand> demands = scattered_demands(60, background);
   const GridFrame frame = grid_frame(unit_box(), background);
   for (const double growth : {0.02, 0.1, 0.3, 1.0, 3.0}) {
-    const SpacingDemand demand{DemandTree(demands, growth), {}, {}, background, growth, background};
+    const SpacingDemand demand{DemandTree(demands, growth), {}, background, growth, background};
     const RefinedTree tree = refine(demand, frame, unit_box());
     EXPECT_GT(tree.child_of.size(), 1000U);
     const AskedEverywhere rule(demands, growth, background, frame);
