@@ -1,4 +1,5 @@
-/// Cuts a surface into leaves as the decompose tasks do, with figures of the cuts: for trials.
+/// Cuts a surface into leaves as the decompose tasks do, with figures of the cuts: for trials. One
+/// step more than the tasks: halves that will be leaves are recovered before their cut is taken.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What cuts do to a mesh, for many surfaces and numbers of sub-domains: docs/seams.md.
+"""What cuts do to a mesh, for many surfaces and numbers of sub-domains: docs/measurements/2026-11-elements_near_cuts.md.
 
   TETFARM_DATA=... bench/cuts_table.py BUILD_FOLDER [--models pipe,flange] [--subdomains 4,16]
 

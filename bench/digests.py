@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The same mesh whatever the number of workers and whatever is killed: docs/seams.md.
+"""The same mesh whatever the number of workers and whatever is killed: docs/measurements/2026-11-elements_near_cuts.md.
 
   TETFARM_DATA=... bench/digests.py BUILD_FOLDER [--models pipe,flange] [--workers 1,2,3,8] [--kills 12] [--seed 1]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Elements near cuts beside the uncut mesh, for many surfaces and numbers of sub-domains: docs/seams.md.
+"""Elements near cuts beside the uncut mesh, for many surfaces and numbers of sub-domains: docs/measurements/2026-11-elements_near_cuts.md.
 
 usage: seams.py BUILD_FOLDER [--models a,b] [--subdomains 4,16] [-- OPTION...]
 With TETFARM_DATA set; needs the programs seams_trial, which gets the options, and tetfarm. Prints tables in Markdown;

@@ -2,7 +2,8 @@
 ///
 /// Source: none in the thesis. What the stages take is a sum as in store/task_time.h: recovery goes
 /// by the needles of the surface, everything else by the elements; how the time of the elements
-/// spreads over the stages was measured (docs/plan_accuracy.md, "While a leaf is meshed").
+/// spreads over the stages was measured: docs/measurements/2026-11-plan_accuracy.md, "While a leaf
+/// is meshed".
 #pragma once
 
 #include "base/work_stage.h"

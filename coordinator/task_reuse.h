@@ -3,9 +3,7 @@
 ///
 /// Tasks are pure functions: equal inputs and parameters give equal bytes, whichever job they
 /// belong to. A cut is one step wider: where to cut depends on the *share* of the left side only,
-/// so that the cut of 4 parts into 2 + 2 is the cut of 16 into 8 + 8. The parts decide only which
-/// halves are tried out by meshing (a half that is to be meshed as it is); as long as no trial
-/// refused a cut, the cut is the one that would have been made without trials.
+/// so that the cut of 4 parts into 2 + 2 is the cut of 16 into 8 + 8.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ constexpr double most_factor = 100;
 
 /// What is believed of a kind before anything was learnt: seconds of the fixed part, and of an
 /// element, a triangle and a needle among many; and how sure each is, of its logarithm, which is
-/// also how far its factor may be from 1. See docs/plan_accuracy.md.
+/// also how far its factor may be from 1. See docs/measurements/2026-11-plan_accuracy.md.
 struct Belief {
   Terms seconds;
   Terms spreads{0.4, 0.4, 0.4, 0.55};

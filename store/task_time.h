@@ -4,10 +4,10 @@
 /// Source: none in the thesis. The CPU seconds of a kind of task are a sum: a fixed part, so much
 /// for each element and each triangle, and for needles so much as grows with the square of their
 /// number while they are few and with their number when they are many. The built-in terms are
-/// measured (docs/plan_accuracy.md). What a store has seen changes them: each term gets a factor,
-/// by least squares of relative errors, held near 1 until the measurements speak for something
-/// else; and what remains of the errors, term by term, says how sure the sum is. Units: CPU
-/// seconds.
+/// measured (docs/measurements/2026-11-plan_accuracy.md). What a store has seen changes them: each
+/// term gets a factor, by least squares of relative errors, held near 1 until the measurements
+/// speak for something else; and what remains of the errors, term by term, says how sure the sum
+/// is. Units: CPU seconds.
 #pragma once
 
 #include <array>

@@ -11,7 +11,8 @@
 namespace tetfarm {
 namespace {
 
-/// Of a tet, and of a triangle of a sub-domain, when most files are there (docs/performance.md).
+/// Of a tet, and of a triangle of a sub-domain, when most files are there
+/// (docs/measurements/2026-11-subdomains_and_workers.md).
 constexpr double disk_bytes_per_element = 104;
 constexpr double disk_bytes_per_triangle = 250;
 constexpr int most_trials = 8;

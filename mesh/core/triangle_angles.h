@@ -10,7 +10,7 @@
 namespace tetfarm {
 
 /// A triangle with a smaller angle is called a needle: where there are many, recovering them takes
-/// most of the time of a mesh (docs/plan_accuracy.md).
+/// most of the time of a mesh (docs/measurements/2026-11-plan_accuracy.md).
 inline constexpr double needle_deg = 15;
 
 /// Right also where the cosine rounds to 1. 0 of a triangle without area.

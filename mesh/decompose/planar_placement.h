@@ -3,7 +3,8 @@
 /// Source: thesis 4.3.1.4: orthogonal to an axis, or to a principal direction of the inertia
 /// matrix. Departures: positions are quantiles of the work, not of boundary faces; several of them,
 /// along all axes, are offered, since the first plane often does not pass the checks. Further
-/// candidates are planes of the point lattice's {110} family (design note decomposition.md).
+/// candidates are planes of the point lattice's {110} family (docs/kernel.md, "Planes of the
+/// lattice").
 #pragma once
 
 #include <optional>

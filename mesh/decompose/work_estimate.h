@@ -4,7 +4,7 @@
 /// of the job's lattice are known before there is a mesh, so those are counted that the volume
 /// mesher will take (inside, and clear of the boundary: mesh/volume/point_insertion.h). A mesh has
 /// close to 6 tets for each of them and 1.3 for each boundary triangle (measured:
-/// docs/decomposition.md).
+/// docs/decisions/0006-decompose-cut-recipe.md).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 /// The {110} planes of the job's body-centred lattice, along which a cut leaves no scar.
 ///
-/// Source: design note decomposition.md, section 1 (the thesis has axis and inertia planes only).
+/// Source: docs/kernel.md, "Planes of the lattice" (the thesis has axis and inertia planes only).
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 /// Builds the spacing octree: refine to the demand, balance 2:1, put the spacing on the corners.
 ///
-/// Source: design note kernel.md, "Points inside".
+/// Source: docs/kernel.md, "Points inside".
 ///
 /// A cell is split while its edge exceeds cell_fit * h / lattice_ratio, h being the spacing at its
 /// centre (or twice the smallest in it, if less). As edges go by powers of two, a leaf's edge then

@@ -1,6 +1,6 @@
 /// The octree that carries the spacing: look-up, interpolation, and the body-centred lattice.
 ///
-/// Source: design note kernel.md, "Points inside". Leaves are balanced 2:1 across faces, edges and
+/// Source: docs/kernel.md, "Points inside". Leaves are balanced 2:1 across faces, edges and
 /// corners. Positions are integers in half-units: the root cube spans 2^21 of them on an axis, so
 /// that the centre of the smallest cell (level 20) is an integer too. A leaf where nothing but the
 /// background asks stays one *block*, whatever its size: its lattice is that of its

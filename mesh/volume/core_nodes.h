@@ -1,7 +1,8 @@
 /// Which nodes of the lattice are core nodes: those with no cell of another size near them, and no
 /// boundary but faces of the lattice itself.
 ///
-/// Source: kernel notes, "Templates"; lattice_core.h tells why their tets are known.
+/// Source: docs/kernel.md, "The lattice's own tetrahedra"; lattice_core.h tells why their tets are
+/// known.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
 /// The core of the lattice: nodes so far from the boundary and from cells of another size that all
 /// tets round them are the lattice's own, known without any Delaunay work.
 ///
-/// Source: kernel notes, "Templates". A body-centred cubic lattice has one Delaunay
-/// tetrahedrization (its Voronoi cells are truncated octahedra, with four cells at every corner):
-/// each tet holds an edge of a cell and the two centres of the cells on a face at that edge. A
-/// tet's sphere has the radius 0.56 of a cell edge; where the spheres round a node hold no other
-/// point, its tets are those of the Delaunay tetrahedrization of all points.
+/// Source: docs/kernel.md, "The lattice's own tetrahedra". A body-centred cubic lattice has one
+/// Delaunay tetrahedrization (its Voronoi cells are truncated octahedra, with four cells at every
+/// corner): each tet holds an edge of a cell and the two centres of the cells on a face at that
+/// edge. A tet's sphere has the radius 0.56 of a cell edge; where the spheres round a node hold no
+/// other point, its tets are those of the Delaunay tetrahedrization of all points.
 #pragma once
 
 #include <array>

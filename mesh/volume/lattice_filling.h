@@ -1,10 +1,10 @@
 /// Fills the domain with the nodes of the job's lattice: those near the boundary and between cells
 /// of different size are inserted one by one, the core's tets are written out.
 ///
-/// Source: kernel notes, "points inside" and "templates"; lattice_core.h, core_graft.h. The result
-/// is the complex that inserting all nodes would give, up to the numbers of tets and nodes, at a
-/// fraction of the time and memory: insertion works on the shell only. Cost: 2 µs a tet of the
-/// shell, 0.1 µs a tet of the core.
+/// Source: docs/kernel.md, "Points inside" and "The lattice's own tetrahedra"; lattice_core.h,
+/// core_graft.h. The result is the complex that inserting all nodes would give, up to the numbers
+/// of tets and nodes, at a fraction of the time and memory: insertion works on the shell only.
+/// Cost: 2 µs a tet of the shell, 0.1 µs a tet of the core.
 #pragma once
 
 #include <cstdint>

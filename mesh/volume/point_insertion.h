@@ -1,9 +1,9 @@
 /// Fills the domain with points by the spacing: the nodes of the job's graded body-centred lattice,
 /// as near to the boundary as elements there stay well shaped.
 ///
-/// Source: kernel notes, "points inside" (a departure from the thesis's sweeps at centroids, [18];
-/// the lattice needs no loop and gives rounder tets); constrained Bowyer–Watson as in thesis 4.3.3.
-/// Cost: about 2 µs a tet.
+/// Source: docs/kernel.md, "Points inside" (a departure from the thesis's sweeps at centroids,
+/// [18]; the lattice needs no loop and gives rounder tets); constrained Bowyer–Watson as in thesis
+/// 4.3.3. Cost: about 2 µs a tet.
 #pragma once
 
 #include <cstdint>

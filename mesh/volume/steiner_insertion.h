@@ -4,8 +4,8 @@
 /// What is crossed is split at the point, so that its parts are there at once when nothing else is
 /// in the way; where there is no room for that, a tet that the edge or face runs through is split.
 /// The point lies on the edge or face to some 100 bits, so that what was flat stays flat for all
-/// that follows. Source: kernel notes, boundary recovery, step 4. Cost: as the rings of the crossed
-/// edges.
+/// that follows. Source: docs/kernel.md, "Boundary recovery", step 4. Cost: as the rings of the
+/// crossed edges.
 #pragma once
 
 #include <array>

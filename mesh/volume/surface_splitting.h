@@ -2,7 +2,7 @@
 /// are split by Steiner points. The parts of one boundary triangle may be cut in any way: they lie
 /// in one plane.
 ///
-/// Source: kernel notes, boundary recovery, steps 4 and 5; George, Borouchaki, Saltel (2003).
+/// Source: docs/kernel.md, "Boundary recovery", steps 4 and 5; George, Borouchaki, Saltel (2003).
 /// Cost: O(n) a change.
 #pragma once
 
