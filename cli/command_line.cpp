@@ -71,7 +71,7 @@ void add_job(CLI::App& app, RunOptions& job) {
   app.add_flag("--force", job.force,
                "Start it however many elements it has, and whatever room the disk has")
       ->excludes(most);
-  app.add_option("--format", job.formats, "Files to write: vtkhdf, lb8.ugrid, ... (default vtkhdf)")
+  app.add_option("--format", job.formats, "Formats to write, all that export knows (vtkhdf)")
       ->delimiter(',')
       ->option_text("F,...");
 }

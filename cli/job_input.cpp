@@ -100,7 +100,7 @@ JobInput describe_job(const RunOptions& options) {
   if (options.max_elements) job.max_elements = *options.max_elements;
   if (options.force) job.max_elements = 0;
   if (!options.formats.empty()) {
-    require_formats_of_run(options.formats, options.output);
+    require_known_formats(options.formats);
     job.formats = options.formats;
   }
   input.path = job.surface;

@@ -1,4 +1,4 @@
-/// The formats that a run writes itself, and what to say to those that only `export` writes.
+/// Which formats --format may name.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 
 namespace tetfarm {
 
-/// `folder` is where the run puts its mesh, for the command that exports it. @throws UsageError
-/// "--format su2: …; run writes vtkhdf and lb8.ugrid; for SU2: `tetfarm export out -o mesh.su2`".
-void require_formats_of_run(const std::vector<std::string>& formats, const std::string& folder);
+/// @throws UsageError for one that is unknown, with the nearest that is, and for one named twice.
+void require_known_formats(const std::vector<std::string>& formats);
 
 }  // namespace tetfarm

@@ -8,6 +8,7 @@
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
+#include "cli/converted_meshes.h"
 #include "cli/coordinator_connection.h"
 #include "cli/counted.h"
 #include "cli/job_outcome.h"
@@ -38,6 +39,11 @@ void listen_to_signals() {
   action.sa_handler = note_stop;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
+}
+
+/// What comes after the job is done again by the same command.
+void stop_listening() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
 }
 
 int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
@@ -225,10 +231,12 @@ ExitCode run_command(const RunOptions& options) {
   }
   if (!outcome.end) return report_stop(options, store, outcome);
   name_as_typed(*outcome.end, options, input);
+  std::vector<std::filesystem::path> files = deliver_files(*outcome.end, store, folder);
+  stop_listening();
+  convert_mesh(*outcome.end, options.progress, files);
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
-  return report_outcome(*outcome.end, {.files = deliver_files(*outcome.end, store, folder),
-                                       .seconds = seconds,
-                                       .json = options.json});
+  return report_outcome(*outcome.end,
+                        {.files = std::move(files), .seconds = seconds, .json = options.json});
 }
 
 }  // namespace tetfarm

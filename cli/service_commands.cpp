@@ -14,6 +14,7 @@
 #include "base/file_system.h"
 #include "cli/bring_surface.h"
 #include "cli/commands.h"
+#include "cli/converted_meshes.h"
 #include "cli/coordinator_connection.h"
 #include "cli/counted.h"
 #include "cli/fetch_files.h"
@@ -133,6 +134,7 @@ ExitCode wait_command(const WaitCommand& command) {
     files = command.store.empty()
                 ? fetch_files(connection, status, client.output, fetch_options(client))
                 : deliver_files(status, command.store, client.output);
+    convert_mesh(status, client.progress, files);
   }
   return report_outcome(
       status, {.files = std::move(files), .seconds = status.seconds(), .json = client.json});

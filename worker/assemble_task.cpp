@@ -12,6 +12,7 @@
 #include "mesh/inspect/small_angles.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "mesh/io/job_formats.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 
@@ -49,7 +50,7 @@ class ResultFiles {
   ResultFiles(TaskIo& io, const JobFile& job, const SurfaceMesh& surface,
               const Numbering& numbering)
       : io_(io), job_(job), surface_(surface), numbering_(numbering) {
-    for (const std::string& format : job.formats) start(format);
+    for (const std::string& format : formats_of_tasks(job.formats)) start(format);
   }
 
   std::vector<GlobalMeshWriter*> writers() const {
@@ -88,13 +89,10 @@ class ResultFiles {
                                                  read_tets(io_, leaf, portion);
                                                  return std::move(portion.part);
                                                });
-    } else if (format == "lb8.ugrid") {
+    } else {
       ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
       io_.publish(file_name_of_job(job_.name, ".mapbc"), mapbc_text(surface_.patch_names));
-    } else {
-      throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
-                       "[output] formats");
     }
   }
 
@@ -195,6 +193,11 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
   io.number("min_unforced_dihedral_gate_deg", job.min_unforced_dihedral_deg);
   report_forcing(io, surface);
   io.text("digest", summary.digest.hex());
+  std::string converted;
+  for (const std::string& format : formats_to_convert(job.formats)) {
+    converted += (converted.empty() ? "" : ",") + format;
+  }
+  if (!converted.empty()) io.text("formats_to_convert", converted);
 }
 
 }  // namespace

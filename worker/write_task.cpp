@@ -8,6 +8,7 @@
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "mesh/io/job_formats.h"
 #include "worker/part_after_cosmetics.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
@@ -36,8 +37,8 @@ MeshPart read_part(const TaskIo& io, const SurfaceMesh& surface) {
 void place(const TaskIo& io, const SurfaceMesh& surface, const Numbering& numbering,
            Portion& portion) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  const bool is_wanted =
-      std::find(job.formats.begin(), job.formats.end(), "vtkhdf") != job.formats.end();
+  const std::vector<std::string> formats = formats_of_tasks(job.formats);
+  const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
   if (!is_wanted || !knows_places(numbering)) return;
   SharedFile file = shared_mesh_file(io);
   if (io.assign().apart()) file.path.clear();

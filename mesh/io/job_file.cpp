@@ -40,7 +40,6 @@ constexpr std::array<std::string_view, 4> kinds_of_planes = {"auto", "lattice", 
 constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
 constexpr std::array<std::string_view, 3> assimilate_methods = {"recursive", "k-way",
                                                                 "k-way-volume"};
-constexpr std::array<std::string_view, 2> formats = {"vtkhdf", "lb8.ugrid"};
 
 /// No tet mesh reaches the angles of the regular tet, 70.53 degrees, everywhere.
 constexpr double regular_dihedral_deg = 70.5;
@@ -192,7 +191,7 @@ void parse_output(const JobSection& section, JobFile& job) {
   for (const toml::node& node : section.array("formats")) {
     const auto format = node.value_exact<std::string>();
     if (!format) section.fail(node.source(), "`formats` must hold strings");
-    section.check_known(node, "formats", *format, formats);
+    section.check_known(node, "formats", *format, job_output_formats());
     if (std::find(job.formats.begin(), job.formats.end(), *format) != job.formats.end()) {
       section.fail(node.source(), "`formats` has \"" + *format + "\" twice");
     }
@@ -249,8 +248,6 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   parse_output(top.table("output", output_keys), job);
   return job;
 }
-
-std::span<const std::string_view> job_output_formats() { return formats; }
 
 std::vector<std::string> job_file_keys() {
   const std::array<std::pair<std::string_view, Words>, 14> sections = {

@@ -21,7 +21,7 @@ namespace tetfarm {
 enum class InteriorPoints : std::uint8_t { lattice, sweeps };
 
 struct VolumeMeshOptions {
-  /// Off: stop after recovery, without interior points or cosmetics (for tests and trial cuts).
+  /// Off: stop after recovery, without interior points or cosmetics (for tests).
   bool fill = true;
   bool cosmetics = true;
   InteriorPoints points = InteriorPoints::lattice;
