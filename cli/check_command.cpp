@@ -7,6 +7,7 @@
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/surface_angles.h"
+#include "mesh/inspect/defect_text.h"
 #include "mesh/io/read_surface.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
@@ -123,7 +124,7 @@ ExitCode check_command(const CheckOptions& options) {
   const std::string file = defects_file(options.defects_file, input.job.name);
   write_defects_vtp(surface, checked.report.defects, file);
   throw Error(ExitCode::bad_geometry,
-              input.path + ": " + defect_message(checked.report.defects) + "\n  see " + file);
+              input.path + ": " + defects_text(checked.report.defects) + "\n  see " + file);
 }
 
 }  // namespace tetfarm

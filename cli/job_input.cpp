@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "base/job_name.h"
 #include "cli/output_formats.h"
+#include "mesh/inspect/defect_text.h"
 #include "mesh/io/read_flite_sources.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/surface_type.h"
@@ -137,7 +138,7 @@ void require_meshable(const JobInput& input) {
   const CheckedSurface checked =
       check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
   if (checked.report.defects.empty()) return;
-  throw Error(ExitCode::bad_geometry, input.path + ": " + defect_message(checked.report.defects));
+  throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
 }
 
 std::string key_of(const JobInput& input) {

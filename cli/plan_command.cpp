@@ -14,6 +14,7 @@
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/decomposition_plan.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/inspect/defect_text.h"
 #include "mesh/io/read_surface.h"
 #include "store/disk_room.h"
 #include "worker/inspect_task.h"
@@ -42,7 +43,7 @@ Plan make_plan(const JobInput& input) {
   const CheckedSurface checked =
       check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
   if (!checked.report.defects.empty()) {
-    throw Error(ExitCode::bad_geometry, input.path + ": " + defect_message(checked.report.defects));
+    throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }
   const JobDomain domain = domain_of_job(input.job, checked.surface);
   Plan plan;

@@ -8,6 +8,7 @@
 #include "base/job_name.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/inspect/defect_text.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/gzip.h"
 #include "mesh/io/read_surface.h"
@@ -123,14 +124,6 @@ void require_room(const JobFile& job, double input_bytes, const SubdomainSize& r
                    "[decompose] max_memory");
 }
 
-std::string defect_message(const std::vector<SurfaceDefect>& defects) {
-  std::string message = "the surface cannot be meshed";
-  for (const SurfaceDefect& defect : defects) {
-    message += "\n  " + defect.kind + ": " + defect.message;
-  }
-  return message;
-}
-
 namespace {
 
 /// @throws RefusedInput.
@@ -140,7 +133,7 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const std::string
   CheckedSurface checked = check_surface(surface, region_rules_of(job));
   if (checked.report.defects.empty()) return checked;
   const std::string defects = defects_as_vtp(io, surface, checked.report.defects);
-  throw RefusedInput(defect_message(checked.report.defects),
+  throw RefusedInput(defects_text(checked.report.defects),
                      {{file_name_of_job(job.name, ".defects.vtp"), defects}});
 }
 

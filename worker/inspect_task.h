@@ -42,7 +42,4 @@ std::int64_t parts_of_job(const JobFile& job, const SubdomainSize& root, std::in
 /// smaller by cutting.
 void require_room(const JobFile& job, double input_bytes, const SubdomainSize& root);
 
-/// All defects as the lines of one message.
-std::string defect_message(const std::vector<SurfaceDefect>& defects);
-
 }  // namespace tetfarm

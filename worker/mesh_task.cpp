@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
+#include "mesh/library/leaf_mesh.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
-#include "worker/leaf_mesh.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -24,31 +25,13 @@ VolumeMeshOptions volume_options_of(const JobFile& job) {
   return options;
 }
 
-/// Whether a half of a leaf that did not recover as a whole does.
-bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
-  try {
-    mesh_volume(half, spacing, {.fill = false, .cosmetics = false});
-    return true;
-  } catch (const RecoveryFailure&) {
-    return false;
-  } catch (const InvalidInput&) {
-    return false;
-  }
-}
-
 LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spacing) {
   VolumeMeshOptions options = volume_options_of(job);
   options.progress = io.progress();
   CutOptions cutting;
   cutting.planes = cut_planes_of(job);
   cutting.progress = io.progress();
-  cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
-    return boundary_recovers(left, spacing) && boundary_recovers(right, spacing);
-  };
-  return {.mesh = [options,
-                   &spacing](const Subdomain& part) { return mesh_volume(part, spacing, options); },
-          .cut = [cutting,
-                  &spacing](const Subdomain& part) { return planar_cut(part, spacing, cutting); }};
+  return leaf_meshers(spacing, options, std::move(cutting));
 }
 
 TetMesh mesh_or_refuse(TaskIo& io, const JobFile& job, const Subdomain& leaf,

@@ -18,16 +18,24 @@ constexpr double gain_among_needles = 1.1;
 constexpr int most_passes = 3;
 /// What every stage may try, however few are bad.
 constexpr std::int64_t least_attempts = 1000;
+/// All stages together have so many attempts for each node of the boundary, and some more: needles
+/// a thousand times as long as wide have many tets each, and hardly one of these can be helped.
+constexpr std::int64_t attempts_of_boundary_node = 200;
+constexpr std::int64_t more_attempts = 10'000;
 
-/// Tets below the angle are worked on until they are good enough; so many attempts for each two.
+/// Tets below the angle are worked on until they are good enough; so many attempts for each two,
+/// until this share of all attempts is spent.
 struct Stage {
   double wanted_deg;
   double enough_deg;
   std::int64_t attempts_of_two;
+  double share_until_then;
 };
-constexpr std::array<Stage, 4> stages = {{{0.5, 20, 10}, {3, 20, 8}, {8, 25, 2}, {15, 30, 1}}};
+constexpr std::array<Stage, 4> stages = {
+    {{0.5, 20, 10, 0.65}, {3, 20, 8, 0.85}, {8, 25, 2, 0.9}, {15, 30, 1, 0.92}}};
 constexpr std::int64_t attempts_of_last_stage = 1;
-constexpr std::array<Stage, 2> stages_again = {{{3, 20, 10}, {1, 20, 20}}};
+constexpr double share_until_last_stage = 0.94;
+constexpr std::array<Stage, 2> stages_again = {{{3, 20, 10, 0.98}, {1, 20, 20, 1}}};
 
 /// Those below the improver's aims.
 std::vector<BadTet> bad_tets(const Improver& improver) {
@@ -51,16 +59,22 @@ std::vector<BadTet> take_aims(Improver& improver, const Aims& aims) {
   return bad_tets(improver);
 }
 
-void begin_stage(Improver& improver, const Aims& aims, std::int64_t attempts_of_two) {
+std::int64_t attempts_until(const Improver& improver, double share) {
+  const std::int64_t all = more_attempts + attempts_of_boundary_node * improver.work.fixed_nodes;
+  return static_cast<std::int64_t>(share * static_cast<double>(all)) - improver.report.attempts;
+}
+
+void begin_stage(Improver& improver, const Aims& aims, std::int64_t attempts_of_two, double share) {
   std::vector<BadTet> bad = take_aims(improver, aims);
-  improver.attempts = least_attempts + attempts_of_two * std::ssize(bad) / 2;
+  const std::int64_t wanted = least_attempts + attempts_of_two * std::ssize(bad) / 2;
+  improver.attempts = std::min(wanted, std::max(least_attempts, attempts_until(improver, share)));
   improver.queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(bad));
 }
 
 void run_stage(Improver& improver, const Stage& stage) {
   const double wanted = goodness_of_angle(stage.wanted_deg);
   begin_stage(improver, {wanted, wanted, goodness_of_angle(stage.enough_deg)},
-              stage.attempts_of_two);
+              stage.attempts_of_two, stage.share_until_then);
   for (int pass = 0; pass < most_passes && !improver.queue.empty(); ++pass) {
     begin_pass(improver);
     run_pass(improver, true);
@@ -82,7 +96,7 @@ void improve_in_stages(Improver& improver) {
   const Aims aims = improver.aims;
   improver.work.gain = gain_among_needles;
   for (const Stage& stage : stages) run_stage(improver, stage);
-  begin_stage(improver, aims, attempts_of_last_stage);
+  begin_stage(improver, aims, attempts_of_last_stage, share_until_last_stage);
 }
 
 void improve_worst_again(Improver& improver) {

@@ -37,4 +37,12 @@ SurfaceDefect defect_of_triangles(const SurfaceMesh& surface, const std::string&
   return {kind, with_places(what, places, triangles.size()), {triangles.begin(), triangles.end()}};
 }
 
+std::string defects_text(const std::vector<SurfaceDefect>& defects) {
+  std::string message = "the surface cannot be meshed";
+  for (const SurfaceDefect& defect : defects) {
+    message += "\n  " + defect.kind + ": " + defect.message;
+  }
+  return message;
+}
+
 }  // namespace tetfarm

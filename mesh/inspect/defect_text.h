@@ -28,4 +28,7 @@ SurfaceDefect defect_of_triangles(const SurfaceMesh& surface, const std::string&
                                   const std::string& what,
                                   const std::vector<std::int32_t>& triangles);
 
+/// "the surface cannot be meshed", and a line for each defect.
+std::string defects_text(const std::vector<SurfaceDefect>& defects);
+
 }  // namespace tetfarm

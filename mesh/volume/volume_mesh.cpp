@@ -124,7 +124,8 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     cosmetics.smallest_spacing = spacing.smallest();
     cosmetics.measures_angles = false;
     cosmetics.regular = {grafted.first, grafted.last, grafted.least_height};
-    improve_mesh(kept.complex, boundary_nodes, cosmetics);
+    const CosmeticReport improved = improve_mesh(kept.complex, boundary_nodes, cosmetics);
+    if (report != nullptr) report->cosmetic_attempts = improved.attempts;
   }
   return compact_mesh(kept.complex, boundary_nodes);
 }

@@ -34,6 +34,7 @@ struct VolumeMeshReport {
   std::int64_t boundary_steiner_points = 0;  // for a while, to recover the rest
   std::int64_t interior_steiner_points = 0;  // of these, the ones that are left, inside
   LatticeCost lattice;                       // of points from the lattice
+  std::int64_t cosmetic_attempts = 0;        // at tets that are bad
 };
 
 /// The surface could not be recovered: which sub-domain triangles are missing.

@@ -51,8 +51,7 @@ std::size_t bad_tets(const TetComplex& complex, double degrees) {
   return bad;
 }
 
-Improved improved_needles() {
-  const TetMesh mesh = mesh_of_needles();
+Improved improved_needles(const TetMesh& mesh) {
   Improved improved;
   improved.complex = make_tet_complex(mesh);
   improved.tets_before = mesh.tets.size();
@@ -62,7 +61,7 @@ Improved improved_needles() {
 }
 
 TEST(StagedImprovement, tries_each_tet_of_a_mesh_of_needles_a_few_times_only) {
-  const Improved improved = improved_needles();
+  const Improved improved = improved_needles(mesh_of_needles());
   ASSERT_GT(20 * improved.bad_before, improved.tets_before);
   EXPECT_THAT(validate(improved.complex), IsEmpty());
   EXPECT_LE(improved.report.attempts, 15 * std::ssize(improved.complex.nodes) + 7000)
@@ -70,7 +69,7 @@ TEST(StagedImprovement, tries_each_tet_of_a_mesh_of_needles_a_few_times_only) {
 }
 
 TEST(StagedImprovement, leaves_few_of_the_worst) {
-  const Improved improved = improved_needles();
+  const Improved improved = improved_needles(mesh_of_needles());
   EXPECT_LE(10 * bad_tets(improved.complex, 3), improved.bad_before)
       << bad_tets(improved.complex, 3) << " of " << improved.bad_before;
   EXPECT_GE(improved.report.min_dihedral_after_deg, improved.report.min_dihedral_before_deg);

@@ -20,8 +20,7 @@ struct Trial {
 
 /// A small source in a corner region of a cube; with a background there are blocks.
 Trial corner_source(double background) {
-  Trial trial{
-      {DemandTree({}, 0.5), {}, {}, background, 0.5, background > 0 ? background : 1}, {}, {}};
+  Trial trial{{DemandTree({}, 0.5), {}, background, 0.5, background > 0 ? background : 1}, {}, {}};
   trial.domain.add(Vec3{0, 0, 0});
   trial.domain.add(Vec3{1, 1, 1});
   const Source source{{{{0.21, 0.33, 0.4}, 0.004, 0.01, 0.02}}};

@@ -19,8 +19,8 @@ inline std::string name_of(const shapes::SurfaceGenerator& generator, std::uint6
          std::to_string(seed);
 }
 
-/// Meshes the surface with points inside and cosmetics, as a leaf of a job, and checks the mesh.
-/// The CPU seconds of meshing.
+/// Meshes the surface with points inside and cosmetics, as a leaf of a job, and checks the mesh and
+/// what was spent on it. The CPU seconds of meshing, for people.
 inline double mesh_cad_surface(const shapes::SurfaceGenerator& generator, std::uint64_t seed,
                                int size) {
   SCOPED_TRACE(name_of(generator, seed, size));
@@ -32,7 +32,9 @@ inline double mesh_cad_surface(const shapes::SurfaceGenerator& generator, std::u
   const SpacingField spacing(0.2 * norm(bounding_box(domain.vertices).size()));
   const std::clock_t start = std::clock();
   try {
-    const TetMesh mesh = mesh_volume(domain, spacing);
+    VolumeMeshReport report;
+    const TetMesh mesh = mesh_volume(domain, spacing, {}, &report);
+    EXPECT_LT(report.cosmetic_attempts, 120'000 + 250 * std::ssize(domain.vertices));
     const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     expect_mesh_of(mesh, domain);
     return seconds;

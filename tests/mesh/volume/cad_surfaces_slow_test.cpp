@@ -13,9 +13,6 @@
 namespace tetfarm {
 namespace {
 
-/// A bound that only something wrong exceeds: most take some milliseconds.
-constexpr double most_seconds = 30;
-
 struct Cost {
   double seconds = 0;
   std::uint64_t seed = 0;
@@ -27,7 +24,6 @@ class ManyCadSurfaces : public testing::TestWithParam<shapes::SurfaceGenerator> 
   void mesh_seeds(std::uint64_t first, std::uint64_t end, int size) {
     for (std::uint64_t seed = first; seed < end; ++seed) {
       const double seconds = mesh_cad_surface(GetParam(), seed, size);
-      EXPECT_LT(seconds, most_seconds) << name_of(GetParam(), seed, size);
       costs_.push_back({seconds, seed, size});
     }
     std::printf("%s: size %d, seeds %llu to %llu\n", GetParam().name, size,

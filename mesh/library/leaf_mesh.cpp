@@ -1,9 +1,11 @@
-#include "worker/leaf_mesh.h"
+#include "mesh/library/leaf_mesh.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/check.h"
+#include "base/error.h"
 
 namespace tetfarm {
 namespace {
@@ -89,7 +91,30 @@ std::optional<TetMesh> mesh_of_halves(const Subdomain& leaf, const LeafMeshers& 
   }
 }
 
+/// Whether a half of a leaf that did not recover as a whole does.
+bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
+  try {
+    mesh_volume(half, spacing, {.fill = false, .cosmetics = false});
+    return true;
+  } catch (const RecoveryFailure&) {
+    return false;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
 }  // namespace
+
+LeafMeshers leaf_meshers(const SpacingField& spacing, const VolumeMeshOptions& meshing,
+                         CutOptions cutting) {
+  cutting.accept = [&spacing](const Subdomain& left, const Subdomain& right) {
+    return boundary_recovers(left, spacing) && boundary_recovers(right, spacing);
+  };
+  return {.mesh = [meshing,
+                   &spacing](const Subdomain& part) { return mesh_volume(part, spacing, meshing); },
+          .cut = [cutting = std::move(cutting),
+                  &spacing](const Subdomain& part) { return planar_cut(part, spacing, cutting); }};
+}
 
 TetMesh join_halves(const Subdomain& whole, const Subdomain& left, const TetMesh& left_mesh,
                     const Subdomain& right, const TetMesh& right_mesh) {

@@ -1,4 +1,4 @@
-#include "worker/leaf_mesh.h"
+#include "mesh/library/leaf_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -17,6 +17,11 @@ struct LeafMeshers {
   std::function<CutOutcome(const Subdomain&)> cut;
 };
 
+/// The mesh rooms as meshers: a cut counts when the boundaries of both halves are recovered.
+/// @pre `spacing` outlives the result.
+LeafMeshers leaf_meshers(const SpacingField& spacing, const VolumeMeshOptions& meshing,
+                         CutOptions cutting);
+
 /// A mesh that satisfies the invariants of TetMesh for `leaf`. @throws RecoveryFailure of the whole
 /// leaf when neither way works; what `mesh` throws otherwise.
 TetMesh leaf_mesh(const Subdomain& leaf, const LeafMeshers& meshers);

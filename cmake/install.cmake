@@ -1,0 +1,26 @@
+# cmake --install: the program, and the mesh rooms as a library for other programs
+# (examples/library): find_package(tetfarm), or pkg-config tetfarm.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(library_rooms mesh/library mesh/decompose mesh/planar mesh/graph mesh/volume mesh/cosmetics mesh/spacing
+    mesh/inspect mesh/shapes mesh/geometry mesh/io mesh/core base)
+set(archives "")
+foreach(room ${library_rooms})
+  room_target(${room} target)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME tetfarm_${target})
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/tetfarm>)
+  install(TARGETS ${target} EXPORT tetfarm ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tetfarm/${room}/..
+          FILES_MATCHING PATTERN "*.h")
+  string(APPEND archives " -ltetfarm_${target}")
+endforeach()
+install(TARGETS tetfarm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tetfarm)
+install(EXPORT tetfarm NAMESPACE tetfarm:: FILE tetfarm-targets.cmake DESTINATION ${package_folder})
+write_basic_package_version_file(tetfarm-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/tetfarm.pc.in tetfarm.pc @ONLY)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/tetfarm-config.cmake ${PROJECT_BINARY_DIR}/tetfarm-config-version.cmake
+        DESTINATION ${package_folder})
+install(FILES ${PROJECT_BINARY_DIR}/tetfarm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
