@@ -407,8 +407,7 @@ TEST_F(Tasks, that_fail_for_a_full_disk_leave_no_file_in_the_making) {
                         {"numbering", files["numbering"]},
                         {"subdomain", files["subdomain:1"]},
                         {"mesh", files["mesh:1"]}};
-  // In a process of its own, as tasks are: HDF5 may crash at the end of one in which a file could
-  // not be closed.
+  // In a process of its own, as tasks are: HDF5 does not forget a file that could not be closed.
   const auto fails_for_a_full_disk = [&] {
     const FileSizeLimit full_disk(1000);
     return run(write_task, inputs).has_failed();
