@@ -12,8 +12,15 @@
 namespace tetfarm {
 namespace {
 
-/// HDF5 prints its stack of errors unless told not to.
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// HDF5 prints its stack of errors unless told not to. And it ends itself with the process, which
+/// crashes when a file could not be closed, as on a full disk: the process would be said to have
+/// crashed, whatever it had told before. There is nothing to end: each file is closed where it was
+/// opened.
+void tame() {
+  static const herr_t once = H5dont_atexit();  // before all other calls
+  static_cast<void>(once);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Hdf5Handle space(const std::vector<hsize_t>& size) {
   return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose};
@@ -70,7 +77,7 @@ bool hdf5_takes_threads() {
 }
 
 Hdf5Output::Hdf5Output(std::string path) : path_(std::move(path)) {
-  silence();
+  tame();
   errno = 0;
   file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose};
   checked(file_.get());
@@ -165,7 +172,7 @@ void Hdf5Output::close() {
 }
 
 Hdf5Input::Hdf5Input(std::string path) : path_(std::move(path)) {
-  silence();
+  tame();
   if (::access(path_.c_str(), R_OK) != 0) throw IoError("cannot read", path_, errno);
   expect_sound_hdf5(path_);
   file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};

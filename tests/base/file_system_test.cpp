@@ -1,5 +1,6 @@
 #include "base/file_system.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -11,9 +12,14 @@
 
 #include "base/error.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/seen_syncs.h"
 
 namespace tetfarm {
 namespace {
+
+using test::SeenSyncs;
+using testing::ElementsAre;
+using testing::SizeIs;
 
 TEST(FileSystem, writes_and_replaces_a_whole_file) {
   const TempFolder folder;
@@ -66,6 +72,56 @@ TEST(FileSystem, a_full_disk_leaves_the_old_file_and_nothing_else) {
   EXPECT_EQ(count_files(folder.path()), 1U);
 }
 
+TEST(FileSystem, a_file_in_the_making_has_its_old_bytes_again_when_more_do_not_fit) {
+  const TempFolder folder;
+  const auto path = folder.path() / "growing";
+  const std::string begun(4000, 'a');
+  append_to_file(path, 0, begun);
+  EXPECT_TRUE(
+      runs_out_of_room([&] { append_to_file(path, begun.size(), std::string(1000, 'b')); }));
+  EXPECT_EQ(read_file(path), begun);
+  append_to_file(path, begun.size(), "more");
+  EXPECT_EQ(read_file(path), begun + "more");
+}
+
+/// The file under another name, before it has its own, then the folder with its name in it.
+void expect_synced_before_and_after_it_is_named(const SeenSyncs& syncs,
+                                                const std::filesystem::path& path) {
+  ASSERT_THAT(syncs.all(), SizeIs(2));
+  EXPECT_EQ(syncs.all()[0].path.parent_path(), path.parent_path());
+  EXPECT_NE(syncs.all()[0].path, path);
+  EXPECT_EQ(syncs.all()[1].path, path.parent_path());
+  EXPECT_THAT(syncs.all()[1].names, ElementsAre(path.filename().string()));
+}
+
+TEST(FileSystem, a_file_is_on_the_disk_before_it_has_its_name_and_its_name_before_it_is_told) {
+  const TempFolder folder;
+  const auto path = folder.path() / "a";
+  {
+    const SeenSyncs syncs;
+    write_file_atomically(path, "bytes");
+    expect_synced_before_and_after_it_is_named(syncs, path);
+  }
+  const SeenSyncs syncs;
+  publish_by_rename(path, folder.path() / "b");
+  expect_synced_before_and_after_it_is_named(syncs, folder.path() / "b");
+}
+
+TEST(FileSystem, a_folder_that_is_made_and_a_link_are_on_the_disk) {
+  const TempFolder folder;
+  write_file_atomically(folder.path() / "a", "bytes");
+  {
+    const SeenSyncs syncs;
+    link_or_copy_file(folder.path() / "a", folder.path() / "b");
+    ASSERT_THAT(syncs.all(), SizeIs(1));
+    EXPECT_THAT(syncs.all()[0].names, ElementsAre("a", "b"));
+  }
+  const SeenSyncs syncs;
+  make_folders(folder.path() / "c");
+  ASSERT_THAT(syncs.all(), SizeIs(1));
+  EXPECT_THAT(syncs.all()[0].names, ElementsAre("a", "b", "c"));
+}
+
 TEST(FileSystem, links_or_copies_over_an_older_file) {
   const TempFolder folder;
   write_file_atomically(folder.path() / "a", "new");
@@ -81,8 +137,10 @@ TEST(FileSystem, copies_to_another_file_system) {
   std::string other = "/dev/shm/tetfarm_test.XXXXXX";
   if (mkdtemp(other.data()) == nullptr) GTEST_SKIP() << "no /dev/shm";
   write_file_atomically(folder.path() / "a", "new");
+  const SeenSyncs syncs;
   link_or_copy_file(folder.path() / "a", std::filesystem::path(other) / "b");
   EXPECT_EQ(read_file(std::filesystem::path(other) / "b"), "new");
+  expect_synced_before_and_after_it_is_named(syncs, std::filesystem::path(other) / "b");
   std::filesystem::remove_all(other);
 }
 

@@ -39,6 +39,12 @@ TEST(QualityGates, angles_that_it_does_not_force_do_not) {
   EXPECT_THAT(text, HasSubstr("min_unforced_dihedral"));
 }
 
+TEST(QualityGates, are_passed_by_an_angle_of_just_that_size) {
+  for (const QualityGate& gate : quality_gates_of(status_of(0.0002, 1))) {
+    EXPECT_TRUE(gate.is_passed()) << gate.key;
+  }
+}
+
 TEST(QualityGates, a_gate_of_0_is_none) {
   wire::JobStatus status = status_of(0.0002, 0);
   (*status.mutable_numbers())["min_unforced_dihedral_gate_deg"] = 0;

@@ -102,6 +102,19 @@ TEST_F(JobStateTest, heartbeats_renew_the_lease_of_their_attempt_only) {
   EXPECT_EQ(task(assign.task).state, TaskState::ready);
 }
 
+TEST_F(JobStateTest, a_worker_without_a_task_that_says_nothing_for_a_lease_is_gone) {
+  worker_ = new_worker();
+  const WorkerId silent = new_worker();
+  commit();
+  wait(rules_.lease_ms);
+  commit();
+  EXPECT_TRUE(state_->knows_worker(silent));
+  wait(1);
+  commit();
+  EXPECT_FALSE(state_->knows_worker(silent));
+  EXPECT_TRUE(state_->knows_worker(worker_)) << "its heartbeats are heard";
+}
+
 TEST_F(JobStateTest, answers_a_repeated_done_alike) {
   submit();
   worker_ = new_worker();

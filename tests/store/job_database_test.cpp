@@ -15,6 +15,7 @@
 #include "store/schema.h"
 #include "store/sqlite_statement.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/seen_syncs.h"
 
 namespace tetfarm {
 namespace {
@@ -271,7 +272,25 @@ TEST(JobDatabase, is_made_for_its_owner_alone_and_closed_to_all_others) {
   EXPECT_EQ(mode(path), 0640U) << "what its owner gave a group";
 }
 
-TEST(JobDatabase, it_syncs_fully_and_checks_foreign_keys) {
+TEST(JobDatabase, what_it_has_taken_is_on_the_disk) {
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "db";
+  JobDatabase database(path);
+  const test::SeenSyncs syncs;
+  database.apply(some_changes());
+  EXPECT_TRUE(syncs.has(path.string() + "-wal"));
+}
+
+TEST(JobDatabase, an_attempt_of_no_task_is_refused) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  ChangeSet changes = some_changes();
+  changes.tasks.clear();
+  EXPECT_THROW(database.apply(changes), IoError);
+  EXPECT_THAT(database.load().running_attempts, IsEmpty());
+}
+
+TEST(JobDatabase, it_has_a_log_of_what_is_written_and_tables_that_check_their_values) {
   const TempFolder folder;
   const std::string path = folder.path() / "db";
   const JobDatabase made(path);

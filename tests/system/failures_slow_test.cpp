@@ -143,6 +143,7 @@ TEST_F(Failures, nothing_is_left_running_when_the_run_is_killed) {
     pause_ms(5);
     farm = test::descendants(run.process());
   }
+  ASSERT_GE(farm.size(), 5U) << "it has ended before";
   run.signal(SIGKILL);
   run.wait();
   for (const pid_t process : farm) {

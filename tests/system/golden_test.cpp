@@ -41,10 +41,12 @@ class GoldenMesh : public ::testing::Test {
     const Ended ended =
         run_program(test::run_words(input, name, 2, subdomains), folder_.path(), 300);
     ASSERT_EQ(ended.code, 0) << ended.err;
+    ASSERT_EQ(test::digest_of(ended).size(), 32U);
     Digests digests = golden_digests();
     if (std::getenv("UPDATE_GOLDEN") != nullptr) {
       digests[name] = test::digest_of(ended);
       write_golden(digests);
+      GTEST_SKIP() << "UPDATE_GOLDEN is set: written, and not compared";
     }
     EXPECT_EQ(test::digest_of(ended), digests[name]);
   }

@@ -9,6 +9,7 @@ namespace tetfarm {
 namespace {
 
 using test::Ended;
+using test::Program;
 using test::run_program;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
@@ -80,6 +81,47 @@ TEST(Run, a_mesh_below_the_gate_is_delivered_and_ends_with_4) {
   EXPECT_EQ(ended.code, 4) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("gate is 60"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "job.vtkhdf"));
+}
+
+TEST(Run, a_result_that_was_damaged_in_the_store_is_made_again) {
+  const TemporaryFolder folder;
+  const std::string input = test::sphere_in_box(folder.path(), 3, 1);
+  const Ended first = run_program(test::run_words(input, "out", 1, 1), folder.path());
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::filesystem::path mesh = test::result_of(first)["files"][0].get<std::string>();
+  const std::string sound = test::contents(mesh);
+  // What was delivered may be the same file.
+  std::string damaged = sound;
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+  int harmed = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           folder.path() / "out" / ".tetfarm" / "artifacts")) {
+    if (!entry.is_regular_file() || test::contents(entry.path()) != sound) continue;
+    std::filesystem::remove(entry.path());
+    test::write_contents(entry.path(), damaged);
+    ++harmed;
+  }
+  ASSERT_EQ(harmed, 1);
+  std::filesystem::remove(mesh);
+  const Ended again = run_program(test::run_words(input, "out", 1, 1), folder.path());
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(test::contents(mesh), sound);
+}
+
+TEST(Run, a_file_that_does_not_fit_ends_with_6_and_the_same_command_goes_on_with_room) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words =
+      test::run_words(test::sphere_in_box(folder.path(), 3, 1), "out", 1, 1);
+  words.insert(words.end(), {"--size", "0.3"});
+  // As on a full disk, for files of more than half a megabyte.
+  const Ended full = Program(words, folder.path(),
+                             {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f 1000; exec \"$0\" \"$@\"",
+                              test::built_program()})
+                         .wait();
+  EXPECT_EQ(full.code, 6) << full.err;
+  EXPECT_THAT(full.err, HasSubstr("cannot write"));
+  const Ended with_room = run_program(words, folder.path());
+  EXPECT_EQ(with_room.code, 0) << with_room.err;
 }
 
 TEST(Run, a_surface_with_a_hole_ends_with_3_and_shows_where) {

@@ -143,6 +143,16 @@ TEST(ChildTask, killing_ends_it) {
   EXPECT_THAT(outcome->failed().message(), HasSubstr("signal 9"));
 }
 
+TEST(ChildTask, one_that_took_too_long_was_not_killed_from_outside) {
+  ChildTask child({.command = {"/bin/sh", "-c", "sleep 1000"}}, wire::Assign());
+  child.end_overdue(7'000);
+  std::optional<wire::Envelope> outcome;
+  while (!outcome) outcome = child.poll([](const wire::Doing&) {});
+  EXPECT_FALSE(outcome->failed().killed());
+  EXPECT_TRUE(outcome->failed().may_retry());
+  EXPECT_THAT(outcome->failed().message(), HasSubstr("its limit of 7 s"));
+}
+
 TEST(ChildTask, destruction_leaves_no_process_behind) {
   pid_t process = 0;
   {

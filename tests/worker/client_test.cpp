@@ -1,8 +1,11 @@
 #include "worker/client.h"
 
 #include <gmock/gmock.h>
+#include <pthread.h>
 #include <stdlib.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -57,7 +60,7 @@ class WorkerClient : public ::testing::Test {
       options.cache_bytes = 1 << 20;
       options.task_command = {"/bin/sh", "-c", script};
       options.grace_ms = grace_ms;
-      options.handle_signals = false;
+      options.handle_signals = handle_signals_;
       options.drain = &drain_;
       run_worker(options);
     });
@@ -73,14 +76,14 @@ class WorkerClient : public ::testing::Test {
 
   /// The next message of that kind; others are passed over.
   wire::Envelope hear(Body wanted) {
-    while (true) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (std::chrono::steady_clock::now() < until) {
       wire::Envelope envelope = hear_any();
       if (envelope.body_case() == wanted) return envelope;
-      if (envelope.body_case() == Body::BODY_NOT_SET) {
-        ADD_FAILURE() << "the worker does not say " << static_cast<int>(wanted);
-        return {};
-      }
+      if (envelope.body_case() == Body::BODY_NOT_SET) break;
     }
+    ADD_FAILURE() << "the worker does not say " << static_cast<int>(wanted);
+    return {};
   }
 
   void say(const wire::Envelope& envelope) {
@@ -98,19 +101,25 @@ class WorkerClient : public ::testing::Test {
     say(envelope);
   }
 
-  void assign(std::uint64_t task, std::uint64_t attempt) {
+  void assign(std::uint64_t task, std::uint64_t attempt, std::uint64_t limit_ms = 0) {
     wire::Envelope envelope;
+    envelope.mutable_assign()->set_limit_ms(limit_ms);
     envelope.mutable_assign()->set_task(task);
     envelope.mutable_assign()->set_attempt(attempt);
     say(envelope);
   }
 
   /// The worker comes, is welcome, asks, and gets attempt 9 of task 5.
-  void get_task_5() {
+  void get_task_5(bool sees_store = true, std::uint64_t limit_ms = 0) {
     hear(Body::kHello);
-    welcome();
+    welcome(false, 60'000, sees_store);
     hear(Body::kReady);
-    assign(5, 9);
+    assign(5, 9, limit_ms);
+  }
+  void hear_that_task_5_runs() {
+    while (hear(Body::kHeartbeat).heartbeat().task() != 5) {
+      if (HasFailure()) return;
+    }
   }
 
   void accept(std::uint64_t task, std::uint64_t attempt, bool taken) {
@@ -124,6 +133,7 @@ class WorkerClient : public ::testing::Test {
   void hear_goodbye() { hear(Body::kGoodbye); }
 
   std::string folder_ = new_folder();
+  bool handle_signals_ = false;
   std::atomic<bool> drain_ = false;
   zmq::context_t context_{1};
   zmq::socket_t router_;
@@ -353,6 +363,81 @@ TEST_F(WorkerClient, a_drained_worker_hands_its_task_back_after_the_grace_time) 
   drain_ = true;
   hear(Body::kGoodbye);
   worker_.join();
+}
+
+TEST_F(WorkerClient, a_second_signal_hands_the_task_back_at_once) {
+  handle_signals_ = true;
+  start("sleep 1000", 60'000);
+  get_task_5();
+  hear_that_task_5_runs();
+  // Of one sort they would be one; to the thread, since the others do not wait for them.
+  ::pthread_kill(worker_.native_handle(), SIGTERM);
+  ::pthread_kill(worker_.native_handle(), SIGINT);
+  hear(Body::kGoodbye);
+  worker_.join();
+}
+
+TEST_F(WorkerClient, a_first_signal_lets_the_task_go_on) {
+  handle_signals_ = true;
+  const std::string go = folder_ + "/go";
+  start("while [ ! -e " + go + " ]; do sleep 0.01; done; " + say_done());
+  get_task_5();
+  hear_that_task_5_runs();
+  ::pthread_kill(worker_.native_handle(), SIGTERM);
+  for (int heartbeats = 0; heartbeats < 5; ++heartbeats) hear_that_task_5_runs();
+  std::ofstream{go};
+  EXPECT_EQ(hear(Body::kDone).done().attempt(), 9U);
+  accept(5, 9, true);
+  hear(Body::kGoodbye);
+  worker_.join();
+}
+
+TEST_F(WorkerClient, a_drained_worker_leaves_when_a_task_comes_with_the_answer) {
+  const std::string ran = folder_ + "/ran";
+  start("echo run >> " + ran + "; " + say_done());
+  get_task_5();
+  hear(Body::kDone);
+  hear(Body::kReady);
+  wire::Envelope drain;
+  drain.mutable_drain();
+  say(drain);
+  accept(5, 9, true);
+  assign(6, 10);
+  hear(Body::kGoodbye);
+  worker_.join();
+  EXPECT_EQ(std::filesystem::file_size(ran), 4U) << "one run";
+}
+
+TEST_F(WorkerClient, a_task_that_runs_beyond_its_limit_is_ended_and_that_is_no_end_from_outside) {
+  start("sleep 1000");
+  get_task_5(true, 100);
+  const wire::Failed failed = hear(Body::kFailed).failed();
+  EXPECT_THAT(failed.message(), HasSubstr("took longer than its limit"));
+  EXPECT_FALSE(failed.killed());
+  accept(5, 9, true);
+  hear(Body::kReady);
+}
+
+TEST_F(WorkerClient, a_full_disk_of_a_worker_apart_is_its_own_and_that_of_the_store_everybodys) {
+  wire::Envelope full;
+  full.mutable_failed()->set_message("no space");
+  full.mutable_failed()->set_out_of_resources(true);
+  start(printed(full));
+  get_task_5(false);
+  const wire::Failed apart = hear(Body::kFailed).failed();
+  EXPECT_EQ(apart.message(), "no space");
+  EXPECT_FALSE(apart.out_of_resources());
+  EXPECT_TRUE(apart.killed());
+  welcome(true);
+  accept(5, 9, true);
+  hear(Body::kReady);
+  assign(6, 10);
+  wire::Failed shared = hear(Body::kFailed).failed();
+  while (shared.attempt() == 9 && !HasFailure()) shared = hear(Body::kFailed).failed();
+  EXPECT_TRUE(shared.out_of_resources());
+  EXPECT_FALSE(shared.killed());
+  accept(6, 10, true);
+  hear(Body::kReady);
 }
 
 TEST_F(WorkerClient, garbage_from_the_coordinator_is_passed_over) {

@@ -86,21 +86,5 @@ TEST_F(FileReceiveTest, an_empty_file_needs_no_chunk_and_a_missing_one_gets_none
   EXPECT_FALSE(file.next(10'000));
 }
 
-TEST(ChunkWindow, does_not_ask_twice_for_what_comes_slowly) {
-  ChunkWindow window;
-  const std::uint64_t size = 100 * chunk_bytes;
-  std::uint64_t asked = 0;
-  std::uint64_t there = 0;
-  // A chunk each three seconds.
-  for (std::int64_t now = 0; now < 300'000; now += 100) {
-    while (window.next(size, there, now)) ++asked;
-    if (now > 0 && now % 3'000 == 0) {
-      there += chunk_bytes;
-      window.note(there, now);
-    }
-  }
-  EXPECT_LE(asked, there / chunk_bytes + 6);
-}
-
 }  // namespace
 }  // namespace tetfarm

@@ -97,6 +97,19 @@ TEST_F(OutputUploadTest, a_file_that_has_become_shorter_is_dropped_and_told) {
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 
+TEST_F(OutputUploadTest, an_answer_to_another_attempt_says_nothing_about_this_one) {
+  OutputUpload sent = upload();
+  sent.due(0);
+  wire::FileStored late = stored(bytes.size(), false, true);
+  late.set_attempt(attempt - 1);
+  sent.take(late, 0);
+  EXPECT_FALSE(sent.is_complete());
+  late = stored(0, true);
+  late.set_attempt(attempt - 1);
+  sent.take(late, 0);
+  EXPECT_TRUE(sent.due(1).empty()) << "it is not known yet where to begin";
+}
+
 TEST_F(OutputUploadTest, a_new_connection_that_has_lost_a_part_is_given_it_again) {
   OutputUpload sent = upload();
   sent.due(0);

@@ -150,9 +150,12 @@ TEST_F(RunTask, missing_and_damaged_inputs_are_named) {
   std::ofstream(damaged) << "tow";
   for (const int which : {0, 1}) {
     const wire::Artifact& input = assign_.inputs(which);
-    const wire::Envelope result = run([&input](TaskIo& io) { io.read(input.name()); });
-    EXPECT_TRUE(result.failed().may_retry());
-    EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash()));
+    for (const TaskBody& look : {TaskBody([&](TaskIo& io) { io.read(input.name()); }),
+                                 TaskBody([&](TaskIo& io) { io.path(input.name()); })}) {
+      const wire::Envelope result = run(look);
+      EXPECT_TRUE(result.failed().may_retry());
+      EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash()));
+    }
   }
 }
 

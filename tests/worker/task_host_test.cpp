@@ -7,9 +7,9 @@
 
 #include <array>
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 
+#include "tests/base/temp_folder.h"
 #include "worker/child_task.h"
 
 namespace tetfarm {
@@ -111,8 +111,8 @@ TEST_F(TaskHosts, a_host_that_was_killed_is_replaced_and_its_tasks_live_on) {
 }
 
 TEST_F(TaskHosts, a_task_asked_of_a_stopped_host_runs_once_from_another) {
-  const std::string file = ::testing::TempDir() + "/tetfarm_task_host_runs";
-  std::filesystem::remove(file);
+  const TempFolder folder;
+  const std::string file = folder.path() / "runs";
   EXPECT_EQ(exit_code(start(host_, "exit 0")), 0);
   const pid_t old = host_.process();
   ::kill(old, SIGSTOP);

@@ -169,9 +169,10 @@ TEST_F(Tasks, an_outer_box_makes_the_outside_the_domain) {
   JobFile job = job_of(1);
   job.outer_kind = "box";
   job.outer_factor = 2;
-  const wire::Envelope result = inspect(job, shapes::sphere({0, 0, 0}, 1, 1));
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 1);
+  const wire::Envelope result = inspect(job, ball);
   ASSERT_TRUE(result.has_done()) << result.failed().message();
-  EXPECT_NEAR(result.done().numbers().at("domain_volume"), 64 - 4.0, 4);
+  EXPECT_NEAR(result.done().numbers().at("domain_volume"), 64 - domain_volume(ball), 1e-9);
 }
 
 TEST_F(Tasks, the_whole_chain_makes_a_valid_mesh_in_every_format) {
@@ -406,8 +407,7 @@ TEST_F(Tasks, that_fail_for_a_full_disk_leave_no_file_in_the_making) {
                         {"numbering", files["numbering"]},
                         {"subdomain", files["subdomain:1"]},
                         {"mesh", files["mesh:1"]}};
-  // In a process of its own, as tasks are: HDF5 may crash at the end of one in which a file could
-  // not be closed.
+  // In a process of its own, as tasks are: HDF5 does not forget a file that could not be closed.
   const auto fails_for_a_full_disk = [&] {
     const FileSizeLimit full_disk(1000);
     return run(write_task, inputs).has_failed();

@@ -45,7 +45,8 @@ TEST(ForcedDihedral, of_a_single_tet_is_its_smallest_angle) {
   const ForcedDihedral forced = forced_dihedral(nodes, triangles);
   EXPECT_GE(forced.at_most_deg, smallest - 1e-9);
   EXPECT_LT(forced.at_most_deg, 25);
-  EXPECT_NEAR(distance(forced.at, {0.5, 0, 0}), 0, 1);
+  // The edge of the base that is farthest from the node above it.
+  EXPECT_NEAR(distance(forced.at, {0.5, 0, 0}), 0, 1e-12);
 }
 
 TEST(ForcedDihedral, of_a_cube_is_no_less_than_its_tets_have) {

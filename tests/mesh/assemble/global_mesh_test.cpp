@@ -10,8 +10,28 @@
 namespace tetfarm {
 namespace {
 
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
 GlobalMeshSummary assemble(const CutGrid& grid) {
   return assemble_global_mesh(grid.surface, grid.numbering(), grid.reader(), {});
+}
+
+void expect_refused(const CutGrid& grid, const std::string& why) {
+  EXPECT_THAT([&] { assemble(grid); }, ThrowsMessage<Error>(HasSubstr(why)));
+}
+
+/// Of a right grid whose last portion was changed.
+template <class Change>
+void expect_refused_portion(const Change& change, const std::string& why) {
+  const CutGrid grid = cut_grid(4);
+  const ReadPortion read = [&](const LeafNumbers& leaf) {
+    Portion portion = grid.reader()(leaf);
+    if (leaf.path.heap == 7) change(portion);
+    return portion;
+  };
+  EXPECT_THAT([&] { assemble_global_mesh(grid.surface, grid.numbering(), read, {}); },
+              ThrowsMessage<Error>(HasSubstr(why)));
 }
 
 /// Keeps what it gets.
@@ -95,13 +115,13 @@ TEST(GlobalMesh, refuses_a_shared_node_that_differs_in_one_bit) {
     part.mesh.nodes[v].y = std::nextafter(part.mesh.nodes[v].y, 9);
     break;
   }
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "faces of neighbours differ, or their nodes");
 }
 
 TEST(GlobalMesh, refuses_a_surface_node_that_moved) {
   CutGrid grid = cut_grid(4);
   grid.parts[2].mesh.nodes[0].x += 1e-9;
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "a node lies elsewhere than in the input surface");
 }
 
 TEST(GlobalMesh, refuses_sides_of_a_cut_that_differ) {
@@ -115,7 +135,7 @@ TEST(GlobalMesh, refuses_sides_of_a_cut_that_differ) {
   ASSERT_GE(on_cut.size(), 2U);
   std::swap(part.subdomain.node_origin[on_cut[0]], part.subdomain.node_origin[on_cut[1]]);
   std::swap(part.mesh.nodes[on_cut[0]], part.mesh.nodes[on_cut[1]]);
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "faces of neighbours differ, or their nodes");
 }
 
 TEST(GlobalMesh, takes_parts_whose_nodes_come_from_anywhere) {
@@ -145,29 +165,55 @@ TEST(GlobalMesh, refuses_a_surface_triangle_that_is_missing_or_there_twice) {
   ASSERT_EQ(subdomain.triangle_origin[0].owner, 0u);
   const Origin first = subdomain.triangle_origin[0];
   subdomain.triangle_origin[0] = grid.parts[7].subdomain.triangle_origin[0];
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "a surface triangle has other nodes than in the input");
   subdomain.triangle_origin[0] = first;
   subdomain.triangles.erase(subdomain.triangles.begin());
   subdomain.triangle_origin.erase(subdomain.triangle_origin.begin());
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "a triangle of the surface is in no sub-domain");
+  expect_refused_portion([](Portion& last) { last.surface_triangles.push_back(0); },
+                         "a surface triangle is in two sub-domains");
+  expect_refused_portion([](Portion& last) { last.surface_triangles.push_back(1'000'000); },
+                         "unknown triangle of the surface");
+  expect_refused_portion([](Portion& last) { last.part.region = 2; },
+                         "a surface triangle of another region");
 }
 
 TEST(GlobalMesh, refuses_other_counts_than_the_numbering_has) {
   CutGrid grid = cut_grid(4);
   grid.parts[7].mesh.tets.pop_back();
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "other counts than in the numbering");
   grid = cut_grid(4);
   grid.parts[7].mesh.nodes.push_back({});
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "other counts than in the numbering");
   grid = cut_grid(4);
   std::swap(grid.parts[6], grid.parts[7]);
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "another portion, or other counts");
+  expect_refused_portion([](Portion& last) { --last.tets; }, "another portion, or other counts");
+}
+
+TEST(GlobalMesh, refuses_a_node_that_is_unknown_or_in_no_part) {
+  expect_refused_portion([](Portion& last) { last.part.local2global[0] = 125; }, "unknown node");
+  expect_refused_portion([](Portion& last) { last.part.local2global[0] = -1; }, "unknown node");
+  const CutGrid grid = cut_grid(4);
+  Numbering numbering = grid.numbering();
+  ++numbering.nodes;
+  EXPECT_THAT([&] { assemble_global_mesh(grid.surface, numbering, grid.reader(), {}); },
+              ThrowsMessage<Error>(HasSubstr("a node is in no sub-domain")));
+}
+
+TEST(GlobalMesh, refuses_faces_that_do_not_fit) {
+  expect_refused_portion([](Portion& last) { ++last.face_sum; },
+                         "faces of neighbours differ, or their nodes");
 }
 
 TEST(GlobalMesh, refuses_volumes_that_do_not_add_up) {
+  for (const double factor : {0.5, 1 - 1e-7, 1 + 1e-7}) {
+    expect_refused_portion([factor](Portion& last) { last.shapes.regions.at(0).volume *= factor; },
+                           "the volumes of the tets do not add up");
+  }
   CutGrid grid = cut_grid(4);
   std::swap(grid.parts[7].mesh.tets[0][1], grid.parts[7].mesh.tets[0][2]);
-  EXPECT_THROW(assemble(grid), Error);
+  expect_refused(grid, "faces of neighbours differ, or their nodes");
 }
 
 }  // namespace

@@ -112,12 +112,16 @@ TEST(InterdomainMesh, has_no_chord_that_is_an_edge_of_the_surface) {
       surface.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
     }
   }
+  ASSERT_FALSE(cut.mesh.planar.triangles.empty());
+  int chords = 0;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cut.mesh.planar.triangles.size()); ++t) {
     for (const auto& [a, b] : chords_of_triangle(cut.mesh, t)) {
+      ++chords;
       const auto [v, w] = std::minmax(cut.mesh.rim_vertices[idx(a)], cut.mesh.rim_vertices[idx(b)]);
       EXPECT_FALSE(surface.contains({v, w}));
     }
   }
+  EXPECT_GT(chords, 0);
 }
 
 TEST(LiftHeights, meets_a_sphere_at_better_angles_than_the_plane) {

@@ -201,5 +201,26 @@ TEST(PlanarCut, tells_why_it_cannot_cut_a_tetrahedron) {
   EXPECT_THAT(outcome.reason, HasSubstr("candidates refused"));
 }
 
+TEST(PlanarCut, no_badly_balanced_cut_is_tried_before_a_well_balanced_one) {
+  const Subdomain bar = root_subdomain(shapes::box({0, 0, 0}, {2, 1, 1}, 4));
+  CutOptions options;
+  options.left_share = 0.25;
+  options.smallest_angles_deg = {20};
+  options.most_accept_calls = 100;
+  std::vector<double> shares;
+  while (true) {
+    // The next of those that pass.
+    std::size_t calls = 0;
+    options.accept = [&](const Subdomain&, const Subdomain&) { return ++calls > shares.size(); };
+    const CutOutcome outcome = planar_cut(bar, SpacingField(0.3), options);
+    if (!outcome.cut) break;
+    shares.push_back(outcome.cut->left_work / (outcome.cut->left_work + outcome.cut->right_work));
+  }
+  const auto is_balanced = [](double share) { return std::fabs(share - 0.25) <= 0.15 * 0.25; };
+  EXPECT_GT(std::count_if(shares.begin(), shares.end(), is_balanced), 5);
+  EXPECT_FALSE(std::all_of(shares.begin(), shares.end(), is_balanced));
+  EXPECT_TRUE(std::is_partitioned(shares.begin(), shares.end(), is_balanced));
+}
+
 }  // namespace
 }  // namespace tetfarm

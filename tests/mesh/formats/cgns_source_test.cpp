@@ -62,7 +62,7 @@ TEST(CgnsSource, a_damaged_byte_of_the_structure_ends_in_a_refusal_or_a_mesh) {
     for (int k = 0; k < 8; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
     EXPECT_NO_THROW(refused += !refusal_of("a.cgns", damaged).empty());
   }
-  EXPECT_GT(refused, 0);
+  EXPECT_GT(refused, 100) << "eight wrong bytes hardly ever leave a mesh";
 }
 
 }  // namespace

@@ -81,8 +81,20 @@ TEST(CommunicationTable, complains_of_each_kind_of_error) {
   std::swap(tables[0].neighbours[0].local[0], tables[0].neighbours[0].local[1]);
   EXPECT_THAT(complaints_of(tables), testing::Not(testing::IsEmpty()));
   tables = right;
-  tables[1].owner[0] = 2;
-  EXPECT_THAT(complaints_of(tables), testing::Contains(testing::HasSubstr("owner")));
+  const std::int32_t shared = tables[1].neighbours[0].local[0];
+  tables[1].owner[static_cast<std::size_t>(shared)] = 2;
+  EXPECT_THAT(complaints_of(tables), testing::Contains(testing::HasSubstr("a node of two owners")));
+  tables = right;
+  // All who have it agree, and are wrong.
+  const std::int64_t node = tables[1].local2global[static_cast<std::size_t>(shared)];
+  for (CommunicationTable& table : tables) {
+    for (std::size_t v = 0; v < table.owner.size(); ++v) {
+      if (table.local2global[v] == node) table.owner[v] = 2;
+    }
+  }
+  EXPECT_THAT(complaints_of(tables), testing::Contains(testing::HasSubstr("not the lowest part")));
+  EXPECT_THAT(complaints_of(tables),
+              testing::Not(testing::Contains(testing::HasSubstr("a node of two owners"))));
   tables = right;
   for (CommunicationTable& table : tables) {
     std::erase_if(table.neighbours,

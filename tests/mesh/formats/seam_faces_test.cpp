@@ -1,5 +1,6 @@
 #include "mesh/formats/seam_faces.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,6 +11,9 @@
 
 namespace tetfarm {
 namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 TEST(CellFaces, every_face_of_a_tet_is_inner_twice_or_outer_once) {
   const GridSource grid(cut_grid(4));
@@ -30,6 +34,16 @@ TEST(CellFaces, refuses_a_boundary_triangle_inside) {
   NumberedPart& part = grid.parts[0];
   part.faces[0] = cell_faces(part).inner[0].nodes;
   EXPECT_THROW(cell_faces(part), InvalidInput);
+}
+
+TEST(CellFaces, refuses_a_face_of_three_tets) {
+  NumberedPart part;
+  part.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, 0, 2}};
+  part.tets = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  EXPECT_EQ(cell_faces(part).inner.size(), 1U);
+  part.tets.push_back({0, 1, 2, 5});
+  EXPECT_THAT([&] { cell_faces(part); },
+              ThrowsMessage<InvalidInput>(HasSubstr("a face has more than two tets")));
 }
 
 TEST(SeamFaces, both_sides_have_the_same_faces_in_the_same_order_turned_round) {
@@ -84,6 +98,21 @@ TEST(SeamFaces, triangles_between_regions_are_shared_too) {
   EXPECT_EQ(
       seams.faces_of_patch()[0][0] + seams.faces_of_patch()[1][0] + seams.faces_of_patch()[2][0],
       32);
+}
+
+TEST(SeamFaces, refuses_a_face_that_lies_twice_in_one_part) {
+  const TempFolder folder;
+  GridSource grid(cut_grid(3));
+  NumberedPart& part = grid.parts[0];
+  // Two tets whose common nodes have two places in the part: it falls apart there.
+  part.local2global = {0, 1, 2, 3, 0, 2, 1, 4};
+  part.nodes.resize(8);
+  part.tets = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  part.faces.clear();
+  part.patch_of_face.clear();
+  grid.parts.resize(1);
+  EXPECT_THAT([&] { SeamFaces(grid, outline_of(grid), folder.path()); },
+              ThrowsMessage<InvalidInput>(HasSubstr("a face lies twice in one sub-domain")));
 }
 
 TEST(SeamFaces, refuses_a_hole) {

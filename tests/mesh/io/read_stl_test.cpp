@@ -48,6 +48,7 @@ TEST(ReadStl, numbers_vertices_in_the_order_of_their_first_use) {
       if (v == next) ++next;
     }
   }
+  EXPECT_EQ(next, 8);
 }
 
 TEST(ReadStl, tells_a_binary_file_that_begins_with_solid_by_its_size) {

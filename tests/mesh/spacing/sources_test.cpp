@@ -23,6 +23,12 @@ TEST(SourceLaw, doubles_at_the_outer_radius_without_a_background) {
   EXPECT_NEAR(source_law(corner_at_origin, 3, 0, 10), 0.2, 1e-14);
 }
 
+TEST(SourceLaw, decays_up_to_the_outer_radius_and_grows_as_it_may_beyond) {
+  EXPECT_NEAR(source_law(corner_at_origin, 3.5, 0.4, 10), 0.4 + 0.5 * 10, 1e-12);
+  EXPECT_NEAR(source_law(corner_at_origin, 3.5, 0.4, 0.2),
+              source_law(corner_at_origin, 3, 0.4, 0.2) + 0.1, 1e-12);
+}
+
 TEST(SourceLaw, does_not_shrink_to_a_finer_background) {
   EXPECT_EQ(source_law(corner_at_origin, 2, 0.05, 10), 0.1);
 }
@@ -77,6 +83,26 @@ TEST(SourceDemand, interpolates_between_corners) {
   EXPECT_DOUBLE_EQ(source_value(demand, {2, 0.7, 0}, 0, 100, 10).asked, 1.5);
   EXPECT_LE(source_value(demand, {2, 2, 0}, 0, 100, 10).floor,
             source_value(demand, {2, 2, 0}, 0, 100, 10).asked);
+}
+
+TEST(SourceDemand, of_radii_that_vary_has_a_floor_below_all_it_asks_for) {
+  const Source widening{{{{0, 0, 0}, 1, 0.5, 1}, {{4, 0, 0}, 1, 2, 4}}};
+  const Source narrowing{{{{0, 0, 0}, 1, 2, 4}, {{4, 0, 0}, 1, 0.5, 1}}};
+  for (const Source& source : {line, widening, narrowing}) {
+    const SourceDemand demand = source_demand(source, 10);
+    ASSERT_TRUE(demand.varies);
+    for (double x = -6; x <= 10; x += 0.25) {
+      for (double y = 0; y <= 6; y += 0.25) {
+        const double radius = 0.5;
+        const double floor = source_value(demand, {x, y, 0}, radius, 100, 10).floor;
+        for (const Vec3& near : {Vec3{x, y, 0}, Vec3{x - radius, y, 0}, Vec3{x + radius, y, 0},
+                                 Vec3{x, y - radius, 0}, Vec3{x, y, radius}}) {
+          ASSERT_LE(floor, source_value(demand, near, 0, 100, 10).asked * (1 + 1e-12))
+              << x << " " << y;
+        }
+      }
+    }
+  }
 }
 
 TEST(SourceDemand, limits_corners_by_the_growth_between_them) {

@@ -126,6 +126,25 @@ TEST(LatticeCore, hull_is_every_face_without_neighbour_and_has_no_core_node) {
   }
 }
 
+TEST(LatticeCore, of_one_node_has_24_tets_and_as_many_faces_round_it) {
+  const Case& c = cases().front();
+  std::size_t centres = 0;
+  const std::vector<std::int32_t> core_nodes = c.core.core_nodes();
+  constexpr std::size_t every = 17;
+  for (std::size_t i = 0; i < core_nodes.size(); i += every) {
+    std::vector<std::uint8_t> is_core(c.nodes.size(), 0);
+    is_core[at(core_nodes[i])] = 1;
+    const LatticeCore core(c.grid, is_core);
+    EXPECT_EQ(core.tet_count(), 24);
+    EXPECT_EQ(core.hull().size(), 24U);
+    for (std::int32_t slot = 0; slot < c.grid.slot_count(); ++slot) {
+      centres += c.grid.centre(slot) == core_nodes[i] ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(centres, 0U) << "nodes at centres of cells, and";
+  EXPECT_GT(core_nodes.size() / every, centres) << "nodes at their corners";
+}
+
 TEST(LatticeCore, keeps_away_from_the_boundary) {
   for (const Case& c : cases()) {
     std::size_t near = 0;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <set>
 
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/volume/edge_removal_by_flips.h"
@@ -107,9 +110,29 @@ TEST_F(LocalRemeshingOfRandomPoints, finds_faces_that_are_there_and_no_others) {
   const Tet& n = complex_.nodes[static_cast<std::size_t>(complex_.node2tet[7])];
   EXPECT_NE(mesh_.find_face(n[0], n[1], n[2]), no_face);
   EXPECT_NE(mesh_.find_face(n[3], n[2], n[1]), no_face);
-  int found = 0;
-  for (std::int32_t b = 0; b < 60; ++b) found += mesh_.find_face(0, 1, b) != no_face ? 1 : 0;
-  EXPECT_LT(found, 30);
+  // Of all triples, against those that a tet has.
+  std::set<std::array<std::int32_t, 3>> there;
+  for (const Tet& t : complex_.nodes) {
+    if (t[0] < 0) continue;
+    for (const auto& [i, j, k] : tet_face_nodes) {
+      std::array<std::int32_t, 3> face = {t[static_cast<std::size_t>(i)],
+                                          t[static_cast<std::size_t>(j)],
+                                          t[static_cast<std::size_t>(k)]};
+      std::sort(face.begin(), face.end());
+      there.insert(face);
+    }
+  }
+  std::size_t found = 0;
+  for (std::int32_t a = 0; a < 60; ++a) {
+    for (std::int32_t b = a + 1; b < 60; ++b) {
+      for (std::int32_t c = b + 1; c < 60; ++c) {
+        const bool is_found = mesh_.find_face(a, b, c) != no_face;
+        EXPECT_EQ(is_found, there.contains({a, b, c})) << a << " " << b << " " << c;
+        found += is_found ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GT(found, 100U);
 }
 
 }  // namespace

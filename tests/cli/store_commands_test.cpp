@@ -1,0 +1,88 @@
+// The commands over a store at rest, called as main calls them.
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "store/artifact_store.h"
+#include "store/job_database.h"
+#include "tests/base/temp_folder.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// The result of one job, and a file that no job needs.
+class StoreCommands : public ::testing::Test {
+ protected:
+  StoreCommands() {
+    ChangeSet changes;
+    JobRow job;
+    job.id = JobId{1};
+    job.phase = JobPhase::done;
+    TaskRow task;
+    task.id = TaskId{1};
+    task.job = job.id;
+    task.kind = TaskKind::assemble;
+    task.state = TaskState::done;
+    task.attempt = AttemptId{1};
+    task.outputs = {{"mesh", result_.hash, result_.size}};
+    changes.jobs = {job};
+    changes.tasks = {task};
+    JobDatabase(folder_.path() / "tetfarm.db").apply(changes);
+  }
+  std::string gc(bool dry_run) const {
+    GcCommand command;
+    command.store = folder_.path();
+    command.dry_run = dry_run;
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(gc_command(command), ExitCode::ok);
+    return ::testing::internal::GetCapturedStdout();
+  }
+  ExitCode check() const {
+    CheckOptions options;
+    options.store = folder_.path();
+    ::testing::internal::CaptureStdout();
+    try {
+      const ExitCode code = check_store_command(options);
+      ::testing::internal::GetCapturedStdout();
+      return code;
+    } catch (const Error&) {
+      ::testing::internal::GetCapturedStdout();
+      throw;
+    }
+  }
+  bool is_there(const StoredArtifact& file) const {
+    return std::filesystem::exists(store_.path_of(file.hash));
+  }
+
+  TempFolder folder_;
+  ArtifactStore store_{folder_.path()};
+  StoredArtifact result_ = store_.publish("a mesh");
+  StoredArtifact garbage_ = store_.publish("of nobody");
+};
+
+TEST_F(StoreCommands, what_would_be_removed_is_told_and_stays) {
+  const std::string said = gc(true);
+  EXPECT_THAT(said, HasSubstr(garbage_.hash));
+  EXPECT_THAT(said, HasSubstr("1 files, 9 bytes would be removed"));
+  EXPECT_TRUE(is_there(garbage_));
+  EXPECT_TRUE(is_there(result_));
+}
+
+TEST_F(StoreCommands, what_nobody_needs_is_removed_and_results_stay) {
+  EXPECT_THAT(gc(false), HasSubstr("1 files, 9 bytes removed"));
+  EXPECT_FALSE(is_there(garbage_));
+  EXPECT_TRUE(is_there(result_));
+}
+
+TEST_F(StoreCommands, a_sound_store_ends_well_and_a_damaged_one_with_an_error) {
+  EXPECT_EQ(check(), ExitCode::ok);
+  std::filesystem::remove(store_.path_of(result_.hash));
+  EXPECT_THAT([&] { check(); },
+              ThrowsMessage<Error>(HasSubstr("1 files of the store are damaged or missing")));
+}
+
+}  // namespace
+}  // namespace tetfarm
