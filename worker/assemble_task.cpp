@@ -93,7 +93,7 @@ class ResultFiles {
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
       io_.publish(file_name_of_job(job_.name, ".mapbc"), mapbc_text(surface_.patch_names));
     } else {
-      throw UsageError("unknown format \"" + format + "\"; known are vtkhdf, lb8.ugrid",
+      throw UsageError("unknown format \"" + format + "\"; the formats are vtkhdf and lb8.ugrid",
                        "[output] formats");
     }
   }
