@@ -40,12 +40,12 @@ std::string export_command_for(const MeshFormat& format, const std::string& fold
   if (other == nullptr) {
     const std::string_view nearest = nearest_word(name, job_output_formats());
     throw UsageError("unknown format" + writes +
-                         (nearest.empty() ? "; `tetfarm export --help` tells of others"
+                         (nearest.empty() ? "; docs/file_formats.md lists those of `tetfarm export`"
                                           : "; did you mean " + std::string(nearest) + "?"),
                      "--format " + name);
   }
   throw ErrorWithHelp(ExitCode::usage,
-                      "--format " + name + ": is written by export only" + writes + "; for " +
+                      "--format " + name + ": is written only by export" + writes + "; for " +
                           std::string(other->what) + ": `" + export_command_for(*other, folder) +
                           "`",
                       "");
@@ -58,7 +58,7 @@ void require_formats_of_run(const std::vector<std::string>& formats, const std::
   std::set<std::string> seen;
   for (const std::string& name : formats) {
     if (std::find(known.begin(), known.end(), name) == known.end()) refuse(name, folder);
-    if (!seen.insert(name).second) throw UsageError("is there twice", "--format " + name);
+    if (!seen.insert(name).second) throw UsageError("is given twice", "--format " + name);
   }
 }
 
