@@ -385,7 +385,7 @@ std::string status_text(const wire::StatusReply& said) {
   const wire::StatusReply reply = printable_reply(said);
   std::string text = counted(reply.workers(), "worker") + ", " +
                      counted(static_cast<std::uint64_t>(reply.jobs_size()), "job") +
-                     format(", %llu messages and handshakes refused\n",
+                     format(", messages and handshakes refused: %llu\n",
                             static_cast<unsigned long long>(reply.dropped_messages()));
   if (!reply.trouble().empty()) text += reply.trouble() + "\n";
   if (reply.security() == "insecure") {

@@ -90,10 +90,9 @@ std::string HandshakeWatch::explanation_of(Outcome outcome) const {
     case Outcome::none:
       return "";
     case Outcome::broken:
-      return has_key ? "the connection was cut off; --coordinator-key may not be this "
-                       "coordinator's key, or this may not be a coordinator's address"
-                     : "the connection was cut off; the coordinator may require a key (--key), or "
-                       "this may not be a coordinator's address";
+      return has_key
+                 ? "the connection was cut off: is --coordinator-key the key of this coordinator?"
+                 : "the connection was cut off: does this coordinator require a key (--key)?";
     case Outcome::turned_away:
       return "this coordinator has not authorised the key: `tetfarm keys authorize`";
     case Outcome::other_kind:
