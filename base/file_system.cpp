@@ -190,7 +190,7 @@ void link_or_copy_file(const fs::path& from, const fs::path& to) {
 void make_folders(const fs::path& folder) {
   std::error_code error;
   const bool made = fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder", folder.string(), error.value());
+  if (error) throw IoError("cannot create the folder", folder.string(), error.value());
   if (made) sync_folder(folder_of(folder));
 }
 

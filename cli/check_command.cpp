@@ -4,6 +4,7 @@
 
 #include "base/angle_text.h"
 #include "cli/commands.h"
+#include "cli/counted.h"
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/surface_angles.h"
@@ -96,7 +97,8 @@ std::string defects_file(const std::string& asked, const std::string& job) {
 
 ExitCode check_command(const CheckOptions& options) {
   if (!options.store.empty()) return check_store_command(options);
-  if (options.input.empty()) throw UsageError("name a surface, a job file, or --store", "check");
+  if (options.input.empty())
+    throw UsageError("give a surface, a job file, or --store DIR", "check");
   RunOptions job_options;
   job_options.input = options.input;
   const JobInput input = read_job(job_options);
@@ -115,8 +117,8 @@ ExitCode check_command(const CheckOptions& options) {
       if (!options.json) print_remark(remark);
     }
     if (!options.json) {
-      std::printf("elements        about %.3g, in %lld sub-domains\n", coming.elements,
-                  static_cast<long long>(coming.subdomains));
+      std::printf("elements        about %.3g, in %s\n", coming.elements,
+                  counted(static_cast<std::uint64_t>(coming.subdomains), "sub-domain").c_str());
     }
   }
   if (options.json) std::printf("%s\n", json_line(json).c_str());

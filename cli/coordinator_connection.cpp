@@ -59,7 +59,8 @@ void CoordinatorConnection::connect() {
   try {
     socket_->dealer.connect(endpoint_);
   } catch (const zmq::error_t& error) {
-    throw UsageError(std::string("not an endpoint: ") + error.what(), endpoint_);
+    throw UsageError(std::string("is not an address such as tcp://HOST:PORT: ") + error.what(),
+                     endpoint_);
   }
 }
 
@@ -88,7 +89,7 @@ std::optional<wire::Envelope> CoordinatorConnection::receive(std::int64_t until)
   if (decoded.envelope.has_refused()) {
     const int code = decoded.envelope.refused().exit_code();
     throw Error(code > 0 && code < 256 ? static_cast<ExitCode>(code) : ExitCode::failed,
-                "the coordinator refuses: " + decoded.envelope.refused().reason());
+                "the coordinator refused: " + decoded.envelope.refused().reason());
   }
   if (decoded.state != WireState::good) return wire::Envelope();
   return std::move(decoded.envelope);
@@ -121,7 +122,7 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
     if (answer.body_case() != wire::Envelope::BODY_NOT_SET) return answer;
   }
   heed_handshake();
-  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there" + trouble_);
+  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers" + trouble_);
 }
 
 wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int64_t timeout_ms) {
@@ -201,8 +202,8 @@ void CoordinatorConnection::exchange(PieceExchange& files, std::int64_t timeout_
       moved_ms = now;
       moved();
     } else if (now - moved_ms > timeout_ms) {
-      throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers there" + trouble_ +
-                                           "; the same command goes on from here");
+      throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers" + trouble_ +
+                                           "; run the same command again to continue");
     } else if (now - std::max(moved_ms, connected_ms) > timeout_ms / 2) {
       connect();
       files.ask_again();

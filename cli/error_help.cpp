@@ -34,13 +34,14 @@ std::string help_for_usage(const Error& error, std::string_view command) {
 std::string help_for_what_is_missing(const Error& error, std::string_view command) {
   if (dynamic_cast<const IoError*>(&error) != nullptr) return "check the path";
   return is_one_of(command, of_clients)
-             ? "check the name, and that the coordinator runs and can be reached"
+             ? "check the name, and that the coordinator is running and can be reached"
              : "";
 }
 
 std::string help_for_failure(std::string_view command) {
-  if (command == "run") return "the logs lie in .tetfarm of the output folder; run again to retry";
-  return command == "wait" ? "`tetfarm logs JOB` shows what its tasks said" : "";
+  if (command == "run")
+    return "the logs are in .tetfarm in the output folder; run the same command again to retry";
+  return command == "wait" ? "`tetfarm logs JOB` shows the output of its tasks" : "";
 }
 
 }  // namespace
@@ -54,11 +55,11 @@ std::string help_for(const Error& error, std::string_view command) {
     case ExitCode::bad_geometry:
       if (command == "check") return "repair the input there";
       if (!is_one_of(command, of_jobs) && command != "wait") return "";
-      return "repair the input there; `tetfarm check` shows every defect of a surface";
+      return "repair the input there; `tetfarm check` shows every defect of the surface";
     case ExitCode::not_found:
       return help_for_what_is_missing(error, command);
     case ExitCode::out_of_resources:
-      return command == "run" ? "make room; the same command goes on from here"
+      return command == "run" ? "make room, then run the same command again to continue"
                               : "make room, then try again";
     default:
       return help_for_failure(command);

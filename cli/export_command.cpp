@@ -6,6 +6,7 @@
 #include "base/file_system.h"
 #include "base/large_blocks.h"
 #include "cli/commands.h"
+#include "cli/counted.h"
 #include "cli/json_line.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
@@ -36,9 +37,9 @@ void require_parts_in(const MeshFormat& format, int partitions) {
   }
   throw ErrorWithHelp(
       ExitCode::usage,
-      "--partitions " + std::to_string(partitions) + ": a file of the format " +
-          std::string(format.name) + " does not tell which part a tet is in",
-      "leave it out where the solver divides the mesh itself; formats with parts: " + others);
+      "--partitions " + std::to_string(partitions) + ": a file of format " +
+          std::string(format.name) + " cannot say which part a tet is in",
+      "leave it out if the solver partitions the mesh itself; formats that can: " + others);
 }
 
 /// How far apart the numbers of neighbours are, in the parts as they were and as they are written.
@@ -111,13 +112,14 @@ ExitCode export_command(const ExportCommand& command) {
               static_cast<long long>(counts.nodes),
               static_cast<long long>(counts.boundary_triangles));
   if (!figures.tets.empty()) {
-    std::printf("%zu parts: largest/mean %.3f, %lld faces between them\n", figures.tets.size(),
-                figures.largest_over_mean(), static_cast<long long>(figures.cut_faces));
+    std::printf("%s: largest/mean %.3f, %lld faces between them\n",
+                counted(figures.tets.size(), "part").c_str(), figures.largest_over_mean(),
+                static_cast<long long>(figures.cut_faces));
   }
   if (numbering) {
     std::printf(
-        "numbers of neighbours in a part differ by %.0f on average, %lld at most (%.0f, %lld "
-        "before)\n",
+        "node numbers of neighbours in a part differ by %.0f on average, %lld at most (before: "
+        "%.0f, %lld)\n",
         numbering->after.mean(), static_cast<long long>(numbering->after.bandwidth),
         numbering->before.mean(), static_cast<long long>(numbering->before.bandwidth));
   }
@@ -135,8 +137,9 @@ ExitCode convert_command(const ConvertCommand& command) {
                                    {"patches", surface.patch_names}})
                             .c_str());
   } else {
-    std::printf("%s: %zu triangles, %zu vertices, %zu patches\n", command.output.c_str(),
-                surface.triangles.size(), surface.vertices.size(), surface.patch_names.size());
+    std::printf("%s: %zu triangles, %zu vertices, %s\n", command.output.c_str(),
+                surface.triangles.size(), surface.vertices.size(),
+                counted(surface.patch_names.size(), "patch", "patches").c_str());
   }
   return ExitCode::ok;
 }

@@ -48,7 +48,7 @@ FarmView::FarmView(const ViewOptions& options) : options_(options) {
     return;
   }
   if (options.store.empty()) {
-    throw UsageError("name a coordinator (--connect, or $TETFARM_COORDINATOR) or a store (--store)",
+    throw UsageError("give a coordinator (--connect, or $TETFARM_COORDINATOR) or a store (--store)",
                      "");
   }
   const fs::path store = store_in(options.store);
@@ -83,7 +83,7 @@ void FarmView::read_rows(const std::string& folder) {
   const fs::path database = options_.database.empty() ? folder : options_.database;
   rows_ = std::make_unique<StoreAtRest>(folder, database);
   if (options_.is_quiet) return;
-  std::fprintf(stderr, "no coordinator answers: as the rows of %s say\n", folder.c_str());
+  std::fprintf(stderr, "note: no coordinator answers; this is what %s recorded\n", folder.c_str());
 }
 
 wire::QueryReply FarmView::page(const wire::Query& query) {

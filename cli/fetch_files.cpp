@@ -73,8 +73,8 @@ void want_room(const fs::path& folder, std::uint64_t bytes, const std::string& j
   const DiskRoom room = disk_room(fs::absolute(folder));
   if (room.has(bytes)) return;
   throw Error(ExitCode::out_of_resources, folder.string() + ": the files of " + job + " need " +
-                                              bytes_text(bytes) + ", and the disk has " +
-                                              bytes_text(room.free_bytes));
+                                              bytes_text(bytes) + ", but the disk has only " +
+                                              bytes_text(room.free_bytes) + " free");
 }
 
 /// Bytes that were there before may have been lost with the power: then all of it comes anew, once.
@@ -96,11 +96,12 @@ FileReceive::State fetch(CoordinatorConnection& connection, const std::string& j
 void expect_whole(FileReceive::State state, const Wanted& wanted, const std::string& job) {
   const std::string name = wanted.target.filename().string() + " of " + job;
   if (state == FileReceive::State::missing) {
-    throw Error(ExitCode::not_found, name + " is not in the coordinator's store any more");
+    throw Error(ExitCode::not_found, name + " is no longer in the coordinator's store");
   }
   if (state == FileReceive::State::damaged) {
     throw CorruptFile("is damaged in the coordinator's store: its checksum is not " +
-                          wanted.file.hash() + " (there: tetfarm check --store)",
+                          wanted.file.hash() +
+                          " (`tetfarm check --store DIR` on its machine says more)",
                       name);
   }
 }
@@ -110,8 +111,9 @@ void fetch_to_its_place(CoordinatorConnection& connection, const std::string& jo
                         TransferDisplay& display) {
   const auto lock = FolderLock::take_unsigned(wanted.growing);
   if (!lock) {
-    throw Error(ExitCode::failed,
-                wanted.target.string() + ": another process is fetching it just now");
+    throw Error(
+        ExitCode::failed,
+        wanted.target.string() + ": another process is fetching it; wait until that has ended");
   }
   const FileReceive::State state = fetch(connection, job, wanted, options, display);
   if (state != FileReceive::State::whole) remove_file(wanted.growing);

@@ -85,11 +85,12 @@ int powers_of_bin(const std::map<int, std::int64_t>& volumes) {
 }
 
 std::string time_step_text(const MeshFigures& figures) {
-  std::string text = format("time step       %.6g over the speed of waves, by the height at %s\n",
+  std::string text = format("time step       %.6g / wave speed, limited by the height at %s\n",
                             figures.time_step(), place_text(figures.all.lowest_at).c_str());
   if (figures.near_cuts.shapes.tets > 0 && figures.away_from_cuts.shapes.tets > 0) {
-    text += format("                %.3f times the steps of the mesh away from the cuts\n",
-                   figures.steps_beside_away());
+    text += format(
+        "                %.3f times as many steps as the mesh away from the cuts would need\n",
+        figures.steps_beside_away());
   }
   return text;
 }
@@ -103,7 +104,7 @@ std::string worst_text(const MeshFigures& figures) {
                     place_text(tet.centroid)});
   }
   return table_text(
-      {"FROM DEG", "TO DEG", "RADIUS RATIO", "HEIGHT", "SUB-DOMAIN", "NEAR A CUT", "AT"}, rows);
+      {"MIN DEG", "MAX DEG", "RADIUS RATIO", "HEIGHT", "SUB-DOMAIN", "NEAR A CUT", "AT"}, rows);
 }
 
 Json histogram_json(const Histogram& histogram) {
@@ -145,7 +146,7 @@ std::string figures_text(const MeshFigures& figures) {
                       bins_of(edges.over_spacing, true));
   }
   if (figures.knows_subdomains && figures.subdomains.size() > 1) {
-    text += format("balance         %.3f: tets of the largest sub-domain over the mean\n",
+    text += format("balance         %.3f: tets of the largest sub-domain / mean\n",
                    figures.largest_over_mean());
   }
   return text + "worst tets\n" + worst_text(figures);

@@ -38,7 +38,7 @@ void set_outer(JobFile& job, const std::string& text) {
 
 void set_outer_size(JobFile& job, double size) {
   if (job.outer_kind == "none") {
-    throw UsageError("there is no outer boundary; give --outer box or --outer sphere too",
+    throw UsageError("there is no outer boundary; also give --outer box or --outer sphere",
                      "--outer-size");
   }
   job.outer_spacing = size;
@@ -46,7 +46,8 @@ void set_outer_size(JobFile& job, double size) {
 
 void set_max_memory(JobFile& job, const std::string& text) {
   const auto bytes = parse_memory(text);
-  if (!bytes) throw UsageError("\"" + text + "\" is no amount like 2GiB or 500MB", "--max-memory");
+  if (!bytes)
+    throw UsageError("\"" + text + "\" is not an amount such as 2GiB or 500MB", "--max-memory");
   job.max_memory_bytes = *bytes;
   job.subdomains = 0;
   job.groups = 0;
@@ -74,7 +75,7 @@ JobFile base_job(const std::string& input) {
   }
   JobFile job;
   if (std::filesystem::is_directory(input)) {
-    throw UsageError("is a folder; a surface or a job file is wanted", input);
+    throw UsageError("is a folder, not a surface or a job file", input);
   }
   job.surface = input;
   job.name =
@@ -92,7 +93,7 @@ JobInput describe_job(const RunOptions& options) {
   if (options.groups) job.groups = *options.groups;
   if (!options.max_memory.empty()) set_max_memory(job, options.max_memory);
   if (job.subdomains > 0 && job.subdomains < job.groups) {
-    throw UsageError("there are fewer sub-domains to join than groups", "--groups");
+    throw UsageError("must not be more than the number of sub-domains", "--groups");
   }
   if (options.size) job.spacing_default = *options.size;
   if (options.growth) job.growth = *options.growth;
@@ -119,15 +120,15 @@ JobInput read_job(const RunOptions& options) {
 void check_submittable(const JobInput& input) {
   const std::string problem = problem_with_job_name(input.job.name);
   if (!problem.empty()) {
-    throw UsageError("the job is named like this file, and a job's name " + problem +
-                         "; rename the file, or write a job file with a `name`",
+    throw UsageError("the job takes its name from this file, and a job's name " + problem +
+                         "; rename the file, or give a job file with a `name`",
                      input.path);
   }
   const std::size_t size = to_toml(input.job).size();
   if (size > largest_job_file) {
-    throw UsageError("the job has " + std::to_string(size) +
-                         " bytes with its sources, and may have " +
-                         std::to_string(largest_job_file),
+    throw UsageError("the job with its sources has " + std::to_string(size) +
+                         " bytes, more than the " + std::to_string(largest_job_file) +
+                         " allowed: use fewer sources",
                      input.path);
   }
 }

@@ -104,7 +104,7 @@ std::string subdomains_text(const wire::JobStatus& status, std::string_view mark
   }
   if (said.size() <= most_lines) return text;
   return text + "           and " + std::to_string(said.size() - most_lines) +
-         " more like that (--json names them)\n";
+         " more (--json lists all)\n";
 }
 
 Json said_json(const wire::JobStatus& status, std::string_view mark) {
@@ -145,12 +145,12 @@ std::string worst_text(const wire::JobStatus& status) {
   std::string worst = "worst " + angle_text(smallest) + " deg at " + place("worst");
   const double forced = number_of(status, "forced_dihedral_deg");
   if (forced < good_deg) {
-    worst += "; the surface forces at most " + angle_text(forced) + " deg, at " + place("forced");
+    worst += "; the surface allows at most " + angle_text(forced) + " deg, at " + place("forced");
   }
   std::string text = indented(worst);
   const double unforced = number_of(status, "unforced_min_dihedral_deg");
   if (number_of(status, "unforced_elements") > 0 && unforced > smallest) {
-    text += indented("where the surface forces no small angles: dihedral from " +
+    text += indented("where the surface forces no small angles: smallest dihedral " +
                      angle_text(unforced) + " deg, at " + place("unforced_worst"));
   }
   return text;
@@ -158,9 +158,9 @@ std::string worst_text(const wire::JobStatus& status) {
 
 std::string near_cuts_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("near_cuts_elements")) return "";
-  return indented("near the cuts: dihedral from " +
+  return indented("near the cuts: smallest dihedral " +
                   angle_text(number_of(status, "near_cuts_min_dihedral_deg")) +
-                  format(" deg, smallest height %.4g; elsewhere: from ",
+                  format(" deg, smallest height %.4g; elsewhere: ",
                          number_of(status, "near_cuts_smallest_height")) +
                   angle_text(number_of(status, "away_from_cuts_min_dihedral_deg")) +
                   format(" deg, %.4g", number_of(status, "away_from_cuts_smallest_height")));
@@ -231,7 +231,7 @@ std::string memory_text(const wire::JobStatus& status) {
     bytes = std::max(bytes, task["bytes"].get<double>());
     bound = std::max(bound, task["expected_bytes"].get<double>());
   }
-  return format("memory of a task: at most %.0f MB, %.0f MB expected as the limit", bytes / 1e6,
+  return format("memory of a task: at most %.0f MB; expected limit %.0f MB", bytes / 1e6,
                 bound / 1e6);
 }
 
@@ -352,11 +352,11 @@ std::string result_text(const wire::JobStatus& said, double seconds,
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
     text += indented(text_of(status, region_prefix(i) + "name") + ": " +
                      short_count(number_of(status, region_prefix(i) + "elements")) +
-                     " tets, dihedral from " +
+                     " tets, smallest dihedral " +
                      angle_text(number_of(status, region_prefix(i) + "min_dihedral_deg")) + " deg");
   }
   text += subdomains_text(status, "cut_further:", "was cut further than planned: ");
-  text += subdomains_text(status, "uncut:", "is larger than wanted: no cut, ");
+  text += subdomains_text(status, "uncut:", "is larger than planned; it was not cut: ");
   text += "           " + memory_text(status) + "\n";
   if (number_of(status, "subdomains") > 1) text += "           " + balance_text(status) + "\n";
   for (const std::filesystem::path& file : files) {
@@ -385,11 +385,13 @@ std::string status_text(const wire::StatusReply& said) {
   const wire::StatusReply reply = printable_reply(said);
   std::string text = counted(reply.workers(), "worker") + ", " +
                      counted(static_cast<std::uint64_t>(reply.jobs_size()), "job") +
-                     format(", %llu messages and handshakes refused\n",
+                     format(", messages and handshakes refused: %llu\n",
                             static_cast<unsigned long long>(reply.dropped_messages()));
   if (!reply.trouble().empty()) text += reply.trouble() + "\n";
   if (reply.security() == "insecure") {
-    text += "INSECURE: whoever reaches this coordinator may submit, cancel and give results\n";
+    text +=
+        "INSECURE: anyone who can reach this coordinator may submit and cancel jobs and hand in "
+        "results\n";
   }
   for (const wire::JobStatus& status : reply.jobs()) {
     text += format("%-8s %-20s %-10s ", status.job().c_str(),
@@ -426,7 +428,7 @@ std::string workers_text(const wire::StatusReply& said) {
     if (worker.task() != 0) {
       text += format(", task %llu", static_cast<unsigned long long>(worker.task()));
     }
-    text += worker.drains() ? ", drains\n" : "\n";
+    text += worker.drains() ? ", draining\n" : "\n";
   }
   return text;
 }

@@ -21,8 +21,8 @@ std::filesystem::path list_of(const KeysCommand& command) {
       command.folder.empty() ? default_keys_folder() : std::filesystem::path(command.folder);
   if (!size_of_file(public_key_path(folder, coordinator))) {
     throw UsageError(
-        "there is no coordinator.pub in it; name the coordinator's folder of keys with --keys, or "
-        "make a key: tetfarm keys new coordinator",
+        "has no coordinator.pub; give the coordinator's key folder with --keys, or make a key: "
+        "`tetfarm keys new coordinator`",
         folder.string());
   }
   return authorized_keys_path(folder);
@@ -35,7 +35,7 @@ void make_key(const KeysCommand& command) {
       command.folder.empty() ? standard : std::filesystem::path(command.folder);
   write_new_key(folder, command.subject);
   if (const std::filesystem::path store = store_round(folder); !store.empty()) {
-    std::fprintf(stderr, "warning: %s is a store, which others can reach: keep keys elsewhere\n",
+    std::fprintf(stderr, "warning: %s is a store, which others can access: keep keys elsewhere\n",
                  store.c_str());
   }
   std::printf("%s\n%s\n", secret_key_path(folder, command.subject).c_str(),
@@ -46,17 +46,18 @@ void authorize_key(const KeysCommand& command) {
   AuthorizedPeer peer;
   const bool is_file = size_of_file(command.subject).has_value();
   if (!is_file && command.subject.size() != digits_of_a_key) {
-    throw ErrorWithHelp(ExitCode::not_found, command.subject + ": there is no such file",
-                        "name a .pub file, or give the key's 64 hexadecimal digits");
+    throw ErrorWithHelp(ExitCode::not_found, command.subject + ": no such file",
+                        "give a .pub file, or the key's 64 hexadecimal digits");
   }
   peer.key = is_file ? read_public_key(command.subject)
                      : public_key_of_hex(command.subject, command.subject);
   peer.role = role_of_name(command.role).value();
   peer.name = command.name;
   if (peer.name.empty() && is_file) peer.name = std::filesystem::path(command.subject).stem();
-  if (peer.name.empty()) throw UsageError("a key without a file wants a name", "--name");
+  if (peer.name.empty())
+    throw UsageError("is missing; a key given by its digits needs a name", "--name");
   authorize(list_of(command), peer);
-  std::printf("%s may come in as %s\n", peer.name.c_str(), name_of(peer.role));
+  std::printf("%s is authorised as %s\n", peer.name.c_str(), name_of(peer.role));
 }
 
 void list_keys(const KeysCommand& command) {
@@ -85,7 +86,7 @@ ExitCode keys_command(const KeysCommand& command) {
       break;
     case KeysCommand::Action::revoke:
       revoke(list_of(command), command.subject);
-      std::printf("%s is shut out\n", command.subject.c_str());
+      std::printf("%s is revoked\n", command.subject.c_str());
       break;
     case KeysCommand::Action::list:
       list_keys(command);

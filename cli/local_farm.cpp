@@ -56,7 +56,7 @@ std::string make_socket_folder() {
   std::string name =
       (socket_folders / (socket_stem + std::to_string(::getpid()) + "-XXXXXX")).string();
   if (::mkdtemp(name.data()) == nullptr) {
-    throw IoError("cannot make a folder for the socket", name, errno);
+    throw IoError("cannot create a folder for the socket", name, errno);
   }
   return name;
 }
@@ -161,15 +161,15 @@ void LocalFarm::look_after() {
     const int code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
     const bool starved = code == static_cast<int>(ExitCode::out_of_resources);
     if (starved || coordinator_.short_lives >= most_short_lives) {
-      throw Error(static_cast<ExitCode>(code),
-                  "the coordinator ended: " + last_error(options_.store / "coordinator.log"));
+      throw Error(static_cast<ExitCode>(code), "the coordinator ended unexpectedly: " +
+                                                   last_error(options_.store / "coordinator.log"));
     }
   }
   for (Member& worker : workers_) {
     if (const std::optional<int> status = reap(worker)) note_death(worker, *status);
     if (worker.short_lives >= most_short_lives) {
       throw Error(ExitCode::failed,
-                  "a worker ended: " + last_error(options_.store / "workers.log"));
+                  "a worker ended unexpectedly: " + last_error(options_.store / "workers.log"));
     }
   }
   const std::int64_t now = steady_ms();

@@ -24,7 +24,8 @@ const wire::Artifact& mesh_among(const wire::JobStatus& status) {
       if (file.name().ends_with(ending)) return file;
     }
   }
-  throw Error(ExitCode::not_found, status.job() + " has no mesh in .vtkhdf or .lb8.ugrid");
+  throw Error(ExitCode::not_found,
+              status.job() + " has no mesh that can be read (.vtkhdf or .lb8.ugrid)");
 }
 
 void expect_done(const wire::JobStatus& status) {
@@ -36,7 +37,8 @@ void expect_done(const wire::JobStatus& status) {
                                          (state == "failed" ? status.message() : ""));
   }
   throw Error(ExitCode::not_found, status.job() + " is not finished (" + state + ", stage " +
-                                       status.stage() + "): tetfarm wait " + status.job());
+                                       status.stage() + "); wait for it: `tetfarm wait " +
+                                       status.job() + "`");
 }
 
 wire::JobStatus status_of(const std::string& job, ViewOptions options) {
@@ -75,7 +77,8 @@ MeshInput mesh_of_job(const wire::JobStatus& status, const ViewOptions& view,
     return input;
   }
   const std::optional<fs::path> store = store_of(view.store);
-  if (!store) throw Error(ExitCode::not_found, view.store + ": no store");
+  if (!store)
+    throw Error(ExitCode::not_found, view.store + ": not a store or the output folder of a run");
   const ArtifactStore files = ArtifactStore::open_existing(*store);
   files.verify(file.hash(), file.size());
   input.file = files.path_of(file.hash());
@@ -91,8 +94,7 @@ MeshInput find_mesh(const std::string& subject, const ViewOptions& view,
   }
   if (view.store.empty() && view.client.endpoint.empty()) {
     throw UsageError(
-        "there is no such file; for the mesh of a job say where the job is, by "
-        "--connect or --store",
+        "no such file; for the mesh of a job, say where the job is with --connect or --store",
         subject);
   }
   return mesh_of_job(status_of(subject, view), view, scratch_folder);

@@ -39,7 +39,7 @@ namespace {
 PassingFile::PassingFile(const std::filesystem::path& folder) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw IoError("cannot make a pipe for", folder.string(), errno);
+    throw IoError("cannot create a pipe for", folder.string(), errno);
   std::string name = (folder / "tetfarm.XXXXXX").string();
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
   const int file_error = errno;
@@ -58,7 +58,7 @@ PassingFile::PassingFile(const std::filesystem::path& folder) {
     return;
   }
   ::close(ends[1]);
-  if (file < 0) throw IoError("cannot make a file in", folder.string(), file_error);
+  if (file < 0) throw IoError("cannot create a file in", folder.string(), file_error);
   ::unlink(name.c_str());
   throw IoError("cannot start a process to remove", name, fork_error);
 }

@@ -7,6 +7,7 @@
 
 #include "base/mebibytes.h"
 #include "cli/commands.h"
+#include "cli/counted.h"
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/progress_display.h"
@@ -229,7 +230,7 @@ void print_tree(const Plan& plan) {
   std::size_t lines = 0;
   for (const PlannedSubdomain& node : plan.tree) {
     if (++lines > most_lines) {
-      std::printf("... and %zu more (--json has them all)\n", plan.tree.size() - most_lines);
+      std::printf("... and %zu more (--json lists all)\n", plan.tree.size() - most_lines);
       break;
     }
     const TaskCost cost = cost_of_node(plan, node);
@@ -254,7 +255,7 @@ void print_text(const Plan& plan, const std::string& store) {
   const SecondsRange sum = sum_of(kinds);
   JobForecast forecast = plan.forecast;
   forecast.seconds = sum.expected;
-  std::printf("\n%s\n%s of one core, most likely %s\n", forecast_text(forecast).c_str(),
+  std::printf("\n%s\n%s on one core, most likely %s\n", forecast_text(forecast).c_str(),
               range_text(sum.low, sum.high).c_str(),
               range_text(sum.expected, sum.expected).c_str());
   if (plan.root.needles > 0) {
@@ -265,10 +266,11 @@ void print_text(const Plan& plan, const std::string& store) {
   }
   if (store.empty()) {
     std::printf(
-        "times are those of other surfaces on another machine; with --store DIR they are "
-        "learnt from what a store, or the folder of a run, has seen\n");
+        "the times were measured with other surfaces on another machine; --store DIR takes them "
+        "from the tasks of a store or the output folder of a run\n");
   } else {
-    std::printf("times learnt from %zu tasks of %s\n", plan.times.learnt(), store.c_str());
+    std::printf("times from %s of %s\n", counted(plan.times.learnt(), "task").c_str(),
+                store.c_str());
   }
 }
 

@@ -19,6 +19,7 @@
 #include "base/hash.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
+#include "cli/counted.h"
 #include "coordinator/log_lines.h"
 #include "pool/run_command.h"
 
@@ -57,8 +58,8 @@ PoolRules rules_of(const PoolCommand& command) {
   rules.idle_ms = static_cast<std::int64_t>(command.idle_s * 1000);
   rules.leave_ms = (command.grace_s + 60) * 1000;
   rules.stops = command.stop;
-  if (command.min > command.max) throw UsageError("more than --max", "--min");
-  if (rules.least_bytes < 256 * mib) throw UsageError("at least 256MB", "--memory");
+  if (command.min > command.max) throw UsageError("must not be more than --max", "--min");
+  if (rules.least_bytes < 256 * mib) throw UsageError("must be at least 256MB", "--memory");
   return rules;
 }
 
@@ -88,9 +89,8 @@ void require_worker_key(const PoolCommand& command) {
   if (command.keys.own.empty() || !command.worker_key.empty() || command.stop) return;
   throw ErrorWithHelp(
       ExitCode::usage,
-      "--worker-key: is missing; the farm has keys (--key), and without one of their "
-      "own its workers would be turned away",
-      "`tetfarm keys new worker`, `tetfarm keys authorize worker.pub --role worker "
+      "--worker-key: is missing; the farm uses keys (--key), so its workers need one of their own",
+      "make one: `tetfarm keys new worker`, `tetfarm keys authorize worker.pub --role worker "
       "--keys DIR`, then --worker-key worker.key");
 }
 
@@ -103,7 +103,8 @@ class OnlyOne {
     if (fd_ < 0) throw IoError("cannot open", path_, errno);
     if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) return;
     ::close(fd_);
-    throw Error(ExitCode::failed, "a pool of that name runs on this machine: " + name);
+    throw Error(ExitCode::failed,
+                "a pool of that name is already running on this machine: " + name);
   }
   ~OnlyOne() { ::close(fd_); }
   OnlyOne(const OnlyOne&) = delete;
@@ -168,7 +169,7 @@ class Pool {
     cancel(actions.cancel);
     if (decisions_.quiet_until_ms() > quiet && decisions_.quiet_until_ms() > steady_ms()) {
       say({{"type", "waits"}, {"ms", decisions_.quiet_until_ms() - steady_ms()}},
-          "nothing is submitted for " +
+          "nothing will be submitted for " +
               std::to_string((decisions_.quiet_until_ms() - steady_ms()) / 1000) + " s");
     }
     return view.jobs ? std::optional(view.jobs->size()) : std::nullopt;
@@ -223,7 +224,7 @@ class Pool {
       }
       decisions_.submitted(order, ids, steady_ms());
       say({{"type", "submitted"}, {"jobs", ids}, {"bytes", order.bytes}},
-          "submitted " + std::to_string(ids.size()) + " workers of " +
+          "submitted " + counted(ids.size(), "worker") + " of " +
               std::to_string(order.bytes / mib) + " MiB: " + ids.front() + " …");
     }
   }
@@ -233,7 +234,7 @@ class Pool {
       try {
         connection_.drain(worker, status_timeout_ms);
         say({{"type", "drained"}, {"worker", "worker-" + std::to_string(worker)}},
-            "let worker-" + std::to_string(worker) + " go");
+            "told worker-" + std::to_string(worker) + " to leave");
       } catch (const Error& error) {
         if (error.code() != ExitCode::not_found) throw;
         spdlog::warn("{}", error.what());
@@ -246,7 +247,7 @@ class Pool {
     if (jobs.empty()) return;
     for (const ShellCommand& command : system_.cancel(jobs)) run(command);
     say({{"type", "cancelled"}, {"jobs", jobs}},
-        "cancelled " + std::to_string(jobs.size()) + " jobs: " + jobs.front() + " …");
+        "cancelled " + counted(jobs.size(), "job") + ": " + jobs.front() + " …");
   }
 
   const BatchSystem& system_;

@@ -16,7 +16,7 @@ std::string seconds_of(const std::string& text) {
     } else if (letter >= '0' && letter <= '9' && part < 1'000'000'000) {
       part = part * 10 + (letter - '0');
     } else {
-      throw CLI::ValidationError("not a time: " + text);
+      throw CLI::ValidationError("must be a time such as 8:00:00, not " + text);
     }
   }
   return std::to_string(seconds);
@@ -24,28 +24,29 @@ std::string seconds_of(const std::string& text) {
 
 void add_workers(CLI::App& sub, PoolCommand& pool) {
   sub.add_option("--store", pool.store,
-                 "The coordinator's store, as the workers see it (default: files come over their "
-                 "connections)")
+                 "The coordinator's store, as the workers see it (default: they transfer files "
+                 "over their connections)")
       ->envname("TETFARM_STORE")
       ->option_text("DIR");
   sub.add_option("--cache", pool.cache,
-                 "For files that come over the connection, on the workers' machines (default: in "
-                 "their $TMPDIR)")
+                 "Folder on the workers' machines for files received over the connection (default: "
+                 "in $TMPDIR)")
       ->option_text("DIR");
-  sub.add_option("--worker-key", pool.worker_key, "The secret key that the workers come with")
+  sub.add_option("--worker-key", pool.worker_key, "The workers' secret key")
       ->option_text("NAME.key");
-  sub.add_option("--program", pool.program, "`tetfarm`, as the workers see it (this one)")
+  sub.add_option("--program", pool.program,
+                 "Path of `tetfarm` on the workers' machines (default: this program's)")
       ->option_text("PATH");
-  sub.add_option("--logs", pool.logs, "Folder of what workers say (the current one)")
+  sub.add_option("--logs", pool.logs, "Folder for the workers' logs (default: the current one)")
       ->option_text("DIR");
-  sub.add_option("--memory", pool.memory_bytes, "Memory of a worker's job (4GB)")
+  sub.add_option("--memory", pool.memory_bytes, "Memory of a worker's job (default 4GB)")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
   sub.add_option("--max-memory", pool.max_memory_bytes,
-                 "Larger ones, up to this, where tasks want it (--memory)")
+                 "Largest memory of a worker's job, for tasks that need more (default: --memory)")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
-  sub.add_option("--walltime", pool.walltime_s, "Of a worker's job (8:00:00)")
+  sub.add_option("--walltime", pool.walltime_s, "Time limit of a worker's job (default 8:00:00)")
       ->transform(CLI::Validator(
           [](std::string& text) {
             text = seconds_of(text);
@@ -54,33 +55,36 @@ void add_workers(CLI::App& sub, PoolCommand& pool) {
           "", ""))
       ->check(counting_number())
       ->option_text("H:MM:SS");
-  sub.add_option("--grace", pool.grace_s, "To finish a task in, before a worker is ended (60)")
+  sub.add_option("--grace", pool.grace_s,
+                 "Time to finish a task before a worker is ended (default 60)")
       ->check(whole_number(0, 86'400))
       ->option_text("SECONDS");
   sub.add_option("--option", pool.options,
-                 "A line for the script (\"--partition=mesh\", \"-q long\") or the submit "
+                 "Extra line for the script (\"--partition=mesh\", \"-q long\") or the submit "
                  "description; may be repeated")
       ->option_text("TEXT");
-  sub.add_option("--hosts", pool.hosts, "Of ssh: where to start workers, and how many")
+  sub.add_option("--hosts", pool.hosts, "For ssh: hosts to start workers on, and how many on each")
       ->delimiter(',')
       ->option_text("NAME:N,...");
 }
 
 void add_limits(CLI::App& sub, PoolCommand& pool) {
-  sub.add_option("--min", pool.min, "Workers to keep without work (0)")
+  sub.add_option("--min", pool.min, "Workers to keep even without work (default 0)")
       ->check(whole_number(0, 100'000))
       ->option_text("N");
-  sub.add_option("--max", pool.max, "Jobs at the batch system at most")
+  sub.add_option("--max", pool.max, "Maximum number of jobs at the batch system")
       ->required()
       ->check(whole_number(1, 100'000))
       ->option_text("N");
-  sub.add_option("--idle", pool.idle_s, "Without work so long, a worker is let go (120)")
+  sub.add_option("--idle", pool.idle_s,
+                 "Release a worker that has had no work for this long (default 120)")
       ->check(not_negative_number())
       ->option_text("SECONDS");
-  sub.add_option("--interval", pool.interval_s, "Between looks (5)")
+  sub.add_option("--interval", pool.interval_s,
+                 "Time between looks at the farm and the batch system (default 5)")
       ->check(number_between(0.1, 3600.0))
       ->option_text("SECONDS");
-  sub.add_option("--rate", pool.rate, "Jobs to submit in a minute, at most (60)")
+  sub.add_option("--rate", pool.rate, "Maximum number of jobs to submit per minute (default 60)")
       ->check(whole_number(1, 100'000))
       ->option_text("N");
 }
@@ -93,29 +97,31 @@ void add_pool(CLI::App& app, PoolCommand& pool, const std::function<void()>& cho
   sub.footer(
       "Example: tetfarm pool slurm --coordinator tcp://head:5555 --store /shared/farm --max 200");
   sub.callback(chosen);
-  sub.add_option("SYSTEM", pool.system, "Where workers come from")
+  sub.add_option("SYSTEM", pool.system, "Where to start workers")
       ->required()
       ->check(CLI::IsMember({"slurm", "condor", "lsf", "ge", "ssh", "local"}));
-  sub.add_option("--coordinator,--connect", pool.endpoint, "The coordinator")
+  sub.add_option("--coordinator,--connect", pool.endpoint, "Address of the coordinator")
       ->envname("TETFARM_COORDINATOR")
       ->required()
       ->option_text("tcp://HOST:PORT");
-  sub.add_option("--key", pool.keys.own, "The pool's own secret key, of a submitter")
+  sub.add_option("--key", pool.keys.own, "The pool's own secret key, with the role submitter")
       ->envname("TETFARM_KEY")
       ->option_text("NAME.key");
   sub.add_option("--coordinator-key", pool.keys.coordinator,
-                 "The coordinator's public key (default: coordinator.pub of the store)")
+                 "The coordinator's public key (default: coordinator.pub in the store)")
       ->envname("TETFARM_COORDINATOR_KEY")
       ->option_text("FILE.pub");
   sub.add_option("--name", pool.name,
-                 "Of the pool: its jobs are found again by it (default: made from the endpoint)")
+                 "Name of the pool, by which it finds its jobs again (default: from the "
+                 "coordinator's address)")
       ->option_text("NAME");
   add_workers(sub, pool);
   add_limits(sub, pool);
-  CLI::Option* dry = sub.add_flag("--dry-run", pool.dry_run, "Print the script and the commands");
-  sub.add_flag("--stop", pool.stop, "Let all workers of the pool go, and end when they are gone")
+  CLI::Option* dry =
+      sub.add_flag("--dry-run", pool.dry_run, "Only print the script and the commands");
+  sub.add_flag("--stop", pool.stop, "Release all workers of the pool, and exit when they are gone")
       ->excludes(dry);
-  sub.add_flag("--json", pool.json, "Print one JSON object a line on standard output");
+  sub.add_flag("--json", pool.json, "Print JSON on standard output, one object per line");
 }
 
 }  // namespace tetfarm

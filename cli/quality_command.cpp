@@ -110,8 +110,8 @@ void print_side_by_side(const ShapeStatistics& near, const ShapeStatistics& away
   const auto line = [&](const char* name, double of_near, double of_away) {
     std::printf("%-16s%16.6g%16.6g\n", name, of_near, of_away);
   };
-  line("dihedral from", near.min_dihedral_deg, away.min_dihedral_deg);
-  line("dihedral to", near.max_dihedral_deg, away.max_dihedral_deg);
+  line("min dihedral", near.min_dihedral_deg, away.min_dihedral_deg);
+  line("max dihedral", near.max_dihedral_deg, away.max_dihedral_deg);
   line("smallest height", near.smallest_height, away.smallest_height);
   line("radius ratio", near.mean_radius_ratio(), away.mean_radius_ratio());
   for (std::size_t i = 0; i < near.dihedral_histogram.size(); ++i) {
@@ -122,7 +122,7 @@ void print_side_by_side(const ShapeStatistics& near, const ShapeStatistics& away
 }
 
 void print_regions(const Report& report) {
-  std::printf("%-16s%16s%16s%16s%16s\n", "region", "tets", "volume", "dihedral from",
+  std::printf("%-16s%16s%16s%16s%16s\n", "region", "tets", "volume", "min dihedral",
               "radius ratio");
   for (std::size_t i = 0; i < report.figures.regions.size(); ++i) {
     const auto& [volume, shapes] = report.figures.regions[i];
@@ -140,7 +140,7 @@ std::string forced_text(const ForcedDihedral& forced) {
   if (forced.at_most_deg >= worth_saying_deg) return "";
   char text[200];
   std::snprintf(text, sizeof text,
-                "                the surface forces at most %s deg, at (%.6g, %.6g, %.6g)\n",
+                "                the surface allows at most %s deg, at (%.6g, %.6g, %.6g)\n",
                 angle_text(forced.at_most_deg, 3).c_str(), forced.at.x, forced.at.y, forced.at.z);
   return text;
 }
@@ -171,7 +171,8 @@ void print_report(const Report& report) {
 
 MeshCheckOptions check_options(const QualityOptions& options) {
   const std::optional<std::int64_t> memory = parse_memory(options.memory);
-  if (!memory) throw UsageError("\"" + options.memory + "\" is no size such as 256MiB", "--memory");
+  if (!memory)
+    throw UsageError("\"" + options.memory + "\" is not a size such as 256MiB", "--memory");
   MeshCheckOptions result;
   result.faces = options.check_faces;
   result.memory_bytes = static_cast<std::size_t>(*memory);
@@ -209,7 +210,7 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
   }
   if (meshes.empty()) {
     if (is_openfoam_case(input)) return input;
-    throw Error(ExitCode::not_found, input.string() + ": no mesh (.vtkhdf, .lb8.ugrid) in there");
+    throw Error(ExitCode::not_found, input.string() + ": has no mesh (.vtkhdf, .lb8.ugrid)");
   }
   return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {
     return std::pair(a.extension() != ".vtkhdf", a) < std::pair(b.extension() != ".vtkhdf", b);

@@ -38,13 +38,13 @@ std::string gate_text(const QualityGate& gate) {
   if (gate.key == unforced_key) {
     return "error: where the surface forces no small angles, the smallest dihedral angle is " +
            angle_text(gate.smallest_deg) + " deg, near " + where + "; the job's gate is " + limit +
-           "\nhelp: the mesh is complete; look at it with `tetfarm quality`. A finer surface "
+           "\nhelp: the mesh is complete; `tetfarm quality` shows more. A finer surface "
            "there, or a smaller size, gives better elements; `[quality] min_unforced_dihedral` in "
-           "the job file sets the gate, 0 for none\n";
+           "the job file sets the gate; 0 means none\n";
   }
   return "error: the smallest dihedral angle is " + angle_text(gate.smallest_deg) + " deg, near " +
          where + "; the job's gate is " + limit +
-         "\nhelp: the mesh is complete; look at it with `tetfarm quality`\n";
+         "\nhelp: the mesh is complete; `tetfarm quality` shows more\n";
 }
 
 }  // namespace tetfarm

@@ -272,7 +272,7 @@ std::string log_text(const wire::AttemptLine& said) {
                      " " + attempt.host() + ", " + attempt.state() + "\n";
   text = harmless(text, 1000);
   text.back() = '\n';
-  if (attempt.log().empty()) return text + "  (nothing is kept)\n";
+  if (attempt.log().empty()) return text + "  (no output is kept)\n";
   std::size_t begin = 0;
   while (begin < attempt.log().size()) {
     const std::size_t end = std::min(attempt.log().find('\n', begin), attempt.log().size());
@@ -299,7 +299,7 @@ std::string explanation_text(const wire::Explanation& said) {
     text += "  why: " + harmless(reason, 1000) + "\n";
   }
   if (const std::string doing = doing_with_share(task); !doing.empty()) {
-    text += "  does: " + doing + "\n";
+    text += "  doing: " + doing + "\n";
   }
   if (task.state() == "done") text += "  took " + seconds_text(task.seconds()) + " s\n";
   if (task.state() == "failed") {

@@ -90,7 +90,7 @@ void require_png(const std::string& output) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == ".png") return;
   throw ErrorWithHelp(ExitCode::usage,
-                      output + ": render writes PNG pictures only; give the name the ending .png",
+                      output + ": render writes only PNG pictures; give a name that ends in .png",
                       "");
 }
 

@@ -82,7 +82,7 @@ Reported reported_of(const ReportCommand& command) {
   if (options.store.empty() && options.client.endpoint.empty()) {
     throw Error(
         ExitCode::not_found,
-        subject + ": no such folder or mesh; of a job say where it is (--connect, --store)");
+        subject + ": no such folder or mesh; for a job, say where it is with --connect or --store");
   }
   return of_job(options, subject, scratch_folder);
 }

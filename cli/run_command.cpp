@@ -55,7 +55,7 @@ int worker_count(const RunOptions& options) {
 void remark_on_workers(const RunOptions& options) {
   if (options.workers <= cores()) return;
   std::fprintf(stderr,
-               "note: -j %d is more than the %s here; further workers start only as there are "
+               "note: -j %d is more than the %s here; the extra workers start only when there are "
                "tasks for them\n",
                options.workers, counted(static_cast<std::uint64_t>(cores()), "core").c_str());
 }
@@ -66,9 +66,9 @@ FolderLock lock_of_run(const std::filesystem::path& store, const std::string& ou
   if (lock) return std::move(*lock);
   const std::optional<LockHolder> other = FolderLock::holder(store, "run.lock");
   throw ErrorWithHelp(ExitCode::failed,
-                      output + ": another run works in this folder" +
+                      output + ": another run is using this folder" +
                           (other ? ": " + other->text() : std::string()),
-                      "wait for it, stop it, or name another folder with -o");
+                      "wait for it, stop it, or give another folder with -o");
 }
 
 /// Asks until the coordinator answers, starting it again when it dies; nothing when told to stop.
@@ -167,7 +167,7 @@ ExitCode report_stop(const RunOptions& options, const std::filesystem::path& sto
       options.database.empty() ? store : std::filesystem::path(options.database);
   const StoppedRun stopped = stopped_run(store, database, outcome.job, outcome.under_way);
   if (options.json) std::printf("%s\n", stopped_json(stopped).c_str());
-  std::fprintf(stderr, "%shelp: the same command goes on from here%s\n",
+  std::fprintf(stderr, "%shelp: run the same command again to continue%s\n",
                stopped_text(stopped).c_str(),
                stopped.lost.empty() ? "" : "; --grace SECONDS lets running tasks finish first");
   return ExitCode::stopped_at_checkpoint;

@@ -47,7 +47,7 @@ TaskTimes times_seen_in(const std::string& store, const std::string& database) {
   const std::optional<std::filesystem::path> folder = store_of(store);
   if (!folder) {
     throw Error(ExitCode::not_found,
-                "\"" + store + "\" is neither a store nor the folder of a run");
+                "\"" + store + "\" is neither a store nor the output folder of a run");
   }
   const std::filesystem::path at = database.empty() ? *folder : std::filesystem::path(database);
   const JobDatabase rows = JobDatabase::open_to_read(at / database_file);

@@ -7,60 +7,65 @@ namespace tetfarm {
 namespace {
 
 void add_folders(CLI::App& sub, CoordinatorCommand& coordinator) {
-  sub.add_option("--store", coordinator.store, "Folder of everything durable")
+  sub.add_option("--store", coordinator.store, "Folder for everything the coordinator keeps")
       ->required()
       ->option_text("DIR");
   sub.add_option("--database", coordinator.database,
-                 "Folder of the database, on a disk of this host (default: the store)")
+                 "Folder for the database, on a local disk (default: the store)")
       ->option_text("DIR");
   sub.add_option("--keys", coordinator.keys,
-                 "Folder of the keys, see `tetfarm keys` (default: /etc/tetfarm/keys for root, "
+                 "Key folder, see `tetfarm keys` (default: /etc/tetfarm/keys for root, "
                  "tetfarm/keys in $XDG_CONFIG_HOME or ~/.config for others)")
       ->envname("TETFARM_KEYS")
       ->option_text("DIR");
   sub.add_option("--allow-root", coordinator.allowed_roots,
-                 "A folder that jobs may name surfaces in (none); may be repeated")
+                 "Folder in which jobs may name surfaces (default: none); may be repeated")
       ->option_text("DIR");
-  sub.add_option("--listen", coordinator.endpoints, "Where to listen; may be repeated")
+  sub.add_option("--listen", coordinator.endpoints, "Address to listen on; may be repeated")
       ->required()
       ->option_text("tcp://ADDRESS:PORT");
 }
 
 void add_limits(CLI::App& sub, CoordinatorCommand& coordinator) {
-  sub.add_option("--heartbeat-ms", coordinator.heartbeat_ms, "Between heartbeats (1000)")
+  sub.add_option("--heartbeat-ms", coordinator.heartbeat_ms,
+                 "Time between heartbeats (default 1000)")
       ->check(whole_number(10, 600'000));
-  sub.add_option("--lease-ms", coordinator.lease_ms, "A silent worker is lost (10000)")
+  sub.add_option("--lease-ms", coordinator.lease_ms,
+                 "Time after which a silent worker counts as lost (default 10000)")
       ->check(whole_number(50, 86'400'000));
-  sub.add_option("--max-connections", coordinator.max_connections, "At once (16384)")
+  sub.add_option("--max-connections", coordinator.max_connections,
+                 "Maximum simultaneous connections (default 16384)")
       ->check(whole_number(1, 1'000'000));
-  sub.add_option("--max-workers", coordinator.max_workers, "At once (10000)")
+  sub.add_option("--max-workers", coordinator.max_workers,
+                 "Maximum simultaneous workers (default 10000)")
       ->check(whole_number(1, 1'000'000));
-  sub.add_option("--task-limit", coordinator.task_limit_s,
-                 "A task may run so long, or 20 times what is expected of its kind (3600)")
+  sub.add_option(
+         "--task-limit", coordinator.task_limit_s,
+         "End a task after this time, or after 20 times its expected time if longer (default 3600)")
       ->check(positive_number())
       ->option_text("SECONDS");
   sub.add_option("--first-task-limit", coordinator.first_task_limit_s,
-                 "The same while nothing is known of its kind (86400)")
+                 "The same, while no task of its kind has been timed (default 86400)")
       ->check(positive_number())
       ->option_text("SECONDS");
 }
 
 void add_who_may_come(CLI::App& sub, CoordinatorCommand& coordinator) {
-  sub.add_flag("--insecure", coordinator.insecure,
-               "Plain text and no keys, also where other hosts can reach it: whoever "
-               "comes may do anything");
+  sub.add_flag(
+      "--insecure", coordinator.insecure,
+      "Plain text and no keys, even where other hosts can connect: anyone may do anything");
   sub.add_option("--http", coordinator.http_address,
-                 "Show /, /metrics, /healthz and /readyz there (default: nowhere)")
+                 "Serve /, /metrics, /healthz and /readyz at this address (default: nowhere)")
       ->option_text("127.0.0.1:8080");
   sub.add_option("--http-token", coordinator.http_token,
-                 "A file with a token that HTTP asks for; required where others can reach it")
+                 "File with the token that HTTP asks for; required where other hosts can connect")
       ->option_text("FILE");
   sub.add_flag("--one-job", coordinator.one_job)->group("");
-  sub.add_flag("-q,--quiet", coordinator.quiet, "Warnings only");
+  sub.add_flag("-q,--quiet", coordinator.quiet, "Print only warnings");
 }
 
 void add_coordinator(CLI::App& sub, WorkerCommand& worker) {
-  sub.add_option("--connect", worker.endpoint, "The coordinator")
+  sub.add_option("--connect", worker.endpoint, "Address of the coordinator")
       ->envname("TETFARM_COORDINATOR")
       ->required()
       ->option_text("tcp://HOST:PORT");
@@ -68,41 +73,41 @@ void add_coordinator(CLI::App& sub, WorkerCommand& worker) {
 }
 
 void add_files(CLI::App& sub, WorkerCommand& worker) {
-  sub.add_option("--store", worker.store,
-                 "The coordinator's store, as seen from here (default: files come over the "
-                 "connection)")
+  sub.add_option(
+         "--store", worker.store,
+         "The coordinator's store, as seen from here (default: transfer files over the connection)")
       ->envname("TETFARM_STORE")
       ->option_text("DIR");
   sub.add_flag("--no-shared-store", worker.no_shared_store,
-               "Files come over the connection, whether it sees the store or not");
+               "Transfer files over the connection, even if the store can be seen from here");
   sub.add_option("--cache", worker.cache,
-                 "For files that come over the connection (default: in $TMPDIR)")
+                 "Folder for files received over the connection (default: in $TMPDIR)")
       ->option_text("DIR");
   sub.add_option("--cache-size", worker.cache_bytes,
-                 "How much of them is kept from task to task (10GiB)")
+                 "How much of them to keep from task to task (default 10GiB)")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
 }
 
 void add_what_it_has(CLI::App& sub, WorkerCommand& worker) {
-  sub.add_option("--grace", worker.grace_s, "To finish a task in after SIGTERM (30)")
+  sub.add_option("--grace", worker.grace_s, "Time to finish a task after SIGTERM (default 30)")
       ->check(not_negative_number())
       ->option_text("SECONDS");
   sub.add_option("--memory,--memory-limit", worker.memory_bytes,
-                 "For its tasks (default: what the machine has)")
+                 "Memory for its tasks (default: all that the machine has)")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
   sub.add_option("--walltime", worker.walltime_s,
-                 "It will be ended then (default: as the batch system says)")
+                 "Time until this worker will be ended (default: from the batch system)")
       ->check(positive_number())
       ->option_text("SECONDS");
-  sub.add_option("--tag", worker.tag, "How the pool that submitted it knows it")
+  sub.add_option("--tag", worker.tag, "Name by which the pool that submitted it knows it")
       ->option_text("POOL/JOB");
   sub.add_option("--pool-memory", worker.pool_memory_bytes,
-                 "The most that another worker of its pool can have: larger tasks wait for one")
+                 "Largest memory of any worker of its pool, for which larger tasks wait")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
-  sub.add_flag("-q,--quiet", worker.quiet, "Warnings only");
+  sub.add_flag("-q,--quiet", worker.quiet, "Print only warnings");
 }
 
 }  // namespace
@@ -114,7 +119,7 @@ void add_services(CLI::App& app, Services& services,
     return add_command(app, name, what, example, command, chosen);
   };
   CLI::App& coordinator =
-      add("coordinator", "Serve jobs to workers",
+      add("coordinator", "Take jobs, and hand out their tasks to workers",
           "tetfarm coordinator --store /shared/farm --listen tcp://127.0.0.1:5555",
           services.coordinator);
   add_folders(coordinator, services.coordinator);

@@ -82,13 +82,13 @@ JobInput job_to_submit(const SubmitCommand& command) {
   check_submittable(described);
   const bool is_here = size_of_file(described.path).has_value();
   if (!is_here && !command.coordinator_reads) {
-    throw ErrorWithHelp(ExitCode::not_found, described.path + ": no such file",
-                        "check the path; where only the coordinator sees the file: "
-                        "--coordinator-reads");
+    throw ErrorWithHelp(
+        ExitCode::not_found, described.path + ": no such file",
+        "check the path; if only the coordinator can see the file, add --coordinator-reads");
   }
   if (command.coordinator_reads && !command.check) return described;
   if (!is_here) {
-    std::fprintf(stderr, "note: %s is not to be seen from here: the farm checks it\n",
+    std::fprintf(stderr, "note: %s cannot be seen from here; the farm will check it\n",
                  described.path.c_str());
     return described;
   }
@@ -149,20 +149,21 @@ ExitCode cancel_command(const CancelCommand& command) {
   if (!found) throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
   if (before == "done" || before == "failed") {
     throw ErrorWithHelp(ExitCode::failed,
-                        client.job + " is " + before + " already: there is nothing to cancel", "");
+                        client.job + " is already " + before + ": there is nothing to cancel", "");
   }
   if (client.json) {
     std::printf("{\"type\":\"cancelled\",\"job\":\"%s\"}\n", client.job.c_str());
   } else {
     std::printf("%s %s\n", client.job.c_str(),
-                before == "cancelled" ? "was cancelled already" : "cancelled");
+                before == "cancelled" ? "was already cancelled" : "cancelled");
   }
   return ExitCode::ok;
 }
 
 ExitCode retry_command(const RetryCommand& command) {
   const ClientOptions& client = command.client;
-  if (client.job.empty() == command.host.empty()) throw UsageError("name a job or a host", "retry");
+  if (client.job.empty() == command.host.empty())
+    throw UsageError("give either a job or --host NAME", "retry");
   wire::Retry retry;
   retry.set_job(client.job);
   retry.set_task(command.task);
@@ -170,11 +171,15 @@ ExitCode retry_command(const RetryCommand& command) {
   CoordinatorConnection connection = connect(client, "");
   const std::uint64_t count = connection.retry(retry, in_ms(client.timeout_s)).count();
   const std::string& what = command.host.empty() ? client.job : command.host;
-  if (count == 0) throw Error(ExitCode::not_found, what + ": nothing there is in quarantine");
+  if (count == 0)
+    throw Error(ExitCode::not_found, what + (command.host.empty() ? ": nothing is in quarantine"
+                                                                  : ": is not in quarantine"));
   if (client.json) {
     std::printf("{\"type\":\"retried\",\"count\":%llu}\n", static_cast<unsigned long long>(count));
   } else {
-    std::printf("%s goes on\n", what.c_str());
+    const std::string freed =
+        command.host.empty() ? counted(count, "task") + " of " + client.job : command.host;
+    std::printf("took %s out of quarantine\n", freed.c_str());
   }
   return ExitCode::ok;
 }
@@ -182,7 +187,7 @@ ExitCode retry_command(const RetryCommand& command) {
 ExitCode drain_command(const DrainCommand& command) {
   const ClientOptions& client = command.client;
   const std::uint64_t worker = parse_worker_name(command.worker);
-  if (command.all == (worker != 0)) throw UsageError("name one worker, or --all", "drain");
+  if (command.all == (worker != 0)) throw UsageError("give either a worker or --all", "drain");
   CoordinatorConnection connection = connect(client, "");
   const std::uint64_t count = connection.drain(worker, in_ms(client.timeout_s)).count();
   if (count == 0 && !command.all) {
@@ -191,7 +196,8 @@ ExitCode drain_command(const DrainCommand& command) {
   if (client.json) {
     std::printf("{\"type\":\"draining\",\"count\":%llu}\n", static_cast<unsigned long long>(count));
   } else {
-    std::printf("%s %s\n", counted(count, "worker").c_str(), count == 1 ? "drains" : "drain");
+    std::printf("%s %s\n", counted(count, "worker").c_str(),
+                count == 1 ? "is draining" : "are draining");
   }
   return ExitCode::ok;
 }
@@ -215,7 +221,7 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
   options.http_address = command.http_address;
   options.http_token = command.http_token;
   options.on_http = [&command](const std::string& address) {
-    if (!command.quiet) std::printf("showing http://%s/\n", address.c_str());
+    if (!command.quiet) std::printf("status page on http://%s/\n", address.c_str());
     std::fflush(stdout);
   };
   options.log_to_stderr = !command.quiet;

@@ -68,9 +68,9 @@ StoppedRun stopped_run(const std::filesystem::path& store, const std::filesystem
 }
 
 std::string stopped_text(const StoppedRun& stopped) {
-  if (stopped.job.empty()) return "stopped at a checkpoint: nothing was under way\n";
+  if (stopped.job.empty()) return "stopped at a checkpoint: nothing was running\n";
   std::string text = "stopped at a checkpoint: ";
-  text += stopped.tasks_done == 0 ? "no task was finished yet"
+  text += stopped.tasks_done == 0 ? "no task had finished yet"
                                   : counted(stopped.tasks_done, "finished task") +
                                         (stopped.tasks_done == 1 ? " is kept" : " are kept");
   if (stopped.lost.empty()) return text + ", no work is lost\n";

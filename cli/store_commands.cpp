@@ -5,6 +5,7 @@
 #include "base/file_system.h"
 #include "base/tree_way.h"
 #include "cli/commands.h"
+#include "cli/counted.h"
 #include "cli/json_line.h"
 #include "coordinator/start_rules.h"
 #include "store/folder_lock.h"
@@ -73,9 +74,9 @@ Json json_of(const StoreReport& report, const DurableState& rows) {
 void print(const StoreReport& report, const DurableState& rows) {
   std::printf("files           %zu, %zu damaged\n", report.files, report.damaged.size());
   for (const DamagedFile& damaged : report.damaged) {
-    std::printf("%s  '%s' is %s", damaged.file.hash.c_str(), damaged.file.name.c_str(),
+    std::printf("%s  '%s': %s", damaged.file.hash.c_str(), damaged.file.name.c_str(),
                 name_of(damaged.state));
-    if (!damaged.is_needed) std::printf("; nothing needs it now");
+    if (!damaged.is_needed) std::printf("; nothing needs it any more");
     std::printf("\n");
   }
   for (const TaskId id : report.redone) {
@@ -98,10 +99,11 @@ ExitCode check_store_command(const CheckOptions& options) {
     print(report, rows);
   }
   if (report.damaged.empty()) return ExitCode::ok;
-  throw Error(ExitCode::failed, std::to_string(report.damaged.size()) +
-                                    " files of the store are damaged or missing; " +
-                                    std::to_string(report.redone.size()) +
-                                    " tasks would run again when they are read");
+  const std::size_t damaged = report.damaged.size();
+  throw Error(ExitCode::failed, store.folder().string() + ": " + counted(damaged, "file") +
+                                    (damaged == 1 ? " is" : " are") + " damaged or missing; " +
+                                    counted(report.redone.size(), "task") +
+                                    " would run again when they are needed");
 }
 
 ExitCode gc_command(const GcCommand& command) {
@@ -124,11 +126,11 @@ ExitCode gc_command(const GcCommand& command) {
   if (command.dry_run) {
     for (const auto& file : garbage.files) std::printf("%s\n", file.c_str());
   }
-  std::printf("%zu files, %llu bytes %s\n", garbage.files.size(),
+  std::printf("%s, %llu bytes %s\n", counted(garbage.files.size(), "file").c_str(),
               static_cast<unsigned long long>(garbage.bytes),
               command.dry_run ? "would be removed" : "removed");
   if (garbage.too_young > 0) {
-    std::printf("%zu stay: attempts that run may be writing them\n", garbage.too_young);
+    std::printf("%zu kept: running attempts may be writing them\n", garbage.too_young);
   }
   return ExitCode::ok;
 }

@@ -61,7 +61,7 @@ void require_known_command(CLI::App& app, int argc, const char* const* argv, int
   if (word.empty()) {
     throw ErrorWithHelp(
         ExitCode::usage,
-        "no command is given" + (before.empty() ? "" : " after " + in_ticks(app.get_name())),
+        "no command given" + (before.empty() ? "" : " after " + in_ticks(app.get_name())),
         before.empty() ? "`tetfarm run wing.stl -o out` meshes a surface; " + list : list);
   }
   if (word.starts_with('-')) return;

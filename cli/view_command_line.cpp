@@ -9,29 +9,31 @@ namespace {
 void add_view(CLI::App& app, ViewOptions& view) {
   add_connection(app, view.client, StoreOption::yes);
   app.add_option("--store", view.store,
-                 "The store, or the folder of a run: its rows are read when no coordinator answers")
+                 "A store, or the output folder of a run, to read when no coordinator answers")
       ->envname("TETFARM_STORE")
       ->option_text("DIR");
-  app.add_option("--database", view.database, "Folder of the database, when it is not in the store")
+  app.add_option("--database", view.database, "Folder of the database (default: the store)")
       ->option_text("DIR");
 }
 
 void add_copy(CLI::App& sub, BackupCommand& copy) {
-  sub.add_option("--database", copy.database, "Folder of the database, when it is not in the store")
+  sub.add_option("--database", copy.database, "Folder of the database (default: the store)")
       ->option_text("DIR");
   add_json(sub, copy.json);
 }
 
 void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
-  CLI::App& backup =
-      add_command(app, "backup", "Copy the database into a file, also while a coordinator uses it",
-                  "tetfarm backup /shared/farm -o farm.backup", views.backup, chosen);
+  CLI::App& backup = add_command(
+      app, "backup", "Copy the database to a file, even while a coordinator is using it",
+      "tetfarm backup /shared/farm -o farm.backup", views.backup, chosen);
   backup.add_option("STORE", views.backup.store, "The store")->required();
-  backup.add_option("-o,--output", views.backup.file, "The file")->required()->option_text("FILE");
+  backup.add_option("-o,--output", views.backup.file, "The backup")
+      ->required()
+      ->option_text("FILE");
   add_copy(backup, views.backup);
 
   CLI::App& restore = add_command(
-      app, "restore", "Put a backup in the place of a store's database; no coordinator may run",
+      app, "restore", "Replace a store's database with a backup; no coordinator may be using it",
       "tetfarm restore farm.backup /shared/farm", views.restore, chosen);
   restore.add_option("FILE", views.restore.from.file, "The backup")->required();
   restore.add_option("STORE", views.restore.from.store, "The store")->required();
@@ -47,57 +49,63 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
     add_view(sub, command.view);
     return sub;
   };
-  add("jobs", "List the jobs, a line each", "tetfarm jobs --connect tcp://head:5555", views.jobs);
+  add("jobs", "List the jobs, one per line", "tetfarm jobs --connect tcp://head:5555", views.jobs);
 
-  CLI::App& status = add("status", "Show how far jobs are, and what is wrong with them",
+  CLI::App& status = add("status", "Show the progress of jobs, and what is wrong with them",
                          "tetfarm status job-7 --connect tcp://head:5555", views.status);
   status.add_option("JOB", views.status.view.client.job, "One job (default: all)");
-  status.add_flag("--workers", views.status.workers, "Also name every worker and what it runs");
+  status.add_flag("--workers", views.status.workers,
+                  "Also list every worker and what it is running");
 
   CLI::App& tasks =
       add("tasks", "List the tasks", "tetfarm tasks job-7 --state ready", views.tasks);
-  tasks.add_option("JOB", views.tasks.view.client.job, "Of one job (default: all)");
-  tasks.add_option("--state", views.tasks.state, "Only these")
+  tasks.add_option("JOB", views.tasks.view.client.job, "Only of this job (default: all)");
+  tasks.add_option("--state", views.tasks.state, "Only in this state")
       ->check(
           CLI::IsMember({"waiting", "ready", "running", "leased", "done", "failed", "replaced"}))
       ->option_text("waiting|ready|running|done|failed");
-  tasks.add_option("--kind", views.tasks.kind, "Only these: inspect, decompose, mesh, ...");
+  tasks.add_option("--kind", views.tasks.kind, "Only of this kind: inspect, decompose, mesh, ...");
 
-  CLI::App& workers = add("workers", "List the workers, what they run and what they did",
-                          "tetfarm workers --all", views.workers);
+  CLI::App& workers =
+      add("workers", "List the workers, what they are running and what they have done",
+          "tetfarm workers --all", views.workers);
   workers.add_flag("--all", views.workers.all, "Also those that have left");
 
   CLI::App& events =
       add("events", "Show what happened, oldest first", "tetfarm events job-7 --all", views.events);
-  events.add_option("JOB", views.events.view.client.job, "Of one job (default: all)");
-  events.add_option("--task", views.events.task, "Of one task")->check(counting_number());
-  CLI::Option* last = events.add_option("-n,--last", views.events.last, "So many (50)")
-                          ->check(whole_number(1, 1000));
-  events.add_flag("--all", views.events.all, "All that are kept")->excludes(last);
+  events.add_option("JOB", views.events.view.client.job, "Only of this job (default: all)");
+  events.add_option("--task", views.events.task, "Only of this task")->check(counting_number());
+  CLI::Option* last =
+      events
+          .add_option("-n,--last", views.events.last, "How many to show, the newest (default 50)")
+          ->check(whole_number(1, 1000));
+  events.add_flag("--all", views.events.all, "Show all that are kept")->excludes(last);
 
-  CLI::App& logs = add("logs", "Show what the processes of tasks said, attempt by attempt",
-                       "tetfarm logs 31", views.logs);
-  logs.add_option("JOB|TASK", views.logs.target, "A job (job-7), or the number of a task")
-      ->required();
+  CLI::App& logs =
+      add("logs", "Show the output of tasks, attempt by attempt", "tetfarm logs 31", views.logs);
+  logs.add_option("JOB|TASK", views.logs.target, "A job (job-7), or a task's number")->required();
 
-  CLI::App& explain = add("explain", "Say why a task waits or failed, and where it ran",
+  CLI::App& explain = add("explain", "Explain why a task is waiting or failed, and where it ran",
                           "tetfarm explain 31", views.explain);
-  explain.add_option("TASK", views.explain.task, "Its number, as `tetfarm tasks` shows it")
+  explain.add_option("TASK", views.explain.task, "The task's number, as `tetfarm tasks` shows it")
       ->required()
       ->check(counting_number());
 
-  CLI::App& trace = add("trace", "Write who did what when, for ui.perfetto.dev",
+  CLI::App& trace = add("trace", "Write a timeline of who did what, for ui.perfetto.dev",
                         "tetfarm trace job-7 -o trace.json", views.trace);
   trace.add_option("JOB", views.trace.view.client.job, "The job")->required();
-  trace.add_option("-o,--output", views.trace.output, "The file")->required()->option_text("JSON");
+  trace.add_option("-o,--output", views.trace.output, "The output file")
+      ->required()
+      ->option_text("JSON");
 
-  CLI::App& report = add("report", "Write one page about a finished job: quality, balance, work",
-                         "tetfarm report out -o report.html", views.report);
+  CLI::App& report =
+      add("report", "Write an HTML page about a finished job: quality, balance, work",
+          "tetfarm report out -o report.html", views.report);
   report
       .add_option("JOB", views.report.view.client.job,
-                  "The folder of a run, a mesh, or a job (job-7)")
+                  "The output folder of a run, a mesh, or a job (job-7)")
       ->required();
-  report.add_option("-o,--output", views.report.output, "The page")
+  report.add_option("-o,--output", views.report.output, "The output file")
       ->required()
       ->option_text("HTML");
   add_copies(app, views, chosen);

@@ -73,7 +73,7 @@ ExitCode tasks_command(const TasksCommand& command) {
       if (!client.json) tasks.push_back(task);
     }
   });
-  if (!client.json) print(tasks.empty() ? "no such tasks\n" : tasks_text(tasks));
+  if (!client.json) print(tasks.empty() ? "no matching tasks\n" : tasks_text(tasks));
   return ExitCode::ok;
 }
 
@@ -86,7 +86,7 @@ ExitCode workers_command(const WorkersCommand& command) {
     workers.insert(workers.end(), page.workers().begin(), page.workers().end());
   });
   if (!command.view.client.json) {
-    print(workers.empty() ? "no worker is here\n" : workers_table(workers));
+    print(workers.empty() ? "no workers\n" : workers_table(workers));
   }
   if (command.view.client.json) {
     for (const wire::WorkerLine& worker : workers) print_line(worker_json(worker));

@@ -42,7 +42,7 @@ void ClientFiles::fetch(const ClientSender& sender, const wire::FetchFile& messa
         files->begin(), files->end(),
         [&](const StoredArtifact& candidate) { return candidate.hash == message.hash(); });
     if (file == files->end()) {
-      throw Error(ExitCode::not_found, job_name(job) + " has no such file to give");
+      throw Error(ExitCode::not_found, job_name(job) + " has no such file");
     }
     granted = {job, *file, now.steady_ms};
   }
@@ -50,11 +50,12 @@ void ClientFiles::fetch(const ClientSender& sender, const wire::FetchFile& messa
 }
 
 void ClientFiles::offer(const ClientSender& sender, const wire::OfferFile& message, Moment now) {
-  if (!ArtifactStore::is_hash(message.hash())) throw UsageError("no checksum", "the surface");
+  if (!ArtifactStore::is_hash(message.hash()))
+    throw UsageError("has no valid checksum", "the surface");
   if (message.size() > max_brought_bytes) {
-    throw UsageError("has " + std::to_string(message.size()) +
-                         " bytes; over a connection at most " + std::to_string(max_brought_bytes) +
-                         " come: submit it with --store",
+    throw UsageError("has " + std::to_string(message.size()) + " bytes; at most " +
+                         std::to_string(max_brought_bytes) +
+                         " can be sent over a connection: submit it with --store",
                      "the surface");
   }
   const BegunSurface surface{sender.client, message.hash()};
@@ -65,7 +66,7 @@ void ClientFiles::offer(const ClientSender& sender, const wire::OfferFile& messa
     if (uploads_.size() >= limits_.surfaces ||
         static_cast<std::size_t>(of_client) >= limits_.surfaces_of_client) {
       throw Error(ExitCode::out_of_resources,
-                  "too many surfaces are on their way to this coordinator; try again later");
+                  "too many surfaces are being sent to this coordinator; try again later");
     }
   }
   uploads_[surface] = {sender.connection, message.size(), now.steady_ms};

@@ -106,9 +106,9 @@ std::string Door::verdict(const std::vector<zmq::message_t>& request, std::int64
   if (request.size() < request_frames) return "500";
   const std::string address = request[3].to_string();
   if (open_.size() > options_.max_connections) {
-    refusals_.count(Refusal::too_many_connections,
-                    address + ": there are " + std::to_string(open_.size()) + " connections",
-                    now_ms);
+    refusals_.count(
+        Refusal::too_many_connections,
+        address + ": there are already " + std::to_string(open_.size()) + " connections", now_ms);
     return "300";
   }
   const std::string_view mechanism = request[5].to_string_view();
@@ -135,8 +135,8 @@ void Door::note_connections(std::int64_t now_ms) {
     } else {
       refusals_.count(Refusal::broken_handshake,
                       kind == ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL
-                          ? "plain to encrypted, forged, or not ZeroMQ"
-                          : "closed before it was over",
+                          ? "plain text to an encrypted address, forged, or not ZeroMQ"
+                          : "closed before it was complete",
                       now_ms);
     }
   }
@@ -169,7 +169,7 @@ void Door::read_list() {
     list_ = read_authorized_keys(list_path_);
     complaints_.push_back("authorised keys: " + std::to_string(list_.peers.size()));
     for (const std::string& line : list_.bad_lines) {
-      complaints_.push_back("authorised keys: " + line + "; it lets nobody in");
+      complaints_.push_back("authorised keys: " + line + "; this line is ignored");
     }
   } catch (const Error& error) {
     list_ = {};

@@ -61,8 +61,9 @@ void add_rows(std::string& text, const JobState& state) {
   }
   Family by_kind(text, "tetfarm_tasks", "gauge", "Tasks of all jobs, by kind and state.");
   for (const auto& [labels, count] : tasks) by_kind.add(labels, count);
-  Family(text, "tetfarm_queue_tasks", "gauge", "Tasks that wait for a worker.").add("", ready);
-  Family(text, "tetfarm_task_peak_rss_bytes", "gauge", "The most that a task took.").add("", bytes);
+  Family(text, "tetfarm_queue_tasks", "gauge", "Tasks waiting for a worker.").add("", ready);
+  Family(text, "tetfarm_task_peak_rss_bytes", "gauge", "Peak memory of the largest task.")
+      .add("", bytes);
   std::map<std::string, double> jobs;
   for (const JobPhase phase :
        {JobPhase::running, JobPhase::done, JobPhase::failed, JobPhase::cancelled}) {
@@ -71,7 +72,7 @@ void add_rows(std::string& text, const JobState& state) {
   for (const auto& [id, job] : rows.jobs) ++jobs[name_of(job.phase)];
   Family by_state(text, "tetfarm_jobs", "gauge", "Jobs, by state.");
   for (const auto& [phase, count] : jobs) by_state.add(label("state", phase), count);
-  Family(text, "tetfarm_hosts_in_quarantine", "gauge", "Hosts that get no tasks.")
+  Family(text, "tetfarm_hosts_in_quarantine", "gauge", "Hosts in quarantine, which get no tasks.")
       .add("", static_cast<double>(rows.quarantined_hosts.size()));
 }
 
@@ -80,7 +81,7 @@ void add_workers(std::string& text, const JobState& state) {
   for (const WorkerAtWork& worker : state.workers_at_work()) {
     ++workers[worker.drains ? "drains" : worker.task ? "busy" : "idle"];
   }
-  Family family(text, "tetfarm_workers", "gauge", "Workers that are here, by state.");
+  Family family(text, "tetfarm_workers", "gauge", "Connected workers, by state.");
   for (const auto& [what, count] : workers) family.add(label("state", what), count);
 }
 
@@ -127,7 +128,8 @@ std::string FarmMetrics::text(const JobState& state, const Refusals& refusals,
   std::string text;
   add_rows(text, state);
   add_workers(text, state);
-  Family attempts(text, "tetfarm_attempts_total", "counter", "Attempts that ended, by result.");
+  Family attempts(text, "tetfarm_attempts_total", "counter",
+                  "Attempts that have ended, by result.");
   for (const AttemptState result :
        {AttemptState::done, AttemptState::failed, AttemptState::crashed, AttemptState::killed,
         AttemptState::lost, AttemptState::returned, AttemptState::revoked, AttemptState::starved}) {
@@ -136,15 +138,16 @@ std::string FarmMetrics::text(const JobState& state, const Refusals& refusals,
                  counted == attempts_.end() ? 0 : static_cast<double>(counted->second));
   }
   const Family seconds(text, "tetfarm_task_seconds", "histogram",
-                       "Time of accepted attempts, by kind.");
+                       "Duration of accepted attempts, by kind.");
   for (const auto& [kind, histogram] : task_seconds_) {
     text += histogram.text("tetfarm_task_seconds", label("kind", kind));
   }
-  const Family commits(text, "tetfarm_commit_seconds", "histogram", "Time of a transaction.");
+  const Family commits(text, "tetfarm_commit_seconds", "histogram",
+                       "Duration of a database transaction.");
   text += commit_seconds_.text("tetfarm_commit_seconds", "");
-  Family(text, "tetfarm_commits_failed_total", "counter", "Transactions that were not taken.")
+  Family(text, "tetfarm_commits_failed_total", "counter", "Database transactions that failed.")
       .add("", static_cast<double>(failed_commits_));
-  Family(text, "tetfarm_events_total", "counter", "Lines of history written.")
+  Family(text, "tetfarm_events_total", "counter", "Events written to the history.")
       .add("", static_cast<double>(events_));
   Family refused(text, "tetfarm_refusals_total", "counter", "Messages and handshakes refused.");
   for (std::size_t kind = 0; kind < refusal_kinds; ++kind) {
@@ -153,13 +156,14 @@ std::string FarmMetrics::text(const JobState& state, const Refusals& refusals,
   }
   Family(text, "tetfarm_connections", "gauge", "Connections of workers and clients.")
       .add("", static_cast<double>(surroundings.connections));
-  Family(text, "tetfarm_store_free_bytes", "gauge", "Room on the store's file system.")
+  Family(text, "tetfarm_store_free_bytes", "gauge", "Free space on the store's file system.")
       .add("", static_cast<double>(surroundings.store_free_bytes));
   Family(text, "tetfarm_store_size_bytes", "gauge", "Size of the store's file system.")
       .add("", static_cast<double>(surroundings.store_size_bytes));
-  Family(text, "tetfarm_stuck", "gauge", "1 while nothing is handed out for lack of room.")
+  Family(text, "tetfarm_stuck", "gauge", "1 while no tasks are handed out for lack of room.")
       .add("", state.is_stuck() ? 1 : 0);
-  Family(text, "tetfarm_start_time_seconds", "gauge", "When the coordinator started, since 1970.")
+  Family(text, "tetfarm_start_time_seconds", "gauge",
+         "When the coordinator started, in seconds since 1970.")
       .add("", static_cast<double>(started_wall_ms_) / 1000);
   return text;
 }

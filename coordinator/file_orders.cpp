@@ -75,7 +75,7 @@ wire::Envelope publish_upload(const FileOrder& order, const ArtifactStore& store
 void want_room_for(std::uint64_t bytes, const ArtifactStore& store) {
   if (disk_room(store.folder()).has(bytes)) return;
   throw Error(ExitCode::out_of_resources,
-              "the coordinator's disk has no room for " + std::to_string(bytes) + " bytes more");
+              "the coordinator's disk has no room for another " + std::to_string(bytes) + " bytes");
 }
 
 wire::Envelope open_upload(const FileOrder& order, const ArtifactStore& store) {

@@ -14,7 +14,7 @@ namespace tetfarm {
 
 FileThread::FileThread(const ArtifactStore& store)
     : store_(store), event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-  if (event_ < 0) throw IoError("cannot make an eventfd", "files", errno);
+  if (event_ < 0) throw IoError("cannot create an eventfd", "files", errno);
   // Signals are for the coordinator's own thread: a new thread has its parent's mask.
   sigset_t all;
   sigset_t before;

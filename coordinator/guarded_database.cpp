@@ -16,20 +16,20 @@ std::string worded(const FileInPlace& file, FileInPlace::State state) {
   if (state == FileInPlace::State::removed) {
     return name +
            ": the database was removed while the coordinator was using it; nothing is accepted "
-           "until the same file is back. Move it back, or stop the coordinator: it then saves what "
-           "it holds beside it, for tetfarm restore";
+           "until the same file is back. Move it back, or stop the coordinator, which then saves "
+           "what it holds in a file beside it for `tetfarm restore`";
   }
   return name +
          ": another file has taken the place of the database while the coordinator was using it; "
-         "nothing is accepted. Move the old file back, or restart the coordinator to go on with "
+         "nothing is accepted. Move the old file back, or restart the coordinator to continue with "
          "the new one";
 }
 
 std::string worded_of_log(const FileInPlace& log) {
   return log.path().string() +
          ": the log of the database was removed or replaced while the coordinator was using it; "
-         "nothing is accepted. Restart the coordinator: when it stops it writes what the log held "
-         "into the database";
+         "nothing is accepted. Restart the coordinator: as it stops, it writes what the log held "
+         "to the database";
 }
 
 std::string worded(const IoError& error) {

@@ -52,13 +52,13 @@ std::string read_token(const std::filesystem::path& file) {
   struct stat about {};
   if (::stat(file.c_str(), &about) != 0) throw IoError("cannot read", file.string(), errno);
   if ((about.st_mode & 077U) != 0) {
-    throw UsageError("others may read this token; chmod 600", file.string());
+    throw UsageError("other users may read this token: run chmod 600 on it", file.string());
   }
   std::string token = read_file(file);
   while (!token.empty() && (token.back() == '\n' || token.back() == ' ')) token.pop_back();
   if (token.size() < shortest_token) {
-    throw UsageError("a token has at least " + std::to_string(shortest_token) +
-                         " characters: head -c 24 /dev/urandom | base64",
+    throw UsageError("a token must have at least " + std::to_string(shortest_token) +
+                         " characters; make one with `head -c 24 /dev/urandom | base64`",
                      file.string());
   }
   return token;
@@ -81,7 +81,7 @@ Addresses resolve(const std::string& address) {
   addrinfo* found = nullptr;
   if (colon == std::string::npos || host.empty() ||
       ::getaddrinfo(host.c_str(), address.c_str() + colon + 1, &hints, &found) != 0) {
-    throw UsageError("not an address and port, such as 127.0.0.1:8080", address);
+    throw UsageError("is not an address and port such as 127.0.0.1:8080", address);
   }
   return Addresses(found);
 }
@@ -101,7 +101,7 @@ std::string bound_address(int socket) {
 int listen_at(const std::string& address, const addrinfo& where) {
   const int fd =
       ::socket(where.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, where.ai_protocol);
-  if (fd < 0) throw IoError("cannot make a socket", address, errno);
+  if (fd < 0) throw IoError("cannot create a socket", address, errno);
   const int yes = 1;
   ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (::bind(fd, where.ai_addr, where.ai_addrlen) == 0 && ::listen(fd, backlog) == 0) return fd;
@@ -134,7 +134,7 @@ HttpServer::HttpServer(const HttpOptions& options)
     : options_(options), token_(read_token(options.token_file)) {
   const Addresses where = resolve(options.address);
   if (token_.empty() && !is_local("tcp://" + options.address)) {
-    throw UsageError("other hosts can reach it: name a file with a token (--http-token)",
+    throw UsageError("other hosts can connect: give a file with a token (--http-token)",
                      options.address);
   }
   listener_ = listen_at(options.address, *where);

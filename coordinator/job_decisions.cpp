@@ -53,10 +53,10 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   }
   const bool made_before = !task.outputs.empty();
   if (made_before && task.outputs != result.outputs) {
-    end_attempt(attempt, AttemptState::failed, "other bytes than the first time", now);
+    end_attempt(attempt, AttemptState::failed, "different bytes from the first time", now);
     fail_task(task, exit_failed,
-              "run again for a lost file it made other bytes than the first time; "
-              "submit the job anew",
+              "run again for a lost file, it made different bytes from the first time; submit the "
+              "job again",
               now);
     return;
   }

@@ -16,14 +16,14 @@ std::string JobState::why_no_further_cut(const TaskRow& task) const {
                           task.kind == TaskKind::cosmetic;
   if (!is_of_leaf) return "more cuts do not make it smaller";
   const JobId job = task.job;
-  if (find_task(job, TaskKind::number, 0) != nullptr) return "the nodes have their numbers";
-  if (task.path >= deepest_cut) return "no tree is deeper";
+  if (find_task(job, TaskKind::number, 0) != nullptr) return "the nodes are already numbered";
+  if (task.path >= deepest_cut) return "the tree cannot be deeper";
   if (find_task(job, TaskKind::decompose, task.path) != nullptr) {
     return "its sub-domain cannot be cut";
   }
   const std::uint32_t cuts = further_cuts_above(job, task.path);
   if (cuts >= rules_.max_further_cuts) {
-    return "it was cut further " + std::to_string(cuts) + " times";
+    return "it was already cut further " + std::to_string(cuts) + (cuts == 1 ? " time" : " times");
   }
   for (auto node = durable_.subdomains.lower_bound({job, 0});
        node != durable_.subdomains.end() && node->first.first == job; ++node) {

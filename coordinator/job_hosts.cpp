@@ -89,7 +89,7 @@ void JobState::quarantine_if_proven(const std::string& host, Moment now) {
   const HostRow quarantined{
       host, true, now.wall_ms,
       std::to_string(proofs) + " tasks of " + std::to_string(jobs.size()) +
-          " jobs failed there and were done elsewhere, at last: " + crashes.last_message};
+          " jobs failed there and were done elsewhere; last failure: " + crashes.last_message};
   durable_.quarantined_hosts[host] = quarantined;
   dirty_hosts_[host] = quarantined;
   new_events_.push_back(

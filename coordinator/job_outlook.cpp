@@ -13,6 +13,19 @@ std::string seconds_text(std::int64_t ms) {
   return std::to_string(std::max<std::int64_t>(ms + 999, 0) / 1000) + " s";
 }
 
+/// "2 errors, 1 loss".
+std::string failures_of(const TaskRow& task) {
+  std::string text;
+  const auto add = [&text](auto count, const char* one, const char* several) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : several);
+  };
+  add(task.crashes, "error", "errors");
+  add(task.losses, "loss", "losses");
+  add(task.starvings, "lack of memory", "lacks of memory");
+  return text;
+}
+
 }  // namespace
 
 /// The task that made or makes the file; 0 when none of that job does.
@@ -39,7 +52,7 @@ std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
       text += "task " + std::to_string(maker.value) + ", " + place_of(made_by) + ", makes it (" +
               (made_by.state == TaskState::leased ? "running" : name_of(made_by.state)) + ")";
     } else {
-      text += "it was submitted: submit the job again";
+      text += "it came with the job: submit the job again";
     }
     missing.push_back(text);
   }
@@ -48,7 +61,7 @@ std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
 
 /// What keeps a ready task from every worker that is here, counted by cause.
 std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) const {
-  if (sessions_.empty()) return {"no worker is here"};
+  if (sessions_.empty()) return {"no worker is connected"};
   const HostMemory used = used_memory();
   std::map<std::string, int> causes;
   std::uint64_t most_free = 0;
@@ -67,7 +80,7 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
     } else if (!has_time_for(session, task, now)) {
       ++causes["with too little time left"];
     } else if (!suits(worker, task.id, free_bytes, now)) {
-      ++causes["where it failed before: others have the first go"];
+      ++causes["where it failed before: others may try it first"];
     } else if (session.attempt) {
       ++causes["busy"];
     } else {
@@ -81,17 +94,17 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
                       " workers: " + cause);
   }
   if (causes.contains("without room for it")) {
-    reasons.push_back("it is given " + mebibytes(memory_for(task)) + "; at most " +
-                      mebibytes(most_free) + " are free on one worker");
+    reasons.push_back("it needs " + mebibytes(memory_for(task)) + "; at most " +
+                      mebibytes(most_free) + " is free on any worker");
   }
   const auto too_late = causes.find("with too little time left");
   if (too_late != causes.end() && too_late->second == static_cast<int>(sessions_.size())) {
     const auto expected_ms =
         static_cast<std::int64_t>(expectation_.seconds(task).value_or(0) * 1000);
     reasons.push_back("it is expected to take " + seconds_text(expected_ms) +
-                      ", and no worker is here for longer than another " +
+                      ", and no worker stays for longer than another " +
                       seconds_text(latest_end_ms - now.steady_ms) +
-                      ": workers of a longer --walltime are wanted");
+                      ": start workers with a longer --walltime");
   }
   return reasons;
 }
@@ -100,7 +113,7 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
 std::string JobState::why_not(const TaskRow& task, Moment now) const {
   const JobRow& job = durable_.jobs.at(task.job);
   if (task.state == TaskState::failed) return "in quarantine: " + task.message;
-  if (task.state == TaskState::replaced) return "no part of the job any more: " + task.message;
+  if (task.state == TaskState::replaced) return "no longer part of the job: " + task.message;
   if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
   if (is_stuck() && now.steady_ms < stuck_until_ms_) {
     return "no room on the disk (" + stuck_message_ + "); next try in " +
@@ -108,9 +121,8 @@ std::string JobState::why_not(const TaskRow& task, Moment now) const {
   }
   const auto from = not_before_ms_.find(task.id);
   if (from != not_before_ms_.end() && now.steady_ms < from->second) {
-    return "after " + std::to_string(task.crashes) + " errors, " + std::to_string(task.losses) +
-           " losses and " + std::to_string(task.starvings) + " lacks of memory it waits another " +
-           seconds_text(from->second - now.steady_ms) + "; at last: " + task.message;
+    return "after " + failures_of(task) + " it waits another " +
+           seconds_text(from->second - now.steady_ms) + "; last failure: " + task.message;
   }
   return {};
 }
@@ -150,7 +162,7 @@ TaskOutlook JobState::outlook(TaskId id, Moment now) const {
   outlook.reasons = reasons_to_wait(task, now);
   if (task.kind != TaskKind::decompose) return outlook;
   const std::string further = why_cut_further(task.job, task.path);
-  if (!further.empty()) outlook.reasons.push_back("it cuts further than was planned: " + further);
+  if (!further.empty()) outlook.reasons.push_back("it cuts further than planned: " + further);
   return outlook;
 }
 

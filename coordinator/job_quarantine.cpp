@@ -31,8 +31,8 @@ std::string inputs_of(const TaskRow& task) {
 
 std::string quarantine_reason(const TaskRow& task, const std::string& what, std::uint32_t count,
                               const std::string& message) {
-  return "quarantined: " + what + " " + std::to_string(count) + " times, at last: " + message +
-         "; its inputs in the store: " + inputs_of(task);
+  return "quarantined: " + what + " " + std::to_string(count) + (count == 1 ? " time" : " times") +
+         "; last failure: " + message + "; its inputs in the store: " + inputs_of(task);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void JobState::count_starving(TaskRow& task, std::uint64_t had_bytes, const Task
   const std::string why_whole = why_no_further_cut(task);
   if (had_all && why_whole.empty()) {
     cut_further(task.job, task.path,
-                place_of(task) + " was out of memory with " + mebibytes(had_bytes) +
+                place_of(task) + " ran out of memory with " + mebibytes(had_bytes) +
                     ", all that the largest worker has",
                 largest, now);
     return;

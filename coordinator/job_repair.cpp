@@ -23,7 +23,7 @@ void JobState::settle_waiting(TaskId id, Moment now) {
   }
   if (is_complete && task.state == TaskState::waiting) {
     set_state(task, TaskState::ready);
-    record(now, task, {}, {}, "ready", "its inputs are there again");
+    record(now, task, {}, {}, "ready", "its inputs are back");
   }
 }
 

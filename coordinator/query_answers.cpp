@@ -94,7 +94,7 @@ class Answer {
         explain();
         break;
       default:
-        throw Error(ExitCode::usage, "a question without a subject that is known here");
+        throw Error(ExitCode::usage, "the subject of the query is unknown to this coordinator");
     }
     return std::move(reply_);
   }

@@ -60,7 +60,7 @@ bool names_a_surface(const std::vector<ArtifactRef>& inputs) {
 }  // namespace
 
 std::string who(const Sender& sender) {
-  if (sender.is_plain()) return "somebody without a key";
+  if (sender.is_plain()) return "someone without a key";
   if (!sender.role) return "key " + sender.key;
   return std::string(name_of(*sender.role)) + " " + sender.name;
 }
@@ -121,7 +121,7 @@ void RequestHandler::refuse(const std::string& connection, const std::string& re
 bool RequestHandler::is_welcome(const Sender& sender, Moment now) {
   if (!sender.is_plain() && !sender.role) {
     refusals_.count(Refusal::revoked_key, who(sender), now.steady_ms);
-    refuse(sender.connection, "this key is not authorised any longer", ExitCode::failed);
+    refuse(sender.connection, "this key is no longer authorised", ExitCode::failed);
     return false;
   }
   const auto known = workers_.find(sender.connection);
@@ -154,8 +154,8 @@ void RequestHandler::handle(const Sender& sender, std::string_view bytes, JobSta
                     ExitCode::usage);
     case WireState::too_large:
       return refuse(sender.connection,
-                    "a message may have " + std::to_string(max_message_size) + " bytes and " +
-                        std::to_string(max_fields) + " fields",
+                    "a message may have at most " + std::to_string(max_message_size) +
+                        " bytes and " + std::to_string(max_fields) + " fields",
                     ExitCode::usage);
     default:
       return;
@@ -228,10 +228,10 @@ void RequestHandler::expel(const Door& door, JobState& state, Moment now) {
     if (!door.admits_worker(known.key)) gone.push_back(known.worker);
   }
   for (const WorkerId worker : gone) {
-    refuse(connections_.at(worker), "this key is not authorised any longer", ExitCode::failed);
+    refuse(connections_.at(worker), "this key is no longer authorised", ExitCode::failed);
     if (state.knows_worker(worker)) state.worker_left(worker, true, now);
     complaints_.push_back("worker " + std::to_string(worker.value) +
-                          " is turned out: its key is not authorised any longer");
+                          " is shut out: its key is no longer authorised");
     forget(worker);
   }
 }
@@ -328,7 +328,7 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
   // Without one, another process could go on with its attempt.
   if (hello.nonce().empty()) {
     refusals_.count(Refusal::senseless, who(sender) + ": hello without a nonce", now.steady_ms);
-    return refuse(connection, "a worker's hello has a nonce", ExitCode::usage);
+    return refuse(connection, "a worker's hello must have a nonce", ExitCode::usage);
   }
   WorkerInfo info = worker_info_of(hello);
   info.key = sender.key;
@@ -344,7 +344,7 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
   if (state.worker_count() >= options_.max_workers) {
     refusals_.count(Refusal::too_many_workers, who(sender), now.steady_ms);
     return refuse(connection,
-                  "there are " + std::to_string(options_.max_workers) + " workers already",
+                  "there are already " + std::to_string(options_.max_workers) + " workers",
                   ExitCode::out_of_resources);
   }
   const WorkerId worker = state.add_worker(info, task, attempt, now);
@@ -419,7 +419,7 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   const std::string& connection = sender.connection;
   if (message.replaces_others() && !options_.may_replace_jobs) {
     const std::string what =
-        who(sender) + " may not replace the jobs of this coordinator: it may serve others";
+        who(sender) + " may not replace the jobs of this coordinator, which may serve others too";
     refusals_.count(Refusal::wrong_role, what, now.steady_ms);
     return refuse(connection, what, ExitCode::failed);
   }
@@ -436,8 +436,8 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   const SubmitAnswer submitted = state.submit(submission, now);
   if (submitted.differs) {
     return refuse(connection,
-                  "the key of this submission is that of " + job_name(submitted.job) +
-                      ", which has another job file or another surface: give it a key of its own",
+                  "this submission has the key of " + job_name(submitted.job) +
+                      ", which has a different job file or surface: give it a key of its own",
                   ExitCode::usage);
   }
   wire::Envelope reply;

@@ -151,7 +151,7 @@ class Server {
     service_.stopping();
     remove_file(endpoints_file(options_.store));
     const std::string saved = database_.save_when_removed(wall_ms());
-    if (!saved.empty()) log_.warn("what the database held is saved in {}", saved);
+    if (!saved.empty()) log_.warn("what the database held has been saved in {}", saved);
     log_.info("stopped");
   }
 
@@ -187,7 +187,8 @@ class Server {
   }
 
   void bind() {
-    if (options_.endpoints.empty()) throw UsageError("no endpoint to listen on", "coordinator");
+    if (options_.endpoints.empty())
+      throw UsageError("is missing: there is no address to listen on", "--listen");
     socket_.set(zmq::sockopt::router_mandatory, true);
     // No handover: whoever claims the name of another's connection is not heard.
     socket_.set(zmq::sockopt::linger, linger_ms);
@@ -212,10 +213,9 @@ class Server {
 
   void listen(const std::string& endpoint) {
     if (!options_.insecure && !door_.has_keys() && !is_local(endpoint)) {
-      throw UsageError("other hosts can reach it, and this coordinator has no key (" +
-                           keys_.remark + "): tetfarm keys new coordinator --keys " +
-                           default_keys_folder().string() +
-                           ", or --insecure to let in whoever comes",
+      throw UsageError("other hosts can connect, and this coordinator has no key (" + keys_.remark +
+                           "): make one with `tetfarm keys new coordinator --keys " +
+                           default_keys_folder().string() + "`, or let anyone in with --insecure",
                        endpoint);
     }
     door_.make_next_listener(socket_, door_.has_keys() && !is_ipc(endpoint));
@@ -237,7 +237,9 @@ class Server {
       log_.info("encrypted, {}, {} authorised", keys_.remark, door_.authorized());
     } else if (is_open) {
       handler_.set_security("insecure");
-      log_.warn("INSECURE: whoever reaches this coordinator may submit, cancel and give results");
+      log_.warn(
+          "INSECURE: anyone who can reach this coordinator may submit and cancel jobs and hand in "
+          "results");
     } else {
       log_.info("plain text, this host only{}", keys_.remark.empty() ? "" : ": " + keys_.remark);
     }

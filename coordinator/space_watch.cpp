@@ -56,7 +56,8 @@ std::string SpaceWatch::trouble(const JobState& state, Moment now) {
   const DiskRoom room = room_of_(store_);
   if (wanted > 0 && !room.has(wanted)) {
     return store_.string() + ": " + mebibytes(room.free_bytes) + " free, " + mebibytes(wanted) +
-           " wanted for what runs and comes next, " + mebibytes(room.reserve()) + " kept back";
+           " needed for what runs and comes next, " + mebibytes(room.reserve()) +
+           " kept in reserve";
   }
   const DiskRoom own = room_of_(database_);
   if (wanted > 0 && !own.has(0)) {

@@ -24,15 +24,16 @@ bool has_key(const fs::path& folder) {
 fs::path folder_with_key(const KeyPlaces& places) {
   if (!places.wanted.empty()) {
     if (has_key(places.wanted)) return places.wanted;
-    throw UsageError("has no key of a coordinator: tetfarm keys new coordinator --keys " +
-                         places.wanted.string(),
-                     places.wanted.string());
+    throw UsageError(
+        "has no coordinator's key; make one with `tetfarm keys new coordinator --keys " +
+            places.wanted.string() + "`",
+        places.wanted.string());
   }
   const bool is_old = has_key(places.old);
   if (!has_key(places.standard)) return is_old ? places.old : "";
   if (is_old && !fs::equivalent(places.old, places.standard)) {
     throw UsageError("there are keys here and in " + places.old.string() +
-                         ", where earlier versions had them: say with --keys which are meant",
+                         ", where earlier versions kept them: say with --keys which to use",
                      places.standard.string());
   }
   return places.standard;
@@ -62,17 +63,17 @@ KeysInUse find_keys(const KeyPlaces& places) {
   found.folder = folder_with_key(places);
   if (found.folder.empty()) {
     found.remark =
-        "no coordinator.key in " + places.standard.string() + " nor in " + places.old.string();
+        "no coordinator.key in " + places.standard.string() + " or " + places.old.string();
     return found;
   }
   found.remark = "keys of " + found.folder.string();
   if (found.folder != places.wanted && found.folder != places.standard) {
-    found.warning = "the keys lie in " + found.folder.string() +
-                    ", where earlier versions had them: move that folder to " +
-                    places.standard.string() + ", or name it with --keys";
+    found.warning = "the keys are in " + found.folder.string() +
+                    ", where earlier versions kept them: move that folder to " +
+                    places.standard.string() + ", or give it with --keys";
   } else if (const fs::path store = store_round(found.folder); !store.empty()) {
-    found.warning = "the keys lie in the store " + store.string() +
-                    ", which others can reach: move that folder out of it";
+    found.warning = "the keys are in the store " + store.string() +
+                    ", which others can access: move that folder out of it";
   }
   return found;
 }
@@ -85,7 +86,7 @@ fs::path prepared_database(const fs::path& store, const fs::path& wanted,
   const fs::path mark = folder / "store_id";
   if (!size_of_file(mark)) write_file_atomically(mark, probe);
   if (read_file(mark) != probe) {
-    throw UsageError("this folder has the database of another store", folder.string());
+    throw UsageError("this folder holds the database of another store", folder.string());
   }
   return folder / "tetfarm.db";
 }

@@ -64,7 +64,7 @@ std::string jobs_table(const QueryContext& context) {
             cell(std::to_string(job.elements())) + cell(number(job.seconds())) +
             cell(job.message()) + "</tr>\n";
   }
-  return text + "</table>\n" + (reply.next() != 0 ? "<p>and more</p>\n" : "");
+  return text + "</table>\n" + (reply.next() != 0 ? "<p>… and more</p>\n" : "");
 }
 
 /// The job whose tree is shown: the newest that runs, else the newest.
@@ -108,7 +108,7 @@ std::string tree_picture(const QueryContext& context) {
 
 std::string workers_table(const QueryContext& context) {
   std::string text =
-      "<h2>Workers</h2><table><tr><th>worker<th>host<th>state<th>task<th>does<th>done"
+      "<h2>Workers</h2><table><tr><th>worker<th>host<th>state<th>task<th>doing<th>done"
       "<th>failed attempts<th>busy seconds</tr>\n";
   const wire::QueryReply reply = ask(context, wire::Query::WORKERS);
   for (const wire::WorkerLine& worker : reply.workers()) {
@@ -118,7 +118,7 @@ std::string workers_table(const QueryContext& context) {
             cell(std::to_string(worker.not_done())) + cell(number(worker.busy_seconds())) +
             "</tr>\n";
   }
-  return text + "</table>\n" + (reply.next() != 0 ? "<p>and more</p>\n" : "");
+  return text + "</table>\n" + (reply.next() != 0 ? "<p>… and more</p>\n" : "");
 }
 
 /// A row for each process that worked lately, a box for each attempt.
@@ -188,11 +188,12 @@ std::string in_html(const std::string& text) {
 std::string status_page(const QueryContext& context) {
   std::string text = head;
   if (context.state.is_stuck()) {
-    text += "<p><b>Nothing is handed out: " + in_html(context.state.stuck_message()) + "</b></p>\n";
+    text +=
+        "<p><b>No tasks are handed out: " + in_html(context.state.stuck_message()) + "</b></p>\n";
   }
   return text + jobs_table(context) + tree_picture(context) + workers_table(context) +
          timeline(context) +
-         "<p>Figures for programs: <code>/metrics</code>, <code>/healthz</code>, "
+         "<p>For programs: <code>/metrics</code>, <code>/healthz</code>, "
          "<code>/readyz</code></p></body></html>\n";
 }
 

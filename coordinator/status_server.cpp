@@ -38,7 +38,7 @@ void StatusServer::note(const ChangeSet& changes, double commit_seconds) {
 
 void StatusServer::note_failed_commit() {
   metrics_.note_failed_commit();
-  trouble_ = "the last transaction was not taken\n";
+  trouble_ = "the last database transaction failed\n";
 }
 
 HttpAnswer StatusServer::page(const std::string& path, const QueryContext& context,

@@ -9,7 +9,7 @@ namespace tetfarm {
 std::string checked_job_name(const wire::Submit& submit) {
   const JobFile job = parse_job_file(submit.job_toml(), "job.toml");
   if (!job.sources_file.empty()) {
-    throw UsageError("`sources` names a file; a job that is submitted has its sources in itself",
+    throw UsageError("`sources` names a file; a submitted job must contain its sources",
                      "job.toml");
   }
   const std::string& name = submit.name().empty() ? job.name : submit.name();

@@ -99,11 +99,11 @@ SurfaceRoots::SurfaceRoots(const std::vector<fs::path>& folders, ClosedPlaces cl
   for (const fs::path& folder : folders) {
     const fs::path real = fs::canonical(folder, error);
     if (error || !fs::is_directory(real)) {
-      throw UsageError("is no folder", "--allow-root " + folder.string());
+      throw UsageError("is not a folder", "--allow-root " + folder.string());
     }
     if (is_closed_folder(closed_, real)) {
       throw UsageError(
-          "jobs may name nothing in the store or among the keys; give their surfaces a folder of "
+          "jobs must not name files in the store or among the keys; give surfaces a folder of "
           "their own",
           "--allow-root " + folder.string());
     }
@@ -127,16 +127,16 @@ std::string SurfaceRoots::list() const {
 
 StoredArtifact SurfaceRoots::take(const fs::path& path, const ArtifactStore& store) const {
   if (path.string().find('\0') != std::string::npos) {
-    throw UsageError("has a NUL, which no path can have", printable(path));
+    throw UsageError("contains a NUL, which no path can", printable(path));
   }
   if (!path.is_absolute()) throw UsageError("is not an absolute path", path.string());
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);
-  const OutsideRoots refusal(
-      path.string() + (real == path || error ? "" : " (" + real.string() + ")") +
-      ": not a place that jobs may name; submit it without --coordinator-reads, or put it into one "
-      "of these folders: " +
-      list());
+  const OutsideRoots refusal(path.string() +
+                             (real == path || error ? "" : " (" + real.string() + ")") +
+                             ": is not in a folder where jobs may name surfaces; submit it without "
+                             "--coordinator-reads, or put it in one of these folders: " +
+                             list());
   // Before it is opened: whoever may name any path must not learn what lies outside.
   if (error || names_a_descriptor(path.lexically_normal()) || !contain(real)) throw refusal;
   // Looked at before it is read: opening a device may do something.
@@ -145,11 +145,11 @@ StoredArtifact SurfaceRoots::take(const fs::path& path, const ArtifactStore& sto
   const fs::path opened = fs::read_symlink(found.link(), error);
   const struct stat about = found.about(path);
   if (error || !contain(opened)) throw refusal;
-  const OutsideRoots secret(path.string() +
-                            ": a key, a database or another file of a farm's own, which no job "
-                            "may name");
+  const OutsideRoots secret(
+      path.string() +
+      ": is a key, a database or another of the farm's own files, which no job may name");
   if (is_closed(closed_, about, opened)) throw secret;
-  if (!S_ISREG(about.st_mode)) throw UsageError("is no file", path.string());
+  if (!S_ISREG(about.st_mode)) throw UsageError("is not a file", path.string());
   if (static_cast<std::uint64_t>(about.st_size) > max_taken_bytes) throw too_large(path);
   const fs::path copy = store.scratch_path("surface");
   try {

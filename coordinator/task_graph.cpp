@@ -108,10 +108,10 @@ std::optional<std::string> problem_with_order(const TaskRow& task, const TaskRes
   const auto text = result.texts.find("order");
   const auto turns = text == result.texts.end() ? std::nullopt : turn_order_of(text->second);
   if (!turns) return "the order is missing or makes no sense";
-  if (turns->size() != task.inputs.size()) return "the order has other leaves than the tree";
+  if (turns->size() != task.inputs.size()) return "the order has different leaves from the tree";
   for (const auto& [leaf, turn] : *turns) {
     if (!find_file(task.inputs, "subdomain:" + std::to_string(leaf))) {
-      return "the order has a leaf that the tree has not";
+      return "the order has a leaf that the tree does not have";
     }
   }
   return std::nullopt;

@@ -35,7 +35,7 @@ Hosts::Hosts(PoolSettings settings, std::size_t slots) : settings_(std::move(set
                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTU"
                               "VWXYZ0123456789._@-") == std::string::npos;
     if (name.empty() || name.front() == '-' || !is_plain || (parts.size() > 1 && !has_slots)) {
-      throw UsageError("not a host: wanted NAME or NAME:SLOTS", text);
+      throw UsageError("is not a host: give NAME or NAME:SLOTS", text);
     }
     hosts_.push_back({name, has_slots ? std::stoul(parts[1]) : 1, false});
   }

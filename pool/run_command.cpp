@@ -22,7 +22,7 @@ namespace {
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& bytes = {}) : fd_(::memfd_create("command", MFD_CLOEXEC)) {
-    if (fd_ < 0) throw IoError("no room for a file in memory", "memfd", errno);
+    if (fd_ < 0) throw IoError("cannot create a file in memory", "memfd", errno);
     std::size_t written = 0;
     while (written < bytes.size()) {
       const ssize_t count = ::write(fd_, bytes.data() + written, bytes.size() - written);
@@ -99,7 +99,8 @@ CommandOutcome run_command(const ShellCommand& command, std::int64_t timeout_ms)
   }
   outcome.out = out.contents();
   outcome.err = err.contents();
-  if (outcome.code < 0 && outcome.err.empty()) outcome.err = "killed, or no answer in time";
+  if (outcome.code < 0 && outcome.err.empty())
+    outcome.err = "was killed, or did not answer in time";
   return outcome;
 }
 

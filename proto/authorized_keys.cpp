@@ -63,9 +63,9 @@ std::string take_line(const std::vector<std::string>& words, std::set<std::strin
   if (!role) return "no role '" + words[1] + "'";
   peer.role = *role;
   peer.name = words[2];
-  if (!is_key_name(peer.name)) return "not a name";
-  if (list.peers.contains(peer.key)) return "its key is in an earlier line";
-  if (!names.insert(peer.name).second) return "its name is in an earlier line";
+  if (!is_key_name(peer.name)) return "not a valid name";
+  if (list.peers.contains(peer.key)) return "its key is on an earlier line";
+  if (!names.insert(peer.name).second) return "its name is on an earlier line";
   list.peers.emplace(peer.key, std::move(peer));
   return {};
 }
@@ -106,20 +106,21 @@ AuthorizedKeys read_authorized_keys(const fs::path& path) {
     throw UsageError("the list of authorised keys belongs to another user", path.string());
   }
   if ((about.st_mode & 022U) != 0) {
-    throw UsageError("others may write the list of authorised keys: chmod 644", path.string());
+    throw UsageError("other users may write to the list of authorised keys: run chmod 644 on it",
+                     path.string());
   }
   return parse_authorized_keys(read_file(path));
 }
 
 void authorize(const fs::path& path, const AuthorizedPeer& peer) {
-  if (!is_key_name(peer.name)) throw UsageError("cannot be the name of a peer", peer.name);
+  if (!is_key_name(peer.name)) throw UsageError("is not a valid name for a key", peer.name);
   const ListLock lock(path);
   const AuthorizedKeys list = read_authorized_keys(path);
   if (const AuthorizedPeer* same = list.find(peer.key)) {
-    throw UsageError("its key is authorised already, as " + same->name, peer.name);
+    throw UsageError("its key is already authorised, as " + same->name, peer.name);
   }
   for (const auto& [key, other] : list.peers) {
-    if (other.name == peer.name) throw UsageError("is authorised already", peer.name);
+    if (other.name == peer.name) throw UsageError("is already authorised", peer.name);
   }
   std::string text = size_of_file(path) ? read_file(path) : head;
   if (!text.empty() && text.back() != '\n') text += '\n';

@@ -75,10 +75,10 @@ class Descriptor {
 void write_secret(const fs::path& path, const std::string& text) {
   const Descriptor file(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
   if (file.number() < 0 && errno == EEXIST) {
-    throw UsageError("there is a key already; a new one would lock out whoever uses it",
+    throw UsageError("there is already a key; a new one would lock out everyone who uses it",
                      path.string());
   }
-  if (file.number() < 0) throw IoError("cannot make", path.string(), errno);
+  if (file.number() < 0) throw IoError("cannot create", path.string(), errno);
   // The umask may have taken more than it should give.
   if (::fchmod(file.number(), 0600) != 0) throw IoError("cannot chmod", path.string(), errno);
   const ssize_t written = ::write(file.number(), text.data(), text.size());
@@ -93,13 +93,15 @@ void write_secret(const fs::path& path, const std::string& text) {
 void require_private(const Descriptor& file, const fs::path& path) {
   struct stat about {};
   if (::fstat(file.number(), &about) != 0) throw IoError("cannot stat", path.string(), errno);
-  if (!S_ISREG(about.st_mode)) throw UsageError("is no file", path.string());
+  if (!S_ISREG(about.st_mode)) throw UsageError("is not a file", path.string());
   if (about.st_uid != ::geteuid()) {
     throw UsageError("the secret key belongs to another user", path.string());
   }
   if ((about.st_mode & 077U) != 0) {
-    throw UsageError("others may use this secret key: chmod 600, and make a new one if they have",
-                     path.string());
+    throw UsageError(
+        "other users may read this secret key: run chmod 600 on it, and make a new key if anyone "
+        "has read it",
+        path.string());
   }
 }
 
@@ -115,7 +117,7 @@ std::string hex_of(const PublicKey& key) { return hex_of_bytes(key.bytes); }
 
 PublicKey public_key_of_hex(const std::string& text, const std::string& where) {
   PublicKey key{from_hex(text)};
-  if (key.bytes.empty()) throw UsageError("is no public key: 64 hexadecimal digits", where);
+  if (key.bytes.empty()) throw UsageError("is not a public key of 64 hexadecimal digits", where);
   return key;
 }
 
@@ -146,7 +148,7 @@ bool is_key_name(const std::string& name) {
 
 KeyPair write_new_key(const fs::path& folder, const std::string& name) {
   if (!is_key_name(name)) {
-    throw UsageError("the name of a key has letters, digits, '.', '_', '-' and '@' only", name);
+    throw UsageError("a key's name may only have letters, digits, '.', '_', '-' and '@'", name);
   }
   make_private_folder(folder);
   KeyPair pair = make_key_pair();
@@ -166,7 +168,7 @@ KeyPair read_secret_key(const fs::path& path) {
   KeyPair pair;
   pair.secret_bytes =
       from_hex(after_mark({text.data(), static_cast<std::size_t>(got)}, secret_mark));
-  if (pair.secret_bytes.empty()) throw UsageError("is no secret key of tetfarm", path.string());
+  if (pair.secret_bytes.empty()) throw UsageError("is not a secret key of tetfarm", path.string());
   std::array<char, z85_size> secret_text{};
   std::array<char, z85_size> public_text{};
   zmq_z85_encode(secret_text.data(),
@@ -181,10 +183,10 @@ KeyPair read_secret_key(const fs::path& path) {
 PublicKey read_public_key(const fs::path& path) {
   const auto size = size_of_file(path);
   if (size && *size > longest_key_file) {
-    throw UsageError("is no public key of tetfarm", path.string());
+    throw UsageError("is not a public key of tetfarm", path.string());
   }
   const std::string bytes = from_hex(after_mark(read_file(path), public_mark));
-  if (bytes.empty()) throw UsageError("is no public key of tetfarm", path.string());
+  if (bytes.empty()) throw UsageError("is not a public key of tetfarm", path.string());
   return {bytes};
 }
 

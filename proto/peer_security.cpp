@@ -22,7 +22,7 @@ std::filesystem::path published_key_path(const std::filesystem::path& store) {
 std::optional<PeerKeys> read_peer_keys(const KeyFiles& files, const std::filesystem::path& store) {
   if (files.own.empty()) {
     if (files.coordinator.empty()) return std::nullopt;
-    throw UsageError("the coordinator's key is of use only with one of one's own: --key",
+    throw UsageError("is of use only together with a key of your own: add --key",
                      "--coordinator-key");
   }
   PeerKeys keys{read_secret_key(files.own), {}};
@@ -31,7 +31,8 @@ std::optional<PeerKeys> read_peer_keys(const KeyFiles& files, const std::filesys
   } else if (!store.empty() && size_of_file(published_key_path(store))) {
     keys.coordinator = read_public_key(published_key_path(store));
   } else {
-    throw UsageError("whose key is it to trust? --coordinator-key coordinator.pub", "--key");
+    throw UsageError("is missing; --key needs the coordinator's public key too",
+                     "--coordinator-key");
   }
   return keys;
 }
@@ -89,13 +90,14 @@ std::string HandshakeWatch::explanation_of(Outcome outcome) const {
     case Outcome::none:
       return "";
     case Outcome::broken:
-      return has_key ? "who listens there cuts the connection off: is --coordinator-key its key?"
-                     : "who listens there cuts the connection off: one side wants keys and the "
-                       "other has none (see --key), or it is no coordinator";
+      return has_key
+                 ? "the connection was cut off: is --coordinator-key the key of this coordinator?"
+                 : "the connection was cut off: does this coordinator require a key (--key)?";
     case Outcome::turned_away:
-      return "this key is not authorised there";
+      return "this coordinator has not authorised the key: `tetfarm keys authorize`";
     case Outcome::other_kind:
-      return "one side wants keys and the other has none: see --key";
+      return has_key ? "this coordinator uses no keys: leave out --key"
+                     : "this coordinator requires a key: --key";
   }
   return "";
 }

@@ -125,8 +125,8 @@ class Walk {
     }
     const int count = reflection.FieldSize(message, &field);
     if (count > counts_.of(field)) {
-      return name_of(field) + " has " + std::to_string(count) + " entries, at most " +
-             std::to_string(counts_.of(field));
+      return name_of(field) + " has " + std::to_string(count) + " entries, more than the " +
+             std::to_string(counts_.of(field)) + " allowed";
     }
     for (int i = 0; i < count && (is_text || is_message); ++i) {
       std::string trouble = is_text
@@ -147,8 +147,8 @@ class Walk {
     const TextLimit limit = texts_.of(field);
     if (text.size() <= limit.most_bytes) return {};
     if (limit.then == TooLong::refused) {
-      return name_of(field) + " has " + std::to_string(text.size()) + " bytes, at most " +
-             std::to_string(limit.most_bytes);
+      return name_of(field) + " has " + std::to_string(text.size()) + " bytes, more than the " +
+             std::to_string(limit.most_bytes) + " allowed";
     }
     std::string rest = cut(text, limit);
     if (i < 0) {

@@ -82,11 +82,11 @@ std::string radius_ratio_charts(const MeshFigures& figures) {
 
 std::string edge_charts(const EdgeFigures& edges) {
   if (edges.edges == 0) {
-    return "<p class=\"note\">Edge lengths over the spacing: the spacing that the mesh was made by "
-           "is not at hand.</p>\n";
+    return "<p class=\"note\">Edge lengths over the spacing are not shown: the spacing that the "
+           "mesh was made with is not available.</p>\n";
   }
   BarChart chart{.title = "Edge length over spacing, % of edges",
-                 .unit = format("%.3f to %.3f, mean %.3f; the last bin has all that is longer",
+                 .unit = format("%.3f to %.3f, mean %.3f; the last bin holds all that are longer",
                                 edges.shortest, edges.longest, edges.mean()),
                  .series = {{"", plain_colour, shares(edges.over_spacing.counts)}}};
   for (std::size_t i = 0; i < edges.over_spacing.counts.size(); ++i) {
@@ -97,7 +97,7 @@ std::string edge_charts(const EdgeFigures& edges) {
 
 std::string volume_charts(const std::map<int, std::int64_t>& volumes) {
   if (volumes.empty()) return {};
-  BarChart chart{.title = "Volume, % of tets", .unit = "from, bins of a factor of two"};
+  BarChart chart{.title = "Volume, % of tets", .unit = "lower end of bins of a factor of two"};
   std::vector<std::int64_t> counts;
   for (int power = volumes.begin()->first; power <= volumes.rbegin()->first; ++power) {
     const auto found = volumes.find(power);
@@ -165,8 +165,8 @@ std::string near_and_away(const MeshFigures& figures) {
 
 std::string time_step(const MeshFigures& figures) {
   std::string html =
-      "<p>An explicit solver's time step is bounded by the smallest height over the "
-      "speed of its waves: <b>" +
+      "<p>An explicit solver's time step is limited by the smallest height divided by the wave "
+      "speed c: <b>" +
       format("%.6g", figures.time_step()) + "</b> / c here, at (" +
       place_text(figures.all.lowest_at) + ").";
   if (has_cuts(figures)) {
@@ -187,8 +187,8 @@ std::string worst(const MeshFigures& figures) {
                     tet.is_near_cut ? "yes" : "no", place_text(tet.centroid), count_text(tet.tet)});
   }
   return format("<h2>The worst %zu tetrahedra</h2>\n<div class=\"scroll\">", rows.size()) +
-         html_table({"angle from", "to", "radius ratio", "height", "sub-domain", "near a cut",
-                     "middle at", "number"},
+         html_table({"smallest angle", "largest", "radius ratio", "height", "sub-domain",
+                     "near a cut", "centre at", "number"},
                     rows) +
          "</div>\n";
 }
@@ -207,12 +207,12 @@ std::string balance(const ReportContent& content) {
   std::vector<double> estimated;
   if (content.work) estimated = estimated_elements_of_leaves(*content.work);
   if (estimated.size() == made.size()) {
-    chart.series.push_back({"estimated before", "#b9b9b9", std::move(estimated)});
+    chart.series.push_back({"estimated beforehand", "#b9b9b9", std::move(estimated)});
   }
   chart.series.push_back({"made", away_colour, std::move(made)});
   return "<h2>Balance</h2>\n<p>The largest sub-domain has " +
-         format("%.3f", figures.largest_over_mean()) + " times the mean.</p>\n" + svg_of(chart) +
-         "\n";
+         format("%.3f", figures.largest_over_mean()) +
+         " times the mean number of tetrahedra.</p>\n" + svg_of(chart) + "\n";
 }
 
 }  // namespace

@@ -101,10 +101,9 @@ std::string by_kind(const std::vector<wire::TaskLine>& tasks) {
          html_table({"kind", "tasks", "expected s", "CPU s", "s", "bound MB", "peak MB",
                      "estimated tets", "tets made"},
                     rows) +
-         "</div>\n<p class=\"note\">Seconds are sums, expected ones those of one core of the "
-         "machine "
-         "that they were measured on; memory is that of the largest task, the bound is what none "
-         "should reach.</p>\n";
+         "</div>\n<p class=\"note\">Seconds are sums; expected seconds are for one core of the "
+         "machine that they were measured on. Memory is that of the largest task; no task should "
+         "reach the bound.</p>\n";
 }
 
 PointChart points_of(const std::vector<wire::TaskLine>& tasks, bool is_memory) {
@@ -141,7 +140,7 @@ std::string all_tasks(const std::vector<wire::TaskLine>& tasks) {
   return format("<details><summary>Each task (%zu of %zu)</summary><div class=\"scroll\">",
                 rows.size(), tasks.size()) +
          html_table({"task", "expected s", "CPU s", "s", "bound MB", "peak MB", "estimated tets",
-                     "tets made", "tried in vain"},
+                     "tets made", "failed attempts"},
                     rows) +
          "</div></details>\n";
 }
@@ -185,7 +184,7 @@ std::string legend(const std::vector<wire::AttemptLine>& attempts) {
   const bool has_lost = std::any_of(attempts.begin(), attempts.end(), [](const auto& attempt) {
     return attempt.ended_ms() != 0 && attempt.state() != "done";
   });
-  if (has_lost) key(lost_colour, "not done");
+  if (has_lost) key(lost_colour, "failed or lost");
   return html + "</p>\n";
 }
 
@@ -202,8 +201,8 @@ std::string facts(const ReportedWork& work) {
       {"job", status.job() + " (" + status.state() + ")"},
       {"from submission to end", format("%.1f s", status.seconds())},
       {"attempts", std::to_string(work.attempts.size())},
-      {"busy with them", format("%.1f s, all workers together", busy)},
-      {"largest task",
+      {"busy with attempts", format("%.1f s, all workers together", busy)},
+      {"memory of the largest task",
        format("%.1f MB", static_cast<double>(status.peak_rss_bytes_worker()) / 1e6)},
       {"attempts lost", std::to_string(status.attempts_lost())}};
   if (!status.message().empty()) rows.push_back({"message", status.message()});

@@ -94,7 +94,7 @@ StoredArtifact ArtifactStore::publish_file(const fs::path& path) const {
 void ArtifactStore::adopt_file(const fs::path& path, const StoredArtifact& announced) const {
   if (checksum_of_file(path) != announced) {
     remove_file(path);
-    throw CorruptFile("is not what was announced as " + announced.hash, path.string());
+    throw CorruptFile("does not match the announced checksum " + announced.hash, path.string());
   }
   adopt_checked_file(path, announced.hash);
 }
@@ -123,7 +123,7 @@ bool ArtifactStore::has(const std::string& hash, std::uint64_t size) const {
 }
 
 std::string ArtifactStore::read(const std::string& hash, std::uint64_t size) const {
-  if (!is_hash(hash)) throw CorruptFile("not the name of an artifact", hash);
+  if (!is_hash(hash)) throw CorruptFile("is not the name of an artifact", hash);
   const fs::path path = path_of(hash);
   std::string bytes = read_file(path);
   if (bytes.size() != size) {
@@ -136,7 +136,7 @@ std::string ArtifactStore::read(const std::string& hash, std::uint64_t size) con
 }
 
 void ArtifactStore::verify(const std::string& hash, std::uint64_t size) const {
-  if (!is_hash(hash)) throw CorruptFile("not the name of an artifact", hash);
+  if (!is_hash(hash)) throw CorruptFile("is not the name of an artifact", hash);
   const fs::path path = path_of(hash);
   const StoredArtifact found = checksum_of_file(path);
   if (found.size != size) {

@@ -16,7 +16,7 @@ DiskRoom disk_room(const std::filesystem::path& path) {
   if (errno == ENOENT && path.has_parent_path() && path.parent_path() != path) {
     return disk_room(path.parent_path());
   }
-  throw IoError("cannot see the room on the disk", path.string(), errno);
+  throw IoError("cannot tell how much room the disk has", path.string(), errno);
 }
 
 }  // namespace tetfarm

@@ -25,10 +25,9 @@ namespace {
 void refuse_network_file_system(const std::filesystem::path& folder) {
   const std::string kind = network_file_system_of(folder);
   if (kind.empty()) return;
-  throw UsageError("the database cannot lie on a network file system (" + kind +
-                       "): its locks do not hold there, and it would be damaged; name a folder on "
-                       "a disk of this "
-                       "host with --database DIR (the store itself may stay where it is)",
+  throw UsageError("the database cannot be on a network file system (" + kind +
+                       "): its locks do not work there, and it would be damaged; give a folder on "
+                       "a local disk with --database DIR (the store itself may stay where it is)",
                    folder.string());
 }
 
@@ -39,7 +38,7 @@ bool is_forbidden(int error_number) {
 [[noreturn]] void refuse_read_only(const std::filesystem::path& path, int error_number) {
   throw IoError(
       "the database can be read but not written to; a coordinator needs to write to this file and "
-      "to its folder: change their permissions or owner, mount the disk for writing, or name "
+      "to its folder: change their permissions or owner, mount the disk for writing, or give "
       "another folder with --database DIR",
       path.string(), error_number);
 }

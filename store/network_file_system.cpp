@@ -86,7 +86,7 @@ std::string network_file_system_of(const std::filesystem::path& folder) {
   struct statfs system {};
   struct stat about {};
   if (::statfs(folder.c_str(), &system) != 0 || ::stat(folder.c_str(), &about) != 0) {
-    throw IoError("cannot look at its file system", folder.string(), errno);
+    throw IoError("cannot tell what its file system is", folder.string(), errno);
   }
   const std::string device =
       std::to_string(major(about.st_dev)) + ":" + std::to_string(minor(about.st_dev));

@@ -293,10 +293,10 @@ void migrate(sqlite3* database) {
   const std::int64_t owner = pragma(database, "PRAGMA application_id");
   const bool is_empty = pragma(database, "SELECT count(*) FROM sqlite_schema") == 0;
   const std::string path = sqlite3_db_filename(database, "main");
-  if (!is_empty && owner != application_id) throw CorruptFile("not a tetfarm database", path);
+  if (!is_empty && owner != application_id) throw CorruptFile("is not a tetfarm database", path);
   if (version > database_version) {
     throw CorruptFile(
-        "written by a newer tetfarm (database version " + std::to_string(version) + ")", path);
+        "was written by a newer tetfarm (database version " + std::to_string(version) + ")", path);
   }
   if (version == database_version) return;
   std::string sql = "BEGIN IMMEDIATE;";

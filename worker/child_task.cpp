@@ -36,7 +36,7 @@ double seconds_of(const timeval& time) {
 
 std::array<int, 2> make_pipe() {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError("cannot make a pipe", "task", errno);
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError("cannot create a pipe", "task", errno);
   ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
   return ends;
 }
@@ -45,7 +45,7 @@ std::array<int, 2> make_pipe() {
 int assignment_fd(const wire::Assign& assign) {
   const std::string bytes = assign.SerializeAsString();
   const int fd = ::memfd_create("tetfarm-task", MFD_CLOEXEC);
-  if (fd < 0) throw IoError("cannot make a file in memory", "task", errno);
+  if (fd < 0) throw IoError("cannot create a file in memory", "task", errno);
   std::size_t written = 0;
   while (written < bytes.size()) {
     const ssize_t n = ::write(fd, bytes.data() + written, bytes.size() - written);
@@ -249,14 +249,14 @@ std::string ChildTask::how_it_ended(int status) const {
            " s; the task's process ";
   }
   if (WIFSIGNALED(status)) {
-    text += "was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
+    text += "was killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
             ::strsignal(WTERMSIG(status)) + ")";
   } else {
-    text += "ended with code " + std::to_string(WEXITSTATUS(status)) + " and no result";
+    text += "ended with code " + std::to_string(WEXITSTATUS(status)) + " and without a result";
   }
   std::string words = last_words_;
   while (!words.empty() && words.back() == '\n') words.pop_back();
-  return words.empty() ? text : text + "; it said: " + words;
+  return words.empty() ? text : text + "; its output: " + words;
 }
 
 wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
@@ -271,14 +271,15 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
         overdue_ms_ == 0 && ((was_killed && kernel_oom_kills() > oom_kills_before_) ||
                              last_words_.find("std::bad_alloc") != std::string::npos);
     wire::Failed& failed = *envelope.mutable_failed();
-    failed.set_message(how_it_ended(status) + (starved ? "; it was out of memory" : ""));
+    failed.set_message(how_it_ended(status) + (starved ? "; it ran out of memory" : ""));
     failed.set_exit_code(static_cast<int>(starved ? ExitCode::out_of_resources : ExitCode::failed));
     failed.set_may_retry(true);
     failed.set_out_of_memory(starved);
     failed.set_killed(!starved && overdue_ms_ == 0 && was_ended_from_outside(status));
   }
-  write_log(envelope.has_done() ? "done, " + std::to_string(peak_rss_bytes >> 20U) + " MiB at most"
-                                : "failed: " + envelope.failed().message());
+  write_log(envelope.has_done()
+                ? "done, peak memory " + std::to_string(peak_rss_bytes >> 20U) + " MiB"
+                : "failed: " + envelope.failed().message());
   if (envelope.has_done()) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
     envelope.mutable_done()->set_task(task_);

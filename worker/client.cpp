@@ -153,7 +153,7 @@ class Client {
       start_drain(options_.grace_ms);
     }
     if (!draining_ && ends_at_ > 0 && steady_ms() >= ends_at_ - options_.grace_ms) {
-      spdlog::info("this worker's time is nearly over");
+      spdlog::info("this worker's time is nearly up");
       start_drain(options_.grace_ms);
     }
   }
@@ -203,7 +203,7 @@ class Client {
     heartbeat_ms_ = std::max<std::int64_t>(welcome.heartbeat_ms(), 10);
     lease_ms_ = std::max<std::int64_t>(welcome.lease_ms(), 2 * heartbeat_ms_);
     if (!is_idle() && !welcome.keep_running()) {
-      spdlog::info("task {} attempt {} is not wanted any more", task_, attempt_);
+      spdlog::info("task {} attempt {} is no longer wanted", task_, attempt_);
       forget_task();
     }
     files_.ask_again();
@@ -214,7 +214,7 @@ class Client {
   /// Counts from the next task on.
   void note_store(bool sees_store) {
     if (sees_store_ && !sees_store) {
-      spdlog::info("files come and go over the connection, and are kept in {}",
+      spdlog::info("files are transferred over the connection and kept in {}",
                    options_.cache.string());
     }
     sees_store_ = sees_store;
@@ -222,7 +222,7 @@ class Client {
 
   void take_refused(const wire::Refused& refused) {
     if (!refused.hello_again()) {
-      throw Error(ExitCode::failed, "the coordinator refuses this worker: " + refused.reason());
+      throw Error(ExitCode::failed, "the coordinator refused this worker: " + refused.reason());
     }
     registered_ = false;
     say_hello();
@@ -307,7 +307,8 @@ class Client {
     if (!is_apart_ || is_idle() || !registered_) return;
     if (!files_.damaged_input().empty()) {
       const std::string hash = files_.damaged_input();
-      return fail(Error(ExitCode::failed, "the coordinator has no sound file " + hash), hash);
+      return fail(Error(ExitCode::failed, "the coordinator has no intact copy of file " + hash),
+                  hash);
     }
     with_files([&] {
       for (const wire::Envelope& message : files_.due(steady_ms())) send(message);
@@ -370,7 +371,7 @@ class Client {
       return;
     }
     if (now - heard_at_ > lease_ms_) {
-      spdlog::warn("the coordinator is silent; connecting anew");
+      spdlog::warn("the coordinator is silent; reconnecting");
       return connect();
     }
     if (ready_at_ > 0 && now >= ready_at_ && is_idle()) say_ready_or_leave();

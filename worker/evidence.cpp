@@ -87,9 +87,9 @@ OwnDefect unrecovered_subdomain(const TaskIo& io, const Subdomain& subdomain,
   const std::string surface = file_name_of(subdomain, ".off");
   const std::string message =
       subdomain_message(subdomain, reason, triangles) +
-      "\nThis is a defect of Tetfarm: the surface is valid. Please send " + surface +
-      " to its developers; it holds this sub-domain exactly and is enough to repeat the failure. " +
-      "Another number of sub-domains may get around it.";
+      "\nThis is a bug in Tetfarm: the surface is valid. Please send " + surface +
+      " to the developers; it holds this sub-domain exactly and is enough to reproduce the "
+      "failure. Another number of sub-domains may avoid it.";
   return {message,
           {marked_triangles(io, subdomain, reason, triangles),
            {surface, write_off(surface_of(subdomain))}}};

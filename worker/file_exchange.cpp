@@ -23,7 +23,7 @@ bool FileExchange::has_room() {
     spdlog::warn("{}", error.what());
   }
   if (std::exchange(had_room_, has_room) && !has_room) {
-    spdlog::warn("{}: the disk is full; no task is taken until there is room", folder_.string());
+    spdlog::warn("{}: the disk is full; no tasks are taken until there is room", folder_.string());
   }
   return has_room;
 }

@@ -24,7 +24,7 @@ void FileReceive::go_on_from_what_is_there() {
   append_to_file(growing_, 0, "");
   std::error_code error;
   std::filesystem::resize_file(growing_, size, error);
-  if (error) throw IoError("cannot cut", growing_.string(), error.value());
+  if (error) throw IoError("cannot truncate", growing_.string(), error.value());
   while (there_ < size) {
     const std::string bytes = read_part_of_file(growing_, there_, chunk_size(file_.size, there_));
     if (bytes.empty()) throw IoError("cannot read", growing_.string(), EIO);

@@ -119,8 +119,8 @@ void require_room(const JobFile& job, double input_bytes, const SubdomainSize& r
   }
   if (most_bytes >= least) return;
   throw UsageError("this surface needs at least " + std::to_string(std::llround(least / 1e6)) +
-                       "MB, however finely it is cut: to be checked, cut at first, put in order, "
-                       "and assembled",
+                       "MB however finely it is cut: to check it, make the first cuts, order the "
+                       "sub-domains and assemble the mesh",
                    "[decompose] max_memory");
 }
 

@@ -41,7 +41,7 @@ OuterBoundary outer_boundary_of(const JobFile& job) {
 
 SpacingOptions spacing_options_of(const JobFile& job) {
   if (!job.sources_file.empty()) {
-    throw UsageError("sources of another file must be in the job when it is submitted",
+    throw UsageError("the sources of this file must be in the job itself when it is submitted",
                      job.sources_file);
   }
   SpacingOptions options;

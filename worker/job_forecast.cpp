@@ -57,8 +57,8 @@ std::string short_number(double x) {
 std::string advice(double most_elements, const JobLimits& limits) {
   const auto fitting = fitting_size(limits.volume, most_elements, limits.elements_with);
   if (!fitting) {
-    return "no size would do, as the surface's own edges or the sources ask for more: make them "
-           "coarser, or give `[spacing] surface = \"ignore\"` and a size";
+    return "no size is large enough, because the surface's own edges or the sources ask for more: "
+           "make them coarser, or set `[spacing] surface = \"ignore\"` and a size";
   }
   return "`--size " + short_number(fitting->size) + "` would give about " +
          with_prefix(fitting->elements, "");
@@ -111,9 +111,9 @@ std::string forecast_text(const JobForecast& forecast) {
   const std::string parts =
       forecast.subdomains > 1 ? " in " + with_prefix(forecast.subdomains, "") + " sub-domains" : "";
   return "about " + with_prefix(forecast.elements, "") + " elements" + parts + ", " +
-         with_prefix(forecast.task_bytes, "B") + " of memory a task, " +
+         with_prefix(forecast.task_bytes, "B") + " of memory per task, " +
          with_prefix(forecast.disk_bytes, "B") + " of disk, " + duration(forecast.seconds) +
-         " of one core";
+         " on one core";
 }
 
 std::optional<FittingSize> fitting_size(double volume, double most_elements,
@@ -132,9 +132,9 @@ void require_few_elements(const JobFile& job, double elements, const JobLimits& 
       job.max_elements > 0 && static_cast<double>(job.max_elements) <= most_elements_of_all;
   const double most = has_limit ? static_cast<double>(job.max_elements) : most_elements_of_all;
   if (elements <= most) return;
-  std::string message = "this would be about " + with_prefix(elements, "") +
+  std::string message = "the job would have about " + with_prefix(elements, "") +
                         " elements, more than the " + with_prefix(most, "") +
-                        (has_limit ? " that the job may have" : " that any job may have");
+                        (has_limit ? " that it may have" : " that any job may have");
   if (has_limit) {
     message += " (`--max-elements` sets the limit, `--force` lifts it)";
   }
@@ -145,10 +145,10 @@ void require_disk(const JobFile& job, const JobForecast& forecast, const JobLimi
   if (job.max_elements == 0 || limits.free_bytes <= 0) return;
   if (forecast.disk_bytes <= limits.free_bytes) return;
   const double most = forecast.elements * (limits.free_bytes / forecast.disk_bytes);
-  throw JobTooLarge("this would be about " + with_prefix(forecast.elements, "") +
+  throw JobTooLarge("the job would have about " + with_prefix(forecast.elements, "") +
                     " elements and need " + with_prefix(forecast.disk_bytes, "B") +
-                    " of disk, of which " + with_prefix(limits.free_bytes, "B") +
-                    " are free; `--force` starts it all the same; " + advice(most, limits));
+                    " of disk, of which only " + with_prefix(limits.free_bytes, "B") +
+                    " is free; `--force` starts it anyway; " + advice(most, limits));
 }
 
 }  // namespace tetfarm

@@ -56,7 +56,7 @@ std::vector<Origin> dropped_by_assimilation(const TaskIo& io) {
   while (lines >> word >> first.owner >> first.index >> count) {
     for (std::uint32_t i = 0; i < count; ++i) dropped.push_back({first.owner, first.index + i});
   }
-  if (!lines.eof()) throw CorruptFile("a line is wrong", "dropped");
+  if (!lines.eof()) throw CorruptFile("has an invalid line", "dropped");
   return dropped;
 }
 

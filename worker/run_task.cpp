@@ -98,7 +98,7 @@ wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
   wire::Envelope envelope;
   try {
     if (!body) {
-      throw Error(ExitCode::failed, "this worker does not know tasks of kind " +
+      throw Error(ExitCode::failed, "this worker cannot run tasks of kind " +
                                         std::to_string(static_cast<int>(assign.kind())));
     }
     const ScratchOfAttempt scratch(store, assign);

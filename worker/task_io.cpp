@@ -108,7 +108,7 @@ std::filesystem::path TaskIo::scratch_path(const std::string& name) const {
   std::error_code error;
   // Nothing in it has to outlive a loss of power.
   std::filesystem::create_directory(folder, error);
-  if (error) throw IoError("cannot make the folder", folder.string(), error.value());
+  if (error) throw IoError("cannot create the folder", folder.string(), error.value());
   return folder / name;
 }
 

@@ -104,7 +104,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     const Portion portion = read_portion(leaf);
     const NumberedPart& part = portion.part;
     if (at(part.number) != i || portion.tets != leaf.tets) {
-      refuse(leaf, "another portion, or other counts than in the numbering");
+      refuse(leaf, "another portion, or different counts from the numbering");
     }
     meet(portion, leaf, interfaces, digest);
     digest.add_tets(portion.tet_digest);

@@ -213,10 +213,11 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   }
   sort_by_tree(numbering);
   if (!is_whole_tree(numbering)) {
-    throw Error(ExitCode::failed, "the table of the tree has not every cut and leaf once");
+    throw Error(ExitCode::failed,
+                "the table of the tree does not have every cut and leaf exactly once");
   }
   if (!add_dropped(dropped, numbering)) {
-    throw Error(ExitCode::failed, "the table of the tree drops nodes that are not there");
+    throw Error(ExitCode::failed, "the table of the tree drops nodes that do not exist");
   }
   std::vector<bool> is_used(surface.vertices.size(), false);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -299,8 +300,8 @@ Numbering numbering_from_text(std::string_view text, const std::string& name) {
     }
   }
   sort_by_tree(numbering);
-  if (!is_whole_tree(numbering)) refuse("not every cut and leaf once");
-  if (!add_dropped(dropped, numbering)) refuse("drops nodes that are not there");
+  if (!is_whole_tree(numbering)) refuse("does not have every cut and leaf exactly once");
+  if (!add_dropped(dropped, numbering)) refuse("drops nodes that do not exist");
   if (!std::is_sorted(numbering.unused_vertices.begin(), numbering.unused_vertices.end())) {
     refuse("unused vertices are not in order");
   }

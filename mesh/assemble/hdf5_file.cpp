@@ -176,7 +176,7 @@ Hdf5Input::Hdf5Input(std::string path) : path_(std::move(path)) {
   if (::access(path_.c_str(), R_OK) != 0) throw IoError("cannot read", path_, errno);
   expect_sound_hdf5(path_);
   file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
-  if (!file_.is_open()) fail("not an HDF5 file, or a damaged one");
+  if (!file_.is_open()) fail("is not an HDF5 file, or a damaged one");
 }
 
 void Hdf5Input::fail(const std::string& what) const { throw InvalidInput(what, path_); }
@@ -196,7 +196,7 @@ std::string Hdf5Input::text_attribute(const std::string& group, const std::strin
   if (!attribute.is_open()) fail("no attribute " + name + " of " + group);
   const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose);
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
-    fail("attribute " + name + " is no text of fixed length");
+    fail("attribute " + name + " is not a text of fixed length");
   }
   std::string text(H5Tget_size(type.get()), '\0');
   if (H5Aread(attribute.get(), type.get(), text.data()) < 0) fail("cannot read " + name);
@@ -215,7 +215,7 @@ std::vector<std::string> Hdf5Input::texts(const std::string& name) const {
   const std::vector<hsize_t> size = size_of(dataset.get());
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
       size.size() != 1) {
-    fail(name + " is no list of texts of fixed length");
+    fail(name + " is not a list of texts of fixed length");
   }
   const std::size_t length = H5Tget_size(type.get());
   std::string all(length * size[0], '\0');
@@ -234,14 +234,15 @@ std::size_t Hdf5Input::rows_of(const std::string& name, int columns) const {
   const std::vector<hsize_t> size = size_of(open(name).get());
   const bool is_right = columns == 1 ? size.size() == 1
                                      : size.size() == 2 && size[1] == static_cast<hsize_t>(columns);
-  if (!is_right) fail(name + " has not the shape of such an array");
+  if (!is_right) fail(name + " does not have the shape of such an array");
   return size[0];
 }
 
 std::size_t Hdf5Input::rows_of_list(const std::string& name) const {
   constexpr std::size_t most = std::size_t{1} << 24;
   const std::size_t rows = rows_of(name, 1);
-  if (rows > most) fail(name + " has " + std::to_string(rows) + " numbers");
+  if (rows > most)
+    fail(name + " has " + std::to_string(rows) + " numbers, more than " + std::to_string(most));
   return rows;
 }
 

@@ -98,12 +98,13 @@ void expect_sound_hdf5(const std::string& path) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     throw InvalidInput(signal == SIGALRM
-                           ? "a damaged HDF5 file: the library does not come to its end"
-                           : "a damaged HDF5 file: the library ends by signal " +
-                                 std::to_string(signal) + " (" + ::strsignal(signal) + ") on it",
+                           ? "is a damaged HDF5 file: the library never finishes reading it"
+                           : "is a damaged HDF5 file: the library is killed by signal " +
+                                 std::to_string(signal) + " (" + ::strsignal(signal) +
+                                 ") while reading it",
                        path);
   }
-  if (WEXITSTATUS(status) != 0) throw InvalidInput("not an HDF5 file, or a damaged one", path);
+  if (WEXITSTATUS(status) != 0) throw InvalidInput("is not an HDF5 file, or a damaged one", path);
 }
 
 }  // namespace tetfarm

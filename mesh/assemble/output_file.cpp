@@ -13,7 +13,7 @@ namespace tetfarm {
 OutputFile::OutputFile(std::filesystem::path path, Start start) : path_(std::move(path)) {
   const int emptying = start == Start::empty ? O_TRUNC : 0;
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | emptying, 0666);
-  if (descriptor_ < 0) throw IoError("cannot make the file", path_.string(), errno);
+  if (descriptor_ < 0) throw IoError("cannot create the file", path_.string(), errno);
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept

@@ -26,7 +26,7 @@ std::size_t number_of(const Subdomain& subdomain, const Numbering& numbering) {
   for (std::size_t i = 0; i < numbering.leaves.size(); ++i) {
     if (numbering.leaves[i].path == subdomain.path) return i;
   }
-  refuse(subdomain, "is no leaf of the numbering");
+  refuse(subdomain, "is not a leaf of the numbering");
 }
 
 void check_counts(const MeshPart& part, const LeafNumbers& leaf) {
@@ -36,7 +36,7 @@ void check_counts(const MeshPart& part, const LeafNumbers& leaf) {
       subdomain.node_origin.size() != subdomain.vertices.size() ||
       std::ssize(mesh.nodes) - mesh.boundary_nodes > leaf.nodes.kept() ||
       std::ssize(mesh.tets) != leaf.tets) {
-    refuse(subdomain, "other counts than in the numbering");
+    refuse(subdomain, "different counts from the numbering");
   }
 }
 
@@ -58,7 +58,7 @@ void check_surface_nodes(const MeshPart& part, const SurfaceMesh& surface) {
     const Origin& origin = subdomain.node_origin[v];
     if (origin.owner != 0) continue;
     if (!same_bits(part.mesh.nodes[v], surface.vertices[origin.index])) {
-      refuse(subdomain, "a node lies elsewhere than in the input surface");
+      refuse(subdomain, "a node is not where the input surface has it");
     }
   }
 }

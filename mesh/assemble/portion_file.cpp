@@ -71,7 +71,8 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
                    const ByteReader& reader) {
   for (const Element& element : elements) {
     for (const std::int32_t v : element) {
-      if (v < 0 || static_cast<std::size_t>(v) >= nodes) reader.fail("has an element of no node");
+      if (v < 0 || static_cast<std::size_t>(v) >= nodes)
+        reader.fail("has an element with a node that does not exist");
     }
   }
 }
@@ -82,7 +83,7 @@ PortionCounts portion_counts(const std::filesystem::path& path, const std::strin
   constexpr std::size_t before_counts = magic.size() + sizeof version + 2 * sizeof(std::int32_t);
   const std::string head = read_part_of_file(path, 0, before_counts + 3 * sizeof(std::uint64_t));
   if (!head.starts_with(magic) || head.size() < before_counts) {
-    throw CorruptFile("does not start as the expected kind of file", name);
+    throw CorruptFile("does not begin like the expected kind of file", name);
   }
   ByteReader reader(std::string_view(head).substr(before_counts), name);
   PortionCounts counts;
@@ -124,7 +125,7 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   part.number = reader.number<std::int32_t>();
   part.region = reader.number<std::int32_t>();
   constexpr std::int32_t most_regions = 1 << 20;
-  if (part.region < 1 || part.region > most_regions) reader.fail("is of no region");
+  if (part.region < 1 || part.region > most_regions) reader.fail("has no valid region");
   const std::size_t nodes = reader.count();
   const std::size_t tets = reader.count();
   const std::size_t faces = reader.count();
@@ -162,7 +163,7 @@ void add_portion_tets(std::string_view bytes, const std::string& name, Portion& 
   const auto number = reader.number<std::int32_t>();
   const std::size_t tets = reader.count();
   if (number != portion.part.number || static_cast<std::int64_t>(tets) != portion.tets) {
-    reader.fail("is of another portion");
+    reader.fail("belongs to another portion");
   }
   portion.part.tets = reader.array<Tet>(tets);
   reader.expect_end();

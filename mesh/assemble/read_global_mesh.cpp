@@ -13,7 +13,8 @@ GlobalMesh read_global_mesh(const std::filesystem::path& path) {
 GlobalMesh read_global_mesh(const std::filesystem::path& path, std::string_view name) {
   if (name.ends_with(".vtkhdf") || name.ends_with(".hdf")) return read_vtkhdf(path);
   if (name.ends_with(".lb8.ugrid")) return read_ugrid(path);
-  throw InvalidInput("not a mesh file: .vtkhdf and .lb8.ugrid are read", path.string());
+  throw InvalidInput("unsupported type of mesh file; .vtkhdf and .lb8.ugrid are read",
+                     path.string());
 }
 
 }  // namespace tetfarm

@@ -49,11 +49,11 @@ GlobalMesh read_ugrid(const std::filesystem::path& path) {
   const std::int64_t triangles = counts[1];
   const std::int64_t tets = counts[3];
   for (const std::size_t other : {2, 4, 5, 6}) {
-    if (counts[other] != 0) throw InvalidInput("elements other than triangles and tets", name);
+    if (counts[other] != 0) throw InvalidInput("has elements other than triangles and tets", name);
   }
   if (nodes < 0 || triangles < 0 || tets < 0 ||
       bytes != 28 + nodes * 24 + triangles * 16 + tets * 16) {
-    throw InvalidInput("the length of the file does not fit its counts", name);
+    throw InvalidInput("the length of the file does not match its counts", name);
   }
   GlobalMesh mesh;
   mesh.mesh.nodes.resize(static_cast<std::size_t>(nodes));

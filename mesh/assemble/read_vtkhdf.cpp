@@ -20,7 +20,7 @@ std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
   const auto cells = file.list<std::int64_t>("VTKHDF/NumberOfCells");
   const auto ids = file.list<std::int64_t>("VTKHDF/NumberOfConnectivityIds");
   if (cells.size() != points.size() || ids.size() != points.size()) {
-    file.fail("the numbers of points and cells are not of the same partitions");
+    file.fail("the numbers of points and of cells have different numbers of partitions");
   }
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
   std::vector<VtkhdfPartition> partitions;
@@ -51,7 +51,7 @@ struct KnownArrays {
 Hdf5Input open_mesh(const std::filesystem::path& path) {
   Hdf5Input file(path.string());
   if (!file.has("VTKHDF") || file.text_attribute("VTKHDF", "Type") != "UnstructuredGrid") {
-    file.fail("not a VTKHDF file of an UnstructuredGrid");
+    file.fail("is not a VTKHDF file of type UnstructuredGrid");
   }
   return file;
 }
@@ -92,7 +92,7 @@ void read_regions(const Hdf5Input& file, const VtkhdfPartition& here, NumberedPa
     }
   }
   if (least < 1 || most > most_regions) {
-    file.fail("a cell is of region " + std::to_string(least < 1 ? least : most));
+    file.fail("a cell has the region " + std::to_string(least < 1 ? least : most));
   }
   part.region = least;
   if (least == most) return;
@@ -156,7 +156,8 @@ void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
 std::int64_t node_count(const Hdf5Input& file, const std::vector<VtkhdfPartition>& partitions,
                         bool has_numbers) {
   if (!has_numbers) {
-    if (partitions.size() != 1) file.fail("several partitions, and no GlobalNodeId to join them");
+    if (partitions.size() != 1)
+      file.fail("has several partitions, but no GlobalNodeId to join them by");
     return partitions.front().points;
   }
   std::int64_t most = -1;
@@ -231,7 +232,7 @@ GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
   const KnownArrays known = known_arrays(file);
   const std::vector<VtkhdfPartition> partitions = partitions_of(file);
   GlobalMesh mesh;
-  if (partitions.empty()) file.fail("no partition");
+  if (partitions.empty()) file.fail("has no partitions");
   mesh.mesh.nodes.resize(at(node_count(file, partitions, known.node_numbers)));
   mesh.mesh.boundary_nodes = static_cast<std::int32_t>(mesh.mesh.nodes.size());
   mesh.subdomains = static_cast<std::int32_t>(partitions.size());

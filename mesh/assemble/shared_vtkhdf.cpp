@@ -102,7 +102,7 @@ void SharedVtkhdf::add(const NumberedPart& part) {
   const bool has_tets = std::ssize(part.tets) == counts.tets;
   if (std::ssize(part.nodes) != counts.points || std::ssize(part.faces) != counts.faces ||
       (!has_tets && !(part.tets.empty() && is_placed))) {
-    throw Error(ExitCode::failed, "a sub-domain has other counts than were announced");
+    throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
   }
   if (!is_placed) write_vtkhdf_cells(places_, before_[number], part, &file_);
   write_vtkhdf_points(places_, before_[number], part, file_);

@@ -103,7 +103,7 @@ void VtkhdfCells::check_nodes(const std::vector<std::int64_t>& ids) const {
   const auto points = static_cast<std::uint64_t>(here_.points);
   bool is_wrong = false;
   for (const std::int64_t v : ids) is_wrong |= static_cast<std::uint64_t>(v) >= points;
-  if (is_wrong) file_.fail("a cell has a node that is not there");
+  if (is_wrong) file_.fail("a cell has a node that does not exist");
 }
 
 }  // namespace tetfarm

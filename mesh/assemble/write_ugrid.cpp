@@ -108,11 +108,12 @@ std::unique_ptr<UgridWriter> write_ugrid(const std::filesystem::path& path,
     return std::make_unique<UgridFile<std::int64_t>>(path, counts, layout.big_endian);
   }
   if (counts.nodes > most || counts.tets > most || counts.boundary_triangles > most) {
-    throw Error(ExitCode::failed,
-                "the mesh is too large for UGRID with 32 bits, whose counts end at 2147483647: " +
-                    std::to_string(counts.nodes) + " nodes, " + std::to_string(counts.tets) +
-                    " tets, " + std::to_string(counts.boundary_triangles) +
-                    " boundary triangles; use vtkhdf, and `tetfarm export` to lb8l.ugrid");
+    throw Error(
+        ExitCode::failed,
+        "the mesh is too large for 32-bit UGRID, whose counts end at 2147483647: " +
+            std::to_string(counts.nodes) + " nodes, " + std::to_string(counts.tets) + " tets, " +
+            std::to_string(counts.boundary_triangles) +
+            " boundary triangles; write vtkhdf instead, then lb8l.ugrid with `tetfarm export`");
   }
   return std::make_unique<UgridFile<std::int32_t>>(path, counts, layout.big_endian);
 }

@@ -27,7 +27,7 @@ class VtkhdfWriter : public GlobalMeshWriter {
     const VtkhdfCounts& counts = parts_.at(number);
     if (std::ssize(part.nodes) != counts.points || std::ssize(part.tets) != counts.tets ||
         std::ssize(part.faces) != counts.faces) {
-      throw Error(ExitCode::failed, "a sub-domain has other counts than were announced");
+      throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
     }
     write_vtkhdf_cells(places_, before_[number], part, &file_);
     write_vtkhdf_points(places_, before_[number], part, file_);

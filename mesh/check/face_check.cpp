@@ -157,9 +157,13 @@ void FaceUse::add(const FaceUse& other) {
 }
 
 std::string FaceUse::text() const {
-  return to_string(tets[0] + tets[1]) + " tets (" + to_string(tets[0]) + " from one side, " +
-         to_string(tets[1]) + " from the other) and " + to_string(boundary[0] + boundary[1]) +
-         " boundary triangles (" + to_string(boundary[0]) + ", " + to_string(boundary[1]) + ")";
+  const auto counted = [](int count, const std::string& thing) {
+    return to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  };
+  return counted(tets[0] + tets[1], "tet") + " (" + to_string(tets[0]) + " from one side, " +
+         to_string(tets[1]) + " from the other) and " +
+         counted(boundary[0] + boundary[1], "boundary triangle") + " (" + to_string(boundary[0]) +
+         ", " + to_string(boundary[1]) + ")";
 }
 
 FaceCheck::FaceCheck(const std::filesystem::path& folder, std::size_t memory_bytes)

@@ -72,8 +72,8 @@ void MeshCheck::add_tets(const NumberedPart& part) {
   if (unused == is_used.end()) return;
   const auto v = static_cast<std::size_t>(unused - is_used.begin());
   complaints_.add("node " + to_string(part.local2global[v]) + " at " +
-                  tetfarm::text_of(part.nodes[v]) + " is in no tet" + where(part) + "; such are " +
-                  to_string(std::count(is_used.begin(), is_used.end(), false)));
+                  tetfarm::text_of(part.nodes[v]) + " is in no tet" + where(part) +
+                  "; such nodes: " + to_string(std::count(is_used.begin(), is_used.end(), false)));
 }
 
 void MeshCheck::add_faces(const NumberedPart& part) {

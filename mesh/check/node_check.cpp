@@ -43,8 +43,8 @@ NodeCheck::NodeCheck(const MeshSource& source, const std::filesystem::path& fold
   if (nodes_ == end) return;
   const auto missing = std::find(is_new_.begin(), is_new_.end(), false) - is_new_.begin();
   gaps_.push_back("node numbers have gaps: " + std::to_string(nodes_) +
-                  " nodes, the largest number is " + std::to_string(end - 1) + ", there is no " +
-                  std::to_string(missing));
+                  " nodes, but the largest number is " + std::to_string(end - 1) +
+                  " and there is no " + std::to_string(missing));
 }
 
 void NodeCheck::meet(std::int64_t number) {

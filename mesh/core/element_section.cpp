@@ -68,7 +68,7 @@ std::vector<std::string> validate(const ElementSection& section) {
   demand(sharers >= 1 && sharers <= most_sharers && ascends(section.sharers),
          "the sharers do not ascend");
   demand(are_places(section.tet_owner, sharers) && are_places(section.triangle_owner, sharers),
-         "an owner is no sharer");
+         "an owner is not a sharer");
   demand(ascends(section.node_origin), "the origins of the nodes do not ascend");
   const bool is_indexed = has_nodes(section.tets, nodes) && has_nodes(section.triangles, nodes);
   demand(is_indexed, "an element has a node that is not there");

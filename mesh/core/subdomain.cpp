@@ -33,7 +33,7 @@ void find_equal_lengths(const Subdomain& s, Complaints& complaints) {
     complaints.add("region " + std::to_string(s.region) + " with sides of " +
                    std::to_string(s.sides.size()) + " triangles");
   }
-  if (s.path.heap == 0) complaints.add("the tree path is 0, which is no place in a tree");
+  if (s.path.heap == 0) complaints.add("the tree path is 0, which is not a place in a tree");
 }
 
 void find_bad_triangles(const Subdomain& s, Complaints& complaints) {

@@ -126,7 +126,7 @@ void require_valid(const TetComplex& complex, const Region& region, std::uint64_
     complaints.emplace_back("its outer faces are not what they were");
   }
   if (complaints.empty()) return;
-  throw Error(ExitCode::failed, "cosmetics round sub-domain " + TreePath{self}.text() +
+  throw Error(ExitCode::failed, "cosmetics around sub-domain " + TreePath{self}.text() +
                                     " made an invalid mesh: " + complaints.front());
 }
 

@@ -63,7 +63,7 @@ class Joining {
  public:
   explicit Joining(std::span<const Subdomain> leaves) : leaves_(leaves) {
     for (const Subdomain& leaf : leaves) {
-      if (leaf.region != leaves.front().region) refuse(leaf, "it is of another region");
+      if (leaf.region != leaves.front().region) refuse(leaf, "it belongs to another region");
       vertex2first_.emplace_back(leaf.vertices.size());
       is_shared_.emplace_back(leaf.triangles.size(), false);
     }
@@ -108,7 +108,7 @@ class Joining {
       for (std::size_t i = first; i < last; ++i) {
         vertex2first_[at(items[i].leaf)][at(items[i].index)] = items[first];
         if (!same_bits(position(items[i]), position(items[first]))) {
-          refuse(leaves_[at(items[i].leaf)], "a node lies elsewhere than in another leaf");
+          refuse(leaves_[at(items[i].leaf)], "a node is not where another leaf has it");
         }
       }
     });
@@ -121,7 +121,7 @@ class Joining {
       const Item& a = items[first];
       const Item& b = items[first + 1];
       if (last - first > 2 || a.origin.owner == 0 || !are_reversed(a, b)) {
-        refuse(leaves_[at(b.leaf)], "a triangle does not fit that of another leaf");
+        refuse(leaves_[at(b.leaf)], "a triangle does not match that of another leaf");
       }
       is_shared_[at(a.leaf)][at(a.index)] = true;
       is_shared_[at(b.leaf)][at(b.index)] = true;

@@ -56,7 +56,7 @@ SubdomainGraph SubdomainGraphBuilder::finish() && {
                                       [](std::int32_t leaf) { return leaf >= 0; });
     if (!is_alone) continue;
     throw Error(ExitCode::failed,
-                "a triangle of the cut of " + TreePath{cut}.text() + " has one leaf only");
+                "a triangle of the cut of " + TreePath{cut}.text() + " has only one leaf");
   }
   graph_.neighbours.resize(graph_.size());
   for (const auto& [leaves, triangles] : shared_) {

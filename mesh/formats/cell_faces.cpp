@@ -92,7 +92,7 @@ CellFaces cell_faces(const NumberedPart& part) {
     i = end;
   }
   if (on_boundary != boundary.size()) {
-    throw InvalidInput("a boundary triangle is no outer face of a tet", where);
+    throw InvalidInput("a boundary triangle is not an outer face of a tet", where);
   }
   std::sort(result.inner.begin(), result.inner.end(), [](const InnerFace& a, const InnerFace& b) {
     return std::pair(a.owner, a.neighbour) < std::pair(b.owner, b.neighbour);

@@ -50,7 +50,7 @@ std::array<std::int64_t, 3> size_of_zone(const std::string& path) {
 class Cgns {
  public:
   explicit Cgns(const std::filesystem::path& path) : file_(path.string()), name_(path.string()) {
-    if (!file_.has(zone)) file_.fail("not a CGNS file with the zone Base/Zone1");
+    if (!file_.has(zone)) file_.fail("is not a CGNS file with the zone Base/Zone1");
     read_size();
     for (const char* axis : {"CoordinateX", "CoordinateY", "CoordinateZ"}) {
       coordinates_.push_back(file_.rows(data_of("GridCoordinates/" + std::string(axis))));
@@ -59,7 +59,7 @@ class Cgns {
     for (const std::string& name : children_of_zone(name_)) {
       if (file_.has(std::string(zone) + "/" + name + "/ElementConnectivity")) read_section(name);
     }
-    if (tets_.empty()) file_.fail("there is no section of tets");
+    if (tets_.empty()) file_.fail("has no section of tets");
   }
 
   void read_nodes(std::int64_t first, std::span<Vec3> into) const {
@@ -123,7 +123,7 @@ class Cgns {
     const std::int64_t count = range[1] - range[0] + 1;
     Hdf5Rows connectivity = file_.rows(data_of(name + "/ElementConnectivity"));
     if (type[0] == tetra_4) {
-      if (!tets_.empty() || count != tets) file_.fail("not one section with all tets");
+      if (!tets_.empty() || count != tets) file_.fail("does not have one section with all tets");
       connectivity.check(0, 4 * count);
       tets_.push_back(std::move(connectivity));
     } else if (type[0] == tri_3) {
@@ -135,7 +135,7 @@ class Cgns {
       }
       patch_names.push_back(name);
     } else {
-      file_.fail("the section " + name + " is of elements other than triangles and tets");
+      file_.fail("the section " + name + " has elements other than triangles and tets");
     }
   }
 

@@ -35,17 +35,17 @@ void check_pair(const CommunicationTable& here, const NeighbourNodes& list,
   const std::string pair = "its list with part " + std::to_string(list.neighbour);
   const NeighbourNodes* back = nodes_with(there, here.part);
   if (back == nullptr || back->local != list.remote || back->remote != list.local) {
-    complaints.add(here, pair + " is not that of the other side");
+    complaints.add(here, pair + " differs from that of the other side");
     return;
   }
   for (std::size_t i = 0; i < list.local.size(); ++i) {
     const std::size_t mine = at(list.local[i]);
     const std::size_t theirs = at(list.remote[i]);
     if (here.local2global[mine] != there.local2global[theirs]) {
-      complaints.add(here, pair + " has nodes that are not the same");
+      complaints.add(here, pair + " has nodes that differ");
     }
     if (here.owner[mine] != there.owner[theirs]) {
-      complaints.add(here, pair + " has a node of two owners");
+      complaints.add(here, pair + " has a node with two owners");
     }
     if (i > 0 && here.local2global[at(list.local[i - 1])] >= here.local2global[mine]) {
       complaints.add(here, pair + " is not in the order of the whole mesh");
@@ -88,7 +88,7 @@ std::vector<std::string> communication_complaints(
     }
     for (const NeighbourNodes& list : here.neighbours) {
       if (list.neighbour < 0 || list.neighbour >= parts || list.neighbour == i) {
-        complaints.add(here, "a neighbour that is not there");
+        complaints.add(here, "a neighbour does not exist");
       } else {
         check_pair(here, list, read(list.neighbour), complaints);
       }
@@ -104,7 +104,7 @@ std::vector<std::string> communication_complaints(
     for (std::size_t v = 0; v < lists.size(); ++v) {
       const std::int64_t node = here.local2global[v];
       if (node >= 0 && node < nodes_of_mesh && lists[v] != mentions[at(node)]) {
-        complaints.add(here, "node " + std::to_string(node) + " is shared, and not in all lists");
+        complaints.add(here, "node " + std::to_string(node) + " is shared, but not in all lists");
       }
     }
     if (i == 0 && owned != nodes_of_mesh) {

@@ -36,7 +36,7 @@ std::string communication_to_bytes(const CommunicationTable& table) {
 
 CommunicationTable communication_from_bytes(std::string_view bytes, const std::string& name) {
   ByteReader reader(bytes, name);
-  if (reader.number<std::uint64_t>() != magic) reader.fail("is no communication table");
+  if (reader.number<std::uint64_t>() != magic) reader.fail("is not a communication table");
   CommunicationTable table;
   table.part = static_cast<std::int32_t>(reader.count());
   table.parts = static_cast<std::int32_t>(reader.count());

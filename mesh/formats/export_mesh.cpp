@@ -148,7 +148,7 @@ const MeshFormat& find_mesh_format(std::string_view name, const fs::path& output
                                         : format.name == name;
     if (is_wanted) return format;
   }
-  throw UsageError("formats are " + all_names(),
+  throw UsageError("unknown format; the formats are " + all_names(),
                    name.empty() ? output.string() : "--format " + std::string(name));
 }
 

@@ -14,7 +14,7 @@ FoamText::FoamText(const std::filesystem::path& path) : text_(path), in_(text_.s
   bool is_text = false;
   read_dictionary([&](std::string_view key, std::string_view value) {
     if (key != "format") return false;
-    if (value != "ascii") fail("only text is read, format ascii");
+    if (value != "ascii") fail("only text (format ascii) is read");
     is_text = true;
     return false;
   });
@@ -42,7 +42,7 @@ bool FoamText::skip_comment() {
   }
   if (!rest_.starts_with("/*")) return false;
   const std::size_t end = rest_.find("*/", 2);
-  if (end == rest_.npos && !in_.skip_past("*/")) fail("a comment does not end");
+  if (end == rest_.npos && !in_.skip_past("*/")) fail("a comment has no end");
   rest_ = end == rest_.npos ? std::string_view() : rest_.substr(end + 2);
   return true;
 }
@@ -60,7 +60,7 @@ std::string_view FoamText::quotation() {
     }
     rest_ = in_.word();
     from = 0;
-    if (rest_.empty()) fail("a text does not end");
+    if (rest_.empty()) fail("a text has no end");
   }
 }
 
@@ -73,7 +73,7 @@ std::int64_t FoamText::begin_list(std::int64_t least_bytes_each) {
   const std::int64_t count = in_.to_integer(token(), "a count");
   const auto left = static_cast<std::int64_t>(in_.bytes_left() + rest_.size());
   if (count < 0 || count > left / least_bytes_each) {
-    fail("a count of " + std::to_string(count) + " with only " + std::to_string(left) +
+    fail("a count of " + std::to_string(count) + ", but only " + std::to_string(left) +
          " bytes left in the file");
   }
   if (count > most_of_32_bits) fail("a count of more than 32 bits");

@@ -95,7 +95,7 @@ class ListedSource : public MeshSource {
     } else {
       make_pieces(tets_of_piece);
     }
-    if (parts_.empty()) fail("there are no tets");
+    if (parts_.empty()) fail("has no tets");
     share_out();
   }
 
@@ -137,13 +137,13 @@ class ListedSource : public MeshSource {
   void check() const {
     for (const TetRun& run : mesh_.runs) {
       if (run.region < 1 || run.region > most_names) {
-        fail("a tet is of region " + std::to_string(run.region));
+        fail("a tet has the region " + std::to_string(run.region));
       }
     }
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const ListedTriangle& triangle = mesh_.triangles[t];
       if (triangle.patch < 0 || triangle.patch >= most_names) {
-        fail("boundary triangle " + std::to_string(t) + " is of patch " +
+        fail("boundary triangle " + std::to_string(t) + " has the patch " +
              std::to_string(triangle.patch));
       }
       for (const std::int64_t node : triangle.nodes) {
@@ -205,7 +205,7 @@ class ListedSource : public MeshSource {
     const auto unused = std::find(is_used.begin(), is_used.end(), false);
     if (unused == is_used.end()) return;
     complaints_.push_back("node " + std::to_string(unused - is_used.begin()) +
-                          " is in no tet and no boundary triangle; such are " +
+                          " is in no tet and no boundary triangle; such nodes: " +
                           std::to_string(std::count(unused, is_used.end(), false)));
   }
 

@@ -19,8 +19,8 @@ struct List {
 class Meshb {
  public:
   explicit Meshb(const std::filesystem::path& path) : file_(path) {
-    if (file_.at<std::int32_t>(0) != 1) file_.fail("not a little-endian .meshb file", 0);
-    if (file_.at<std::int32_t>(4) != 4) file_.fail("not version 4 of the format", 4);
+    if (file_.at<std::int32_t>(0) != 1) file_.fail("is not a little-endian .meshb file", 0);
+    if (file_.at<std::int32_t>(4) != 4) file_.fail("is not version 4 of the format", 4);
     std::int64_t place = 8;
     while (place != 0) place = read_keyword(place);
   }
@@ -74,7 +74,8 @@ class Meshb {
       file_.fail("the place of the next keyword is wrong", place + 4);
     }
     if (keyword == medit::dimension) {
-      if (file_.at<std::int32_t>(place + 12) != 3) file_.fail("not of three dimensions", place);
+      if (file_.at<std::int32_t>(place + 12) != 3)
+        file_.fail("the mesh is not three-dimensional", place);
     } else if (keyword == medit::vertices) {
       nodes = list_at(place, 32);
     } else if (keyword == medit::triangles) {
@@ -90,7 +91,7 @@ class Meshb {
   List list_at(std::int64_t place, std::int64_t record_bytes) const {
     const List list{place + 20, file_.at<std::int64_t>(place + 12)};
     if (list.count < 0 || list.count > (file_.size() - list.place) / record_bytes) {
-      file_.fail("a count of " + std::to_string(list.count) + " in a file of " +
+      file_.fail("a count of " + std::to_string(list.count) + ", but the file has only " +
                      std::to_string(file_.size()) + " bytes",
                  place + 12);
     }

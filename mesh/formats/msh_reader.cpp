@@ -56,14 +56,16 @@ void MshReader::read_format() {
   const std::string_view version = in_.word();
   is_version_4_ = version == "4.1";
   if (!is_version_4_ && version != "2.2") {
-    in_.fail("Gmsh format " + quoted(version) + " is not read; 4.1 and 2.2 are");
+    in_.fail("Gmsh format " + quoted(version) + " is not supported; save it as 4.1 or 2.2");
   }
   is_binary_ = in_.integer("the file type") != 0;
-  if (is_binary_ && !is_version_4_) in_.fail("binary files of format 2.2 are not read");
-  if (in_.integer("the size of a number") != 8) in_.fail("numbers are not of 8 bytes");
+  if (is_binary_ && !is_version_4_)
+    in_.fail("binary files of format 2.2 are not supported; save it as 4.1, or as text");
+  if (in_.integer("the size of a number") != 8) in_.fail("numbers do not have 8 bytes");
   if (is_binary_) {
     in_.rest_of_line();
-    if (in_.raw<std::int32_t>() != 1) in_.fail("is binary of a big-endian machine");
+    if (in_.raw<std::int32_t>() != 1)
+      in_.fail("is big-endian, which is not supported; save it as text");
     in_.text_again();
   }
   in_.expect("$EndMeshFormat");
@@ -213,7 +215,7 @@ void MshReader::read_elements_2(MshContent& content) {
     } else if (known->dimension < 2) {
       for (int k = 0; k < known->nodes; ++k) in_.integer("a node number");
     } else {
-      in_.fail("a " + std::string(known->name) + "; only triangles and tets are read");
+      in_.fail("a " + std::string(known->name) + ": only triangles and tets are supported");
     }
     text_.pass();
   }
@@ -236,7 +238,7 @@ void MshReader::read_elements_4(MshContent& content) {
                std::to_string(dimension));
     }
     if (dimension >= 2 && type != msh_triangle && type != msh_tet) {
-      in_.fail("a " + std::string(known->name) + "; only triangles and tets are read");
+      in_.fail("a " + std::string(known->name) + ": only triangles and tets are supported");
     }
     const auto& groups = entity2group_[static_cast<std::size_t>(dimension)];
     const auto found = groups.find(entity);

@@ -50,7 +50,7 @@ class WholeMesh : public MshContent {
   ListedMesh take(const MshReader& file) {
     if (nodes_ != mesh_.nodes()) {
       throw InvalidInput("node tags are not 1 to N: " + std::to_string(nodes_) +
-                             " nodes, the largest tag is " + std::to_string(mesh_.nodes()),
+                             " nodes, but the largest tag is " + std::to_string(mesh_.nodes()),
                          name_);
     }
     mesh_.mesh().name = name_;
@@ -193,8 +193,9 @@ std::unique_ptr<MeshSource> open_msh(const fs::path& path, const fs::path& scrat
   MshReader file(path);
   if (file.is_partitioned()) {
     if (path.stem().string().ends_with("_1")) return std::make_unique<SplitSource>(path);
-    throw InvalidInput("is a partition of several; the one that ends with _1 stands for all",
-                       path.string());
+    throw InvalidInput(
+        "is one of several partitions; give the file whose name ends in _1, which stands for all",
+        path.string());
   }
   WholeMesh mesh(path, scratch_folder);
   file.read(mesh);

@@ -24,7 +24,7 @@ class VtkhdfSource : public MeshSource {
  public:
   explicit VtkhdfSource(const std::filesystem::path& path) : parts_(path) {
     if (parts_.size() != 1 && !parts_.has_node_numbers()) {
-      parts_.fail("several partitions, and no GlobalNodeId to join them");
+      parts_.fail("has several partitions, but no GlobalNodeId to join them by");
     }
   }
   std::size_t size() const override { return parts_.size(); }
@@ -96,7 +96,7 @@ Source open_mesh_as(const fs::path& path, std::string_view name, const fs::path&
     if (name.ends_with(format.ending)) return format.open(path, scratch_folder);
   }
   throw InvalidInput(
-      "is no mesh by its ending; " + readable_meshes() + " are read, and the cases of OpenFOAM",
+      "unsupported mesh file type; " + readable_meshes() + " and OpenFOAM cases are read",
       path.string());
 }
 

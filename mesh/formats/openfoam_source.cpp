@@ -33,7 +33,7 @@ std::unique_ptr<MeshSource> open_whole(const fs::path& folder, const fs::path& s
   mesh.mesh().region_names = file.region_names();
   for (const FoamPatch& patch : file.patches()) {
     if (patch.processor >= 0) {
-      throw InvalidInput("is a processor of a decomposed case; its folder stands for all",
+      throw InvalidInput("is one processor of a decomposed case; give the folder of the case",
                          folder.string());
     }
     mesh.mesh().patch_names.push_back(patch.name);
@@ -117,7 +117,7 @@ class DecomposedSource : public MeshSource {
         patch_names_ = mesh.patch_names;
         region_names_ = mesh.region_names;
       } else if (patch_names_ != mesh.patch_names || region_names_ != mesh.region_names) {
-        throw InvalidInput("has other patches or cell zones than processor 0",
+        throw InvalidInput("has different patches or cell zones from processor 0",
                            folders_[i].string());
       }
       numbers_.add(std::ssize(mesh.part.nodes), mesh.between);

@@ -73,10 +73,10 @@ PolyMeshReader::PolyMeshReader(const std::filesystem::path& folder,
       all_faces_(faces_.begin_list(face_bytes)),
       sides_(scratch_folder) {
   if (owner_.begin_list(label_bytes) != all_faces_) {
-    owner_.fail("not as many owners as faces, which are " + std::to_string(all_faces_));
+    owner_.fail("the number of owners is not that of the faces, " + std::to_string(all_faces_));
   }
   inner_faces_ = neighbour_.begin_list(label_bytes);
-  if (inner_faces_ > all_faces_) neighbour_.fail("more neighbours than faces");
+  if (inner_faces_ > all_faces_) neighbour_.fail("there are more neighbours than faces");
   check_patches();
   if (std::filesystem::exists(folder / "cellZones")) read_zones(folder / "cellZones");
 }
@@ -146,7 +146,7 @@ PolyMeshReader::Face PolyMeshReader::read_face() {
   owner_.pass();
   const std::int64_t corners = faces_.integer();
   if (corners != 3) {
-    faces_.fail("cell " + std::to_string(owner_of_face_) + " is no tetrahedron: a face has " +
+    faces_.fail("cell " + std::to_string(owner_of_face_) + " is not a tetrahedron: a face has " +
                 std::to_string(corners) + " corners");
   }
   Face face;
@@ -198,7 +198,7 @@ std::int32_t PolyMeshReader::region_of(std::int32_t cell) {
 std::array<std::int32_t, 4> PolyMeshReader::tet_of(std::int32_t cell,
                                                    const std::vector<Side>& sides) const {
   if (sides.size() != 4) {
-    refuse(cell, "is no tetrahedron: it has " + std::to_string(sides.size()) + " faces");
+    refuse(cell, "is not a tetrahedron: it has " + std::to_string(sides.size()) + " faces");
   }
   const Face& first = sides[0].nodes;
   const auto is_apex = [&](std::int32_t v) {
@@ -215,7 +215,7 @@ std::array<std::int32_t, 4> PolyMeshReader::tet_of(std::int32_t cell,
     }
   }
   if (!is_apex(apex) || !(has_edge[0] && has_edge[1] && has_edge[2])) {
-    refuse(cell, "is no tetrahedron: its faces do not close");
+    refuse(cell, "is not a tetrahedron: its faces do not close");
   }
   return {apex, first[0], first[1], first[2]};
 }
@@ -227,10 +227,10 @@ std::optional<PolyMeshTet> PolyMeshReader::next_tet() {
   if (sides.empty()) {
     Side later;
     if (sides_.next(later))
-      refuse(cell, "has no faces, cell " + std::to_string(later.cell) + " has");
+      refuse(cell, "has no faces, but cell " + std::to_string(later.cell) + " does");
     if (next_zone_ < zones_.size()) {
       refuse(static_cast<std::int32_t>(zones_[next_zone_].first),
-             "is in a cell zone, and not there");
+             "is in a cell zone, but does not exist");
     }
     return {};
   }

@@ -42,7 +42,7 @@ void ProcessorNumbers::add(std::int64_t nodes, const std::vector<ProcessorPatch>
       join(patch.neighbour, here, ids);
     } else if (patch.neighbour == here ||
                !waiting_.emplace(std::pair(here, patch.neighbour), std::move(ids)).second) {
-      refuse(here, patch.neighbour, "have no single patch between them");
+      refuse(here, patch.neighbour, "do not have exactly one patch between them");
     }
   }
   processors_.push_back(std::move(processor));
@@ -50,7 +50,7 @@ void ProcessorNumbers::add(std::int64_t nodes, const std::vector<ProcessorPatch>
 
 void ProcessorNumbers::join(std::int32_t lower, std::int32_t higher, const std::vector<Ids>& here) {
   const auto there = waiting_.find({lower, higher});
-  if (there == waiting_.end()) refuse(lower, higher, "have no single patch between them");
+  if (there == waiting_.end()) refuse(lower, higher, "do not have exactly one patch between them");
   if (there->second.size() != here.size()) {
     refuse(lower, higher,
            "have " + std::to_string(there->second.size()) + " and " + std::to_string(here.size()) +
@@ -75,7 +75,7 @@ void ProcessorNumbers::unite(std::size_t a, std::size_t b) {
 void ProcessorNumbers::finish() {
   if (!waiting_.empty()) {
     const auto [lower, higher] = waiting_.begin()->first;
-    refuse(lower, higher, "have no single patch between them");
+    refuse(lower, higher, "do not have exactly one patch between them");
   }
   number_.resize(parent_.size());
   std::int64_t next = 0;
@@ -101,7 +101,7 @@ void ProcessorNumbers::number(Processor& processor, std::int64_t& next) {
   std::sort(numbers.begin(), numbers.end());
   if (std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end()) return;
   throw InvalidInput("two points of processor " + std::to_string(&processor - processors_.data()) +
-                         " are one by the faces between processors",
+                         " coincide by the faces between processors",
                      name_);
 }
 

@@ -62,13 +62,13 @@ class VtuFile {
     const std::size_t begin = data == head_.npos ? data : head_.find('_', data);
     const std::size_t root = head_.find("<VTKFile");
     if (begin == head_.npos || root == head_.npos) {
-      throw InvalidInput("not a .vtu file with appended data", file_.name());
+      throw InvalidInput("is not a .vtu file with appended data", file_.name());
     }
     if (attribute(head_, root, "byte_order") != "LittleEndian" ||
         attribute(head_, root, "header_type") != "UInt64" ||
         !attribute(head_, root, "compressor").empty() ||
         attribute(head_, data, "encoding") != "raw") {
-      throw InvalidInput("only raw, little-endian data with lengths of 64 bits are read",
+      throw InvalidInput("only raw, little-endian data with 64-bit lengths are supported",
                          file_.name());
     }
     first_ = static_cast<std::int64_t>(begin) + 1;
@@ -121,7 +121,7 @@ class VtuFile {
       file_.fail(std::string(name) + " has " + std::to_string(bytes) + " bytes", first_ + offset);
     }
     if (bytes > file_.size() - first_ - offset) {
-      file_.fail(std::string(name) + " ends behind the file", first_ + offset);
+      file_.fail(std::string(name) + " ends after the end of the file", first_ + offset);
     }
     std::vector<T> values(static_cast<std::size_t>(count));
     file_.read(first_ + offset + 8, values.data(), static_cast<std::size_t>(bytes));
@@ -133,7 +133,7 @@ class VtuFile {
     const std::int64_t tets = std::count(types.begin(), types.end(), vtk_tetra);
     const std::int64_t faces = std::count(types.begin(), types.end(), vtk_triangle);
     if (tets + faces != cells_)
-      throw InvalidInput("cells other than tets and triangles", file_.name());
+      throw InvalidInput("has cells other than tets and triangles", file_.name());
     const auto nodes = array<std::int64_t>("connectivity", "Int64", 4 * tets + 3 * faces);
     for (const std::int64_t node : nodes) {
       if (node < 0 || node >= points_) {
@@ -151,7 +151,7 @@ class VtuFile {
         return element;
       };
       if (regions[cell] < 1 || regions[cell] > most_regions) {
-        throw InvalidInput("a cell is of region " + std::to_string(regions[cell]), file_.name());
+        throw InvalidInput("a cell has the region " + std::to_string(regions[cell]), file_.name());
       }
       if (types[cell] == vtk_tetra) {
         part.tets.push_back(take(Tet{}));
@@ -189,7 +189,7 @@ class PvtuSource : public MeshSource {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const VtuFile file(pieces_[i]);
       if (pieces_.size() > 1 && !file.has("GlobalNodeId")) {
-        throw InvalidInput("one of several pieces, and no GlobalNodeId to join them",
+        throw InvalidInput("is one of several pieces, but has no GlobalNodeId to join them by",
                            pieces_[i].string());
       }
       file.part(i);
@@ -224,7 +224,7 @@ std::unique_ptr<MeshSource> open_pvtu(const fs::path& path) {
     pieces.push_back(path.parent_path() / attribute(text, place, "Source"));
   }
   if (pieces.empty() || text.find("</VTKFile>") == text.npos) {
-    throw InvalidInput("not a whole .pvtu file", path.string());
+    throw InvalidInput("is not a complete .pvtu file", path.string());
   }
   return std::make_unique<PvtuSource>(std::move(pieces));
 }

@@ -15,7 +15,7 @@ namespace tetfarm {
 ScratchFile::ScratchFile(const std::filesystem::path& folder) : folder_(folder) {
   std::string name = (folder / "tetfarm.XXXXXX").string();
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) throw IoError("cannot make a file in", folder.string(), errno);
+  if (descriptor_ < 0) throw IoError("cannot create a file in", folder.string(), errno);
   ::unlink(name.c_str());
 }
 

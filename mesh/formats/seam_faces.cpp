@@ -66,7 +66,8 @@ void SeamFaces::match(const MeshOutline& outline, const std::filesystem::path& f
     OpenFace second;
     const bool has_second = open.next(second);
     if (has_second && second.sorted_nodes == first.sorted_nodes) {
-      if (second.part == first.part) throw InvalidInput("a face lies twice in one sub-domain", "");
+      if (second.part == first.part)
+        throw InvalidInput("a face occurs twice in one sub-domain", "");
       seams_.push(seam_face(first, second));
       seams_.push(seam_face(second, first));
       between_regions_ += (first.face >= 0 ? 1 : 0) + (second.face >= 0 ? 1 : 0);

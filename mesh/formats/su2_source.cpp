@@ -37,7 +37,7 @@ class Su2Reader {
     }
     if (value.empty()) value = in_.word_in_line();
     if (key == "NDIME") {
-      if (value != "3") in_.fail("the mesh has not three dimensions");
+      if (value != "3") in_.fail("the mesh is not three-dimensional");
     } else if (key == "NELEM") {
       return read_tets(count(value, 10));
     } else if (key == "NPOIN") {

@@ -47,13 +47,13 @@ class ListFile {
 /// Returns the number of the first.
 std::int64_t read_nodes(const std::filesystem::path& path, ParsedMesh& mesh) {
   ListFile file(path);
-  if (file.option() != 3) file.in().fail("not of three dimensions");
+  if (file.option() != 3) file.in().fail("the mesh is not three-dimensional");
   file.end_line();
   std::int64_t first = 0;
   for (std::int64_t i = 0; i < file.count(); ++i) {
     if (i == 0) {
       first = file.in().integer("a number");
-      if (first != 0 && first != 1) file.in().fail("numbers begin with 0 or 1");
+      if (first != 0 && first != 1) file.in().fail("numbers must begin with 0 or 1");
     } else {
       file.record(first + i);
     }
@@ -68,7 +68,7 @@ std::int64_t read_nodes(const std::filesystem::path& path, ParsedMesh& mesh) {
 void read_tets(const std::filesystem::path& path, std::int64_t first, ParsedMesh& mesh) {
   ListFile file(path);
   mesh.mesh().name = file.name();
-  if (file.option() != 4) file.in().fail("not tets of four nodes");
+  if (file.option() != 4) file.in().fail("only tets of four nodes are supported");
   const bool has_regions = file.option() > 0;
   file.end_line();
   for (std::int64_t i = 0; i < file.count(); ++i) {

@@ -48,14 +48,14 @@ std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::i
     const bool is_whole = static_cast<bool>(words >> region.number >> region.first >> region.last);
     if (!is_whole || region.number < 1 || region.number > most_regions ||
         region.first != expected || region.last + 1 < region.first || region.last > tets) {
-      throw InvalidInput("a line that does not fit the mesh: " + line, path.string());
+      throw InvalidInput("a line does not match the mesh: " + line, path.string());
     }
     std::getline(words >> std::ws, region.name);
     expected = region.last + 1;
     regions.push_back(region);
   }
   if (!regions.empty() && expected != tets + 1) {
-    throw InvalidInput("the lines end before the tets do", path.string());
+    throw InvalidInput("the lines do not cover all tets", path.string());
   }
   return regions;
 }
@@ -80,13 +80,13 @@ class Ugrid {
       if (counts[i] > most) file_.fail("a count is larger than the file", place);
     }
     if (counts[2] + counts[4] + counts[5] + counts[6] != 0) {
-      file_.fail("elements other than triangles and tets", 0);
+      file_.fail("has elements other than triangles and tets", 0);
     }
     nodes = counts[0];
     triangles = counts[1];
     tets = counts[3];
     if (tet_place(tets) != file_.size()) {
-      throw InvalidInput("the length of the file does not fit its counts", file_.name());
+      throw InvalidInput("the length of the file does not match its counts", file_.name());
     }
   }
 

@@ -39,7 +39,7 @@ Body measure(const SurfaceMesh& surface) {
 
 void check_numbers(const SurfaceMesh& body, const OuterBoundary& outer, double growth) {
   if (body.triangles.empty())
-    throw UsageError("there is no body to put a boundary round", "domain.outer");
+    throw UsageError("there is no body to put a boundary around", "domain.outer");
   if (!std::isfinite(outer.factor) || outer.factor <= 1) {
     throw UsageError("the factor must be greater than 1, or the boundary touches the body; it is " +
                          text_of(outer.factor),
@@ -76,9 +76,9 @@ int parts_of(double length, double triangles_at_1, int least, const OuterBoundar
   const double parts = std::ceil(length / (asked > 0 ? asked : by_growth));
   const double most = parts_with(asked > 0 && !outer.is_sketch ? most_triangles : few_triangles);
   if (asked > 0 && !outer.is_sketch && parts > most) {
-    throw UsageError("a spacing of " + text_of(asked) + " makes more than " +
+    throw UsageError("a spacing of " + text_of(asked) + " would make more than " +
                          std::to_string(static_cast<int>(most_triangles)) +
-                         " triangles on the outer boundary; the least that does not is " +
+                         " triangles on the outer boundary; the smallest that does not is " +
                          text_of(length / most),
                      outer.spacing > 0 ? "domain.spacing" : "spacing.default");
   }
@@ -88,7 +88,7 @@ int parts_of(double length, double triangles_at_1, int least, const OuterBoundar
 void check_room(bool has_room, const OuterBoundary& outer) {
   if (has_room) return;
   throw UsageError("with a factor of " + text_of(outer.factor) +
-                       " the boundary touches the body; give a larger one, or a finer spacing",
+                       " the boundary touches the body; give a larger factor or a finer spacing",
                    "domain.factor");
 }
 

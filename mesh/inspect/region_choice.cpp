@@ -33,9 +33,10 @@ void grant(const RegionWish& wish, const RegionMap& map, const RegionRules& rule
   const auto refuse = [&wish](const std::string& what) {
     throw UsageError("the point " + text_of(wish.at) + " " + what, "region.at");
   };
-  if (!region) return refuse("is on the surface: which side is meant?");
-  if (*region == 0 && !rules.is_outside_meshed) return refuse("is outside of the surface");
-  if (*region == 0 && wish.is_void) return refuse("is outside, which an outer boundary is to mesh");
+  if (!region) return refuse("is on the surface, so it cannot tell which side is meant");
+  if (*region == 0 && !rules.is_outside_meshed) return refuse("is outside the surface");
+  if (*region == 0 && wish.is_void)
+    return refuse("is outside the surface, which is to be meshed up to the outer boundary");
   Choice& choice = choices[at(*region)];
   if (choice.wish != nullptr) {
     return refuse("is in the same region as " + text_of(choice.wish->at));
@@ -101,7 +102,7 @@ void set_sides(const RegionMap& map, const std::vector<std::int32_t>& old2new, S
   }
   if (left_out > 0) {
     report.remarks.push_back(count_of(left_out, "triangle") +
-                             " between what is not meshed: left out");
+                             " with no meshed region on either side: left out");
   }
 }
 
@@ -124,15 +125,16 @@ std::optional<SurfaceDefect> choose_regions(const RegionMap& map, const RegionRu
                                             bool has_interfaces, SurfaceMesh& surface,
                                             SurfaceReport& report) {
   if (const auto part = map.unclear_part()) {
-    return defect_of_triangles(surface, "unclear regions",
-                               "the surface touches itself so that its inside cannot be told",
-                               map.parts()[at(*part)].triangles);
+    return defect_of_triangles(
+        surface, "unclear regions",
+        "the surface touches itself in such a way that its inside is unclear",
+        map.parts()[at(*part)].triangles);
   }
   if (auto defect = sheets_inside(map, surface)) return defect;
   const std::vector<Choice> choices = choices_of(map, rules, has_interfaces);
   const auto old2new = number_regions(map, choices, rules, surface, report);
   if (surface.region_names.empty()) {
-    return SurfaceDefect{"nothing to mesh", "the job says of every region that it is void", {}};
+    return SurfaceDefect{"nothing to mesh", "the job declares every region void", {}};
   }
   set_sides(map, old2new, surface, report);
   report.volume = 0;

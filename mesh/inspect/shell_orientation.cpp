@@ -69,12 +69,11 @@ ShellOrientation orient_shells(const SurfaceMesh& surface, std::span<const EdgeU
   if (!torn.empty()) {
     std::ranges::sort(torn);
     torn.erase(std::unique(torn.begin(), torn.end()), torn.end());
-    result.defect = defect_of_triangles(
-        surface, "non-orientable shell",
-        "the surface has only one side, as a Möbius strip: however they are turned, neighbours "
-        "disagree at " +
-            count_of(torn.size(), "triangle"),
-        torn);
+    result.defect = defect_of_triangles(surface, "non-orientable shell",
+                                        "the surface has only one side, like a Möbius strip: "
+                                        "however they are turned, neighbours disagree at " +
+                                            count_of(torn.size(), "triangle"),
+                                        torn);
   }
   return result;
 }

@@ -143,7 +143,7 @@ CheckedSurface check_surface(const SurfaceMesh& surface, const RegionRules& rule
   }
   remark_on_fans(surface, vertices_of_several_fans(surface, uses), report);
   if (report.unused_vertices > 0) {
-    report.remarks.push_back("vertices of no triangle: " + std::to_string(report.unused_vertices));
+    report.remarks.push_back("vertices in no triangle: " + std::to_string(report.unused_vertices));
   }
   if (!report.defects.empty()) return checked;
   const bool has_interfaces = has_crowded_edge(uses);

@@ -94,7 +94,7 @@ SurfaceDefect duplicate_defect(const SurfaceMesh& surface, const std::vector<Num
     places.push_back(triangle_text(surface, group[0]) + " again as " + std::to_string(group[1]));
   }
   std::ranges::sort(defect.triangles);
-  defect.message = with_places(count_of(groups.size(), "triangle") + " there more than once",
+  defect.message = with_places(count_of(groups.size(), "triangle") + " present more than once",
                                places, groups.size());
   return defect;
 }

@@ -84,10 +84,10 @@ SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) 
   const std::size_t sided_triangles = reader.count();
   const std::size_t regions = reader.count();
   if (patched_triangles != 0 && patched_triangles != triangles) {
-    reader.fail("gives patches to some triangles only");
+    reader.fail("gives patches to only some triangles");
   }
   if (sided_triangles != 0 && sided_triangles != triangles) {
-    reader.fail("gives sides to some triangles only");
+    reader.fail("gives sides to only some triangles");
   }
   SurfaceMesh surface;
   surface.vertices = reader.array<Vec3>(vertices);

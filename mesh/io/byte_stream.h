@@ -96,7 +96,7 @@ class ByteReader {
     return hash;
   }
   void expect_end() const {
-    if (!rest_.empty()) fail("has " + std::to_string(rest_.size()) + " bytes too many");
+    if (!rest_.empty()) fail("has " + std::to_string(rest_.size()) + " surplus bytes");
   }
   [[noreturn]] void fail(const std::string& what) const { throw CorruptFile(what, name_); }
 

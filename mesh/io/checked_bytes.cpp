@@ -38,7 +38,7 @@ ByteReader read_checked(std::string_view bytes, std::string_view magic, std::uin
 ByteReader read_begun(std::string_view bytes, std::string_view magic, std::uint32_t version,
                       const std::string& name) {
   if (!bytes.starts_with(magic)) {
-    throw CorruptFile("does not start as the expected kind of file", name);
+    throw CorruptFile("does not begin like the expected kind of file", name);
   }
   ByteReader reader(bytes.substr(magic.size()), name);
   const auto found = reader.number<std::uint32_t>();

@@ -80,7 +80,7 @@ CoreElements core_from(std::string_view bytes, const ElementFileHead::Section& e
   for (const auto* taken : {&core.taken_tets, &core.taken_triangles}) {
     const auto out_of_order =
         std::adjacent_find(taken->begin(), taken->end(), [](auto a, auto b) { return a >= b; });
-    if (out_of_order != taken->end()) reader.fail("does not tell what was taken in order");
+    if (out_of_order != taken->end()) reader.fail("does not list what was taken in order");
   }
   return core;
 }
@@ -125,7 +125,8 @@ ElementFileHead head_from(std::string_view bytes, const std::string& name) {
   for (std::size_t s = 0; s < sections; ++s) {
     ElementFileHead::Section& section = head.sections.emplace_back();
     const std::size_t sharers = reader.count();
-    if (sharers == 0 || sharers > most_sharers) reader.fail("has a section of nobody, or of many");
+    if (sharers == 0 || sharers > most_sharers)
+      reader.fail("has a section with no sharers, or too many");
     section.sharers = reader.array<std::uint64_t>(sharers);
     section.tets = reader.array<std::uint64_t>(sharers);
     section.triangles = reader.array<std::uint64_t>(sharers);
@@ -173,7 +174,7 @@ ElementFile::ElementFile(const std::filesystem::path& path, std::string name)
   const auto size = reader.number<std::uint64_t>();
   const Hash128 checksum = reader.hash();
   const std::string bytes = read_bytes(prefix_size, size);
-  if (hash128(bytes) != checksum) reader.fail("has a wrong checksum of its head");
+  if (hash128(bytes) != checksum) reader.fail("has a wrong checksum for its head");
   head_ = head_from(bytes, name_);
 }
 
@@ -181,7 +182,7 @@ std::string ElementFile::read_body(std::size_t section) {
   const ElementFileHead::Section& wanted = head_.sections.at(section);
   std::string bytes = read_bytes(wanted.offset, wanted.size);
   if (hash128(bytes) != wanted.checksum) {
-    throw CorruptFile("has a wrong checksum of section " + std::to_string(section), name_);
+    throw CorruptFile("has a wrong checksum for section " + std::to_string(section), name_);
   }
   return bytes;
 }
@@ -254,7 +255,7 @@ SharedNodes shared_nodes_from_bytes(std::string_view bytes, const std::string& n
     node.origin.owner = reader.number<std::uint64_t>();
     node.origin.index = reader.number<std::uint32_t>();
     node.set = reader.number<std::uint32_t>();
-    if (node.set >= sets) reader.fail("has a node of a set that is not there");
+    if (node.set >= sets) reader.fail("has a node of a set that does not exist");
     shared.nodes.push_back(node);
   }
   reader.expect_end();

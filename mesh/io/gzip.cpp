@@ -51,10 +51,10 @@ class File {
 
 [[noreturn]] void refuse_size(std::uint64_t packed_bytes, std::uint64_t limit,
                               const std::string& name) {
-  throw InvalidInput("unpacks to more than " + mebibytes(limit) + ", the most that is taken from " +
-                         std::to_string(packed_bytes) +
-                         " bytes of gzip; if that is what it should be, unpack it with gunzip and "
-                         "name the unpacked file",
+  throw InvalidInput("unpacks to more than " + mebibytes(limit) +
+                         ", the most that is accepted from " + std::to_string(packed_bytes) +
+                         " bytes of gzip; if that is as it should be, unpack it with gunzip and "
+                         "give the unpacked file",
                      name);
 }
 
@@ -119,7 +119,7 @@ std::string unpack_gzip(std::string_view bytes, const std::string& name) {
 std::string read_whole_file(const std::string& path) {
   const File file(path);
   struct stat status {};
-  if (fstat(file.descriptor, &status) != 0) throw IoError("cannot look at", path, errno);
+  if (fstat(file.descriptor, &status) != 0) throw IoError("cannot stat", path, errno);
   std::string bytes;
   std::size_t used = 0;
   bytes.resize(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 1);

@@ -93,7 +93,7 @@ std::int64_t InputScanner::to_integer(std::string_view word, std::string_view wh
 std::size_t InputScanner::to_count(std::int64_t value, std::size_t bytes_each) const {
   // A negative value is a huge one here.
   if (static_cast<std::uint64_t>(value) > bytes_left() / bytes_each) {
-    fail("a count of " + std::to_string(value) + " with only " + std::to_string(bytes_left()) +
+    fail("a count of " + std::to_string(value) + ", but only " + std::to_string(bytes_left()) +
          " bytes left in the file");
   }
   return static_cast<std::size_t>(value);

@@ -139,7 +139,7 @@ void parse_decompose(const JobSection& section, JobFile& job) {
   if (section.has("target_elements")) {
     job.target_elements = section.integer("target_elements", 0);
     if (job.target_elements > 0 && job.target_elements < least_target_elements) {
-      section.fail("target_elements", "must be at least 1000, or 0: by the job's size");
+      section.fail("target_elements", "must be at least 1000, or 0 to choose it by the job's size");
     }
   }
   if (section.has("plane")) job.plane = section.one_of("plane", kinds_of_planes);
@@ -149,7 +149,7 @@ void parse_decompose(const JobSection& section, JobFile& job) {
     job.max_memory_bytes = *bytes;
     for (const std::string_view key : {"subdomains", "target_elements", "assimilate"}) {
       const bool counts = section.has(key) && (key != "subdomains" || job.subdomains > 0);
-      if (counts) section.fail(key, "cannot be given with `max_memory`, which decides it");
+      if (counts) section.fail(key, "cannot be given together with `max_memory`, which decides it");
     }
   }
   if (!section.has("assimilate")) return;
@@ -197,7 +197,7 @@ void parse_output(const JobSection& section, JobFile& job) {
     }
     job.formats.push_back(*format);
   }
-  if (job.formats.empty()) section.fail("formats", "must name a format");
+  if (job.formats.empty()) section.fail("formats", "must name at least one format");
 }
 
 /// `file` as named in the job file at `path`, as a person would type it: relative where `path` is.
@@ -217,7 +217,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   const toml::table table = parse_toml(text, path);
   const JobSection top(table, "", top_keys, path);
   if (top.has("version") && top.integer("version", 1) != 1) {
-    top.fail("version", "must be 1: this Tetfarm knows no newer job file");
+    top.fail("version", "must be 1: this Tetfarm knows no newer version of job files");
   }
   JobFile job;
   job.name = top.has("name") ? top.text("name") : fs::path(path).stem().string();

@@ -57,7 +57,7 @@ class FliteReader {
       for (int axis = 0; axis < 3; ++axis) number();
       const double spacing = positive("a spacing");
       if (result_.background > 0 && spacing != result_.background) {
-        scanner_.fail("the background's spacing varies: only one spacing everywhere is read");
+        scanner_.fail("the background's spacing varies: only a uniform spacing is supported");
       }
       result_.background = spacing;
       scanner_.rest_of_line();

@@ -29,7 +29,7 @@ class MeditReader {
     scanner_.expect("MeshVersionFormatted");
     scanner_.integer("the version");
     scanner_.expect("Dimension");
-    if (scanner_.integer("the dimension") != 3) scanner_.fail("the mesh is not of 3 dimensions");
+    if (scanner_.integer("the dimension") != 3) scanner_.fail("the mesh is not three-dimensional");
     while (!scanner_.at_end()) {
       const std::string_view word = scanner_.word();
       if (word == "End") return;
@@ -38,7 +38,7 @@ class MeditReader {
       } else if (word == "Triangles") {
         read_triangles(list_length());
       } else if (word == "Quadrilaterals" && list_length() > 0) {
-        scanner_.fail("quadrangles: only triangles are read");
+        scanner_.fail("has quadrangles: only triangles are supported");
       }
       // Numbers and the names of other lists are passed over, word by word.
     }
@@ -47,10 +47,10 @@ class MeditReader {
   void read_binary() {
     const auto mark = scanner_.raw<std::int32_t>();
     is_turned_ = mark == 0x01000000;
-    if (mark != 1 && !is_turned_) scanner_.fail("is no Medit file: it begins with neither form");
+    if (mark != 1 && !is_turned_) scanner_.fail("is not a Medit file: it begins like neither form");
     version_ = static_cast<int>(small());
     if (version_ < 1 || version_ > 4) {
-      scanner_.fail("version " + std::to_string(version_) + " is not read; 1 to 4 are");
+      scanner_.fail("version " + std::to_string(version_) + " is not supported; 1 to 4 are");
     }
     std::size_t here = 8;
     while (here + 8 <= bytes_.size()) {
@@ -59,17 +59,17 @@ class MeditReader {
       if (keyword == medit::end) return;
       const std::int64_t next = version_ < 3 ? small() : large();
       if (keyword == medit::dimension) {
-        if (small() != 3) scanner_.fail("the mesh is not of 3 dimensions");
+        if (small() != 3) scanner_.fail("the mesh is not three-dimensional");
       } else if (keyword == medit::vertices) {
         read_vertices(list_length());
       } else if (keyword == medit::triangles) {
         read_triangles(list_length());
       } else if (keyword == medit::quadrangles && list_length() > 0) {
-        scanner_.fail("quadrangles: only triangles are read");
+        scanner_.fail("has quadrangles: only triangles are supported");
       }
       if (next <= static_cast<std::int64_t>(here) ||
           next > static_cast<std::int64_t>(bytes_.size())) {
-        scanner_.fail("a list says that the next begins at byte " + std::to_string(next));
+        scanner_.fail("a list gives a wrong place for the next: byte " + std::to_string(next));
       }
       here = static_cast<std::size_t>(next);
     }
@@ -78,7 +78,7 @@ class MeditReader {
   /// Forward only.
   void go_to(std::size_t place) {
     const std::size_t now = bytes_.size() - scanner_.bytes_left();
-    if (place < now) scanner_.fail("a list is longer than the place of the next says");
+    if (place < now) scanner_.fail("a list runs past the beginning of the next");
     scanner_.skip_bytes(place - now);
   }
 

@@ -49,15 +49,16 @@ class MshReader {
     const std::string_view version = scanner_.word();
     is_version_4_ = version == "4.1";
     if (!is_version_4_ && version != "2" && version != "2.1" && version != "2.2") {
-      scanner_.fail("Gmsh format " + quoted(version) + " is not read; save it as 2.2 or 4.1");
+      scanner_.fail("Gmsh format " + quoted(version) + " is not supported; save it as 2.2 or 4.1");
     }
     const std::int64_t file_type = scanner_.integer("the file type");
     if (file_type != 0 && file_type != 1) scanner_.fail("the file type is not 0 or 1");
     is_binary_ = file_type == 1;
-    if (scanner_.integer("the size of a number") != 8) scanner_.fail("numbers are not of 8 bytes");
+    if (scanner_.integer("the size of a number") != 8) scanner_.fail("numbers do not have 8 bytes");
     if (is_binary_) {
       scanner_.rest_of_line();
-      if (scanner_.raw<std::int32_t>() != 1) scanner_.fail("is binary of a big-endian machine");
+      if (scanner_.raw<std::int32_t>() != 1)
+        scanner_.fail("is big-endian, which is not supported; save it as text");
       scanner_.text_again();
     }
     scanner_.expect("$EndMeshFormat");
@@ -136,7 +137,7 @@ class MshReader {
   void end_nodes() {
     end_numbers("$EndNodes");
     if (surface_.vertices.size() > std::numeric_limits<std::int32_t>::max()) {
-      scanner_.fail("more nodes than can be numbered");
+      scanner_.fail("too many nodes");
     }
     if (const auto twice = tags_.sort()) {
       scanner_.fail("two nodes have the number " + std::to_string(*twice));
@@ -171,8 +172,8 @@ class MshReader {
       const auto here = static_cast<std::uint32_t>(small_number("the number of elements"));
       const std::int64_t tags = small_number("the number of tags");
       if (here == 0 || here > elements - done) {
-        scanner_.fail("a block of " + std::to_string(here) + " elements, with " +
-                      std::to_string(elements - done) + " to come");
+        scanner_.fail("a block of " + std::to_string(here) + " elements, but only " +
+                      std::to_string(elements - done) + " are left");
       }
       done += here;
       const auto nodes = static_cast<std::size_t>(known_type(type).nodes);
@@ -235,7 +236,7 @@ class MshReader {
     if (type == msh_triangle) return true;
     const MshElementType known = known_type(type);
     if (known.dimension == 2) {
-      scanner_.fail("a " + std::string(known.name) + ": only 3-node triangles are read");
+      scanner_.fail("a " + std::string(known.name) + ": only 3-node triangles are supported");
     }
     return false;
   }

@@ -92,7 +92,7 @@ class PlyReader {
     } else if (form == "binary_big_endian") {
       form_ = Form::big;
     } else {
-      scanner_.fail("the format " + quoted(form) + " is not known");
+      scanner_.fail("unknown format " + quoted(form));
     }
     scanner_.rest_of_line();
   }
@@ -101,7 +101,7 @@ class PlyReader {
     for (const Kind& kind : kinds) {
       if (word == kind.name || word == kind.other_name) return kind;
     }
-    scanner_.fail("expected a type of numbers, found " + quoted(word));
+    scanner_.fail("expected a type of number, found " + quoted(word));
   }
 
   Property read_property() {
@@ -110,7 +110,7 @@ class PlyReader {
     property.is_list = word == "list";
     if (property.is_list) {
       property.count_kind = kind_of(scanner_.word_in_line());
-      if (property.count_kind.is_real) scanner_.fail("the length of a list is no integer");
+      if (property.count_kind.is_real) scanner_.fail("the length of a list is not an integer");
       word = scanner_.word_in_line();
     }
     property.kind = kind_of(word);

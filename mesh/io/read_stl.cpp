@@ -127,16 +127,18 @@ SurfaceMesh read_stl(std::string_view bytes, const std::string& name) {
   if (is_binary(bytes)) return read_binary(bytes, name);
   if (is_ascii(bytes)) return read_ascii(bytes, name);
   if (bytes.size() < header_size) {
-    throw InvalidInput("is not STL: no \"solid\" at its start, and " +
-                           std::to_string(bytes.size()) + " bytes are less than a binary header",
+    throw InvalidInput("is not STL: it does not begin with \"solid\", and its " +
+                           std::to_string(bytes.size()) +
+                           " bytes are fewer than a binary header has",
                        name);
   }
   const std::uint64_t count = triangle_count(bytes);
-  throw InvalidInput("is not STL: no text that starts with \"solid\", and a binary file with the " +
-                         std::to_string(count) + " triangles that its header gives has " +
-                         std::to_string(header_size + facet_size * count) + " bytes, this one " +
-                         std::to_string(bytes.size()),
-                     name + ": byte 80");
+  throw InvalidInput(
+      "is not STL: it is not text that begins with \"solid\", and a binary file with the " +
+          std::to_string(count) + " triangles that its header gives has " +
+          std::to_string(header_size + facet_size * count) + " bytes, this one " +
+          std::to_string(bytes.size()),
+      name + ": byte 80");
 }
 
 }  // namespace tetfarm

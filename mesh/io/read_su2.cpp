@@ -22,7 +22,7 @@ class Su2Reader {
       const std::string key = keyword();
       if (key == "NDIME") {
         if (count("the number of dimensions") != 3)
-          scanner_.fail("the mesh is not of 3 dimensions");
+          scanner_.fail("the mesh is not three-dimensional");
       } else if (key == "NPOIN") {
         read_points();
       } else if (key == "NELEM") {
@@ -104,7 +104,7 @@ class Su2Reader {
     if (keyword() != "MARKER_ELEMS") scanner_.fail("expected MARKER_ELEMS");
     for (std::int64_t i = count("the number of elements"); i > 0; --i) {
       if (scanner_.integer("the type of an element") != vtk_triangle) {
-        scanner_.fail("a marker's element is no triangle (5)");
+        scanner_.fail("an element of a marker is not a triangle (5)");
       }
       read_triangle(markers_, patch);
       scanner_.rest_of_line();

@@ -37,16 +37,16 @@ class TetgenReader {
   void read_nodes() {
     constexpr std::size_t shortest_line = 8;
     const std::int64_t count = scanner_.integer("the number of nodes");
-    if (count == 0) scanner_.fail("the nodes are in a file of their own; they must be in this one");
+    if (count == 0) scanner_.fail("the nodes are in a separate file; they must be in this one");
     const std::size_t nodes = scanner_.to_count(count, shortest_line);
     if (nodes > std::numeric_limits<std::int32_t>::max()) scanner_.fail("too many nodes");
-    if (optional_integer(3) != 3) scanner_.fail("the nodes are not of 3 dimensions");
+    if (optional_integer(3) != 3) scanner_.fail("the nodes are not three-dimensional");
     scanner_.rest_of_line();
     for (std::size_t i = 0; i < nodes; ++i) {
       const std::int64_t number = scanner_.integer("a node number");
       if (i == 0) from_ = number;
       if ((from_ != 0 && from_ != 1) || number != from_ + static_cast<std::int64_t>(i)) {
-        scanner_.fail("nodes are not numbered one after the other from 0 or 1");
+        scanner_.fail("nodes are not numbered consecutively from 0 or 1");
       }
       const double x = scanner_.coordinate_in_line();
       const double y = scanner_.coordinate_in_line();
@@ -83,7 +83,7 @@ class TetgenReader {
     const std::int64_t mark = optional_integer(0);
     if (polygons != 1 || holes != 0) {
       scanner_.fail("a facet of " + std::to_string(polygons) + " polygons and " +
-                    std::to_string(holes) + " holes: one polygon without holes is read");
+                    std::to_string(holes) + " holes: only one polygon without holes is supported");
     }
     scanner_.rest_of_line();
     add(read_corners(), mark);

@@ -45,7 +45,7 @@ class UgridReader {
       count = integer("a count");
       if (count < 0) scanner_.fail("a count is negative");
     }
-    if (counts[2] > 0) scanner_.fail("quadrangles: only triangles are read");
+    if (counts[2] > 0) scanner_.fail("has quadrangles: only triangles are supported");
     const std::size_t nodes = scanner_.to_count(counts[0], form_ == nullptr ? 6 : 12);
     const std::size_t triangles = scanner_.to_count(counts[1], form_ == nullptr ? 8 : 16);
     if (nodes > std::numeric_limits<std::int32_t>::max()) scanner_.fail("too many nodes");

@@ -27,11 +27,11 @@ std::string in_lower_case(std::string text) {
 std::string what_to_do(const std::string& name, const std::string& ending) {
   if (std::find(cad_endings.begin(), cad_endings.end(), ending) != cad_endings.end()) {
     const std::string mesh = std::filesystem::path(name).replace_extension(".msh").string();
-    return "for CAD: `gmsh -2 " + name + " -o " + mesh + "`";
+    return "mesh a CAD file first: `gmsh -2 " + name + " -o " + mesh + "`";
   }
   std::string known = "Tetfarm reads";
   for (const std::string_view read : endings) known += " " + std::string(read);
-  return known + ", each also .gz";
+  return known + ", also as .gz";
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::string_view surface_ending_of(const std::string& name) {
     if (lower.ends_with(ending)) return ending;
   }
   const std::string ending = std::filesystem::path(lower).extension().string();
-  const std::string what = ending.empty() ? "a file without an ending, which tells its type"
+  const std::string what = ending.empty() ? "unknown file type, as the name has no extension"
                                           : "unsupported file type `" + ending + "`";
   throw ErrorWithHelp(ExitCode::usage, name + ": " + what + "; " + what_to_do(name, ending), "");
 }

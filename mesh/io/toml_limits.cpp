@@ -29,7 +29,7 @@ class Scan {
       case '[':
       case '{':
         if (++depth_ > deepest_toml) {
-          fail("more than " + std::to_string(deepest_toml) + " arrays or tables in one another");
+          fail("more than " + std::to_string(deepest_toml) + " nested arrays or tables");
         }
         dots_ = 0;
         break;

@@ -73,7 +73,8 @@ void write_surface(const SurfaceMesh& surface, const std::string& path) {
   } else if (path.ends_with(".stl")) {
     write_file_atomically(path, write_stl(surface));
   } else {
-    throw UsageError("surfaces are written as .off or .stl", path);
+    throw UsageError("unsupported type of surface file; surfaces are written as .off or .stl",
+                     path);
   }
 }
 

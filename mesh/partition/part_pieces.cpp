@@ -40,7 +40,7 @@ std::vector<std::int32_t> tets_of_boundary(const NumberedPart& part) {
     }
   }
   if (std::count(tet_of_face.begin(), tet_of_face.end(), -1) > 0) {
-    throw InvalidInput("a boundary triangle is no outer face of a tet",
+    throw InvalidInput("a boundary triangle is not an outer face of a tet",
                        "sub-domain " + std::to_string(part.number));
   }
   return tet_of_face;

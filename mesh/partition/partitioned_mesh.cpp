@@ -101,7 +101,7 @@ class FinePartition {
     const std::vector<std::int32_t>& sizes = coarse_.graph.weight;
     const std::int64_t tets = std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0});
     if (tets < parts) {
-      throw UsageError("the mesh has " + std::to_string(tets) + " tets only",
+      throw UsageError("the mesh has only " + std::to_string(tets) + " tets",
                        "--partitions " + std::to_string(parts));
     }
     heaviest_ = heaviest_part(tets, parts);

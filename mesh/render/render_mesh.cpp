@@ -21,7 +21,7 @@ std::vector<bool> chosen_patches(const std::vector<std::string>& names,
     if (found == patch_names.end()) {
       std::string known;
       for (const std::string& patch : patch_names) known += (known.empty() ? "" : ", ") + patch;
-      throw UsageError("no patch \"" + name + "\"; there are: " + known, option);
+      throw UsageError("no patch \"" + name + "\"; the patches are " + known, option);
     }
     is_chosen[static_cast<std::size_t>(found - patch_names.begin())] = true;
   }
@@ -124,7 +124,7 @@ class MeshRenderer {
   void look() {
     const bool looks_at_bodies = has_bodies_ && options_.view != View::exploded;
     if (looks_at_bodies && bodies_.empty()) {
-      throw UsageError("no triangle is of the bodies' patches", "--body");
+      throw UsageError("no triangle belongs to these patches", "--body");
     }
     Box3 all;
     std::vector<Vec3> focus;

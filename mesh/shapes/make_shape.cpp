@@ -18,7 +18,7 @@ SurfaceMesh make_shape(std::string_view name, const ShapeOptions& options) {
   if (name == "corner-reflector") return corner_reflector(options.spacing);
   if (name == "duct") return bent_duct(options.spacing);
   if (name == "wing") return swept_wing(options.spacing, options.growth);
-  throw UsageError("there is no shape of this name", std::string(name));
+  throw UsageError("unknown shape", std::string(name));
 }
 
 }  // namespace tetfarm

@@ -143,8 +143,7 @@ void add_wing(PatchedSurface& surface, const std::vector<Vec3>& section, const H
 
 SurfaceMesh swept_wing(double spacing, double growth) {
   if (!(growth >= 0.01 && growth <= 1)) {
-    throw UsageError("the growth must lie between 0.01 and 1; it is " + text_of(growth),
-                     "--growth");
+    throw UsageError("the growth must be between 0.01 and 1; it is " + text_of(growth), "--growth");
   }
   if (!(spacing > 0 && spacing <= 0.2)) {
     throw UsageError(

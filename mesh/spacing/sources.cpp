@@ -59,8 +59,8 @@ void check_sources(const std::vector<Source>& sources) {
     const std::string where = "source " + std::to_string(s + 1);
     const auto& corners = sources[s].corners;
     if (corners.empty() || corners.size() > 3) {
-      throw InvalidInput("a source has 1, 2 or 3 corners, not " + std::to_string(corners.size()),
-                         where);
+      throw InvalidInput(
+          "a source must have 1, 2 or 3 corners, not " + std::to_string(corners.size()), where);
     }
     for (const SourceCorner& corner : corners) {
       if (!std::isfinite(corner.at.x + corner.at.y + corner.at.z)) {

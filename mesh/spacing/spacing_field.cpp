@@ -169,17 +169,17 @@ std::string SpacingField::to_bytes() const {
 
 SpacingField SpacingField::from_bytes(std::string_view bytes, const std::string& name) {
   BytesHeader header;
-  if (bytes.size() < sizeof header) throw CorruptFile("too short for a spacing field", name);
+  if (bytes.size() < sizeof header) throw CorruptFile("is too short for a spacing field", name);
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (header.magic != BytesHeader{}.magic) throw CorruptFile("not a spacing field", name);
+  if (header.magic != BytesHeader{}.magic) throw CorruptFile("is not a spacing field", name);
   const Hash128 checksum = hash128(bytes.substr(checksum_from));
   if (checksum != Hash128{header.checksum_high, header.checksum_low}) {
-    throw CorruptFile("wrong checksum of the spacing field", name);
+    throw CorruptFile("the spacing field has a wrong checksum", name);
   }
   bytes.remove_prefix(sizeof header);
   if (header.node_count > bytes.size() || header.leaf_count > bytes.size() ||
       header.node_count * 4 + header.leaf_count * bytes_per_leaf != bytes.size()) {
-    throw CorruptFile("wrong length of the spacing field", name);
+    throw CorruptFile("the spacing field has a wrong length", name);
   }
   auto octree = std::make_unique<Octree>();
   octree->frame = {header.low, header.unit};

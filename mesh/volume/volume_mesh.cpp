@@ -37,8 +37,9 @@ DelaunayTets boundary_delaunay(const Subdomain& subdomain, const WorkProgress& p
   DelaunayTets tets = bowyer_watson(subdomain.vertices, progress);
   if (!tets.duplicates.empty()) {
     const std::int32_t node = tets.duplicates.front()[0];
-    throw InvalidInput("two vertices have the same place " + text_of(subdomain.vertices[at(node)]),
-                       "sub-domain " + subdomain.path.text(), triangles_at(subdomain, node));
+    throw InvalidInput(
+        "two vertices are at the same place " + text_of(subdomain.vertices[at(node)]),
+        "sub-domain " + subdomain.path.text(), triangles_at(subdomain, node));
   }
   return tets;
 }

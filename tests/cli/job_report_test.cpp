@@ -20,7 +20,7 @@ wire::JobStatus status_of_leaf_left_whole() {
 
 TEST(JobReport, says_which_subdomain_could_not_be_cut_and_why) {
   const std::string text = result_text(status_of_leaf_left_whole(), 1, {});
-  EXPECT_THAT(text, HasSubstr("sub-domain LR is larger than wanted"));
+  EXPECT_THAT(text, HasSubstr("sub-domain LR is larger than planned"));
   EXPECT_THAT(text, HasSubstr("36 candidates refused: angle 30, intersection 6"));
   EXPECT_THAT(result_json(status_of_leaf_left_whole(), 1, {}),
               HasSubstr(R"("uncut_subdomains":{"LR":"36 candidates refused)"));
@@ -28,10 +28,10 @@ TEST(JobReport, says_which_subdomain_could_not_be_cut_and_why) {
 
 TEST(JobReport, says_which_subdomain_was_cut_further_and_why) {
   wire::JobStatus status;
-  (*status.mutable_texts())["cut_further:5"] = "mesh of sub-domain 5 was out of memory";
+  (*status.mutable_texts())["cut_further:5"] = "mesh of sub-domain 5 ran out of memory";
   EXPECT_THAT(result_text(status, 1, {}),
-              HasSubstr("sub-domain LR was cut further than planned: mesh of sub-domain 5 was"));
-  const std::string json = R"("cut_further":{"LR":"mesh of sub-domain 5 was out of memory"})";
+              HasSubstr("sub-domain LR was cut further than planned: mesh of sub-domain 5 ran"));
+  const std::string json = R"("cut_further":{"LR":"mesh of sub-domain 5 ran out of memory"})";
   EXPECT_THAT(result_json(status, 1, {}), HasSubstr(json));
   EXPECT_THAT(status_json(status), HasSubstr(json));
 }
@@ -42,7 +42,7 @@ TEST(JobReport, of_many_subdomains_that_could_not_be_cut_names_a_few) {
     (*status.mutable_texts())["uncut:" + std::to_string(heap)] = "too few elements";
   }
   const std::string text = result_text(status, 1, {});
-  EXPECT_THAT(text, HasSubstr("and 413 more like that"));
+  EXPECT_THAT(text, HasSubstr("and 413 more (--json lists all)"));
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 12);
 }
 
@@ -95,13 +95,13 @@ TEST(JobReport, says_how_good_the_mesh_is_where_the_surface_forces_nothing) {
   numbers["unforced_elements"] = 1000;
   numbers["unforced_min_dihedral_deg"] = 14.3;
   EXPECT_THAT(result_text(status, 1, {}),
-              HasSubstr("where the surface forces no small angles: dihedral from 14.30 deg"));
+              HasSubstr("where the surface forces no small angles: smallest dihedral 14.30 deg"));
   EXPECT_THAT(result_json(status, 1, {}),
               HasSubstr("\"unforced\":{\"elements\":1000,\"min_dihedral_deg\":14.3"));
 }
 
 TEST(JobReport, is_silent_when_all_were_cut) {
-  EXPECT_THAT(result_text(wire::JobStatus(), 1, {}), Not(HasSubstr("larger than wanted")));
+  EXPECT_THAT(result_text(wire::JobStatus(), 1, {}), Not(HasSubstr("larger than planned")));
 }
 
 TEST(JobReport, is_not_forged_by_the_names_and_words_of_others) {

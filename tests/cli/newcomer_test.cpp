@@ -96,14 +96,14 @@ std::unique_ptr<TemporaryFolder> Newcomer::folder_;
 
 TEST_F(Newcomer, who_mistypes_a_command_is_told_what_was_meant) {
   expect({
-      {{}, 2, {"no command is given", "tetfarm run wing.stl -o out"}},
+      {{}, 2, {"no command given", "tetfarm run wing.stl -o out"}},
       {{"runn", "duct.stl"}, 2, {"unknown command `runn`; did you mean `run`?"}},
       {{"rnu", "duct.stl"}, 2, {"unknown command `rnu`; did you mean `run`?"}},
       {{"qualitty", "out"}, 2, {"unknown command `qualitty`; did you mean `quality`?"}},
       {{"generate", "duct.stl"}, 2, {"unknown command `generate`", "lists the commands"}},
       {{"duct.stl"}, 2, {"did you mean `tetfarm run duct.stl`?"}},
       {{"keys", "authorise", "a.pub"}, 2, {"did you mean `authorize`?", "`tetfarm keys --help`"}},
-      {{"keys"}, 2, {"no command is given after `keys`"}},
+      {{"keys"}, 2, {"no command given after `keys`"}},
       {{"--versoin"}, 2, {"--versoin", "help: see `tetfarm --help`"}},
       {{"run", "duct.stl", "--outter", "box"}, 2, {"unknown option `--outter`; did you mean"}},
       {{"run", "duct.stl", "duct.stl"}, 2, {"duct.stl", "help: see `tetfarm run --help`"}},
@@ -116,8 +116,9 @@ TEST_F(Newcomer, of_cfd_with_cad_files_or_another_folder_in_mind) {
       {{"run", "out"}, 2, {"out: is a folder"}},
       {{"run", "body.stp"},
        2,
-       {"error: body.stp: unsupported file type `.stp`; for CAD: `gmsh -2 body.stp -o body.msh`"}},
-      {{"check", "part.iges"}, 2, {"for CAD: `gmsh -2 part.iges -o part.msh`"}},
+       {"error: body.stp: unsupported file type `.stp`; mesh a CAD file first: `gmsh -2 body.stp "
+        "-o body.msh`"}},
+      {{"check", "part.iges"}, 2, {"mesh a CAD file first: `gmsh -2 part.iges -o part.msh`"}},
       {{"plan", "em/coil.STEP"}, 2, {"`gmsh -2 em/coil.STEP -o em/coil.msh`"}},
       {{"run", "points.xyz"}, 2, {"unsupported file type `.xyz`; Tetfarm reads .stl .obj"}},
       {{"check", "em/open.off", "-o", "d.vtp"}, 3, {"em/open.off: the surface cannot be meshed"}},
@@ -145,7 +146,7 @@ TEST_F(Newcomer, of_cfd_asks_for_formats_of_solvers) {
       {{"export", "out", "-o", "m.su2", "--partitions", "0"}, 2, {"as-meshed or a whole number"}},
       {{"export", "out", "-o", "m.su2"}, 0, {"m.su2: SU2;"}},
       {{"export", "out", "-o", "m.cgns", "--partitions", "2"}, 0, {"2 parts"}},
-      {{"render", "out", "-o", "m.jpg"}, 2, {"m.jpg: render writes PNG pictures only"}},
+      {{"render", "out", "-o", "m.jpg"}, 2, {"m.jpg: render writes only PNG pictures"}},
       {{"render", "out", "-o", "m.png", "--size", "80x60"}, 0, {}},
   });
   EXPECT_FALSE(std::filesystem::exists(folder_->path() / "o3")) << "nothing is started";
@@ -165,7 +166,7 @@ TEST_F(Newcomer, of_electromagnetics_gives_numbers_that_cannot_be) {
       {{"run", "duct.stl", "--outer", "cube"}, 2, {"--outer: \"cube\" is not box[:FACTOR]"}},
       {{"run", "duct.stl", "--outer", "box:inf"}, 2, {"--outer: the factor in \"box:inf\""}},
       {{"run", "duct.stl", "--outer", "sphere:1"}, 2, {"must be a number above 1"}},
-      {{"run", "duct.stl", "--max-memory", "lots"}, 2, {"--max-memory: \"lots\" is no amount"}},
+      {{"run", "duct.stl", "--max-memory", "lots"}, 2, {"--max-memory: \"lots\" is not an amount"}},
       {{"run", "duct.stl", "--max-memory", "1MB", "-o", "o4", "-j", "1"},
        2,
        {"error: --max-memory 1MB: this surface needs at least"}},
@@ -188,19 +189,19 @@ TEST_F(Newcomer, of_a_cluster_submits_what_cannot_be_meshed) {
     return more;
   };
   expect({
-      {submit({"body.stp"}), 2, {"unsupported file type `.stp`; for CAD"}},
+      {submit({"body.stp"}), 2, {"unsupported file type `.stp`; mesh a CAD file"}},
       {submit({"em/bad.off"}), 3, {"error: em/bad.off:4"}},
       {submit({"em/open.off"}), 3, {"em/open.off: the surface cannot be meshed", "open edge"}},
-      {submit({"em/open.off", "--no-check"}), 5, {"no coordinator answers there"}},
-      {submit({"duct.stl"}), 5, {"no coordinator answers there"}},
+      {submit({"em/open.off", "--no-check"}), 5, {"no coordinator answers"}},
+      {submit({"duct.stl"}), 5, {"no coordinator answers"}},
       {submit({"elsewhere.stl"}), 5, {"elsewhere.stl: no such file", "--coordinator-reads"}},
       {submit({"elsewhere.stl", "--coordinator-reads"}),
        5,
-       {"elsewhere.stl is not to be seen from here", "no coordinator answers there"}},
+       {"elsewhere.stl cannot be seen from here", "no coordinator answers"}},
       {submit({"duct.stl", "--format", "su2"}), 2, {"--format su2:"}},
       {{"cancel", "job-1"}, 2, {"--connect is required", "help: see `tetfarm cancel --help`"}},
       {{"jobs", "--store", "out"}, 0, {"job-1", "done"}},
-      {{"tasks", "--store", "out", "--state", "running"}, 0, {"no such tasks"}},
+      {{"tasks", "--store", "out", "--state", "running"}, 0, {"no matching tasks"}},
       {{"status", "job-7", "--store", "out"}, 5, {"no job job-7"}},
   });
 }
@@ -209,7 +210,7 @@ TEST_F(Newcomer, of_a_cluster_is_told_which_key_is_missing) {
   expect({
       {{"keys", "authorize", "anna.pub", "--role", "worker"},
        5,
-       {"anna.pub: there is no such file", "64 hexadecimal digits"}},
+       {"anna.pub: no such file", "64 hexadecimal digits"}},
       {{"pool", "slurm", "--coordinator", nowhere, "--max", "3", "--key", "me.key", "--dry-run"},
        2,
        {"--worker-key: is missing", "tetfarm keys authorize worker.pub --role worker"}},
@@ -223,7 +224,7 @@ TEST_F(Newcomer, reads_of_no_option_that_a_command_has_not) {
     EXPECT_THAT(help.out, Not(HasSubstr("store"))) << command;
   }
   EXPECT_THAT(run_program({"jobs", "--help"}, folder_->path()).out,
-              HasSubstr("coordinator.pub of the store"));
+              HasSubstr("coordinator.pub in the store"));
 }
 
 }  // namespace

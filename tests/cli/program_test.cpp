@@ -134,7 +134,7 @@ TEST(TetfarmProgram, a_size_that_is_far_too_small_is_refused_with_one_that_would
     const Ended planned = run_program(
         {"plan", "cube.off", "--size", size, "--max-elements", "1000000"}, folder.path(), 60);
     EXPECT_EQ(planned.code, 2) << size;
-    EXPECT_THAT(planned.err, HasSubstr("more than the 1.0 M that the job may have")) << size;
+    EXPECT_THAT(planned.err, HasSubstr("more than the 1.0 M that it may have")) << size;
     EXPECT_THAT(planned.err, HasSubstr("`--size 0.02")) << size;
   }
   write_contents(folder.path() / "job.toml",
@@ -163,7 +163,7 @@ TEST(TetfarmProgram, run_says_what_is_to_be_expected) {
   EXPECT_EQ(run_program(limited, folder.path(), 60).code, 2);
   const Ended ended = run_program(words, folder.path(), 60);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("of memory a task, "));
+  EXPECT_THAT(ended.err, HasSubstr("of memory per task, "));
   EXPECT_THAT(ended.err, HasSubstr("of disk, "));
   std::vector<std::string> forced = words;
   forced.push_back("--force");
@@ -175,9 +175,9 @@ TEST(TetfarmProgram, plan_says_memory_disk_and_time) {
   write_contents(folder.path() / "cube.off", cube_off(cube_end));
   const Ended planned = run_program({"plan", "cube.off", "--size", "0.05"}, folder.path(), 60);
   EXPECT_EQ(planned.code, 0) << planned.err;
-  EXPECT_THAT(planned.out, HasSubstr("of memory a task, "));
+  EXPECT_THAT(planned.out, HasSubstr("of memory per task, "));
   EXPECT_THAT(planned.out, HasSubstr("of disk, "));
-  EXPECT_THAT(planned.out, HasSubstr("of one core"));
+  EXPECT_THAT(planned.out, HasSubstr("on one core"));
 }
 
 TEST(TetfarmProgram, the_outer_boundary_has_a_size_of_its_own) {

@@ -115,8 +115,8 @@ TEST(ForecastText, is_there_once_the_surface_is_inspected) {
     (*status.mutable_numbers())[name] = value;
   }
   EXPECT_EQ(forecast_text(status),
-            "about 2.0 M elements in 8 sub-domains, 100 MB of memory a task, 200 MB of disk, "
-            "12 s of one core");
+            "about 2.0 M elements in 8 sub-domains, 100 MB of memory per task, 200 MB of disk, "
+            "12 s on one core");
 }
 
 TEST(ShortCount, keeps_a_number_short) {

@@ -50,7 +50,7 @@ TEST(QueryReport, tells_what_a_task_that_runs_does) {
   *task.mutable_doing() = doing_message({WorkStage::edges, 3, 312, 1204});
   task.set_share(0.2);
   EXPECT_THAT(explanation_text(explanation),
-              HasSubstr("  does: recovery pass 3: 312 of 1,204 edges, about 20 % of the task\n"));
+              HasSubstr("  doing: recovery pass 3: 312 of 1,204 edges, about 20 % of the task\n"));
   EXPECT_THAT(explanation_json(explanation), HasSubstr("\"doing_stage\":\"edges\""));
   EXPECT_THAT(tasks_text({task}), HasSubstr("recovery pass 3: 312 of 1,204 edges"));
   EXPECT_THAT(task_json(task), HasSubstr("\"doing_done\":312"));

@@ -10,8 +10,8 @@ using ::testing::HasSubstr;
 TEST(StoppedRun, without_a_task_under_way_loses_nothing) {
   EXPECT_EQ(stopped_text({"job-1", 3, {}}),
             "stopped at a checkpoint: 3 finished tasks are kept, no work is lost\n");
-  EXPECT_THAT(stopped_text({"job-1", 0, {}}), HasSubstr("no task was finished yet"));
-  EXPECT_THAT(stopped_text({}), HasSubstr("nothing was under way"));
+  EXPECT_THAT(stopped_text({"job-1", 0, {}}), HasSubstr("no task had finished yet"));
+  EXPECT_THAT(stopped_text({}), HasSubstr("nothing was running"));
 }
 
 TEST(StoppedRun, names_the_tasks_whose_work_is_lost) {

@@ -103,7 +103,7 @@ TEST_F(FurtherCuts, a_leaf_that_no_worker_can_mesh_is_cut_once_more_and_the_job_
   EXPECT_EQ(summary.numbers.at("cut_further"), 1);
   EXPECT_EQ(
       summary.texts.at("cut_further:4"),
-      "mesh of sub-domain LL was out of memory with 2048 MiB, all that the largest worker has");
+      "mesh of sub-domain LL ran out of memory with 2048 MiB, all that the largest worker has");
 }
 
 TEST_F(FurtherCuts, the_same_tree_ends_in_the_same_files_however_it_came_about) {
@@ -156,7 +156,8 @@ TEST_F(FurtherCuts, a_leaf_is_cut_so_often_and_then_in_quarantine_with_the_reaso
   });
   EXPECT_EQ(state_->durable().jobs.at(job).phase, JobPhase::failed);
   EXPECT_EQ(state_->durable().jobs.at(job).exit_code, 6);
-  EXPECT_THAT(state_->durable().jobs.at(job).message, HasSubstr("it was cut further 1 times"));
+  EXPECT_THAT(state_->durable().jobs.at(job).message,
+              HasSubstr("it was already cut further 1 time"));
   EXPECT_EQ(node(job, 2 * giant), SubdomainState::leaf);
 }
 
@@ -232,11 +233,10 @@ TEST_F(FurtherCuts, explain_says_why_there_is_a_cut_that_was_not_planned) {
   starve(held_);
   const TaskRow* cut = in_place(job, TaskKind::decompose, giant);
   ASSERT_NE(cut, nullptr);
-  EXPECT_THAT(
-      state_->outlook(cut->id, now_).reasons.back(),
-      HasSubstr("it cuts further than was planned: mesh of sub-domain LL was out of memory"));
+  EXPECT_THAT(state_->outlook(cut->id, now_).reasons.back(),
+              HasSubstr("it cuts further than planned: mesh of sub-domain LL ran out of memory"));
   EXPECT_THAT(state_->outlook(mesh, now_).reasons,
-              Contains(HasSubstr("no part of the job any more")));
+              Contains(HasSubstr("no longer part of the job")));
 }
 
 }  // namespace

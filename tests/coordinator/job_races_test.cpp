@@ -152,7 +152,7 @@ TEST_F(Expectations, explain_says_that_no_worker_stays_as_long_as_a_task_takes) 
   EXPECT_FALSE(next(add_worker({.ends_in_ms = 10})).attempt);
   EXPECT_THAT(state_->outlook(wanted.task, now_).reasons,
               testing::Contains(testing::HasSubstr(
-                  "no worker is here for longer than another 1 s: workers of a longer")));
+                  "no worker stays for longer than another 1 s: start workers with a longer")));
 }
 
 TEST_F(Expectations, the_limit_of_an_attempt_follows_what_its_kind_took) {

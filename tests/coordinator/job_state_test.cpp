@@ -342,7 +342,7 @@ TEST_F(JobStateTest, other_bytes_the_second_time_fail_the_job) {
   state_->done(worker_, again.task, again.attempt, other, now_);
   commit();
   EXPECT_EQ(job().phase, JobPhase::failed);
-  EXPECT_THAT(job().message, HasSubstr("other bytes"));
+  EXPECT_THAT(job().message, HasSubstr("different bytes"));
 }
 
 TEST_F(JobStateTest, a_lost_job_input_fails_the_job_until_it_is_submitted_again) {

@@ -124,7 +124,7 @@ TEST_F(QueryAnswers, what_is_not_there_is_not_found) {
 
 TEST_F(QueryAnswers, a_task_without_workers_says_so) {
   submit("wing");
-  EXPECT_THAT(reasons(), ElementsAre("no worker is here"));
+  EXPECT_THAT(reasons(), ElementsAre("no worker is connected"));
 }
 
 TEST_F(QueryAnswers, a_task_behind_others_counts_them_and_names_what_keeps_each_worker) {
@@ -146,8 +146,8 @@ TEST_F(QueryAnswers, a_task_after_an_error_says_how_long_it_waits_and_why) {
   failure.message = "signal 11";
   fail(worker, failure);
   ASSERT_THAT(reasons(), SizeIs(1));
-  EXPECT_THAT(reasons()[0], HasSubstr("after 1 errors, 0 losses"));
-  EXPECT_THAT(reasons()[0], HasSubstr("waits another 1 s; at last: signal 11"));
+  EXPECT_THAT(reasons()[0], HasSubstr("after 1 error it waits"));
+  EXPECT_THAT(reasons()[0], HasSubstr("waits another 1 s; last failure: signal 11"));
 }
 
 TEST_F(QueryAnswers, a_task_that_fits_nowhere_says_what_it_is_given_and_what_is_free) {
@@ -195,7 +195,7 @@ TEST_F(QueryAnswers, explain_tells_what_a_task_is_given_and_which_inputs_are_the
   EXPECT_FALSE(told.inputs(1).is_there());
   missing_.clear();
   EXPECT_THAT(reasons(),
-              testing::Contains("it is given 150 MiB; at most 150 MiB are free on one worker"));
+              testing::Contains("it needs 150 MiB; at most 150 MiB is free on any worker"));
 }
 
 TEST_F(QueryAnswers, of_many_attempts_the_last_are_told_and_which_of_them_raced) {

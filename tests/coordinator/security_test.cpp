@@ -211,7 +211,7 @@ TEST_F(Security, a_revoked_key_is_refused_at_the_next_message_of_an_open_connect
   EXPECT_TRUE(anna.ask(status_request()).has_status_reply());
   revoke(authorized_keys_path(keys_folder()), "anna");
   const wire::Envelope answer = anna.ask(submission("k"));
-  EXPECT_THAT(answer.refused().reason(), HasSubstr("not authorised"));
+  EXPECT_THAT(answer.refused().reason(), HasSubstr("no longer authorised"));
   EXPECT_FALSE(answer.refused().hello_again());
   const wire::StatusReply reply = status();
   EXPECT_EQ(reply.jobs_size(), 0);
@@ -313,10 +313,10 @@ TEST_F(Security, a_submitter_fetches_no_file_that_is_not_a_result_of_the_job) {
     return refused.reason();
   };
   const std::string surface = submitted.submit().inputs(0).hash();
-  EXPECT_EQ(refused_for(1, surface), "job-1 has no such file to give");
+  EXPECT_EQ(refused_for(1, surface), "job-1 has no such file");
   EXPECT_EQ(refused_for(2, surface), "no job job-2");
   EXPECT_EQ(refused_for(0, surface), "no job job-0");
-  EXPECT_EQ(refused_for(1, "../tetfarm.db"), "job-1 has no such file to give");
+  EXPECT_EQ(refused_for(1, "../tetfarm.db"), "job-1 has no such file");
   expect_refused("no_result", 4);
 }
 

@@ -210,7 +210,7 @@ TEST_F(ServerTest, answers_a_viewer_and_says_what_is_not_there) {
   question.mutable_query()->set_task(1);
   const wire::Envelope reply = client.ask(question);
   ASSERT_THAT(reply.query_reply().explanation().reasons(), testing::SizeIs(1));
-  EXPECT_EQ(reply.query_reply().explanation().reasons(0), "no worker is here");
+  EXPECT_EQ(reply.query_reply().explanation().reasons(0), "no worker is connected");
   question.mutable_query()->set_task(9);
   EXPECT_THAT(client.ask(question).refused().reason(), HasSubstr("no task 9"));
 }

@@ -82,8 +82,9 @@ TEST_F(Room, of_both_disks_is_enough_to_go_on) {
 TEST_F(Room, on_the_disk_of_the_store_is_for_what_comes_and_a_reserve) {
   add(TaskKind::extract, TaskState::leased, 400 * mib, 0);
   free_for_store_ = 863 * mib;
-  EXPECT_EQ(trouble(),
-            "store: 863 MiB free, 800 MiB wanted for what runs and comes next, 64 MiB kept back");
+  EXPECT_EQ(
+      trouble(),
+      "store: 863 MiB free, 800 MiB needed for what runs and comes next, 64 MiB kept in reserve");
 }
 
 TEST_F(Room, on_the_disk_of_the_database_is_the_reserve_whatever_the_store_has) {

@@ -50,7 +50,7 @@ TEST_F(KeyFile, a_secret_key_that_others_may_use_is_refused) {
   for (const mode_t mode : {0640U, 0604U, 0620U, 0602U, 0644U, 0610U}) {
     ASSERT_EQ(::chmod(key().c_str(), mode), 0);
     EXPECT_THAT([&] { read_secret_key(key()); },
-                ThrowsMessage<UsageError>(HasSubstr("others may use this secret key")))
+                ThrowsMessage<UsageError>(HasSubstr("other users may read this secret key")))
         << mode;
   }
   ASSERT_EQ(::chmod(key().c_str(), 0400), 0);
@@ -94,7 +94,8 @@ TEST_F(KeyFile, what_is_no_key_is_refused) {
 
 TEST_F(KeyFile, a_pipe_is_refused_without_waiting_for_it) {
   ASSERT_EQ(::mkfifo(key().c_str(), 0600), 0);
-  EXPECT_THAT([&] { read_secret_key(key()); }, ThrowsMessage<UsageError>(HasSubstr("no file")));
+  EXPECT_THAT([&] { read_secret_key(key()); },
+              ThrowsMessage<UsageError>(HasSubstr("is not a file")));
 }
 
 TEST_F(KeyFile, a_name_cannot_lead_out_of_the_folder) {

@@ -42,18 +42,19 @@ TEST(TextLimits, refuse_names_that_are_too_long) {
   envelope.mutable_hello()->set_host(std::string(255, 'h'));
   EXPECT_EQ(apply_text_limits(envelope), "");
   envelope.mutable_hello()->set_host(std::string(256, 'h'));
-  EXPECT_EQ(apply_text_limits(envelope), "Hello.host has 256 bytes, at most 255");
+  EXPECT_EQ(apply_text_limits(envelope), "Hello.host has 256 bytes, more than the 255 allowed");
   envelope.mutable_submit()->set_name(std::string(15'000'000, 'n'));
-  EXPECT_EQ(apply_text_limits(envelope), "Submit.name has 15000000 bytes, at most 255");
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Submit.name has 15000000 bytes, more than the 255 allowed");
   envelope.mutable_submit()->set_name("wing");
   envelope.mutable_submit()->add_inputs()->set_name(std::string(301, 'n'));
-  EXPECT_EQ(apply_text_limits(envelope), "Artifact.name has 301 bytes, at most 300");
+  EXPECT_EQ(apply_text_limits(envelope), "Artifact.name has 301 bytes, more than the 300 allowed");
 }
 
 TEST(TextLimits, bound_what_the_table_does_not_name) {
   wire::Envelope envelope;
   envelope.mutable_cancel()->set_job(std::string(most_bytes_of_text + 1, 'j'));
-  EXPECT_EQ(apply_text_limits(envelope), "Cancel.job has 256 bytes, at most 255");
+  EXPECT_EQ(apply_text_limits(envelope), "Cancel.job has 256 bytes, more than the 255 allowed");
 }
 
 TEST(TextLimits, cut_what_only_tells_something) {
@@ -70,15 +71,19 @@ TEST(TextLimits, bound_maps_and_lists) {
   wire::Envelope envelope;
   wire::Done& done = *envelope.mutable_done();
   (*done.mutable_numbers())[std::string(256, 'k')] = 1;
-  EXPECT_EQ(apply_text_limits(envelope), "Done.numbers.key has 256 bytes, at most 255");
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Done.numbers.key has 256 bytes, more than the 255 allowed");
   done.mutable_numbers()->clear();
   (*done.mutable_texts())["order"] = std::string((8U << 20U) + 1, 'o');
-  EXPECT_EQ(apply_text_limits(envelope), "Done.texts has 8388609 bytes, at most 8388608");
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Done.texts has 8388609 bytes, more than the 8388608 allowed");
   done.mutable_texts()->clear();
   for (int i = 0; i <= 1 << 16; ++i) (*done.mutable_numbers())[std::to_string(i)] = i;
-  EXPECT_EQ(apply_text_limits(envelope), "Done.numbers has 65537 entries, at most 65536");
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Done.numbers has 65537 entries, more than the 65536 allowed");
   for (int i = 0; i <= 100; ++i) envelope.mutable_failed()->add_evidence();
-  EXPECT_EQ(apply_text_limits(envelope), "Failed.evidence has 101 entries, at most 100");
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Failed.evidence has 101 entries, more than the 100 allowed");
 }
 
 TEST(TextLimits, leave_alone_what_keeps_them) {

@@ -77,7 +77,7 @@ TEST(ReportPage, tells_both_sides_of_the_cuts_the_time_step_and_the_worst_tets) 
   EXPECT_THAT(page, HasSubstr("1.5, 2.5, 3.5"));
   // Heights over the largest faces: 1 / sqrt(3) and 0.1 / sqrt(1.02) or so.
   EXPECT_THAT(page, HasSubstr("5.8"));
-  EXPECT_THAT(page, HasSubstr("the spacing that the mesh was made by is not at hand"));
+  EXPECT_THAT(page, HasSubstr("the spacing that the mesh was made with is not available"));
 }
 
 TEST(ReportPage, puts_estimates_beside_what_was_made_in_tree_order) {
@@ -103,7 +103,7 @@ TEST(ReportPage, keeps_what_is_measured_apart) {
 
 TEST(ReportPage, names_attempts_that_were_in_vain) {
   EXPECT_THAT(report_page(whole_report()), HasSubstr("mesh L crashed, 0.500 s"));
-  EXPECT_THAT(report_page(whole_report()), HasSubstr("not done"));
+  EXPECT_THAT(report_page(whole_report()), HasSubstr("failed or lost"));
 }
 
 TEST(ReportPage, of_a_mesh_alone_has_no_work_and_without_cuts_no_sides) {

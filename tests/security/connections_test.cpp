@@ -89,7 +89,7 @@ TEST_F(Connections, a_revoked_key_is_refused_at_its_next_message_and_kept_out_af
   EXPECT_TRUE(leaver.ask(status_request()).has_status_reply());
   revoke(authorized_keys_path(farm().keys_folder()), "leaver");
   EXPECT_THAT(leaver.ask(test::submission(farm(), "too late")).refused().reason(),
-              HasSubstr("not authorised"));
+              HasSubstr("no longer authorised"));
   RawPeer again(farm().endpoint(), keys);
   again.send(status_request());
   EXPECT_TRUE(again.hears_nothing());

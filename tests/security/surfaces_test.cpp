@@ -165,7 +165,7 @@ class DamagedResult : public ::testing::Test {
           {"export", "damaged.vtkhdf", "--format", "su2", "-o", "damaged.su2"}}) {
       const Ended ended = test::run_program(words, folder_->path(), soon_s);
       EXPECT_GE(ended.code, 0) << words[0] << " hangs";
-      EXPECT_LT(ended.code, 126) << words[0] << " was ended by a signal";
+      EXPECT_LT(ended.code, 126) << words[0] << " was killed by a signal";
     }
     expect_little_memory();
   }

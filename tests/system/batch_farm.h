@@ -114,8 +114,8 @@ class BatchFarm : public ::testing::Test {
   void expect_that_files_came_over_the_connection() const {
     bool is_said = false;
     for (const auto& log : std::filesystem::directory_iterator(folder_ / "logs")) {
-      is_said |=
-          contents(log.path()).find("files come and go over the connection") != std::string::npos;
+      is_said |= contents(log.path()).find("files are transferred over the connection") !=
+                 std::string::npos;
     }
     EXPECT_TRUE(is_said);
   }

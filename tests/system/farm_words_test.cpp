@@ -19,17 +19,17 @@ TEST_F(FarmWords, tell_the_same_elements_of_a_job_and_what_cannot_be_cancelled) 
   const Ended cancel = ask({"cancel", job});
   EXPECT_EQ(cancel.code, 1);
   EXPECT_EQ(cancel.out, "");
-  EXPECT_THAT(cancel.err, HasSubstr(job + " is done already: there is nothing to cancel"));
+  EXPECT_THAT(cancel.err, HasSubstr(job + " is already done: there is nothing to cancel"));
   EXPECT_EQ(ask({"drain", "--all"}).out, "1 worker drains\n");
 }
 
 TEST_F(FarmWords, of_a_waiting_task_say_what_is_known_of_it) {
   const std::string job = submit(test::sphere_in_box(folder_.path(), 4, 1));
   const Ended explained = ask({"explain", "1"});
-  EXPECT_THAT(explained.out, HasSubstr("no worker is here"));
+  EXPECT_THAT(explained.out, HasSubstr("no worker is connected"));
   EXPECT_THAT(explained.out, ::testing::Not(HasSubstr(" and ,")));
   EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " cancelled"));
-  EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " was cancelled already"));
+  EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " was already cancelled"));
   EXPECT_EQ(ask({"drain", "--all"}).out, "0 workers drain\n");
 }
 

@@ -36,7 +36,7 @@ TEST_F(FurtherCuts, a_job_too_large_for_every_worker_gives_the_mesh_of_a_finer_o
   EXPECT_EQ(result["subdomains"], 4);
   ASSERT_EQ(result["cut_further"].size(), 2U);
   EXPECT_THAT(result["cut_further"]["L"].get<std::string>(),
-              HasSubstr("was out of memory with 31 MiB, all that the largest worker has"));
+              HasSubstr("ran out of memory with 31 MiB, all that the largest worker has"));
   EXPECT_EQ(test::digest_of(ended), digest_of_local_run(4)) << "the same tree";
   EXPECT_THAT(ask({"events", "job-1", "--all"}).out, HasSubstr("cut further"));
 }

@@ -64,7 +64,7 @@ TEST_F(HungTasks, that_hang_each_time_are_in_quarantine) {
   }
   const Ended ended = wait_for(job);
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.err, HasSubstr("crashed 3 times, at last: it hung"));
+  EXPECT_THAT(ended.err, HasSubstr("crashed 3 times; last failure: it hung"));
   EXPECT_EQ(ask({"retry", job}).code, 0);
   EXPECT_EQ(wait_for(job).code, 0) << "when it hangs no more";
 }

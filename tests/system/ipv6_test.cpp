@@ -62,7 +62,8 @@ TEST_F(Ipv6Farm, takes_keys_like_any_other) {
   ASSERT_EQ(run({"keys", "authorize", "keys/anna.pub", "--role", "viewer", "--keys", "keys"}).code,
             0);
   const std::string endpoint = start({"--keys", "keys"});
-  EXPECT_THAT(ask({"status"}, endpoint).err, HasSubstr("one side wants keys"));
+  EXPECT_THAT(ask({"status"}, endpoint).err,
+              HasSubstr("does this coordinator require a key (--key)?"));
   const Ended ended = ask({"status", "--json"}, endpoint,
                           {"--key", "keys/anna.key", "--coordinator-key", "keys/coordinator.pub"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -85,7 +86,7 @@ TEST_F(Ipv6Farm, shows_its_pages_there_too) {
        ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  EXPECT_THAT(coordinator_->out_so_far(), HasSubstr("showing http://[::1]:"));
+  EXPECT_THAT(coordinator_->out_so_far(), HasSubstr("status page on http://[::1]:"));
 }
 
 TEST_F(Ipv6Farm, has_pools_whose_workers_are_told_its_address) {

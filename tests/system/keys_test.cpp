@@ -92,7 +92,7 @@ TEST_F(KeyedFarm, gives_the_mesh_that_a_local_run_gives) {
 
 TEST_F(KeyedFarm, tells_each_who_is_turned_away_why) {
   start();
-  EXPECT_THAT(ask({"status"}, "").err, HasSubstr("one side wants keys"));
+  EXPECT_THAT(ask({"status"}, "").err, HasSubstr("does this coordinator require a key (--key)?"));
   EXPECT_THAT(ask({"status"}, "stranger").err, HasSubstr("not authorised"));
   EXPECT_THAT(ask({"cancel", "job-1"}, "eve").err, HasSubstr("viewer eve may not send cancel"));
   const Ended worker = run_program(worker_words("stranger"), folder_.path());
@@ -100,7 +100,7 @@ TEST_F(KeyedFarm, tells_each_who_is_turned_away_why) {
   EXPECT_THAT(worker.err, HasSubstr("not authorised"));
   test::write_contents(folder_.path() / "outside.off", "OFF");
   EXPECT_THAT(ask({"submit", "outside.off", "--coordinator-reads", "--no-check"}, "anna").err,
-              AllOf(HasSubstr("outside.off: not a place that jobs may name"),
+              AllOf(HasSubstr("outside.off: is not in a folder where jobs may name surfaces"),
                     HasSubstr((folder_.path() / "surfaces").string())));
   const Ended status = ask({"status", "--json"}, "eve");
   const nlohmann::json farm = nlohmann::json::parse(status.out, nullptr, false);
@@ -123,7 +123,7 @@ TEST_F(KeyedFarm, a_revoked_worker_ends_and_a_revoked_client_is_shut_out) {
   run({"keys", "revoke", "node-1"});
   const Ended ended = worker.wait(20);
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.err, HasSubstr("not authorised any longer"));
+  EXPECT_THAT(ended.err, HasSubstr("no longer authorised"));
   run({"keys", "revoke", "eve"});
   EXPECT_NE(ask({"status"}, "eve").code, 0);
   EXPECT_EQ(ask({"status"}, "anna").code, 0);
@@ -168,7 +168,7 @@ TEST_F(KeyedFarm, keys_of_earlier_versions_beside_the_database_are_found_and_war
   std::filesystem::rename(folder_.path() / keys_folder, folder_.path() / "state/keys");
   start();
   EXPECT_THAT(test::contents(folder_.path() / "store/coordinator.log"),
-              AllOf(HasSubstr("warning"), HasSubstr("the keys lie in state/keys"),
+              AllOf(HasSubstr("warning"), HasSubstr("the keys are in state/keys"),
                     HasSubstr((folder_.path() / keys_folder).string())));
   coordinator_.reset();
   run({"keys", "new", "coordinator"});
@@ -239,10 +239,10 @@ TEST_F(KeyedFarm, a_key_that_others_may_read_is_refused_by_every_command) {
                                static_cast<std::filesystem::perms>(0640));
   const Ended ended = ask({"status"}, "anna");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("others may use this secret key"));
+  EXPECT_THAT(ended.err, HasSubstr("other users may read this secret key"));
   std::filesystem::rename(folder_.path() / "anna.key", folder_.path() / "node-1.key");
   EXPECT_THAT(run_program(worker_words("node-1"), folder_.path()).err,
-              HasSubstr("others may use this secret key"));
+              HasSubstr("other users may read this secret key"));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Progress, of_a_leaf_that_is_meshed_is_seen_in_status_explain_and_plain_line
   EXPECT_THAT(tasks.stages("mesh"), Not(testing::IsEmpty()));
   EXPECT_GT(tasks.most_under_way(), 0);
   EXPECT_GT(tasks.steps(), 0);
-  EXPECT_THAT(tasks.explained(), HasSubstr("  does: "));
+  EXPECT_THAT(tasks.explained(), HasSubstr("  doing: "));
   EXPECT_THAT(tasks.text(), HasSubstr("         task "));
   EXPECT_THAT(ended.err,
               testing::ContainsRegex("mesh  *0/1 sub-domains.*(recovery|points|cosmetics)"));

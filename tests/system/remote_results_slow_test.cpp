@@ -268,7 +268,7 @@ TEST_F(RemoteResults, a_result_damaged_or_gone_in_the_store_is_not_published) {
   fs::remove(kept);
   const Ended gone = ask(wait_words_);
   EXPECT_EQ(gone.code, 5);
-  EXPECT_THAT(gone.err, HasSubstr("is not in the coordinator's store any more"));
+  EXPECT_THAT(gone.err, HasSubstr("is no longer in the coordinator's store"));
 }
 
 TEST_F(RemoteResults, commands_about_a_mesh_take_a_job_over_the_connection_and_from_the_store) {

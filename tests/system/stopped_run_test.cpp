@@ -87,7 +87,7 @@ TEST_F(RunUnderWay, keeps_a_second_run_out_of_its_folder_and_says_which_process_
   const auto run = run_that_stands_still(1);
   const Ended second = run_program(test::run_words(input_, "out", 1, 1), folder_.path());
   EXPECT_EQ(second.code, 1);
-  EXPECT_THAT(second.err, HasSubstr("error: out: another run works in this folder: process " +
+  EXPECT_THAT(second.err, HasSubstr("error: out: another run is using this folder: process " +
                                     std::to_string(run->process()) + " on "));
 }
 

@@ -177,7 +177,7 @@ TEST_F(Views, a_backup_brings_back_a_lost_database) {
 class ShownFarm : public ::testing::Test {
  protected:
   ShownFarm() : coordinator_(words(), folder_.path()) {
-    while (coordinator_.is_running() && said("showing http://").empty()) {
+    while (coordinator_.is_running() && said("status page on http://").empty()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
@@ -194,7 +194,7 @@ class ShownFarm : public ::testing::Test {
     return all.substr(at + begin.size(), end - at - begin.size());
   }
   int connect() const {
-    const std::string address = said("showing http://");
+    const std::string address = said("status page on http://");
     const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in where{};
     where.sin_family = AF_INET;
@@ -282,7 +282,7 @@ TEST_F(ShownFarm, says_why_a_task_waits_and_escapes_what_strangers_wrote) {
   };
   const Ended submitted = ask({"submit", "a <b> & c.off", "--store", "store"});
   ASSERT_EQ(submitted.code, 0) << submitted.err;
-  EXPECT_THAT(ask({"explain", "1"}).out, HasSubstr("why: no worker is here"));
+  EXPECT_THAT(ask({"explain", "1"}).out, HasSubstr("why: no worker is connected"));
   EXPECT_THAT(run_program({"explain", "1", "--store", "store"}, folder_.path()).err,
               ::testing::IsEmpty())
       << "the store names its coordinator, which answers";

@@ -72,7 +72,7 @@ class WatchedTasks {
     if (explained_.empty() && task["kind"] == "mesh") {
       const std::string number = std::to_string(task["task"].get<std::uint64_t>());
       const Ended explained = run_program({"explain", number, "--store", output}, folder);
-      if (explained.out.find("does: ") != std::string::npos) explained_ = explained.out;
+      if (explained.out.find("doing: ") != std::string::npos) explained_ = explained.out;
       text_ = run_program({"status", "--store", output}, folder).out;
     }
   }

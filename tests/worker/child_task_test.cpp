@@ -119,7 +119,7 @@ TEST(ChildTask, ending_without_a_result_is_a_failure) {
   const wire::Envelope outcome = run_script("exit 0");
   ASSERT_TRUE(outcome.has_failed());
   EXPECT_TRUE(outcome.failed().may_retry());
-  EXPECT_THAT(outcome.failed().message(), HasSubstr("no result"));
+  EXPECT_THAT(outcome.failed().message(), HasSubstr("without a result"));
 }
 
 TEST(ChildTask, garbage_and_an_absurd_length_do_not_hurt_the_worker) {

@@ -39,7 +39,7 @@ TEST(JobForecast, refuses_more_elements_than_the_job_may_have) {
   const JobLimits limits{1, elements_of_cube, 0};
   EXPECT_EQ(refusal([&] { require_few_elements(job, 1.99e9, limits); }), "");
   const std::string said = refusal([&] { require_few_elements(job, 7e10, limits); });
-  EXPECT_THAT(said, HasSubstr("about 70.0 G elements, more than the 2.0 G that the job may have"));
+  EXPECT_THAT(said, HasSubstr("about 70.0 G elements, more than the 2.0 G that it may have"));
   EXPECT_THAT(said, HasSubstr("`--size 0.0017` would give about 1.7 G"));
   EXPECT_THAT(said, HasSubstr("--force"));
   job.max_elements = 1000;
@@ -60,7 +60,7 @@ TEST(JobForecast, says_when_sizes_are_not_what_is_too_small) {
   JobFile job;
   const JobLimits limits{1, [](double) { return 3e9; }, 0};
   EXPECT_THAT(refusal([&] { require_few_elements(job, 3e9, limits); }),
-              HasSubstr("no size would do"));
+              HasSubstr("no size is large enough"));
 }
 
 TEST(JobForecast, refuses_what_the_disk_cannot_hold) {
@@ -70,7 +70,7 @@ TEST(JobForecast, refuses_what_the_disk_cannot_hold) {
   EXPECT_GT(forecast.disk_bytes, 1e8 * 60);
   JobLimits limits{1, elements_of_cube, 1e9};
   const std::string said = refusal([&] { require_disk(job, forecast, limits); });
-  EXPECT_THAT(said, HasSubstr("of which 1.0 GB are free"));
+  EXPECT_THAT(said, HasSubstr("of which only 1.0 GB is free"));
   EXPECT_THAT(said, HasSubstr("`--size 0.0"));
   limits.free_bytes = 0;
   EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }), "") << "not known";
@@ -94,10 +94,10 @@ TEST(JobForecast, grows_with_the_job_and_shrinks_its_tasks_with_sub_domains) {
 
 TEST(JobForecast, is_worded_for_people) {
   EXPECT_EQ(forecast_text({1.234e6, 8, 9e7, 1.3e8, 5.2}),
-            "about 1.2 M elements in 8 sub-domains, 90.0 MB of memory a task, 130 MB of disk, "
-            "6 s of one core");
+            "about 1.2 M elements in 8 sub-domains, 90.0 MB of memory per task, 130 MB of disk, "
+            "6 s on one core");
   EXPECT_EQ(forecast_text({950, 1, 2.5e7, 1e5, 90'000}),
-            "about 950 elements, 25.0 MB of memory a task, 100 kB of disk, 25 h of one core");
+            "about 950 elements, 25.0 MB of memory per task, 100 kB of disk, 25 h on one core");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_F(RunTask, a_surface_that_was_not_recovered_is_called_our_defect_with_a_fil
   EXPECT_EQ(failed.exit_code(), 1);
   EXPECT_THAT(failed.message(), HasSubstr("sub-domain LR: 1 boundary"));
   EXPECT_THAT(failed.message(), HasSubstr("triangle 12 of the input at (0.333333"));
-  EXPECT_THAT(failed.message(), HasSubstr("defect of Tetfarm"));
+  EXPECT_THAT(failed.message(), HasSubstr("bug in Tetfarm"));
   ASSERT_EQ(failed.evidence_size(), 2);
   EXPECT_EQ(failed.evidence(0).name(), "subdomain_LR.defects.vtp");
   const wire::Artifact& to_send = failed.evidence(1);

@@ -82,7 +82,7 @@ TEST_F(Tasks, inspect_refuses_more_elements_than_the_job_may_have_and_says_what_
     ASSERT_TRUE(result.has_failed()) << size;
     EXPECT_EQ(result.failed().exit_code(), 2);
     EXPECT_FALSE(result.failed().may_retry());
-    EXPECT_THAT(result.failed().message(), HasSubstr("more than the 1.0 M that the job may have"));
+    EXPECT_THAT(result.failed().message(), HasSubstr("more than the 1.0 M that it may have"));
     EXPECT_THAT(result.failed().message(), HasSubstr("`--size 0.03"));
   }
 }
@@ -117,7 +117,7 @@ TEST_F(Tasks, inspect_refuses_what_the_disk_cannot_hold_unless_forced) {
   EXPECT_EQ(refused.failed().exit_code(), 6);
   EXPECT_FALSE(refused.failed().may_retry());
   EXPECT_FALSE(refused.failed().out_of_resources()) << "other jobs may go on";
-  EXPECT_THAT(refused.failed().message(), HasSubstr("of which 9.0 MB are free"));
+  EXPECT_THAT(refused.failed().message(), HasSubstr("of which only 9.0 MB is free"));
   EXPECT_THAT(refused.failed().message(), HasSubstr("`--size 0."));
   EXPECT_TRUE(inspect_with("900000000").has_done());
   EXPECT_TRUE(inspect_with("0").has_done()) << "not known";

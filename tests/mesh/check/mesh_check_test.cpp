@@ -61,7 +61,7 @@ TEST(MeshCheck, a_missing_tet_leaves_faces_with_one_tet) {
   part.tets.erase(part.tets.begin() + static_cast<long>(inner_tet(part)));
   const auto complaints = complaints_of(source);
   EXPECT_THAT(complaints,
-              Contains(AllOf(HasSubstr("face ("), HasSubstr("has 1 tets"), HasSubstr("tet "))));
+              Contains(AllOf(HasSubstr("face ("), HasSubstr("has 1 tet ("), HasSubstr("tet "))));
   EXPECT_THAT(complaints, Contains(HasSubstr("boundary encloses 1")));
 }
 
@@ -101,7 +101,7 @@ TEST(MeshCheck, a_missing_boundary_triangle_leaves_a_face_of_one_tet_with_its_pl
   const Vec3 middle =
       (part.nodes[at(face[0])] + part.nodes[at(face[1])] + part.nodes[at(face[2])]) / 3.0;
   EXPECT_THAT(complaints_of(source),
-              Contains(AllOf(HasSubstr("has 1 tets"), HasSubstr("and 0 boundary triangles"),
+              Contains(AllOf(HasSubstr("has 1 tet ("), HasSubstr("and 0 boundary triangles"),
                              HasSubstr("at " + text_of(middle)))));
 }
 

@@ -103,7 +103,7 @@ TEST(FoamText, names_the_line_of_what_is_wrong) {
                       [](FoamText& file) {
                         while (true) file.token();
                       }),
-              HasSubstr("a comment does not end"));
+              HasSubstr("a comment has no end"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(MshSource, a_partition_stands_for_all_when_it_is_the_first) {
     open_mesh(folder.path() / "a_2.msh");
     FAIL();
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), HasSubstr("ends with _1"));
+    EXPECT_THAT(error.what(), HasSubstr("give the file whose name ends in _1"));
   }
 }
 

@@ -222,23 +222,24 @@ TEST(OpenfoamSource, cells_that_are_no_tets_are_refused_with_their_number) {
   EXPECT_EQ(TwoTets().refusal(), "");
   TwoTets mesh;
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "4(2 0 4 1)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("faces:9: cell 1 is no tetrahedron: a face has 4 corners"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("faces:9: cell 1 is not a tetrahedron: a face has 4 corners"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 1 1 0)";
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 0 is no tetrahedron: it has 5 faces"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 0 is not a tetrahedron: it has 5 faces"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(0 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(1 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(2 0 3)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 2 2 2)";
   mesh.neighbour = "1(2)";
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 has no faces, cell 2 has"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 has no faces, but cell 2 does"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 1 1 2147483647)";
   EXPECT_THAT(mesh.refusal(), HasSubstr("owner:2: "));
@@ -250,7 +251,7 @@ TEST(OpenfoamSource, faces_patches_and_nodes_that_do_not_fit_are_refused) {
   EXPECT_THAT(mesh.refusal(), HasSubstr("faces:9: the number 5 is not below 5"));
   mesh = {};
   mesh.owner = "6(0 0 0 0 1 1)";
-  EXPECT_THAT(mesh.refusal(), HasSubstr("owner:2: not as many owners"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("owner:2: the number of owners is not that of the faces"));
   mesh = {};
   mesh.neighbour = "9(1 1 1 1 1 1 1 1 1)";
   EXPECT_THAT(mesh.refusal(), HasSubstr("more neighbours than faces"));
@@ -270,7 +271,7 @@ TEST(OpenfoamSource, faces_patches_and_nodes_that_do_not_fit_are_refused) {
   mesh.boundary = changed(mesh.boundary, "type patch", "type processor");
   EXPECT_THAT(mesh.refusal(), HasSubstr("has no myProcNo"));
   mesh.boundary = changed(mesh.boundary, "processor;", "processor; myProcNo 0; neighbProcNo 1;");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("is a processor of a decomposed case"));
+  EXPECT_THAT(mesh.refusal(), HasSubstr("is one processor of a decomposed case"));
 }
 
 TEST(OpenfoamSource, each_cell_is_in_one_zone_if_there_are_any) {
@@ -284,7 +285,8 @@ TEST(OpenfoamSource, each_cell_is_in_one_zone_if_there_are_any) {
   EXPECT_EQ(refusal_with("0()", "2(1 0)"), "");
   EXPECT_THAT(refusal_with("1(0)", "0()"), HasSubstr("cell 1 is in no cell zone"));
   EXPECT_THAT(refusal_with("2(0 1)", "1(1)"), HasSubstr("cell 1 is in two cell zones"));
-  EXPECT_THAT(refusal_with("2(0 1)", "1(2)"), HasSubstr("cell 2 is in a cell zone, and not there"));
+  EXPECT_THAT(refusal_with("2(0 1)", "1(2)"),
+              HasSubstr("cell 2 is in a cell zone, but does not exist"));
   EXPECT_THAT(refusal_with("1(0)", "1(-1)"), HasSubstr("cellZones:2: "));
 }
 
@@ -297,7 +299,7 @@ TEST(OpenfoamSource, processors_with_other_patches_than_the_first_are_refused) {
     open_mesh(file, folder.path());
     FAIL();
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), HasSubstr("processor2/constant/polyMesh: has other patches"));
+    EXPECT_THAT(error.what(), HasSubstr("processor2/constant/polyMesh: has different patches"));
   }
 }
 

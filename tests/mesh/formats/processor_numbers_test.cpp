@@ -54,20 +54,23 @@ TEST(ProcessorNumbers, processors_without_a_face_between_them_share_no_node) {
 
 TEST(ProcessorNumbers, refuses_sides_that_do_not_fit) {
   EXPECT_EQ(refusal({{{1, {{{0, 1, 2}}}}}, {{0, {{{0, 2, 1}}}}}}), "");
-  EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}}}}, {}}), HasSubstr("case: processors 0 and 1 have no"));
-  EXPECT_THAT(refusal({{}, {{0, {{{0, 1, 2}}}}}}), HasSubstr("0 and 1 have no single patch"));
-  EXPECT_THAT(refusal({{{0, {{{0, 1, 2}}}}}}), HasSubstr("0 and 0 have no single patch"));
-  EXPECT_THAT(refusal({{{7, {{{0, 1, 2}}}}}}), HasSubstr("0 and 7 have no single patch"));
-  EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}}}, {1, {{{0, 1, 3}}}}}}), HasSubstr("no single patch"));
+  EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}}}}, {}}),
+              HasSubstr("case: processors 0 and 1 do not have"));
+  EXPECT_THAT(refusal({{}, {{0, {{{0, 1, 2}}}}}}),
+              HasSubstr("0 and 1 do not have exactly one patch"));
+  EXPECT_THAT(refusal({{{0, {{{0, 1, 2}}}}}}), HasSubstr("0 and 0 do not have exactly one patch"));
+  EXPECT_THAT(refusal({{{7, {{{0, 1, 2}}}}}}), HasSubstr("0 and 7 do not have exactly one patch"));
+  EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}}}, {1, {{{0, 1, 3}}}}}}),
+              HasSubstr("do not have exactly one patch"));
   EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}}}}, {{0, {{{0, 2, 1}}, {{0, 1, 3}}}}}}),
               HasSubstr("have 1 and 2 faces"));
 }
 
 TEST(ProcessorNumbers, refuses_nodes_of_one_processor_that_become_one) {
   EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}, {{3, 1, 2}}}}}, {{0, {{{0, 2, 1}}, {{0, 2, 1}}}}}}),
-              HasSubstr("two points of processor 0 are one"));
+              HasSubstr("two points of processor 0 coincide"));
   EXPECT_THAT(refusal({{{1, {{{0, 1, 2}}, {{0, 1, 2}}}}}, {{0, {{{0, 2, 1}}, {{3, 2, 1}}}}}}),
-              HasSubstr("two points of processor 1 are one"));
+              HasSubstr("two points of processor 1 coincide"));
 }
 
 }  // namespace

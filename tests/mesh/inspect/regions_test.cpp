@@ -202,7 +202,7 @@ TEST(Regions, refuse_points_that_name_none) {
     return "";
   };
   EXPECT_THAT(refusal({{{1, 0.5, 0.5}, "", false}}), HasSubstr("(1, 0.5, 0.5) is on the surface"));
-  EXPECT_THAT(refusal({{{5, 0.5, 0.5}, "", false}}), HasSubstr("is outside of the surface"));
+  EXPECT_THAT(refusal({{{5, 0.5, 0.5}, "", false}}), HasSubstr("is outside the surface"));
   EXPECT_THAT(refusal({{{0.5, 0.5, 0.5}, "", false}, {{0.6, 0.5, 0.5}, "", false}}),
               HasSubstr("is in the same region as (0.5, 0.5, 0.5)"));
 }

@@ -194,7 +194,7 @@ TEST(SurfaceCheck, counts_vertices_of_no_triangle) {
   mesh.vertices.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
   const CheckedSurface checked = check_surface(mesh);
   EXPECT_THAT(kinds(checked.report), IsEmpty());
-  EXPECT_THAT(checked.report.remarks, ElementsAre("vertices of no triangle: 1"));
+  EXPECT_THAT(checked.report.remarks, ElementsAre("vertices in no triangle: 1"));
 }
 
 }  // namespace

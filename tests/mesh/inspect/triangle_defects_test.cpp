@@ -96,7 +96,8 @@ TEST(TriangleDefects, list_every_copy_of_a_duplicate) {
   const TriangleCheck check = check_triangles(mesh);
   ASSERT_THAT(found(mesh), ElementsAre("duplicate triangle"));
   EXPECT_THAT(check.defects[0].triangles, ElementsAre(2, 7, 12, 13, 14));
-  EXPECT_THAT(check.defects[0].message, HasSubstr("2 triangles there more than once: triangle 2"));
+  EXPECT_THAT(check.defects[0].message,
+              HasSubstr("2 triangles present more than once: triangle 2"));
   EXPECT_EQ(check.sieve.for_edges[7], 1);
   EXPECT_EQ(check.sieve.for_edges[12], 0);
 }

@@ -67,7 +67,7 @@ TEST(CheckedBytes, another_kind_and_another_version_are_told_from_damage) {
   bytes.back() = static_cast<char>(bytes.back() ^ 1);
   EXPECT_THAT([&] { read(bytes); }, complains("has a wrong checksum"));
   bytes.front() = 'X';
-  EXPECT_THAT([&] { read(bytes); }, complains("does not start as the expected kind of file"));
+  EXPECT_THAT([&] { read(bytes); }, complains("does not begin like the expected kind of file"));
 }
 
 }  // namespace

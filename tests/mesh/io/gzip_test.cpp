@@ -29,7 +29,7 @@ TEST(Gzip, that_unpacks_to_far_more_than_surfaces_do_is_refused_with_limit_and_r
               ThrowsMessage<InvalidInput>(
                   AllOf(HasSubstr("wing.stl.gz: unpacks to more than 64 MiB"),
                         HasSubstr("from " + std::to_string(bomb.size()) + " bytes of gzip"),
-                        HasSubstr("unpack it with gunzip and name the unpacked file"))));
+                        HasSubstr("unpack it with gunzip and give the unpacked file"))));
 }
 
 TEST(Gzip, is_limited_by_ratio_and_by_size) {

@@ -111,7 +111,8 @@ TEST(ReadMedit, names_the_place_of_what_it_does_not_understand) {
   std::string bytes = binary(shapes::unit_cube(), 3, false);
   EXPECT_THAT(reading(bytes.substr(0, 200)), ThrowsMessage<InvalidInput>(HasSubstr("byte ")));
   bytes[12] = 9;  // the next list would begin inside the head of this one
-  EXPECT_THAT(reading(bytes), ThrowsMessage<InvalidInput>(HasSubstr("a list is longer")));
+  EXPECT_THAT(reading(bytes),
+              ThrowsMessage<InvalidInput>(HasSubstr("a list runs past the beginning")));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(ReadMshText, names_the_line_of_what_it_cannot_use) {
     return ThrowsMessage<InvalidInput>(HasSubstr(text));
   };
   EXPECT_THAT(reading(nodes_2 + "1\n1 3 0 1 2 3 4\n$EndElements\n"),
-              throws("a.msh:13: a quadrangle: only 3-node triangles are read"));
+              throws("a.msh:13: a quadrangle: only 3-node triangles are supported"));
   EXPECT_THAT(reading(nodes_2 + "1\n1 9 0 1 2 3 4 1 2\n$EndElements\n"),
               throws("a.msh:13: a 6-node triangle"));
   EXPECT_THAT(reading(nodes_2 + "1\n1 77 0 1 2 3\n$EndElements\n"), throws("element type 77"));

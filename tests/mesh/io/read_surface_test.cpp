@@ -97,7 +97,8 @@ TEST_F(ReadSurface, an_unknown_ending_is_a_usage_error_that_lists_what_is_read) 
                 HasSubstr(name + ": unsupported file type `.foo`; Tetfarm reads .stl .obj"));
   }
   for (const std::string name : {"a", "stl", "a.gz"}) {
-    EXPECT_THAT(refusal_of(name).second, HasSubstr(name + ": a file without an ending"));
+    EXPECT_THAT(refusal_of(name).second,
+                HasSubstr(name + ": unknown file type, as the name has no extension"));
   }
 }
 
@@ -105,7 +106,8 @@ TEST_F(ReadSurface, a_file_of_cad_is_refused_with_the_command_that_triangulates_
   for (const std::string ending : {".stp", ".step", ".STEP", ".iges"}) {
     const auto [code, message] = refusal_of("d/x" + ending);
     EXPECT_EQ(code, ExitCode::usage);
-    EXPECT_THAT(message, HasSubstr("for CAD: `gmsh -2 d/x" + ending + " -o d/x.msh`"));
+    EXPECT_THAT(message,
+                HasSubstr("mesh a CAD file first: `gmsh -2 d/x" + ending + " -o d/x.msh`"));
   }
 }
 

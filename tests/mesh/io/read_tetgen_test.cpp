@@ -41,7 +41,7 @@ TEST(ReadTetgen, names_the_line_of_what_it_does_not_read) {
   EXPECT_THAT(reading(std::string(nodes) + "1 0\n1\n3 1 2 5\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("a.poly:9: vertex 5 of 4")));
   EXPECT_THAT(reading("2 3\n1 0 0 0\n3 0 0 0\n"),
-              ThrowsMessage<InvalidInput>(HasSubstr("not numbered one after the other")));
+              ThrowsMessage<InvalidInput>(HasSubstr("not numbered consecutively")));
 }
 
 }  // namespace

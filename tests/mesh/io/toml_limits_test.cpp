@@ -51,7 +51,7 @@ TEST(TomlLimits, refuse_long_dotted_keys_with_their_place) {
 TEST(TomlLimits, refuse_deep_nesting_with_its_place) {
   EXPECT_EQ(said_of("a = " + repeated("[", deepest_toml) + repeated("]", deepest_toml)), "");
   EXPECT_EQ(said_of("é = 1\na = " + repeated("[", 1000)),
-            "job.toml:2:37: more than 32 arrays or tables in one another");
+            "job.toml:2:37: more than 32 nested arrays or tables");
   EXPECT_THAT(said_of("a = " + repeated("{b=", 500'00)), HasSubstr("more than 32"));
 }
 
