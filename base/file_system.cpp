@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/ids.h"
@@ -189,9 +190,14 @@ void link_or_copy_file(const fs::path& from, const fs::path& to) {
 
 void make_folders(const fs::path& folder) {
   std::error_code error;
-  const bool made = fs::create_directories(folder, error);
+  std::vector<fs::path> parents;  // of those that are not there yet
+  for (fs::path level = folder; !fs::exists(level, error); level = parents.back()) {
+    parents.push_back(folder_of(level));
+    if (parents.back() == level) break;
+  }
+  fs::create_directories(folder, error);
   if (error) throw IoError("cannot create the folder", folder.string(), error.value());
-  if (made) sync_folder(folder_of(folder));
+  for (const fs::path& parent : parents) sync_folder(parent);
 }
 
 void remove_file(const fs::path& path) {

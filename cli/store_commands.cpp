@@ -103,7 +103,7 @@ ExitCode check_store_command(const CheckOptions& options) {
   throw Error(ExitCode::failed, store.folder().string() + ": " + counted(damaged, "file") +
                                     (damaged == 1 ? " is" : " are") + " damaged or missing; " +
                                     counted(report.redone.size(), "task") +
-                                    " would run again when they are needed");
+                                    " would run again when needed");
 }
 
 ExitCode gc_command(const GcCommand& command) {

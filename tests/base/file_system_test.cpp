@@ -122,6 +122,17 @@ TEST(FileSystem, a_folder_that_is_made_and_a_link_are_on_the_disk) {
   EXPECT_THAT(syncs.all()[0].names, ElementsAre("a", "b", "c"));
 }
 
+TEST(FileSystem, folders_in_folders_that_are_made_are_on_the_disk_each) {
+  const TempFolder folder;
+  const SeenSyncs syncs;
+  make_folders(folder.path() / "a/b/c");
+  EXPECT_TRUE(syncs.has(folder.path() / "a/b"));
+  EXPECT_TRUE(syncs.has(folder.path() / "a"));
+  EXPECT_TRUE(syncs.has(folder.path()));
+  make_folders(folder.path() / "a/b/c");
+  EXPECT_THAT(syncs.all(), SizeIs(3)) << "what is there is not synced again";
+}
+
 TEST(FileSystem, links_or_copies_over_an_older_file) {
   const TempFolder folder;
   write_file_atomically(folder.path() / "a", "new");

@@ -22,7 +22,7 @@ TEST(LocalFarm, whose_coordinator_cannot_start_ends_with_the_coordinators_words)
   const Ended ended =
       run_program({"run", "a.stl", "-o", "out", "--progress", "none"}, folder.path(), 40);
   EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.err, HasSubstr("the coordinator ended: "));
+  EXPECT_THAT(ended.err, HasSubstr("the coordinator ended unexpectedly: "));
   EXPECT_THAT(ended.err, HasSubstr("file is not a database"));
 }
 

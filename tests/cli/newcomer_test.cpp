@@ -198,7 +198,7 @@ TEST_F(Newcomer, of_a_cluster_submits_what_cannot_be_meshed) {
       {submit({"elsewhere.stl", "--coordinator-reads"}),
        5,
        {"elsewhere.stl cannot be seen from here", "no coordinator answers"}},
-      {submit({"duct.stl", "--format", "su2"}), 2, {"--format su2:"}},
+      {submit({"duct.stl", "--format", "su3"}), 2, {"--format su3:", "did you mean su2?"}},
       {{"cancel", "job-1"}, 2, {"--connect is required", "help: see `tetfarm cancel --help`"}},
       {{"jobs", "--store", "out"}, 0, {"job-1", "done"}},
       {{"tasks", "--store", "out", "--state", "running"}, 0, {"no matching tasks"}},

@@ -66,13 +66,13 @@ class StoreCommands : public ::testing::Test {
 TEST_F(StoreCommands, what_would_be_removed_is_told_and_stays) {
   const std::string said = gc(true);
   EXPECT_THAT(said, HasSubstr(garbage_.hash));
-  EXPECT_THAT(said, HasSubstr("1 files, 9 bytes would be removed"));
+  EXPECT_THAT(said, HasSubstr("1 file, 9 bytes would be removed"));
   EXPECT_TRUE(is_there(garbage_));
   EXPECT_TRUE(is_there(result_));
 }
 
 TEST_F(StoreCommands, what_nobody_needs_is_removed_and_results_stay) {
-  EXPECT_THAT(gc(false), HasSubstr("1 files, 9 bytes removed"));
+  EXPECT_THAT(gc(false), HasSubstr("1 file, 9 bytes removed"));
   EXPECT_FALSE(is_there(garbage_));
   EXPECT_TRUE(is_there(result_));
 }
@@ -80,8 +80,7 @@ TEST_F(StoreCommands, what_nobody_needs_is_removed_and_results_stay) {
 TEST_F(StoreCommands, a_sound_store_ends_well_and_a_damaged_one_with_an_error) {
   EXPECT_EQ(check(), ExitCode::ok);
   std::filesystem::remove(store_.path_of(result_.hash));
-  EXPECT_THAT([&] { check(); },
-              ThrowsMessage<Error>(HasSubstr("1 files of the store are damaged or missing")));
+  EXPECT_THAT([&] { check(); }, ThrowsMessage<Error>(HasSubstr("1 file is damaged or missing")));
 }
 
 }  // namespace

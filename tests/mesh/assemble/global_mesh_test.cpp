@@ -121,7 +121,7 @@ TEST(GlobalMesh, refuses_a_shared_node_that_differs_in_one_bit) {
 TEST(GlobalMesh, refuses_a_surface_node_that_moved) {
   CutGrid grid = cut_grid(4);
   grid.parts[2].mesh.nodes[0].x += 1e-9;
-  expect_refused(grid, "a node lies elsewhere than in the input surface");
+  expect_refused(grid, "a node is not where the input surface has it");
 }
 
 TEST(GlobalMesh, refuses_sides_of_a_cut_that_differ) {
@@ -181,14 +181,15 @@ TEST(GlobalMesh, refuses_a_surface_triangle_that_is_missing_or_there_twice) {
 TEST(GlobalMesh, refuses_other_counts_than_the_numbering_has) {
   CutGrid grid = cut_grid(4);
   grid.parts[7].mesh.tets.pop_back();
-  expect_refused(grid, "other counts than in the numbering");
+  expect_refused(grid, "different counts from the numbering");
   grid = cut_grid(4);
   grid.parts[7].mesh.nodes.push_back({});
-  expect_refused(grid, "other counts than in the numbering");
+  expect_refused(grid, "different counts from the numbering");
   grid = cut_grid(4);
   std::swap(grid.parts[6], grid.parts[7]);
-  expect_refused(grid, "another portion, or other counts");
-  expect_refused_portion([](Portion& last) { --last.tets; }, "another portion, or other counts");
+  expect_refused(grid, "another portion, or different counts");
+  expect_refused_portion([](Portion& last) { --last.tets; },
+                         "another portion, or different counts");
 }
 
 TEST(GlobalMesh, refuses_a_node_that_is_unknown_or_in_no_part) {

@@ -83,7 +83,8 @@ TEST(CommunicationTable, complains_of_each_kind_of_error) {
   tables = right;
   const std::int32_t shared = tables[1].neighbours[0].local[0];
   tables[1].owner[static_cast<std::size_t>(shared)] = 2;
-  EXPECT_THAT(complaints_of(tables), testing::Contains(testing::HasSubstr("a node of two owners")));
+  EXPECT_THAT(complaints_of(tables),
+              testing::Contains(testing::HasSubstr("a node with two owners")));
   tables = right;
   // All who have it agree, and are wrong.
   const std::int64_t node = tables[1].local2global[static_cast<std::size_t>(shared)];
@@ -94,7 +95,7 @@ TEST(CommunicationTable, complains_of_each_kind_of_error) {
   }
   EXPECT_THAT(complaints_of(tables), testing::Contains(testing::HasSubstr("not the lowest part")));
   EXPECT_THAT(complaints_of(tables),
-              testing::Not(testing::Contains(testing::HasSubstr("a node of two owners"))));
+              testing::Not(testing::Contains(testing::HasSubstr("a node with two owners"))));
   tables = right;
   for (CommunicationTable& table : tables) {
     std::erase_if(table.neighbours,

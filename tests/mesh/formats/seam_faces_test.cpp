@@ -112,7 +112,7 @@ TEST(SeamFaces, refuses_a_face_that_lies_twice_in_one_part) {
   part.patch_of_face.clear();
   grid.parts.resize(1);
   EXPECT_THAT([&] { SeamFaces(grid, outline_of(grid), folder.path()); },
-              ThrowsMessage<InvalidInput>(HasSubstr("a face lies twice in one sub-domain")));
+              ThrowsMessage<InvalidInput>(HasSubstr("a face occurs twice in one sub-domain")));
 }
 
 TEST(SeamFaces, refuses_a_hole) {
