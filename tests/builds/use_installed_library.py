@@ -6,6 +6,7 @@
 FLAGS are those the library was compiled with, as far as all that is linked with it wants them too.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -28,8 +29,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         prefix = pathlib.Path(folder) / "prefix"
         run(["cmake", "--install", build, "--prefix", prefix])
-        surface = pathlib.Path(folder) / "cube.stl"
-        run([prefix / "bin/tetfarm", "shape", "cube", "-o", surface, "--spacing", "0.2"])
+        surface = sources / "examples/cube_sphere/cube_sphere.msh"
 
         consumer = pathlib.Path(folder) / "consumer"
         run(["cmake", "-S", example, "-B", consumer, f"-DCMAKE_PREFIX_PATH={prefix}",
@@ -47,8 +47,8 @@ def main():
 
         meshed = run([prefix / "bin/tetfarm", "run", surface, "--growth", "0.2", "--subdomains", "1", "-j", "1", "--json",
                       "--progress", "none", "-o", pathlib.Path(folder) / "out"])
-    counts = re.search(r'"elements":(\d+)', meshed)[1], re.search(r'"nodes":(\d+)', meshed)[1]
-    wanted = f"{counts[1]} nodes, {counts[0]} tets, volume 1\n"
+    result = json.loads(meshed.splitlines()[-1])
+    wanted = f"{result['nodes']} nodes, {result['elements']} tets, volume {result['volume']:.9g}\n"
     for told in (by_cmake, by_hand):
         if told != wanted:
             sys.exit(f"the example says {told!r}, and the program makes {wanted!r}")
