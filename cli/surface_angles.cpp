@@ -60,9 +60,10 @@ std::vector<std::string> angle_remarks(const SurfaceAngles& angles) {
   if (triangles.below_5_deg > 0) remarks.push_back(small_angles_text(triangles));
   if (!triangles.worst.empty()) {
     const SmallAngle& worst = triangles.worst.front();
-    remarks.push_back("the surface's own triangles force angles of " + angle_text(worst.angle_deg) +
-                      " deg on the mesh: remesh the surface near " + text_of(worst.at) +
-                      patch_text(worst.patch));
+    remarks.push_back("faces of the mesh have angles down to " + angle_text(worst.angle_deg) +
+                      " deg, as they are the surface's own triangles; for better elements, remesh "
+                      "the surface near " +
+                      text_of(worst.at) + patch_text(worst.patch));
   }
   if (angles.forced.at_most_deg < worth_saying_deg) {
     remarks.push_back("the edge between two triangles forces a dihedral angle of " +
