@@ -20,7 +20,7 @@ TEST_F(FarmWords, tell_the_same_elements_of_a_job_and_what_cannot_be_cancelled) 
   EXPECT_EQ(cancel.code, 1);
   EXPECT_EQ(cancel.out, "");
   EXPECT_THAT(cancel.err, HasSubstr(job + " is already done: there is nothing to cancel"));
-  EXPECT_EQ(ask({"drain", "--all"}).out, "1 worker drains\n");
+  EXPECT_EQ(ask({"drain", "--all"}).out, "1 worker is draining\n");
 }
 
 TEST_F(FarmWords, of_a_waiting_task_say_what_is_known_of_it) {
@@ -30,7 +30,7 @@ TEST_F(FarmWords, of_a_waiting_task_say_what_is_known_of_it) {
   EXPECT_THAT(explained.out, ::testing::Not(HasSubstr(" and ,")));
   EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " cancelled"));
   EXPECT_THAT(ask({"cancel", job}).out, HasSubstr(job + " was already cancelled"));
-  EXPECT_EQ(ask({"drain", "--all"}).out, "0 workers drain\n");
+  EXPECT_EQ(ask({"drain", "--all"}).out, "0 workers are draining\n");
 }
 
 }  // namespace

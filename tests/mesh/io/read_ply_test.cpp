@@ -58,7 +58,7 @@ TEST(ReadPly, names_the_place_of_what_it_does_not_understand) {
   const auto reading = [](const std::string& text) { return [=] { read(text); }; };
   EXPECT_THAT(reading("OFF\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.ply:1: expected ply")));
   EXPECT_THAT(reading("ply\nformat binary_middle 1.0\n"),
-              ThrowsMessage<InvalidInput>(HasSubstr("a.ply:2: the format")));
+              ThrowsMessage<InvalidInput>(HasSubstr("a.ply:2: unknown format")));
   EXPECT_THAT(reading(std::string(head) + "3 0 1 4 0\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("a.ply:15: vertex 4 of 4")));
   EXPECT_THAT(reading(std::string(head) + "2 0 1 0\n"),

@@ -34,7 +34,7 @@ TEST(ReadTetgen, smesh_has_a_polygon_on_each_line_and_may_count_from_0) {
 TEST(ReadTetgen, names_the_line_of_what_it_does_not_read) {
   const auto reading = [](const std::string& text) { return [=] { read_tetgen(text, "a.poly"); }; };
   EXPECT_THAT(reading("0 3 0 0\n1 0\n"),
-              ThrowsMessage<InvalidInput>(HasSubstr("a.poly:1: the nodes are in a file")));
+              ThrowsMessage<InvalidInput>(HasSubstr("a.poly:1: the nodes are in a separate file")));
   EXPECT_THAT(
       reading(std::string(nodes) + "1 0\n1 1\n3 1 2 3\n1 0 0 0\n"),
       ThrowsMessage<InvalidInput>(HasSubstr("a.poly:8: a facet of 1 polygons and 1 holes")));

@@ -180,7 +180,8 @@ TEST(RenderMesh, says_which_patches_there_are) {
     render(row_of_parts(1), options);
     FAIL() << "an unknown patch was taken";
   } catch (const UsageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--hide: no patch \"outlet\"; there are: inlet, wall"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("--hide: no patch \"outlet\"; the patches are inlet, wall"));
   }
 }
 
