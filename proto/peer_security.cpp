@@ -92,7 +92,7 @@ std::string HandshakeWatch::explanation_of(Outcome outcome) const {
     case Outcome::broken:
       return has_key
                  ? "the connection was cut off: is --coordinator-key the key of this coordinator?"
-                 : "the connection was cut off: does this coordinator require a key (--key)?";
+                 : "the connection was cut off; perhaps this coordinator requires a key: --key";
     case Outcome::turned_away:
       return "this coordinator has not authorised the key: `tetfarm keys authorize`";
     case Outcome::other_kind:

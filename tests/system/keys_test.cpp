@@ -92,7 +92,7 @@ TEST_F(KeyedFarm, gives_the_mesh_that_a_local_run_gives) {
 
 TEST_F(KeyedFarm, tells_each_who_is_turned_away_why) {
   start();
-  EXPECT_THAT(ask({"status"}, "").err, ::testing::ContainsRegex("requires? a key"));
+  EXPECT_THAT(ask({"status"}, "").err, HasSubstr("this coordinator requires a key: --key"));
   EXPECT_THAT(ask({"status"}, "stranger").err, HasSubstr("not authorised"));
   EXPECT_THAT(ask({"cancel", "job-1"}, "eve").err, HasSubstr("viewer eve may not send cancel"));
   const Ended worker = run_program(worker_words("stranger"), folder_.path());
