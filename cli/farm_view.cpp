@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "cli/coordinator_connection.h"
+#include "cli/run_folder.h"
 #include "coordinator/server.h"
 #include "coordinator/store_at_rest.h"
 
@@ -17,12 +18,6 @@ namespace fs = std::filesystem;
 
 /// The store's own endpoint may be that of a coordinator that was killed.
 constexpr std::int64_t patience_with_a_store_ms = 2'000;
-
-/// DIR, or DIR/.tetfarm when DIR is the output of a run.
-fs::path store_in(const std::string& folder) {
-  const fs::path inner = fs::path(folder) / ".tetfarm";
-  return size_of_file(inner / "store_id") ? inner : fs::path(folder);
-}
 
 std::string first_endpoint(const fs::path& store) {
   if (!size_of_file(endpoints_file(store))) return {};
@@ -51,7 +46,7 @@ FarmView::FarmView(const ViewOptions& options) : options_(options) {
     throw UsageError("give a coordinator (--connect, or $TETFARM_COORDINATOR) or a store (--store)",
                      "");
   }
-  const fs::path store = store_in(options.store);
+  const fs::path store = require_store_of(options.store);
   const std::string endpoint = first_endpoint(store);
   if (!endpoint.empty()) {
     connect(endpoint, std::min(timeout_ms, patience_with_a_store_ms));
@@ -73,7 +68,8 @@ FarmView::FarmView(const ViewOptions& options) : options_(options) {
 FarmView::~FarmView() = default;
 
 void FarmView::connect(const std::string& endpoint, std::int64_t timeout_ms) {
-  const std::string store = options_.store.empty() ? "" : store_in(options_.store).string();
+  const std::string store =
+      options_.store.empty() ? "" : store_of(options_.store).value_or(options_.store).string();
   const bool is_ipc = endpoint.starts_with("ipc://");
   live_ = std::make_unique<Live>(
       endpoint, is_ipc ? std::nullopt : read_peer_keys(options_.client.keys, store), timeout_ms);

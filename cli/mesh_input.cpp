@@ -76,19 +76,18 @@ MeshInput mesh_of_job(const wire::JobStatus& status, const ViewOptions& view,
     input.file = input.fetched.path();
     return input;
   }
-  const std::optional<fs::path> store = store_of(view.store);
-  if (!store)
-    throw Error(ExitCode::not_found, view.store + ": not a store or the output folder of a run");
-  const ArtifactStore files = ArtifactStore::open_existing(*store);
+  const fs::path store = require_store_of(view.store);
+  const ArtifactStore files = ArtifactStore::open_existing(store);
   files.verify(file.hash(), file.size());
   input.file = files.path_of(file.hash());
-  input.store = *store;
+  input.store = store;
   return input;
 }
 
 MeshInput find_mesh(const std::string& subject, const ViewOptions& view,
                     const fs::path& scratch_folder) {
   if (fs::exists(subject) || !parse_job_name(subject)) {
+    if (!fs::exists(subject)) throw Error(ExitCode::not_found, subject + ": no such file");
     const fs::path file = mesh_file(subject);
     return {.file = file, .name = file.string(), .job = {}, .store = {}};
   }

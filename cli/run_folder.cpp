@@ -47,6 +47,13 @@ std::optional<fs::path> store_of(const fs::path& folder) {
   return std::nullopt;
 }
 
+fs::path require_store_of(const fs::path& folder) {
+  if (std::optional<fs::path> store = store_of(folder)) return *std::move(store);
+  throw Error(ExitCode::not_found,
+              folder.string() + (fs::exists(folder) ? ": not a store or the output folder of a run"
+                                                    : ": no such folder"));
+}
+
 std::string last_done_job(FarmView& view, const std::string& name) {
   std::string last;
   wire::Query query;

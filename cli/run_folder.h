@@ -12,6 +12,8 @@ namespace tetfarm {
 
 /// DIR/.tetfarm when DIR is the output of a run, DIR when it is a store; nothing else.
 std::optional<std::filesystem::path> store_of(const std::filesystem::path& folder);
+/// The same, of a folder that the user named. @throws Error (not_found) when it is neither.
+std::filesystem::path require_store_of(const std::filesystem::path& folder);
 
 /// The last job of the store that is done; with a name, the last of that name. "": there is none.
 std::string last_done_job(FarmView& view, const std::string& name = "");

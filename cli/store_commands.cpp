@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/counted.h"
 #include "cli/json_line.h"
+#include "cli/run_folder.h"
 #include "coordinator/start_rules.h"
 #include "store/folder_lock.h"
 #include "store/garbage.h"
@@ -19,12 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* database_file = "tetfarm.db";
-
-/// The store itself, or the one in the folder of a run.
-std::filesystem::path store_in(const std::filesystem::path& folder) {
-  const std::filesystem::path of_a_run = folder / ".tetfarm";
-  return size_of_file(of_a_run / "store_id") ? of_a_run : folder;
-}
 
 JobDatabase database_of(const std::filesystem::path& store, const std::string& database) {
   return JobDatabase::open_to_read(database_folder(store, database) / database_file);
@@ -90,7 +85,7 @@ void print(const StoreReport& report, const DurableState& rows) {
 }  // namespace
 
 ExitCode check_store_command(const CheckOptions& options) {
-  const ArtifactStore store = ArtifactStore::open_existing(store_in(options.store));
+  const ArtifactStore store = ArtifactStore::open_existing(require_store_of(options.store));
   const DurableState rows = database_of(store.folder(), options.database).load();
   const StoreReport report = check_store(rows, look_into(store, true));
   if (options.json) {
@@ -107,7 +102,7 @@ ExitCode check_store_command(const CheckOptions& options) {
 }
 
 ExitCode gc_command(const GcCommand& command) {
-  const ArtifactStore store = ArtifactStore::open_existing(store_in(command.store));
+  const ArtifactStore store = ArtifactStore::open_existing(require_store_of(command.store));
   const FolderLock lock = FolderLock::of_store(store.folder());
   const JobDatabase database = database_of(store.folder(), command.database);
   const DurableState rows = database.load_unfinished();

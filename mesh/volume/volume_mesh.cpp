@@ -46,7 +46,8 @@ DelaunayTets boundary_delaunay(const Subdomain& subdomain, const WorkProgress& p
 
 [[noreturn]] void throw_lost(const Subdomain& subdomain, const std::vector<std::int32_t>& lost) {
   std::string message = "sub-domain " + subdomain.path.text() + ": " + std::to_string(lost.size()) +
-                        " boundary triangles were not recovered";
+                        (lost.size() == 1 ? " boundary triangle was" : " boundary triangles were") +
+                        " not recovered";
   if (!lost.empty()) {
     const Triangle& t = subdomain.triangles[at(lost.front())];
     message += ", the first at " + text_of(subdomain.vertices[at(t[0])]) + ", " +

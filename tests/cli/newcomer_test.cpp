@@ -203,6 +203,9 @@ TEST_F(Newcomer, of_a_cluster_submits_what_cannot_be_meshed) {
       {{"jobs", "--store", "out"}, 0, {"job-1", "done"}},
       {{"tasks", "--store", "out", "--state", "running"}, 0, {"no matching tasks"}},
       {{"status", "job-7", "--store", "out"}, 5, {"no job job-7"}},
+      {{"status", "job-7", "--store", "em"}, 5, {"em: not a store or the output folder of a run"}},
+      {{"gc", "nowhere"}, 5, {"nowhere: no such folder"}},
+      {{"quality", "nowhere.vtkhdf"}, 5, {"nowhere.vtkhdf: no such file"}},
   });
 }
 

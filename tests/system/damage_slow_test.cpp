@@ -137,7 +137,7 @@ TEST_F(Garbage, after_gc_nothing_is_left_but_what_makes_the_job_again) {
   test::write_contents(folder_.path() / "out/.tetfarm/scratch/left", "over");
   const Ended dry = run_program({"gc", "out", "--dry-run"}, folder_.path());
   EXPECT_THAT(dry.out, HasSubstr("scratch/left"));
-  EXPECT_THAT(dry.out, HasSubstr("1 files, 4 bytes would be removed"));
+  EXPECT_THAT(dry.out, HasSubstr("1 file, 4 bytes would be removed"));
   const Ended gc = run_program({"gc", "out", "--all-finished", "--json"}, folder_.path());
   EXPECT_EQ(gc.code, 0) << gc.err;
   EXPECT_GT(test::result_of(gc)["files"], 10);
