@@ -191,10 +191,11 @@ void link_or_copy_file(const fs::path& from, const fs::path& to) {
 void make_folders(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> parents;  // of those that are not there yet
-  for (fs::path level = folder; !fs::exists(level, error); level = parents.back()) {
+  for (fs::path level = folder; !fs::is_directory(level, error); level = parents.back()) {
     parents.push_back(folder_of(level));
     if (parents.back() == level) break;
   }
+  if (parents.empty()) return;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot create the folder", folder.string(), error.value());
   for (const fs::path& parent : parents) sync_folder(parent);

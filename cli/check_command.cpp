@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/angle_text.h"
+#include "base/counted.h"
 #include "cli/commands.h"
-#include "cli/counted.h"
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/surface_angles.h"

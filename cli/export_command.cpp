@@ -2,11 +2,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/large_blocks.h"
 #include "cli/commands.h"
-#include "cli/counted.h"
 #include "cli/json_line.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "base/angle_text.h"
+#include "base/counted.h"
 #include "base/file_system.h"
 #include "base/printable_text.h"
 #include "base/utf8.h"
 #include "cli/coloured_text.h"
-#include "cli/counted.h"
 #include "cli/json_line.h"
 #include "cli/printable_reply.h"
 #include "cli/progress_display.h"

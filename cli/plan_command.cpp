@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/counted.h"
 #include "base/mebibytes.h"
 #include "cli/commands.h"
-#include "cli/counted.h"
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/progress_display.h"

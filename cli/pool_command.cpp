@@ -14,12 +14,12 @@
 #include <thread>
 
 #include "base/clock.h"
+#include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
-#include "cli/counted.h"
 #include "coordinator/log_lines.h"
 #include "pool/run_command.h"
 

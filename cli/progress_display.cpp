@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/clock.h"
+#include "base/counted.h"
 #include "base/printable_text.h"
 #include "base/utf8.h"
 #include "cli/terminal.h"
@@ -88,7 +89,7 @@ std::string running_text(const wire::JobStatus& status) {
   text += printable(doing_text(task->doing()));
   if (status.tasks_running() <= 1) return text;
   const std::uint64_t others = status.tasks_running() - 1;
-  return text + " (+" + std::to_string(others) + (others == 1 ? " task)" : " tasks)");
+  return text + " (+" + counted(others, "task") + ")";
 }
 
 std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns) {

@@ -5,12 +5,12 @@
 #include <thread>
 
 #include "base/clock.h"
+#include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/converted_meshes.h"
 #include "cli/coordinator_connection.h"
-#include "cli/counted.h"
 #include "cli/job_outcome.h"
 #include "cli/job_report.h"
 #include "cli/local_farm.h"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
+#include "base/counted.h"
 #include "base/error.h"
-#include "cli/counted.h"
 #include "coordinator/store_at_rest.h"
 #include "mesh/core/subdomain.h"
 

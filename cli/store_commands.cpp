@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/counted.h"
 #include "base/file_system.h"
 #include "base/tree_way.h"
 #include "cli/commands.h"
-#include "cli/counted.h"
 #include "cli/json_line.h"
 #include "cli/run_folder.h"
 #include "coordinator/start_rules.h"

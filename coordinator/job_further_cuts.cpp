@@ -6,6 +6,7 @@
 /// from the start: same tree, same mesh. Which leaves are cut depends on the memory of the workers.
 #include <algorithm>
 
+#include "base/counted.h"
 #include "coordinator/job_state.h"
 
 namespace tetfarm {
@@ -23,7 +24,7 @@ std::string JobState::why_no_further_cut(const TaskRow& task) const {
   }
   const std::uint32_t cuts = further_cuts_above(job, task.path);
   if (cuts >= rules_.max_further_cuts) {
-    return "it was already cut further " + std::to_string(cuts) + (cuts == 1 ? " time" : " times");
+    return "it was already cut further " + counted(cuts, "time");
   }
   for (auto node = durable_.subdomains.lower_bound({job, 0});
        node != durable_.subdomains.end() && node->first.first == job; ++node) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/counted.h"
 #include "base/mebibytes.h"
 #include "coordinator/job_state.h"
 
@@ -16,9 +17,8 @@ std::string seconds_text(std::int64_t ms) {
 /// "2 errors, 1 loss".
 std::string failures_of(const TaskRow& task) {
   std::string text;
-  const auto add = [&text](auto count, const char* one, const char* several) {
-    if (count == 0) return;
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : several);
+  const auto add = [&text](std::uint64_t count, const char* one, const char* several) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, one, several);
   };
   add(task.crashes, "error", "errors");
   add(task.losses, "loss", "losses");

@@ -2,6 +2,7 @@
 /// counted apart; tasks go into quarantine, and come out when a person says so.
 #include <algorithm>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/mebibytes.h"
 #include "coordinator/job_state.h"
@@ -31,8 +32,8 @@ std::string inputs_of(const TaskRow& task) {
 
 std::string quarantine_reason(const TaskRow& task, const std::string& what, std::uint32_t count,
                               const std::string& message) {
-  return "quarantined: " + what + " " + std::to_string(count) + (count == 1 ? " time" : " times") +
-         "; last failure: " + message + "; its inputs in the store: " + inputs_of(task);
+  return "quarantined: " + what + " " + counted(count, "time") + "; last failure: " + message +
+         "; its inputs in the store: " + inputs_of(task);
 }
 
 }  // namespace

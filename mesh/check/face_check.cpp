@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 
+#include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/sorted_face.h"
 
@@ -157,13 +158,13 @@ void FaceUse::add(const FaceUse& other) {
 }
 
 std::string FaceUse::text() const {
-  const auto counted = [](int count, const std::string& thing) {
-    return to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  const auto sum = [](const auto& sides) {
+    return static_cast<std::uint64_t>(sides[0] + sides[1]);
   };
-  return counted(tets[0] + tets[1], "tet") + " (" + to_string(tets[0]) + " from one side, " +
+  return counted(sum(tets), "tet") + " (" + to_string(tets[0]) + " from one side, " +
          to_string(tets[1]) + " from the other) and " +
-         counted(boundary[0] + boundary[1], "boundary triangle") + " (" + to_string(boundary[0]) +
-         ", " + to_string(boundary[1]) + ")";
+         counted(sum(boundary), "boundary triangle") + " (" + to_string(boundary[0]) + ", " +
+         to_string(boundary[1]) + ")";
 }
 
 FaceCheck::FaceCheck(const std::filesystem::path& folder, std::size_t memory_bytes)

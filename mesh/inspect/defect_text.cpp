@@ -6,10 +6,6 @@
 
 namespace tetfarm {
 
-std::string count_of(std::size_t n, const std::string& singular) {
-  return std::to_string(n) + " " + singular + (n == 1 ? "" : "s");
-}
-
 std::string triangle_text(const SurfaceMesh& surface, std::int32_t triangle) {
   std::string text = "triangle " + std::to_string(triangle);
   for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(triangle)]) {

@@ -13,9 +13,6 @@ namespace tetfarm {
 /// As many places as a message names.
 inline constexpr std::size_t places_named = 3;
 
-/// "1 open edge", "8 open edges".
-std::string count_of(std::size_t n, const std::string& singular);
-
 /// "triangle 7 (0, 0, 0) (1, 0, 0) (0, 1, 0)". @pre its indices are in range.
 std::string triangle_text(const SurfaceMesh& surface, std::int32_t triangle);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/inspect/defect_text.h"
@@ -97,11 +98,11 @@ void set_sides(const RegionMap& map, const std::vector<std::int32_t>& old2new, S
     surface.sides.push_back(sides);
   }
   if (turned > 0) {
-    report.remarks.push_back(count_of(turned, "triangle") +
+    report.remarks.push_back(counted(turned, "triangle") +
                              " pointed into the domain and had to be turned");
   }
   if (left_out > 0) {
-    report.remarks.push_back(count_of(left_out, "triangle") +
+    report.remarks.push_back(counted(left_out, "triangle") +
                              " with no meshed region on either side: left out");
   }
 }
@@ -113,10 +114,10 @@ std::optional<SurfaceDefect> sheets_inside(const RegionMap& map, const SurfaceMe
     if (behind == front) sheet.push_back(static_cast<std::int32_t>(t));
   }
   if (sheet.empty()) return std::nullopt;
-  return defect_of_triangles(surface, "sheet inside a region",
-                             count_of(sheet.size(), "triangle") +
-                                 " with the same region on both sides: they bound nothing",
-                             sheet);
+  return defect_of_triangles(
+      surface, "sheet inside a region",
+      counted(sheet.size(), "triangle") + " with the same region on both sides: they bound nothing",
+      sheet);
 }
 
 }  // namespace

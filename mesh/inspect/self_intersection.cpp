@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/defect_text.h"
@@ -42,8 +43,8 @@ std::optional<SurfaceDefect> check_self_intersection(const SurfaceMesh& surface,
     places.push_back(triangle_text(surface, numbers[static_cast<std::size_t>(i)]) + " meets " +
                      triangle_text(surface, numbers[static_cast<std::size_t>(j)]));
   }
-  defect.message = with_places(count_of(count, "pair") + " of triangles that intersect or touch, " +
-                                   count_of(defect.triangles.size(), "triangle") + " in all",
+  defect.message = with_places(counted(count, "pair") + " of triangles that intersect or touch, " +
+                                   counted(defect.triangles.size(), "triangle") + " in all",
                                places, count);
   return defect;
 }

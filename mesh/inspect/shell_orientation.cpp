@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/counted.h"
 #include "mesh/inspect/defect_text.h"
 
 namespace tetfarm {
@@ -72,7 +73,7 @@ ShellOrientation orient_shells(const SurfaceMesh& surface, std::span<const EdgeU
     result.defect = defect_of_triangles(surface, "non-orientable shell",
                                         "the surface has only one side, like a Möbius strip: "
                                         "however they are turned, neighbours disagree at " +
-                                            count_of(torn.size(), "triangle"),
+                                            counted(torn.size(), "triangle"),
                                         torn);
   }
   return result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/inspect/defect_text.h"
 #include "mesh/inspect/region_map.h"
@@ -45,7 +46,7 @@ double signed_volume(const SurfaceMesh& surface, const std::vector<std::int32_t>
 }
 
 std::string shell_text(std::size_t number, const Shell& shell) {
-  return "shell " + std::to_string(number) + " (" + count_of(shell.triangles.size(), "triangle") +
+  return "shell " + std::to_string(number) + " (" + counted(shell.triangles.size(), "triangle") +
          ")";
 }
 
@@ -68,7 +69,7 @@ void orient_shell(std::size_t number, bool reverse, const std::vector<char>& tur
                                      (shell.depth % 2 == 0 ? "inward" : "outward") +
                                      "; turned by nesting");
   } else if (turned > 0) {
-    checked.report.remarks.push_back(what + ": " + count_of(turned, "triangle") +
+    checked.report.remarks.push_back(what + ": " + counted(turned, "triangle") +
                                      " faced the other way than the rest and had to be turned");
   }
 }
@@ -82,7 +83,7 @@ void remark_on_fans(const SurfaceMesh& surface, const std::vector<std::int32_t>&
                      text_of(surface.vertices[static_cast<std::size_t>(vertices[i])]));
   }
   report.remarks.push_back(
-      with_places("the surface touches itself at " + count_of(vertices.size(), "single point"),
+      with_places("the surface touches itself at " + counted(vertices.size(), "single point"),
                   places, vertices.size()));
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/defect_text.h"
@@ -101,15 +102,15 @@ std::optional<SurfaceDefect> check_edges(const SurfaceMesh& surface,
     if (edge.size() > 2) ++crowded;
   });
   if (open.count == 0) return std::nullopt;
-  std::string what = count_of(open.count, "open edge") + " (on one triangle only)";
+  std::string what = counted(open.count, "open edge") + " (on one triangle only)";
   if (const CloseVertices close = close_vertices(surface, uses); close.pairs > 0) {
-    what += "; " + count_of(close.pairs, "pair") + " of vertices on them lie " +
+    what += "; " + counted(close.pairs, "pair") + " of vertices on them lie " +
             (close.farthest > 0 ? "within " + text_of(close.farthest) : "in the same place") +
             ": joining these may close the surface";
   }
   if (crowded > 0) {
     what +=
-        "; " + count_of(crowded, "edge") + (crowded == 1 ? " is" : " are") +
+        "; " + counted(crowded, "edge") + (crowded == 1 ? " is" : " are") +
         " on more than two triangles: a sheet that ends inside a region divides nothing; remove "
         "it, or continue it to the boundary";
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/defect_text.h"
@@ -40,7 +41,7 @@ SurfaceDefect bad_index_defect(const SurfaceMesh& surface, const Numbers& bad) {
                      std::to_string(t[0]) + ", " + std::to_string(t[1]) + ", " +
                      std::to_string(t[2]));
   }
-  const std::string what = count_of(bad.size(), "triangle") + " with vertex numbers outside 0 to " +
+  const std::string what = counted(bad.size(), "triangle") + " with vertex numbers outside 0 to " +
                            std::to_string(static_cast<std::int64_t>(surface.vertices.size()) - 1);
   return {"bad vertex number", with_places(what, places, bad.size()), {bad.begin(), bad.end()}};
 }
@@ -94,7 +95,7 @@ SurfaceDefect duplicate_defect(const SurfaceMesh& surface, const std::vector<Num
     places.push_back(triangle_text(surface, group[0]) + " again as " + std::to_string(group[1]));
   }
   std::ranges::sort(defect.triangles);
-  defect.message = with_places(count_of(groups.size(), "triangle") + " present more than once",
+  defect.message = with_places(counted(groups.size(), "triangle") + " present more than once",
                                places, groups.size());
   return defect;
 }
@@ -102,11 +103,11 @@ SurfaceDefect duplicate_defect(const SurfaceMesh& surface, const std::vector<Num
 void check_counts(const SurfaceMesh& surface, std::vector<SurfaceDefect>& defects) {
   const std::size_t n = surface.triangles.size();
   if (n >= 4) return;
-  SurfaceDefect defect{
-      "too few triangles",
-      n == 0 ? "no triangles at all"
-             : "only " + count_of(n, "triangle") + "; a closed surface has at least 4",
-      {}};
+  SurfaceDefect defect{"too few triangles",
+                       n == 0
+                           ? "no triangles at all"
+                           : "only " + counted(n, "triangle") + "; a closed surface has at least 4",
+                       {}};
   for (std::size_t t = 0; t < n; ++t) defect.triangles.push_back(static_cast<std::int64_t>(t));
   defects.push_back(defect);
 }
@@ -132,7 +133,7 @@ TriangleCheck check_triangles(const SurfaceMesh& surface) {
   if (!off.empty()) {
     defects.push_back(defect_of_triangles(
         surface, "bad coordinate",
-        count_of(off.size(), "triangle") +
+        counted(off.size(), "triangle") +
             " with a coordinate that is not a number, or beyond 1e60, or below 1e-60 but not 0",
         off));
   }
@@ -144,7 +145,7 @@ TriangleCheck check_triangles(const SurfaceMesh& surface) {
   std::ranges::sort(flat);
   if (!flat.empty()) {
     defects.push_back(defect_of_triangles(
-        surface, "degenerate triangle", count_of(flat.size(), "triangle") + " without area", flat));
+        surface, "degenerate triangle", counted(flat.size(), "triangle") + " without area", flat));
   }
   if (const auto groups = equal_triangles(surface, sieve.for_edges); !groups.empty()) {
     defects.push_back(duplicate_defect(surface, groups));

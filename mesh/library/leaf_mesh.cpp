@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/library/append_mesh.h"
 
 namespace tetfarm {
 namespace {
@@ -40,14 +41,7 @@ class Joining {
   void add(const Subdomain& half, const TetMesh& half_mesh) {
     std::vector<std::int32_t> half2whole;
     for (const Origin& origin : half.node_origin) half2whole.push_back(node_of(origin));
-    for (std::size_t v = half.vertices.size(); v < half_mesh.nodes.size(); ++v) {
-      half2whole.push_back(static_cast<std::int32_t>(mesh_.nodes.size()));
-      mesh_.nodes.push_back(half_mesh.nodes[v]);
-    }
-    for (Tet tet : half_mesh.tets) {
-      for (std::int32_t& v : tet) v = half2whole[static_cast<std::size_t>(v)];
-      mesh_.tets.push_back(tet);
-    }
+    append_mesh(half_mesh, std::move(half2whole), mesh_.nodes, mesh_.tets);
   }
 
   TetMesh result() && { return std::move(mesh_); }

@@ -7,6 +7,7 @@
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/core/validate.h"
 #include "mesh/inspect/defect_text.h"
+#include "mesh/library/append_mesh.h"
 #include "mesh/library/leaf_mesh.h"
 
 namespace tetfarm {
@@ -44,18 +45,10 @@ void divide(Subdomain whole, std::vector<Subdomain>& leaves) {
 /// Adds a leaf's mesh to that of all. Its boundary nodes are the surface's own.
 void join(const Subdomain& leaf, const TetMesh& mesh, MeshedSurface& all) {
   std::vector<std::int32_t> leaf2all;
-  leaf2all.reserve(mesh.nodes.size());
   for (const Origin& origin : leaf.node_origin) {
     leaf2all.push_back(static_cast<std::int32_t>(origin.index));
   }
-  for (std::size_t v = leaf2all.size(); v < mesh.nodes.size(); ++v) {
-    leaf2all.push_back(static_cast<std::int32_t>(all.nodes.size()));
-    all.nodes.push_back(mesh.nodes[v]);
-  }
-  for (Tet tet : mesh.tets) {
-    for (std::int32_t& v : tet) v = leaf2all[static_cast<std::size_t>(v)];
-    all.tets.push_back(tet);
-  }
+  append_mesh(mesh, std::move(leaf2all), all.nodes, all.tets);
   all.region_of_tet.resize(all.tets.size(), leaf.region);
 }
 

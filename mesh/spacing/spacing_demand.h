@@ -46,9 +46,9 @@ class CellDemand {
   /// What is known of the spacing in a cell.
   struct Bounds {
     double at_centre = 0;
-    /// No spacing in the cell is smaller, a background mesh apart.
+    /// No spacing in the cell is smaller.
     double lowest = 0;
-    /// The spacing is the ceiling everywhere in the cell; never so with a background mesh.
+    /// The spacing is the ceiling everywhere in the cell.
     bool is_ceiling = false;
   };
   /// Of the cell last entered. A `lowest` of `enough` and more may be smaller than need be.
