@@ -1,4 +1,5 @@
-/// The errors that cross a room's door as exceptions: bad input, and an outside world that fails.
+/// The errors that cross the border of a room as exceptions: bad input, and an outside world that
+/// fails.
 ///
 /// Each says what is wrong and where. They are caught in two places only: the task runner of the
 /// worker and the request handler of the coordinator (and main, which turns them into exit codes).

@@ -17,7 +17,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/hash.h"
-#include "coordinator/job_state.h"
+#include "coordinator/decisions/job_state.h"
 #include "store/artifact_store.h"
 #include "store/job_database.h"
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "coordinator/job_state.h"
+#include "coordinator/decisions/job_state.h"
 
 namespace {
 

@@ -65,7 +65,7 @@ void CoordinatorConnection::connect() {
 }
 
 /// @throws Error when trying again is of no use.
-void CoordinatorConnection::heed_handshake() {
+void CoordinatorConnection::check_handshake() {
   const HandshakeWatch::Outcome outcome = socket_->handshakes.take();
   if (outcome == HandshakeWatch::Outcome::none) return;
   trouble_ = "; " + socket_->handshakes.explanation_of(outcome);
@@ -109,7 +109,7 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
   const std::int64_t until = steady_ms() + timeout_ms;
   const std::string bytes = encode(question);
   while (steady_ms() < until) {
-    heed_handshake();
+    check_handshake();
     const std::int64_t again = std::min(until, steady_ms() + ask_again_ms);
     socket_->dealer.set(zmq::sockopt::sndtimeo, static_cast<int>(again - steady_ms()));
     try {
@@ -121,7 +121,7 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
     wire::Envelope answer = wait_for(answer_to(question), again);
     if (answer.body_case() != wire::Envelope::BODY_NOT_SET) return answer;
   }
-  heed_handshake();
+  check_handshake();
   throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers" + trouble_);
 }
 
@@ -190,7 +190,7 @@ void CoordinatorConnection::exchange(PieceExchange& files, std::int64_t timeout_
   std::int64_t moved_ms = steady_ms();
   std::int64_t connected_ms = moved_ms;
   while (!files.is_complete()) {
-    heed_handshake();
+    check_handshake();
     for (const wire::Envelope& envelope : files.due(steady_ms())) {
       if (send(envelope)) continue;
       files.ask_again();

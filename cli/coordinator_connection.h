@@ -54,7 +54,7 @@ class CoordinatorConnection {
  private:
   wire::Envelope ask(const wire::Envelope& question, std::int64_t timeout_ms);
   void connect();
-  void heed_handshake();
+  void check_handshake();
   std::optional<wire::Envelope> receive(std::int64_t until);
   bool send(const wire::Envelope& envelope);
   wire::Envelope wait_for(wire::Envelope::BodyCase wanted, std::int64_t until);

@@ -14,8 +14,8 @@
 #include "mesh/formats/open_mesh.h"
 #include "mesh/io/read_surface.h"
 #include "mesh/io/write_surface.h"
-#include "mesh/numbering/renumbered_mesh.h"
 #include "mesh/partition/partitioned_mesh.h"
+#include "mesh/partition/renumbered_mesh.h"
 
 namespace tetfarm {
 

@@ -9,7 +9,7 @@
 #include "cli/coordinator_connection.h"
 #include "cli/run_folder.h"
 #include "coordinator/server.h"
-#include "coordinator/store_at_rest.h"
+#include "coordinator/views/store_at_rest.h"
 
 namespace tetfarm {
 namespace {

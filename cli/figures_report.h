@@ -1,10 +1,10 @@
-/// The figures of a mesh (mesh/figures/mesh_figures.h) as text for people and as JSON for programs.
+/// The figures of a mesh (mesh/quality/mesh_figures.h) as text for people and as JSON for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mesh/figures/mesh_figures.h"
+#include "mesh/quality/mesh_figures.h"
 
 namespace tetfarm {
 

@@ -319,7 +319,7 @@ std::string status_json(const wire::JobStatus& status) {
                      {"tasks_running", status.tasks_running()},
                      {"attempts_lost", status.attempts_lost()},
                      {"crashes", status.crashes()},
-                     {"out_of_memory", status.starvings()},
+                     {"out_of_memory", status.oom_count()},
                      {"quarantine", quarantine_json(status)},
                      {"running", running_json(status)},
                      {"elements_under_way", status.elements_under_way()},

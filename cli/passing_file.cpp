@@ -11,8 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "base/again_if_interrupted.h"
 #include "base/error.h"
+#include "base/retry_on_eintr.h"
 
 namespace tetfarm {
 namespace {
@@ -29,7 +29,7 @@ namespace {
   if (parent_is_over != kept) ::dup2(parent_is_over, kept);
   ::close_range(kept + 1, ~0U, 0);
   char byte = 0;
-  again_if_interrupted([&] { return ::read(kept, &byte, 1); });
+  retry_on_eintr([&] { return ::read(kept, &byte, 1); });
   ::unlink(path);
   ::_exit(0);
 }
@@ -78,7 +78,7 @@ PassingFile& PassingFile::operator=(PassingFile&& other) noexcept {
 PassingFile::~PassingFile() {
   if (remover_ < 0) return;
   ::close(alive_);
-  again_if_interrupted([this] { return ::waitpid(remover_, nullptr, 0); });
+  retry_on_eintr([this] { return ::waitpid(remover_, nullptr, 0); });
 }
 
 }  // namespace tetfarm

@@ -51,7 +51,7 @@ std::string tries_text(const wire::TaskLine& task) {
   };
   add(task.crashes(), "errors");
   add(task.losses(), "lost");
-  add(task.starvings(), "out of memory");
+  add(task.oom_count(), "out of memory");
   return text;
 }
 
@@ -73,7 +73,7 @@ Json json_of(const wire::TaskLine& task) {
                {"host", task.host()},
                {"errors", task.crashes()},
                {"losses", task.losses()},
-               {"out_of_memory", task.starvings()},
+               {"out_of_memory", task.oom_count()},
                {"seconds", task.seconds()},
                {"peak_rss_bytes", task.peak_rss_bytes()},
                {"memory_bytes", task.memory_bytes()},

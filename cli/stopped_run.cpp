@@ -8,7 +8,7 @@
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/error.h"
-#include "coordinator/store_at_rest.h"
+#include "coordinator/views/store_at_rest.h"
 #include "mesh/core/subdomain.h"
 
 namespace tetfarm {

@@ -4,7 +4,7 @@
 
 #include "base/counted.h"
 #include "base/file_system.h"
-#include "base/tree_way.h"
+#include "base/tree_path.h"
 #include "cli/commands.h"
 #include "cli/json_line.h"
 #include "cli/run_folder.h"
@@ -36,7 +36,7 @@ std::set<std::string> needed_of_all_jobs(const JobDatabase& database, const Dura
 }
 
 std::string task_text(const TaskRow& task) {
-  const std::string place = task.path == 0 ? "" : " of sub-domain " + tree_way(task.path);
+  const std::string place = task.path == 0 ? "" : " of sub-domain " + tree_path(task.path);
   return "task " + std::to_string(task.id.value) + " of " + job_name(task.job) + " (" +
          name_of(task.kind) + place + ")";
 }

@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_rooms mesh/library mesh/decompose mesh/planar mesh/graph mesh/volume mesh/cosmetics mesh/spacing
+set(library_rooms mesh/library mesh/decompose mesh/planar mesh/graph mesh/volume mesh/recovery mesh/filling mesh/cosmetics mesh/spacing
     mesh/inspect mesh/shapes mesh/geometry mesh/io mesh/core base)
 set(archives "")
 foreach(room ${library_rooms})

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "coordinator/decisions/job_state.h"
 #include "coordinator/file_orders.h"
-#include "coordinator/job_state.h"
 
 namespace tetfarm {
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "coordinator/decisions/job_state.h"
 #include "coordinator/file_orders.h"
-#include "coordinator/job_state.h"
 #include "proto/file_chunks.h"
 
 namespace tetfarm {

@@ -1,6 +1,6 @@
 #include "base/error.h"
-#include "coordinator/query_answers.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/views/query_answers.h"
 
 namespace tetfarm {
 namespace {

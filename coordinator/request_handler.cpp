@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
-#include "coordinator/job_status.h"
-#include "coordinator/message_translation.h"
+#include "coordinator/decisions/job_status.h"
+#include "coordinator/decisions/message_translation.h"
 #include "coordinator/submitted_job.h"
 #include "proto/doing.h"
 #include "proto/field_count.h"
@@ -222,10 +222,10 @@ void RequestHandler::forget(WorkerId worker) {
   connections_.erase(connection);
 }
 
-void RequestHandler::expel(const Door& door, JobState& state, Moment now) {
+void RequestHandler::expel(const Authenticator& authenticator, JobState& state, Moment now) {
   std::vector<WorkerId> gone;
   for (const auto& [connection, known] : workers_) {
-    if (!door.admits_worker(known.key)) gone.push_back(known.worker);
+    if (!authenticator.admits_worker(known.key)) gone.push_back(known.worker);
   }
   for (const WorkerId worker : gone) {
     refuse(connections_.at(worker), "this key is no longer authorised", ExitCode::failed);
@@ -451,7 +451,7 @@ void RequestHandler::retry(const std::string& connection, const wire::Retry& mes
   wire::Envelope reply;
   reply.mutable_retried()->set_count(
       message.job().empty()
-          ? (state.let_host_go(message.host(), now) ? 1 : 0)
+          ? (state.release_host(message.host(), now) ? 1 : 0)
           : state.retry(parse_job_name(message.job()), TaskId{message.task()}, now));
   answer(connection, std::move(reply));
 }

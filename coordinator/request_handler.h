@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "base/error.h"
+#include "coordinator/authenticator.h"
 #include "coordinator/client_files.h"
 #include "coordinator/damage_checks.h"
-#include "coordinator/door.h"
+#include "coordinator/decisions/job_state.h"
 #include "coordinator/file_transfers.h"
-#include "coordinator/job_state.h"
 #include "coordinator/leftovers.h"
-#include "coordinator/refusals.h"
 #include "coordinator/surface_roots.h"
+#include "coordinator/views/refusals.h"
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
 #include "store/job_history.h"
@@ -60,7 +60,7 @@ class RequestHandler {
 
   /// The list of authorised keys has changed: workers whose key is no worker's any longer lose
   /// what they hold.
-  void expel(const Door& door, JobState& state, Moment now);
+  void expel(const Authenticator& authenticator, JobState& state, Moment now);
 
   /// Until open(): whoever wants something decided is refused with that reason, workers are not
   /// heard, as if nobody were here, and questions are answered.
@@ -75,8 +75,8 @@ class RequestHandler {
 
   /// Answers the questions of viewers that came since the last call, with the state as it is:
   /// after a commit, or after a failed one once the state is again what the database holds.
-  void answer_questions(const JobState& state, const JobHistory& history, const Door& door,
-                        Moment now);
+  void answer_questions(const JobState& state, const JobHistory& history,
+                        const Authenticator& authenticator, Moment now);
 
   /// What the thread of files shall do now: files of workers that do not see the store, and those
   /// of which a worker says that they are damaged.
@@ -138,7 +138,7 @@ class RequestHandler {
   void send(const Command& command, const JobState& state, Moment now);
   void forget_lost_workers(const JobState& state);
   wire::StatusReply status_of_all(const wire::StatusRequest& request, const JobState& state,
-                                  const Door& door, Moment now) const;
+                                  const Authenticator& authenticator, Moment now) const;
 
   struct Known {
     WorkerId worker;

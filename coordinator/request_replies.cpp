@@ -1,9 +1,9 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "coordinator/message_translation.h"
-#include "coordinator/query_answers.h"
+#include "coordinator/decisions/message_translation.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/views/query_answers.h"
 #include "store/disk_room.h"
 
 namespace tetfarm {
@@ -35,7 +35,8 @@ void RequestHandler::forget_lost_workers(const JobState& state) {
 }
 
 wire::StatusReply RequestHandler::status_of_all(const wire::StatusRequest& request,
-                                                const JobState& state, const Door& door,
+                                                const JobState& state,
+                                                const Authenticator& authenticator,
                                                 Moment now) const {
   wire::StatusReply status = answer_status(request, state, now);
   status.set_dropped_messages(refusals_.total());
@@ -46,13 +47,13 @@ wire::StatusReply RequestHandler::status_of_all(const wire::StatusRequest& reque
   status.set_security(options_.security);
   status.set_trouble(closed_);
   if (is_closed()) status.set_trouble_code(static_cast<int>(closed_code_));
-  status.set_connections(static_cast<std::uint32_t>(door.connections()));
-  status.set_authorized_keys(static_cast<std::uint32_t>(door.authorized()));
+  status.set_connections(static_cast<std::uint32_t>(authenticator.connections()));
+  status.set_authorized_keys(static_cast<std::uint32_t>(authenticator.authorized()));
   return status;
 }
 
 void RequestHandler::answer_questions(const JobState& state, const JobHistory& history,
-                                      const Door& door, Moment now) {
+                                      const Authenticator& authenticator, Moment now) {
   for (const auto& [connection, question] : questions_) {
     wire::Envelope reply;
     try {
@@ -60,7 +61,8 @@ void RequestHandler::answer_questions(const JobState& state, const JobHistory& h
         *reply.mutable_query_reply() = answer_query(question.query(), {state, history, now});
         reply.mutable_query_reply()->set_trouble(closed_);
       } else {
-        *reply.mutable_status_reply() = status_of_all(question.status_request(), state, door, now);
+        *reply.mutable_status_reply() =
+            status_of_all(question.status_request(), state, authenticator, now);
       }
       answer(connection, std::move(reply), false);
     } catch (const Error& error) {

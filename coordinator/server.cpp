@@ -19,21 +19,22 @@
 #include "base/clock.h"
 #include "base/file_system.h"
 #include "base/program_identity.h"
-#include "coordinator/door.h"
+#include "coordinator/authenticator.h"
+#include "coordinator/decisions/job_state.h"
 #include "coordinator/file_thread.h"
 #include "coordinator/guarded_database.h"
-#include "coordinator/job_state.h"
 #include "coordinator/log_lines.h"
-#include "coordinator/refusals.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/service_manager.h"
 #include "coordinator/space_watch.h"
 #include "coordinator/start_rules.h"
-#include "coordinator/status_server.h"
 #include "coordinator/stop_signals.h"
 #include "coordinator/surface_roots.h"
+#include "coordinator/views/refusals.h"
+#include "coordinator/views/status_server.h"
 #include "proto/address_family.h"
 #include "proto/keys_folder.h"
+#include "proto/local_endpoint.h"
 #include "proto/peer_security.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
@@ -112,11 +113,11 @@ class Server {
         finished_(rows_in(database_.rows())),
         roots_(options.allowed_roots, closed_places(options)),
         keys_(keys_of(options)),
-        door_(context_,
-              {.keys_folder = keys_.folder,
-               .max_connections = options.max_connections,
-               .handshake_ms = options.handshake_ms},
-              refusals_),
+        authenticator_(context_,
+                       {.keys_folder = keys_.folder,
+                        .max_connections = options.max_connections,
+                        .handshake_ms = options.handshake_ms},
+                       refusals_),
         socket_(context_, zmq::socket_type::router),
         handler_(store_, roots_,
                  {.heartbeat_ms = options.heartbeat_ms,
@@ -195,15 +196,15 @@ class Server {
     // Workers' heartbeats are our own; these find connections whose other end is gone.
     socket_.set(zmq::sockopt::heartbeat_ivl, 10'000);
     socket_.set(zmq::sockopt::heartbeat_timeout, 20'000);
-    door_.guard(socket_);
+    authenticator_.guard(socket_);
     std::string list;
     for (const std::string& endpoint : options_.endpoints) {
       listen(endpoint);
       list += endpoints_.back() + "\n";
     }
     // Whoever finds the endpoints shall find the key too.
-    if (door_.has_keys()) {
-      write_public_key(published_key_path(options_.store), door_.public_key());
+    if (authenticator_.has_keys()) {
+      write_public_key(published_key_path(options_.store), authenticator_.public_key());
     } else {
       remove_file(published_key_path(options_.store));
     }
@@ -212,13 +213,13 @@ class Server {
   }
 
   void listen(const std::string& endpoint) {
-    if (!options_.insecure && !door_.has_keys() && !is_local(endpoint)) {
+    if (!options_.insecure && !authenticator_.has_keys() && !is_local(endpoint)) {
       throw UsageError("other hosts can connect, and this coordinator has no key (" + keys_.remark +
                            "): make one with `tetfarm keys new coordinator --keys " +
                            default_keys_folder().string() + "`, or let anyone in with --insecure",
                        endpoint);
     }
-    door_.make_next_listener(socket_, door_.has_keys() && !is_ipc(endpoint));
+    authenticator_.make_next_listener(socket_, authenticator_.has_keys() && !is_ipc(endpoint));
     set_address_family(socket_, endpoint, EndpointUse::bind);
     try {
       socket_.bind(endpoint);
@@ -232,9 +233,9 @@ class Server {
     const bool is_open =
         std::any_of(options_.endpoints.begin(), options_.endpoints.end(),
                     [](const std::string& endpoint) { return !is_local(endpoint); });
-    if (door_.has_keys()) {
+    if (authenticator_.has_keys()) {
       handler_.set_security("keys");
-      log_.info("encrypted, {}, {} authorised", keys_.remark, door_.authorized());
+      log_.info("encrypted, {}, {} authorised", keys_.remark, authenticator_.authorized());
     } else if (is_open) {
       handler_.set_security("insecure");
       log_.warn(
@@ -280,9 +281,10 @@ class Server {
   /// Answers who only wants to know.
   void tell() {
     const JobHistory history = database_.rows().history();
-    handler_.answer_questions(*state_, history, door_, now());
+    handler_.answer_questions(*state_, history, authenticator_, now());
     send_all(handler_.take_replies());
-    status_.serve({*state_, history, now()}, {refusals_, database_.trouble(), door_.connections()});
+    status_.serve({*state_, history, now()},
+                  {refusals_, database_.trouble(), authenticator_.connections()});
     service_.turn(now().steady_ms);
   }
 
@@ -332,7 +334,7 @@ class Server {
   }
 
   void receive() {
-    std::vector<zmq::pollitem_t> items = door_.poll_items();
+    std::vector<zmq::pollitem_t> items = authenticator_.poll_items();
     items.push_back({nullptr, files_.fd(), ZMQ_POLLIN, 0});
     items.push_back({socket_.handle(), 0, ZMQ_POLLIN, 0});
     status_.add_poll_items(items);
@@ -342,15 +344,15 @@ class Server {
       if (error.num() != EINTR) throw;
       return;
     }
-    door_.serve(now().steady_ms);
+    authenticator_.serve(now().steady_ms);
     for (int i = 0; i < messages_per_commit; ++i) {
       std::vector<zmq::message_t> parts;
       const auto count =
           zmq::recv_multipart(socket_, std::back_inserter(parts), zmq::recv_flags::dontwait);
       // What has changed until now counts for this message already.
-      if (door_.has_new_list()) handler_.expel(door_, *state_, now());
+      if (authenticator_.has_new_list()) handler_.expel(authenticator_, *state_, now());
       if (!count) return;
-      const Sender sender = door_.sender_of(parts.back(), parts.front().to_string());
+      const Sender sender = authenticator_.sender_of(parts.back(), parts.front().to_string());
       try {
         if (parts.size() != 2) {
           handler_.drop(sender, std::to_string(parts.size()) + " frames", now());
@@ -364,7 +366,7 @@ class Server {
   }
 
   void write_complaints() {
-    for (const std::string& line : door_.take_complaints()) log_.warn("{}", line);
+    for (const std::string& line : authenticator_.take_complaints()) log_.warn("{}", line);
     for (const std::string& line : refusals_.take_complaints()) log_.warn("{}", line);
     for (const std::string& line : handler_.take_complaints()) log_.warn("{}", line);
   }
@@ -441,7 +443,7 @@ class Server {
   KeysInUse keys_;
   Refusals refusals_;
   zmq::context_t context_;
-  Door door_;
+  Authenticator authenticator_;
   zmq::socket_t socket_;
   RequestHandler handler_;
   FileThread files_;

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "coordinator/job_state.h"
+#include "coordinator/decisions/job_state.h"
 #include "store/disk_room.h"
 
 namespace tetfarm {

@@ -1,5 +1,4 @@
-/// What has to hold before a coordinator starts: where its database lies, which keys it uses, and
-/// which addresses only this host can reach.
+/// What has to hold before a coordinator starts: where its database lies, and which keys it uses.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +6,6 @@
 #include <string>
 
 namespace tetfarm {
-
-/// Only processes of this host can reach it, and its folder's permissions say which.
-bool is_ipc(const std::string& endpoint);
-
-/// Only processes of this host can reach it: ipc and loopback addresses.
-bool is_local(const std::string& endpoint);
 
 /// `wanted`, or the store when that is "".
 std::filesystem::path database_folder(const std::filesystem::path& store,

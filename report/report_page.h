@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/figures/mesh_figures.h"
+#include "mesh/quality/mesh_figures.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {

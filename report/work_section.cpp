@@ -133,9 +133,9 @@ std::string all_tasks(const std::vector<wire::TaskLine>& tasks) {
                     format("%.1f", static_cast<double>(task.peak_rss_bytes()) / 1e6),
                     is_mesh ? format("%.0f", task.expected_elements()) : "",
                     is_mesh ? format("%.0f", task.elements()) : "",
-                    task.losses() + task.crashes() + task.starvings() == 0
+                    task.losses() + task.crashes() + task.oom_count() == 0
                         ? ""
-                        : std::to_string(task.losses() + task.crashes() + task.starvings())});
+                        : std::to_string(task.losses() + task.crashes() + task.oom_count())});
   }
   return format("<details><summary>Each task (%zu of %zu)</summary><div class=\"scroll\">",
                 rows.size(), tasks.size()) +

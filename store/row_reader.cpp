@@ -204,7 +204,7 @@ TaskRow read_task_columns(Statement& rows) {
   task.message = rows.text();
   task.seconds = rows.real();
   task.peak_rss_bytes = rows.unsigned_integer();
-  task.starvings = static_cast<std::uint32_t>(rows.integer());
+  task.oom_count = static_cast<std::uint32_t>(rows.integer());
   task.memory_bytes = rows.unsigned_integer();
   return task;
 }

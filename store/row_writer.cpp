@@ -125,7 +125,7 @@ Statement& RowWriter::bind_progress(Statement& statement, const TaskRow& task) {
   statement.bind(task.id.value).bind(name_of(task.state)).bind(task.attempt.value);
   statement.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
   statement.bind(task.seconds).bind(task.peak_rss_bytes);
-  return statement.bind(task.starvings).bind(task.memory_bytes);
+  return statement.bind(task.oom_count).bind(task.memory_bytes);
 }
 
 /// Of the files those that are not written over.

@@ -30,7 +30,8 @@ enum class TaskKind {
   assemble
 };
 /// waiting: an input has to be made again; replaced: its leaf, or another of the job, was cut
-/// further, and it is no part of the job any more; the rest as in coordinator/task_states.dot.
+/// further, and it is no part of the job any more; the rest as in
+/// coordinator/decisions/task_states.dot.
 enum class TaskState { waiting, ready, leased, done, failed, replaced };
 enum class AttemptState {
   running,
@@ -83,7 +84,7 @@ struct TaskRow {
   AttemptId attempt;               ///< the one that holds the lease, or that was accepted; 0: none
   std::uint32_t crashes = 0;       ///< errors: the task's own doing
   std::uint32_t losses = 0;        ///< lost leases and kills from outside
-  std::uint32_t starvings = 0;     ///< out of memory
+  std::uint32_t oom_count = 0;     ///< out of memory
   std::uint64_t memory_bytes = 0;  ///< asked for after it was out of memory; 0: not known
   std::int32_t exit_code = 0;      ///< of a failed task
   std::string message;             ///< why the last attempt failed

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mesh/assemble/global_numbering.h"
-#include "mesh/decompose/assimilation.h"
+#include "mesh/assimilation/assimilation.h"
 #include "mesh/io/artifact_file.h"
 #include "mesh/io/job_file.h"
 #include "worker/task_cost.h"

@@ -45,7 +45,7 @@ class Client {
     while (!finished_) {
       wait();
       take_signals();
-      socket_.heed_handshake();
+      socket_.check_handshake();
       take_messages();
       take_outcome();
       move_files();

@@ -34,7 +34,7 @@ void CoordinatorSocket::connect() {
   socket_->connect(endpoint_);
 }
 
-void CoordinatorSocket::heed_handshake() {
+void CoordinatorSocket::check_handshake() {
   const HandshakeWatch::Outcome outcome = handshakes_->take();
   if (outcome == HandshakeWatch::Outcome::none) return;
   if (outcome != HandshakeWatch::Outcome::broken) {

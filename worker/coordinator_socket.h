@@ -23,7 +23,7 @@ class CoordinatorSocket {
   void connect();
   /// A broken handshake is tried again: the coordinator may just have been ended.
   /// @throws Error when trying again does not help.
-  void heed_handshake();
+  void check_handshake();
   /// Without waiting; what cannot be sent now is lost: false.
   bool send(const wire::Envelope& envelope);
   /// The next message that is sound, or refuses; nothing when no more has come.

@@ -14,8 +14,8 @@
 #include <csignal>
 #include <cstring>
 
-#include "base/again_if_interrupted.h"
 #include "base/child_process.h"
+#include "base/retry_on_eintr.h"
 #include "worker/task_environment.h"
 
 namespace tetfarm {
@@ -57,7 +57,7 @@ bool send_request(int socket, StartRequest request, std::string store, Descripto
   header->cmsg_type = SCM_RIGHTS;
   header->cmsg_len = CMSG_LEN(sizeof fds);
   std::memcpy(CMSG_DATA(header), fds.data(), sizeof fds);
-  return again_if_interrupted([&] { return ::sendmsg(socket, &message, MSG_NOSIGNAL); }) > 0;
+  return retry_on_eintr([&] { return ::sendmsg(socket, &message, MSG_NOSIGNAL); }) > 0;
 }
 
 struct Received {
@@ -78,8 +78,7 @@ std::optional<Received> receive_request(int socket) {
   message.msg_iovlen = parts.size();
   message.msg_control = space.bytes.data();
   message.msg_controllen = space.bytes.size();
-  const ssize_t n =
-      again_if_interrupted([&] { return ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC); });
+  const ssize_t n = retry_on_eintr([&] { return ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC); });
   const cmsghdr* header = CMSG_FIRSTHDR(&message);
   if (n < static_cast<ssize_t>(sizeof received.request) || header == nullptr ||
       header->cmsg_len != CMSG_LEN(sizeof received.fds)) {
@@ -93,10 +92,9 @@ std::optional<Received> receive_request(int socket) {
 /// -1: the host is gone, or does not answer, or could not make a process.
 pid_t receive_process(int socket, int patience_ms) {
   pollfd waiting{socket, POLLIN, 0};
-  if (again_if_interrupted([&] { return ::poll(&waiting, 1, patience_ms); }) <= 0) return -1;
+  if (retry_on_eintr([&] { return ::poll(&waiting, 1, patience_ms); }) <= 0) return -1;
   pid_t process = -1;
-  const ssize_t n =
-      again_if_interrupted([&] { return ::recv(socket, &process, sizeof process, 0); });
+  const ssize_t n = retry_on_eintr([&] { return ::recv(socket, &process, sizeof process, 0); });
   return n == static_cast<ssize_t>(sizeof process) ? process : -1;
 }
 
@@ -110,7 +108,7 @@ pid_t copy_as_sibling() {
 void begin_task(const Received& received) {
   char go = 0;
   const int fd = received.fds[3];
-  if (again_if_interrupted([&] { return ::read(fd, &go, 1); }) != 1) ::_exit(127);
+  if (retry_on_eintr([&] { return ::read(fd, &go, 1); }) != 1) ::_exit(127);
   become_task_process(received.request.worker, {received.fds[0], received.fds[1], received.fds[2]},
                       received.request.memory_limit_bytes);
 }
@@ -134,7 +132,7 @@ void TaskHost::end() {
   socket_ = -1;
   if (process_ <= 0) return;
   ::kill(process_, SIGKILL);
-  again_if_interrupted([this] { return ::waitpid(process_, nullptr, 0); });
+  retry_on_eintr([this] { return ::waitpid(process_, nullptr, 0); });
   process_ = -1;
 }
 
@@ -163,7 +161,7 @@ std::optional<pid_t> TaskHost::ask(const std::string& store, TaskFds fds,
   ::close(go[0]);
   pid_t task = sent ? receive_process(socket_, patience_ms) : -1;
   if (task > 0 && ::write(go[1], "g", 1) != 1) {  // it was killed before it began
-    again_if_interrupted([&] { return ::waitpid(task, nullptr, 0); });
+    retry_on_eintr([&] { return ::waitpid(task, nullptr, 0); });
     task = -1;
   }
   ::close(go[1]);
@@ -198,8 +196,7 @@ std::optional<std::string> serve_as_task_host(int socket) {
       return received->store;
     }
     for (const int fd : received->fds) ::close(fd);
-    if (again_if_interrupted([&] { return ::send(socket, &task, sizeof task, MSG_NOSIGNAL); }) <
-        0) {
+    if (retry_on_eintr([&] { return ::send(socket, &task, sizeof task, MSG_NOSIGNAL); }) < 0) {
       break;
     }
   }

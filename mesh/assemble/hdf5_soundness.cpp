@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/again_if_interrupted.h"
 #include "base/child_process.h"
 #include "base/error.h"
+#include "base/retry_on_eintr.h"
 #include "mesh/assemble/hdf5_file.h"
 
 namespace tetfarm {
@@ -94,7 +94,7 @@ void expect_sound_hdf5(const std::string& path) {
   if (process < 0) throw IoError("cannot start a process to read", path, errno);
   if (process == 0) walk(path.c_str(), parent);
   int status = 0;
-  again_if_interrupted([&] { return ::waitpid(process, &status, 0); });
+  retry_on_eintr([&] { return ::waitpid(process, &status, 0); });
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
     throw InvalidInput(signal == SIGALRM

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "base/tree_way.h"
+#include "base/tree_path.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/core/validate.h"
@@ -90,7 +90,7 @@ int TreePath::depth() const {
   return static_cast<int>(std::bit_width(heap)) - 1;
 }
 
-std::string TreePath::text() const { return tree_way(heap); }
+std::string TreePath::text() const { return tree_path(heap); }
 
 Subdomain root_subdomain(const SurfaceMesh& surface) {
   Subdomain whole;

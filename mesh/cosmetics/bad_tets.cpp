@@ -17,16 +17,16 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
                              const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
-  constexpr double goodness_of_regular = 0.75;
-  const bool skips_regular = std::max(limits.wanted, limits.relaxed) < goodness_of_regular;
+  constexpr double quality_of_regular = 0.75;
+  const bool skips_regular = std::max(limits.wanted, limits.relaxed) < quality_of_regular;
   BadTetScan result;
   SmallestAngle smallest;
-  result.tet2goodness.assign(complex.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+  result.tet2quality.assign(complex.nodes.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
     if (!complex.is_live(t) || (skips_regular && regular.holds(t) && t != regular.first)) continue;
     const Tet& tet = complex.nodes[at(t)];
-    const double now = goodness(complex, tet);
-    result.tet2goodness[at(t)] = now;
+    const double now = quality(complex, tet);
+    result.tet2quality[at(t)] = now;
     if (now < limits.wanted) result.bad.push_back({now, t});
     if (now < limits.relaxed) {
       if (result.to_relax.empty()) result.to_relax.resize(complex.points.size());
@@ -43,7 +43,7 @@ double min_dihedral_deg(const WorkMesh& work, const RegularTets& regular) {
   for (std::int32_t t = 0; at(t) < work.complex.nodes.size(); ++t) {
     if (!work.complex.is_live(t)) continue;
     if (regular.holds(t) && t != regular.first && work.is_untouched(t)) continue;
-    smallest.add(work.complex, work.tet(t), work.goodness_of(t));
+    smallest.add(work.complex, work.tet(t), work.quality_of(t));
   }
   return smallest.degrees();
 }

@@ -9,28 +9,28 @@
 
 namespace tetfarm::cosmetics {
 
-/// A tet to work on. Stale when the tet is dead or its goodness has changed: it is then queued
+/// A tet to work on. Stale when the tet is dead or its quality has changed: it is then queued
 /// anew.
 struct BadTet {
-  double goodness;
+  double quality;
   std::int32_t tet;
 
   friend bool operator==(const BadTet& a, const BadTet& b) = default;
   /// The worst comes first out of a priority queue.
   friend bool operator<(const BadTet& a, const BadTet& b) {
-    return a.goodness != b.goodness ? a.goodness > b.goodness : a.tet > b.tet;
+    return a.quality != b.quality ? a.quality > b.quality : a.tet > b.tet;
   }
 };
 
 struct BadTetScan {
   double min_dihedral_deg = 0;
-  std::vector<double> tet2goodness;
+  std::vector<double> tet2quality;
   std::vector<BadTet> bad;
   /// Set for the nodes of tets to relax; empty when there are none.
   std::vector<bool> to_relax;
 };
 
-/// The goodnesses below which a tet is bad, and below which its nodes are relaxed.
+/// The qualities below which a tet is bad, and below which its nodes are relaxed.
 struct GoodnessLimits {
   double wanted = 0;
   double relaxed = 0;
@@ -40,7 +40,7 @@ struct GoodnessLimits {
 BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
                              const CosmeticOptions& options);
 
-/// The smallest dihedral angle of the mesh. Cost: that of a goodness for each tet whose is not
+/// The smallest dihedral angle of the mesh. Cost: that of a quality for each tet whose is not
 /// known.
 double min_dihedral_deg(const WorkMesh& work, const RegularTets& regular);
 

@@ -104,17 +104,17 @@ WorkMesh::WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_)
       fixed_nodes(fixed_nodes_),
       node2change(complex_.points.size(), 0),
       tet2mark(complex_.nodes.size(), 0),
-      tet2goodness(complex_.nodes.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      tet2quality(complex_.nodes.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-double WorkMesh::goodness_of(std::int32_t t) const {
-  double& known = tet2goodness[at(t)];
-  if (std::isnan(known)) known = goodness(complex, tet(t));
+double WorkMesh::quality_of(std::int32_t t) const {
+  double& known = tet2quality[at(t)];
+  if (std::isnan(known)) known = quality(complex, tet(t));
   return known;
 }
 
 double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets) {
   double worst = 1;
-  for (const std::int32_t t : tets) worst = std::min(worst, work.goodness_of(t));
+  for (const std::int32_t t : tets) worst = std::min(worst, work.quality_of(t));
   return worst;
 }
 
@@ -203,10 +203,10 @@ std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replac
     const std::int32_t t = complex.new_tet();
     if (at(t) >= work.tet2mark.size()) {
       work.tet2mark.resize(complex.nodes.size(), 0);
-      work.tet2goodness.resize(complex.nodes.size());
+      work.tet2quality.resize(complex.nodes.size());
     }
     complex.nodes[at(t)] = tet;
-    work.forget_goodness_of(t);
+    work.forget_quality_of(t);
     for (const std::int32_t v : tet) complex.node2tet[at(v)] = t;
     new_tets.push_back(t);
   }

@@ -23,13 +23,13 @@ struct WorkMesh {
   std::vector<std::uint32_t> tet2mark;
   std::uint32_t mark = 0;
   /// Not a number: not known.
-  mutable std::vector<double> tet2goodness;
+  mutable std::vector<double> tet2quality;
   /// The factor that makes a change worth it, see is_worth.
   double gain = usual_gain;
 
   WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_);
-  void forget_goodness_of(std::int32_t t) {
-    tet2goodness[static_cast<std::size_t>(t)] = std::numeric_limits<double>::quiet_NaN();
+  void forget_quality_of(std::int32_t t) {
+    tet2quality[static_cast<std::size_t>(t)] = std::numeric_limits<double>::quiet_NaN();
   }
   bool may_move(std::int32_t node) const { return node >= fixed_nodes; }
   const Vec3& point(std::int32_t node) const {
@@ -53,7 +53,7 @@ struct WorkMesh {
     return node2change[static_cast<std::size_t>(node)];
   }
   /// Computed when first asked for, and kept until the tet changes.
-  double goodness_of(std::int32_t t) const;
+  double quality_of(std::int32_t t) const;
   /// Forgets the gathered set.
   void clear_marks() { ++mark; }
   bool is_marked(std::int32_t t) const { return tet2mark[static_cast<std::size_t>(t)] == mark; }
@@ -69,7 +69,7 @@ struct Replacement {
   std::optional<Vec3> new_point;
 };
 
-/// The smallest goodness of the tets.
+/// The smallest quality of the tets.
 double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets);
 
 /// The tets round a node, in breadth-first order from node2tet.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_ring = 10;
 
-/// Of the ring's nodes first…last: the best worst goodness, and the apex on first-last that gives
+/// Of the ring's nodes first…last: the best worst quality, and the apex on first-last that gives
 /// it.
 struct Part {
   double worst = 1;
@@ -27,10 +27,10 @@ std::array<Tet, 2> tets_over(const EdgeRing& ring, std::size_t i, std::size_t k,
   return {Tet{a, b, c, ring.to}, Tet{a, c, b, ring.from}};
 }
 
-double goodness_over(const WorkMesh& work, const EdgeRing& ring, std::size_t i, std::size_t k,
-                     std::size_t j) {
-  return goodness_of_two(work.point(ring.nodes[i]), work.point(ring.nodes[k]),
-                         work.point(ring.nodes[j]), work.point(ring.to), work.point(ring.from));
+double quality_over(const WorkMesh& work, const EdgeRing& ring, std::size_t i, std::size_t k,
+                    std::size_t j) {
+  return quality_of_two(work.point(ring.nodes[i]), work.point(ring.nodes[k]),
+                        work.point(ring.nodes[j]), work.point(ring.to), work.point(ring.from));
 }
 
 /// The best triangulations of all runs of the ring; runs that cannot beat `least` come out as 0.
@@ -44,7 +44,7 @@ Parts best_parts(const WorkMesh& work, const EdgeRing& ring, double least) {
       for (std::size_t k = i + 1; k < j; ++k) {
         double worst = std::min(parts[i][k].worst, parts[k][j].worst);
         if (worst <= best.worst || worst <= least) continue;
-        worst = std::min(worst, goodness_over(work, ring, i, k, j));
+        worst = std::min(worst, quality_over(work, ring, i, k, j));
         if (worst > best.worst && worst > least) best = {worst, k};
       }
       parts[i][j] = best;

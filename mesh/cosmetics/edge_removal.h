@@ -19,7 +19,7 @@ std::array<std::array<int, 2>, 6> edges_by_angle(const WorkMesh& work, std::int3
 
 /// The best way to do without the edge of nodes i and j of tet t; nothing when the edge is on the
 /// boundary, has more than ten tets, or when the worst tet does not get better than both the
-/// present worst and `beat`. Cost: n³/3 goodnesses for a ring of n at most, fewer when many are
+/// present worst and `beat`. Cost: n³/3 qualities for a ring of n at most, fewer when many are
 /// bad.
 std::optional<Replacement> find_edge_removal(const WorkMesh& work, std::int32_t t, int i, int j,
                                              double beat);

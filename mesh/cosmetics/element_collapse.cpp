@@ -15,7 +15,7 @@ std::optional<Replacement> find_collapse(const WorkMesh& work,
     Tet tet = work.tet(t);
     if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
     std::replace(tet.begin(), tet.end(), node, onto);
-    replacement.new_worst = std::min(replacement.new_worst, goodness(work.complex, tet));
+    replacement.new_worst = std::min(replacement.new_worst, quality(work.complex, tet));
     if (replacement.new_worst <= beat || !is_worth(before, replacement.new_worst, work.gain)) {
       return std::nullopt;
     }

@@ -46,14 +46,14 @@ std::vector<CavityFace> faces_of_cavity(WorkMesh& work, const std::vector<std::i
   return faces;
 }
 
-double goodness_over(const WorkMesh& work, const CavityFace& face, const Vec3& p) {
-  return goodness(work.point(face.nodes[0]), work.point(face.nodes[1]), work.point(face.nodes[2]),
-                  p);
+double quality_over(const WorkMesh& work, const CavityFace& face, const Vec3& p) {
+  return quality(work.point(face.nodes[0]), work.point(face.nodes[1]), work.point(face.nodes[2]),
+                 p);
 }
 
-/// The angle between the faces is shared by the two tets of a star over them; the goodness of the
+/// The angle between the faces is shared by the two tets of a star over them; the quality of the
 /// worse one when they have a half each.
-double most_goodness_between(const Vec3& normal, const Vec3& other) {
+double most_quality_between(const Vec3& normal, const Vec3& other) {
   const double lengths = std::sqrt(norm2(normal) * norm2(other));
   return lengths > 0 ? 0.5 * (1 + dot(normal, other) / lengths) : 1;
 }
@@ -66,7 +66,7 @@ struct FaceEdge {
   friend auto operator<=>(const FaceEdge&, const FaceEdge&) = default;
 };
 
-/// Whether the angles between the cavity's faces leave a star with a goodness above this possible.
+/// Whether the angles between the cavity's faces leave a star with a quality above this possible.
 bool has_room_for(const Star& star, const std::vector<CavityFace>& faces, double least) {
   std::vector<Vec3> normals;
   std::vector<FaceEdge> edges;
@@ -83,7 +83,7 @@ bool has_room_for(const Star& star, const std::vector<CavityFace>& faces, double
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (edges[i].nodes != edges[i + 1].nodes) continue;
-    if (most_goodness_between(normals[edges[i].face], normals[edges[i + 1].face]) <= least) {
+    if (most_quality_between(normals[edges[i].face], normals[edges[i + 1].face]) <= least) {
       return false;
     }
   }
@@ -128,12 +128,12 @@ class GrowingCavity {
   }
   const std::vector<std::int32_t>& tets() const { return tets_; }
   struct Seen {
-    double goodness;
+    double quality;
     std::int32_t number;
     std::int32_t beyond;
 
     friend bool operator<(const Seen& a, const Seen& b) {
-      return a.goodness != b.goodness ? a.goodness > b.goodness : a.number > b.number;
+      return a.quality != b.quality ? a.quality > b.quality : a.number > b.number;
     }
   };
   /// The first of those that p sees worst.
@@ -146,7 +146,7 @@ class GrowingCavity {
     tets_.push_back(t);
     work_.set_mark(t);
     visit_outer_faces(work_, t, [this](const CavityFace& face) {
-      faces_.push({goodness_over(work_, face, p_), count_++, face.beyond});
+      faces_.push({quality_over(work_, face, p_), count_++, face.beyond});
     });
   }
 
@@ -166,8 +166,8 @@ std::vector<std::int32_t> grown_cavity(WorkMesh& work, std::int32_t t, const Vec
   std::size_t best_size = 1;
   double best_worst = -HUGE_VAL;
   while (true) {
-    const auto [goodness, number, beyond] = cavity.worst();
-    const double worst = std::min(goodness, 1.0);
+    const auto [quality, number, beyond] = cavity.worst();
+    const double worst = std::min(quality, 1.0);
     if (worst > best_worst) {
       best_worst = worst;
       best_size = cavity.tets().size();

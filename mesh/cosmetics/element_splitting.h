@@ -13,7 +13,7 @@
 namespace tetfarm::cosmetics {
 
 struct SplitOptions {
-  /// Climbing stops at this goodness.
+  /// Climbing stops at this quality.
   double enough = 0.5;
   /// The new node stays at least this far from the others.
   double least_distance = 0;
@@ -27,7 +27,7 @@ struct SplitOptions {
 /// the outer faces best; for a flat tet also in cavities grown from places beside it, on both sides
 /// of its plane. Whole layers of flat tets over a nearly flat part of the boundary go that way.
 /// Nothing when the worst of the cavity does not get better.
-/// Cost: some 1000 goodnesses, 20,000 for a flat tet; for the few worst tets only.
+/// Cost: some 1000 qualities, 20,000 for a flat tet; for the few worst tets only.
 std::optional<Replacement> find_split(WorkMesh& work, std::int32_t t, const SplitOptions& options);
 
 }  // namespace tetfarm::cosmetics

@@ -72,7 +72,7 @@ Growth grow(const Patch& patch, const Sandwich& now, std::array<std::int32_t, 3>
   const auto [u, v, third] = uv_third;
   Growth closed;
   closed.new_tets = {{patch.below, patch.above, u, v}};
-  closed.new_worst = goodness(patch.work.complex, closed.new_tets[0]);
+  closed.new_worst = quality(patch.work.complex, closed.new_tets[0]);
   if (depth == 0) return closed;
   const std::optional<NextFace> next = next_face(patch, now, third);
   if (!next) return closed;

@@ -14,7 +14,7 @@ namespace tetfarm::cosmetics {
 
 /// The best patch of faces to remove that holds the given face of tet t; nothing when the face is
 /// on the boundary, or when the worst tet does not get better than both the present worst and
-/// `beat`. Cost: at most some 50 goodnesses.
+/// `beat`. Cost: at most some 50 qualities.
 std::optional<Replacement> find_face_removal(const WorkMesh& work, std::int32_t t, int face,
                                              double beat);
 

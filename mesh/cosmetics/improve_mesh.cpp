@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/bad_tets.h"
-#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/improver.h"
 #include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/joint_splitting.h"
@@ -54,7 +54,7 @@ std::vector<std::int32_t> split_together(Improver& improver, const BadTet& bad) 
 /// Worst first; when a few of them cannot be helped, the smallest angle is what it is. Nothing is
 /// done here that does not heed heights.
 void split_worst(Improver& improver) {
-  const double below = cosmetics::goodness_of_angle(improver.options.jointly_split_dihedral_deg);
+  const double below = cosmetics::quality_of_angle(improver.options.jointly_split_dihedral_deg);
   std::vector<BadTet> failed;
   while (std::ssize(failed) < improver.options.most_joint_failures) {
     const std::vector<BadTet> worst = worst_given_up(improver, below);
@@ -65,7 +65,7 @@ void split_worst(Improver& improver) {
     const auto changed = split_together(improver, *next);
     if (changed.empty()) failed.push_back(*next);
     for (const std::int32_t t : changed) {
-      const double now = improver.work.goodness_of(t);
+      const double now = improver.work.quality_of(t);
       if (now < improver.aims.wanted)
         improver.given_up.push_back({{now, t}, improver.work.changes});
     }
@@ -77,7 +77,7 @@ cosmetics::HeightOptions heights_of(const CosmeticOptions& options, double floor
   heights.wanted_length = options.height_in_smallest_spacings * options.smallest_spacing;
   heights.floor = floor;
   heights.most_joint_failures = options.most_joint_failures;
-  heights.traded_goodness = cosmetics::goodness_of_angle(options.rebuilt_dihedral_deg);
+  heights.traded_quality = cosmetics::quality_of_angle(options.rebuilt_dihedral_deg);
   const RegularTets& regular = options.regular;
   if (regular.least_height > heights.wanted_length && options.height_in_spacings == 0) {
     heights.is_high_at_first = [&regular](std::int32_t t) { return regular.holds(t); };
@@ -101,9 +101,8 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
                             const CosmeticOptions& options) {
   if (complex.live_tets() == 0) return {};
   options.progress.begin(WorkStage::cosmetics);
-  const cosmetics::GoodnessLimits limits{
-      cosmetics::goodness_of_angle(options.wanted_dihedral_deg),
-      cosmetics::goodness_of_angle(options.relaxed_dihedral_deg)};
+  const cosmetics::GoodnessLimits limits{cosmetics::quality_of_angle(options.wanted_dihedral_deg),
+                                         cosmetics::quality_of_angle(options.relaxed_dihedral_deg)};
   const cosmetics::HeightOptions heights = heights_of(options, limits.wanted);
   cosmetics::BadTetScan before = cosmetics::scan_for_bad_tets(complex, limits, options);
   const bool is_of_needles = cosmetics::is_of_needles(before.bad, complex.live_tets());
@@ -114,14 +113,14 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   Improver improver{
       .work = WorkMesh(complex, fixed_nodes),
       .options = options,
-      .aims = {limits.wanted, cosmetics::goodness_of_angle(options.rebuilt_dihedral_deg),
-               cosmetics::goodness_of_angle(std::max(enough_deg, options.wanted_dihedral_deg))},
+      .aims = {limits.wanted, cosmetics::quality_of_angle(options.rebuilt_dihedral_deg),
+               cosmetics::quality_of_angle(std::max(enough_deg, options.wanted_dihedral_deg))},
       .report = report,
       .queue = std::priority_queue<BadTet>(std::less<BadTet>(), std::move(before.bad)),
       .given_up = {},
       .node2settled = {},
       .attempts = most_attempts(complex.live_tets())};
-  improver.work.tet2goodness = std::move(before.tet2goodness);
+  improver.work.tet2quality = std::move(before.tet2quality);
   if (is_of_needles) cosmetics::improve_in_stages(improver);
   for (int pass = 0; pass < options.most_passes; ++pass) {
     begin_pass(improver);
@@ -142,7 +141,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
   if (is_of_needles) cosmetics::improve_worst_again(improver);
   move_together(improver);
   if (heights.wants_any()) {
-    improver.report.moves += cosmetics::raise_heights(improver.work, heights);
+    improver.report.moves += cosmetics::improve_altitudes(improver.work, heights);
   }
   split_worst(improver);
   if (options.measures_angles) {

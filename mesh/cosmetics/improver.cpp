@@ -43,7 +43,7 @@ bool apply(Improver& improver, const Replacement& replacement) {
 bool swap(Improver& improver, const BadTet& bad) {
   const WorkMesh& work = improver.work;
   std::optional<Replacement> best;
-  double beat = bad.goodness;
+  double beat = bad.quality;
   const auto take = [&](std::optional<Replacement> found) {
     if (!found) return;
     beat = found->new_worst;
@@ -78,7 +78,7 @@ bool smooth(Improver& improver, const BadTet& bad) {
     improver.queue_bad(ball);
     ++improver.report.moves;
     moved = true;
-    if (work.goodness_of(bad.tet) >= improver.aims.wanted) break;
+    if (work.quality_of(bad.tet) >= improver.aims.wanted) break;
   }
   return moved;
 }
@@ -99,7 +99,7 @@ bool collapse(Improver& improver, const BadTet& bad, double least) {
   WorkMesh& work = improver.work;
   const Tet tet = work.tet(bad.tet);
   std::optional<Replacement> best;
-  double beat = std::max(bad.goodness, least);
+  double beat = std::max(bad.quality, least);
   for (const std::int32_t node : tet) {
     if (!work.may_move(node)) continue;
     const std::vector<std::int32_t> ball = ball_of_node(work, node);
@@ -120,7 +120,7 @@ bool collapse(Improver& improver, const BadTet& bad, double least) {
 /// A flat tet is also split from beside its plane, as long as that works often enough.
 bool split(Improver& improver, const BadTet& bad, double shortest, double least) {
   const bool is_flat =
-      bad.goodness < goodness_of_angle(flat_deg) && improver.failures_beside_flat > 0;
+      bad.quality < quality_of_angle(flat_deg) && improver.failures_beside_flat > 0;
   const SplitOptions options{.enough = improver.aims.enough,
                              .least_distance = length_at(improver, bad, shortest),
                              .is_flat = is_flat};
@@ -136,7 +136,7 @@ bool split(Improver& improver, const BadTet& bad, double shortest, double least)
 
 /// Collapses or splits a tet that is bad enough for any gain, or that can be made good.
 bool rebuild(Improver& improver, const BadTet& bad) {
-  const bool takes_any = bad.goodness < improver.aims.rebuilt;
+  const bool takes_any = bad.quality < improver.aims.rebuilt;
   if (!takes_any && !improver.options.rebuilds_to_wanted) return false;
   const double least = takes_any ? 0 : improver.aims.wanted;
   const double shortest = takes_any ? shortest_split : shortest_mild_split;
@@ -174,7 +174,7 @@ void reconnect_worst(Improver& improver) {
 
 /// The very last resort, for the few that nothing helped.
 void split_desperate(Improver& improver) {
-  for (const BadTet& bad : worst_given_up(improver, goodness_of_angle(desperate_deg))) {
+  for (const BadTet& bad : worst_given_up(improver, quality_of_angle(desperate_deg))) {
     if (improver.attempts <= 0) return;
     if (!improver.is_current(bad)) continue;
     improver.count_attempts(1);
@@ -217,7 +217,7 @@ void requeue(Improver& improver, bool thorough) {
     const bool changed =
         is_changed_near(improver.work, improver.work.tet(item.bad.tet), item.changes);
     const bool rebuildable =
-        item.bad.goodness < improver.aims.rebuilt || improver.options.rebuilds_to_wanted;
+        item.bad.quality < improver.aims.rebuilt || improver.options.rebuilds_to_wanted;
     if (changed || (thorough && rebuildable)) {
       improver.queue.push(item.bad);
     } else {
@@ -230,7 +230,7 @@ void requeue(Improver& improver, bool thorough) {
 std::vector<BadTet> worst_given_up(const Improver& improver, double below) {
   std::vector<BadTet> worst;
   for (const GivenUp& item : improver.given_up) {
-    if (improver.is_current(item.bad) && item.bad.goodness < below) worst.push_back(item.bad);
+    if (improver.is_current(item.bad) && item.bad.quality < below) worst.push_back(item.bad);
   }
   std::sort(worst.begin(), worst.end(), [](const BadTet& a, const BadTet& b) { return b < a; });
   return worst;

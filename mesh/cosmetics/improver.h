@@ -21,7 +21,7 @@ inline constexpr double shortest_near_split = 0.1;
 /// Searches for places beside flat tets that may fail at first.
 inline constexpr std::int64_t most_failures_beside_flat = 300;
 
-/// The goodness below which tets are worked on, the one below which swaps and moves are not all,
+/// The quality below which tets are worked on, the one below which swaps and moves are not all,
 /// and the one beyond which no operation is sought.
 struct Aims {
   double wanted = 0;
@@ -63,12 +63,12 @@ struct Improver {
   }
   void queue_bad(const std::vector<std::int32_t>& tets) {
     for (const std::int32_t t : tets) {
-      const double now = work.goodness_of(t);
+      const double now = work.quality_of(t);
       if (now < aims.wanted) queue.push({now, t});
     }
   }
   bool is_current(const BadTet& bad) const {
-    return work.complex.is_live(bad.tet) && work.goodness_of(bad.tet) == bad.goodness;
+    return work.complex.is_live(bad.tet) && work.quality_of(bad.tet) == bad.quality;
   }
 
  private:
@@ -86,7 +86,7 @@ void run_pass(Improver& improver, bool thorough);
 /// the next pass is the first `thorough` one and may do more for them.
 void requeue(Improver& improver, bool thorough);
 
-/// The tets that were given up below this goodness, worst first.
+/// The tets that were given up below this quality, worst first.
 std::vector<BadTet> worst_given_up(const Improver& improver, double below);
 
 /// As many spacings as that, at the centre of the tet; 0 when none are known.

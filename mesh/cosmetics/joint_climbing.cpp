@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -73,7 +73,7 @@ GuardedGoodness guard(const NodePatch& patch, double worst) {
 
 double GuardedGoodness::operator()(const Vec3& a, const Vec3& b, const Vec3& c,
                                    const Vec3& d) const {
-  return std::min(goodness(a, b, c, d), of_height(smallest_height2(a, b, c, d)));
+  return std::min(quality(a, b, c, d), of_height(smallest_height2(a, b, c, d)));
 }
 
 MeasurePieces GuardedGoodness::pieces(const Vec3& a, const Vec3& b, const Vec3& c,
@@ -193,7 +193,7 @@ bool move_patch(WorkMesh& work, const NodePatch& patch) {
   }
   ++work.changes;
   for (const std::int32_t t : patch.tets) {
-    work.forget_goodness_of(t);
+    work.forget_quality_of(t);
     for (const std::int32_t v : work.tet(t)) work.node2change[at(v)] = work.changes;
   }
   return true;

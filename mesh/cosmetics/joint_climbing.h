@@ -51,7 +51,7 @@ concept TetMeasure = requires(const T& measure, const Vec3& p) {
   { measure.pieces(p, p, p, p) } -> std::same_as<MeasurePieces>;
 };
 
-/// The goodness, as long as no tet gets lower than a height: that counts as the worst goodness at
+/// The quality, as long as no tet gets lower than a height: that counts as the worst quality at
 /// first, and no rise of the smallest measure above it leaves a lower tet.
 struct GuardedGoodness {
   static constexpr double slope = 0.2;
@@ -187,7 +187,7 @@ double climb_together(NodePatch& patch, double enough, const M& measure) {
 /// then.
 bool move_patch(WorkMesh& work, const NodePatch& patch);
 
-/// Moves the nodes round tet t together so that the worst goodness round them rises by the margin,
+/// Moves the nodes round tet t together so that the worst quality round them rises by the margin,
 /// to `enough` at most; the tets that were changed, or none.
 std::vector<std::int32_t> improve_together(WorkMesh& work, std::int32_t t, double enough);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/element_splitting.h"
-#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/quality.h"
 
@@ -32,7 +32,7 @@ double lowest_before(const WorkMesh& work, const NodePatch& patch, const Replace
 
 std::vector<std::int32_t> split_together(WorkMesh& work, std::int32_t t, double enough,
                                          double least_distance) {
-  const double before = work.goodness_of(t);
+  const double before = work.quality_of(t);
   const auto found = find_split(work, t, {enough, least_distance, true});
   if (!found) return {};
   Replacement undoing{{}, {}, found->new_worst, found->old_worst, std::nullopt};

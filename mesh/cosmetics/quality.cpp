@@ -35,9 +35,9 @@ TwoVectors cross(const TwoVectors& a, const TwoVectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The steps of goodness(), on two tets at a time; `turn`: -1, or 1 for one that is mirrored.
-double smaller_goodness(const TwoVectors& a, const TwoVectors& b, const TwoVectors& c,
-                        const TwoVectors& d, Two turn) {
+/// The steps of quality(), on two tets at a time; `turn`: -1, or 1 for one that is mirrored.
+double smaller_quality(const TwoVectors& a, const TwoVectors& b, const TwoVectors& c,
+                       const TwoVectors& d, Two turn) {
   const TwoVectors ab = b - a;
   const TwoVectors ac = c - a;
   const TwoVectors ad = d - a;
@@ -66,7 +66,7 @@ double smaller_goodness(const TwoVectors& a, const TwoVectors& b, const TwoVecto
 
 }  // namespace
 
-double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const Vec3 ad = d - a;
@@ -91,27 +91,27 @@ double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return volume6 * std::fabs(volume6) * least / product;
 }
 
-double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
-                       const Vec3& below) {
+double quality_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
+                      const Vec3& below) {
   // The tet below is mirrored.
-  return smaller_goodness(TwoVectors(a), TwoVectors(b), TwoVectors(c), TwoVectors(above, below),
-                          Two{-1, 1});
+  return smaller_quality(TwoVectors(a), TwoVectors(b), TwoVectors(c), TwoVectors(above, below),
+                         Two{-1, 1});
 }
 
-double goodness_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
-                         const Vec3& d) {
-  return smaller_goodness(TwoVectors(face[0], other[0]), TwoVectors(face[1], other[1]),
-                          TwoVectors(face[2], other[2]), TwoVectors(d), Two{-1, -1});
+double quality_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
+                        const Vec3& d) {
+  return smaller_quality(TwoVectors(face[0], other[0]), TwoVectors(face[1], other[1]),
+                         TwoVectors(face[2], other[2]), TwoVectors(d), Two{-1, -1});
 }
 
-double goodness(const TetComplex& complex, const Tet& tet) {
+double quality(const TetComplex& complex, const Tet& tet) {
   const auto point = [&](std::size_t i) -> const Vec3& {
     return complex.points[static_cast<std::size_t>(tet[i])];
   };
-  return goodness(point(0), point(1), point(2), point(3));
+  return quality(point(0), point(1), point(2), point(3));
 }
 
-double goodness_of_angle(double degrees) {
+double quality_of_angle(double degrees) {
   const double x = std::clamp(degrees, 0.0, 90.0) * (3.14159265358979323846 / 180.0);
   double term = x;
   double sine = x;

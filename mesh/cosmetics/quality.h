@@ -1,10 +1,10 @@
-/// The goodness of a tet, the one number that all cosmetics improve.
+/// The quality of a tet, the one number that all cosmetics improve.
 ///
 /// Source: the thesis (4.3.4.1) names no measure. This is the smallest sine of the six dihedral
 /// angles, squared: small and large angles count alike, the gradient is smooth, and + − × ÷
 /// suffice. J. R. Shewchuk, "What is a good linear finite element?" (2002) compares such measures.
 /// Units: none; 8/9 for the regular tet, 0 for a flat one, negative for an inverted one.
-/// Edges must be between 1e-18 and 1e18 long, or the goodness comes out as 0.
+/// Edges must be between 1e-18 and 1e18 long, or the quality comes out as 0.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 namespace tetfarm::cosmetics {
 
 /// Cost: about 110 flops.
-double goodness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-double goodness(const TetComplex& complex, const Tet& tet);
+double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+double quality(const TetComplex& complex, const Tet& tet);
 
-/// The smaller goodness of the two tets over a triangle, (a, b, c, above) and (a, c, b, below),
+/// The smaller quality of the two tets over a triangle, (a, b, c, above) and (a, c, b, below),
 /// but for rounding. Cost: little more than one of them.
-double goodness_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
-                       const Vec3& below);
+double quality_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& above,
+                      const Vec3& below);
 
-/// The smaller goodness of the tets from two triangles to one node, to the last bit that of
-/// goodness(). Cost: as goodness_of_two.
-double goodness_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
-                         const Vec3& d);
+/// The smaller quality of the tets from two triangles to one node, to the last bit that of
+/// quality(). Cost: as quality_of_two.
+double quality_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
+                        const Vec3& d);
 
 /// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
-double goodness_of_angle(double degrees);
+double quality_of_angle(double degrees);
 
 /// A worst of `before` is worth replacing by one above this only. The gain makes every sequence of
 /// accepted changes end.

@@ -45,7 +45,7 @@ std::vector<Facing> facings_of(const WorkMesh& work, const std::vector<std::int3
   return faces;
 }
 
-/// Whether the tet's goodness at p is at least `floor`: without a division.
+/// Whether the tet's quality at p is at least `floor`: without a division.
 bool is_good_enough(const Facing& face, const Vec3& p, double floor) {
   const Vec3 pa = face.corners[0] - p;
   const Vec3 pb = face.corners[1] - p;

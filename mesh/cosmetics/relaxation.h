@@ -13,9 +13,9 @@
 
 namespace tetfarm::cosmetics {
 
-/// A place where that sum is smaller by more than a thousandth, and each goodness of the ball at
+/// A place where that sum is smaller by more than a thousandth, and each quality of the ball at
 /// least `floor`, or the smallest that was there.
-/// Cost: some four goodnesses a tet of the ball.
+/// Cost: some four qualities a tet of the ball.
 std::optional<Vec3> find_rounder_place(const WorkMesh& work, const std::vector<std::int32_t>& ball,
                                        std::int32_t node, double floor);
 

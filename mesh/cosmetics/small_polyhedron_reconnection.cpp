@@ -64,7 +64,7 @@ void take_tet(WorkMesh& work, Cavity& cavity, std::int32_t t) {
 }
 
 double measure_of(const WorkMesh& work, std::int32_t t, const ReconnectionOptions& options) {
-  if (!options.measure) return work.goodness_of(t);
+  if (!options.measure) return work.quality_of(t);
   const auto& [a, b, c, d] = work.tet(t);
   return options.measure(work.point(a), work.point(b), work.point(c), work.point(d));
 }
@@ -163,7 +163,7 @@ class Search {
 
  private:
   struct Shape {
-    double goodness;
+    double quality;
     double volume6;
     bool known;
   };
@@ -176,7 +176,7 @@ class Search {
 
   /// The measure; negative for an inverted tet.
   double judge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
-    if (!options_.measure) return goodness(a, b, c, p);
+    if (!options_.measure) return quality(a, b, c, p);
     return tet_volume(a, b, c, p) < 0 ? -options_.measure(b, a, c, p)
                                       : options_.measure(a, b, c, p);
   }
@@ -203,7 +203,7 @@ class Search {
       const Vec3& p = points_[n[3]];
       shape = {judge(a, b, c, p), 6 * tet_volume(a, b, c, p), true};
     }
-    return odd ? Shape{-shape.goodness, -shape.volume6, true} : shape;
+    return odd ? Shape{-shape.quality, -shape.volume6, true} : shape;
   }
 
   /// The nodes that make a tet with the face better than what is to be beaten (when first asked).
@@ -214,7 +214,7 @@ class Search {
     apexes.known = true;
     for (Node v = 0; v < node_count_; ++v) {
       if (v == face[0] || v == face[1] || v == face[2]) continue;
-      if (shape_of(face, v).goodness > best_worst_) {
+      if (shape_of(face, v).quality > best_worst_) {
         apexes.nodes = static_cast<std::uint16_t>(apexes.nodes | 1U << v);
       }
     }
@@ -244,7 +244,7 @@ class Search {
     for (unsigned left = apexes_of(face); left != 0; left &= left - 1) {
       const auto apex = static_cast<Node>(std::countr_zero(left));
       const Shape shape = shape_of(face, apex);
-      if (shape.goodness <= best_worst_ || shape.volume6 > volume_left + volume_left_slack_) {
+      if (shape.quality <= best_worst_ || shape.volume6 > volume_left + volume_left_slack_) {
         continue;
       }
       if (is_over()) return;
@@ -252,7 +252,7 @@ class Search {
       Front next = front;
       if (!next.place(face, apex)) continue;
       placed_.push_back({face[0], face[1], face[2], apex});
-      fill(next, std::min(worst, shape.goodness), volume_left - shape.volume6);
+      fill(next, std::min(worst, shape.quality), volume_left - shape.volume6);
       placed_.pop_back();
     }
   }

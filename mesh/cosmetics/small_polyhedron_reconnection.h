@@ -22,7 +22,7 @@ struct ReconnectionOptions {
   int most_steps = 4000;
   /// It ends when a tetrahedralization as good as this is found.
   double enough = 0.5;
-  /// What is to become larger instead of the goodness: a number for a positive tet. Empty: that.
+  /// What is to become larger instead of the quality: a number for a positive tet. Empty: that.
   std::function<double(const Vec3&, const Vec3&, const Vec3&, const Vec3&)> measure;
 };
 

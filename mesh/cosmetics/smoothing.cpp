@@ -12,10 +12,10 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Goodness {
   double operator()(const StarFace& face, const Vec3& p) const {
-    return goodness(face[0], face[1], face[2], p);
+    return quality(face[0], face[1], face[2], p);
   }
   double operator()(const StarFace& face, const StarFace& other, const Vec3& p) const {
-    return goodness_over_two(face, other, p);
+    return quality_over_two(face, other, p);
   }
 };
 
@@ -77,7 +77,7 @@ bool move_node(WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32
   }
   ++work.changes;
   for (const std::int32_t t : ball) {
-    work.forget_goodness_of(t);
+    work.forget_quality_of(t);
     for (const std::int32_t v : work.tet(t)) work.node2change[at(v)] = work.changes;
   }
   return true;

@@ -2,7 +2,7 @@
 ///
 /// Source: thesis 4.3.4.1 (the springs of Laplacian smoothing), tried first; where it fails, L. A.
 /// Freitag, M. Jones and P. Plassmann, "A parallel algorithm for mesh smoothing" (1999): climb the
-/// smallest goodness along the shortest vector in the hull of the active gradients.
+/// smallest quality along the shortest vector in the hull of the active gradients.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace tetfarm::cosmetics {
 
-/// The smallest goodness of the star with its node at p; any value below `least` once it is below.
+/// The smallest quality of the star with its node at p; any value below `least` once it is below.
 double worst_at(const Star& star, const Vec3& p, double least);
 
 /// The star of a node in its ball.
 Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node);
 
-/// Climbs from `start` (which may see faces from behind) until the worst goodness is `enough`, or
+/// Climbs from `start` (which may see faces from behind) until the worst quality is `enough`, or
 /// no more progress is made.
-/// Cost: at most some 60 goodnesses a face.
+/// Cost: at most some 60 qualities a face.
 Place climb(const Star& star, const Vec3& start, double enough);
 
 /// A better place for an inner node: the mean of its neighbours, or else by climbing; nothing when

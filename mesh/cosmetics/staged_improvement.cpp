@@ -44,7 +44,7 @@ std::vector<BadTet> bad_tets(const Improver& improver) {
   for (std::int32_t t = 0; t < tets; ++t) {
     if (!improver.work.complex.is_live(t)) continue;
     if (improver.options.regular.holds(t) && improver.work.is_untouched(t)) continue;
-    const double now = improver.work.goodness_of(t);
+    const double now = improver.work.quality_of(t);
     if (now < improver.aims.wanted) bad.push_back({now, t});
   }
   return bad;
@@ -72,9 +72,9 @@ void begin_stage(Improver& improver, const Aims& aims, std::int64_t attempts_of_
 }
 
 void run_stage(Improver& improver, const Stage& stage) {
-  const double wanted = goodness_of_angle(stage.wanted_deg);
-  begin_stage(improver, {wanted, wanted, goodness_of_angle(stage.enough_deg)},
-              stage.attempts_of_two, stage.share_until_then);
+  const double wanted = quality_of_angle(stage.wanted_deg);
+  begin_stage(improver, {wanted, wanted, quality_of_angle(stage.enough_deg)}, stage.attempts_of_two,
+              stage.share_until_then);
   for (int pass = 0; pass < most_passes && !improver.queue.empty(); ++pass) {
     begin_pass(improver);
     run_pass(improver, true);
@@ -86,9 +86,9 @@ void run_stage(Improver& improver, const Stage& stage) {
 }  // namespace
 
 bool is_of_needles(const std::vector<BadTet>& bad, std::size_t tets) {
-  const double limit = goodness_of_angle(needle_deg);
+  const double limit = quality_of_angle(needle_deg);
   const auto needles = std::count_if(bad.begin(), bad.end(),
-                                     [limit](const BadTet& tet) { return tet.goodness < limit; });
+                                     [limit](const BadTet& tet) { return tet.quality < limit; });
   return static_cast<std::size_t>(needles) * tets_a_needle > tets;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mesh/core/tet_layers.h"
-#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm {
@@ -22,12 +22,12 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 std::vector<bool> nodes_that_may_gain(const TetMesh& mesh, const std::vector<SetRank>& of_node,
                                       const std::vector<std::uint32_t>& tets_at_cuts) {
   constexpr double least_dihedral_deg = 59.9;  // the lattice's tets have 60 and 90
-  const double perfect = cosmetics::goodness_of_angle(least_dihedral_deg);
+  const double perfect = cosmetics::quality_of_angle(least_dihedral_deg);
   std::vector<bool> may_gain(of_node.size(), false);
   for (const std::uint32_t t : tets_at_cuts) {
     const Tet& tet = mesh.tets[t];
     const auto point = [&](std::size_t i) -> const Vec3& { return mesh.nodes[at(tet[i])]; };
-    if (cosmetics::goodness(point(0), point(1), point(2), point(3)) >= perfect) continue;
+    if (cosmetics::quality(point(0), point(1), point(2), point(3)) >= perfect) continue;
     for (const std::int32_t v : tet) may_gain[at(v)] = of_node[at(v)] != no_rank;
   }
   return may_gain;
@@ -73,11 +73,11 @@ class SetChoice {
 
 /// What cosmetics would leave as it is.
 struct GoodEnough {
-  double goodness = 0;
+  double quality = 0;
   double height2_in_edges = 0;
 
   explicit GoodEnough(const ExtractionOptions& options)
-      : goodness(cosmetics::goodness_of_angle(options.wanted_dihedral_deg)),
+      : quality(cosmetics::quality_of_angle(options.wanted_dihedral_deg)),
         height2_in_edges(options.height_in_edges * options.height_in_edges) {}
 
   bool operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
@@ -85,7 +85,7 @@ struct GoodEnough {
                                           norm2(c - b), norm2(d - b), norm2(d - c)};
     const auto [shortest2, longest2] = std::minmax_element(edges2.begin(), edges2.end());
     if (is_clearly_good(tet_volume(a, b, c, d), *shortest2, *longest2)) return true;
-    return cosmetics::goodness(a, b, c, d) >= goodness &&
+    return cosmetics::quality(a, b, c, d) >= quality &&
            cosmetics::smallest_height2(a, b, c, d) >= height2_in_edges * *longest2;
   }
 
@@ -97,7 +97,7 @@ struct GoodEnough {
     constexpr double margin = 1.001;
     const double longest6 = longest2 * longest2 * longest2;
     return volume > 0 &&
-           64 * volume * volume * shortest2 >= margin * goodness * longest6 * longest2 &&
+           64 * volume * volume * shortest2 >= margin * quality * longest6 * longest2 &&
            48 * volume * volume >= margin * height2_in_edges * longest6;
   }
 };

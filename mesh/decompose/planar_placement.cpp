@@ -185,7 +185,7 @@ std::vector<Place> places_across(const Direction& direction, const WorkProfile& 
     double offset = profile.offset_of(share);
     place.candidate.left_share = share;
     if (direction.lattice) {
-      auto plane = spacing.roundest_lattice_plane(*direction.lattice,
+      auto plane = spacing.coarsest_lattice_plane(*direction.lattice,
                                                   profile.offset_of(share - lattice_window),
                                                   profile.offset_of(share + lattice_window));
       const bool is_known =

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double elements_per_node = 6;
 constexpr double elements_per_triangle = 1.3;
-/// As the volume mesher has it (mesh/volume/point_insertion.h), in mean edges of the lattice's
+/// As the volume mesher has it (mesh/filling/point_insertion.h), in mean edges of the lattice's
 /// tets.
 constexpr double face_clearance = 0.5;
 constexpr double node_clearance = 0.6;

@@ -2,7 +2,7 @@
 ///
 /// Source: thesis 4.3.1 and 4.3.2 balance by the number of boundary faces; a departure: the nodes
 /// of the job's lattice are known before there is a mesh, so those are counted that the volume
-/// mesher will take (inside, and clear of the boundary: mesh/volume/point_insertion.h). A mesh has
+/// mesher will take (inside, and clear of the boundary: mesh/filling/point_insertion.h). A mesh has
 /// close to 6 tets for each of them and 1.3 for each boundary triangle (measured:
 /// docs/decisions/0006-decompose-cut-recipe.md).
 #pragma once

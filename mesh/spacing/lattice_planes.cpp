@@ -44,7 +44,7 @@ std::array<Vec3, 6> lattice_plane_normals() {
   return normals;
 }
 
-std::optional<LatticePlane> roundest_lattice_plane(const GridFrame& frame, std::size_t direction,
+std::optional<LatticePlane> coarsest_lattice_plane(const GridFrame& frame, std::size_t direction,
                                                    double least_offset, double largest_offset) {
   TF_CHECK(direction < directions.size());
   const Direction& d = directions[direction];

@@ -9,9 +9,9 @@
 
 namespace tetfarm {
 
-/// As SpacingField::roundest_lattice_plane. Cells of twice the edge have nodes in every other of
+/// As SpacingField::coarsest_lattice_plane. Cells of twice the edge have nodes in every other of
 /// the planes; so the rounder the number of a plane, the larger the cells whose nodes it holds.
-std::optional<LatticePlane> roundest_lattice_plane(const GridFrame& frame, std::size_t direction,
+std::optional<LatticePlane> coarsest_lattice_plane(const GridFrame& frame, std::size_t direction,
                                                    double least_offset, double largest_offset);
 
 }  // namespace tetfarm

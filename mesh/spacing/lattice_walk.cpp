@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "mesh/spacing/even_blocks.h"
-#include "mesh/spacing/even_choice.h"
 #include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
+#include "mesh/spacing/systematic_sample.h"
 
 namespace tetfarm {
 namespace {
@@ -50,7 +50,7 @@ class LatticeWalk {
   /// meet, which one that collects and drops again does not.
   LatticeSample sample(std::size_t most) {
     walk(Purpose::count);
-    choice_ = choose_evenly(seen_, most);
+    choice_ = systematic_sample(seen_, most);
     walk(Purpose::choice);
     return {std::move(nodes_), static_cast<double>(choice_.stride)};
   }
@@ -261,7 +261,7 @@ class LatticeWalk {
   LatticeVisits* visits_;            // may be null
   Purpose purpose_ = Purpose::all;
   std::size_t seen_ = 0;  // nodes so far, wanted or not
-  EvenChoice choice_;
+  SystematicSample choice_;
   std::vector<std::uint8_t> found_;  // by looked_up, in the order of the walk
   std::size_t next_found_ = 0;
   GridPoint first_{};

@@ -140,10 +140,10 @@ LatticeSample SpacingField::sample_lattice(const Box3& box, std::size_t most) co
   return sample_lattice_in(*octree_, box, most);
 }
 
-std::optional<LatticePlane> SpacingField::roundest_lattice_plane(std::size_t direction,
+std::optional<LatticePlane> SpacingField::coarsest_lattice_plane(std::size_t direction,
                                                                  double least_offset,
                                                                  double largest_offset) const {
-  return tetfarm::roundest_lattice_plane(octree_->frame, direction, least_offset, largest_offset);
+  return tetfarm::coarsest_lattice_plane(octree_->frame, direction, least_offset, largest_offset);
 }
 
 std::string SpacingField::to_bytes() const {

@@ -136,7 +136,7 @@ class SpacingField {
 
   /// Of the planes with normal lattice_plane_normals()[direction] and an offset within the bounds,
   /// the one that holds nodes of the largest cells; nothing when there is none.
-  std::optional<LatticePlane> roundest_lattice_plane(std::size_t direction, double least_offset,
+  std::optional<LatticePlane> coarsest_lattice_plane(std::size_t direction, double least_offset,
                                                      double largest_offset) const;
 
   /// Estimated elements in a box of this spacing: its volume times elements per h^3 is ∫ c dV /

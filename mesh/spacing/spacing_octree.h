@@ -106,7 +106,7 @@ struct LatticeFilter {
 /// The lattice_nodes of a field, in the Morton order of the cells that own them.
 std::vector<LatticeNode> lattice_nodes_in(const SpacingOctree& octree, const Box3& box,
                                           const LatticeFilter& filter = {});
-/// Those that choose_evenly chooses among all of them.
+/// Those that systematic_sample chooses among all of them.
 LatticeSample sample_lattice_in(const SpacingOctree& octree, const Box3& box, std::size_t most);
 
 }  // namespace tetfarm

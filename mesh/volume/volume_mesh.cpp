@@ -8,11 +8,11 @@
 #include "mesh/core/complaints.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/cosmetics/improve_mesh.h"
+#include "mesh/filling/lattice_filling.h"
+#include "mesh/filling/sweep_points.h"
 #include "mesh/geometry/bowyer_watson.h"
-#include "mesh/volume/boundary_recovery.h"
-#include "mesh/volume/inside_tets.h"
-#include "mesh/volume/lattice_filling.h"
-#include "mesh/volume/sweep_points.h"
+#include "mesh/recovery/boundary_recovery.h"
+#include "mesh/recovery/inside_tets.h"
 
 namespace tetfarm {
 namespace {

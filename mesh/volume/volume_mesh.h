@@ -11,8 +11,8 @@
 #include "base/work_progress.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
+#include "mesh/filling/lattice_cost.h"
 #include "mesh/spacing/spacing_field.h"
-#include "mesh/volume/lattice_cost.h"
 
 namespace tetfarm {
 

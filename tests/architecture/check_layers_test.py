@@ -5,14 +5,24 @@ import unittest
 
 from check_layers import ROOMS, check
 
-TABLE = {"base": [], "mesh/core": ["base"], "store": ["base"], "worker": ["store", "mesh/core"]}
+TABLE = {"base": [], "mesh/core": ["base"], "store": ["base"], "worker": ["mesh/core", "base"]}
 
 
 class CheckLayers(unittest.TestCase):
-    def test_accepts_includes_downward_within_a_room_and_through_a_room(self):
+    def test_accepts_includes_within_a_room_and_of_the_rooms_that_are_named(self):
         files = {"worker/a.h": '#include "worker/b.h"\n#include "mesh/core/c.h"\n#include "base/d.h"\n',
-                 "worker/b.h": "#include <vector>\n", "mesh/core/c.h": "", "base/d.h": ""}
+                 "worker/b.h": "#include <vector>\n", "mesh/core/c.h": '#include "base/d.h"\n', "base/d.h": ""}
         self.assertEqual(check(files, TABLE), [])
+
+    def test_refuses_an_include_through_a_room(self):
+        table = {"base": [], "store": ["base"], "worker": ["store"]}
+        files = {"worker/a.h": '#include "store/b.h"\n#include "base/c.h"\n', "store/b.h": '#include "base/c.h"\n'}
+        self.assertEqual(len(check(files, table)), 1)
+        self.assertIn("may not include", check(files, table)[0])
+
+    def test_refuses_a_room_that_is_named_and_not_used(self):
+        files = {"worker/a.h": '#include "mesh/core/c.h"\n', "mesh/core/c.h": '#include "base/d.h"\n'}
+        self.assertEqual(check(files, TABLE), ["worker includes nothing of base, which the table lets it"])
 
     def test_refuses_an_include_upward(self):
         self.assertIn("may not include", check({"base/a.h": '#include "store/b.h"\n'}, TABLE)[0])
@@ -33,7 +43,7 @@ class CheckLayers(unittest.TestCase):
 
     def test_refuses_links_that_differ_from_the_table(self):
         cmake = "add_room(base)\nadd_room(mesh/core base)\nadd_room(store base mesh/core)\n" \
-                "add_room(worker store mesh/core)\n"
+                "add_room(worker mesh/core base)\n"
         self.assertIn("add_room(store)", check({}, TABLE, cmake)[0])
 
     def test_tests_see_every_room(self):
@@ -42,7 +52,8 @@ class CheckLayers(unittest.TestCase):
     def test_coordinator_and_worker_do_not_see_each_other(self):
         for here, there in (("coordinator", "worker"), ("worker", "coordinator"),
                             ("coordinator", "mesh/geometry"), ("mesh/core", "proto"),
-                            ("mesh/shapes", "mesh/io"), ("mesh/volume", "mesh/shapes")):
+                            ("mesh/shapes", "mesh/io"), ("mesh/volume", "mesh/shapes"), ("mesh/recovery", "mesh/filling"),
+                            ("coordinator/decisions", "coordinator/views"), ("coordinator/views", "coordinator")):
             self.assertTrue(check({f"{here}/a.h": f'#include "{there}/b.h"\n'}, ROOMS))
 
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "coordinator/query_answers.h"
 #include "coordinator/request_handler.h"
+#include "coordinator/views/query_answers.h"
 #include "proto/wire.h"
 #include "tests/base/temp_folder.h"
 

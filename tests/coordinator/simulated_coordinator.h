@@ -216,7 +216,7 @@ class Coordinator {
     } else if (const auto* retry = std::get_if<RetrySaid>(&message)) {
       state_->retry(retry->job, retry->task, moment());
     } else if (const auto* let_go = std::get_if<LetGoSaid>(&message)) {
-      state_->let_host_go(let_go->host, moment());
+      state_->release_host(let_go->host, moment());
     } else if (const auto* drain = std::get_if<DrainSaid>(&message)) {
       state_->drain(drain->worker);
     } else {

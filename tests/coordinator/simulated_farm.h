@@ -96,7 +96,7 @@ class Farm {
     rules.lease_ms = 1000;
     rules.max_crashes = trouble.is_strict ? 3 : 100000;
     rules.max_losses = trouble.is_strict ? 8 : 100000;
-    rules.max_starvings = trouble.is_strict ? 6 : 100000;
+    rules.max_oom_count = trouble.is_strict ? 6 : 100000;
     rules.crash_delay_ms = 50;
     rules.loss_delay_ms = 10;
     rules.longest_delay_ms = 500;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/coordinator/make_believe_task.h"
+#include "tests/coordinator/fake_task.h"
 #include "tests/coordinator/simulated_world.h"
 
 namespace tetfarm::simulation {

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "coordinator/job_state.h"
+#include "coordinator/decisions/job_state.h"
 #include "tests/coordinator/simulation_random.h"
 
 namespace tetfarm::simulation {

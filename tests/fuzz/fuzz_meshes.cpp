@@ -8,8 +8,8 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "mesh/check/mesh_check.h"
 #include "mesh/formats/open_mesh.h"
+#include "mesh/quality/mesh_check.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace tetfarm::fuzz {

@@ -30,11 +30,11 @@ ArtifactStore make_store() {
 }
 
 void take_turn(RequestHandler& handler, JobState& state, const JobDatabase& database,
-               const ArtifactStore& store, const Door& door, Moment now) {
+               const ArtifactStore& store, const Authenticator& authenticator, Moment now) {
   state.tick(now);
   handler.carry_out(state, now);
   state.take_changes();
-  handler.answer_questions(state, database.history(), door, now);
+  handler.answer_questions(state, database.history(), authenticator, now);
   handler.take_replies();
   handler.take_complaints();
   for (const FileOrder& order : handler.take_file_orders(state, now)) {
@@ -51,7 +51,7 @@ void wire(std::string_view input) {
   static const JobDatabase database(store.folder() / "tetfarm.db");
   static zmq::context_t context;
   static Refusals refusals;
-  static const Door door(context, {}, refusals);
+  static const Authenticator authenticator(context, {}, refusals);
   Moment now{1000, 1000};
   RequestHandler handler(store, roots, {.max_workers = 4}, refusals);
   JobState state(
@@ -64,7 +64,7 @@ void wire(std::string_view input) {
     // Three plain connections, and one with a key that is authorised no longer.
     const Sender sender{"connection " + std::to_string(who), who == 3 ? "key" : "", {}, ""};
     handler.handle(sender, input.substr(0, size), state, now);
-    take_turn(handler, state, database, store, door, now);
+    take_turn(handler, state, database, store, authenticator, now);
     input.remove_prefix(std::min(size, input.size()));
     now.steady_ms += 700;
     now.wall_ms += 700;

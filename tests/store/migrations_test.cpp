@@ -115,7 +115,7 @@ TEST_P(Migrations, make_room_for_what_is_new) {
   task.path = 0;
   task.state = TaskState::ready;
   task.attempt = {};
-  task.starvings = 2;
+  task.oom_count = 2;
   task.memory_bytes = std::uint64_t{3} << 30U;
   TaskRow mesh = database.load().tasks.at(TaskId{4});
   mesh.state = TaskState::replaced;

@@ -43,7 +43,7 @@ Measures measure(const TetComplex& complex) {
     if (tet[0] < 0) continue;
     const auto point = [&](std::size_t i) { return complex.points[at(tet[i])]; };
     measures.volume += tet_volume(point(0), point(1), point(2), point(3));
-    measures.worst = std::min(measures.worst, cosmetics::goodness(complex, tet));
+    measures.worst = std::min(measures.worst, cosmetics::quality(complex, tet));
     measures.min_dihedral_deg = std::min(
         measures.min_dihedral_deg, dihedral_range(point(0), point(1), point(2), point(3)).min_deg);
   }

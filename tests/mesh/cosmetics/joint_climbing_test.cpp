@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/improve_mesh.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
@@ -24,21 +24,21 @@ double lowest2(const WorkMesh& work) {
   return lowest;
 }
 
-double worst_goodness(const WorkMesh& work) {
+double worst_quality(const WorkMesh& work) {
   double worst = 1;
   for (std::int32_t t = 0; t < std::ssize(work.complex.nodes); ++t) {
-    if (work.complex.is_live(t)) worst = std::min(worst, work.goodness_of(t));
+    if (work.complex.is_live(t)) worst = std::min(worst, work.quality_of(t));
   }
   return worst;
 }
 
-TEST(JointClimbing, the_smallest_pieces_of_a_tet_are_its_goodness_and_its_smallest_height) {
+TEST(JointClimbing, the_smallest_pieces_of_a_tet_are_its_quality_and_its_smallest_height) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::array<Vec3, 4> p;
     for (std::size_t i = 0; i < 4; ++i) p[i] = trial::random_vector(seed, i);
     if (tet_volume(p[0], p[1], p[2], p[3]) < 0) std::swap(p[0], p[1]);
     const TetPieces pieces = pieces_of(p[0], p[1], p[2], p[3]);
-    EXPECT_NEAR(std::ranges::min(pieces.sines2), goodness(p[0], p[1], p[2], p[3]), 1e-12);
+    EXPECT_NEAR(std::ranges::min(pieces.sines2), quality(p[0], p[1], p[2], p[3]), 1e-12);
     EXPECT_NEAR(std::ranges::min(pieces.heights2), smallest_height2(p[0], p[1], p[2], p[3]), 1e-12);
     std::swap(p[2], p[3]);
     EXPECT_LT(std::ranges::max(pieces_of(p[0], p[1], p[2], p[3]).sines2), 0);
@@ -90,16 +90,16 @@ TEST(JointClimbing, neighbours_together_raise_heights_that_no_node_can_alone) {
     WorkMesh work(complex, mesh.boundary_nodes);
     HeightOptions options;
     options.wanted_length = 0.7;
-    options.floor = goodness_of_angle(20);
-    raise_heights(work, options);
-    EXPECT_EQ(raise_heights(work, options), 0);
+    options.floor = quality_of_angle(20);
+    improve_altitudes(work, options);
+    EXPECT_EQ(improve_altitudes(work, options), 0);
     const double alone = lowest2(work);
-    const double worst = worst_goodness(work);
+    const double worst = worst_quality(work);
     options.most_joint_failures = 8;
-    EXPECT_GT(raise_heights(work, options), 0) << seed;
+    EXPECT_GT(improve_altitudes(work, options), 0) << seed;
     EXPECT_GE(lowest2(work), alone) << seed;
     if (lowest2(work) > 1.03 * alone) ++raised;
-    EXPECT_GE(worst_goodness(work), std::min(worst, options.floor)) << seed;
+    EXPECT_GE(worst_quality(work), std::min(worst, options.floor)) << seed;
     EXPECT_THAT(validate(complex), IsEmpty());
     for (std::int32_t v = 0; v < mesh.boundary_nodes; ++v) {
       EXPECT_EQ(work.point(v), mesh.nodes[at(v)]);

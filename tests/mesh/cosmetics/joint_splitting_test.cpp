@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "mesh/cosmetics/height_raising.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/improve_mesh.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
@@ -66,7 +66,7 @@ std::int32_t worst_tet(const WorkMesh& work) {
   std::int32_t worst = -1;
   for (std::int32_t t = 0; t < std::ssize(work.complex.nodes); ++t) {
     if (!work.complex.is_live(t)) continue;
-    if (worst < 0 || work.goodness_of(t) < work.goodness_of(worst)) worst = t;
+    if (worst < 0 || work.quality_of(t) < work.quality_of(worst)) worst = t;
   }
   return worst;
 }
@@ -78,7 +78,7 @@ TEST(JointSplitting, helps_the_worst_that_nothing_else_did_or_leaves_the_mesh_as
     SettledBall ball = settled_ball(seed);
     WorkMesh work(ball.complex, ball.mesh.boundary_nodes);
     const std::int32_t t = worst_tet(work);
-    const double before = work.goodness_of(t);
+    const double before = work.quality_of(t);
     const double lowest2 = lowest2_of(work);
     const double volume = volume_of(ball.complex);
     const std::vector<Tet> tets = tets_of(ball.complex);
@@ -95,9 +95,9 @@ TEST(JointSplitting, helps_the_worst_that_nothing_else_did_or_leaves_the_mesh_as
       continue;
     }
     ++helped;
-    for (const std::int32_t now : changed) EXPECT_TRUE(is_worth(before, work.goodness_of(now)));
+    for (const std::int32_t now : changed) EXPECT_TRUE(is_worth(before, work.quality_of(now)));
     EXPECT_GE(lowest2_of(work), lowest2);
-    EXPECT_GE(work.goodness_of(worst_tet(work)), before);
+    EXPECT_GE(work.quality_of(worst_tet(work)), before);
   }
   EXPECT_GE(helped, meshes / 4);
   EXPECT_LT(helped, meshes);

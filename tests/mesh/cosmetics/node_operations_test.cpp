@@ -120,7 +120,7 @@ TEST(ElementSplitting, breaks_a_sliver_of_boundary_nodes) {
   TetComplex complex = sliver_between_poles();
   ASSERT_THAT(validate(complex), IsEmpty());
   WorkMesh work(complex, 6);
-  ASSERT_LT(work.goodness_of(0), 0.01);
+  ASSERT_LT(work.quality_of(0), 0.01);
   const auto found = find_split(work, 0, {});
   ASSERT_TRUE(found.has_value());
   EXPECT_GT(found->new_worst, 0.1);
@@ -163,11 +163,11 @@ TEST(ElementSplitting, breaks_a_whole_layer_of_flat_tets_from_beside_their_plane
   ASSERT_THAT(validate(complex), IsEmpty());
   WorkMesh work(complex, corners + 1);
   const std::int32_t in_the_middle = corners / 2;
-  ASSERT_LT(work.goodness_of(in_the_middle), 1e-12);
+  ASSERT_LT(work.quality_of(in_the_middle), 1e-12);
   EXPECT_FALSE(find_split(work, in_the_middle, {}).has_value());
   const auto found = find_split(work, in_the_middle, {.is_flat = true});
   ASSERT_TRUE(found.has_value());
-  EXPECT_GT(found->new_worst, goodness_of_angle(2));
+  EXPECT_GT(found->new_worst, quality_of_angle(2));
   EXPECT_GT(found->old_tets.size(), 40U);
   EXPECT_FALSE(replace_tets(work, *found).empty());
   EXPECT_THAT(validate(complex), IsEmpty());

@@ -41,7 +41,7 @@ TEST(Relaxation, makes_tets_rounder_and_the_worst_no_worse) {
 }
 
 TEST(Relaxation, goes_down_to_the_floor_and_no_further_for_rounder_tets) {
-  const double floor = goodness_of_angle(25);
+  const double floor = quality_of_angle(25);
   const TetMesh mesh = trial::kuhn_box(4, 0.5, 4);
   std::array<double, 2> ratio{};
   for (const bool to_floor : {false, true}) {

@@ -7,9 +7,9 @@
 
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/element_passing.h"
-#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
 #include "tests/mesh/cosmetics/cut_bar.h"
 

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/edge_removal.h"
-#include "mesh/cosmetics/height_raising.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
@@ -49,7 +49,7 @@ TEST(SmallPolyhedronReconnection, is_as_good_as_edge_removal_round_an_edge) {
       WorkMesh work(complex, n + 2);
       std::int32_t worst = 0;
       for (std::int32_t t = 1; t < n; ++t) {
-        if (work.goodness_of(t) < work.goodness_of(worst)) worst = t;
+        if (work.quality_of(t) < work.quality_of(worst)) worst = t;
       }
       ReconnectionOptions options;
       options.enough = 1;
@@ -77,10 +77,10 @@ TEST(SmallPolyhedronReconnection, improves_what_it_touches_in_random_meshes) {
     WorkMesh work(complex, 162);
     const double before = volume(complex);
     for (std::int32_t t = 0; at(t) < complex.nodes.size(); ++t) {
-      if (!complex.is_live(t) || work.goodness_of(t) > goodness_of_angle(15)) continue;
+      if (!complex.is_live(t) || work.quality_of(t) > quality_of_angle(15)) continue;
       const auto found = find_reconnection(work, t);
       if (!found) continue;
-      EXPECT_NEAR(found->old_worst, work.goodness_of(t), 1e-15);
+      EXPECT_NEAR(found->old_worst, work.quality_of(t), 1e-15);
       const auto tets = replace_tets(work, *found);
       if (tets.empty()) continue;
       ++found_count;
@@ -109,7 +109,7 @@ TEST(SmallPolyhedronReconnection, raises_another_measure_where_one_is_given) {
     return least;
   };
   int found_count = 0;
-  int worse_goodness = 0;
+  int worse_quality = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     TetComplex complex = make_tet_complex(trial::random_ball(2, 200, seed));
     WorkMesh work(complex, 162);
@@ -118,18 +118,18 @@ TEST(SmallPolyhedronReconnection, raises_another_measure_where_one_is_given) {
       const auto found = find_reconnection(work, t, options);
       if (!found) continue;
       const double before = lowest(work, found->old_tets);
-      const double goodness_before = worst_of(work, found->old_tets);
+      const double quality_before = worst_of(work, found->old_tets);
       const auto tets = replace_tets(work, *found);
       if (tets.empty()) continue;
       ++found_count;
       EXPECT_GT(lowest(work, tets), before);
       EXPECT_NEAR(lowest(work, tets), found->new_worst, 1e-12);
-      if (worst_of(work, tets) < goodness_before) ++worse_goodness;
+      if (worst_of(work, tets) < quality_before) ++worse_quality;
     }
     EXPECT_THAT(validate(complex), IsEmpty());
   }
   EXPECT_GT(found_count, 30);
-  EXPECT_GT(worse_goodness, 0);
+  EXPECT_GT(worse_quality, 0);
 }
 
 /// Near a corner of a regular tet, a node that nobody needs.
@@ -151,7 +151,7 @@ TEST(SmallPolyhedronReconnection, leaves_out_an_inner_node_only_when_it_may_go) 
     WorkMesh work(complex, fixed ? 5 : 4);
     std::int32_t worst = 0;
     for (std::int32_t t = 1; t < 4; ++t) {
-      if (work.goodness_of(t) < work.goodness_of(worst)) worst = t;
+      if (work.quality_of(t) < work.quality_of(worst)) worst = t;
     }
     const auto found = find_reconnection(work, worst);
     EXPECT_EQ(found.has_value(), !fixed);

@@ -11,7 +11,7 @@ namespace {
 using testing::IsEmpty;
 
 std::vector<BadTet> tets_of_angle(std::size_t count, double degrees) {
-  return std::vector<BadTet>(count, {goodness_of_angle(degrees), 0});
+  return std::vector<BadTet>(count, {quality_of_angle(degrees), 0});
 }
 
 TEST(IsOfNeedles, when_more_than_one_tet_in_fifty_is_below_eight_degrees) {
@@ -46,7 +46,7 @@ struct Improved {
 std::size_t bad_tets(const TetComplex& complex, double degrees) {
   std::size_t bad = 0;
   for (const Tet& tet : complex.nodes) {
-    bad += tet[0] >= 0 && goodness(complex, tet) < goodness_of_angle(degrees) ? 1 : 0;
+    bad += tet[0] >= 0 && quality(complex, tet) < quality_of_angle(degrees) ? 1 : 0;
   }
   return bad;
 }

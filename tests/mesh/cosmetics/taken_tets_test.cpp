@@ -107,7 +107,7 @@ class AllTets {
   }
   bool is_bad(const Tet& tet) const {
     const auto p = [&](std::size_t i) -> const Vec3& { return mesh_.nodes[at(tet[i])]; };
-    return cosmetics::goodness(p(0), p(1), p(2), p(3)) < cosmetics::goodness_of_angle(30);
+    return cosmetics::quality(p(0), p(1), p(2), p(3)) < cosmetics::quality_of_angle(30);
   }
 
   const TetMesh& mesh_;

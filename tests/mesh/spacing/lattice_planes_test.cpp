@@ -28,7 +28,7 @@ double height_over(const LatticePlane& plane, const Vec3& p) {
 TEST(LatticePlanes, lie_within_the_bounds_asked_for) {
   const SpacingField field(0.1);
   for (std::size_t direction = 0; direction < 6; ++direction) {
-    const auto plane = field.roundest_lattice_plane(direction, 0.2, 0.5);
+    const auto plane = field.coarsest_lattice_plane(direction, 0.2, 0.5);
     ASSERT_TRUE(plane.has_value());
     EXPECT_EQ(plane->normal, lattice_plane_normals()[direction]);
     EXPECT_GE(plane->offset, 0.2 - 1e-12);
@@ -40,7 +40,7 @@ TEST(LatticePlanes, hold_the_nodes_of_the_lattice_that_lie_in_them_and_no_others
   const SpacingField field = graded_field();
   const auto all = field.lattice_nodes(box);
   for (std::size_t direction = 0; direction < 6; ++direction) {
-    const auto plane = field.roundest_lattice_plane(direction, -0.1, 0.1);
+    const auto plane = field.coarsest_lattice_plane(direction, -0.1, 0.1);
     ASSERT_TRUE(plane.has_value());
     const auto found = field.lattice_nodes_in_plane(box, *plane);
     EXPECT_GT(found.size(), 20U);
@@ -59,7 +59,7 @@ TEST(LatticePlanes, are_crossed_by_no_tet_of_an_even_lattice) {
   for (const LatticeNode& node : nodes) points.push_back(node.at);
   const DelaunayTets tets = bowyer_watson(points);
   for (std::size_t direction = 0; direction < 6; ++direction) {
-    const auto plane = field.roundest_lattice_plane(direction, -0.15, 0.15);
+    const auto plane = field.coarsest_lattice_plane(direction, -0.15, 0.15);
     ASSERT_TRUE(plane.has_value());
     int touching = 0;
     int crossing = 0;

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "mesh/spacing/even_choice.h"
 #include "mesh/spacing/octree_build.h"
 #include "mesh/spacing/octree_refine.h"
+#include "mesh/spacing/systematic_sample.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -153,7 +153,7 @@ TEST(SpacingOctree, samples_the_chosen_ones_of_its_lattice_nodes) {
   box.add(Vec3{0.9, 0.5, 0.7});
   const std::vector<LatticeNode> all = lattice_nodes_in(octree, box);
   for (const std::size_t most : {std::size_t{100}, std::size_t{5000}, 2 * all.size()}) {
-    const EvenChoice choice = choose_evenly(all.size(), most);
+    const SystematicSample choice = systematic_sample(all.size(), most);
     const LatticeSample sample = sample_lattice_in(octree, box, most);
     EXPECT_EQ(sample.nodes_for_each, static_cast<double>(choice.stride));
     ASSERT_EQ(sample.nodes.size(), choice.numbers.size());

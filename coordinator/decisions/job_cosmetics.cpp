@@ -1,0 +1,60 @@
+/// JobState, the part about cosmetics across cuts: who may have the next turn.
+#include "base/check.h"
+#include "coordinator/decisions/cosmetic_graph.h"
+#include "coordinator/decisions/job_state.h"
+
+namespace tetfarm {
+
+/// A task of which it is known what it made: done, or done once and made again for a lost file, be
+/// it that it is in quarantine by now.
+const TaskRow* JobState::find_done(JobId job, TaskKind kind, std::uint64_t path) const {
+  const TaskRow* task = find_task(job, kind, path);
+  if (task == nullptr || task->outputs.empty()) return nullptr;
+  return task->state == TaskState::failed && !was_done_before(*task) ? nullptr : task;
+}
+
+const TurnOrder& JobState::turns_of(JobId job) {
+  const auto known = turns_.find(job);
+  if (known != turns_.end()) return known->second;
+  const TaskRow* order = find_done(job, TaskKind::order, 0);
+  TF_CHECK(order != nullptr);
+  std::optional<TurnOrder> turns = turn_order_of(order->texts.at("order"));
+  TF_CHECK(turns.has_value());
+  return turns_.emplace(job, std::move(*turns)).first->second;
+}
+
+void JobState::order_when_whole(JobId job, Moment now) {
+  if (open_[job] > 0) return;
+  const std::vector<SubdomainRow> tree = tree_of(job);
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  if (has_seam_cosmetics(*inspect, tree)) add_task(order_task(*inspect, tree), now);
+}
+
+/// The leaf of that path is meshed, or the order is known: if both, its elements are extracted.
+void JobState::extract_when_ordered(JobId job, std::uint64_t leaf, Moment now) {
+  const TaskRow* order = find_done(job, TaskKind::order, 0);
+  const TaskRow* mesh = find_done(job, TaskKind::mesh, leaf);
+  if (order != nullptr && mesh != nullptr) add_task(extract_task(*order, *mesh), now);
+}
+
+/// After an extraction or a turn at that leaf: the leaf itself and its neighbours may be next.
+void JobState::give_turns_round(JobId job, std::uint64_t leaf, Moment now) {
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TurnOrder& turns = turns_of(job);
+  const auto find = [this, job](TaskKind kind, std::uint64_t path) {
+    return find_done(job, kind, path);
+  };
+  std::vector<std::uint64_t> next = turns.at(leaf).neighbours;
+  next.push_back(leaf);
+  for (const std::uint64_t candidate : next) {
+    if (find_task(job, TaskKind::cosmetic, candidate) != nullptr) continue;
+    if (const auto task = cosmetic_task(*inspect, turns, candidate, find)) add_task(*task, now);
+  }
+}
+
+bool JobState::had_all_turns(JobId job) {
+  const TurnOrder& turns = turns_of(job);
+  return turns_over_[job] == static_cast<std::int64_t>(turns.size());
+}
+
+}  // namespace tetfarm

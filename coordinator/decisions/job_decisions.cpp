@@ -1,0 +1,317 @@
+/// JobState, the part about results and failures of tasks, and about the wishes of clients.
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/tree_path.h"
+#include "coordinator/decisions/assimilation_graph.h"
+#include "coordinator/decisions/job_state.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int exit_failed = static_cast<int>(ExitCode::failed);
+
+/// What a submission's key stands for; see JobRow::content.
+std::string content_of(const TaskRow& inspect) {
+  std::string content;
+  for (const ArtifactRef& input : inspect.inputs) {
+    content += (content.empty() ? "" : "\n") + input.name + " " + input.hash;
+  }
+  return content;
+}
+
+}  // namespace
+
+std::string place_of(const TaskRow& task) {
+  std::string place = name_of(task.kind);
+  if (task.path == 1) place += " of the whole domain";
+  if (task.path > 1) place += " of sub-domain " + tree_path(task.path);
+  return place;
+}
+
+void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
+                    Moment now) {
+  sessions_.at(worker).heard_ms = now.steady_ms;
+  if (!holds(worker, id, attempt)) {
+    commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
+    return;
+  }
+  store_log(attempt, result.log, result.peak_rss_bytes);
+  if (!std::all_of(result.outputs.begin(), result.outputs.end(), has_file_)) {
+    lose_attempt(attempt, AttemptState::lost, "its outputs are not in the store", now);
+    commands_.emplace_back(SendAccepted{worker, id, attempt, false});
+    return;
+  }
+  commands_.emplace_back(SendAccepted{worker, id, attempt, true});
+  TaskRow& task = edit(id);
+  if (const auto problem = problem_with(task, result)) {
+    end_attempt(attempt, AttemptState::failed, *problem, now);
+    fail_task(task, exit_failed, "unusable result: " + *problem, now);
+    return;
+  }
+  const bool made_before = !task.outputs.empty();
+  if (made_before && task.outputs != result.outputs) {
+    end_attempt(attempt, AttemptState::failed, "different bytes from the first time", now);
+    fail_task(task, exit_failed,
+              "run again for a lost file, it made different bytes from the first time; submit the "
+              "job again",
+              now);
+    return;
+  }
+  end_attempt(attempt, AttemptState::done, "", now);
+  revoke_attempts(task, "another attempt was faster", now);
+  task.attempt = attempt;
+  task.outputs = result.outputs;
+  task.numbers = result.numbers;
+  task.texts = result.texts;
+  if (!rules_.program.empty()) task.texts["program"] = rules_.program;
+  task.seconds = result.seconds;
+  task.peak_rss_bytes = result.peak_rss_bytes;
+  task.message.clear();
+  set_state(task, TaskState::done);
+  if (!made_before) remember_work(task);
+  expectation_.learn(task);
+  note_done_on_host(id, workers_.at(worker).host, now);
+  not_before_ms_.erase(id);
+  failed_on_.erase(id);
+  stuck_delay_ms_ = 0;
+  stuck_message_.clear();
+  if (made_before) wake_waiting(task.job, now);
+  if (!made_before || task.kind == TaskKind::assemble) advance(task, now);
+}
+
+void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
+                      Moment now) {
+  sessions_.at(worker).heard_ms = now.steady_ms;
+  if (!holds(worker, id, attempt)) {
+    commands_.emplace_back(SendAccepted{worker, id, attempt, false});
+    return;
+  }
+  commands_.emplace_back(SendAccepted{worker, id, attempt, true});
+  store_log(attempt, failure.log, failure.peak_rss_bytes);
+  take_failure(edit(id), worker, attempt, failure, now);
+}
+
+void JobState::take_failure(TaskRow& task, WorkerId worker, AttemptId attempt,
+                            const TaskFailure& failure, Moment now) {
+  const bool for_good = !failure.may_retry && !failure.out_of_resources && !failure.killed &&
+                        !failure.out_of_memory && failure.damaged_inputs.empty();
+  if (for_good) {
+    end_attempt(attempt, AttemptState::failed, failure.message, now);
+    if (task.outputs.empty()) {
+      std::copy_if(failure.evidence.begin(), failure.evidence.end(),
+                   std::back_inserter(task.outputs), has_file_);
+    }
+    fail_task(task, failure.exit_code, failure.message, now);
+  } else if (!failure.damaged_inputs.empty()) {
+    lose_attempt(attempt, AttemptState::returned, failure.message, now);
+    settle_waiting(task.id, now);
+    if (task.state == TaskState::ready) count_loss(task, failure.message, now);
+  } else if (failure.out_of_memory) {
+    const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
+    lose_attempt(attempt, AttemptState::starved, failure.message, now);
+    count_out_of_memory(task, had_bytes, failure, now);
+  } else if (failure.out_of_resources) {
+    lose_attempt(attempt, AttemptState::returned, failure.message, now);
+    out_of_resources(failure.message, now);
+  } else if (failure.killed) {
+    lose_attempt(attempt, AttemptState::killed, failure.message, now);
+    count_loss(task, failure.message, now);
+  } else {
+    lose_attempt(attempt, AttemptState::crashed, failure.message, now);
+    count_crash(task, worker, failure.message, now);
+  }
+}
+
+void JobState::advance(const TaskRow& task, Moment now) {
+  const TaskRow* inspect = find_task(task.job, TaskKind::inspect, 0);
+  TF_CHECK(inspect != nullptr);
+  switch (task.kind) {
+    case TaskKind::inspect:
+      carry_out(after_inspect(task), now);
+      break;
+    case TaskKind::decompose: {
+      const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
+      const bool is_further = further_cuts_above(task.job, 2 * task.path) > 0;
+      GraphStep step = after_decompose(*inspect, task, self, is_further);
+      // What could not be cut after all is tried once more with all the room.
+      for (TaskRow& next : step.tasks) {
+        if (next.path == task.path) next.memory_bytes = task.memory_bytes;
+      }
+      carry_out(step, now);
+      break;
+    }
+    case TaskKind::assimilate:
+      carry_out(after_assimilate(*inspect, task, tree_of(task.job)), now);
+      break;
+    case TaskKind::mesh:
+      put(after_mesh(task, durable_.subdomains.at({task.job, task.path})));
+      if (find_task(task.job, TaskKind::order, 0) != nullptr) {
+        extract_when_ordered(task.job, task.path, now);
+      } else if (unsettled_.at(task.job) == 0) {
+        number_tree(task.job, now);
+      }
+      break;
+    case TaskKind::order:
+      for (const auto& [leaf, turn] : turns_of(task.job)) {
+        extract_when_ordered(task.job, leaf, now);
+      }
+      break;
+    case TaskKind::extract:
+      give_turns_round(task.job, task.path, now);
+      break;
+    case TaskKind::cosmetic:
+      ++turns_over_[task.job];
+      give_turns_round(task.job, task.path, now);
+      if (had_all_turns(task.job)) number_tree(task.job, now);
+      break;
+    case TaskKind::number:
+      write_leaves(task, now);
+      break;
+    case TaskKind::write:
+      ++written_[task.job];
+      assemble_when_written(task.job, now);
+      break;
+    case TaskKind::assemble:
+      set_phase(edit(task.job), JobPhase::done, now);
+      new_events_.push_back({now.wall_ms, task.job, {}, {}, {}, "job done", ""});
+      break;
+  }
+}
+
+void JobState::carry_out(const GraphStep& step, Moment now) {
+  for (const SubdomainRow& subdomain : step.subdomains) put(subdomain);
+  // Before the meshes: one that an earlier job has done is done at once, and has to find the order.
+  if (!step.subdomains.empty()) tree_has_grown(step.subdomains.front().job, now);
+  for (const TaskRow& task : step.tasks) add_task(task, now);
+}
+
+/// When the last cut is made, the leaves are joined where the job asks for it; when that is over,
+/// their order in cosmetics is found.
+void JobState::tree_has_grown(JobId job, Moment now) {
+  if (open_[job] > 0) return;
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
+  if (assimilate == nullptr) {
+    if (const auto task = assimilate_task(*inspect, tree_of(job))) {
+      add_task(*task, now);
+      return;
+    }
+  } else if (assimilate->outputs.empty()) {
+    return;
+  }
+  order_when_whole(job, now);
+}
+
+/// The whole tree is meshed, and had its turns: the nodes can be numbered.
+void JobState::number_tree(JobId job, Moment now) {
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* order = find_task(job, TaskKind::order, 0);
+  const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
+  TaskRow number = number_task(*inspect, assimilate, tree_of(job));
+  if (order != nullptr) {
+    add_elements(number, *order, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+      return find_done(job, kind, path);
+    });
+  }
+  add_task(std::move(number), now);
+}
+
+/// The nodes have their numbers: every leaf is written, in any order.
+void JobState::write_leaves(const TaskRow& number, Moment now) {
+  const JobId job = number.job;
+  const TaskRow inspect = *find_task(job, TaskKind::inspect, 0);
+  const bool has_seam_cosmetics = find_task(job, TaskKind::order, 0) != nullptr;
+  const TaskRow numbered = number;
+  for (const SubdomainRow& node : tree_of(job)) {
+    if (node.state != SubdomainState::leaf) continue;
+    TaskRow write = write_task(inspect, numbered, node.path);
+    if (has_seam_cosmetics) {
+      add_final_elements(write, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+        return find_done(job, kind, path);
+      });
+    } else {
+      const TaskRow* mesh = find_done(job, TaskKind::mesh, node.path);
+      TF_CHECK(mesh != nullptr);
+      add_mesh(*mesh, write);
+    }
+    add_task(std::move(write), now);
+  }
+}
+
+void JobState::assemble_when_written(JobId job, Moment now) {
+  if (written_[job] < leaves_.at(job)) return;
+  const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
+  const TaskRow* number = find_task(job, TaskKind::number, 0);
+  const auto find_written = [this, job](std::uint64_t leaf) {
+    return find_done(job, TaskKind::write, leaf);
+  };
+  add_task(assemble_task(*inspect, *number, tree_of(job), find_written), now);
+}
+
+/// Whether the job is done and left memory, and its results are there: nothing is to be decided.
+bool JobState::has_results(JobId job) const {
+  const auto past = finished_->jobs().find(job);
+  if (is_at_hand(job) || past == finished_->jobs().end()) return false;
+  const std::vector<ArtifactRef>& results = past->second.results;
+  return durable_.jobs.at(job).phase == JobPhase::done &&
+         std::all_of(results.begin(), results.end(), has_file_);
+}
+
+SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
+  TaskRow inspect = inspect_task({}, submission.job_file, submission.inputs);
+  const std::string content = content_of(inspect);
+  const auto known =
+      submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});
+  if (known != keys_.end() && durable_.jobs.at(known->second).content != content) {
+    return {known->second, true, true};
+  }
+  if (submission.replaces_others) cancel_others(submission, now);
+  if (known != keys_.end()) {
+    if (has_results(known->second)) return {known->second, true};
+    bring_back(known->second);
+    JobRow& job = edit(known->second);
+    if (job.phase == JobPhase::failed || job.phase == JobPhase::cancelled) resume(job, now);
+    if (job.phase == JobPhase::done) remake_results(job, now);
+    return {known->second, true};
+  }
+  JobRow job;
+  job.id = JobId{durable_.jobs.empty() ? 1 : durable_.jobs.rbegin()->first.value + 1};
+  job.key = submission.key;
+  job.name = submission.name;
+  job.job_toml = submission.job_toml;
+  job.created_ms = now.wall_ms;
+  job.owner = submission.owner;
+  job.content = content;
+  dirty_jobs_.insert(job.id);
+  if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
+  durable_.jobs.emplace(job.id, job);
+  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
+  inspect.job = job.id;
+  add_task(std::move(inspect), now);
+  return {job.id, false};
+}
+
+void JobState::cancel_others(const Submission& submission, Moment now) {
+  for (const auto& [id, job] : durable_.jobs) {
+    const bool is_same = job.key == submission.key && job.owner == submission.owner;
+    if (job.phase == JobPhase::running && !is_same) cancel(id, now);
+  }
+}
+
+bool JobState::cancel(JobId id, Moment now) {
+  const auto found = durable_.jobs.find(id);
+  if (found == durable_.jobs.end()) return false;
+  if (found->second.phase != JobPhase::running) return true;
+  set_phase(edit(id), JobPhase::cancelled, now);
+  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
+  for (const TaskId task : tasks_of(id)) {
+    if (durable_.tasks.at(task).state != TaskState::leased) continue;
+    revoke_attempts(edit(task), "the job was cancelled", now);
+  }
+  return true;
+}
+
+}  // namespace tetfarm

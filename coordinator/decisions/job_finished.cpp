@@ -1,0 +1,84 @@
+/// JobState, the part about jobs that have ended: their rows leave memory, and come back when the
+/// job goes on.
+#include <utility>
+
+#include "base/check.h"
+#include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/task_reuse.h"
+
+namespace tetfarm {
+
+/// What is found out from a row alone.
+void JobState::take_in(const TaskRow& task) {
+  at_hand_.insert(task.job);
+  if (task.state == TaskState::replaced) {
+    note_replaced(task);
+    return;
+  }
+  places_[{task.job, task.kind, task.path}] = task.id;
+  index(task);
+  const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
+  if (had_turn) ++turns_over_[task.job];
+  const bool is_written = task.kind == TaskKind::write && find_file(task.outputs, "portion");
+  if (is_written) ++written_[task.job];
+  remember_work(task);
+}
+
+/// Before anything of a job that may have ended is decided. Nothing happens to one that is here.
+void JobState::bring_back(JobId job) {
+  if (is_at_hand(job) || !finished_->contains(job)) return;
+  DurableState rows = finished_->rows_of(job);
+  for (const auto& [key, subdomain] : rows.subdomains) index(subdomain, true);
+  durable_.subdomains.merge(rows.subdomains);
+  for (auto& [id, row] : rows.tasks) {
+    take_in(durable_.tasks.insert_or_assign(id, std::move(row)).first->second);
+  }
+}
+
+std::vector<DurableState> JobState::take_finished() {
+  std::vector<DurableState> taken;
+  if (!finished_->is_kept()) return taken;
+  TF_CHECK(dirty_tasks_.empty() && dirty_jobs_.empty() && dirty_subdomains_.empty());
+  std::set<JobId> over;
+  for (const JobId job : at_hand_) {
+    if (durable_.jobs.at(job).phase != JobPhase::running) over.insert(job);
+  }
+  if (over.empty()) return taken;
+  for (const auto& [id, attempt] : durable_.running_attempts) {
+    over.erase(durable_.tasks.at(attempt.task).job);
+  }
+  for (const JobId job : over) taken.push_back(take_out(job));
+  return taken;
+}
+
+DurableState JobState::take_out(JobId job) {
+  DurableState rows;
+  rows.jobs.emplace(job, durable_.jobs.at(job));
+  for (auto next = durable_.tasks.begin(); next != durable_.tasks.end();) {
+    const auto task = next++;
+    if (task->second.job != job) continue;
+    const Hash128 key = work_key(task->second, program_of(task->second));
+    const auto work = done_work_.find({key.high, key.low});
+    if (work != done_work_.end()) work->second.erase(task->first);
+    if (work != done_work_.end() && work->second.empty()) done_work_.erase(work);
+    not_before_ms_.erase(task->first);
+    failed_on_.erase(task->first);
+    rows.tasks.insert(durable_.tasks.extract(task));
+  }
+  const auto end = durable_.subdomains.lower_bound({JobId{job.value + 1}, 0});
+  for (auto next = durable_.subdomains.lower_bound({job, 0}); next != end;) {
+    rows.subdomains.insert(durable_.subdomains.extract(next++));
+  }
+  places_.erase(places_.lower_bound({job, TaskKind::inspect, 0}),
+                places_.lower_bound({JobId{job.value + 1}, TaskKind::inspect, 0}));
+  for (auto* const tasks : {&active_, &failed_}) tasks->erase(job);
+  for (auto* const count : {&unsettled_, &open_, &leaves_, &written_, &turns_over_}) {
+    count->erase(job);
+  }
+  turns_.erase(job);
+  cut_further_.erase(job);
+  at_hand_.erase(job);
+  return rows;
+}
+
+}  // namespace tetfarm

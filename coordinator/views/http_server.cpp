@@ -1,0 +1,286 @@
+#include "coordinator/views/http_server.h"
+
+#include <netdb.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/file_system.h"
+#include "proto/local_endpoint.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t shortest_token = 16;
+constexpr int backlog = 64;
+constexpr int most_accepted = 256;  // in one turn
+constexpr int most_reads = 16;      // of a connection in one turn
+constexpr std::int64_t last_words_ms = 1'000;
+
+const char* reason_of(int status) {
+  switch (status) {
+    case 200:
+      return "OK";
+    case 400:
+      return "Bad Request";
+    case 401:
+      return "Unauthorized";
+    case 403:
+      return "Forbidden";
+    case 404:
+      return "Not Found";
+    case 405:
+      return "Method Not Allowed";
+    case 431:
+      return "Request Header Fields Too Large";
+    default:
+      return "Service Unavailable";
+  }
+}
+
+std::string read_token(const std::filesystem::path& file) {
+  if (file.empty()) return {};
+  struct stat about {};
+  if (::stat(file.c_str(), &about) != 0) throw IoError("cannot read", file.string(), errno);
+  if ((about.st_mode & 077U) != 0) {
+    throw UsageError("other users may read this token: run chmod 600 on it", file.string());
+  }
+  std::string token = read_file(file);
+  while (!token.empty() && (token.back() == '\n' || token.back() == ' ')) token.pop_back();
+  if (token.size() < shortest_token) {
+    throw UsageError("a token must have at least " + std::to_string(shortest_token) +
+                         " characters; make one with `head -c 24 /dev/urandom | base64`",
+                     file.string());
+  }
+  return token;
+}
+
+struct FreeAddresses {
+  void operator()(addrinfo* list) const { ::freeaddrinfo(list); }
+};
+using Addresses = std::unique_ptr<addrinfo, FreeAddresses>;
+
+/// @throws UsageError unless it is numbers (or localhost), a colon and a port.
+Addresses resolve(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  std::string host = address.substr(0, colon);
+  if (host.starts_with("[") && host.ends_with("]")) host = host.substr(1, host.size() - 2);
+  if (host == "localhost") host = "127.0.0.1";
+  addrinfo hints{};
+  hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (colon == std::string::npos || host.empty() ||
+      ::getaddrinfo(host.c_str(), address.c_str() + colon + 1, &hints, &found) != 0) {
+    throw UsageError("is not an address and port such as 127.0.0.1:8080", address);
+  }
+  return Addresses(found);
+}
+
+std::string bound_address(int socket) {
+  sockaddr_storage storage{};
+  socklen_t size = sizeof storage;
+  std::array<char, NI_MAXHOST> host{};
+  std::array<char, NI_MAXSERV> port{};
+  ::getsockname(socket, reinterpret_cast<sockaddr*>(&storage), &size);
+  ::getnameinfo(reinterpret_cast<sockaddr*>(&storage), size, host.data(), host.size(), port.data(),
+                port.size(), NI_NUMERICHOST | NI_NUMERICSERV);
+  const std::string name = host.data();
+  return (name.find(':') == std::string::npos ? name : "[" + name + "]") + ":" + port.data();
+}
+
+int listen_at(const std::string& address, const addrinfo& where) {
+  const int fd =
+      ::socket(where.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, where.ai_protocol);
+  if (fd < 0) throw IoError("cannot create a socket", address, errno);
+  const int yes = 1;
+  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  if (::bind(fd, where.ai_addr, where.ai_addrlen) == 0 && ::listen(fd, backlog) == 0) return fd;
+  const std::string why = std::strerror(errno);
+  ::close(fd);
+  throw UsageError("cannot listen: " + why, address);
+}
+
+std::string worded(const HttpAnswer& answer, bool is_head) {
+  std::string text = "HTTP/1.1 " + std::to_string(answer.status) + " " + reason_of(answer.status) +
+                     "\r\nContent-Type: " + answer.type +
+                     "\r\nContent-Length: " + std::to_string(answer.body.size()) +
+                     "\r\nConnection: close\r\nCache-Control: no-store"
+                     "\r\nX-Content-Type-Options: nosniff"
+                     "\r\nContent-Security-Policy: default-src 'none'; style-src 'unsafe-inline'";
+  if (answer.status == 401) text += "\r\nWWW-Authenticate: Basic realm=\"tetfarm\"";
+  if (answer.status == 405) text += "\r\nAllow: GET, HEAD";
+  return text + "\r\n\r\n" + (is_head ? "" : answer.body);
+}
+
+HttpAnswer refusal(int status) {
+  return {status, "text/plain; charset=utf-8", std::string(reason_of(status)) + "\n"};
+}
+
+bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+
+}  // namespace
+
+HttpServer::HttpServer(const HttpOptions& options)
+    : options_(options), token_(read_token(options.token_file)) {
+  const Addresses where = resolve(options.address);
+  if (token_.empty() && !is_local("tcp://" + options.address)) {
+    throw UsageError("other hosts can connect: give a file with a token (--http-token)",
+                     options.address);
+  }
+  listener_ = listen_at(options.address, *where);
+  address_ = bound_address(listener_);
+}
+
+HttpServer::~HttpServer() {
+  for (const auto& [fd, exchange] : exchanges_) ::close(fd);
+  ::close(listener_);
+}
+
+void HttpServer::add_poll_items(std::vector<zmq::pollitem_t>& items) const {
+  items.push_back({nullptr, listener_, ZMQ_POLLIN, 0});
+  for (const auto& [fd, exchange] : exchanges_) {
+    const bool writes = !exchange.answer.empty() && !exchange.is_over;
+    items.push_back({nullptr, fd, static_cast<short>(writes ? ZMQ_POLLOUT : ZMQ_POLLIN), 0});
+  }
+}
+
+std::vector<HttpPlace> HttpServer::places(bool reserved) const {
+  std::vector<HttpPlace> places;
+  for (const auto& [fd, exchange] : exchanges_) {
+    if (exchange.is_reserved != reserved) continue;
+    const bool asks = exchange.answer.empty();
+    places.push_back({.fd = fd,
+                      .peer = exchange.peer,
+                      .stage = exchange.is_over ? HttpPlace::Stage::over
+                               : asks           ? HttpPlace::Stage::asks
+                                                : HttpPlace::Stage::listens,
+                      .since_ms = asks ? exchange.begun_ms : exchange.heard_ms});
+  }
+  return places;
+}
+
+/// Ends one of these exchanges; false when all are being served.
+bool HttpServer::make_way(const std::vector<HttpPlace>& places, std::int64_t now_ms) {
+  const std::optional<int> fd = who_gives_way(places, now_ms);
+  if (!fd) return false;
+  ::close(*fd);
+  exchanges_.erase(*fd);
+  return true;
+}
+
+/// False when there is none for it.
+bool HttpServer::find_place(Exchange& newcomer, std::int64_t now_ms) {
+  const std::vector<HttpPlace> taken = places(false);
+  const std::vector<HttpPlace> own = places_of(newcomer.peer, taken);
+  if (!newcomer.peer.empty() && own.size() >= options_.max_of_address) {
+    return make_way(own, now_ms);
+  }
+  if (taken.size() < options_.max_connections || make_way(taken, now_ms)) return true;
+  newcomer.is_reserved = true;
+  const std::vector<HttpPlace> reserve = places(true);
+  return reserve.size() < options_.reserved || make_way(reserve, now_ms);
+}
+
+/// Each is read from at once: a request that has come with its connection is answered before
+/// anybody else can want its place.
+void HttpServer::accept_all(std::int64_t now_ms, const Pages& pages) {
+  for (int i = 0; i < most_accepted; ++i) {
+    sockaddr_storage from{};
+    socklen_t size = sizeof from;
+    const int fd = ::accept4(listener_, reinterpret_cast<sockaddr*>(&from), &size,
+                             SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (fd < 0) return;
+    Exchange exchange;
+    exchange.peer = peer_of(from);
+    exchange.begun_ms = now_ms;
+    exchange.ends_ms = now_ms + std::min(options_.request_ms, options_.exchange_ms);
+    if (find_place(exchange, now_ms) && serve_one(fd, exchange, now_ms, pages)) {
+      exchanges_[fd] = std::move(exchange);
+    } else {
+      ::close(fd);
+    }
+  }
+}
+
+void HttpServer::answer(Exchange& exchange, const Pages& pages) const {
+  HttpRequest request = parse_http_request(exchange.request, token_);
+  const bool is_vital = request.path == "/healthz" || request.path == "/readyz";
+  if (request.refusal == 0 && exchange.is_reserved && !is_vital) request.refusal = 503;
+  const HttpAnswer page = request.refusal == 0 ? pages(request.path) : refusal(request.refusal);
+  exchange.answer = worded(page, request.is_head);
+}
+
+/// False when the exchange is over. A connection that is closed with bytes unread would take the
+/// answer along, so the other side is given a moment to end it.
+bool HttpServer::go_on(int fd, Exchange& exchange, std::int64_t now_ms, const Pages& pages) const {
+  std::array<char, 4096> buffer;
+  bool has_ended = false;
+  for (int i = 0; i < most_reads && !has_ended; ++i) {
+    const ssize_t n = ::recv(fd, buffer.data(), buffer.size(), 0);
+    if (n < 0 && would_block()) break;
+    if (n < 0) return false;
+    has_ended = n == 0;
+    if (exchange.answer.empty())
+      exchange.request.append(buffer.data(), static_cast<std::size_t>(n));
+    if (exchange.request.size() > options_.max_request_bytes) break;
+  }
+  if (exchange.answer.empty()) {
+    const std::size_t end = exchange.request.find("\r\n\r\n");
+    if (end != std::string::npos && end + 4 <= options_.max_request_bytes) {
+      exchange.request.resize(end + 4);
+      answer(exchange, pages);
+    } else if (exchange.request.size() > options_.max_request_bytes) {
+      exchange.answer = worded(refusal(431), false);
+    }
+    exchange.request.shrink_to_fit();
+    if (!exchange.answer.empty()) {
+      exchange.heard_ms = now_ms;
+      exchange.ends_ms = exchange.begun_ms + options_.exchange_ms;
+    }
+  }
+  while (exchange.sent < exchange.answer.size()) {
+    const ssize_t n = ::send(fd, exchange.answer.data() + exchange.sent,
+                             exchange.answer.size() - exchange.sent, MSG_NOSIGNAL);
+    if (n < 0) return would_block();
+    exchange.sent += static_cast<std::size_t>(n);
+    exchange.heard_ms = now_ms;
+  }
+  return !has_ended;
+}
+
+/// False when the exchange is over, for one reason or another.
+bool HttpServer::serve_one(int fd, Exchange& exchange, std::int64_t now_ms,
+                           const Pages& pages) const {
+  if (now_ms >= exchange.ends_ms || !go_on(fd, exchange, now_ms, pages)) return false;
+  const bool is_said = !exchange.answer.empty() && exchange.sent == exchange.answer.size();
+  if (!is_said || exchange.is_over) return true;
+  exchange.is_over = true;
+  exchange.request.clear();
+  exchange.ends_ms = now_ms + last_words_ms;
+  ::shutdown(fd, SHUT_WR);
+  return true;
+}
+
+void HttpServer::serve(std::int64_t now_ms, const Pages& pages) {
+  std::vector<int> over;
+  for (auto& [fd, exchange] : exchanges_) {
+    if (!serve_one(fd, exchange, now_ms, pages)) over.push_back(fd);
+  }
+  for (const int fd : over) {
+    ::close(fd);
+    exchanges_.erase(fd);
+  }
+  accept_all(now_ms, pages);
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,186 @@
+#include "mesh/partition/renumbered_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/geometry/hilbert_order.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+std::vector<bool> nodes_on_surface(const NumberedPart& part) {
+  std::vector<bool> is_on_surface(part.nodes.size(), false);
+  for (const Triangle& face : part.faces) {
+    for (const std::int32_t v : face) is_on_surface[at(v)] = true;
+  }
+  return is_on_surface;
+}
+
+/// By region first, as parts have to be, then by their nodes, the lowest first.
+std::vector<std::size_t> order_of_tets(const NumberedPart& part) {
+  std::vector<Tet> sorted = part.tets;
+  for (Tet& tet : sorted) std::sort(tet.begin(), tet.end());
+  std::vector<std::size_t> order(part.tets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const std::int32_t region_a = part.region_of(a);
+    const std::int32_t region_b = part.region_of(b);
+    if (region_a != region_b) return region_a < region_b;
+    return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b;
+  });
+  return order;
+}
+
+void sort_tets(NumberedPart& part) {
+  std::vector<Tet> tets;
+  std::vector<std::int32_t> regions;
+  for (const std::size_t t : order_of_tets(part)) {
+    tets.push_back(part.tets[t]);
+    if (!part.region_of_tet.empty()) regions.push_back(part.region_of_tet[t]);
+  }
+  part.tets = std::move(tets);
+  part.region_of_tet = std::move(regions);
+}
+
+/// The nodes by rising new number; tets and faces follow.
+void put_in_order(NumberedPart& part) {
+  std::vector<std::int32_t> order(part.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return part.local2global[at(a)] < part.local2global[at(b)];
+  });
+  const NumberedPart before = part;
+  std::vector<std::int32_t> old2new(order.size());
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    old2new[at(order[v])] = static_cast<std::int32_t>(v);
+    part.nodes[v] = before.nodes[at(order[v])];
+    part.local2global[v] = before.local2global[at(order[v])];
+  }
+  for (Tet& tet : part.tets) {
+    for (std::int32_t& v : tet) v = old2new[at(v)];
+  }
+  for (Triangle& face : part.faces) {
+    for (std::int32_t& v : face) v = old2new[at(v)];
+  }
+}
+
+}  // namespace
+
+RenumberedMesh::RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering numbering)
+    : source_(std::move(source)), numbering_(numbering) {
+  find_shared_nodes();
+  number_nodes();
+}
+
+void RenumberedMesh::find_shared_nodes() {
+  std::vector<bool> is_met;
+  std::vector<bool> has_several;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const CountedPart counted = source_->counted_part(i);
+    for (const std::int64_t number : counted.part.local2global) {
+      const auto node = static_cast<std::size_t>(number);
+      if (node >= is_met.size()) {
+        is_met.resize(std::max(node + 1, 2 * is_met.size()), false);
+        has_several.resize(is_met.size(), false);
+      }
+      if (is_met[node]) has_several[node] = true;
+      is_met[node] = true;
+    }
+  }
+  for (std::size_t node = 0; node < has_several.size(); ++node) {
+    if (has_several[node]) shared_.push_back({static_cast<std::int64_t>(node), -1, UINT32_MAX});
+  }
+}
+
+/// First all parts say which of the shared nodes are on the surface, then each numbers its own.
+void RenumberedMesh::number_nodes() {
+  std::vector<std::array<std::int64_t, kinds>> counts(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const NumberedPart part = source_->part(i);
+    const std::vector<bool> is_on_surface = nodes_on_surface(part);
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      const std::optional<std::size_t> known = shared(part.local2global[v]);
+      if (!known) continue;
+      SharedNode& node = shared_[*known];
+      node.owner = std::min(node.owner, static_cast<std::uint32_t>(i));
+      if (is_on_surface[v]) node.kind = surface;
+    }
+  }
+  // Numbers within the part and kind; where they begin is known when all parts are counted.
+  for (std::size_t i = 0; i < size(); ++i) {
+    const NumberedPart part = source_->part(i);
+    const OwnNodes own = own_nodes(part, i);
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      counts[i][kind] = std::ssize(own[kind]);
+      for (std::size_t k = 0; k < own[kind].size(); ++k) {
+        const std::optional<std::size_t> known = shared(part.local2global[at(own[kind][k])]);
+        if (!known) continue;
+        shared_[*known].number = static_cast<std::int64_t>(k);
+        shared_[*known].kind = static_cast<Kind>(kind);
+      }
+    }
+  }
+  first_.resize(size());
+  std::int64_t next = 0;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      first_[i][kind] = next;
+      next += counts[i][kind];
+    }
+  }
+  for (SharedNode& node : shared_) node.number += first_[node.owner][node.kind];
+}
+
+std::optional<std::size_t> RenumberedMesh::shared(std::int64_t old_number) const {
+  const auto found =
+      std::lower_bound(shared_.begin(), shared_.end(), old_number,
+                       [](const SharedNode& node, std::int64_t n) { return node.old_number < n; });
+  if (found == shared_.end() || found->old_number != old_number) return std::nullopt;
+  return static_cast<std::size_t>(found - shared_.begin());
+}
+
+std::vector<std::int32_t> RenumberedMesh::order_of(const NumberedPart& part) const {
+  if (numbering_ == NodeNumbering::hilbert) return hilbert_order(part.nodes);
+  return reverse_cuthill_mckee(part.tets, part.nodes.size());
+}
+
+RenumberedMesh::OwnNodes RenumberedMesh::own_nodes(const NumberedPart& part,
+                                                   std::size_t index) const {
+  const std::vector<bool> is_on_surface = nodes_on_surface(part);
+  OwnNodes own;
+  for (const std::int32_t v : order_of(part)) {
+    const std::optional<std::size_t> known = shared(part.local2global[at(v)]);
+    if (known && shared_[*known].owner != index) continue;
+    Kind kind = known ? shared_[*known].kind : is_on_surface[at(v)] ? surface : inside;
+    if (numbering_ == NodeNumbering::reverse_cuthill_mckee) kind = inside;
+    own[kind].push_back(v);
+  }
+  return own;
+}
+
+NumberedPart RenumberedMesh::part(std::size_t i) const {
+  NumberedPart part = source_->part(i);
+  const OwnNodes own = own_nodes(part, i);
+  std::vector<std::int64_t> numbers(part.nodes.size(), -1);
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    std::int64_t number = first_[i][kind];
+    for (const std::int32_t v : own[kind]) numbers[at(v)] = number++;
+  }
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    if (numbers[v] < 0) numbers[v] = shared_[shared(part.local2global[v]).value()].number;
+  }
+  part.local2global = std::move(numbers);
+  put_in_order(part);
+  sort_tets(part);
+  return part;
+}
+
+NumberSpans spans_of(const MeshSource& source) {
+  NumberSpans spans;
+  for (std::size_t i = 0; i < source.size(); ++i) spans.add(number_spans(source.part(i).tets));
+  return spans;
+}
+
+}  // namespace tetfarm

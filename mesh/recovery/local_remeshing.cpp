@@ -1,0 +1,272 @@
+#include "mesh/recovery/local_remeshing.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// A face by its nodes in increasing order, with where it is.
+struct KeyedFace {
+  std::array<std::int32_t, 3> key;
+  std::int32_t tet;  // an index into the caller's list
+  int face;
+  friend bool operator<(const KeyedFace& a, const KeyedFace& b) { return a.key < b.key; }
+};
+
+std::array<std::int32_t, 3> sorted_face(const Tet& t, int face) {
+  const auto& f = tet_face_nodes[at(face)];
+  std::array<std::int32_t, 3> key = {t[at(f[0])], t[at(f[1])], t[at(f[2])]};
+  if (key[0] > key[1]) std::swap(key[0], key[1]);
+  if (key[1] > key[2]) std::swap(key[1], key[2]);
+  if (key[0] > key[1]) std::swap(key[0], key[1]);
+  return key;
+}
+
+}  // namespace
+
+LocalRemeshing::LocalRemeshing(TetComplex& complex, std::vector<std::uint8_t>& constrained)
+    : complex_(complex),
+      constrained_(constrained),
+      first_fine_(static_cast<std::int32_t>(complex.points.size())) {
+  constrained_.resize(complex_.nodes.size(), 0);
+}
+
+void LocalRemeshing::save(std::int32_t tet) {
+  journal_.push_back({Entry::Kind::contents, constrained_[at(tet)], tet, complex_.nodes[at(tet)],
+                      complex_.neighbours[at(tet)]});
+}
+
+std::int32_t LocalRemeshing::new_tet() {
+  const bool is_reused = !complex_.free_tets.empty();
+  const std::int32_t tet = complex_.new_tet();
+  constrained_.resize(complex_.nodes.size(), 0);
+  journal_.push_back({is_reused ? Entry::Kind::reused : Entry::Kind::appended, 0, tet, {}, {}});
+  return tet;
+}
+
+void LocalRemeshing::kill(std::int32_t tet) {
+  save(tet);
+  journal_.back().kind = Entry::Kind::killed;
+  complex_.kill_tet(tet);
+}
+
+std::int32_t LocalRemeshing::add_point(const FinePoint& point) {
+  const auto v = static_cast<std::int32_t>(complex_.points.size());
+  complex_.points.push_back(point.high);
+  complex_.node2tet.push_back(-1);
+  low_.push_back(point.low);
+  journal_.push_back({Entry::Kind::point, 0, v, {}, {}});
+  return v;
+}
+
+std::int32_t LocalRemeshing::add_point_on(std::span<const std::int32_t> corners,
+                                          const FinePoint& point) {
+  const std::int32_t v = add_point(point);
+  flats_.add(v, corners);
+  return v;
+}
+
+void LocalRemeshing::move_point(std::int32_t v, const FinePoint& to) {
+  flats_.remove(v);
+  complex_.points[at(v)] = to.high;
+  low_[at(v - first_fine_)] = to.low;
+}
+
+void LocalRemeshing::roll_back(std::size_t mark) {
+  const auto point_nodes_here = [this](std::int32_t tet) {
+    for (const std::int32_t v : complex_.nodes[at(tet)]) complex_.node2tet[at(v)] = tet;
+  };
+  while (journal_.size() > mark) {
+    const Entry entry = journal_.back();
+    journal_.pop_back();
+    switch (entry.kind) {
+      case Entry::Kind::point:
+        complex_.points.pop_back();
+        complex_.node2tet.pop_back();
+        low_.pop_back();
+        flats_.remove(entry.tet);
+        break;
+      case Entry::Kind::reused:
+        complex_.kill_tet(entry.tet);
+        break;
+      case Entry::Kind::appended:
+        complex_.nodes.pop_back();
+        complex_.neighbours.pop_back();
+        constrained_.pop_back();
+        break;
+      case Entry::Kind::killed:
+        TF_CHECK(complex_.free_tets.back() == entry.tet);
+        complex_.free_tets.pop_back();
+        [[fallthrough]];
+      case Entry::Kind::contents:
+        complex_.nodes[at(entry.tet)] = entry.nodes;
+        complex_.neighbours[at(entry.tet)] = entry.neighbours;
+        constrained_[at(entry.tet)] = entry.constrained;
+        point_nodes_here(entry.tet);
+        break;
+    }
+  }
+}
+
+std::vector<std::int32_t> LocalRemeshing::replace(std::span<const std::int32_t> old_tets,
+                                                  std::span<const Tet> new_tets) {
+  struct Outside {
+    FaceHandle beyond;
+    bool constrained;
+  };
+  std::vector<KeyedFace> hull;
+  for (std::size_t i = 0; i < old_tets.size(); ++i) {
+    for (int f = 0; f < 4; ++f) {
+      hull.push_back({sorted_face(complex_.nodes[at(old_tets[i])], f), old_tets[i], f});
+    }
+  }
+  std::sort(hull.begin(), hull.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (i + 1 < hull.size() && hull[i].key == hull[i + 1].key) {
+      ++i;
+    } else {
+      hull[kept++] = hull[i];
+    }
+  }
+  hull.resize(kept);
+  std::vector<Outside> outside(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const FaceHandle here = face_handle(hull[i].tet, hull[i].face);
+    outside[i] = {complex_.neighbours[at(hull[i].tet)][at(hull[i].face)], is_constrained(here)};
+  }
+  for (const std::int32_t t : old_tets) {
+    // Nodes that no new tet holds are out of the complex.
+    for (const std::int32_t v : complex_.nodes[at(t)]) complex_.node2tet[at(v)] = -1;
+    kill(t);
+  }
+
+  std::vector<std::int32_t> tets(new_tets.size());
+  std::vector<KeyedFace> faces;
+  for (std::size_t i = 0; i < new_tets.size(); ++i) {
+    tets[i] = new_tet();
+    complex_.nodes[at(tets[i])] = new_tets[i];
+    complex_.neighbours[at(tets[i])] = {no_face, no_face, no_face, no_face};
+    constrained_[at(tets[i])] = 0;
+    for (const std::int32_t v : new_tets[i]) complex_.node2tet[at(v)] = tets[i];
+    for (int f = 0; f < 4; ++f) faces.push_back({sorted_face(new_tets[i], f), tets[i], f});
+  }
+  std::sort(faces.begin(), faces.end());
+  std::size_t on_hull = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceHandle here = face_handle(faces[i].tet, faces[i].face);
+    if (i + 1 < faces.size() && faces[i].key == faces[i + 1].key) {
+      ++i;
+      complex_.glue(here, face_handle(faces[i].tet, faces[i].face));
+      continue;
+    }
+    TF_CHECK(on_hull < hull.size() && hull[on_hull].key == faces[i].key);
+    const Outside& out = outside[on_hull++];
+    if (out.beyond != no_face) save(tet_of(out.beyond));
+    complex_.glue(here, out.beyond);
+    if (out.constrained) {
+      constrained_[at(faces[i].tet)] =
+          static_cast<std::uint8_t>(constrained_[at(faces[i].tet)] | 1 << faces[i].face);
+    }
+  }
+  TF_CHECK(on_hull == hull.size());
+  return tets;
+}
+
+std::vector<std::int32_t> LocalRemeshing::star(std::int32_t node) const {
+  std::vector<std::int32_t> tets;
+  const std::int32_t first = complex_.node2tet[at(node)];
+  if (first < 0) return tets;
+  seen_.resize(std::max(seen_.size(), complex_.nodes.size()), 0);
+  ++walk_;
+  tets.push_back(first);
+  seen_[at(first)] = walk_;
+  for (std::size_t head = 0; head < tets.size(); ++head) {
+    const std::int32_t t = tets[head];
+    const int own = complex_.local_node(t, node);
+    for (int i = 0; i < 4; ++i) {
+      const FaceHandle other = complex_.neighbours[at(t)][at(i)];
+      if (i == own || other == no_face || seen_[at(tet_of(other))] == walk_) continue;
+      seen_[at(tet_of(other))] = walk_;
+      tets.push_back(tet_of(other));
+    }
+  }
+  return tets;
+}
+
+std::int32_t LocalRemeshing::find_edge(std::int32_t a, std::int32_t b) const {
+  for (const std::int32_t t : star(a)) {
+    if (complex_.local_node(t, b) >= 0) return t;
+  }
+  return -1;
+}
+
+std::optional<EdgeRing> LocalRemeshing::ring(std::int32_t a, std::int32_t b) const {
+  const std::int32_t first = find_edge(a, b);
+  if (first < 0) return std::nullopt;
+  return ring_from(first, a, b);
+}
+
+std::optional<EdgeRing> LocalRemeshing::ring_from(std::int32_t first, std::int32_t a,
+                                                  std::int32_t b) const {
+  // p and q so that (a, b, p, q) is positive.
+  constexpr std::array<std::array<std::array<int, 2>, 4>, 4> rest = {{
+      {{{-1, -1}, {2, 3}, {3, 1}, {1, 2}}},
+      {{{3, 2}, {-1, -1}, {0, 3}, {2, 0}}},
+      {{{1, 3}, {3, 0}, {-1, -1}, {0, 1}}},
+      {{{2, 1}, {0, 2}, {1, 0}, {-1, -1}}},
+  }};
+  EdgeRing ring;
+  std::int32_t t = first;
+  do {
+    const int i = complex_.local_node(t, a);
+    const int j = complex_.local_node(t, b);
+    const auto& [p, q] = rest[at(i)][at(j)];
+    ring.tets.push_back(t);
+    ring.apexes.push_back(complex_.nodes[at(t)][at(p)]);
+    const FaceHandle next = complex_.neighbours[at(t)][at(p)];
+    if (next == no_face) return std::nullopt;
+    t = tet_of(next);
+  } while (t != first);
+  return ring;
+}
+
+FaceHandle LocalRemeshing::find_face(std::int32_t a, std::int32_t b, std::int32_t c) const {
+  for (const std::int32_t t : star(a)) {
+    if (complex_.local_node(t, b) < 0 || complex_.local_node(t, c) < 0) continue;
+    const Tet& n = complex_.nodes[at(t)];
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t v = n[at(i)];
+      if (v != a && v != b && v != c) return face_handle(t, i);
+    }
+  }
+  return no_face;
+}
+
+bool LocalRemeshing::has_constraint(const EdgeRing& ring) const {
+  const std::size_t n = ring.tets.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t t = ring.tets[i];
+    if (is_constrained(face_handle(t, complex_.local_node(t, ring.apexes[(i + 1) % n])))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void LocalRemeshing::constrain(FaceHandle face, bool on) {
+  const auto set = [this, on](FaceHandle f) {
+    if (f == no_face) return;
+    std::uint8_t& bits = constrained_[at(tet_of(f))];
+    const int bit = 1 << face_of(f);
+    bits = static_cast<std::uint8_t>(on ? bits | bit : bits & ~bit);
+  };
+  set(face);
+  set(complex_.neighbours[at(tet_of(face))][at(face_of(face))]);
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,110 @@
+#include "coordinator/decisions/task_graph.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/coordinator/fake_task.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::ElementsAre;
+using testing::SizeIs;
+
+TEST(TaskGraph, one_part_is_meshed_without_a_cut) {
+  const GraphStep step = after_inspect(inspected(1));
+  ASSERT_THAT(step.tasks, SizeIs(1));
+  EXPECT_EQ(step.tasks[0].kind, TaskKind::mesh);
+  EXPECT_EQ(step.tasks[0].path, 1U);
+  EXPECT_THAT(names_of(step.tasks[0].inputs), ElementsAre("job", "subdomain", "spacing"));
+}
+
+TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
+  const TaskRow inspect = inspected(3);
+  const GraphStep first = after_inspect(inspect);
+  ASSERT_THAT(first.tasks, SizeIs(1));
+  TaskRow cut = first.tasks[0];
+  EXPECT_EQ(cut.kind, TaskKind::decompose);
+  EXPECT_EQ(cut.parameters.at("left_parts"), "1");
+  EXPECT_EQ(cut.parameters.at("right_parts"), "2");
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"interdomain_nodes", 17}, {"left_work", 40}, {"right_work", 90}};
+  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
+  ASSERT_THAT(second.tasks, SizeIs(2));
+  EXPECT_EQ(second.tasks[0].kind, TaskKind::mesh);
+  EXPECT_EQ(second.tasks[0].path, 2U);
+  EXPECT_EQ(second.tasks[1].kind, TaskKind::decompose);
+  EXPECT_EQ(second.tasks[1].path, 3U);
+  EXPECT_EQ(second.subdomains[0].interdomain_nodes, 17U);
+  EXPECT_EQ(second.subdomains[2].work, 90);
+}
+
+TEST(TaskGraph, tasks_on_subdomains_are_told_how_many_needles_they_have) {
+  TaskRow inspect = inspected(3);
+  inspect.numbers["needles"] = 700;
+  const GraphStep first = after_inspect(inspect);
+  TaskRow cut = first.tasks[0];
+  EXPECT_EQ(cut.parameters.at("needles"), "700");
+  const GraphStep whole = after_decompose(inspect, cut, first.subdomains[0], false);
+  EXPECT_EQ(whole.tasks.at(0).parameters.at("needles"), "700");
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"left_needles", 0}, {"right_needles", 690}};
+  const GraphStep halves = after_decompose(inspect, cut, first.subdomains[0], false);
+  EXPECT_FALSE(halves.tasks.at(0).parameters.contains("needles"));
+  EXPECT_EQ(halves.tasks.at(1).parameters.at("needles"), "690");
+}
+
+TEST(TaskGraph, what_cannot_be_cut_stays_whole) {
+  const TaskRow inspect = inspected(3);
+  const GraphStep first = after_inspect(inspect);
+  const GraphStep second = after_decompose(inspect, first.tasks[0], first.subdomains[0], false);
+  ASSERT_THAT(second.tasks, SizeIs(1));
+  EXPECT_EQ(second.tasks[0].kind, TaskKind::mesh);
+  EXPECT_EQ(second.tasks[0].path, 1U);
+}
+
+TEST(TaskGraph, heap_numbers_do_not_overflow) {
+  const TaskRow inspect = inspected(8);
+  SubdomainRow deep = after_inspect(inspect).subdomains[0];
+  deep.path = deepest_cut / 2 + 1;
+  TaskRow cut;
+  cut.job = JobId{1};
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"left_parts", 4}, {"right_parts", 4}};
+  const GraphStep step = after_decompose(inspect, cut, deep, false);
+  for (const TaskRow& task : step.tasks) EXPECT_EQ(task.kind, TaskKind::mesh);
+}
+
+TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
+  SubdomainRow cut{JobId{1}, 1, 2, SubdomainState::cut, 9, 0, 0, false, "h", 1};
+  SubdomainRow left{JobId{1}, 2, 1, SubdomainState::leaf, 0, 5, 40, true, "h", 1};
+  SubdomainRow right{JobId{1}, 3, 1, SubdomainState::leaf, 0, 6, 50, true, "h", 1};
+  const std::vector<SubdomainRow> tree = {cut, left, right};
+  EXPECT_EQ(number_task(inspected(2), nullptr, tree).parameters.at("table"),
+            "cut 1 9\nleaf 2 5 40\nleaf 3 6 50\n");
+}
+
+TEST(TaskGraph, results_without_their_files_are_unusable) {
+  TaskRow cut;
+  cut.kind = TaskKind::decompose;
+  TaskResult result;
+  EXPECT_FALSE(problem_with(cut, result));
+  result.outputs = {make_believe_file("left", "l")};
+  EXPECT_TRUE(problem_with(cut, result));
+  result.outputs.push_back(make_believe_file("right", "r"));
+  EXPECT_FALSE(problem_with(cut, result));
+}
+
+TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) {
+  const TaskRow inspect = inspected(4);
+  const GraphStep first = after_inspect(inspect);
+  TaskRow cut = first.tasks[0];
+  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
+  const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
+  EXPECT_EQ(second.subdomains[1].state, SubdomainState::leaf);
+  EXPECT_EQ(second.subdomains[2].parts, 5U);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,159 @@
+#include "coordinator/views/farm_metrics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace tetfarm {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// What promtool would complain about: lines that are no samples, samples without HELP and TYPE
+/// before them, families in pieces, counters without _total, buckets that fall, a missing +Inf.
+class Exposition {
+ public:
+  explicit Exposition(const std::string& text) {
+    if (text.empty() || text.back() != '\n') wrong_.emplace_back("no line end at the end");
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("#")) {
+        take_comment(line);
+      } else {
+        take_sample(line);
+      }
+    }
+  }
+  const std::vector<std::string>& wrong() const { return wrong_; }
+  double value(const std::string& sample) const {
+    const auto found = samples_.find(sample);
+    return found == samples_.end() ? -1 : found->second;
+  }
+
+ private:
+  void take_comment(const std::string& line) {
+    static const std::regex type("# TYPE ([a-zA-Z_:][a-zA-Z0-9_:]*) (counter|gauge|histogram)");
+    static const std::regex help("# HELP ([a-zA-Z_:][a-zA-Z0-9_:]*) .+");
+    std::smatch parts;
+    if (std::regex_match(line, parts, help)) {
+      helped_.insert(parts[1]);
+      return;
+    }
+    if (!std::regex_match(line, parts, type)) return complain(line);
+    family_ = parts[1];
+    kind_ = parts[2];
+    if (!helped_.contains(family_) || !families_.insert(family_).second) complain(line);
+    if ((kind_ == "counter") != family_.ends_with("_total")) complain(line);
+  }
+  void take_sample(const std::string& line) {
+    static const std::regex sample(
+        R"re(([a-zA-Z_:][a-zA-Z0-9_:]*)(\{([a-zA-Z_][a-zA-Z0-9_]*="([^"\\\n]|\\.)*",?)*\})? (\S+))re");
+    std::smatch parts;
+    if (!std::regex_match(line, parts, sample)) return complain(line);
+    const std::string name = parts[1];
+    const bool belongs =
+        kind_ == "histogram"
+            ? name == family_ + "_bucket" || name == family_ + "_sum" || name == family_ + "_count"
+            : name == family_;
+    const double value = std::stod(parts[5]);
+    const std::string key = name + parts[2].str();
+    if (!belongs || !samples_.emplace(key, value).second) complain(line);
+    if (!name.ends_with("_bucket")) {
+      if (name.ends_with("_count") && kind_ == "histogram") {
+        if (!had_infinity_ || bucket_ != value) complain(line);
+        bucket_ = 0;
+        had_infinity_ = false;
+      }
+      return;
+    }
+    if (value < bucket_) complain(line);
+    bucket_ = value;
+    had_infinity_ = key.find("le=\"+Inf\"") != std::string::npos;
+  }
+  void complain(const std::string& line) { wrong_.push_back(line); }
+
+  std::vector<std::string> wrong_;
+  std::set<std::string> helped_;
+  std::set<std::string> families_;
+  std::map<std::string, double> samples_;
+  std::string family_;
+  std::string kind_;
+  double bucket_ = 0;
+  bool had_infinity_ = false;
+};
+
+class FarmMetricsTest : public testing::Test {
+ protected:
+  FarmMetricsTest()
+      : state_(
+            {}, {}, [](const ArtifactRef&) { return true; }, now_) {}
+
+  void work() {
+    Submission submission;
+    submission.name = "a \"name\"\nof two lines";
+    state_.submit(submission, now_);
+    WorkerInfo info;
+    info.nonce = "n";
+    const WorkerId worker = state_.add_worker(info, {}, {}, now_);
+    state_.worker_is_ready(worker, now_);
+    state_.tick(now_);
+    metrics_.note(state_.take_changes(), 0.002);
+    TaskResult result;
+    result.outputs = {{"surface", std::string(32, 'a'), 1},
+                      {"spacing", std::string(32, 'b'), 1},
+                      {"root", std::string(32, 'c'), 1},
+                      {"settings", std::string(32, 'd'), 1}};
+    result.numbers = {{"parts", 1}};
+    result.seconds = 2;
+    state_.done(worker, TaskId{1}, AttemptId{1}, result, now_);
+    metrics_.note(state_.take_changes(), 0.2);
+  }
+  std::string text() const { return metrics_.text(state_, refusals_, {3, 1000, 2000}); }
+
+  Moment now_{5000, 5000};
+  JobState state_;
+  Refusals refusals_;
+  FarmMetrics metrics_{5000};
+};
+
+TEST_F(FarmMetricsTest, are_well_formed_before_and_after_work) {
+  EXPECT_THAT(Exposition(text()).wrong(), IsEmpty());
+  work();
+  EXPECT_THAT(Exposition(text()).wrong(), IsEmpty()) << text();
+}
+
+TEST_F(FarmMetricsTest, count_tasks_attempts_workers_and_times) {
+  work();
+  refusals_.count(Refusal::garbage, "x", 0);
+  const Exposition figures(text());
+  EXPECT_EQ(figures.value("tetfarm_tasks{kind=\"inspect\",state=\"done\"}"), 1) << text();
+  EXPECT_EQ(figures.value("tetfarm_tasks{kind=\"mesh\",state=\"ready\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_queue_tasks"), 1);
+  EXPECT_EQ(figures.value("tetfarm_attempts_total{result=\"done\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_workers{state=\"idle\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_task_seconds_bucket{kind=\"inspect\",le=\"1\"}"), 0);
+  EXPECT_EQ(figures.value("tetfarm_task_seconds_bucket{kind=\"inspect\",le=\"5\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_task_seconds_sum{kind=\"inspect\"}"), 2);
+  EXPECT_EQ(figures.value("tetfarm_commit_seconds_count"), 2);
+  EXPECT_EQ(figures.value("tetfarm_commit_seconds_bucket{le=\"0.0025\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_refusals_total{reason=\"garbage\"}"), 1);
+  EXPECT_EQ(figures.value("tetfarm_store_free_bytes"), 1000);
+  EXPECT_EQ(figures.value("tetfarm_stuck"), 0);
+}
+
+TEST(ExpositionCheck, finds_what_is_wrong) {
+  for (const char* text :
+       {"x 1\n", "# HELP x y\n# TYPE x gauge\nx 1", "# TYPE x gauge\nx 1\n",
+        "# HELP x y\n# TYPE x counter\nx 1\n", "# HELP x y\n# TYPE x gauge\nx{a=1} 1\n",
+        "# HELP x y\n# TYPE x histogram\nx_bucket{le=\"1\"} 2\nx_bucket{le=\"+Inf\"} 1\nx_sum 1\n"
+        "x_count 1\n"}) {
+    EXPECT_FALSE(Exposition(text).wrong().empty()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,172 @@
+#include "mesh/partition/renumbered_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "mesh/formats/communication_table.h"
+#include "mesh/formats/export_mesh.h"
+#include "mesh/formats/open_mesh.h"
+#include "tests/base/temp_folder.h"
+#include "tests/mesh/formats/grid_source.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr NodeNumbering both[] = {NodeNumbering::hilbert, NodeNumbering::reverse_cuthill_mckee};
+
+TEST(RenumberedMesh, is_the_same_mesh) {
+  const GridSource grid(cut_grid(4));
+  for (const NodeNumbering numbering : both) {
+    EXPECT_EQ(content_of(RenumberedMesh(std::make_unique<GridSource>(grid), numbering)),
+              content_of(grid));
+  }
+}
+
+TEST(RenumberedMesh, gives_each_node_one_number_in_all_parts_and_leaves_no_gap) {
+  const GridSource grid(cut_grid(4));
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<GridSource>(grid), numbering);
+    std::map<std::int64_t, Vec3> number2place;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      const NumberedPart part = mesh.part(i);
+      EXPECT_TRUE(std::is_sorted(part.local2global.begin(), part.local2global.end()));
+      for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+        const auto [known, is_new] = number2place.emplace(part.local2global[v], part.nodes[v]);
+        EXPECT_EQ(known->second, part.nodes[v]);
+      }
+    }
+    ASSERT_EQ(std::ssize(number2place), grid.nodes);
+    EXPECT_EQ(number2place.rbegin()->first, grid.nodes - 1);
+    EXPECT_EQ(outline_of(mesh).nodes, grid.nodes);
+  }
+}
+
+TEST(RenumberedMesh, along_the_curve_has_the_surface_first_then_borders_then_the_inside) {
+  const GridSource grid(cut_grid(4));
+  const RenumberedMesh mesh(std::make_unique<GridSource>(grid), NodeNumbering::hilbert);
+  std::set<std::int64_t> surface;
+  std::map<std::int64_t, int> parts_of_node;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for (const Triangle& face : part.faces) {
+      for (const std::int32_t v : face) {
+        surface.insert(part.local2global[static_cast<std::size_t>(v)]);
+      }
+    }
+    for (const std::int64_t node : part.local2global) ++parts_of_node[node];
+  }
+  ASSERT_FALSE(surface.empty());
+  EXPECT_EQ(*surface.rbegin(), std::ssize(surface) - 1);
+  bool is_past_borders = false;
+  for (auto node = parts_of_node.upper_bound(*surface.rbegin()); node != parts_of_node.end();
+       ++node) {
+    is_past_borders = is_past_borders || node->second == 1;
+    EXPECT_EQ(node->second == 1, is_past_borders);
+  }
+  EXPECT_TRUE(is_past_borders);
+}
+
+TEST(RenumberedMesh, by_rcm_numbers_part_after_part_what_no_part_before_has) {
+  const RenumberedMesh mesh(std::make_unique<GridSource>(cut_grid(4)),
+                            NodeNumbering::reverse_cuthill_mckee);
+  std::set<std::int64_t> met;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    met.insert(part.local2global.begin(), part.local2global.end());
+    EXPECT_EQ(*met.rbegin(), std::ssize(met) - 1) << "no gap after part " << i;
+  }
+}
+
+TEST(RenumberedMesh, keeps_the_tets_of_a_part_in_the_order_of_their_regions) {
+  GridSource grid(cut_grid(4));
+  NumberedPart& part = grid.parts[0];
+  part.region_of_tet.assign(part.tets.size(), 1);
+  part.region_of_face.assign(part.faces.size(), 1);
+  std::fill(part.region_of_tet.begin() + static_cast<long>(part.tets.size() / 2),
+            part.region_of_tet.end(), 2);
+  const NumberedPart ours =
+      RenumberedMesh(std::make_unique<GridSource>(grid), NodeNumbering::hilbert).part(0);
+  EXPECT_TRUE(std::is_sorted(ours.region_of_tet.begin(), ours.region_of_tet.end()));
+  EXPECT_EQ(std::count(ours.region_of_tet.begin(), ours.region_of_tet.end(), 2),
+            std::count(part.region_of_tet.begin(), part.region_of_tet.end(), 2));
+}
+
+TEST(RenumberedMesh, is_written_whole_in_every_format) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<GridSource>(grid), numbering);
+    for (const char* name : {"a.vtkhdf", "a.lb8.ugrid"}) {
+      export_mesh(mesh, find_mesh_format("", folder.path() / name), folder.path() / name);
+      EXPECT_EQ(content_of(*open_mesh(folder.path() / name)), content_of(grid)) << name;
+    }
+    for (const MeshFormat& format : mesh_formats()) {
+      const auto file = folder.path() / (std::string(format.name) + std::string(format.ending));
+      EXPECT_EQ(export_mesh(mesh, format, file).nodes, grid.nodes) << format.name;
+    }
+  }
+}
+
+TEST(RenumberedMesh, has_communication_tables_that_fit_to_each_other) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<GridSource>(grid), numbering);
+    std::vector<CommunicationTable> tables;
+    for_each_communication_table(mesh, outline_of(mesh), folder.path(),
+                                 [&](const CommunicationTable& table) { tables.push_back(table); });
+    ASSERT_EQ(tables.size(), grid.size());
+    EXPECT_FALSE(tables[0].neighbours.empty());
+    EXPECT_THAT(communication_complaints(
+                    static_cast<std::int32_t>(tables.size()),
+                    [&](std::int32_t i) { return tables[static_cast<std::size_t>(i)]; }),
+                testing::IsEmpty());
+  }
+}
+
+TEST(NodeOrder, reverse_cuthill_mckee_narrows_the_band_of_a_shuffled_mesh) {
+  const GridSource grid(cut_grid(8));
+  NumberedPart part = grid.part(0);
+  const auto nodes = static_cast<std::int64_t>(part.nodes.size());
+  const auto shuffled = [&](std::int32_t v) {
+    return static_cast<std::int32_t>((static_cast<std::int64_t>(v) * 7919) % nodes);
+  };
+  ASSERT_NE(nodes % 7919, 0);
+  for (Tet& tet : part.tets) {
+    for (std::int32_t& v : tet) v = shuffled(v);
+  }
+  const std::vector<std::int32_t> order = reverse_cuthill_mckee(part.tets, part.nodes.size());
+  std::vector<std::int32_t> old2new(order.size(), -1);
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    old2new[static_cast<std::size_t>(order[v])] = static_cast<std::int32_t>(v);
+  }
+  EXPECT_THAT(old2new, testing::Each(testing::Ge(0))) << "every node once";
+  const NumberSpans before = number_spans(part.tets);
+  for (Tet& tet : part.tets) {
+    for (std::int32_t& v : tet) v = old2new[static_cast<std::size_t>(v)];
+  }
+  const NumberSpans after = number_spans(part.tets);
+  EXPECT_EQ(after.edges, before.edges);
+  EXPECT_LT(3 * after.bandwidth, before.bandwidth);
+}
+
+TEST(NodeOrder, of_pieces_and_single_nodes_has_all_of_them) {
+  const std::vector<Tet> tets = {{0, 1, 2, 3}, {5, 6, 7, 8}};
+  std::vector<std::int32_t> order = reverse_cuthill_mckee(tets, 9);
+  std::sort(order.begin(), order.end());
+  EXPECT_THAT(order, testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+}
+
+TEST(NodeOrder, spans_are_of_each_edge_once) {
+  const std::vector<Tet> tets = {{0, 1, 2, 3}, {1, 2, 3, 10}};
+  const NumberSpans spans = number_spans(tets);
+  EXPECT_EQ(spans.edges, 9);
+  EXPECT_EQ(spans.bandwidth, 9);
+  EXPECT_EQ(spans.sum, (1 + 2 + 3 + 1 + 2 + 1) + (9 + 8 + 7));
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,35 @@
+#include "mesh/recovery/steiner_settling.h"
+
+#include <gtest/gtest.h>
+
+namespace tetfarm {
+namespace {
+
+/// Four tets round node 4, with the fourth of the others at that height.
+TetMesh four_round_a_node(double height) {
+  TetMesh mesh;
+  mesh.nodes = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, height}, {1, 1, height / 4}};
+  mesh.tets = {{0, 1, 2, 4}, {0, 3, 1, 4}, {1, 3, 2, 4}, {2, 3, 0, 4}};
+  return mesh;
+}
+
+TEST(SteinerSettling, makes_one_tet_of_four) {
+  TetComplex complex = make_tet_complex(four_round_a_node(3));
+  std::vector<std::uint8_t> marks(4, 0);
+  LocalRemeshing mesh(complex, marks);
+  EXPECT_TRUE(remove_node(mesh, 4));
+  EXPECT_TRUE(validate(complex).empty());
+  EXPECT_LT(complex.node2tet[4], 0);
+}
+
+TEST(SteinerSettling, makes_no_flat_tet_of_four_that_are_flat_at_a_split_point) {
+  TetComplex complex = make_tet_complex(four_round_a_node(0));
+  std::vector<std::uint8_t> marks(4, 0);
+  LocalRemeshing mesh(complex, marks);
+  const auto before = complex.nodes;
+  EXPECT_FALSE(remove_node(mesh, 4));
+  EXPECT_EQ(complex.nodes, before);
+}
+
+}  // namespace
+}  // namespace tetfarm
