@@ -45,12 +45,17 @@ inline Trouble trouble_of(std::uint64_t seed) {
   trouble.stop = some(0.003);
   trouble.vacate = some(0.002);
   trouble.walltime = some(0.5);
+  trouble.blind = some(0.5);
+  trouble.absent = some(0.2);
+  trouble.swept = some(0.2);
   trouble.power = some(0.003);
   trouble.crash = some(0.25);
   trouble.kill = some(0.25);
   trouble.hang = some(0.05);
   trouble.hungry = some(1);
   trouble.full_disk = some(0.2);
+  trouble.no_process = some(0.05);
+  trouble.bad_files = some(0.1);
   trouble.vanish = some(0.01);
   trouble.restart = some(0.01);
   trouble.blackout = some(1);

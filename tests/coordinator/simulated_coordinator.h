@@ -10,15 +10,19 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "coordinator/decisions/message_translation.h"
 #include "tests/coordinator/farm_invariants.h"
 #include "tests/coordinator/simulated_world.h"
 
 namespace tetfarm::simulation {
+
+constexpr std::int64_t beat_ms = 250;
 
 class Coordinator {
  public:
@@ -31,7 +35,7 @@ class Coordinator {
     FarmDatabase& database;
     const std::vector<Submission>& jobs;
     const std::int64_t& now_ms;
-    std::function<void(int, ToWorker)> post;
+    std::function<void(int, Message)> post;
     std::function<bool(int)> can_reach;
   };
 
@@ -48,24 +52,17 @@ class Coordinator {
   /// What RequestHandler does with a message.
   void receive(int connection, const ToCoordinator& message) {
     if (heed_client(message)) return;
+    const wire::Envelope& envelope = *std::get<Message>(message);
     const auto known = connection2worker_.find(connection);
     const WorkerId worker = known == connection2worker_.end() ? WorkerId{} : known->second;
     const bool is_known = worker && state_->knows_worker(worker);
-    if (const auto* hello = std::get_if<Hello>(&message)) {
-      if (is_known) {
-        state_->greet_again(worker, hello->info, hello->task, hello->attempt, moment());
-      } else {
-        forget(worker);
-        const WorkerId added =
-            state_->add_worker(hello->info, hello->task, hello->attempt, moment());
-        connection2worker_[connection] = added;
-        worker2connection_[added] = connection;
-      }
+    if (envelope.has_hello()) {
+      heed_hello(connection, is_known ? worker : WorkerId{}, envelope.hello());
     } else if (!is_known) {
       forget(worker);
-      if (!std::holds_alternative<Bye>(message)) farm_.post(connection, HelloAgain{});
+      if (!envelope.has_goodbye()) say_hello_again(connection);
     } else {
-      heed_worker(worker, message);
+      heed_worker(worker, envelope);
     }
   }
 
@@ -74,14 +71,15 @@ class Coordinator {
     state_->tick(moment());
     const ChangeSet changes = state_->take_changes();
     const std::vector<Command> commands = state_->take_commands();
+    const std::vector<Message> messages = words_for(commands);
     const bool is_worth_a_look = !changes.empty() || !commands.empty();
     if (is_worth_a_look) validate();
     if (farm_.random.chance(farm_.trouble.restart)) return restart();  // before the commit
     if (!changes.empty() && !commit(changes)) return;
-    for (const Command& command : commands) {
-      farm_.invariants.spoken_after_commit(command, farm_.database.record());
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      farm_.invariants.spoken_after_commit(commands[i], farm_.database.record());
       if (farm_.random.chance(farm_.trouble.restart / 4)) return restart();  // between replies
-      send(command);
+      send(commands[i], messages[i]);
     }
   }
 
@@ -114,6 +112,8 @@ class Coordinator {
   void decide_anew(const DurableState& found) {
     connection2worker_.clear();
     worker2connection_.clear();
+    blind_.clear();
+    answered_ms_.clear();
     if (const auto late = farm_.database.take_found()) {
       farm_.invariants.found_after_a_restart(*late, farm_.database.record());
     }
@@ -155,7 +155,7 @@ class Coordinator {
     return true;
   }
 
-  void send(const Command& command) {
+  void send(const Command& command, const Message& message) {
     const WorkerId worker = std::visit([](const auto& any) { return any.worker; }, command);
     const auto connection = worker2connection_.find(worker);
     if (connection == worker2connection_.end()) return;
@@ -165,8 +165,44 @@ class Coordinator {
       if (is_assign) state_->worker_left(worker, true, moment());
       return;
     }
-    farm_.post(connection->second,
-               std::visit([](const auto& any) -> ToWorker { return any; }, command));
+    farm_.post(connection->second, message);
+  }
+
+  // ---- what was decided, as RequestHandler puts it into words, before the commit
+  std::vector<Message> words_for(const std::vector<Command>& commands) const {
+    std::vector<Message> messages;
+    for (const Command& command : commands) {
+      messages.push_back(std::visit([this](const auto& any) { return message_for(any); }, command));
+    }
+    return messages;
+  }
+  Message message_for(const SendWelcome& welcome) const {
+    return message_of([&](wire::Envelope& envelope) {
+      wire::Welcome& message = *envelope.mutable_welcome();
+      message.set_worker(welcome.worker.value);
+      message.set_heartbeat_ms(static_cast<std::uint32_t>(beat_ms));
+      message.set_lease_ms(static_cast<std::uint32_t>(rules_.lease_ms));
+      message.set_keep_running(welcome.keep_running);
+      message.set_sees_store(!blind_.contains(welcome.worker));
+    });
+  }
+  Message message_for(const SendAssign& assign) const {
+    return message_of([&](wire::Envelope& envelope) {
+      envelope = assign_message(state_->durable().tasks.at(assign.task), assign.attempt);
+      envelope.mutable_assign()->set_limit_ms(static_cast<std::uint64_t>(assign.limit_ms));
+    });
+  }
+  Message message_for(const SendAccepted& accepted) const {
+    return message_of([&](wire::Envelope& envelope) { envelope = accepted_message(accepted); });
+  }
+  Message message_for(const SendDrain&) const {
+    return message_of([](wire::Envelope& envelope) { envelope.mutable_drain(); });
+  }
+
+  void say_hello_again(int connection) {
+    farm_.post(connection, message_of([](wire::Envelope& envelope) {
+                 envelope.mutable_refused()->set_hello_again(true);
+               }));
   }
 
   void forget(WorkerId worker) {
@@ -174,38 +210,76 @@ class Coordinator {
     if (connection == worker2connection_.end()) return;
     connection2worker_.erase(connection->second);
     worker2connection_.erase(connection);
+    blind_.erase(worker);
+    answered_ms_.erase(worker);
   }
 
-  void heed_worker(WorkerId worker, const ToCoordinator& message) {
-    if (std::holds_alternative<Ready>(message)) {
+  void heed_hello(int connection, WorkerId known, const wire::Hello& hello) {
+    const WorkerInfo info = worker_info_of(hello);
+    const TaskId task{hello.running_task()};
+    const AttemptId attempt{hello.running_attempt()};
+    WorkerId worker = known;
+    if (known) {
+      state_->greet_again(known, info, task, attempt, moment());
+    } else {
+      const auto before = connection2worker_.find(connection);
+      if (before != connection2worker_.end()) forget(before->second);
+      worker = state_->add_worker(info, task, attempt, moment());
+      connection2worker_[connection] = worker;
+      worker2connection_[worker] = connection;
+    }
+    if (hello.probe_file().empty()) {
+      blind_.insert(worker);
+    } else {
+      blind_.erase(worker);
+    }
+  }
+
+  void heed_worker(WorkerId worker, const wire::Envelope& envelope) {
+    if (envelope.has_ready()) {
       state_->worker_is_ready(worker, moment());
-    } else if (const auto* beat = std::get_if<Beat>(&message)) {
-      state_->heartbeat(worker, beat->task, beat->attempt, moment());
-      // Late and doubled messages say less than was known.
-      const auto done = static_cast<std::uint64_t>(moment().steady_ms % 100);
-      state_->note_work(worker, beat->task, beat->attempt, {WorkStage::edges, 0, done, 100});
-    } else if (const auto* done = std::get_if<DoneSaid>(&message)) {
-      state_->done(worker, done->task, done->attempt, done->result, moment());
-    } else if (const auto* failed = std::get_if<FailedSaid>(&message)) {
-      take_failure(worker, *failed);
-    } else if (std::holds_alternative<Bye>(message)) {
+    } else if (envelope.has_heartbeat()) {
+      heed_heartbeat(worker, envelope.heartbeat());
+    } else if (envelope.has_done()) {
+      const wire::Done& done = envelope.done();
+      state_->done(worker, TaskId{done.task()}, AttemptId{done.attempt()}, result_of(done),
+                   moment());
+    } else if (envelope.has_failed()) {
+      take_failure(worker, envelope.failed());
+    } else if (envelope.has_goodbye()) {
       state_->worker_left(worker, false, moment());
       forget(worker);
     }
   }
 
+  /// As RequestHandler::answer_heartbeat: an answer now and then, which needs no commit.
+  void heed_heartbeat(WorkerId worker, const wire::Heartbeat& beat) {
+    const TaskId task{beat.task()};
+    const AttemptId attempt{beat.attempt()};
+    state_->heartbeat(worker, task, attempt, moment());
+    // Late and doubled messages say less than was known.
+    const auto done = static_cast<std::uint64_t>(moment().steady_ms % 100);
+    state_->note_work(worker, task, attempt, {WorkStage::edges, 0, done, 100});
+    std::int64_t& answered_ms = answered_ms_[worker];
+    if (moment().steady_ms - answered_ms < rules_.lease_ms / 4) return;
+    answered_ms = moment().steady_ms;
+    farm_.post(worker2connection_.at(worker),
+               message_of([&](wire::Envelope& envelope) { *envelope.mutable_heartbeat() = beat; }));
+  }
+
   /// As RequestHandler::failed: inputs that are whole here were not damaged.
-  void take_failure(WorkerId worker, const FailedSaid& message) {
-    TaskFailure failure = message.failure;
-    const std::size_t claimed = failure.damaged_inputs.size();
-    const auto task = state_->durable().tasks.find(message.task);
+  void take_failure(WorkerId worker, const wire::Failed& message) {
+    TaskFailure failure = failure_of(message);
+    failure.damaged_inputs = {message.damaged_inputs().begin(), message.damaged_inputs().end()};
+    const auto task = state_->durable().tasks.find(TaskId{message.task()});
     if (task != state_->durable().tasks.end()) {
       for (const ArtifactRef& input : task->second.inputs) {
         if (farm_.disk.has(input)) std::erase(failure.damaged_inputs, input.hash);
       }
     }
-    if (failure.damaged_inputs.empty() && claimed > 0) failure.killed = true;
-    state_->failed(worker, message.task, message.attempt, failure, moment());
+    const bool claims = message.damaged_inputs_size() > 0;
+    if (failure.damaged_inputs.empty() && claims) failure.killed = true;
+    state_->failed(worker, TaskId{message.task()}, AttemptId{message.attempt()}, failure, moment());
   }
 
   bool heed_client(const ToCoordinator& message) {
@@ -233,6 +307,8 @@ class Coordinator {
   std::unique_ptr<JobState> state_;
   std::map<int, WorkerId> connection2worker_;
   std::map<WorkerId, int> worker2connection_;
+  std::set<WorkerId> blind_;  ///< that do not see the store
+  std::map<WorkerId, std::int64_t> answered_ms_;
 };
 
 }  // namespace tetfarm::simulation

@@ -1,6 +1,6 @@
 // A whole farm in one process, under a seed: a coordinator with its database
-// (simulated_coordinator.h, simulated_database.h), worker processes on several hosts
-// (simulated_worker.h), clients, a disk, a network and clocks, all of which fail
+// (simulated_coordinator.h, simulated_database.h), worker processes on several hosts, which decide
+// as real ones do (simulated_worker.h), clients, a disk, a network and clocks, all of which fail
 // (simulated_world.h). Invariants are asked after every commit and every restart
 // (farm_invariants.h).
 #pragma once
@@ -34,7 +34,7 @@ class Farm {
         surroundings_(surroundings()),
         coordinator_(shared_with_coordinator(), rules_),
         clients_(random_, trouble_, jobs_, wish_, state(),
-                 [this](ToCoordinator message) { post(0, std::move(message)); }) {
+                 [this](ToCoordinator message) { post_up(0, std::move(message)); }) {
     for (const Submission& job : jobs_) disk_.publish_input(job.job_file);
     disk_.publish_input(surface());
     while (workers_.size() < 4) start_worker();
@@ -80,7 +80,7 @@ class Farm {
     }
     for (const Worker& worker : workers_) {
       text += "worker " + std::to_string(worker.connection()) + " on " + worker.host() +
-              " attempt " + std::to_string(worker.attempt().value) + "\n";
+              " attempt " + std::to_string(worker.attempt().value) + " " + worker.report() + "\n";
     }
     return text;
   }
@@ -88,7 +88,8 @@ class Farm {
  private:
   struct Travelling {
     int connection = 0;
-    std::variant<ToCoordinator, ToWorker> message;
+    bool is_up = false;  ///< to the coordinator
+    ToCoordinator message;
   };
 
   static FarmRules rules_of(const Trouble& trouble) {
@@ -125,23 +126,24 @@ class Farm {
             [this](const TaskRow& task) { return is_giant(wish_, task); },
             trouble_.has_bad_host ? "host-1" : "",
             now_ms_,
-            [this](int connection, ToCoordinator message) {
-              note_result(connection, message);
-              post(connection, std::move(message));
+            [this](int connection, Message message) {
+              note_result(connection, *message);
+              post_up(connection, std::move(message));
             },
             [this] { return ++last_connection_; }};
   }
 
   Coordinator::Farm shared_with_coordinator() {
-    return {random_,
-            trouble_,
-            disk_,
-            invariants_,
-            database_,
-            jobs_,
-            now_ms_,
-            [this](int connection, ToWorker message) { post(connection, std::move(message)); },
-            [this](int connection) { return has_worker_at(connection); }};
+    return {
+        random_,
+        trouble_,
+        disk_,
+        invariants_,
+        database_,
+        jobs_,
+        now_ms_,
+        [this](int connection, Message message) { post(connection, false, std::move(message)); },
+        [this](int connection) { return has_worker_at(connection); }};
   }
 
   bool has_worker_at(int connection) const {
@@ -171,7 +173,7 @@ class Farm {
     if (now_ms_ > first_ms + 15000) surroundings_.bad_host.clear();
     for (Worker& worker : workers_) {
       if (random_.chance(trouble_.stop)) worker.stop(now_ms_ + random_.pick(4000));
-      if (random_.chance(trouble_.vacate)) worker.start_drain(surroundings_);
+      if (random_.chance(trouble_.vacate)) worker.signal(surroundings_);
       if (random_.chance(trouble_.break_off)) {
         break_connection(worker.connection());
         worker.change_connection(++last_connection_);
@@ -198,9 +200,16 @@ class Farm {
     copy.memory_bytes = std::uint64_t{800} << 20U;
     invariants_.worker_starts(copy);
     const int connection = ++last_connection_;
-    post(connection, ToCoordinator{Hello{copy, victim.task(), victim.attempt()}});
+    post_up(connection, message_of([&](wire::Envelope& envelope) {
+              *envelope.mutable_hello() = hello_of(copy);
+              envelope.mutable_hello()->set_running_task(victim.task().value);
+              envelope.mutable_hello()->set_running_attempt(victim.attempt().value);
+            }));
     for (const int from : {connection, thief.connection()}) {
-      post(from, ToCoordinator{DoneSaid{victim.task(), victim.attempt(), {}}});
+      post_up(from, message_of([&](wire::Envelope& envelope) {
+                envelope.mutable_done()->set_task(victim.task().value);
+                envelope.mutable_done()->set_attempt(victim.attempt().value);
+              }));
     }
   }
 
@@ -232,25 +241,29 @@ class Farm {
                         << 20U;
     if (random_.chance(trouble_.walltime)) info.ends_in_ms = 1000 + random_.pick(8000);
     invariants_.worker_starts(info);
-    workers_.emplace_back(info, surroundings_);
+    const bool sees_store = !random_.chance(trouble_.blind);
+    workers_.emplace_back(info, sees_store, surroundings_);
   }
 
   // ---- the network
-  template <class Message>
-  void post(int connection, Message message) {
+  void post_up(int connection, ToCoordinator message) {
+    post(connection, true, std::move(message));
+  }
+
+  void post(int connection, bool is_up, ToCoordinator message) {
     if (random_.chance(trouble_.lost)) return;
     const int copies = random_.chance(trouble_.doubled) ? 2 : 1;
     for (int i = 0; i < copies; ++i) {
       const std::int64_t arrives_ms = now_ms_ + random_.pick(trouble_.latest_ms);
-      travelling_.emplace(arrives_ms, Travelling{connection, message});
+      travelling_.emplace(arrives_ms, Travelling{connection, is_up, message});
     }
   }
 
-  void note_result(int connection, const ToCoordinator& message) {
-    const auto* done = std::get_if<DoneSaid>(&message);
-    if (done == nullptr) return;
+  void note_result(int connection, const wire::Envelope& message) {
+    if (!message.has_done()) return;
+    const AttemptId attempt{message.done().attempt()};
     for (const Worker& worker : workers_) {
-      if (worker.connection() == connection) invariants_.result_said(done->attempt, worker.nonce());
+      if (worker.connection() == connection) invariants_.result_said(attempt, worker.nonce());
     }
   }
 
@@ -261,13 +274,13 @@ class Farm {
     }
     random_.shuffle(due);
     for (const Travelling& message : due) {
-      if (const auto* up = std::get_if<ToCoordinator>(&message.message)) {
+      if (message.is_up) {
         heard_ = true;
-        coordinator_.receive(message.connection, *up);
+        coordinator_.receive(message.connection, message.message);
       } else {
         for (Worker& worker : workers_) {
           if (worker.connection() != message.connection) continue;
-          worker.hear(std::get<ToWorker>(message.message), surroundings_);
+          worker.hear(std::get<Message>(message.message), surroundings_);
         }
       }
     }

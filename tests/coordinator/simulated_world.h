@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <variant>
 
 #include "coordinator/decisions/job_state.h"
+#include "proto/messages.pb.h"
 #include "tests/coordinator/simulation_random.h"
 
 namespace tetfarm::simulation {
@@ -22,12 +24,17 @@ struct Trouble {
   double stop = 0;              // worker and step: SIGSTOP, for a while; its messages wait for it
   double vacate = 0;            // worker and step: SIGTERM from the batch system
   double walltime = 0;          // new worker: it knows when it will be ended
+  double blind = 0;             // new worker: it does not see the store
+  double absent = 0;            // a Hello: nobody is at the other end of the connection
+  double swept = 0;             // a Welcome: what the worker left in the store is gone
   double power = 0;             // step: a host loses power, and what it had not synced
   double crash = 0;             // attempts: an error
   double kill = 0;              // attempts: ended from outside
   double hang = 0;              // attempts: never ends by itself
   double hungry = 0;            // attempts that need more room than they were given: out of memory
   double full_disk = 0;         // attempts: no room for the result
+  double no_process = 0;        // attempts: their process does not start
+  double bad_files = 0;         // files that go over the connection: full or damaged disk
   double vanish = 0;            // step: a file of the store vanishes
   double restart = 0;           // turn of the coordinator, at each of several points: kill -9
   double blackout = 0;          // of these: its host loses power, and what is not synced
@@ -42,27 +49,16 @@ struct Trouble {
   bool is_strict = false;       // limits of tries as in a real farm, and a person who says retry
 };
 
-struct Hello {
-  WorkerInfo info;
-  TaskId task;
-  AttemptId attempt;
-};
-struct Ready {};
-struct Beat {
-  TaskId task;
-  AttemptId attempt;
-};
-struct DoneSaid {
-  TaskId task;
-  AttemptId attempt;
-  TaskResult result;
-};
-struct FailedSaid {
-  TaskId task;
-  AttemptId attempt;
-  TaskFailure failure;
-};
-struct Bye {};
+/// What workers say and hear are the messages of the wire; copies of a message are one.
+using Message = std::shared_ptr<const wire::Envelope>;
+
+template <class Fill>
+Message message_of(const Fill& fill) {
+  auto envelope = std::make_shared<wire::Envelope>();
+  fill(*envelope);
+  return envelope;
+}
+
 struct SubmitSaid {
   int job = 0;
 };
@@ -79,10 +75,8 @@ struct LetGoSaid {
 struct DrainSaid {
   WorkerId worker;
 };
-using ToCoordinator = std::variant<Hello, Ready, Beat, DoneSaid, FailedSaid, Bye, SubmitSaid,
-                                   CancelSaid, RetrySaid, LetGoSaid, DrainSaid>;
-struct HelloAgain {};
-using ToWorker = std::variant<SendWelcome, SendAssign, SendAccepted, SendDrain, HelloAgain>;
+using ToCoordinator =
+    std::variant<Message, SubmitSaid, CancelSaid, RetrySaid, LetGoSaid, DrainSaid>;
 
 /// A shared folder under hashes. A file becomes visible whole (rename) and is durable a moment
 /// later (fsync of the folder), which is when its writer may speak of it.
