@@ -12,8 +12,8 @@
 
 #include "mesh/core/tet_quality.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/outer_boundary.h"
-#include "mesh/io/read_surface.h"
 #include "mesh/volume/volume_mesh.h"
 
 namespace {

@@ -27,7 +27,7 @@
 #include "mesh/assemble/shape_statistics.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/core/validate.h"
-#include "mesh/io/read_surface.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/spacing/spacing_field.h"
 #include "mesh/volume/volume_mesh.h"
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/outer_boundary.h"
 #include "mesh/inspect/surface_check.h"
-#include "mesh/io/read_surface.h"
 #include "mesh/volume/volume_mesh.h"
 #include "tests/support/thin_domains.h"
 

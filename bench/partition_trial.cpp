@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "mesh/graph/metis_partition.h"
 #include "mesh/partition/partitioned_mesh.h"
 #include "tests/support/whole_dual_graph.h"

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "mesh/core/validate.h"
+#include "mesh/formats/surfaces/write_surface.h"
 #include "mesh/inspect/surface_check.h"
-#include "mesh/io/write_surface.h"
 #include "mesh/volume/volume_mesh.h"
 #include "tests/support/cad_surfaces.h"
 

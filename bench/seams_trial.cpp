@@ -22,8 +22,8 @@
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/seam_cosmetics.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/outer_boundary.h"
-#include "mesh/io/read_surface.h"
 
 namespace {
 

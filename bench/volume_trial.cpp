@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "mesh/core/tet_quality.h"
-#include "mesh/io/read_surface.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/volume/volume_mesh.h"
 
 namespace {

@@ -8,8 +8,8 @@
 #include "cli/job_input.h"
 #include "cli/json_line.h"
 #include "cli/surface_angles.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
-#include "mesh/io/read_surface.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 

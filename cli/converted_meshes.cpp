@@ -10,7 +10,7 @@
 #include "base/printable_text.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
-#include "mesh/formats/export_mesh.h"
+#include "mesh/formats/registry/export_mesh.h"
 
 namespace tetfarm {
 namespace {

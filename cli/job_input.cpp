@@ -9,11 +9,11 @@
 #include "base/hash.h"
 #include "base/job_name.h"
 #include "cli/output_formats.h"
+#include "mesh/formats/flite/read_flite_sources.h"
+#include "mesh/formats/surfaces/read_surface.h"
+#include "mesh/formats/surfaces/surface_type.h"
 #include "mesh/inspect/defect_text.h"
-#include "mesh/io/read_flite_sources.h"
-#include "mesh/io/read_surface.h"
-#include "mesh/io/surface_type.h"
-#include "mesh/io/toml_limits.h"
+#include "mesh/job_file/toml_limits.h"
 #include "worker/inspect_task.h"
 
 namespace tetfarm {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/command_line.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 
 namespace tetfarm {
 

@@ -9,7 +9,7 @@
 #include "cli/farm_view.h"
 #include "cli/fetch_files.h"
 #include "cli/run_folder.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "store/artifact_store.h"
 
 namespace tetfarm {

@@ -4,9 +4,9 @@
 #include <set>
 #include <string_view>
 
+#include "base/edit_distance.h"
 #include "base/error.h"
-#include "mesh/io/edit_distance.h"
-#include "mesh/io/job_formats.h"
+#include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
 namespace {

@@ -12,9 +12,9 @@
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "cli/run_folder.h"
-#include "mesh/formats/open_mesh.h"
-#include "mesh/formats/openfoam_source.h"
-#include "mesh/io/job_file.h"
+#include "mesh/formats/openfoam/openfoam_source.h"
+#include "mesh/formats/registry/open_mesh.h"
+#include "mesh/job_file/job_file.h"
 #include "mesh/quality/mesh_check.h"
 
 namespace tetfarm {

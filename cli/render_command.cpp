@@ -9,8 +9,8 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
-#include "mesh/assemble/read_global_mesh.h"
-#include "mesh/assemble/read_vtkhdf.h"
+#include "mesh/formats/registry/read_global_mesh.h"
+#include "mesh/formats/vtkhdf/read_vtkhdf.h"
 #include "mesh/render/render_mesh.h"
 
 namespace tetfarm {

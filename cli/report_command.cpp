@@ -7,7 +7,7 @@
 #include "cli/job_report.h"
 #include "cli/mesh_input.h"
 #include "cli/run_folder.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "mesh/render/render_mesh.h"
 #include "report/report_page.h"
 

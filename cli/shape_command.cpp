@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
-#include "mesh/io/write_surface.h"
+#include "mesh/formats/surfaces/write_surface.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {

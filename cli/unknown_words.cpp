@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/edit_distance.h"
 #include "base/error_with_help.h"
-#include "mesh/io/edit_distance.h"
 
 namespace tetfarm {
 namespace {

@@ -4,7 +4,10 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(library_rooms mesh/library mesh/decompose mesh/planar mesh/graph mesh/volume mesh/recovery mesh/filling mesh/cosmetics mesh/spacing
-    mesh/inspect mesh/shapes mesh/geometry mesh/io mesh/core base)
+    mesh/inspect mesh/shapes mesh/geometry
+    mesh/formats/surfaces mesh/formats/flite mesh/formats/medit
+    mesh/formats/msh mesh/formats/communication mesh/formats/obj mesh/formats/off mesh/formats/ply mesh/formats/stl
+    mesh/formats/su2 mesh/formats/tetgen mesh/formats/ugrid mesh/formats mesh/assemble mesh/artifacts mesh/job_file mesh/core base)
 set(archives "")
 foreach(room ${library_rooms})
   room_target(${room} target)

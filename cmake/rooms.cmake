@@ -24,11 +24,16 @@ function(add_room room)
   endforeach()
 endfunction()
 
-# The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow.
+# The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow. Those of the
+# rooms of single formats belong to mesh/formats.
 # Each room has at most two programs: ROOM_test and ROOM_slow_test.
 function(add_room_tests room)
   room_target(${room} target)
-  file(GLOB all CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${room}/*_test.cpp)
+  set(pattern ${PROJECT_SOURCE_DIR}/tests/${room}/*_test.cpp)
+  if(room STREQUAL "mesh/formats")
+    list(APPEND pattern ${PROJECT_SOURCE_DIR}/tests/${room}/*/*_test.cpp)
+  endif()
+  file(GLOB all CONFIGURE_DEPENDS ${pattern})
   set(slow ${all})
   list(FILTER slow INCLUDE REGEX "_slow_test\\.cpp$")
   set(fast ${all})

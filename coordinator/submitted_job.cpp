@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/job_name.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 
 namespace tetfarm {
 

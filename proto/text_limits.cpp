@@ -36,7 +36,7 @@ constexpr std::array<TextLimit, 20> texts = {{
     {"Failed.message", longest_message, TooLong::cut},
     {"Failed.log", longest_log, TooLong::cut_at_front},
     {"FileChunk.bytes", std::size_t{1} << 20U},  // what is no chunk is asked for again
-    {"Submit.job_toml", std::size_t{1} << 20U},  // as mesh/io/toml_limits.h
+    {"Submit.job_toml", std::size_t{1} << 20U},  // as mesh/job_file/toml_limits.h
     {"Submit.name", 255},
     {"Submit.key", 255},
     {"Submit.surface_path", 4096},  // PATH_MAX

@@ -6,13 +6,13 @@
 
 #include "base/error.h"
 #include "base/job_name.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
-#include "mesh/assemble/write_ugrid.h"
+#include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/inspect/small_angles.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/job_file.h"
-#include "mesh/io/job_formats.h"
+#include "mesh/job_file/job_file.h"
+#include "mesh/job_file/job_formats.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <utility>
 
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/assimilation/assimilation.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/region_split.h"
-#include "mesh/io/artifact_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "mesh/decompose/planar_cut.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "mesh/io/element_file.h"
+#include "mesh/artifacts/element_file.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {

@@ -1,8 +1,8 @@
 #include "worker/extract_task.h"
 
+#include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/element_file.h"
 #include "mesh/cosmetics/element_extraction.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/element_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

@@ -6,12 +6,12 @@
 
 #include "base/error.h"
 #include "base/job_name.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/formats/gzip.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/gzip.h"
-#include "mesh/io/read_surface.h"
 #include "worker/evidence.h"
 
 namespace tetfarm {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "mesh/inspect/surface_check.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "worker/job_domain.h"
 #include "worker/task_cost.h"
 #include "worker/task_io.h"

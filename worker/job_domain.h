@@ -9,7 +9,7 @@
 #include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
 #include "mesh/inspect/outer_boundary.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/job_forecast.h"
 

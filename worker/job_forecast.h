@@ -12,7 +12,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

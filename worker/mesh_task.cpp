@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/validate.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "mesh/library/leaf_mesh.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/global_numbering.h"
-#include "mesh/io/artifact_file.h"
 #include "worker/element_input.h"
 #include "worker/task_cost.h"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/element_file.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/element_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

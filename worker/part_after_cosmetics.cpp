@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/cosmetics/element_extraction.h"
 #include "mesh/cosmetics/element_passing.h"
-#include "mesh/io/artifact_file.h"
 
 namespace tetfarm {
 namespace {

@@ -1,7 +1,7 @@
 /// Which file of the store the write tasks of a job and its assemble task fill together.
 #pragma once
 
-#include "mesh/assemble/shared_vtkhdf.h"
+#include "mesh/formats/vtkhdf/shared_vtkhdf.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {

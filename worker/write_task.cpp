@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/forced_nodes.h"
 #include "mesh/assemble/portion.h"
 #include "mesh/core/subdomain_regions.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/job_file.h"
-#include "mesh/io/job_formats.h"
+#include "mesh/job_file/job_file.h"
+#include "mesh/job_file/job_formats.h"
 #include "worker/part_after_cosmetics.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"

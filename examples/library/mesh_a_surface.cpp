@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "mesh/core/signed_volume.h"
-#include "mesh/io/read_surface.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/library/mesh_surface.h"
 
 int main(int count, char** words) {

@@ -1,8 +1,8 @@
 /// The bytes of a portion (portion.h).
 
 #include "base/file_system.h"
+#include "mesh/artifacts/checked_bytes.h"
 #include "mesh/assemble/portion.h"
-#include "mesh/io/checked_bytes.h"
 
 namespace tetfarm {
 namespace {

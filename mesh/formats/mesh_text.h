@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/io/input_scanner.h"
+#include "mesh/formats/input_scanner.h"
 
 namespace tetfarm {
 

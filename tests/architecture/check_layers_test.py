@@ -52,7 +52,7 @@ class CheckLayers(unittest.TestCase):
     def test_coordinator_and_worker_do_not_see_each_other(self):
         for here, there in (("coordinator", "worker"), ("worker", "coordinator"),
                             ("coordinator", "mesh/geometry"), ("mesh/core", "proto"),
-                            ("mesh/shapes", "mesh/io"), ("mesh/volume", "mesh/shapes"), ("mesh/recovery", "mesh/filling"),
+                            ("mesh/shapes", "mesh/formats"), ("mesh/volume", "mesh/shapes"), ("mesh/recovery", "mesh/filling"),
                             ("coordinator/decisions", "coordinator/views"), ("coordinator/views", "coordinator")):
             self.assertTrue(check({f"{here}/a.h": f'#include "{there}/b.h"\n'}, ROOMS))
 

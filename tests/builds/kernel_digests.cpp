@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "base/hash.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/surface_check.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/read_surface.h"
 #include "mesh/shapes/make_shape.h"
 #include "mesh/volume/volume_mesh.h"
 #include "tests/support/generated_surfaces.h"

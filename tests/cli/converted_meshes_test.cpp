@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "mesh/formats/export_mesh.h"
-#include "mesh/io/job_formats.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/fuzz/fuzz_targets.h"
 

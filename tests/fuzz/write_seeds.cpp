@@ -6,10 +6,10 @@
 
 #include "base/file_system.h"
 #include "base/hash.h"
+#include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/element_file.h"
 #include "mesh/core/subdomain.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/element_file.h"
-#include "mesh/io/job_file.h"
+#include "mesh/job_file/job_file.h"
 #include "mesh/spacing/spacing_field.h"
 #include "proto/file_chunks.h"
 #include "proto/wire.h"

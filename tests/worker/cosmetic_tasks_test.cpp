@@ -7,9 +7,9 @@
 #include <map>
 #include <sstream>
 
-#include "mesh/assemble/read_global_mesh.h"
-#include "mesh/io/element_file.h"
-#include "mesh/io/job_file.h"
+#include "mesh/artifacts/element_file.h"
+#include "mesh/formats/registry/read_global_mesh.h"
+#include "mesh/job_file/job_file.h"
 #include "tests/base/temp_folder.h"
 #include "tests/support/mesh_report.h"
 #include "tests/support/shapes.h"

@@ -9,7 +9,7 @@
 #include <new>
 
 #include "base/error.h"
-#include "mesh/io/read_surface.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "worker/evidence.h"
 
 namespace tetfarm {

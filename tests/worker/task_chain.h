@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "mesh/assemble/read_global_mesh.h"
+#include "mesh/artifacts/artifact_file.h"
 #include "mesh/core/validate.h"
-#include "mesh/io/artifact_file.h"
-#include "mesh/io/job_file.h"
+#include "mesh/formats/registry/read_global_mesh.h"
+#include "mesh/job_file/job_file.h"
 #include "tests/support/mesh_report.h"
 #include "worker/assemble_task.h"
 #include "worker/decompose_task.h"

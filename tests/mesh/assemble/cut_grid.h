@@ -9,7 +9,7 @@
 #include <string>
 
 #include "mesh/assemble/global_mesh.h"
-#include "mesh/assemble/vtkhdf_frame.h"
+#include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 
 namespace tetfarm {
 

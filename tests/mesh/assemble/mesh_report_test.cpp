@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh/assemble/read_global_mesh.h"
-#include "mesh/assemble/write_vtkhdf.h"
+#include "mesh/formats/registry/read_global_mesh.h"
+#include "mesh/formats/vtkhdf/write_vtkhdf.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/assemble/cut_grid.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "mesh/decompose/planar_cut.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/outer_boundary.h"
-#include "mesh/io/read_surface.h"
 
 namespace tetfarm {
 namespace {

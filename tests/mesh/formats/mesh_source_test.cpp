@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "mesh/assemble/hdf5_file.h"
-#include "mesh/formats/export_mesh.h"
-#include "mesh/formats/open_mesh.h"
-#include "mesh/formats/ugrid_source.h"
+#include "mesh/formats/hdf5/hdf5_file.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
+#include "mesh/formats/ugrid/ugrid_source.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/file_system.h"
-#include "mesh/formats/export_mesh.h"
+#include "mesh/formats/registry/export_mesh.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 

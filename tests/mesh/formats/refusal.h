@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "tests/base/temp_folder.h"
 
 namespace tetfarm {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "mesh/io/read_surface.h"
+#include "mesh/formats/surfaces/read_surface.h"
 
 namespace tetfarm {
 

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "base/error.h"
-#include "mesh/formats/communication_table.h"
-#include "mesh/formats/export_mesh.h"
+#include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/node_records.h"
-#include "mesh/formats/open_mesh.h"
-#include "mesh/formats/seam_faces.h"
+#include "mesh/formats/openfoam/seam_faces.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "mesh/partition/dual_graph.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"

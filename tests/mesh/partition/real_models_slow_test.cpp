@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "mesh/formats/cell_faces.h"
-#include "mesh/formats/communication_table.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/communication/communication_table.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "mesh/graph/metis_partition.h"
 #include "mesh/partition/dual_graph.h"
 #include "mesh/partition/partitioned_mesh.h"

@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "mesh/formats/communication_table.h"
-#include "mesh/formats/export_mesh.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/communication/communication_table.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 

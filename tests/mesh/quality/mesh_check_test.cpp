@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "mesh/formats/export_mesh.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 

@@ -5,9 +5,9 @@
 
 #include <numeric>
 
-#include "mesh/assemble/read_global_mesh.h"
-#include "mesh/formats/export_mesh.h"
-#include "mesh/formats/open_mesh.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
+#include "mesh/formats/registry/read_global_mesh.h"
 #include "mesh/quality/cut_nodes.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "mesh/core/tet_quality.h"
+#include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/surface_check.h"
-#include "mesh/io/read_surface.h"
 #include "tests/mesh/volume/volume_checks.h"
 
 namespace tetfarm {

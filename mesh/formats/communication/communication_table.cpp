@@ -1,0 +1,192 @@
+#include "mesh/formats/communication/communication_table.h"
+
+#include <algorithm>
+
+#include "base/file_system.h"
+#include "mesh/formats/cell_faces.h"
+#include "mesh/formats/external_sort.h"
+#include "mesh/formats/node_records.h"
+
+namespace tetfarm {
+namespace {
+
+/// A node that another part may have too.
+struct NodeMention {
+  std::int64_t node = 0;
+  std::int32_t part = 0;
+  std::int32_t local = 0;
+  bool operator<(const NodeMention& other) const {
+    return node != other.node ? node < other.node : part < other.part;
+  }
+};
+
+/// A node that `part` and `neighbour` have.
+struct SharedNode {
+  std::int32_t part = 0;
+  std::int32_t neighbour = 0;
+  std::int64_t node = 0;
+  std::int32_t local = 0;
+  std::int32_t remote = 0;
+  std::int32_t owner = 0;
+  bool operator<(const SharedNode& other) const {
+    if (part != other.part) return part < other.part;
+    return neighbour != other.neighbour ? neighbour < other.neighbour : node < other.node;
+  }
+};
+
+/// A ghost of `of`.
+struct GhostMention {
+  std::int32_t of = 0;
+  GhostTet ghost;
+  std::array<Vec3, 4> corners{};
+  bool operator<(const GhostMention& other) const {
+    if (of != other.of) return of < other.of;
+    return ghost.part != other.ghost.part ? ghost.part < other.ghost.part
+                                          : ghost.tet < other.ghost.tet;
+  }
+};
+
+/// The nodes of outer faces: no other can be in two parts.
+std::vector<std::int32_t> outer_nodes(const NumberedPart& part) {
+  std::vector<bool> is_outer(part.nodes.size(), false);
+  for (const OuterFace& face : cell_faces(part).outer) {
+    for (const std::int32_t v : face.nodes) is_outer[static_cast<std::size_t>(v)] = true;
+  }
+  std::vector<std::int32_t> nodes;
+  for (std::size_t v = 0; v < is_outer.size(); ++v) {
+    if (is_outer[v]) nodes.push_back(static_cast<std::int32_t>(v));
+  }
+  return nodes;
+}
+
+/// Every part with every other one of those that have the node.
+void share(const std::vector<NodeMention>& mentions, ExternalSort<SharedNode>& shared) {
+  for (const NodeMention& here : mentions) {
+    for (const NodeMention& there : mentions) {
+      if (here.part == there.part) continue;
+      shared.push(
+          {here.part, there.part, here.node, here.local, there.local, mentions.front().part});
+    }
+  }
+}
+
+void find_shared_nodes(const MeshSource& source, const std::filesystem::path& folder,
+                       ExternalSort<SharedNode>& shared) {
+  ExternalSort<NodeMention> mentions(folder);
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const NumberedPart part = source.part(i);
+    for (const std::int32_t v : outer_nodes(part)) {
+      mentions.push({global_node(part, v), static_cast<std::int32_t>(i), v});
+    }
+  }
+  std::vector<NodeMention> same;
+  for (NodeMention next; mentions.next(next);) {
+    if (!same.empty() && same.front().node != next.node) {
+      share(same, shared);
+      same.clear();
+    }
+    same.push_back(next);
+  }
+  share(same, shared);
+}
+
+/// The part's tets that have a node of a neighbour, for each neighbour.
+void mention_ghosts(const NumberedPart& part, const std::vector<SharedNode>& shared,
+                    ExternalSort<GhostMention>& ghosts) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> neighbour_of_node;
+  for (const SharedNode& node : shared) neighbour_of_node.emplace_back(node.local, node.neighbour);
+  std::sort(neighbour_of_node.begin(), neighbour_of_node.end());
+  for (std::size_t t = 0; t < part.tets.size(); ++t) {
+    std::vector<std::int32_t> neighbours;
+    for (const std::int32_t v : part.tets[t]) {
+      auto it = std::lower_bound(neighbour_of_node.begin(), neighbour_of_node.end(),
+                                 std::pair(v, std::int32_t{0}));
+      for (; it != neighbour_of_node.end() && it->first == v; ++it) {
+        neighbours.push_back(it->second);
+      }
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    for (const std::int32_t neighbour : neighbours) {
+      GhostMention mention{neighbour, {part.number, static_cast<std::int32_t>(t), {}}, {}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::int32_t v = part.tets[t][k];
+        mention.ghost.nodes[k] = global_node(part, v);
+        mention.corners[k] = part.nodes[static_cast<std::size_t>(v)];
+      }
+      ghosts.push(mention);
+    }
+  }
+}
+
+void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table) {
+  for (const SharedNode& node : shared) {
+    table.owner[static_cast<std::size_t>(node.local)] = node.owner;
+    if (table.neighbours.empty() || table.neighbours.back().neighbour != node.neighbour) {
+      table.neighbours.push_back({node.neighbour, {}, {}});
+    }
+    table.neighbours.back().local.push_back(node.local);
+    table.neighbours.back().remote.push_back(node.remote);
+  }
+}
+
+}  // namespace
+
+void for_each_communication_table(const MeshSource& source, const MeshOutline& outline,
+                                  const std::filesystem::path& folder,
+                                  const std::function<void(const CommunicationTable&)>& visit) {
+  for_each_part_with_ghosts(
+      source, outline, folder,
+      [&](const CommunicationTable& table, const GhostCorners&) { visit(table); });
+}
+
+void for_each_part_with_ghosts(
+    const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
+    const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
+  ExternalSort<SharedNode> shared(folder);
+  find_shared_nodes(source, folder, shared);
+  // The list is gone through twice: for the ghosts of others, then for the tables.
+  ExternalSort<SharedNode> shared_again(folder);
+  ExternalSort<GhostMention> ghosts(folder);
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const std::vector<SharedNode> here = shared.take_while(
+        [i](const SharedNode& node) { return node.part == static_cast<std::int32_t>(i); });
+    for (const SharedNode& node : here) shared_again.push(node);
+    mention_ghosts(source.part(i), here, ghosts);
+  }
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const auto number = static_cast<std::int32_t>(i);
+    CommunicationTable table;
+    table.part = number;
+    table.parts = static_cast<std::int32_t>(source.size());
+    table.nodes_of_mesh = outline.nodes;
+    table.tets = outline.parts[i].tets;
+    table.local2global = source.part(i).local2global;
+    table.owner.assign(table.local2global.size(), number);
+    add_shared(
+        shared_again.take_while([number](const SharedNode& node) { return node.part == number; }),
+        table);
+    const auto is_of_part = [number](const GhostMention& ghost) { return ghost.of == number; };
+    GhostCorners corners;
+    for (const GhostMention& mention : ghosts.take_while(is_of_part)) {
+      table.ghosts.push_back(mention.ghost);
+      corners.push_back(mention.corners);
+    }
+    visit(table, corners);
+  }
+}
+
+void write_communication(const MeshSource& source, const MeshOutline& outline,
+                         const std::filesystem::path& folder, bool is_text) {
+  make_folders(folder);
+  for_each_communication_table(source, outline, folder, [&](const CommunicationTable& table) {
+    const std::string name = "part-" + std::to_string(table.part) + ".comm";
+    if (is_text) {
+      write_file_atomically(folder / (name + ".txt"), communication_to_text(table));
+    } else {
+      write_file_atomically(folder / name, communication_to_bytes(table));
+    }
+  });
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,16 @@
+/// Reads a Medit/GMF binary mesh of tets, version 4 (mesh/formats/medit/write_meshb.h), piece by
+/// piece.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "mesh/formats/mesh_source.h"
+
+namespace tetfarm {
+
+/// As a listed mesh (listed_mesh.h). References of triangles are patches, of tets regions, from 1.
+/// @throws IoError, InvalidInput with the byte.
+std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path);
+
+}  // namespace tetfarm

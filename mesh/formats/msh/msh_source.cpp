@@ -1,0 +1,205 @@
+#include "mesh/formats/msh/msh_source.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "mesh/formats/local_numbers.h"
+#include "mesh/formats/msh/msh_reader.h"
+#include "mesh/formats/parsed_mesh.h"
+#include "mesh/formats/regions_of_faces.h"
+
+namespace tetfarm {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <std::size_t N>
+std::array<std::int64_t, N> from_zero(std::array<std::int64_t, N> nodes) {
+  for (std::int64_t& node : nodes) --node;
+  return nodes;
+}
+
+/// The content of a file that has the whole mesh.
+class WholeMesh : public MshContent {
+ public:
+  WholeMesh(const fs::path& path, const fs::path& scratch_folder)
+      : name_(path.string()), most_nodes_(fs::file_size(path)), mesh_(scratch_folder) {}
+
+  void add_node(std::int64_t tag, const Vec3& p) override {
+    // A node takes some bytes: a tag above the size of the file leaves gaps.
+    if (tag < 1 || static_cast<std::uintmax_t>(tag) > most_nodes_) {
+      throw InvalidInput("node tags are not 1 to N: " + std::to_string(tag), name_);
+    }
+    const auto number = static_cast<std::size_t>(tag - 1);
+    if (number >= is_known_.size()) is_known_.resize(std::max(number + 1, 2 * is_known_.size()));
+    if (is_known_[number]) {
+      throw InvalidInput("two nodes have the tag " + std::to_string(tag), name_);
+    }
+    is_known_[number] = true;
+    ++nodes_;
+    mesh_.set_node(tag - 1, p);
+  }
+  void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
+    mesh_.add_triangle(from_zero(nodes), patch);
+  }
+  void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
+               std::int32_t subdomain) override {
+    mesh_.add_tet(from_zero(nodes), region, subdomain);
+    knows_subdomains_ = knows_subdomains_ || subdomain > 0;
+  }
+  ListedMesh take(const MshReader& file) {
+    if (nodes_ != mesh_.nodes()) {
+      throw InvalidInput("node tags are not 1 to N: " + std::to_string(nodes_) +
+                             " nodes, but the largest tag is " + std::to_string(mesh_.nodes()),
+                         name_);
+    }
+    mesh_.mesh().name = name_;
+    mesh_.mesh().patch_names = file.patch_names();
+    mesh_.mesh().region_names = file.region_names();
+    mesh_.mesh().knows_subdomains = knows_subdomains_;
+    return mesh_.take();
+  }
+
+ private:
+  std::string name_;
+  std::uintmax_t most_nodes_;
+  ParsedMesh mesh_;
+  std::vector<bool> is_known_;
+  std::int64_t nodes_ = 0;
+  bool knows_subdomains_ = false;
+};
+
+/// The content of a file that has a partition.
+class PartitionOfMesh : public MshContent {
+ public:
+  void add_node(std::int64_t tag, const Vec3& p) override {
+    if (numbers_.of(tag - 1) != std::ssize(part_.nodes)) {
+      throw InvalidInput("two nodes have the tag " + std::to_string(tag), "");
+    }
+    part_.nodes.push_back(p);
+  }
+  void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
+    part_.faces.push_back(local(nodes));
+    part_.patch_of_face.push_back(patch);
+  }
+  void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
+               std::int32_t) override {
+    part_.tets.push_back(local(nodes));
+    part_.region_of_tet.push_back(region);
+  }
+  /// Without the nodes of ghosts where there are such.
+  NumberedPart take(const MshReader& file) {
+    part_.local2global = numbers_.take();
+    if (file.has_ghosts()) keep_own_nodes();
+    const auto& regions = part_.region_of_tet;
+    if (!regions.empty()) part_.region = regions.front();
+    if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part_.region; })) {
+      part_.region_of_tet.clear();
+    } else {
+      set_regions_of_faces(part_);
+    }
+    return std::move(part_);
+  }
+
+ private:
+  template <std::size_t N>
+  std::array<std::int32_t, N> local(const std::array<std::int64_t, N>& nodes) const {
+    std::array<std::int32_t, N> result;
+    for (std::size_t k = 0; k < N; ++k) {
+      result[k] = numbers_.find(nodes[k] - 1);
+      if (result[k] < 0) {
+        throw InvalidInput(
+            "an element has the node " + std::to_string(nodes[k]) + ", which is not in the file",
+            "");
+      }
+    }
+    return result;
+  }
+
+  void keep_own_nodes() {
+    std::vector<std::int32_t> new_number(part_.nodes.size(), -1);
+    for (const Tet& tet : part_.tets) {
+      for (const std::int32_t v : tet) new_number[static_cast<std::size_t>(v)] = 0;
+    }
+    for (const Triangle& face : part_.faces) {
+      for (const std::int32_t v : face) new_number[static_cast<std::size_t>(v)] = 0;
+    }
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < new_number.size(); ++v) {
+      if (new_number[v] < 0) continue;
+      new_number[v] = static_cast<std::int32_t>(kept);
+      part_.nodes[kept] = part_.nodes[v];
+      part_.local2global[kept] = part_.local2global[v];
+      ++kept;
+    }
+    part_.nodes.resize(kept);
+    part_.local2global.resize(kept);
+    for (Tet& tet : part_.tets) {
+      for (std::int32_t& v : tet) v = new_number[static_cast<std::size_t>(v)];
+    }
+    for (Triangle& face : part_.faces) {
+      for (std::int32_t& v : face) v = new_number[static_cast<std::size_t>(v)];
+    }
+  }
+
+  LocalNumbers numbers_;
+  NumberedPart part_;
+};
+
+/// NAME_1.msh, NAME_2.msh, …: a partition each.
+class SplitSource : public MeshSource {
+ public:
+  /// @throws IoError, InvalidInput: all are read once.
+  explicit SplitSource(const fs::path& first) {
+    const std::string stem = first.stem().string();
+    const std::string name = stem.substr(0, stem.size() - 1);
+    for (std::size_t i = 1;; ++i) {
+      const fs::path file = first.parent_path() / (name + std::to_string(i) + ".msh");
+      if (!fs::exists(file)) break;
+      files_.push_back(file);
+    }
+    names_ = {MshReader(first).patch_names(), MshReader(first).region_names()};
+    for (std::size_t i = 0; i < files_.size(); ++i) read(i);
+  }
+
+  std::size_t size() const override { return files_.size(); }
+  bool takes_threads() const override { return true; }
+  NumberedPart part(std::size_t i) const override { return read(i); }
+  std::vector<std::string> patch_names() const override { return names_[0]; }
+  std::vector<std::string> region_names() const override { return names_[1]; }
+
+ private:
+  NumberedPart read(std::size_t i) const {
+    MshReader file(files_.at(i));
+    PartitionOfMesh partition;
+    try {
+      file.read(partition);
+    } catch (const InvalidInput& error) {
+      if (std::string(error.what()).starts_with(file.name())) throw;
+      throw InvalidInput(error.what(), file.name());
+    }
+    NumberedPart part = partition.take(file);
+    part.number = static_cast<std::int32_t>(i);
+    return part;
+  }
+
+  std::vector<fs::path> files_;
+  std::array<std::vector<std::string>, 2> names_;
+};
+
+}  // namespace
+
+std::unique_ptr<MeshSource> open_msh(const fs::path& path, const fs::path& scratch_folder) {
+  MshReader file(path);
+  if (file.is_partitioned()) {
+    if (path.stem().string().ends_with("_1")) return std::make_unique<SplitSource>(path);
+    throw InvalidInput(
+        "is one of several partitions; give the file whose name ends in _1, which stands for all",
+        path.string());
+  }
+  WholeMesh mesh(path, scratch_folder);
+  file.read(mesh);
+  return open_listed(mesh.take(file));
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,19 @@
+/// Reads a Gmsh mesh of tets piece by piece: MSH 4.1, text and little-endian binary, and 2.2, text
+/// (mesh/formats/msh/write_msh41.h, write_msh22.h).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "mesh/formats/mesh_source.h"
+
+namespace tetfarm {
+
+/// As a parsed mesh (parsed_mesh.h). Nodes have the numbers 1 to N, in any order. A triangle's
+/// patch and a tet's region are its first physical group, by its number; without one, 1. Volume
+/// entities of 4.1 are sub-domains, in 2.2 partitions are, where tets have them. Points and lines
+/// are passed over. @throws IoError, InvalidInput with the line or byte.
+std::unique_ptr<MeshSource> open_msh(const std::filesystem::path& path,
+                                     const std::filesystem::path& scratch_folder);
+
+}  // namespace tetfarm

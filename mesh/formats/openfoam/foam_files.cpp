@@ -1,0 +1,109 @@
+#include "mesh/formats/openfoam/foam_files.h"
+
+#include <algorithm>
+
+#include "base/file_system.h"
+
+namespace tetfarm {
+namespace {
+
+std::string header(const std::string& foam_class, const std::string& object,
+                   const std::string& note) {
+  return "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       " +
+         foam_class + ";\n" + (note.empty() ? "" : "    note        \"" + note + "\";\n") +
+         "    location    \"constant/polyMesh\";\n    object      " + object + ";\n}\n\n";
+}
+
+}  // namespace
+
+FoamList::FoamList(const std::filesystem::path& folder, const Kind& kind, std::int64_t records)
+    : file_(folder / kind.object), record_bytes_(kind.record_bytes), records_(records) {
+  const std::string head =
+      header(kind.foam_class, kind.object, kind.note) + std::to_string(records) + "\n(\n";
+  file_.write(0, head);
+  first_ = next_ = std::ssize(head);
+}
+
+void FoamList::write(std::int64_t record, std::string_view bytes) {
+  file_.write(first_ + record * record_bytes_, bytes);
+}
+
+void FoamList::append(std::string_view bytes) {
+  file_.write(next_, bytes);
+  next_ += std::ssize(bytes);
+}
+
+void FoamList::finish() {
+  write(records_, ")\n");
+  file_.finish();
+}
+
+std::int64_t foam_point_bytes(const NumberText& style) { return style.record_bytes(0, 3) + 2; }
+std::int64_t foam_face_bytes(const NumberText& style) { return style.record_bytes(3, 0) + 3; }
+std::int64_t foam_label_bytes(const NumberText& style) { return style.record_bytes(1, 0); }
+
+void put_foam_point(NumberText& text, const Vec3& p) {
+  text.words("(");
+  for (const double x : {p.x, p.y, p.z}) text.real(x);
+  text.words(")");
+  text.end_record();
+}
+
+void put_foam_label(NumberText& text, std::int64_t label) {
+  text.integer(label);
+  text.end_record();
+}
+
+void write_foam_boundary(const std::filesystem::path& folder,
+                         const std::vector<FoamPatch>& patches) {
+  std::string text =
+      header("polyBoundaryMesh", "boundary", "") + std::to_string(patches.size()) + "\n(\n";
+  for (const FoamPatch& patch : patches) {
+    text += "    " + patch.name + "\n    {\n        type            " +
+            (patch.processor < 0 ? "patch" : "processor") + ";\n        nFaces          " +
+            std::to_string(patch.faces) + ";\n        startFace       " +
+            std::to_string(patch.first_face) + ";\n";
+    if (patch.processor >= 0) {
+      text +=
+          "        matchTolerance  0.0001;\n        transform       unknown;\n"
+          "        myProcNo        " +
+          std::to_string(patch.processor) + ";\n        neighbProcNo    " +
+          std::to_string(patch.neighbour) + ";\n";
+    }
+    text += "    }\n";
+  }
+  write_file_atomically(folder / "boundary", text + ")\n");
+}
+
+void write_foam_zones(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                      const std::vector<FoamZoneRun>& runs) {
+  constexpr std::int64_t labels_of_piece = 100'000;
+  OutputFile file(folder / "cellZones");
+  std::int64_t place = 0;
+  const auto append = [&](const std::string& text) {
+    file.write(place, text);
+    place += std::ssize(text);
+  };
+  append(header("regIOobject", "cellZones", "") + std::to_string(names.size()) + "\n(\n");
+  for (std::size_t zone = 0; zone < names.size(); ++zone) {
+    std::int64_t cells = 0;
+    for (const FoamZoneRun& run : runs) cells += run.zone == zone ? run.count : 0;
+    append(names[zone] + "\n{\n    type cellZone;\n    cellLabels List<label>\n" +
+           std::to_string(cells) + "\n(\n");
+    for (const FoamZoneRun& run : runs) {
+      if (run.zone != zone) continue;
+      const std::int64_t last = run.first + run.count;
+      for (std::int64_t begin = run.first; begin < last; begin += labels_of_piece) {
+        std::string labels;
+        const std::int64_t end = std::min(begin + labels_of_piece, last);
+        for (std::int64_t cell = begin; cell < end; ++cell) labels += std::to_string(cell) + "\n";
+        append(labels);
+      }
+    }
+    append(")\n;\n}\n");
+  }
+  append(")\n");
+  file.finish();
+}
+
+}  // namespace tetfarm

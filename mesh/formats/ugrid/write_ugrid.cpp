@@ -1,0 +1,135 @@
+#include "mesh/formats/ugrid/write_ugrid.h"
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "base/error.h"
+#include "mesh/assemble/node_blocks.h"
+#include "mesh/assemble/node_runs.h"
+#include "mesh/assemble/output_file.h"
+
+namespace tetfarm {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+
+template <class Number>
+void turn_bytes(std::string& bytes) {
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof(Number)) {
+    if constexpr (sizeof(Number) == 8) {
+      std::uint64_t bits;
+      std::memcpy(&bits, bytes.data() + i, 8);
+      bits = __builtin_bswap64(bits);
+      std::memcpy(bytes.data() + i, &bits, 8);
+    } else {
+      std::uint32_t bits;
+      std::memcpy(&bits, bytes.data() + i, 4);
+      bits = __builtin_bswap32(bits);
+      std::memcpy(bytes.data() + i, &bits, 4);
+    }
+  }
+}
+
+template <class Integer>
+class UgridFile : public UgridWriter {
+ public:
+  UgridFile(const std::filesystem::path& path, const UgridCounts& counts, bool big_endian)
+      : file_(path),
+        big_endian_(big_endian),
+        first_triangle_(header_bytes + counts.nodes * 24),
+        first_patch_(first_triangle_ + counts.boundary_triangles * 3 * integer_bytes),
+        first_tet_(first_patch_ + counts.boundary_triangles * integer_bytes) {
+    const auto count = [](std::int64_t n) { return static_cast<Integer>(n); };
+    write<Integer>(0, std::vector<Integer>{count(counts.nodes), count(counts.boundary_triangles), 0,
+                                           count(counts.tets), 0, 0, 0});
+  }
+
+  void add_behind(const UgridCounts& before, const NumberedPart& part) override {
+    for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
+      write<double>(header_bytes + first * 24, nodes);
+    });
+    const auto number = [&](std::int32_t local) {
+      return static_cast<Integer>(part.local2global[static_cast<std::size_t>(local)] + 1);
+    };
+    std::vector<Integer> triangles;
+    for (const auto& [a, b, c] : part.faces) {
+      triangles.insert(triangles.end(), {number(a), number(c), number(b)});
+    }
+    std::vector<Integer> patches;
+    for (const std::int32_t patch : part.patch_of_face) patches.push_back(patch + 1);
+    write<Integer>(first_triangle_ + before.boundary_triangles * 3 * integer_bytes, triangles);
+    write<Integer>(first_patch_ + before.boundary_triangles * integer_bytes, patches);
+    std::int64_t place = first_tet_ + before.tets * 4 * integer_bytes;
+    for_each_block_of_nodes<Integer>(part, 1, [&](const std::vector<Integer>& nodes) {
+      write<Integer>(place, nodes);
+      place += std::ssize(nodes) * integer_bytes;
+    });
+  }
+
+  void finish() override { file_.finish(); }
+
+ private:
+  static constexpr std::int64_t integer_bytes = sizeof(Integer);
+  static constexpr std::int64_t header_bytes = 7 * integer_bytes;
+
+  /// `Number` is what the values are made of.
+  template <class Number, class T>
+  void write(std::int64_t place, const std::vector<T>& values) {
+    if (!big_endian_) {
+      file_.write(place, values);
+      return;
+    }
+    std::string bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    turn_bytes<Number>(bytes);
+    file_.write(place, bytes);
+  }
+
+  OutputFile file_;
+  bool big_endian_;
+  std::int64_t first_triangle_;
+  std::int64_t first_patch_;
+  std::int64_t first_tet_;
+};
+
+}  // namespace
+
+void UgridWriter::add(const NumberedPart& part) {
+  add_behind(before_, part);
+  before_.boundary_triangles += std::ssize(part.faces);
+  before_.tets += std::ssize(part.tets);
+}
+
+std::unique_ptr<UgridWriter> write_ugrid(const std::filesystem::path& path,
+                                         const UgridCounts& counts, UgridLayout layout) {
+  if (layout.wide) {
+    return std::make_unique<UgridFile<std::int64_t>>(path, counts, layout.big_endian);
+  }
+  if (counts.nodes > most || counts.tets > most || counts.boundary_triangles > most) {
+    throw Error(
+        ExitCode::failed,
+        "the mesh is too large for 32-bit UGRID, whose counts end at 2147483647: " +
+            std::to_string(counts.nodes) + " nodes, " + std::to_string(counts.tets) + " tets, " +
+            std::to_string(counts.boundary_triangles) +
+            " boundary triangles; write vtkhdf instead, then lb8l.ugrid with `tetfarm export`");
+  }
+  return std::make_unique<UgridFile<std::int32_t>>(path, counts, layout.big_endian);
+}
+
+std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
+                                              const Numbering& numbering,
+                                              std::int64_t boundary_triangles) {
+  return write_ugrid(path, {numbering.nodes, boundary_triangles, numbering.tets}, {});
+}
+
+std::string mapbc_text(const std::vector<std::string>& patch_names) {
+  std::string text = std::to_string(patch_names.size()) + '\n';
+  for (std::size_t i = 0; i < patch_names.size(); ++i) {
+    text += std::to_string(i + 1) + " 3000 " + patch_names[i] + '\n';
+  }
+  return text;
+}
+
+}  // namespace tetfarm

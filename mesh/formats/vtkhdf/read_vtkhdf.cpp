@@ -1,0 +1,245 @@
+#include "mesh/formats/vtkhdf/read_vtkhdf.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "mesh/formats/hdf5/hdf5_file.h"
+#include "mesh/formats/vtkhdf/vtkhdf_cells.h"
+
+namespace tetfarm {
+namespace {
+
+/// More than any real mesh has: a wrong number must not fill the memory.
+constexpr std::int32_t most_regions = 1'000'000;
+
+std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
+
+std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
+  const auto points = file.list<std::int64_t>("VTKHDF/NumberOfPoints");
+  const auto cells = file.list<std::int64_t>("VTKHDF/NumberOfCells");
+  const auto ids = file.list<std::int64_t>("VTKHDF/NumberOfConnectivityIds");
+  if (cells.size() != points.size() || ids.size() != points.size()) {
+    file.fail("the numbers of points and of cells have different numbers of partitions");
+  }
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  std::vector<VtkhdfPartition> partitions;
+  VtkhdfPartition next;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const std::int64_t count : {points[i], cells[i], ids[i] / 4}) {
+      if (count < 0 || count > most) file.fail("a partition has a wrong number of points or cells");
+    }
+    next.points = points[i];
+    next.cells = cells[i];
+    next.ids = ids[i];
+    partitions.push_back(next);
+    next.first_point += next.points;
+    next.first_cell += next.cells;
+    next.first_id += next.ids;
+    ++next.number;
+  }
+  return partitions;
+}
+
+/// Which of the arrays that tell more a file has.
+struct KnownArrays {
+  bool node_numbers = false;
+  bool patches = false;
+  bool regions = false;
+};
+
+Hdf5Input open_mesh(const std::filesystem::path& path) {
+  Hdf5Input file(path.string());
+  if (!file.has("VTKHDF") || file.text_attribute("VTKHDF", "Type") != "UnstructuredGrid") {
+    file.fail("is not a VTKHDF file of type UnstructuredGrid");
+  }
+  return file;
+}
+
+KnownArrays known_arrays(const Hdf5Input& file) {
+  return {file.has("VTKHDF/PointData/GlobalNodeId"), file.has("VTKHDF/CellData/patch"),
+          file.has("VTKHDF/CellData/region")};
+}
+
+void read_points(const Hdf5Input& file, const VtkhdfPartition& here, bool has_numbers,
+                 NumberedPart& part) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  const Hdf5Rows points = file.rows("VTKHDF/Points", 3);
+  points.check(here.first_point, here.points);
+  part.nodes.resize(at(here.points));
+  points.read<double>(here.first_point, here.points, &part.nodes.data()->x);
+  if (has_numbers) {
+    part.local2global =
+        file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points);
+  } else {
+    for (std::int64_t i = 0; i < here.points; ++i) part.local2global.push_back(i);
+  }
+}
+
+/// A partition lies in one region, or says it of each cell.
+void read_regions(const Hdf5Input& file, const VtkhdfPartition& here, NumberedPart& part) {
+  if (here.cells == 0) return;
+  const Hdf5Rows rows = file.rows("VTKHDF/CellData/region");
+  std::vector<std::int32_t> regions(at(std::min(here.cells, vtkhdf_cells_of_block)));
+  std::int32_t least = most_regions;
+  std::int32_t most = 1;
+  for (std::int64_t first = 0; first < here.cells; first += vtkhdf_cells_of_block) {
+    regions.resize(at(std::min(vtkhdf_cells_of_block, here.cells - first)));
+    rows.read(here.first_cell + first, std::ssize(regions), regions.data());
+    for (const std::int32_t region : regions) {
+      least = std::min(least, region);
+      most = std::max(most, region);
+    }
+  }
+  if (least < 1 || most > most_regions) {
+    file.fail("a cell has the region " + std::to_string(least < 1 ? least : most));
+  }
+  part.region = least;
+  if (least == most) return;
+  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  regions = file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, here.cells);
+  for (std::size_t cell = 0; cell < regions.size(); ++cell) {
+    (types[cell] == vtkhdf_tet_type ? part.region_of_tet : part.region_of_face)
+        .push_back(regions[cell]);
+  }
+}
+
+/// All but the nodes of the elements.
+CountedPart count_part(const Hdf5Input& file, const VtkhdfPartition& here,
+                       const KnownArrays& known) {
+  CountedPart counted;
+  NumberedPart& part = counted.part;
+  part.number = static_cast<std::int32_t>(here.number);
+  if (known.regions) read_regions(file, here, part);
+  read_points(file, here, known.node_numbers, part);
+  VtkhdfCells cells(file, here);
+  counted.tets = cells.count_tets();
+  counted.faces = here.cells - counted.tets;
+  part.patch_of_face = cells.patches(known.patches, counted.faces);
+  return counted;
+}
+
+NumberedPart read_part(const Hdf5Input& file, const VtkhdfPartition& here,
+                       const KnownArrays& known) {
+  CountedPart counted = count_part(file, here, known);
+  counted.part.tets.reserve(at(counted.tets));
+  counted.part.faces.reserve(at(counted.faces));
+  VtkhdfCells(file, here).read_nodes(counted.part.tets, counted.part.faces);
+  return std::move(counted.part);
+}
+
+template <class Element>
+Element with_global_nodes(Element element, const NumberedPart& part) {
+  for (std::int32_t& v : element) v = static_cast<std::int32_t>(part.local2global[at(v)]);
+  return element;
+}
+
+void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
+  std::vector<Vec3>& nodes = mesh.mesh.nodes;
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    const std::int64_t number = part.local2global[i];
+    if (number < 0 || number >= std::ssize(nodes)) file.fail("a GlobalNodeId is out of range");
+    nodes[at(number)] = part.nodes[i];
+  }
+  for (const Tet& tet : part.tets) mesh.mesh.tets.push_back(with_global_nodes(tet, part));
+  mesh.subdomain_of_tet.resize(mesh.mesh.tets.size(), part.number);
+  for (std::size_t t = 0; t < part.tets.size(); ++t) {
+    mesh.region_of_tet.push_back(part.region_of(t));
+  }
+  for (std::size_t i = 0; i < part.faces.size(); ++i) {
+    mesh.boundary.push_back(with_global_nodes(part.faces[i], part));
+    mesh.patch_of_triangle.push_back(part.patch_of_face[i]);
+    mesh.region_of_triangle.push_back(part.region_of_boundary(i));
+  }
+}
+
+std::int64_t node_count(const Hdf5Input& file, const std::vector<VtkhdfPartition>& partitions,
+                        bool has_numbers) {
+  if (!has_numbers) {
+    if (partitions.size() != 1)
+      file.fail("has several partitions, but no GlobalNodeId to join them by");
+    return partitions.front().points;
+  }
+  std::int64_t most = -1;
+  std::int64_t points = 0;
+  for (const VtkhdfPartition& here : partitions) {
+    points += here.points;
+    for (const std::int64_t number :
+         file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points)) {
+      most = std::max(most, number);
+    }
+  }
+  if (most >= points || most >= std::numeric_limits<std::int32_t>::max()) {
+    file.fail("a GlobalNodeId is out of range");
+  }
+  return most + 1;
+}
+
+}  // namespace
+
+struct VtkhdfParts::Content {
+  explicit Content(const std::filesystem::path& path)
+      : file(open_mesh(path)), known(known_arrays(file)), partitions(partitions_of(file)) {}
+
+  std::vector<std::string> texts(const char* name) const {
+    return file.has(name) ? file.texts(name) : std::vector<std::string>{};
+  }
+
+  Hdf5Input file;
+  KnownArrays known;
+  std::vector<VtkhdfPartition> partitions;
+};
+
+VtkhdfParts::VtkhdfParts(const std::filesystem::path& path)
+    : content_(std::make_unique<const Content>(path)) {}
+VtkhdfParts::~VtkhdfParts() = default;
+
+std::size_t VtkhdfParts::size() const { return content_->partitions.size(); }
+bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers; }
+void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
+
+NumberedPart VtkhdfParts::part(std::size_t i) const {
+  return read_part(content_->file, content_->partitions.at(i), content_->known);
+}
+
+CountedPart VtkhdfParts::count(std::size_t i) const {
+  return count_part(content_->file, content_->partitions.at(i), content_->known);
+}
+
+std::vector<std::string> VtkhdfParts::patch_names() const {
+  return content_->texts("Tetfarm/patch_names");
+}
+
+std::vector<std::string> VtkhdfParts::region_names() const {
+  return content_->texts("Tetfarm/region_names");
+}
+
+void for_each_vtkhdf_part(const std::filesystem::path& path,
+                          const std::function<void(NumberedPart& part)>& visit) {
+  const VtkhdfParts parts(path);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    NumberedPart part = parts.part(i);
+    visit(part);
+  }
+}
+
+std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
+  return VtkhdfParts(path).patch_names();
+}
+
+GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
+  const Hdf5Input file = open_mesh(path);
+  const KnownArrays known = known_arrays(file);
+  const std::vector<VtkhdfPartition> partitions = partitions_of(file);
+  GlobalMesh mesh;
+  if (partitions.empty()) file.fail("has no partitions");
+  mesh.mesh.nodes.resize(at(node_count(file, partitions, known.node_numbers)));
+  mesh.mesh.boundary_nodes = static_cast<std::int32_t>(mesh.mesh.nodes.size());
+  mesh.subdomains = static_cast<std::int32_t>(partitions.size());
+  for (const VtkhdfPartition& here : partitions) join(file, read_part(file, here, known), mesh);
+  if (file.has("Tetfarm/patch_names")) mesh.patch_names = file.texts("Tetfarm/patch_names");
+  if (file.has("Tetfarm/region_names")) mesh.region_names = file.texts("Tetfarm/region_names");
+  return mesh;
+}
+
+}  // namespace tetfarm

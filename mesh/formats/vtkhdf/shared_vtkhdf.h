@@ -1,0 +1,71 @@
+/// A VTKHDF file that several tasks write at once, each to the places of its sub-domain.
+///
+/// Whoever writes, writes the final bytes to their final places: a task that runs twice, or goes on
+/// after it was given up, does no harm, be the file finished by then. And nobody is believed: who
+/// finishes the file looks whether all that was written is there, and writes what is not.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/assemble/file_range.h"
+#include "mesh/assemble/global_mesh.h"
+#include "mesh/formats/vtkhdf/vtkhdf_frame.h"
+#include "mesh/formats/vtkhdf/vtkhdf_rows.h"
+
+namespace tetfarm {
+
+/// The file, and where another may be made to find out how it is laid out.
+struct SharedFile {
+  std::filesystem::path path;
+  std::filesystem::path scratch;
+};
+
+/// Whether the places of cells are known: the boundary triangles of all leaves were counted.
+bool knows_places(const Numbering& numbering);
+
+/// Writes the cells of a leaf, and returns where they are. The file is made when it is missing, and
+/// is not made durable; without a path, it is only told where they would be. @pre knows_places;
+/// `part` is whole. @throws IoError.
+std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
+                                   const Numbering& numbering, const SurfaceMesh& surface);
+
+/// Finishes the file. `add` takes a part with its tets, or without them when its cells are placed:
+/// those are not written again.
+class SharedVtkhdf : public GlobalMeshWriter {
+ public:
+  /// A part with its tets.
+  using ReadWhole = std::function<NumberedPart(std::size_t part)>;
+
+  /// @throws IoError
+  SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts, const SurfaceMesh& surface,
+               ReadWhole read_whole);
+
+  /// Whether these are the places where the cells of that part belong: then they need not come, but
+  /// are looked at in `finish`.
+  bool takes(std::size_t part, std::span<const FileRange> cells);
+  void add(const NumberedPart& part) override;
+  /// Reads the file once; what is not as it was said to be is written again.
+  void finish() override;
+  /// Hash and size of the finished file. @pre finish was called.
+  const ReadThrough& finished() const { return finished_; }
+
+ private:
+  void write_frame();
+  void look_at_placed();
+
+  SharedFile path_;
+  std::vector<VtkhdfCounts> parts_;
+  std::vector<VtkhdfBefore> before_;
+  ReadWhole read_whole_;
+  VtkhdfPlaces places_;
+  OutputFile file_;
+  std::vector<std::pair<FileRange, std::size_t>> placed_;  ///< with the part that they are of
+  std::set<std::size_t> taken_;
+  ReadThrough finished_;
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,81 @@
+#include "mesh/formats/vtkhdf/vtkhdf_frame.h"
+
+#include "mesh/formats/hdf5/hdf5_file.h"
+
+namespace tetfarm {
+namespace {
+
+std::int64_t cells_of(const VtkhdfCounts& part) { return part.tets + part.faces; }
+std::int64_t ids_of(const VtkhdfCounts& part) { return 4 * part.tets + 3 * part.faces; }
+
+void add_counts(std::span<const VtkhdfCounts> parts, Hdf5Output& file) {
+  std::vector<std::int64_t> points;
+  std::vector<std::int64_t> cells;
+  std::vector<std::int64_t> ids;
+  for (const VtkhdfCounts& part : parts) {
+    points.push_back(part.points);
+    cells.push_back(cells_of(part));
+    ids.push_back(ids_of(part));
+  }
+  file.add_array("VTKHDF/NumberOfPoints", points);
+  file.add_array("VTKHDF/NumberOfCells", cells);
+  file.add_array("VTKHDF/NumberOfConnectivityIds", ids);
+}
+
+}  // namespace
+
+std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts) {
+  std::vector<VtkhdfBefore> all(1);
+  for (const VtkhdfCounts& part : parts) {
+    const VtkhdfBefore& last = all.back();
+    all.push_back(
+        {last.points + part.points, last.cells + cells_of(part), last.ids + ids_of(part)});
+  }
+  return all;
+}
+
+VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
+                             const VtkhdfBefore& before, const VtkhdfCounts& counts) {
+  const std::int64_t cells = cells_of(counts);
+  const auto words_of_cells = [&](std::int64_t array) {
+    return VtkhdfPlace{array + 4 * before.cells, 4 * cells};
+  };
+  return {.connectivity = {places.connectivity + 8 * before.ids, 8 * ids_of(counts)},
+          // A partition has one offset more than cells.
+          .offsets = {places.offsets + 8 * (before.cells + number), 8 * (cells + 1)},
+          .types = {places.types + before.cells, cells},
+          .subdomains = words_of_cells(places.subdomains),
+          .regions = words_of_cells(places.regions),
+          .patches = words_of_cells(places.patches)};
+}
+
+VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
+                                std::span<const VtkhdfCounts> parts,
+                                const std::vector<std::string>& patch_names,
+                                const std::vector<std::string>& region_names) {
+  Hdf5Output file(path.string());
+  for (const char* group : {"VTKHDF", "VTKHDF/PointData", "VTKHDF/CellData", "Tetfarm"}) {
+    file.make_group(group);
+  }
+  file.add_attribute("VTKHDF", "Version", {1, 0});
+  file.add_text_attribute("VTKHDF", "Type", "UnstructuredGrid");
+  file.add_texts("Tetfarm/patch_names", patch_names);
+  file.add_texts("Tetfarm/region_names",
+                 region_names.empty() ? std::vector<std::string>{"domain"} : region_names);
+  add_counts(parts, file);
+  const VtkhdfBefore all = before_each(parts).back();
+  const auto offsets = all.cells + std::ssize(parts);
+  VtkhdfPlaces places;
+  places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
+  places.offsets = file.room_for<std::int64_t>("VTKHDF/Offsets", offsets);
+  places.types = file.room_for<std::uint8_t>("VTKHDF/Types", all.cells);
+  places.subdomains = file.room_for<std::int32_t>("VTKHDF/CellData/subdomain", all.cells);
+  places.regions = file.room_for<std::int32_t>("VTKHDF/CellData/region", all.cells);
+  places.patches = file.room_for<std::int32_t>("VTKHDF/CellData/patch", all.cells);
+  places.points = file.room_for<double>("VTKHDF/Points", all.points, 3);
+  places.node_numbers = file.room_for<std::int64_t>("VTKHDF/PointData/GlobalNodeId", all.points);
+  file.close();
+  return places;
+}
+
+}  // namespace tetfarm

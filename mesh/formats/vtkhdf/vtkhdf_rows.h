@@ -1,0 +1,22 @@
+/// Writes what a partition has of the arrays of a VTKHDF file to its places there.
+#pragma once
+
+#include <vector>
+
+#include "mesh/assemble/file_range.h"
+#include "mesh/assemble/output_file.h"
+#include "mesh/assemble/portion.h"
+#include "mesh/formats/vtkhdf/vtkhdf_frame.h"
+
+namespace tetfarm {
+
+/// The arrays of cells. Returns what was written, in the order of the file; without a file, what
+/// would be. @throws IoError. Cost: O(n), 53 bytes a cell; constant memory.
+std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
+                                          const NumberedPart& part, OutputFile* file);
+
+/// The arrays of points.
+void write_vtkhdf_points(const VtkhdfPlaces& places, const VtkhdfBefore& before,
+                         const NumberedPart& part, OutputFile& file);
+
+}  // namespace tetfarm

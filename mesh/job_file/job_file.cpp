@@ -1,0 +1,278 @@
+#include "mesh/job_file/job_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "base/job_name.h"
+#include "mesh/job_file/job_formats.h"
+#include "mesh/job_file/job_section.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::array<std::string_view, 12> top_keys = {
+    "version", "name",      "geometry", "domain",    "region",  "spacing",
+    "source",  "decompose", "mesh",     "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
+constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
+constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
+constexpr std::array<std::string_view, 5> spacing_keys = {"default", "growth", "surface", "sources",
+                                                          "max_elements"};
+constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
+constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
+constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
+constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
+constexpr std::array<std::string_view, 1> mesh_keys = {"points"};
+constexpr std::array<std::string_view, 1> cosmetics_keys = {"across_cuts"};
+constexpr std::array<std::string_view, 5> decompose_keys = {"subdomains", "target_elements",
+                                                            "plane", "max_memory", "assimilate"};
+constexpr std::array<std::string_view, 2> assimilate_keys = {"groups", "method"};
+constexpr std::array<std::string_view, 2> quality_keys = {"min_dihedral", "min_unforced_dihedral"};
+constexpr std::array<std::string_view, 1> output_keys = {"formats"};
+
+constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
+constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
+constexpr std::array<std::string_view, 3> source_kinds = {"point", "line", "triangle"};
+constexpr std::array<std::string_view, 4> kinds_of_planes = {"auto", "lattice", "axis", "inertia"};
+constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
+constexpr std::array<std::string_view, 3> assimilate_methods = {"recursive", "k-way",
+                                                                "k-way-volume"};
+
+/// No tet mesh reaches the angles of the regular tet, 70.53 degrees, everywhere.
+constexpr double regular_dihedral_deg = 70.5;
+
+constexpr std::int64_t least_target_elements = 1000;
+
+Vec3 parse_place(const JobSection& section) {
+  const toml::array& at = section.array("at");
+  if (at.size() != 3) section.fail("at", "must have three coordinates");
+  Vec3 place;
+  for (int axis = 0; axis < 3; ++axis) {
+    place[axis] = section.finite(at[static_cast<std::size_t>(axis)], "at");
+  }
+  return place;
+}
+
+JobRegion parse_region(const JobSection& section) {
+  JobRegion region;
+  region.at = parse_place(section);
+  if (section.has("name")) region.name = section.text("name");
+  if (section.has("void")) region.is_void = section.boolean("void");
+  return region;
+}
+
+JobSource::Corner parse_corner(const JobSection& section) {
+  JobSource::Corner corner;
+  corner.at = parse_place(section);
+  corner.spacing = section.positive("spacing");
+  corner.inner = section.positive("inner");
+  corner.outer = section.positive("outer");
+  if (corner.outer < corner.inner) section.fail("outer", "must not be less than `inner`");
+  return corner;
+}
+
+JobSource parse_source(const JobSection& top, const toml::node& node) {
+  // The kind first: it decides which other keys there may be.
+  std::vector<std::string_view> any_key(point_keys.begin(), point_keys.end());
+  any_key.insert(any_key.end(), line_keys.begin(), line_keys.end());
+  any_key.insert(any_key.end(), triangle_keys.begin(), triangle_keys.end());
+  const std::string kind = top.item(node, "source", any_key).one_of("kind", source_kinds);
+  const Words keys = kind == "point"  ? Words(point_keys)
+                     : kind == "line" ? Words(line_keys)
+                                      : Words(triangle_keys);
+  const JobSection section = top.item(node, "source", keys);
+  JobSource source;
+  source.line = section.line();
+  if (kind == "point") {
+    source.corners = {parse_corner(section)};
+  } else if (kind == "line") {
+    for (const std::string_view end : {"from", "to"}) {
+      section.node(end);
+      source.corners.push_back(parse_corner(section.table(end, corner_keys)));
+    }
+  } else {
+    const toml::array& corners = section.array("corner");
+    if (corners.size() != 3) section.fail("corner", "must hold three tables");
+    for (const toml::node& corner : corners) {
+      source.corners.push_back(parse_corner(section.item(corner, "corner", corner_keys)));
+    }
+  }
+  return source;
+}
+
+/// Each table of an array that is written [[key]]; none when there is no such array.
+template <class Visit>
+void for_each_table(const JobSection& top, std::string_view key, const Visit& visit) {
+  if (!top.has(key)) return;
+  if (top.node(key).is_table()) top.fail(key, "must be written [[" + std::string(key) + "]]");
+  for (const toml::node& node : top.array(key)) visit(node);
+}
+
+void parse_domain(const JobSection& section, JobFile& job) {
+  if (section.has("outer")) job.outer_kind = section.one_of("outer", outer_kinds);
+  if (job.outer_kind == "none") {
+    for (const std::string_view key : {"factor", "spacing"}) {
+      if (section.has(key)) section.fail(key, "needs `outer` = \"box\" or \"sphere\"");
+    }
+    return;
+  }
+  job.outer_factor = section.has("factor") ? section.finite(section.node("factor"), "factor")
+                                           : default_outer_factor(job.outer_kind);
+  if (job.outer_factor <= 1) section.fail("factor", "must be more than 1");
+  if (section.has("spacing")) job.outer_spacing = section.not_negative("spacing");
+}
+
+void parse_spacing(const JobSection& section, JobFile& job) {
+  if (section.has("default")) job.spacing_default = section.not_negative("default");
+  if (section.has("growth")) job.growth = section.positive("growth");
+  if (section.has("surface")) {
+    job.inherit_surface = section.one_of("surface", surface_roles) == "inherit";
+  }
+  if (section.has("max_elements")) job.max_elements = section.integer("max_elements", 0);
+}
+
+void parse_decompose(const JobSection& section, JobFile& job) {
+  if (section.has("subdomains")) job.subdomains = section.integer("subdomains", 0);
+  if (section.has("target_elements")) {
+    job.target_elements = section.integer("target_elements", 0);
+    if (job.target_elements > 0 && job.target_elements < least_target_elements) {
+      section.fail("target_elements", "must be at least 1000, or 0 to choose it by the job's size");
+    }
+  }
+  if (section.has("plane")) job.plane = section.one_of("plane", kinds_of_planes);
+  if (section.has("max_memory")) {
+    const auto bytes = parse_memory(section.text("max_memory"));
+    if (!bytes) section.fail("max_memory", "must be an amount like \"2GiB\" or \"500MB\"");
+    job.max_memory_bytes = *bytes;
+    for (const std::string_view key : {"subdomains", "target_elements", "assimilate"}) {
+      const bool counts = section.has(key) && (key != "subdomains" || job.subdomains > 0);
+      if (counts) section.fail(key, "cannot be given together with `max_memory`, which decides it");
+    }
+  }
+  if (!section.has("assimilate")) return;
+  const JobSection assimilate = section.table("assimilate", assimilate_keys);
+  job.groups = assimilate.integer("groups", 1);
+  if (assimilate.has("method")) {
+    job.assimilate_method = assimilate.one_of("method", assimilate_methods);
+  }
+  if (job.subdomains > 0 && job.subdomains < job.groups) {
+    assimilate.fail("groups", "must not be more than `subdomains`, the leaves to join");
+  }
+}
+
+void parse_mesh(const JobSection& section, JobFile& job) {
+  if (section.has("points")) job.points = section.one_of("points", kinds_of_points);
+}
+
+void parse_cosmetics(const JobSection& section, JobFile& job) {
+  if (section.has("across_cuts")) job.across_cuts = section.boolean("across_cuts");
+}
+
+/// Of an angle that a mesh must not be below; 0: no gate.
+void parse_gate(const JobSection& section, const char* key, double& gate_deg) {
+  if (!section.has(key)) return;
+  gate_deg = section.not_negative(key);
+  if (gate_deg >= regular_dihedral_deg) {
+    section.fail(key, "must be less than 70.5, the angle of the regular tetrahedron");
+  }
+}
+
+void parse_quality(const JobSection& section, JobFile& job) {
+  parse_gate(section, "min_dihedral", job.min_dihedral_deg);
+  parse_gate(section, "min_unforced_dihedral", job.min_unforced_dihedral_deg);
+}
+
+void parse_output(const JobSection& section, JobFile& job) {
+  if (!section.has("formats")) return;
+  job.formats.clear();
+  for (const toml::node& node : section.array("formats")) {
+    const auto format = node.value_exact<std::string>();
+    if (!format) section.fail(node.source(), "`formats` must hold strings");
+    section.check_known(node, "formats", *format, job_output_formats());
+    if (std::find(job.formats.begin(), job.formats.end(), *format) != job.formats.end()) {
+      section.fail(node.source(), "`formats` has \"" + *format + "\" twice");
+    }
+    job.formats.push_back(*format);
+  }
+  if (job.formats.empty()) section.fail("formats", "must name at least one format");
+}
+
+/// `file` as named in the job file at `path`, as a person would type it: relative where `path` is.
+std::string beside(const std::string& path, const std::string& file) {
+  return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
+}
+
+}  // namespace
+
+double default_outer_factor(std::string_view outer_kind) {
+  if (outer_kind == "box") return 3;
+  return outer_kind == "sphere" ? 5 : 0;
+}
+
+JobFile parse_job_file(std::string_view text, const std::string& path) {
+  namespace fs = std::filesystem;
+  const toml::table table = parse_toml(text, path);
+  const JobSection top(table, "", top_keys, path);
+  if (top.has("version") && top.integer("version", 1) != 1) {
+    top.fail("version", "must be 1: this Tetfarm knows no newer version of job files");
+  }
+  JobFile job;
+  job.name = top.has("name") ? top.text("name") : fs::path(path).stem().string();
+  // It names the files of the result: it must not lead them out of their folder.
+  const std::string problem = problem_with_job_name(job.name);
+  if (!problem.empty()) top.fail("name", problem);
+  const JobSection geometry = top.table("geometry", geometry_keys);
+  const std::string surface = geometry.text("surface");
+  if (surface.empty()) geometry.fail("surface", "must not be empty");
+  job.surface = beside(path, surface);
+  parse_domain(top.table("domain", domain_keys), job);
+  for_each_table(top, "region", [&](const toml::node& node) {
+    job.regions.push_back(parse_region(top.item(node, "region", region_keys)));
+  });
+  const JobSection spacing = top.table("spacing", spacing_keys);
+  parse_spacing(spacing, job);
+  if (spacing.has("sources")) {
+    const std::string sources = spacing.text("sources");
+    if (sources.empty()) spacing.fail("sources", "must not be empty");
+    job.sources_file = beside(path, sources);
+  }
+  for_each_table(top, "source",
+                 [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
+  parse_decompose(top.table("decompose", decompose_keys), job);
+  parse_mesh(top.table("mesh", mesh_keys), job);
+  parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
+  parse_quality(top.table("quality", quality_keys), job);
+  parse_output(top.table("output", output_keys), job);
+  return job;
+}
+
+std::vector<std::string> job_file_keys() {
+  const std::array<std::pair<std::string_view, Words>, 14> sections = {
+      {{"geometry", geometry_keys},
+       {"domain", domain_keys},
+       {"region", region_keys},
+       {"spacing", spacing_keys},
+       {"source", point_keys},
+       {"source", line_keys},
+       {"source", triangle_keys},
+       {"source.corner", corner_keys},
+       {"decompose", decompose_keys},
+       {"decompose.assimilate", assimilate_keys},
+       {"mesh", mesh_keys},
+       {"cosmetics", cosmetics_keys},
+       {"quality", quality_keys},
+       {"output", output_keys}}};
+  std::vector<std::string> all = {"version", "name"};
+  for (const auto& [section, keys] : sections) {
+    for (const std::string_view key : keys) {
+      std::string full = std::string(section) + "." + std::string(key);
+      if (std::find(all.begin(), all.end(), full) == all.end()) all.push_back(std::move(full));
+    }
+  }
+  return all;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,83 @@
+/// The job file (TOML): geometry, spacing, sources, decomposition, quality gate, output.
+/// Every key is documented in docs/job_file.md.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/core/vec3.h"
+
+namespace tetfarm {
+
+struct JobSource {
+  struct Corner {
+    Vec3 at;
+    double spacing = 0;
+    double inner = 0;
+    double outer = 0;
+  };
+  std::vector<Corner> corners;  // 1: point, 2: line, 3: triangle
+  int line = 0;                 // in the job file, for messages
+};
+
+/// What the job says of the region round a point.
+struct JobRegion {
+  Vec3 at;
+  std::string name;
+  bool is_void = false;
+};
+
+/// A job as the user wrote it, with defaults filled in. Plain data: mesh/job_file may not see the
+/// rooms that use it; the inspect task translates.
+struct JobFile {
+  std::string name;
+  std::string surface;              // [geometry] surface, resolved against the job file's folder
+  std::string outer_kind = "none";  // [domain] outer = "none" | "box" | "sphere"
+  double outer_factor = 0;          // [domain] factor
+  double outer_spacing = 0;         // [domain] spacing
+  std::vector<JobRegion> regions;   // [[region]]
+  double spacing_default = 0;       // [spacing] default, 0: as large as growth allows
+  double growth = 0.3;              // [spacing] growth
+  bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
+  std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
+  /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
+  /// it into `sources` (read_flite_sources.h); canonical text does not name it.
+  std::string sources_file;
+  std::int64_t max_elements = 2'000'000'000;    // [spacing] max_elements, 0: as many as come
+  std::int64_t subdomains = 0;                  // [decompose] subdomains, 0: by target_elements
+  std::int64_t target_elements = 0;             // [decompose] target_elements, 0: by the job's size
+  std::string plane = "auto";                   // [decompose] plane = "auto" | "lattice" | …
+  std::string points = "lattice";               // [mesh] points = "lattice" | "sweeps"
+  bool across_cuts = true;                      // [cosmetics] across_cuts
+  std::int64_t max_memory_bytes = 0;            // [decompose] max_memory = "2GiB", 0: no limit
+  std::int64_t groups = 0;                      // [decompose.assimilate] groups, 0: none
+  std::string assimilate_method = "recursive";  // [decompose.assimilate] method
+  double min_dihedral_deg = 0;                  // [quality] min_dihedral, a gate; 0: none
+  double min_unforced_dihedral_deg = 0.1;       // [quality] min_unforced_dihedral, the same
+  std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
+};
+
+/// The factor of an outer boundary when none is given: 3 for a box, 5 for a sphere, 0 for "none".
+double default_outer_factor(std::string_view outer_kind);
+
+/// "2GiB", "500MB", "1.5 TiB" or plain bytes: a number and B, kB, MB, GB, TB, KiB, MiB, GiB or TiB,
+/// in any case; nothing for any other text, for less than a byte and for more than 2^62.
+std::optional<std::int64_t> parse_memory(std::string_view text);
+
+/// A relative surface path is taken from the folder of `path`; without a name, the job is named
+/// like `path` without its folder and ending.
+/// @throws UsageError "file:line:column: …", with "did you mean" for an unknown key.
+JobFile parse_job_file(std::string_view text, const std::string& path);
+
+/// The same job as canonical TOML with absolute paths: what the store keeps. Parsed again it gives
+/// the same job (but for the line numbers of the sources).
+std::string to_toml(const JobFile& job);
+
+/// Every key that the parser knows, as "spacing.growth"; for the test that docs/job_file.md has
+/// them all.
+std::vector<std::string> job_file_keys();
+
+}  // namespace tetfarm

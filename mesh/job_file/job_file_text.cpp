@@ -1,0 +1,101 @@
+#include <array>
+#include <charconv>
+
+#include "mesh/job_file/job_file.h"
+
+namespace tetfarm {
+namespace {
+
+std::string quoted_toml(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (c >= '\0' && (c < ' ' || c == '\x7f')) {
+      constexpr std::string_view digits = "0123456789ABCDEF";
+      const auto code = static_cast<std::size_t>(c);
+      result += {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]};
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+/// As few digits as give the same double again.
+std::string number(double value) {
+  if (value == 0) return "0";  // "-0" would come back as the whole number 0
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string place(const Vec3& at) {
+  return "[" + number(at.x) + ", " + number(at.y) + ", " + number(at.z) + "]";
+}
+
+std::string corner_keys_of(const JobSource::Corner& corner, std::string_view between) {
+  const std::string separator(between);
+  return "at = " + place(corner.at) + separator + "spacing = " + number(corner.spacing) +
+         separator + "inner = " + number(corner.inner) + separator +
+         "outer = " + number(corner.outer);
+}
+
+std::string source_to_toml(const JobSource& source) {
+  std::string text = "\n[[source]]\n";
+  const auto inline_corner = [&](std::size_t i) {
+    return "{ " + corner_keys_of(source.corners.at(i), ", ") + " }";
+  };
+  switch (source.corners.size()) {
+    case 1:
+      return text + "kind = \"point\"\n" + corner_keys_of(source.corners[0], "\n") + "\n";
+    case 2:
+      return text + "kind = \"line\"\nfrom = " + inline_corner(0) + "\nto = " + inline_corner(1) +
+             "\n";
+    default:
+      return text + "kind = \"triangle\"\ncorner = [\n  " + inline_corner(0) + ",\n  " +
+             inline_corner(1) + ",\n  " + inline_corner(2) + ",\n]\n";
+  }
+}
+
+}  // namespace
+
+std::string to_toml(const JobFile& job) {
+  std::string text = "version = 1\nname = " + quoted_toml(job.name) +
+                     "\n\n[geometry]\nsurface = " + quoted_toml(job.surface) +
+                     "\n\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
+  if (job.outer_kind != "none") {
+    text +=
+        "factor = " + number(job.outer_factor) + "\nspacing = " + number(job.outer_spacing) + "\n";
+  }
+  for (const JobRegion& region : job.regions) {
+    text += "\n[[region]]\nat = " + place(region.at) + "\nname = " + quoted_toml(region.name) +
+            "\nvoid = " + (region.is_void ? "true" : "false") + "\n";
+  }
+  text += "\n[spacing]\ndefault = " + number(job.spacing_default) +
+          "\ngrowth = " + number(job.growth) +
+          "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") +
+          "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
+  for (const JobSource& source : job.sources) text += source_to_toml(source);
+  text += "\n[decompose]\n";
+  if (job.max_memory_bytes > 0) {
+    text += "max_memory = " + quoted_toml(std::to_string(job.max_memory_bytes) + "B") + "\n";
+  } else {
+    text += "subdomains = " + std::to_string(job.subdomains) +
+            "\ntarget_elements = " + std::to_string(job.target_elements) + "\n";
+  }
+  if (job.groups > 0) {
+    text += "assimilate = { groups = " + std::to_string(job.groups) +
+            ", method = " + quoted_toml(job.assimilate_method) + " }\n";
+  }
+  text += "plane = " + quoted_toml(job.plane) + "\n";
+  text += "\n[mesh]\npoints = " + quoted_toml(job.points) +
+          "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
+          "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
+          "\nmin_unforced_dihedral = " + number(job.min_unforced_dihedral_deg) +
+          "\n\n[output]\nformats = [";
+  for (std::size_t i = 0; i < job.formats.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + quoted_toml(job.formats[i]);
+  }
+  return text + "]\n";
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,58 @@
+#include "mesh/formats/cgns/write_cgns.h"
+
+#include <gmock/gmock.h>
+
+#include "mesh/formats/hdf5/hdf5_file.h"
+#include "tests/mesh/formats/read_back.h"
+
+namespace tetfarm {
+namespace {
+
+std::vector<std::int64_t> larges(const Hdf5Input& file, const std::string& node) {
+  return file.list<std::int64_t>("Base/Zone1/" + node + "/ data");
+}
+
+TEST(WriteCgns, has_the_same_mesh) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  const Hdf5Input file(export_as(grid, folder, "", "a.cgns").string());
+  const auto coordinate = [&](const char* name) {
+    return file.list<double>("Base/Zone1/GridCoordinates/" + std::string(name) + "/ data");
+  };
+  ReadMesh mesh(1);
+  const auto x = coordinate("CoordinateX");
+  const auto y = coordinate("CoordinateY");
+  const auto z = coordinate("CoordinateZ");
+  ASSERT_EQ(x.size(), 125u);
+  for (std::size_t i = 0; i < x.size(); ++i) mesh.node({x[i], y[i], z[i]});
+  const auto tets = larges(file, "GridElements/ElementConnectivity");
+  for (std::size_t i = 0; i < tets.size(); i += 4) {
+    mesh.tet({tets[i], tets[i + 1], tets[i + 2], tets[i + 3]});
+  }
+  std::int64_t patch = 0;
+  for (const std::string name : {"low_x", "elsewhere"}) {
+    const auto faces = larges(file, name + "/ElementConnectivity");
+    for (std::size_t i = 0; i < faces.size(); i += 3) {
+      mesh.face({faces[i], faces[i + 1], faces[i + 2]}, patch);
+    }
+    ++patch;
+  }
+  EXPECT_EQ(content_of(mesh), content_of(grid));
+  EXPECT_THAT(larges(file, "GridElements/ElementRange"), testing::ElementsAre(1, 384));
+  EXPECT_THAT(larges(file, "elsewhere/ElementRange"), testing::ElementsAre(385 + 32, 576));
+}
+
+TEST(WriteCgns, tells_the_subdomain_of_each_tet) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  const Hdf5Input file(export_as(grid, folder, "", "a.cgns").string());
+  const auto subdomains = file.list<std::int32_t>("Base/Zone1/CellData/Subdomain/ data");
+  ASSERT_EQ(subdomains.size(), 384u);
+  for (std::int32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(std::count(subdomains.begin(), subdomains.end(), i),
+              std::ssize(grid.parts[static_cast<std::size_t>(i)].tets));
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm

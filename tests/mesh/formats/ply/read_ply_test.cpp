@@ -1,0 +1,72 @@
+#include "mesh/formats/ply/read_ply.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "tests/mesh/formats/turned_bytes.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+SurfaceMesh read(const std::string& bytes) { return read_ply(bytes, "a.ply"); }
+
+std::string binary(const SurfaceMesh& mesh, bool is_big) {
+  std::string bytes = "ply\nformat binary_" + std::string(is_big ? "big" : "little") +
+                      "_endian 1.0\ncomment by hand\nelement vertex " +
+                      std::to_string(mesh.vertices.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n"
+                      "property uchar red\nelement face " +
+                      std::to_string(mesh.triangles.size()) +
+                      "\nproperty list uint8 int32 vertex_indices\nend_header\n";
+  for (const Vec3& p : mesh.vertices) {
+    for (const double x : {p.x, p.y, p.z}) texts::append_number(bytes, x, is_big);
+    bytes += '\xff';
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    bytes += '\3';
+    for (const std::int32_t v : triangle) texts::append_number(bytes, v, is_big);
+  }
+  return bytes;
+}
+
+TEST(ReadPly, both_orders_of_bytes_give_the_same_surface) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  for (const bool is_big : {false, true}) {
+    const SurfaceMesh back = read(binary(cube, is_big));
+    EXPECT_EQ(back.vertices, cube.vertices);
+    EXPECT_EQ(back.triangles, cube.triangles);
+  }
+}
+
+constexpr const char* head =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_index\n"
+    "property float quality\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n";
+
+TEST(ReadPly, polygons_of_text_become_fans) {
+  const SurfaceMesh mesh = read(std::string(head) + "4 0 1 2 3 0.25\n");
+  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_EQ(mesh.vertices[3], (Vec3{0, 1, 0.5}));
+}
+
+TEST(ReadPly, names_the_place_of_what_it_does_not_understand) {
+  const auto reading = [](const std::string& text) { return [=] { read(text); }; };
+  EXPECT_THAT(reading("OFF\n"), ThrowsMessage<InvalidInput>(HasSubstr("a.ply:1: expected ply")));
+  EXPECT_THAT(reading("ply\nformat binary_middle 1.0\n"),
+              ThrowsMessage<InvalidInput>(HasSubstr("a.ply:2: unknown format")));
+  EXPECT_THAT(reading(std::string(head) + "3 0 1 4 0\n"),
+              ThrowsMessage<InvalidInput>(HasSubstr("a.ply:15: vertex 4 of 4")));
+  EXPECT_THAT(reading(std::string(head) + "2 0 1 0\n"),
+              ThrowsMessage<InvalidInput>(HasSubstr("a face with 2 vertices")));
+  const std::string whole = binary(shapes::unit_cube(), false);
+  EXPECT_THAT(reading(whole.substr(0, whole.size() - 1)),
+              ThrowsMessage<InvalidInput>(HasSubstr(": byte ")));
+}
+
+}  // namespace
+}  // namespace tetfarm
