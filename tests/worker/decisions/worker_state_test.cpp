@@ -226,6 +226,16 @@ TEST_F(WorkerStateTest, asks_for_work_when_it_is_welcome) {
   EXPECT_EQ(state_.link(), WorkerLink::registered);
 }
 
+TEST_F(WorkerStateTest, that_is_idle_asks_again_each_lease_should_its_ready_have_been_lost) {
+  welcome();
+  wait_and_hear(lease - 1);
+  does();
+  wait(1);
+  EXPECT_THAT(does(), testing::Contains("ready"));
+  wait_and_hear(lease - 1);
+  EXPECT_THAT(does(), testing::Not(testing::Contains("ready")));
+}
+
 TEST_F(WorkerStateTest, whose_probe_was_swept_away_says_hello_and_does_not_ask) {
   does();
   state_.probe_was_swept_away(now_);
