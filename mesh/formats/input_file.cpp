@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <utility>
 
 #include "base/error.h"
 
@@ -17,11 +18,20 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   if (::fstat(descriptor_, &status) == 0) size_ = status.st_size;
 }
 
-InputFile::~InputFile() { ::close(descriptor_); }
+InputFile::InputFile(std::string_view bytes, std::string name)
+    : name_(std::move(name)), bytes_(bytes), size_(std::ssize(bytes)) {}
+
+InputFile::~InputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 void InputFile::read(std::int64_t place, void* data, std::size_t bytes) const {
   if (place < 0 || place > size_ || bytes > static_cast<std::size_t>(size_ - place)) {
     fail("the file ends too early", size_);
+  }
+  if (descriptor_ < 0) {
+    if (bytes > 0) std::memcpy(data, bytes_.data() + place, bytes);
+    return;
   }
   char* next = static_cast<char*>(data);
   while (bytes > 0) {

@@ -1,4 +1,5 @@
-/// A binary file that is read at places: stretches of it come into memory, never more.
+/// A binary file that is read at places: stretches of it come into memory, never more. One that was
+/// unpacked lies in memory already, and is read in the same way.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetfarm {
@@ -15,6 +17,8 @@ class InputFile {
  public:
   /// @throws IoError.
   explicit InputFile(const std::filesystem::path& path);
+  /// Bytes that outlive it; `name` is for messages.
+  InputFile(std::string_view bytes, std::string name);
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
   ~InputFile();
@@ -34,6 +38,7 @@ class InputFile {
 
  private:
   std::string name_;
+  std::string_view bytes_;  ///< without a file
   int descriptor_ = -1;
   std::int64_t size_ = 0;
 };

@@ -1,5 +1,5 @@
-/// Reads a Medit/GMF binary mesh of tets, version 4 (mesh/formats/medit/write_meshb.h), piece by
-/// piece.
+/// Reads a binary Medit/GMF mesh of tets, of any version (mesh/formats/medit/write_meshb.h), piece
+/// by piece.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "mesh/formats/medit/write_meshb.h"
 
-#include "mesh/formats/medit/medit_keywords.h"
+#include "mesh/formats/medit/medit_file.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {

@@ -4,7 +4,8 @@
 
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
-#include "mesh/formats/msh/msh_reader.h"
+#include "mesh/formats/mesh_text.h"
+#include "mesh/formats/msh/msh_walker.h"
 #include "mesh/formats/parsed_mesh.h"
 #include "mesh/formats/regions_of_faces.h"
 
@@ -19,25 +20,96 @@ std::array<std::int64_t, N> from_zero(std::array<std::int64_t, N> nodes) {
   return nodes;
 }
 
-/// The content of a file that has the whole mesh.
-class WholeMesh : public MshContent {
+constexpr std::int64_t msh_tet = 4;
+
+struct MshFile {
+  explicit MshFile(const fs::path& path) : text(path), walker(text.scanner()) {}
+
+  MeshText text;
+  MshWalker walker;
+};
+
+/// What files of the whole mesh and of a partition have in common: names and numbers of groups.
+class GroupedContent : public MshContent {
  public:
-  WholeMesh(const fs::path& path, const fs::path& scratch_folder)
-      : name_(path.string()), most_nodes_(fs::file_size(path)), mesh_(scratch_folder) {}
+  explicit GroupedContent(MshFile& file) : file_(file) {}
+
+  void add_name(int dimension, std::int64_t group, std::string_view name) override {
+    if (dimension < 2) return;
+    std::vector<std::string>& of_kind = names_[dimension == 2 ? 0 : 1];
+    const auto number = static_cast<std::size_t>(group_number(group));
+    of_kind.resize(std::max(of_kind.size(), number));
+    of_kind[number - 1] = name;
+  }
+  bool wants(const MshElementType& type, std::int64_t number) override {
+    if (type.dimension < 2) return false;
+    if (number != msh_triangle && number != msh_tet) {
+      fail("a " + std::string(type.name) + ": only triangles and tets are supported");
+    }
+    return true;
+  }
+  void add_element(const MshElement& element) override {
+    const std::int32_t group = element.group == 0 ? 1 : group_number(element.group);
+    const auto& nodes = element.nodes;
+    if (element.type == msh_triangle) {
+      add_triangle({nodes[0], nodes[1], nodes[2]}, group - 1);
+    } else if (!element.is_ghost) {
+      const std::int32_t partition = element.partition == 0 ? 0 : group_number(element.partition);
+      const auto entity = static_cast<std::int32_t>(element.entity);
+      add_tet({nodes[0], nodes[1], nodes[2], nodes[3]}, group,
+              file_.walker.is_version_4() ? entity : partition);
+    }
+    file_.text.pass();
+  }
+
+  const std::vector<std::string>& patch_names() const { return names_[0]; }
+  const std::vector<std::string>& region_names() const { return names_[1]; }
+
+ protected:
+  virtual void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) = 0;
+  /// `subdomain`: the volume entity in 4.1, the partition in 2.2; 0 when the file does not say.
+  virtual void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
+                       std::int32_t subdomain) = 0;
+  MshFile& file() { return file_; }
+  /// For the place where the walker is.
+  [[noreturn]] void fail(const std::string& what) const { file_.text.scanner().fail(what); }
+
+ private:
+  std::int32_t group_number(std::int64_t group) const {
+    constexpr std::int64_t most_groups = 1'000'000;
+    if (group < 1 || group > most_groups) {
+      fail("the physical tag " + std::to_string(group) + " is out of range");
+    }
+    return static_cast<std::int32_t>(group);
+  }
+
+  MshFile& file_;
+  std::array<std::vector<std::string>, 2> names_;
+};
+
+/// The content of a file that has the whole mesh.
+class WholeMesh : public GroupedContent {
+ public:
+  WholeMesh(MshFile& file, const fs::path& scratch_folder)
+      : GroupedContent(file),
+        name_(file.text.name()),
+        most_nodes_(fs::file_size(name_)),
+        mesh_(scratch_folder) {}
 
   void add_node(std::int64_t tag, const Vec3& p) override {
     // A node takes some bytes: a tag above the size of the file leaves gaps.
     if (tag < 1 || static_cast<std::uintmax_t>(tag) > most_nodes_) {
-      throw InvalidInput("node tags are not 1 to N: " + std::to_string(tag), name_);
+      fail("node tags are not 1 to N: " + std::to_string(tag));
     }
     const auto number = static_cast<std::size_t>(tag - 1);
     if (number >= is_known_.size()) is_known_.resize(std::max(number + 1, 2 * is_known_.size()));
     if (is_known_[number]) {
-      throw InvalidInput("two nodes have the tag " + std::to_string(tag), name_);
+      fail("two nodes have the tag " + std::to_string(tag));
     }
     is_known_[number] = true;
     ++nodes_;
     mesh_.set_node(tag - 1, p);
+    file().text.pass();
   }
   void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
     mesh_.add_triangle(from_zero(nodes), patch);
@@ -47,15 +119,15 @@ class WholeMesh : public MshContent {
     mesh_.add_tet(from_zero(nodes), region, subdomain);
     knows_subdomains_ = knows_subdomains_ || subdomain > 0;
   }
-  ListedMesh take(const MshReader& file) {
+  ListedMesh take() {
     if (nodes_ != mesh_.nodes()) {
       throw InvalidInput("node tags are not 1 to N: " + std::to_string(nodes_) +
                              " nodes, but the largest tag is " + std::to_string(mesh_.nodes()),
                          name_);
     }
     mesh_.mesh().name = name_;
-    mesh_.mesh().patch_names = file.patch_names();
-    mesh_.mesh().region_names = file.region_names();
+    mesh_.mesh().patch_names = patch_names();
+    mesh_.mesh().region_names = region_names();
     mesh_.mesh().knows_subdomains = knows_subdomains_;
     return mesh_.take();
   }
@@ -70,13 +142,16 @@ class WholeMesh : public MshContent {
 };
 
 /// The content of a file that has a partition.
-class PartitionOfMesh : public MshContent {
+class PartitionOfMesh : public GroupedContent {
  public:
+  using GroupedContent::GroupedContent;
+
   void add_node(std::int64_t tag, const Vec3& p) override {
     if (numbers_.of(tag - 1) != std::ssize(part_.nodes)) {
-      throw InvalidInput("two nodes have the tag " + std::to_string(tag), "");
+      fail("two nodes have the tag " + std::to_string(tag));
     }
     part_.nodes.push_back(p);
+    file().text.pass();
   }
   void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
     part_.faces.push_back(local(nodes));
@@ -88,9 +163,9 @@ class PartitionOfMesh : public MshContent {
     part_.region_of_tet.push_back(region);
   }
   /// Without the nodes of ghosts where there are such.
-  NumberedPart take(const MshReader& file) {
+  NumberedPart take() {
     part_.local2global = numbers_.take();
-    if (file.has_ghosts()) keep_own_nodes();
+    if (file().walker.has_ghosts()) keep_own_nodes();
     const auto& regions = part_.region_of_tet;
     if (!regions.empty()) part_.region = regions.front();
     if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part_.region; })) {
@@ -108,9 +183,7 @@ class PartitionOfMesh : public MshContent {
     for (std::size_t k = 0; k < N; ++k) {
       result[k] = numbers_.find(nodes[k] - 1);
       if (result[k] < 0) {
-        throw InvalidInput(
-            "an element has the node " + std::to_string(nodes[k]) + ", which is not in the file",
-            "");
+        fail("an element has the node " + std::to_string(nodes[k]) + ", which is not in the file");
       }
     }
     return result;
@@ -158,7 +231,10 @@ class SplitSource : public MeshSource {
       if (!fs::exists(file)) break;
       files_.push_back(file);
     }
-    names_ = {MshReader(first).patch_names(), MshReader(first).region_names()};
+    MshFile file(first);
+    PartitionOfMesh head(file);
+    file.walker.walk_head(head);
+    names_ = {head.patch_names(), head.region_names()};
     for (std::size_t i = 0; i < files_.size(); ++i) read(i);
   }
 
@@ -170,15 +246,10 @@ class SplitSource : public MeshSource {
 
  private:
   NumberedPart read(std::size_t i) const {
-    MshReader file(files_.at(i));
-    PartitionOfMesh partition;
-    try {
-      file.read(partition);
-    } catch (const InvalidInput& error) {
-      if (std::string(error.what()).starts_with(file.name())) throw;
-      throw InvalidInput(error.what(), file.name());
-    }
-    NumberedPart part = partition.take(file);
+    MshFile file(files_.at(i));
+    PartitionOfMesh partition(file);
+    file.walker.walk(partition);
+    NumberedPart part = partition.take();
     part.number = static_cast<std::int32_t>(i);
     return part;
   }
@@ -190,16 +261,17 @@ class SplitSource : public MeshSource {
 }  // namespace
 
 std::unique_ptr<MeshSource> open_msh(const fs::path& path, const fs::path& scratch_folder) {
-  MshReader file(path);
-  if (file.is_partitioned()) {
+  MshFile file(path);
+  WholeMesh mesh(file, scratch_folder);
+  file.walker.walk_head(mesh);
+  if (file.walker.is_partitioned()) {
     if (path.stem().string().ends_with("_1")) return std::make_unique<SplitSource>(path);
     throw InvalidInput(
         "is one of several partitions; give the file whose name ends in _1, which stands for all",
         path.string());
   }
-  WholeMesh mesh(path, scratch_folder);
-  file.read(mesh);
-  return open_listed(mesh.take(file));
+  file.walker.walk(mesh);
+  return open_listed(mesh.take());
 }
 
 }  // namespace tetfarm

@@ -1,4 +1,4 @@
-/// Reads a Gmsh mesh of tets piece by piece: MSH 4.1, text and little-endian binary, and 2.2, text
+/// Reads a Gmsh mesh of tets piece by piece: MSH 4.1 and 2.2, text and little-endian binary
 /// (mesh/formats/msh/write_msh41.h, write_msh22.h).
 #pragma once
 

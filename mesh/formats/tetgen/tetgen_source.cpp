@@ -5,32 +5,33 @@
 
 #include "mesh/formats/mesh_text.h"
 #include "mesh/formats/parsed_mesh.h"
+#include "mesh/formats/tetgen/tetgen_lists.h"
 
 namespace tetfarm {
 namespace {
 
-/// One of the files: a line of counts, then records that begin with their numbers.
-class ListFile {
+/// A file of elements: a line of counts, then records that begin with their numbers.
+class ElementList {
  public:
-  explicit ListFile(const std::filesystem::path& path)
-      : text_(path, '#'), in_(text_.scanner()), count_(in_.integer("a count")) {
-    in_.to_count(count_, 4);
-  }
+  explicit ElementList(const std::filesystem::path& path)
+      : text_(path, tetgen_comment),
+        in_(text_.scanner()),
+        count_(static_cast<std::int64_t>(tetgen_count(in_, "a count"))) {}
 
   const std::string& name() const { return text_.name(); }
   InputScanner& in() { return in_; }
   std::int64_t count() const { return count_; }
   /// A number of the first line.
-  std::int64_t option() { return in_.to_integer(in_.word_in_line(), "a number"); }
+  std::int64_t option() { return integer(); }
   void end_line() {
     in_.rest_of_line();
     text_.pass();
   }
-  /// The number of the next record, which must be one more than that of the last.
-  std::int64_t record(std::int64_t expected) {
-    const std::int64_t number = in_.integer("a number");
-    if (number != expected) in_.fail("expected record " + std::to_string(expected));
-    return number;
+  /// The number of the next record must be `expected`.
+  void begin_record(std::int64_t expected) {
+    if (in_.integer("a number") != expected) {
+      in_.fail("expected record " + std::to_string(expected));
+    }
   }
   std::int64_t integer() { return in_.to_integer(in_.word_in_line(), "a number"); }
   std::int32_t small() {
@@ -46,33 +47,21 @@ class ListFile {
 
 /// Returns the number of the first.
 std::int64_t read_nodes(const std::filesystem::path& path, ParsedMesh& mesh) {
-  ListFile file(path);
-  if (file.option() != 3) file.in().fail("the mesh is not three-dimensional");
-  file.end_line();
-  std::int64_t first = 0;
-  for (std::int64_t i = 0; i < file.count(); ++i) {
-    if (i == 0) {
-      first = file.in().integer("a number");
-      if (first != 0 && first != 1) file.in().fail("numbers must begin with 0 or 1");
-    } else {
-      file.record(first + i);
-    }
-    Vec3 p;
-    for (int axis = 0; axis < 3; ++axis) p[axis] = file.in().coordinate_in_line();
+  MeshText text(path, tetgen_comment);
+  return walk_tetgen_nodes(text.scanner(), [&](const Vec3& p) {
     mesh.add_node(p);
-    file.end_line();
-  }
-  return first;
+    text.pass();
+  });
 }
 
 void read_tets(const std::filesystem::path& path, std::int64_t first, ParsedMesh& mesh) {
-  ListFile file(path);
+  ElementList file(path);
   mesh.mesh().name = file.name();
   if (file.option() != 4) file.in().fail("only tets of four nodes are supported");
   const bool has_regions = file.option() > 0;
   file.end_line();
   for (std::int64_t i = 0; i < file.count(); ++i) {
-    file.record(first + i);
+    file.begin_record(first + i);
     ParsedMesh::Nodes nodes;
     for (std::int64_t& node : nodes) node = file.integer() - first;
     mesh.add_tet(nodes, has_regions ? file.small() : 1);
@@ -81,11 +70,11 @@ void read_tets(const std::filesystem::path& path, std::int64_t first, ParsedMesh
 }
 
 void read_faces(const std::filesystem::path& path, std::int64_t first, ParsedMesh& mesh) {
-  ListFile file(path);
+  ElementList file(path);
   const bool has_marks = file.option() > 0;
   file.end_line();
   for (std::int64_t i = 0; i < file.count(); ++i) {
-    file.record(first + i);
+    file.begin_record(first + i);
     std::array<std::int64_t, 3> nodes;
     for (std::int64_t& node : nodes) node = file.integer() - first;
     mesh.add_triangle(nodes, has_marks ? file.small() - 1 : 0);

@@ -2,99 +2,91 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/patch_names.h"
+#include "mesh/formats/ugrid/ugrid_file.h"
 #include "mesh/formats/used_vertices.h"
 
 namespace tetfarm {
 namespace {
 
-struct Form {
-  std::string_view suffix;
-  bool is_big = false;
-  bool is_wide = false;   ///< integers of 64 bits
-  bool is_short = false;  ///< coordinates of 32 bits
-};
-constexpr std::array<Form, 6> binary_forms = {{{".b8", true, false, false},
-                                               {".lb8", false, false, false},
-                                               {".b8l", true, true, false},
-                                               {".lb8l", false, true, false},
-                                               {".b4", true, false, true},
-                                               {".lb4", false, false, true}}};
+constexpr const char* has_quadrangles = "has quadrangles: only triangles are supported";
+constexpr std::int64_t most_vertices = std::numeric_limits<std::int32_t>::max();
 
-const Form* binary_form(std::string name) {
-  for (char& c : name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  for (const Form& form : binary_forms) {
-    const std::string ending = std::string(form.suffix) + ".ugrid";
-    if (name.ends_with(ending) || name.ends_with(ending + ".gz")) return &form;
-  }
-  return nullptr;
+void add_patch(SurfaceMesh& surface, PatchNames& patches, std::int64_t number) {
+  surface.patch_of_triangle.push_back(patches.number_of("patch " + std::to_string(number)));
 }
 
-class UgridReader {
- public:
-  UgridReader(std::string_view bytes, const std::string& name)
-      : scanner_(bytes, name), form_(binary_form(name)) {}
+SurfaceMesh read_text(std::string_view bytes, const std::string& name) {
+  InputScanner in(bytes, name);
+  std::array<std::int64_t, 7> counts{};
+  for (std::int64_t& count : counts) {
+    count = in.integer("a count");
+    if (count < 0) in.fail("a count is negative");
+  }
+  if (counts[2] > 0) in.fail(has_quadrangles);
+  const std::size_t nodes = in.to_count(counts[0], 6);
+  const std::size_t triangles = in.to_count(counts[1], 8);
+  if (counts[0] > most_vertices) in.fail("too many nodes");
+  SurfaceMesh surface;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const double x = in.coordinate();
+    const double y = in.coordinate();
+    surface.vertices.push_back({x, y, in.coordinate()});
+  }
+  for (std::size_t i = 0; i < triangles; ++i) {
+    Triangle triangle;
+    for (std::int32_t& v : triangle) v = vertex_of(in, surface, in.integer("a node number"), 1);
+    surface.triangles.push_back(triangle);
+  }
+  PatchNames patches;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    add_patch(surface, patches, in.integer("a patch number"));
+  }
+  surface.patch_names = patches.take();
+  return surface;
+}
 
-  SurfaceMesh read() {
-    std::array<std::int64_t, 7> counts{};
-    for (std::int64_t& count : counts) {
-      count = integer("a count");
-      if (count < 0) scanner_.fail("a count is negative");
-    }
-    if (counts[2] > 0) scanner_.fail("has quadrangles: only triangles are supported");
-    const std::size_t nodes = scanner_.to_count(counts[0], form_ == nullptr ? 6 : 12);
-    const std::size_t triangles = scanner_.to_count(counts[1], form_ == nullptr ? 8 : 16);
-    if (nodes > std::numeric_limits<std::int32_t>::max()) scanner_.fail("too many nodes");
-    surface_.vertices.reserve(nodes);
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const double x = coordinate();
-      const double y = coordinate();
-      surface_.vertices.push_back({x, y, coordinate()});
-    }
-    for (std::size_t i = 0; i < triangles; ++i) {
-      Triangle triangle;
-      for (std::int32_t& v : triangle) {
-        v = vertex_of(scanner_, surface_, integer("a node number"), 1);
+SurfaceMesh read_binary(const UgridFile& file) {
+  const UgridListCounts& counts = file.counts();
+  if (counts.quadrangles > 0) file.fail_at_counts(has_quadrangles);
+  if (counts.nodes > most_vertices) file.fail_at_counts("too many nodes");
+  const auto triangles = static_cast<std::size_t>(counts.triangles);
+  SurfaceMesh surface;
+  surface.vertices.resize(static_cast<std::size_t>(counts.nodes));
+  file.read_nodes(0, surface.vertices);
+  std::vector<std::array<std::int64_t, 3>> corners(triangles);
+  file.read_triangles(0, corners);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Triangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t node = corners[t][k];
+      if (node < 1 || node > counts.nodes) {
+        file.fail_at_corner("vertex " + std::to_string(node) + " of " +
+                                std::to_string(counts.nodes) + " (counted from 1)",
+                            static_cast<std::int64_t>(t), k);
       }
-      surface_.triangles.push_back(triangle);
+      triangle[k] = static_cast<std::int32_t>(node - 1);
     }
-    PatchNames patches;
-    for (std::size_t i = 0; i < triangles; ++i) {
-      surface_.patch_of_triangle.push_back(
-          patches.number_of("patch " + std::to_string(integer("a patch number"))));
-    }
-    surface_.patch_names = patches.take();
-    keep_used_vertices(surface_);
-    return std::move(surface_);
+    surface.triangles.push_back(triangle);
   }
-
- private:
-  template <class T>
-  T raw() {
-    return form_->is_big ? scanner_.raw_turned<T>() : scanner_.raw<T>();
-  }
-  std::int64_t integer(std::string_view what) {
-    if (form_ == nullptr) return scanner_.integer(what);
-    return form_->is_wide ? raw<std::int64_t>() : raw<std::int32_t>();
-  }
-  double coordinate() {
-    if (form_ == nullptr) return scanner_.coordinate();
-    return scanner_.finite(form_->is_short ? static_cast<double>(raw<float>()) : raw<double>());
-  }
-
-  InputScanner scanner_;
-  const Form* form_;
-  SurfaceMesh surface_;
-};
+  std::vector<std::int64_t> numbers(triangles);
+  file.read_patches(0, numbers);
+  PatchNames patches;
+  for (const std::int64_t number : numbers) add_patch(surface, patches, number);
+  surface.patch_names = patches.take();
+  return surface;
+}
 
 }  // namespace
 
 SurfaceMesh read_ugrid_surface(std::string_view bytes, const std::string& name) {
-  return UgridReader(bytes, name).read();
+  const std::optional<UgridForm> form = ugrid_form(name);
+  SurfaceMesh surface = form ? read_binary({bytes, name, *form}) : read_text(bytes, name);
+  keep_used_vertices(surface);
+  return surface;
 }
 
 }  // namespace tetfarm

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "mesh/formats/input_file.h"
 #include "mesh/formats/listed_mesh.h"
 
 namespace tetfarm {
@@ -65,110 +64,70 @@ std::filesystem::path beside(const std::filesystem::path& path, const std::strin
   return std::filesystem::path(path).replace_extension().replace_extension().string() + ending;
 }
 
-/// The file with its counts, and where its lists begin.
-template <class Integer>
-class Ugrid {
- public:
-  Ugrid(const std::filesystem::path& path, bool big_endian) : file_(path), turned_(big_endian) {
-    std::array<Integer, 7> counts{};
-    read(0, std::span(counts));
-    // A list of so many would not fit in a file: sums below cannot overflow.
-    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 256;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      const auto place = static_cast<std::int64_t>(i * sizeof(Integer));
-      if (counts[i] < 0) file_.fail("a count is negative", place);
-      if (counts[i] > most) file_.fail("a count is larger than the file", place);
-    }
-    if (counts[2] + counts[4] + counts[5] + counts[6] != 0) {
-      file_.fail("has elements other than triangles and tets", 0);
-    }
-    nodes = counts[0];
-    triangles = counts[1];
-    tets = counts[3];
-    if (tet_place(tets) != file_.size()) {
-      throw InvalidInput("the length of the file does not match its counts", file_.name());
-    }
+void require_tets_alone(const UgridFile& file) {
+  const UgridListCounts& counts = file.counts();
+  if (counts.quadrangles + counts.pyramids + counts.prisms + counts.hexahedra != 0) {
+    file.fail_at_counts("has elements other than triangles and tets");
   }
+  if (file.expected_size() != file.size()) {
+    throw InvalidInput("the length of the file does not match its counts", file.name());
+  }
+}
 
-  void read_nodes(std::int64_t first, std::span<Vec3> into) const {
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    read(header_bytes + first * 24, std::span(&into.data()->x, 3 * into.size()));
-  }
-  void read_tets(std::int64_t first, std::span<ListedMesh::Nodes> into) const {
-    std::vector<Integer> numbers(4 * into.size());
-    read(tet_place(first), std::span(numbers));
-    for (std::size_t i = 0; i < numbers.size(); ++i) into[i / 4][i % 4] = numbers[i] - 1;
-  }
-  /// Normals in the file all point into the domain or all out of it.
-  std::vector<ListedTriangle> boundary() const {
-    const auto count = static_cast<std::size_t>(triangles);
-    std::vector<Integer> numbers(3 * count);
-    read(triangle_place(), std::span(numbers));
-    std::vector<Integer> patches(count);
-    read(triangle_place() + triangles * 3 * integer_bytes, std::span(patches));
-    std::vector<ListedTriangle> boundary(count);
-    double volume = 0;
-    for (std::size_t t = 0; t < count; ++t) {
-      std::array<Vec3, 3> p;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t node = boundary[t].nodes[k] = numbers[3 * t + k] - std::int64_t{1};
-        if (node < 0 || node >= nodes) {
-          file_.fail("boundary triangle " + std::to_string(t) + " has node " +
-                         std::to_string(node + 1) + " of " + std::to_string(nodes),
-                     triangle_place() + static_cast<std::int64_t>(3 * t + k) * integer_bytes);
-        }
-        read_nodes(node, std::span(&p[k], 1));
+/// Normals in the file all point into the domain or all out of it.
+std::vector<ListedTriangle> boundary_of(const UgridFile& file) {
+  const std::int64_t nodes = file.counts().nodes;
+  const auto count = static_cast<std::size_t>(file.counts().triangles);
+  std::vector<std::array<std::int64_t, 3>> corners(count);
+  file.read_triangles(0, corners);
+  std::vector<std::int64_t> patches(count);
+  file.read_patches(0, patches);
+  std::vector<ListedTriangle> boundary(count);
+  double volume = 0;
+  for (std::size_t t = 0; t < count; ++t) {
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t node = boundary[t].nodes[k] = corners[t][k] - 1;
+      if (node < 0 || node >= nodes) {
+        file.fail_at_corner("boundary triangle " + std::to_string(t) + " has node " +
+                                std::to_string(node + 1) + " of " + std::to_string(nodes),
+                            static_cast<std::int64_t>(t), k);
       }
-      volume += dot(p[0], cross(p[1], p[2]));
-      boundary[t].patch = static_cast<std::int32_t>(
-          std::clamp<std::int64_t>(patches[t], 0, std::numeric_limits<std::int32_t>::max()) - 1);
+      file.read_nodes(node, std::span(&p[k], 1));
     }
-    for (ListedTriangle& triangle : boundary) {
-      if (volume < 0) std::swap(triangle.nodes[1], triangle.nodes[2]);
-    }
-    return boundary;
+    volume += dot(p[0], cross(p[1], p[2]));
+    boundary[t].patch = static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(patches[t], 0, std::numeric_limits<std::int32_t>::max()) - 1);
   }
-  const std::string& name() const { return file_.name(); }
-
-  std::int64_t nodes = 0;
-  std::int64_t triangles = 0;
-  std::int64_t tets = 0;
-
- private:
-  static constexpr std::int64_t integer_bytes = sizeof(Integer);
-  static constexpr std::int64_t header_bytes = 7 * integer_bytes;
-
-  std::int64_t triangle_place() const { return header_bytes + nodes * 24; }
-  std::int64_t tet_place(std::int64_t tet) const {
-    return triangle_place() + (triangles + tet) * 4 * integer_bytes;
+  for (ListedTriangle& triangle : boundary) {
+    if (volume < 0) std::swap(triangle.nodes[1], triangle.nodes[2]);
   }
-  template <class Number, std::size_t extent>
-  void read(std::int64_t place, std::span<Number, extent> into) const {
-    file_.read(place, into.data(), into.size_bytes());
-    if (turned_) turn_bytes(std::span<Number>(into));
-  }
+  return boundary;
+}
 
-  InputFile file_;
-  bool turned_;
-};
+}  // namespace
 
-template <class Integer>
-std::unique_ptr<MeshSource> open(const std::filesystem::path& path, bool big_endian,
-                                 std::int64_t tets_of_piece) {
-  const auto file = std::make_shared<const Ugrid<Integer>>(path, big_endian);
+std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridForm form,
+                                       std::int64_t tets_of_piece) {
+  const auto file = std::make_shared<const UgridFile>(path, form);
+  require_tets_alone(*file);
+  const std::int64_t tets = file->counts().tets;
   ListedMesh mesh;
   mesh.name = file->name();
-  mesh.nodes = file->nodes;
+  mesh.nodes = file->counts().nodes;
   mesh.read_nodes = [file](std::int64_t first, std::span<Vec3> into) {
     file->read_nodes(first, into);
   };
   mesh.read_tets = [file](std::int64_t first, std::span<ListedMesh::Nodes> into) {
     file->read_tets(first, into);
+    for (ListedMesh::Nodes& tet : into) {
+      for (std::int64_t& node : tet) --node;
+    }
   };
-  mesh.triangles = file->boundary();
+  mesh.triangles = boundary_of(*file);
   mesh.patch_names = names_of_mapbc(beside(path, ".mapbc"));
-  std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), file->tets);
-  if (regions.empty()) regions = {{1, 1, file->tets, "domain"}};
+  std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), tets);
+  if (regions.empty()) regions = {{1, 1, tets, "domain"}};
   for (const RegionLine& region : regions) {
     const auto number = static_cast<std::size_t>(region.number);
     mesh.region_names.resize(std::max(mesh.region_names.size(), number));
@@ -176,14 +135,6 @@ std::unique_ptr<MeshSource> open(const std::filesystem::path& path, bool big_end
     add_tets(mesh.runs, {region.last + 1 - region.first, static_cast<std::int32_t>(number), 0});
   }
   return open_listed(std::move(mesh), tets_of_piece);
-}
-
-}  // namespace
-
-std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridLayout layout,
-                                       std::int64_t tets_of_piece) {
-  return layout.wide ? open<std::int64_t>(path, layout.big_endian, tets_of_piece)
-                     : open<std::int32_t>(path, layout.big_endian, tets_of_piece);
 }
 
 }  // namespace tetfarm

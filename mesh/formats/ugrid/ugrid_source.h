@@ -1,19 +1,19 @@
-/// Reads a UGRID file of tets (mesh/formats/ugrid/write_ugrid.h) piece by piece, in either order of
-/// bytes and with integers of 32 or 64 bits.
+/// Reads a UGRID file of tets (mesh/formats/ugrid/write_ugrid.h) piece by piece, in any binary
+/// form.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
 #include "mesh/formats/mesh_source.h"
-#include "mesh/formats/ugrid/write_ugrid.h"
+#include "mesh/formats/ugrid/ugrid_file.h"
 
 namespace tetfarm {
 
 /// As a listed mesh (listed_mesh.h), with the names of the .mapbc and the regions of the .regions
 /// beside it. Boundary triangles may point either way, if all point the same way.
 /// @throws IoError, InvalidInput with the byte.
-std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridLayout layout = {},
+std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridForm form = {},
                                        std::int64_t tets_of_piece = 1'000'000);
 
 }  // namespace tetfarm

@@ -118,8 +118,8 @@ TEST(ReadMshText, names_the_line_of_what_it_cannot_use) {
   EXPECT_THAT(reading(nodes_2 + "2\n1 2 0 1 2 3\n$EndElements\n"), throws("an element number"));
   EXPECT_THAT(reading(format_2), throws("no section $Elements"));
   EXPECT_THAT(reading(format_2 + "$Nodes\n4000000000\n1 0 0 0\n"), throws("a count of 4000000000"));
-  EXPECT_THAT(reading(with(nodes_2, "\n4 0 0 1", "\n3 0 0 1")), throws("have the number 3"));
-  EXPECT_THAT(reading(with(nodes_2, "2.2", "4.0")), throws("save it as 2.2 or 4.1"));
+  EXPECT_THAT(reading(with(nodes_2, "\n4 0 0 1", "\n3 0 0 1")), throws("have the tag 3"));
+  EXPECT_THAT(reading(with(nodes_2, "2.2", "4.0")), throws("save it as 4.1 or 2.2"));
   EXPECT_THAT(reading(with(nodes_2, "2.2 0 8", "2.2 0 4")), throws("8 bytes"));
   EXPECT_THAT(reading("$NOD\n3\n"), throws("a.msh:1: expected $MeshFormat, found \"$NOD\""));
   EXPECT_THAT(reading(format_2 + "$Other\n1 2 3\n"), throws("has no end"));

@@ -74,6 +74,7 @@ TEST(ReadUgridSurface, names_the_byte_of_what_is_wrong) {
   EXPECT_THAT(reading(bytes),
               ThrowsMessage<InvalidInput>(HasSubstr("byte 220: vertex 99 of 8 (counted from 1)")));
   bytes[8] = 1;
+  bytes.append(20, '\0');  // it and its patch
   EXPECT_THAT(reading(bytes), ThrowsMessage<InvalidInput>(HasSubstr("quadrangles")));
 }
 

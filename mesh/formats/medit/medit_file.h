@@ -1,0 +1,94 @@
+/// The lists of a binary Medit file (.meshb, the GMF of libMeshb), read at their places: what the
+/// readers of surfaces and of meshes have in common, and the keywords that the writer uses.
+///
+/// Source: libMeshb's documentation, "GMF file format": versions 1 to 4, in the order of bytes of
+/// the machine that wrote it. Integers have 64 bits from version 4, places of lists from version 3,
+/// coordinates 32 bits in version 1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/core/vec3.h"
+#include "mesh/formats/input_file.h"
+
+namespace tetfarm {
+
+namespace medit {
+
+/// What says which list follows.
+enum Keyword : std::int32_t {
+  dimension = 3,
+  vertices = 4,
+  triangles = 6,
+  quadrangles = 7,
+  tetrahedra = 8,
+  prisms = 9,
+  hexahedra = 10,
+  pyramids = 49,
+  end = 54
+};
+
+}  // namespace medit
+
+/// Threads may read at once. Lists of other keywords are passed over.
+class MeditFile {
+ public:
+  /// Finds the lists. @throws IoError; InvalidInput with the byte, also for a count that the file
+  /// cannot hold.
+  explicit MeditFile(const std::filesystem::path& path);
+  /// Of bytes that outlive it.
+  MeditFile(std::string_view bytes, const std::string& name);
+
+  const std::string& name() const { return file_.name(); }
+  /// How many records of that kind the file has.
+  std::int64_t count(medit::Keyword list) const;
+
+  /// Fills the span with the vertices from `first` on. @pre the list has them. @throws IoError,
+  /// InvalidInput for a coordinate that is not finite.
+  void read_vertices(std::int64_t first, std::span<Vec3> into) const;
+  /// The same with elements: their nodes, from 1, and behind them the reference. @pre N is one more
+  /// than the nodes of an element of that list.
+  template <std::size_t N>
+  void read_elements(medit::Keyword list, std::int64_t first,
+                     std::span<std::array<std::int64_t, N>> into) const {
+    if (into.empty()) return;
+    read_integers(lists_.at(list).place + first * static_cast<std::int64_t>(N) * integer_bytes(),
+                  {reinterpret_cast<std::int64_t*>(into.data()), N * into.size()});
+  }
+
+  /// @throws InvalidInput for the head of that list, or for its `record`.
+  [[noreturn]] void fail_at(medit::Keyword list, const std::string& what) const;
+  [[noreturn]] void fail_at(medit::Keyword list, std::int64_t record,
+                            const std::string& what) const;
+
+ private:
+  struct List {
+    std::int64_t place = 0;  ///< of the first record
+    std::int64_t count = 0;
+  };
+
+  void find_lists();
+  std::int64_t read_keyword(std::int64_t place);
+  void add_list(medit::Keyword keyword, std::int64_t place, std::int64_t next);
+  /// Bytes of a record; 0 for a list that is passed over.
+  std::int64_t record_bytes(medit::Keyword list) const;
+  std::int64_t integer_bytes() const { return version_ < 4 ? 4 : 8; }
+  std::int64_t place_bytes() const { return version_ < 3 ? 4 : 8; }
+  std::int64_t real_bytes() const { return version_ == 1 ? 4 : 8; }
+  std::int64_t integer_at(std::int64_t place, std::int64_t bytes) const;
+  void read_integers(std::int64_t place, std::span<std::int64_t> into) const;
+
+  InputFile file_;
+  bool is_turned_ = false;
+  std::int64_t version_ = 0;
+  std::map<medit::Keyword, List> lists_;
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,108 @@
+#include "mesh/formats/su2/su2_walker.h"
+
+#include <array>
+#include <string>
+
+namespace tetfarm {
+namespace {
+
+constexpr std::size_t shortest_node = 6;
+constexpr std::size_t shortest_element = 8;
+
+class Walker {
+ public:
+  Walker(InputScanner& in, Su2Content& content) : in_(in), content_(content) {}
+
+  void walk() {
+    while (!in_.at_end()) walk_keyword();
+  }
+
+ private:
+  /// "KEY= VALUE", with or without blanks.
+  void walk_keyword() {
+    std::string_view word = in_.word_in_line();
+    const std::size_t equals = word.find('=');
+    const std::string_view key = word.substr(0, equals);
+    std::string_view value;
+    if (equals != word.npos) {
+      value = word.substr(equals + 1);
+    } else {
+      value = in_.word_in_line();
+      if (!value.starts_with('=')) in_.fail("expected KEYWORD=, found " + quoted(word));
+      value.remove_prefix(1);
+    }
+    if (value.empty()) value = in_.word_in_line();
+    if (key == "NDIME") {
+      if (in_.to_integer(value, "the number of dimensions") != 3) {
+        in_.fail("the mesh is not three-dimensional");
+      }
+      in_.rest_of_line();
+    } else if (key == "NELEM") {
+      walk_elements(Su2List::elements, count(value, shortest_element));
+    } else if (key == "NPOIN") {
+      walk_nodes(count(value, shortest_node));
+    } else if (key == "MARKER_TAG") {
+      content_.begin_marker(value);
+      has_marker_ = true;
+      in_.rest_of_line();
+    } else if (key == "MARKER_ELEMS") {
+      if (!has_marker_) in_.fail("MARKER_ELEMS before any MARKER_TAG");
+      walk_elements(Su2List::marker, count(value, shortest_element));
+    } else {
+      in_.rest_of_line();
+    }
+  }
+
+  std::size_t count(std::string_view value, std::size_t bytes_each) {
+    const std::size_t things = in_.to_count(in_.to_integer(value, "a count"), bytes_each);
+    in_.rest_of_line();
+    return things;
+  }
+
+  void walk_nodes(std::size_t nodes) {
+    for (std::size_t i = 0; i < nodes; ++i) {
+      Vec3 p;
+      p.x = in_.coordinate();
+      p.y = in_.coordinate_in_line();
+      p.z = in_.coordinate_in_line();
+      in_.rest_of_line();
+      content_.add_node(p);
+    }
+  }
+
+  void walk_elements(Su2List list, std::size_t elements) {
+    for (std::size_t i = 0; i < elements; ++i) {
+      const std::int64_t type = in_.integer("the type of an element");
+      if (!content_.wants(list, type, in_)) {
+        in_.rest_of_line();
+        continue;
+      }
+      const std::span<std::int64_t> nodes(nodes_.data(), nodes_of(type));
+      for (std::int64_t& node : nodes) node = in_.to_integer(in_.word_in_line(), "a node number");
+      in_.rest_of_line();
+      content_.add_element(list, type, nodes);
+    }
+  }
+
+  std::size_t nodes_of(std::int64_t type) const {
+    switch (type) {
+      case su2_triangle:
+        return 3;
+      case su2_tetra:
+        return 4;
+      default:
+        in_.fail("unknown element type " + std::to_string(type));
+    }
+  }
+
+  InputScanner& in_;
+  Su2Content& content_;
+  bool has_marker_ = false;
+  std::array<std::int64_t, 4> nodes_{};
+};
+
+}  // namespace
+
+void walk_su2(InputScanner& in, Su2Content& content) { Walker(in, content).walk(); }
+
+}  // namespace tetfarm
