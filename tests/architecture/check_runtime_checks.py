@@ -19,7 +19,8 @@ OF_A_ROOM = 2.0  # of each room, and never fewer than one
 FEW = {
     "mesh/graph": 0, "mesh/geometry": 3, "mesh/spacing": 3, "mesh/job_file": 0, "mesh/inspect": 0,
     "mesh/decompose": 4, "mesh/assimilation": 0, "mesh/cosmetics": 6, "mesh/recovery": 4, "mesh/filling": 3,
-    "mesh/volume": 0, "mesh/assemble": 0, "mesh/formats/hdf5": 0, "mesh/formats/list": 0, "mesh/formats/vtkhdf": 1, "mesh/formats/cgns": 0,
+    "mesh/volume": 0, "mesh/assemble": 0, "mesh/formats/hdf5": 0, "mesh/formats/list": 0,
+    "mesh/formats/vtkhdf": 1, "mesh/formats/cgns": 0,
     "mesh/formats/openfoam": 0, "mesh/formats/communication": 0, "mesh/formats/msh": 0, "mesh/formats/su2": 0,
     "mesh/formats/medit": 0, "mesh/formats/tetgen": 0, "mesh/formats/ugrid": 0, "mesh/formats/flite": 0,
     "mesh/formats/obj": 0, "mesh/formats/off": 0, "mesh/formats/ply": 0, "mesh/formats/surfaces": 0,
