@@ -1,7 +1,5 @@
 #include "coordinator/decisions/task_lists.h"
 
-#include "base/check.h"
-
 namespace tetfarm {
 namespace {
 
@@ -50,8 +48,7 @@ std::size_t count_of(const TaskLists::OfJobs& lists) {
 }  // namespace
 
 void TaskLists::place(const TaskRow& task) {
-  const auto [place, is_new] = places_.emplace(Place{task.job, task.kind, task.path}, task.id);
-  TF_CHECK(is_new || place->second == task.id);
+  places_[{task.job, task.kind, task.path}] = task.id;
 }
 
 void TaskLists::unplace(const TaskRow& task) { places_.erase({task.job, task.kind, task.path}); }

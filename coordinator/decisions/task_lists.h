@@ -27,7 +27,7 @@ class TaskLists {
   using Offer = std::tuple<int, TaskId>;  ///< rank, task
   using OfJobs = std::map<JobId, std::set<TaskId>>;
 
-  /// The task takes its place. @pre it is free, or its own.
+  /// The task takes its place; who had it has none any more, which validate() tells.
   void place(const TaskRow& task);
   /// Its place is free again.
   void unplace(const TaskRow& task);
