@@ -75,7 +75,8 @@ ListedCells cells_of(const std::shared_ptr<const MeditFile>& file, ElementType t
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path) {
+std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path,
+                                       const std::filesystem::path&) {
   const auto file = std::make_shared<const MeditFile>(path);
   ListedMesh mesh;
   mesh.name = file->name();
