@@ -139,7 +139,7 @@ TEST(HybridMesh, a_turned_cell_is_named) {
   ElementBlock& prisms = mesh.parts[0].blocks[ElementType::prism];
   std::rotate(prisms.nodes.begin(), prisms.nodes.begin() + 3, prisms.nodes.end());
   EXPECT_THAT(check_mesh(mesh).complaints,
-              testing::Contains(HasSubstr("prism 0 of sub-domain 0, at (0.5, 0.5, 1.33333)")));
+              testing::Contains(HasSubstr("prism 0 of sub-domain 0, at (0.5, 0.5, 1.33333333)")));
 }
 
 TEST(HybridMesh, an_element_of_another_type_or_patch_changes_the_digest) {
