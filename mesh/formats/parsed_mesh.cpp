@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -51,6 +53,7 @@ void ParsedMesh::flush_tets() {
 
 void ParsedMesh::add_cell(ElementType type, std::span<const std::int64_t> nodes,
                           std::int32_t region, std::int32_t subdomain) {
+  TF_CHECK(is_cell(type) && nodes.size() == nodes_of(type));
   if (type == ElementType::tet) {
     add_tet({nodes[0], nodes[1], nodes[2], nodes[3]}, region, subdomain);
     return;
@@ -63,6 +66,7 @@ void ParsedMesh::add_cell(ElementType type, std::span<const std::int64_t> nodes,
 
 void ParsedMesh::add_face(ElementType type, std::span<const std::int64_t> nodes,
                           std::int32_t patch) {
+  TF_CHECK(!is_cell(type) && nodes.size() == nodes_of(type));
   if (type == ElementType::triangle) {
     add_triangle({nodes[0], nodes[1], nodes[2]}, patch);
   } else {
