@@ -37,9 +37,10 @@ struct PartOfList {
 };
 
 /// Appends the boundary triangles that the tet has as faces.
-void give_faces(const Nodes& tet, UnclaimedFaces<3>& unclaimed, std::vector<std::size_t>& to) {
+void give_faces(const Nodes& tet, const std::vector<bool>& is_on_boundary,
+                UnclaimedFaces<3>& unclaimed, std::vector<std::size_t>& to) {
   std::array<bool, 4> is_outside{};
-  for (std::size_t k = 0; k < 4; ++k) is_outside[k] = unclaimed.nodes()[at(tet[k])];
+  for (std::size_t k = 0; k < 4; ++k) is_outside[k] = is_on_boundary[at(tet[k])];
   if (is_outside[0] + is_outside[1] + is_outside[2] + is_outside[3] < 3) return;
   for (const auto& [i, j, k] : tet_face_nodes) {
     if (is_outside[at(i)] && is_outside[at(j)] && is_outside[at(k)]) {
@@ -207,16 +208,20 @@ class ListedSource : public MeshSource {
 
   /// Gives each part its boundary faces, and the last one those that no cell has.
   void share_out() {
-    UnclaimedFaces<3> triangles(mesh_.nodes, mesh_.triangles);
-    UnclaimedFaces<4> quads(mesh_.nodes, mesh_.quads);
-    std::vector<bool> is_used = triangles.nodes();
-    for (const ListedQuad& quad : mesh_.quads) {
-      for (const std::int64_t node : quad.nodes) is_used[at(node)] = true;
+    UnclaimedFaces<3> triangles(mesh_.triangles);
+    UnclaimedFaces<4> quads(mesh_.quads);
+    std::vector<bool> is_on_boundary(at(mesh_.nodes), false);
+    for (const ListedTriangle& face : mesh_.triangles) {
+      for (const std::int64_t node : face.nodes) is_on_boundary[at(node)] = true;
     }
+    for (const ListedQuad& face : mesh_.quads) {
+      for (const std::int64_t node : face.nodes) is_on_boundary[at(node)] = true;
+    }
+    std::vector<bool> is_used = is_on_boundary;
     for (PartOfList& part : parts_) {
       for_each_tet(part, [&](const Nodes& tet) {
         for (const std::int64_t node : tet) is_used[at(node)] = true;
-        give_faces(tet, triangles, part.triangles);
+        give_faces(tet, is_on_boundary, triangles, part.triangles);
       });
       for_each_cell(part, [&](ElementType type, std::span<const std::int64_t> nodes) {
         for (const std::int64_t node : nodes) is_used[at(node)] = true;

@@ -10,26 +10,20 @@
 
 namespace tetfarm {
 
-/// Those with N nodes. In memory: 8 (N + 1) bytes and a bit for each, a bit a node.
+/// Those with N nodes. In memory: 8 (N + 1) bytes and a bit for each.
 template <std::size_t N>
 class UnclaimedFaces {
  public:
   using Face = std::array<std::int64_t, N>;
 
   template <class Listed>
-  UnclaimedFaces(std::int64_t nodes, const std::vector<Listed>& faces)
-      : has_node_(static_cast<std::size_t>(nodes), false) {
+  explicit UnclaimedFaces(const std::vector<Listed>& faces) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
-      for (const std::int64_t node : faces[f].nodes)
-        has_node_[static_cast<std::size_t>(node)] = true;
       by_nodes_.emplace_back(turned(faces[f].nodes), f);
     }
     std::sort(by_nodes_.begin(), by_nodes_.end());
     is_taken_.resize(by_nodes_.size(), false);
   }
-
-  /// Of each node of the mesh, whether one of the faces has it.
-  const std::vector<bool>& nodes() const { return has_node_; }
 
   /// Appends the face of a cell if it is one of these. Of several equal ones the first goes to the
   /// first who asks.
@@ -61,7 +55,6 @@ class UnclaimedFaces {
     return face;
   }
 
-  std::vector<bool> has_node_;
   std::vector<std::pair<Face, std::size_t>> by_nodes_;  ///< sorted; with its number
   std::vector<bool> is_taken_;                          ///< by its number
 };
