@@ -27,6 +27,7 @@
 #include "proto/peer_security.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
+#include "tasks/task_kind.h"
 
 namespace {
 
@@ -148,7 +149,9 @@ class Worker {
 
   void do_task(const wire::Assign& assign) {
     if (attempt_ != 0) return;
-    if (assign.kind() != wire::MESH) throw Error(ExitCode::failed, "not a task to be meshed");
+    if (task_kind_on_wire(assign.kind()) != TaskKind::mesh) {
+      throw Error(ExitCode::failed, "not a task to be meshed");
+    }
     std::int64_t nobody = 0;
     load_.first_task_ms.compare_exchange_strong(nobody, steady_ms());
     task_ = assign.task();

@@ -27,10 +27,11 @@ void add_output(wire::Done& done, const std::string& name, const StoredArtifact&
 
 }  // namespace
 
-TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say)
+TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart)
     : store_(store),
       assign_(assign),
       say_(std::move(say)),
+      is_apart_(is_apart),
       progress_([this](const WorkCount& count) { pass_on(count); }) {}
 
 bool TaskIo::has_input(const std::string& name) const {

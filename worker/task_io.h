@@ -77,7 +77,7 @@ class TaskIo {
  public:
   using Say = std::function<void(const wire::Doing&)>;
 
-  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say);
+  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart = false);
   TaskIo(const TaskIo&) = delete;
   TaskIo& operator=(const TaskIo&) = delete;
 
@@ -97,6 +97,8 @@ class TaskIo {
   template <class Look>
   auto look_into(const std::string& name, const Look& look) const;
   const wire::Assign& assign() const { return assign_; }
+  /// Whether no other task sees this store.
+  bool is_apart() const { return is_apart_; }
 
   bool has_parameter(const std::string& name) const;
   /// @throws Error when the parameter is missing.
@@ -133,6 +135,7 @@ class TaskIo {
   const ArtifactStore& store_;
   const wire::Assign& assign_;
   Say say_;
+  bool is_apart_;
   wire::Done done_;
   WorkProgress progress_;
   std::bitset<work_stages> said_stages_;

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cerrno>
+#include <optional>
 
 #include "base/error.h"
 #include "base/large_blocks.h"
+#include "tasks/task_kind.h"
 #include "worker/assemble_task.h"
 #include "worker/assimilate_task.h"
 #include "worker/child_task.h"
@@ -24,32 +26,16 @@
 namespace tetfarm {
 namespace {
 
-/// Kinds this program does not know have no body.
-TaskBody body_of(wire::TaskKind kind) {
-  switch (kind) {
-    case wire::INSPECT:
-      return inspect_task;
-    case wire::DECOMPOSE:
-      return decompose_task;
-    case wire::ASSIMILATE:
-      return assimilate_task;
-    case wire::MESH:
-      return mesh_task;
-    case wire::ORDER:
-      return order_task;
-    case wire::EXTRACT:
-      return extract_task;
-    case wire::COSMETIC:
-      return cosmetic_task;
-    case wire::NUMBER:
-      return number_task;
-    case wire::WRITE:
-      return write_task;
-    case wire::ASSEMBLE:
-      return assemble_task;
-    default:
-      return nullptr;
-  }
+/// Each kind's function in its file: KIND_task.h.
+#define TETFARM_BODY(kind) kind##_task,
+const std::array<void (*)(TaskIo&), all_task_kinds.size()> bodies = {
+    TETFARM_TASK_KINDS(TETFARM_BODY)};
+#undef TETFARM_BODY
+
+/// Kinds that this program does not know have no body.
+TaskBody body_of(const wire::Assign& assign) {
+  const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
+  return kind ? TaskBody(bodies.at(static_cast<std::size_t>(*kind))) : nullptr;
 }
 
 std::string read_all(int fd) {
@@ -75,9 +61,9 @@ void write_frame(int fd, const wire::Envelope& envelope) {
   }
 }
 
-/// These read the file of one leaf after the other.
-void choose_memory_for(wire::TaskKind kind) {
-  if (kind == wire::ASSEMBLE || kind == wire::ORDER) {
+void choose_memory_for(const wire::Assign& assign) {
+  const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
+  if (kind && traits_of(*kind).reads_file_by_file) {
     keep_freed_memory();
   } else {
     give_back_large_blocks();
@@ -88,17 +74,18 @@ void choose_memory_for(wire::TaskKind kind) {
 
 void run_task_program(const std::filesystem::path& store, int in, int out) {
   ::prctl(PR_SET_NAME, "tetfarm-task");  // what `top` shows
-  wire::Assign assign;
-  if (!assign.ParseFromString(read_all(in))) {
+  wire::TaskStart start;
+  if (!start.ParseFromString(read_all(in))) {
     throw Error(ExitCode::failed, "the assignment cannot be read");
   }
-  choose_memory_for(assign.kind());
+  const wire::Assign& assign = start.assign();
+  choose_memory_for(assign);
   const auto say = [out](const wire::Doing& doing) {
     wire::Envelope envelope;
     *envelope.mutable_heartbeat()->mutable_doing() = doing;
     write_frame(out, envelope);
   };
-  write_frame(out, run_task_in(store, assign, body_of(assign.kind()), say));
+  write_frame(out, run_task_in(store, assign, body_of(assign), say, start.apart()));
 }
 
 }  // namespace tetfarm

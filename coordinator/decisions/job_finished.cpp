@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -69,8 +70,8 @@ DurableState JobState::take_out(JobId job) {
   for (auto next = durable_.subdomains.lower_bound({job, 0}); next != end;) {
     rows.subdomains.insert(durable_.subdomains.extract(next++));
   }
-  places_.erase(places_.lower_bound({job, TaskKind::inspect, 0}),
-                places_.lower_bound({JobId{job.value + 1}, TaskKind::inspect, 0}));
+  places_.erase(places_.lower_bound({job, all_task_kinds.front(), 0}),
+                places_.lower_bound({JobId{job.value + 1}, all_task_kinds.front(), 0}));
   for (auto* const tasks : {&active_, &failed_}) tasks->erase(job);
   for (auto* const count : {&unsettled_, &open_, &leaves_, &written_, &turns_over_}) {
     count->erase(job);

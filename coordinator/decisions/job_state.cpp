@@ -6,26 +6,9 @@
 
 #include "base/check.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
-namespace {
-
-/// Cuts go first: they make work for everybody else; so does what others wait for to have their
-/// turn.
-int rank_of(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::decompose:
-    case TaskKind::order:
-    case TaskKind::extract:
-    case TaskKind::cosmetic:
-      return 0;
-    default:
-      return 1;
-  }
-}
-
-}  // namespace
-
 JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now,
                    const FinishedJobs* finished)
     : durable_(std::move(durable)), rules_(rules), has_file_(std::move(has_file)) {
@@ -53,7 +36,9 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   }
 }
 
-JobState::Offer JobState::offer_of(const TaskRow& task) { return {rank_of(task.kind), task.id}; }
+JobState::Offer JobState::offer_of(const TaskRow& task) {
+  return {traits_of(task.kind).rank, task.id};
+}
 
 TaskRow& JobState::edit(TaskId task) {
   dirty_tasks_.insert(task);
@@ -189,7 +174,7 @@ const TaskRow* JobState::find_task(JobId job, TaskKind kind, std::uint64_t path)
 
 std::vector<TaskId> JobState::tasks_of(JobId job) const {
   std::vector<TaskId> tasks;
-  for (auto place = places_.lower_bound({job, TaskKind::inspect, 0});
+  for (auto place = places_.lower_bound({job, all_task_kinds.front(), 0});
        place != places_.end() && std::get<JobId>(place->first) == job; ++place) {
     tasks.push_back(place->second);
   }

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -117,35 +118,24 @@ std::optional<std::string> problem_with_order(const TaskRow& task, const TaskRes
   return std::nullopt;
 }
 
+/// Those that a result of the kind has to have.
 std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& result) {
-  switch (task.kind) {
-    case TaskKind::inspect:
-      return {"surface", "spacing", "root", "settings"};
-    case TaskKind::decompose:
-      if (result.outputs.empty()) return {};
-      return {"left", "right"};
-    case TaskKind::assimilate:
-      return {"dropped"};
-    case TaskKind::mesh:
-      return {"mesh"};
-    case TaskKind::order: {
-      std::vector<std::string> shared;
-      for (const ArtifactRef& input : task.inputs) {
-        shared.push_back("shared:" + input.name.substr(input.name.find(':') + 1));
-      }
-      return shared;
+  const TaskKindTraits& traits = traits_of(task.kind);
+  if (traits.may_make_nothing && result.outputs.empty()) return {};
+  std::vector<std::string> names;
+  for (const std::string_view output : traits.outputs) {
+    const std::string name(output);
+    if (name.empty()) continue;
+    if (!name.ends_with(':')) {
+      names.push_back(name);
+      continue;
     }
-    case TaskKind::extract:
-    case TaskKind::cosmetic:
-      return {"elements"};
-    case TaskKind::number:
-      return {"numbering"};
-    case TaskKind::write:
-      return {"portion", "tets"};
-    case TaskKind::assemble:
-      return {};
+    for (const ArtifactRef& input : task.inputs) {
+      const std::size_t colon = input.name.find(':');
+      if (colon != std::string::npos) names.push_back(name + input.name.substr(colon + 1));
+    }
   }
-  return {};
+  return names;
 }
 
 }  // namespace
