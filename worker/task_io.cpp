@@ -31,8 +31,8 @@ TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, 
     : store_(store),
       assign_(assign),
       say_(std::move(say)),
-      is_apart_(is_apart),
-      progress_([this](const WorkCount& count) { pass_on(count); }) {}
+      progress_([this](const WorkCount& count) { pass_on(count); }),
+      is_apart_(is_apart) {}
 
 bool TaskIo::has_input(const std::string& name) const {
   return find_input(assign_, name) != nullptr;

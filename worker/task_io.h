@@ -135,11 +135,11 @@ class TaskIo {
   const ArtifactStore& store_;
   const wire::Assign& assign_;
   Say say_;
-  bool is_apart_;
   wire::Done done_;
   WorkProgress progress_;
   std::bitset<work_stages> said_stages_;
   std::chrono::steady_clock::time_point last_said_;
+  bool is_apart_;
 };
 
 template <class Look>
