@@ -10,23 +10,18 @@
 #include "base/error.h"
 #include "base/large_blocks.h"
 #include "tasks/task_kind.h"
-#include "worker/assemble_task.h"
-#include "worker/assimilate_task.h"
 #include "worker/child_task.h"
-#include "worker/cosmetic_task.h"
-#include "worker/decompose_task.h"
-#include "worker/extract_task.h"
-#include "worker/inspect_task.h"
-#include "worker/mesh_task.h"
-#include "worker/number_task.h"
-#include "worker/order_task.h"
 #include "worker/run_task.h"
-#include "worker/write_task.h"
 
 namespace tetfarm {
+
+/// Each kind's function is in its file, KIND_task.h.
+#define TETFARM_DECLARED(kind) void kind##_task(TaskIo& io);
+TETFARM_TASK_KINDS(TETFARM_DECLARED)
+#undef TETFARM_DECLARED
+
 namespace {
 
-/// Each kind's function in its file: KIND_task.h.
 #define TETFARM_BODY(kind) kind##_task,
 const std::array<void (*)(TaskIo&), all_task_kinds.size()> bodies = {
     TETFARM_TASK_KINDS(TETFARM_BODY)};
