@@ -1,3 +1,6 @@
+#include "tasks/cosmetic_contract.h"
+
+#include "tasks/kind_contracts.h"
 #include "tasks/task_traits.h"
 
 namespace tetfarm {
@@ -14,5 +17,17 @@ constinit const TaskKindTraits cosmetic_traits = {
     .shrinks_with_leaf = true,
     .needs_whole_tree = true,
 };
+
+constinit const KindContracts cosmetic_contracts = contracts_between<CosmeticGiven, CosmeticMade>;
+
+void CosmeticGiven::describe(ContractFields& fields) {
+  fields.file("spacing", spacing);
+  fields.file("own", own);
+  fields.files("waits:", waiting);
+  fields.files("had_turn:", had_turn);
+  fields.text("colours", colours);
+}
+
+void CosmeticMade::describe(ContractFields& fields) { fields.file("elements", elements); }
 
 }  // namespace tetfarm

@@ -1,3 +1,6 @@
+#include "tasks/extract_contract.h"
+
+#include "tasks/kind_contracts.h"
 #include "tasks/task_traits.h"
 
 namespace tetfarm {
@@ -14,5 +17,15 @@ constinit const TaskKindTraits extract_traits = {
     .shrinks_with_leaf = true,
     .needs_whole_tree = true,
 };
+
+constinit const KindContracts extract_contracts = contracts_between<ExtractGiven, ExtractMade>;
+
+void ExtractGiven::describe(ContractFields& fields) {
+  fields.file("subdomain", subdomain);
+  fields.file("mesh", mesh);
+  fields.file("shared", shared);
+}
+
+void ExtractMade::describe(ContractFields& fields) { fields.file("elements", elements); }
 
 }  // namespace tetfarm

@@ -1,3 +1,6 @@
+#include "tasks/order_contract.h"
+
+#include "tasks/kind_contracts.h"
 #include "tasks/task_traits.h"
 
 namespace tetfarm {
@@ -14,5 +17,14 @@ constinit const TaskKindTraits order_traits = {
     .needs_whole_tree = true,
     .reads_file_by_file = true,
 };
+
+constinit const KindContracts order_contracts = contracts_between<OrderGiven, OrderMade>;
+
+void OrderGiven::describe(ContractFields& fields) { fields.files("subdomain:", subdomains); }
+
+void OrderMade::describe(ContractFields& fields) {
+  fields.files("shared:", shared);
+  fields.text("order", order);
+}
 
 }  // namespace tetfarm

@@ -6,9 +6,11 @@
 #include <array>
 #include <cerrno>
 #include <optional>
+#include <string>
 
 #include "base/error.h"
 #include "base/large_blocks.h"
+#include "tasks/task_contracts.h"
 #include "tasks/task_kind.h"
 #include "worker/child_task.h"
 #include "worker/run_task.h"
@@ -27,10 +29,25 @@ const std::array<void (*)(TaskIo&), all_task_kinds.size()> bodies = {
     TETFARM_TASK_KINDS(TETFARM_BODY)};
 #undef TETFARM_BODY
 
-/// Kinds that this program does not know have no body.
+TaskWords words_of(const wire::Assign& assign) {
+  TaskWords words;
+  for (const wire::Artifact& file : assign.inputs()) {
+    words.files.push_back({file.name(), {file.hash(), file.size()}});
+  }
+  words.texts = {assign.parameters().begin(), assign.parameters().end()};
+  return words;
+}
+
+/// What the kind's contract refuses is not begun. Kinds that this program does not know have no
+/// body.
 TaskBody body_of(const wire::Assign& assign) {
   const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
-  return kind ? TaskBody(bodies.at(static_cast<std::size_t>(*kind))) : nullptr;
+  if (!kind) return nullptr;
+  return [kind = *kind](TaskIo& io) {
+    require_given(kind, words_of(io.assign()),
+                  "task " + std::to_string(io.assign().task()) + ", " + name_of(kind));
+    bodies.at(static_cast<std::size_t>(kind))(io);
+  };
 }
 
 std::string read_all(int fd) {

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "tasks/task_contracts.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -104,6 +105,25 @@ double work_of(const TaskRow& task, const std::string& name) {
   return found == task.numbers.end() || !(found->second >= 0) ? 0 : found->second;
 }
 
+TaskWords words_of(const TaskResult& result) {
+  TaskWords words;
+  for (const ArtifactRef& file : result.outputs) {
+    words.files.push_back({file.name, {file.hash, file.size}});
+  }
+  words.texts = result.texts;
+  words.numbers = result.numbers;
+  return words;
+}
+
+std::optional<std::string> problem_with_words(const TaskRow& task, const TaskResult& result) {
+  try {
+    require_made(task.kind, words_of(result), name_of(task.kind));
+  } catch (const ContractBreach& breach) {
+    return breach.what();
+  }
+  return std::nullopt;
+}
+
 /// Every leaf that the task was given has its turn.
 std::optional<std::string> problem_with_order(const TaskRow& task, const TaskResult& result) {
   const auto text = result.texts.find("order");
@@ -150,9 +170,9 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
   for (const std::string& name : outputs_of(task, result)) {
     if (!find_file(result.outputs, name)) return "the output '" + name + "' is missing";
   }
-  if (task.kind == TaskKind::inspect) {
-    const auto parts = count_of(result.numbers, "parts", most_parts);
-    if (!parts || *parts < 1) return "the number of parts is missing";
+  if (auto breach = problem_with_words(task, result)) return breach;
+  if (task.kind == TaskKind::inspect && result.numbers.at("parts") < 1) {
+    return "the number of parts is 0";
   }
   if (task.kind == TaskKind::assimilate) return problem_with_groups(task, result);
   if (task.kind == TaskKind::order) return problem_with_order(task, result);

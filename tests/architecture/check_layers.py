@@ -60,7 +60,7 @@ ROOMS = {
     "mesh/quality": ["base", "mesh/assemble", "mesh/core", "mesh/formats"],
     "mesh/partition": ["base", "mesh/assemble", "mesh/core", "mesh/formats", "mesh/geometry", "mesh/graph"],
     "mesh/render": ["base", "mesh/assemble", "mesh/core"],
-    "tasks": [],
+    "tasks": ["base"],
     "proto": ["base"],
     "store": ["base", "tasks"],
     "coordinator/decisions": ["base", "proto", "store", "tasks"],

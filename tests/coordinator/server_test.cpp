@@ -59,10 +59,16 @@ class ServerTest : public testing::Test, protected test::WithStore {
     switch (task_kind_on_wire(assign.kind()).value()) {
       case TaskKind::inspect:
         for (const char* name : {"surface", "spacing", "root", "settings"}) add(name);
+        for (const char* name : {"total_work", "groups", "most_bytes", "needles", "across_cuts"}) {
+          numbers[name] = 0;
+        }
         numbers["parts"] = 3;
         break;
       case TaskKind::decompose:
         for (const char* name : {"left", "right"}) add(name);
+        for (const char* name : {"left_work", "right_work", "left_needles", "right_needles"}) {
+          numbers[name] = 0;
+        }
         numbers["interdomain_nodes"] = 4;
         break;
       case TaskKind::mesh:
