@@ -15,7 +15,9 @@ using Verdict = CheckedFile::Verdict;
 class DamageChecksTest : public testing::Test {
  protected:
   void say(WorkerId worker) {
-    checks_.take({worker, TaskId{3}, attempt_, {.cause = FailureCause::damaged_input}}, files_);
+    TaskFailure failure;
+    failure.cause = FailureCause::damaged_input;
+    checks_.take({worker, TaskId{3}, attempt_, failure}, files_);
   }
   std::optional<DamageChecks::Failure> note(const ArtifactRef& file, Verdict verdict) {
     return checks_.note({attempt_, file.hash, verdict});
