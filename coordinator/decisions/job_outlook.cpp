@@ -30,7 +30,7 @@ std::string failures_of(const TaskRow& task) {
 
 /// The task that made or makes the file; 0 when none of that job does.
 TaskId JobState::maker_of(JobId job, const ArtifactRef& file) const {
-  for (const TaskId id : tasks_of(job)) {
+  for (const TaskId id : lists_.tasks_of(job)) {
     const std::vector<ArtifactRef>& outputs = durable_.tasks.at(id).outputs;
     const bool made_it =
         std::any_of(outputs.begin(), outputs.end(), [&file](const ArtifactRef& output) {
@@ -115,14 +115,13 @@ std::string JobState::why_not(const TaskRow& task, Moment now) const {
   if (task.state == TaskState::failed) return "in quarantine: " + task.message;
   if (task.state == TaskState::replaced) return "no longer part of the job: " + task.message;
   if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
-  if (is_stuck() && now.steady_ms < stuck_until_ms_) {
-    return "no room on the disk (" + stuck_message_ + "); next try in " +
-           seconds_text(stuck_until_ms_ - now.steady_ms);
+  if (const std::int64_t wait_ms = disk_pause_.wait_ms(now.steady_ms); wait_ms > 0) {
+    return "no room on the disk (" + disk_pause_.message() + "); next try in " +
+           seconds_text(wait_ms);
   }
-  const auto from = not_before_ms_.find(task.id);
-  if (from != not_before_ms_.end() && now.steady_ms < from->second) {
-    return "after " + failures_of(task) + " it waits another " +
-           seconds_text(from->second - now.steady_ms) + "; last failure: " + task.message;
+  if (const std::int64_t wait_ms = delays_.wait_ms(task.id, now.steady_ms); wait_ms > 0) {
+    return "after " + failures_of(task) + " it waits another " + seconds_text(wait_ms) +
+           "; last failure: " + task.message;
   }
   return {};
 }
@@ -138,7 +137,7 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
   if (!reasons.empty()) return reasons;
   reasons = obstacles(task, now);
   std::size_t ahead = 0;
-  for (const auto& [rank, other] : offers_) {
+  for (const auto& [rank, other] : lists_.offers()) {
     if (other == task.id) break;
     ++ahead;
   }

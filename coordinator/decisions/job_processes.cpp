@@ -1,17 +1,18 @@
 /// JobState, the part about who is who: processes, their connections, and which attempts are
 /// theirs.
 #include <algorithm>
-#include <utility>
 
-#include "base/check.h"
 #include "base/sha256.h"
 #include "coordinator/decisions/job_state.h"
 
 namespace tetfarm {
+namespace {
 
-JobState::Process JobState::process_of(const WorkerInfo& info) {
+WorkerProcess process_of(const WorkerInfo& info) {
   return {info.key, info.nonce.empty() ? "" : sha256_hex(info.nonce)};
 }
+
+}  // namespace
 
 bool JobState::is_current(TaskId task, AttemptId attempt) const {
   const auto found = durable_.running_attempts.find(attempt);
@@ -40,17 +41,17 @@ WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId att
   row.program_version = info.program_version;
   row.seen_ms = now.wall_ms;
   workers_[id] = row;
-  dirty_workers_[id] = row;
+  changes_.put(row);
   sessions_[id].reach_bytes = std::max(info.memory_bytes, info.pool_memory_bytes);
   memories_.insert(sessions_[id].reach_bytes);
   note_terms(id, info, now);
-  new_events_.push_back({now.wall_ms,
-                         {},
-                         {},
-                         {},
-                         id,
-                         "worker",
-                         info.host + " process " + std::to_string(info.process)});
+  changes_.add({now.wall_ms,
+                {},
+                {},
+                {},
+                id,
+                "worker",
+                info.host + " process " + std::to_string(info.process)});
   commands_.emplace_back(SendWelcome{id, settle_in(id, task, attempt, now)});
   return id;
 }
@@ -79,12 +80,11 @@ void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task,
 /// What the process holds, on this connection or an earlier one, is its own; nothing else is. True
 /// when it shall go on with the attempt that it named.
 bool JobState::settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  const Process process = sessions_.at(worker).process;
+  const WorkerProcess process = sessions_.at(worker).process;
   const bool goes_on = take_over(worker, task, attempt, now);
   if (process.nonce_hash.empty()) return goes_on;
   // An assignment that was lost on the way is said again when it is ready.
-  const auto held = process2attempt_.find(process);
-  if (held != process2attempt_.end()) move_attempt(held->second, worker, now);
+  if (const auto held = leases_.held_by(process)) move_attempt(*held, worker, now);
   const auto [earlier, is_first] = process2worker_.emplace(process, worker);
   if (!is_first && earlier->second != worker) {
     const WorkerId left = earlier->second;
@@ -107,7 +107,7 @@ bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment
   }
   move_attempt(attempt, worker, now);
   idle_.erase(worker);
-  lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
+  leases_.renew(attempt, now.steady_ms);
   return true;
 }
 
@@ -125,7 +125,7 @@ void JobState::move_attempt(AttemptId attempt, WorkerId worker, Moment now) {
     }
     row.worker = worker;
     row.host = workers_.at(worker).host;
-    dirty_attempts_[attempt] = row;
+    changes_.put(row);
     record(now, durable_.tasks.at(row.task), attempt, worker, "reconnected");
   }
   session.attempt = attempt;

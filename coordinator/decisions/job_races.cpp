@@ -1,16 +1,11 @@
 /// JobState, the part about time and room: which task a worker has time and memory for, when a
 /// running one is late, and second attempts that race late ones.
 #include <algorithm>
+#include <optional>
 
 #include "coordinator/decisions/job_state.h"
 
 namespace tetfarm {
-namespace {
-
-/// What is late is so by seconds; every running task is looked at.
-constexpr std::int64_t late_look_ms = 100;
-
-}  // namespace
 
 /// How long an attempt may run before its worker ends it.
 std::int64_t JobState::limit_ms(const TaskRow& task) const {
@@ -62,23 +57,14 @@ bool JobState::has_time_for(const Session& session, const TaskRow& task, Moment 
 
 /// Tasks that run much longer than expected and that nobody races yet, the latest first.
 std::vector<TaskId> JobState::late_tasks(Moment now) {
-  if (now.steady_ms < next_late_look_ms_) return {};
-  next_late_look_ms_ = now.steady_ms + late_look_ms;
-  std::vector<std::pair<std::int64_t, TaskId>> late;
-  for (const auto& [id, attempt] : durable_.running_attempts) {
-    if (attempt.is_rival || rivals_.contains(attempt.task)) continue;
-    const TaskRow& task = durable_.tasks.at(attempt.task);
-    const std::optional<double> seconds = expectation_.seconds(task);
-    if (!seconds) continue;
+  const auto over_ms = [&](const AttemptRow& attempt) -> std::optional<std::int64_t> {
+    const std::optional<double> seconds = expectation_.seconds(durable_.tasks.at(attempt.task));
+    if (!seconds) return std::nullopt;
     const std::int64_t bound_ms = std::max(
         rules_.least_late_ms, rules_.late_factor * static_cast<std::int64_t>(*seconds * 1000));
-    const std::int64_t over_ms = now.steady_ms - started_ms_.at(id) - bound_ms;
-    if (over_ms > 0) late.emplace_back(-over_ms, task.id);
-  }
-  std::sort(late.begin(), late.end());
-  std::vector<TaskId> tasks;
-  for (const auto& [over, task] : late) tasks.push_back(task);
-  return tasks;
+    return now.steady_ms - leases_.started_ms(attempt.id) - bound_ms;
+  };
+  return races_.late_tasks(durable_.running_attempts, over_ms, now.steady_ms);
 }
 
 /// A late task for a worker that has nothing else to do; 0 when there is none for it.
@@ -100,15 +86,14 @@ TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late, const Hos
 /// The ended attempt leaves its task to the one that races it, if there is one.
 void JobState::leave_race(const AttemptRow& ended) {
   TaskRow& task = edit(ended.task);
-  const auto rival = rivals_.find(task.id);
-  const bool leaves_other = rival != rivals_.end() && task.attempt == ended.id;
-  task.attempt = leaves_other ? rival->second : ended.is_rival ? task.attempt : AttemptId{};
-  if (leaves_other) {
-    AttemptRow& other = durable_.running_attempts.at(rival->second);
+  if (const auto goes_on = races_.leave(task.id, ended.id, task.attempt)) {
+    AttemptRow& other = durable_.running_attempts.at(*goes_on);
     other.is_rival = false;
-    dirty_attempts_[other.id] = other;
+    changes_.put(other);
+    task.attempt = other.id;
+  } else if (!ended.is_rival) {
+    task.attempt = {};
   }
-  if (rival != rivals_.end()) rivals_.erase(rival);
 }
 
 /// Ends every running attempt of the task, and tells their workers.

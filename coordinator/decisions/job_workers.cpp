@@ -26,7 +26,7 @@ void JobState::heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment
   sessions_.at(worker).heard_ms = now.steady_ms;
   if (!attempt) return;
   if (holds(worker, task, attempt)) {
-    lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
+    leases_.renew(attempt, now.steady_ms);
   } else {
     commands_.emplace_back(SendAccepted{worker, task, attempt, was_accepted(task, attempt)});
   }
@@ -39,12 +39,7 @@ void JobState::note_work(WorkerId worker, TaskId task, AttemptId attempt, const 
       row.kind == TaskKind::mesh
           ? mesh_share(count, parameter_or_zero(row, "work"), parameter_or_zero(row, "needles"))
           : 0;
-  works_[attempt].note(count, share);
-}
-
-const AttemptWork* JobState::work_of(AttemptId attempt) const {
-  const auto found = works_.find(attempt);
-  return found == works_.end() ? nullptr : &found->second;
+  leases_.note_work(attempt, count, share);
 }
 
 void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
@@ -61,8 +56,8 @@ void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
   sessions_.erase(worker);
   auto row = workers_.extract(worker);
   row.mapped().gone = true;
-  dirty_workers_[worker] = row.mapped();
-  new_events_.push_back(
+  changes_.put(row.mapped());
+  changes_.add(
       {now.wall_ms, {}, {}, {}, worker, lost ? "worker lost" : "worker left", row.mapped().host});
 }
 
@@ -82,11 +77,8 @@ AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const st
   row.state = state;
   row.message = message;
   row.ended_ms = now.wall_ms;
-  dirty_attempts_[attempt] = row;
-  process2attempt_.erase(process_of(row));
-  lease_ends_ms_.erase(attempt);
-  started_ms_.erase(attempt);
-  works_.erase(attempt);
+  changes_.put(row);
+  leases_.end(row);
   leave_race(row);
   const auto session = sessions_.find(row.worker);
   if (session != sessions_.end() && session->second.attempt == attempt) {
@@ -100,37 +92,27 @@ void JobState::lose_attempt(AttemptId attempt, AttemptState state, const std::st
                             Moment now) {
   const AttemptRow row = end_attempt(attempt, state, message, now);
   TaskRow& task = edit(row.task);
-  failed_on_[task.id] = row.worker;
-  not_before_ms_[task.id] = now.steady_ms;
+  delays_.failed_on(task.id, row.worker, now.steady_ms);
   if (!task.attempt) set_state(task, TaskState::ready);
   if (state == AttemptState::lost) count_loss(task, message, now);
 }
 
 bool JobState::hold_back(const std::string& message, Moment now) {
-  stuck_message_ = message;
-  if (is_stuck() && now.steady_ms < stuck_until_ms_) return false;
-  stuck_delay_ms_ =
-      is_stuck() ? std::min(2 * stuck_delay_ms_, rules_.longest_delay_ms) : rules_.crash_delay_ms;
-  stuck_until_ms_ = now.steady_ms + stuck_delay_ms_;
-  return true;
+  return disk_pause_.begin(message, now.steady_ms);
 }
 
 void JobState::out_of_resources(const std::string& message, Moment now) {
   if (!hold_back(message, now)) return;
-  new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "stuck", message});
+  changes_.add({now.wall_ms, {}, {}, {}, {}, "stuck", message});
 }
 
 /// Every lease and every silence is over a term after some event, none before the first that was
 /// found at the last look: until then nothing needs to be looked at.
 void JobState::end_leases(Moment now) {
   if (now.steady_ms <= next_end_ms_) return;
-  std::vector<AttemptId> ended;
-  for (const auto& [attempt, end_ms] : lease_ends_ms_) {
-    if (end_ms < now.steady_ms) ended.push_back(attempt);
-  }
-  for (const AttemptId attempt : ended) {
+  for (const AttemptId attempt : leases_.run_out(now.steady_ms)) {
     // Losing the one before may have put the task that both worked on into quarantine.
-    if (!lease_ends_ms_.contains(attempt)) continue;
+    if (!leases_.has(attempt)) continue;
     lose_attempt(attempt, AttemptState::lost, "its lease ran out", now);
   }
   std::vector<WorkerId> silent;
@@ -139,8 +121,7 @@ void JobState::end_leases(Moment now) {
   }
   for (const WorkerId worker : silent) worker_left(worker, true, now);
   next_end_ms_ = now.steady_ms + rules_.lease_ms;
-  for (const auto& [attempt, end_ms] : lease_ends_ms_)
-    next_end_ms_ = std::min(next_end_ms_, end_ms);
+  next_end_ms_ = std::min(next_end_ms_, leases_.first_end_ms().value_or(next_end_ms_));
   for (const auto& [worker, session] : sessions_) {
     next_end_ms_ = std::min(next_end_ms_, session.heard_ms + rules_.lease_ms);
   }
@@ -148,7 +129,7 @@ void JobState::end_leases(Moment now) {
 
 void JobState::tick(Moment now) {
   end_leases(now);
-  if (!is_stuck() || now.steady_ms >= stuck_until_ms_) hand_out(now);
+  if (disk_pause_.wait_ms(now.steady_ms) == 0) hand_out(now);
   end_hopeless_jobs(now);
 }
 
@@ -185,8 +166,8 @@ void JobState::hand_out(Moment now) {
   std::optional<HostMemory> known;
   std::optional<std::vector<TaskId>> late;
   for (auto next = idle_.begin(); next != idle_.end();) {
-    if (offers_.empty() && !late) late = late_tasks(now);
-    if (offers_.empty() && late->empty()) return;
+    if (lists_.offers().empty() && !late) late = late_tasks(now);
+    if (lists_.offers().empty() && late->empty()) return;
     const WorkerId worker = *next++;  // it is idle no more when it is given a task
     if (!may_work(worker)) continue;
     if (!known) known = used_memory();
@@ -201,14 +182,8 @@ void JobState::hand_out(Moment now) {
 /// Whether a ready task may go to the worker now: not before its back-off is over, elsewhere than
 /// where it failed for a while, on another host than where it crashed, with time and room for it.
 bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Moment now) const {
-  const auto not_before = not_before_ms_.find(id);
-  const std::int64_t from_ms = not_before == not_before_ms_.end() ? 0 : not_before->second;
-  if (not_before != not_before_ms_.end() && now.steady_ms < from_ms) return false;
-  const auto failed_on = failed_on_.find(id);
-  const bool failed_here = failed_on != failed_on_.end() && failed_on->second == worker;
-  if (failed_here && sessions_.size() > 1 && now.steady_ms < from_ms + rules_.elsewhere_ms) {
-    return false;
-  }
+  if (delays_.wait_ms(id, now.steady_ms) > 0) return false;
+  if (sessions_.size() > 1 && delays_.prefers_other(id, worker, now.steady_ms)) return false;
   const TaskRow& task = durable_.tasks.at(id);
   return memory_for(task) <= free_bytes && has_time_for(sessions_.at(worker), task, now) &&
          !waits_for_another_host(task, workers_.at(worker).host, now);
@@ -220,7 +195,7 @@ TaskId JobState::pick_for(WorkerId worker, const HostMemory& used, Moment now) {
   const std::uint64_t free_bytes = free_memory(worker, used);
   std::vector<TaskId> incomplete;
   TaskId picked;
-  for (const auto& [rank, id] : offers_) {
+  for (const auto& [rank, id] : lists_.offers()) {
     if (!suits(worker, id, free_bytes, now)) continue;
     const std::vector<ArtifactRef>& inputs = durable_.tasks.at(id).inputs;
     if (std::all_of(inputs.begin(), inputs.end(), has_file_)) {
@@ -248,15 +223,13 @@ void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now)
   attempt.memory_bytes = session.shares_memory ? memory_for(row) : workers_.at(worker).memory_bytes;
   attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);
-  dirty_attempts_[attempt.id] = attempt;
-  if (!attempt.nonce_hash.empty()) process2attempt_[session.process] = attempt.id;
-  lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
+  changes_.put(attempt);
+  leases_.begin(attempt, now.steady_ms);
   session.attempt = attempt.id;
-  started_ms_[attempt.id] = now.steady_ms;
   idle_.erase(worker);
   if (session.shares_memory) used[workers_.at(worker).host] += attempt.memory_bytes;
   if (attempt.is_rival) {
-    rivals_[task] = attempt.id;
+    races_.begin(task, attempt.id);
   } else {
     row.attempt = attempt.id;
     set_state(row, TaskState::leased);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/file_system.h"
 #include "mesh/formats/regions_of_faces.h"
@@ -19,8 +21,8 @@ struct Case {
   const char* format;
   const char* output;
   const char* file;
-  bool has_regions = true;
-  bool has_patch_names = true;
+
+  const Format& facts() const { return find_mesh_format(format, output); }
 };
 
 const std::array cases = {Case{"vtkhdf", "a.vtkhdf", "a.vtkhdf"},
@@ -28,16 +30,16 @@ const std::array cases = {Case{"vtkhdf", "a.vtkhdf", "a.vtkhdf"},
                           Case{"b8.ugrid", "a.b8.ugrid", "a.b8.ugrid"},
                           Case{"lb8l.ugrid", "a.lb8l.ugrid", "a.lb8l.ugrid"},
                           Case{"b8l.ugrid", "a.b8l.ugrid", "a.b8l.ugrid"},
-                          Case{"su2", "a.su2", "a.su2", false},
-                          Case{"meshb", "a.meshb", "a.meshb", true, false},
+                          Case{"su2", "a.su2", "a.su2"},
+                          Case{"meshb", "a.meshb", "a.meshb"},
                           Case{"cgns", "a.cgns", "a.cgns"},
                           Case{"msh41", "a.msh", "a.msh"},
                           Case{"msh41-text", "a.msh", "a.msh"},
                           Case{"msh41-split", "a.msh", "a_1.msh"},
                           Case{"msh41-ghosts", "a.msh", "a_1.msh"},
                           Case{"msh22", "a.msh", "a.msh"},
-                          Case{"pvtu", "a.pvtu", "a.pvtu", true, false},
-                          Case{"tetgen", "a.node", "a.ele", true, false}};
+                          Case{"pvtu", "a.pvtu", "a.pvtu"},
+                          Case{"tetgen", "a.node", "a.ele"}};
 
 fs::path exported(const MeshSource& source, const TempFolder& folder, const Case& as) {
   export_mesh(source, find_mesh_format(as.format, as.output), folder.path() / as.output);
@@ -66,6 +68,15 @@ std::vector<std::array<std::int64_t, 5>> tets_of(const MeshSource& source) {
   return tets;
 }
 
+TEST(OpenMesh, every_format_of_files_that_is_read_and_written_has_a_case) {
+  for (const Format& format : written_formats()) {
+    if (format.open_mesh == nullptr || format.layout == FormatLayout::folder) continue;
+    EXPECT_TRUE(std::ranges::any_of(cases, [&](const Case& as) {
+      return as.format == format.name;
+    })) << format.name;
+  }
+}
+
 TEST(OpenMesh, every_format_gives_back_the_mesh_that_was_exported_bit_for_bit) {
   const GridSource grid = grid_of_two_regions();
   for (const Case& as : cases) {
@@ -74,11 +85,11 @@ TEST(OpenMesh, every_format_gives_back_the_mesh_that_was_exported_bit_for_bit) {
     const auto read = open_mesh(exported(grid, folder, as), folder.path());
     EXPECT_EQ(content_of(*read), content_of(grid));
     auto wanted = tets_of(grid);
-    if (!as.has_regions) {
+    if (!as.facts().has_regions) {
       for (auto& tet : wanted) tet[4] = 1;
     }
     EXPECT_EQ(tets_of(*read), wanted);
-    EXPECT_EQ(read->patch_names().size(), as.has_patch_names ? 2U : 0U);
+    EXPECT_EQ(read->patch_names().size(), as.facts().has_patch_names ? 2U : 0U);
     EXPECT_EQ(outline_of(*read).nodes, grid.nodes);
     if (read->knows_subdomains()) {
       ASSERT_EQ(read->size(), grid.size());
@@ -98,7 +109,7 @@ TEST(OpenMesh, parts_of_several_regions_keep_the_region_of_each_tet_and_triangle
     set_regions_of_faces(part);
   }
   for (const Case& as : cases) {
-    if (!as.has_regions) continue;
+    if (!as.facts().has_regions) continue;
     SCOPED_TRACE(as.format);
     const TempFolder folder;
     const auto read = open_mesh(exported(grid, folder, as), folder.path());
