@@ -163,7 +163,9 @@ TEST(ChildTask, destruction_leaves_no_process_behind) {
 TEST(ChildTask, a_long_assignment_arrives_whole) {
   wire::Assign assign;
   for (int i = 0; i < 20000; ++i) assign.add_inputs()->set_name("mesh:" + std::to_string(i));
-  const std::string wanted = std::to_string(assign.ByteSizeLong());
+  wire::TaskStart start;
+  *start.mutable_assign() = assign;
+  const std::string wanted = std::to_string(start.ByteSizeLong());
   ChildTask child({.command = {"/bin/sh", "-c",
                                "test $(wc -c) -eq " + wanted + " && " + say(done_with("ok", 1))}},
                   assign);
