@@ -10,17 +10,17 @@
 namespace tetfarm {
 
 struct KindContracts {
-  void (*require_given)(const TaskWords& words, const std::string& whose);
-  void (*require_made)(const TaskWords& words, const std::string& whose);
+  std::string (*breach_of_given)(const TaskWords& words);
+  std::string (*breach_of_made)(const TaskWords& words);
 };
 
 template <class Contract>
-void require(const TaskWords& words, const std::string& whose) {
-  from_words<Contract>(words, whose);
+std::string breach_of(const TaskWords& words) {
+  return from_words<Contract>(words).breach;
 }
 
 template <class Given, class Made>
-inline constexpr KindContracts contracts_between = {&require<Given>, &require<Made>};
+inline constexpr KindContracts contracts_between = {&breach_of<Given>, &breach_of<Made>};
 
 #define TETFARM_DECLARED(kind) extern const KindContracts kind##_contracts;
 TETFARM_TASK_KINDS(TETFARM_DECLARED)

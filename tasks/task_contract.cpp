@@ -6,6 +6,8 @@
 #include <functional>
 #include <set>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -25,7 +27,8 @@ class WordsWriter final : public ContractFields {
       words_.files.emplace_back(prefix + std::to_string(heap), file);
     }
   }
-  void count(const char* name, std::uint64_t& value, std::uint64_t /*most*/) override {
+  void count(const char* name, std::uint64_t& value, std::uint64_t most) override {
+    TF_CHECK(value <= most);
     if (side_ == ContractSide::given) {
       words_.texts[name] = std::to_string(value);
     } else {
@@ -36,6 +39,7 @@ class WordsWriter final : public ContractFields {
     if (value) count(name, *value, most);
   }
   void amount(const char* name, double& value) override {
+    TF_CHECK(std::isfinite(value) && value >= 0);
     if (side_ == ContractSide::made) {
       words_.numbers[name] = value;
       return;
@@ -62,8 +66,7 @@ class WordsWriter final : public ContractFields {
 
 class WordsReader final : public ContractFields {
  public:
-  WordsReader(const TaskWords& words, const std::string& whose, ContractSide side)
-      : words_(words), whose_(whose), side_(side) {
+  WordsReader(const TaskWords& words, ContractSide side) : words_(words), side_(side) {
     for (const auto& [name, file] : words.files) {
       if (!files_.emplace(name, &file).second) refuse("the file '" + name + "' is there twice");
     }
@@ -71,7 +74,7 @@ class WordsReader final : public ContractFields {
 
   void file(const char* name, TaskFile& file) override {
     const TaskFile* found = find_file(name);
-    if (found == nullptr) refuse("the file '" + std::string(name) + "' is missing");
+    if (found == nullptr) return refuse("the file '" + std::string(name) + "' is missing");
     file = *found;
   }
   void file(const char* name, std::optional<TaskFile>& file) override {
@@ -79,22 +82,23 @@ class WordsReader final : public ContractFields {
   }
   void files(const char* prefix, LeafFiles& files) override {
     const std::string_view start = prefix;
+    TF_CHECK(start.ends_with(':'));
     for (auto next = files_.lower_bound(start); next != files_.end(); ++next) {
       const std::string& name = next->first;
       if (!name.starts_with(start)) break;
-      files.emplace(heap_of(name, start), *next->second);
+      if (const auto heap = heap_of(name, start)) files.emplace(*heap, *next->second);
       used_.insert(name);
     }
   }
   void count(const char* name, std::uint64_t& value, std::uint64_t most) override {
-    if (!has_number(name)) refuse("the number '" + std::string(name) + "' is missing");
+    if (!has_number(name)) return refuse("the number '" + std::string(name) + "' is missing");
     value = whole(name, most);
   }
   void count(const char* name, std::optional<std::uint64_t>& value, std::uint64_t most) override {
     if (has_number(name)) value = whole(name, most);
   }
   void amount(const char* name, double& value) override {
-    if (!has_number(name)) refuse("the number '" + std::string(name) + "' is missing");
+    if (!has_number(name)) return refuse("the number '" + std::string(name) + "' is missing");
     value = number(name);
   }
   void flag(const char* name, bool& value) override {
@@ -104,7 +108,9 @@ class WordsReader final : public ContractFields {
   }
   void text(const char* name, std::string& text) override {
     const auto found = words_.texts.find(name);
-    if (found == words_.texts.end()) refuse("the text '" + std::string(name) + "' is missing");
+    if (found == words_.texts.end()) {
+      return refuse("the text '" + std::string(name) + "' is missing");
+    }
     text = found->second;
     used_.insert(name);
   }
@@ -115,7 +121,7 @@ class WordsReader final : public ContractFields {
   }
 
   /// Of what a task is given all has to be used: what it does not know might decide.
-  void require_nothing_else() const {
+  void require_nothing_else() {
     if (side_ == ContractSide::made) return;
     for (const auto& [name, file] : files_) {
       if (!used_.contains(name)) refuse("the file '" + name + "' is unknown");
@@ -125,9 +131,11 @@ class WordsReader final : public ContractFields {
     }
   }
 
+  const std::string& breach() const { return breach_; }
+
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw ContractBreach(whose_ + ": " + what);
+  void refuse(const std::string& what) {
+    if (breach_.empty()) breach_ = what;
   }
 
   const TaskFile* find_file(const char* name) {
@@ -137,13 +145,14 @@ class WordsReader final : public ContractFields {
     return found->second;
   }
 
-  std::uint64_t heap_of(const std::string& name, std::string_view prefix) const {
+  std::optional<std::uint64_t> heap_of(const std::string& name, std::string_view prefix) {
     std::uint64_t heap = 0;
     const char* end = name.data() + name.size();
     const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, heap);
     if (error != std::errc{} || stop != end || heap == 0 || heap >= heap_limit ||
         name[prefix.size()] == '0') {
       refuse("the file '" + name + "' is of no sub-domain");
+      return std::nullopt;
     }
     return heap;
   }
@@ -155,7 +164,7 @@ class WordsReader final : public ContractFields {
     return has;
   }
 
-  double number(const char* name) const {
+  double number(const char* name) {
     double value = 0;
     if (side_ == ContractSide::made) {
       value = words_.numbers.at(name);
@@ -163,29 +172,30 @@ class WordsReader final : public ContractFields {
       const std::string& text = words_.texts.at(name);
       const char* end = text.data() + text.size();
       const auto [stop, error] = std::from_chars(text.data(), end, value);
-      if (error != std::errc{} || stop != end) refuse_number(name, "'" + text + "'");
+      if (error != std::errc{} || stop != end) return refuse_number(name, "'" + text + "'");
     }
-    if (!std::isfinite(value) || value < 0) refuse_number(name, std::to_string(value));
+    if (!std::isfinite(value) || value < 0) return refuse_number(name, std::to_string(value));
     return value;
   }
 
-  std::uint64_t whole(const char* name, std::uint64_t most) const {
+  std::uint64_t whole(const char* name, std::uint64_t most) {
     const double value = number(name);
     if (value != std::floor(value) || value > static_cast<double>(most)) {
-      refuse_number(name, std::to_string(value));
+      return static_cast<std::uint64_t>(refuse_number(name, std::to_string(value)));
     }
     return static_cast<std::uint64_t>(value);
   }
 
-  [[noreturn]] void refuse_number(const char* name, const std::string& value) const {
+  double refuse_number(const char* name, const std::string& value) {
     refuse("the number '" + std::string(name) + "' cannot be " + value);
+    return 0;
   }
 
   const TaskWords& words_;
-  const std::string& whose_;
   ContractSide side_;
   std::map<std::string, const TaskFile*, std::less<>> files_;
   std::set<std::string, std::less<>> used_;
+  std::string breach_;
 };
 
 }  // namespace
@@ -196,11 +206,12 @@ TaskWords words_of(void* contract, DescribeContract describe, ContractSide side)
   return std::move(writer).words();
 }
 
-void read_contract(const TaskWords& words, const std::string& whose, void* contract,
-                   DescribeContract describe, ContractSide side) {
-  WordsReader reader(words, whose, side);
+std::string read_contract(const TaskWords& words, void* contract, DescribeContract describe,
+                          ContractSide side) {
+  WordsReader reader(words, side);
   describe(contract, reader);
   reader.require_nothing_else();
+  return reader.breach();
 }
 
 }  // namespace tetfarm

@@ -2,10 +2,10 @@
 ///
 /// A contract is a struct with a member `describe`, which names each of its fields once; from that
 /// come its words (names and values, as they travel and are kept in the database) and, out of
-/// words, the struct. Whatever a contract does not allow is refused with the names of the task and
-/// of the field: what is missing, is no number or is out of its bounds, and, of what a task is
-/// given, what nobody asked for. Of what it made more numbers and texts may be there, for people.
-/// Each kind has its two contracts in tasks/KIND_contract.h.
+/// words, the struct. Whatever a contract does not allow is a breach, which names the field: what
+/// is missing, is no number or is out of its bounds, and, of what a task is given, what nobody
+/// asked for. Of what it made more numbers and texts may be there, for people. Each kind has its
+/// two contracts in tasks/KIND_contract.h.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,6 @@
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "base/error.h"
 
 namespace tetfarm {
 
@@ -37,12 +35,6 @@ struct TaskWords {
   std::map<std::string, double> numbers;                ///< of what is made
 
   friend bool operator==(const TaskWords&, const TaskWords&) = default;
-};
-
-/// The words are not those of the contract.
-class ContractBreach : public Error {
- public:
-  explicit ContractBreach(const std::string& message) : Error(ExitCode::failed, message) {}
 };
 
 /// The most that a number may be where a contract names no other limit: all of them are exact.
@@ -88,27 +80,34 @@ using DescribeContract = void (*)(void* contract, ContractFields& fields);
 
 /// What the templates below do. `contract` is not changed when words are made.
 TaskWords words_of(void* contract, DescribeContract describe, ContractSide side);
-void read_contract(const TaskWords& words, const std::string& whose, void* contract,
-                   DescribeContract describe, ContractSide side);
+std::string read_contract(const TaskWords& words, void* contract, DescribeContract describe,
+                          ContractSide side);
 
 template <class Contract>
 void describe_contract(void* contract, ContractFields& fields) {
   static_cast<Contract*>(contract)->describe(fields);
 }
 
-/// Cost: O(fields and files).
+/// @pre its numbers are within their bounds. Cost: O(fields and files).
 template <class Contract>
 TaskWords to_words(Contract contract) {
   return words_of(&contract, &describe_contract<Contract>, Contract::side);
 }
 
-/// `whose` begins the message of a breach: "task 12, mesh". @throws ContractBreach.
+/// What words say, as far as they keep to the contract.
+template <class Contract>
+struct ContractReading {
+  Contract contract;
+  std::string breach;  ///< the first one: "the number 'work' is missing"; "": none
+};
+
 /// Cost: O(n log n) for n words.
 template <class Contract>
-Contract from_words(const TaskWords& words, const std::string& whose) {
-  Contract contract;
-  read_contract(words, whose, &contract, &describe_contract<Contract>, Contract::side);
-  return contract;
+ContractReading<Contract> from_words(const TaskWords& words) {
+  ContractReading<Contract> reading;
+  reading.breach =
+      read_contract(words, &reading.contract, &describe_contract<Contract>, Contract::side);
+  return reading;
 }
 
 }  // namespace tetfarm

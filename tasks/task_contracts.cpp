@@ -17,12 +17,12 @@ const KindContracts& contracts_of(TaskKind kind) {
 
 }  // namespace
 
-void require_given(TaskKind kind, const TaskWords& words, const std::string& whose) {
-  contracts_of(kind).require_given(words, whose);
+std::string breach_of_given(TaskKind kind, const TaskWords& words) {
+  return contracts_of(kind).breach_of_given(words);
 }
 
-void require_made(TaskKind kind, const TaskWords& words, const std::string& whose) {
-  contracts_of(kind).require_made(words, whose);
+std::string breach_of_made(TaskKind kind, const TaskWords& words) {
+  return contracts_of(kind).breach_of_made(words);
 }
 
 }  // namespace tetfarm

@@ -8,10 +8,10 @@
 
 namespace tetfarm {
 
-/// Whether a task of the kind can be given these words. @throws ContractBreach.
-void require_given(TaskKind kind, const TaskWords& words, const std::string& whose);
+/// Why a task of the kind cannot be given these words; "" when it can.
+std::string breach_of_given(TaskKind kind, const TaskWords& words);
 
-/// Whether these words are what a task of the kind makes. @throws ContractBreach.
-void require_made(TaskKind kind, const TaskWords& words, const std::string& whose);
+/// Why these words are not what a task of the kind makes; "" when they are.
+std::string breach_of_made(TaskKind kind, const TaskWords& words);
 
 }  // namespace tetfarm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "tasks/task_traits.h"
 
 namespace tetfarm {
@@ -21,7 +22,9 @@ std::optional<TaskKind> find_kind(const Matches& matches) {
 }  // namespace
 
 const TaskKindTraits& traits_of(TaskKind kind) {
-  return *all_traits.at(static_cast<std::size_t>(kind));
+  const auto place = static_cast<std::size_t>(kind);
+  TF_CHECK(place < all_traits.size());
+  return *all_traits[place];
 }
 
 const char* name_of(TaskKind kind) { return traits_of(kind).name; }

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "store/attempt_scratch.h"
 #include "tasks/failure_cause.h"
-#include "tasks/task_contract.h"
 #include "worker/job_forecast.h"
 
 namespace tetfarm {
@@ -63,8 +62,6 @@ wire::Failed caught_failure(const ArtifactStore* store) {
   } catch (const JobTooLarge& error) {
     // What is short is room for this job, not for all of them.
     return failure(error, FailureCause::for_good);
-  } catch (const ContractBreach& breach) {
-    return failure(breach, FailureCause::for_good);
   } catch (const Error& error) {
     return failure(error, cause_of(error.code()));
   } catch (const std::bad_alloc&) {

@@ -44,8 +44,11 @@ TaskBody body_of(const wire::Assign& assign) {
   const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
   if (!kind) return nullptr;
   return [kind = *kind](TaskIo& io) {
-    require_given(kind, words_of(io.assign()),
-                  "task " + std::to_string(io.assign().task()) + ", " + name_of(kind));
+    const std::string breach = breach_of_given(kind, words_of(io.assign()));
+    if (!breach.empty()) {
+      throw OwnDefect("the task to " + std::string(name_of(kind)) + " cannot be done: " + breach,
+                      {});
+    }
     bodies.at(static_cast<std::size_t>(kind))(io);
   };
 }

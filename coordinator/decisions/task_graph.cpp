@@ -115,15 +115,6 @@ TaskWords words_of(const TaskResult& result) {
   return words;
 }
 
-std::optional<std::string> problem_with_words(const TaskRow& task, const TaskResult& result) {
-  try {
-    require_made(task.kind, words_of(result), name_of(task.kind));
-  } catch (const ContractBreach& breach) {
-    return breach.what();
-  }
-  return std::nullopt;
-}
-
 /// Every leaf that the task was given has its turn.
 std::optional<std::string> problem_with_order(const TaskRow& task, const TaskResult& result) {
   const auto text = result.texts.find("order");
@@ -170,7 +161,8 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
   for (const std::string& name : outputs_of(task, result)) {
     if (!find_file(result.outputs, name)) return "the output '" + name + "' is missing";
   }
-  if (auto breach = problem_with_words(task, result)) return breach;
+  const std::string breach = breach_of_made(task.kind, words_of(result));
+  if (!breach.empty()) return breach;
   if (task.kind == TaskKind::inspect && result.numbers.at("parts") < 1) {
     return "the number of parts is 0";
   }

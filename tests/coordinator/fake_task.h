@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -74,14 +75,15 @@ inline void decompose_make_believe(const std::string& seed, TaskResult& result) 
   result.numbers["right_needles"] = static_cast<double>(hash.low % 3);
 }
 
-/// @throws ContractBreach, as a worker does.
+/// @throws std::logic_error where a worker refuses the task.
 inline void require_given(const TaskRow& task) {
   TaskWords words;
   for (const ArtifactRef& file : task.inputs) {
     words.files.push_back({file.name, {file.hash, file.size}});
   }
   words.texts = task.parameters;
-  require_given(task.kind, words, name_of(task.kind));
+  const std::string breach = breach_of_given(task.kind, words);
+  if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 
 inline TaskResult run_make_believe(const TaskRow& task) {
