@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
 #include "mesh/formats/regions_of_faces.h"
@@ -15,8 +16,6 @@ using FaceNodes = std::array<std::int64_t, 3>;
 
 constexpr std::int64_t tets_at_once = 65536;
 constexpr std::int32_t most_names = 1'000'000;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// The smallest number first, turning the same way round.
 FaceNodes smallest_first(FaceNodes face) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "mesh/core/signed_volume.h"
 
 namespace tetfarm {
 namespace {
 
 using std::to_string;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 template <std::size_t N>
 std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& local,
