@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/ids.h"
+#include "base/undo_unless_done.h"
 #include "base/utf8.h"
 
 namespace tetfarm {
@@ -36,6 +38,7 @@ class OpenFile {
   int descriptor() const { return descriptor_; }
 
   void write(std::string_view bytes) {
+    TF_CHECK(descriptor_ >= 0);
     while (!bytes.empty()) {
       const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
@@ -59,6 +62,7 @@ class OpenFile {
 
   /// NFS reports a full disk or quota only here.
   void close_checked() {
+    TF_CHECK(descriptor_ >= 0);
     if (::close(std::exchange(descriptor_, -1)) != 0) {
       throw IoError("cannot close", path_.string(), errno);
     }
@@ -91,17 +95,15 @@ void rename_checked(const fs::path& from, const fs::path& to) {
 template <class Make>
 void replace_file(const fs::path& path, const Make& make) {
   const fs::path temp = folder_of(path) / unique_temp_name(path.filename().string());
-  try {
-    make(temp);
-    rename_checked(temp, path);
-  } catch (...) {
-    ::unlink(temp.c_str());
-    throw;
-  }
+  UndoUnlessDone growing([&temp] { ::unlink(temp.c_str()); });
+  make(temp);
+  rename_checked(temp, path);
+  growing.done();
   sync_folder(folder_of(path));
 }
 
 void copy_durably(const fs::path& from, const fs::path& to) {
+  TF_CHECK(from != to);
   OpenFile source(from, O_RDONLY);
   OpenFile target(to, O_WRONLY | O_CREAT | O_EXCL, file_mode);
   std::array<char, 1U << 16U> buffer;
@@ -145,13 +147,10 @@ std::string read_part_of_file(const fs::path& path, std::uint64_t offset, std::s
 
 void append_to_file(const fs::path& path, std::uint64_t offset, std::string_view bytes) {
   OpenFile file(path, O_WRONLY | O_CREAT | O_APPEND, file_mode);
-  try {
-    file.write(bytes);
-    file.close_checked();
-  } catch (const IoError&) {
-    ::truncate(path.c_str(), static_cast<off_t>(offset));
-    throw;
-  }
+  UndoUnlessDone appended([&] { return ::truncate(path.c_str(), static_cast<off_t>(offset)); });
+  file.write(bytes);
+  file.close_checked();
+  appended.done();
 }
 
 std::optional<std::uint64_t> size_of_file(const fs::path& path) {
@@ -208,6 +207,7 @@ void remove_file(const fs::path& path) {
 }
 
 std::string unique_temp_name(std::string_view stem) {
+  TF_CHECK(stem.find('/') == std::string_view::npos);
   constexpr std::size_t longest_stem = 200;  // what file systems take is 255 bytes in all
   return std::string(cut_utf8(stem, longest_stem)) + "." + std::to_string(::getpid()) + "." +
          random_hex(8) + ".tmp";

@@ -12,7 +12,6 @@
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "cli/run_folder.h"
-#include "mesh/formats/openfoam/openfoam_source.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/quality/mesh_check.h"
@@ -209,7 +208,7 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
     if (name.ends_with(".vtkhdf") || name.ends_with(".ugrid")) meshes.push_back(entry.path());
   }
   if (meshes.empty()) {
-    if (is_openfoam_case(input)) return input;
+    if (is_mesh_folder(input)) return input;
     throw Error(ExitCode::not_found, input.string() + ": has no mesh (.vtkhdf, .lb8.ugrid)");
   }
   return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {

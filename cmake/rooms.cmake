@@ -47,10 +47,71 @@ function(add_room room)
   endforeach()
 endfunction()
 
+<<<<<<< HEAD
 # Files that use a name of their own for what another file of their room calls by the same name.
 function(compile_apart)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+=======
+# What every folder of formats may use; the check of the layers has the same list.
+set(rooms_for_formats base mesh/core mesh/artifacts mesh/assemble mesh/formats mesh/formats/list)
+
+# A folder of formats: add_format(su2) makes the room mesh/formats/su2, and puts the array su2_formats of
+# mesh/formats/su2/su2_format.h in the list of all formats.
+function(add_format folder)
+  add_room(mesh/formats/${folder} ${rooms_for_formats} ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY folders_of_formats ${folder})
+  set_property(GLOBAL PROPERTY rooms_for_${folder} ${ARGN})
+endfunction()
+
+# After the last of them: mesh/formats/list/all_formats.h, in the order of the lines.
+function(write_list_of_formats)
+  get_property(folders GLOBAL PROPERTY folders_of_formats)
+  set(includes "")
+  set(arrays "")
+  foreach(folder ${folders})
+    string(APPEND includes "#include \"mesh/formats/${folder}/${folder}_format.h\"\n")
+    list(APPEND arrays "${folder}_formats")
+  endforeach()
+  list(JOIN arrays ", " arrays)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/all_formats.h.in
+                 ${PROJECT_BINARY_DIR}/generated/mesh/formats/list/all_formats.h @ONLY)
+  see_list_of_formats(mesh_formats_list)
+endfunction()
+
+function(see_list_of_formats target)
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+endfunction()
+
+# Links all formats, or those that need none of some rooms: link_formats(TARGET [WITHOUT ROOM...]).
+function(link_formats target)
+  cmake_parse_arguments(PARSE_ARGV 1 given "" "" "WITHOUT")
+  formats_without(rooms ${given_WITHOUT})
+  see_list_of_formats(${target})
+  foreach(room ${rooms})
+    room_target(${room} library)
+    target_link_libraries(${target} PUBLIC ${library})
+  endforeach()
+endfunction()
+
+# Their rooms.
+function(formats_without out)
+  get_property(folders GLOBAL PROPERTY folders_of_formats)
+  set(rooms "")
+  foreach(folder ${folders})
+    get_property(needed GLOBAL PROPERTY rooms_for_${folder})
+    set(is_wanted TRUE)
+    foreach(room ${ARGN})
+      if(room IN_LIST needed)
+        set(is_wanted FALSE)
+      endif()
+    endforeach()
+    if(is_wanted)
+      list(APPEND rooms mesh/formats/${folder})
+    endif()
+  endforeach()
+  set(${out} ${rooms} PARENT_SCOPE)
+>>>>>>> main
 endfunction()
 
 # The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow. Those of the

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "base/file_system.h"
-#include "mesh/formats/surfaces/write_surface.h"
+#include "mesh/formats/off/write_off.h"
 
 namespace tetfarm {
 namespace {

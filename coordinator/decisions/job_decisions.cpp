@@ -33,7 +33,7 @@ std::string place_of(const TaskRow& task) {
 
 void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
                     Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
   if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
     return;
@@ -73,7 +73,7 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   set_state(task, TaskState::done);
   if (!made_before) remember_work(task);
   expectation_.learn(task);
-  note_done_on_host(id, workers_.at(worker).host, now);
+  note_done_on_host(id, workers_.at(worker).row.host, now);
   delays_.forget(id);
   disk_pause_.end();
   if (made_before) wake_waiting(task.job, now);
@@ -82,7 +82,7 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
 
 void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
                       Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
   if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, false});
     return;

@@ -8,9 +8,8 @@ namespace tetfarm {
 
 void JobState::note_crash_on_host(const TaskRow& task, WorkerId worker,
                                   const std::string& message) {
-  const auto row = workers_.find(worker);
-  if (row == workers_.end()) return;
-  host_crashes_.note_crash(row->second.host, task, message,
+  if (!workers_.has(worker)) return;
+  host_crashes_.note_crash(workers_.at(worker).row.host, task, message,
                            [this](TaskId id) { return durable_.tasks.contains(id); });
 }
 
@@ -19,9 +18,9 @@ void JobState::note_crash_on_host(const TaskRow& task, WorkerId worker,
 bool JobState::waits_for_another_host(const TaskRow& task, const std::string& host,
                                       Moment now) const {
   if (!host_crashes_.crashed_on(host, task.id)) return false;
-  return std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& entry) {
-    const auto& [id, session] = entry;
-    const WorkerRow& other = workers_.at(id);
+  return std::any_of(workers_.all().begin(), workers_.all().end(), [&](const auto& entry) {
+    const WorkerSession& session = entry.second;
+    const WorkerRow& other = session.row;
     return other.host != host && !session.drains && memory_for(task) <= other.memory_bytes &&
            !durable_.quarantined_hosts.contains(other.host) &&
            !host_crashes_.crashed_on(other.host, task.id) && has_time_for(session, task, now);
@@ -30,9 +29,8 @@ bool JobState::waits_for_another_host(const TaskRow& task, const std::string& ho
 
 /// Whether all that is known of the task is that this host does not do it, and another can try.
 bool JobState::counts_against_host(const TaskRow& task, WorkerId worker, Moment now) const {
-  const auto row = workers_.find(worker);
-  return row != workers_.end() && host_crashes_.hosts_where_it_crashed(task.id) == 1 &&
-         waits_for_another_host(task, row->second.host, now);
+  return workers_.has(worker) && host_crashes_.hosts_where_it_crashed(task.id) == 1 &&
+         waits_for_another_host(task, workers_.at(worker).row.host, now);
 }
 
 void JobState::note_done_on_host(TaskId task, const std::string& host, Moment now) {
@@ -55,8 +53,8 @@ void JobState::quarantine_if_proven(const std::string& host, Moment now) {
 }
 
 bool JobState::has_host_besides(const std::string& host) const {
-  return std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) {
-    const std::string& other = workers_.at(session.first).host;
+  return std::any_of(workers_.all().begin(), workers_.all().end(), [&](const auto& entry) {
+    const std::string& other = entry.second.row.host;
     return other != host && !durable_.quarantined_hosts.contains(other);
   });
 }

@@ -36,39 +36,12 @@ void JobState::find_broken_attempts(Complaints& broken) const {
   }
 }
 
-/// 3, from the workers' side.
-void JobState::find_broken_sessions(Complaints& broken) const {
-  for (const auto& [id, session] : sessions_) {
-    const std::string worker = with_number("worker", id.value);
-    if (!workers_.contains(id)) broken.push_back(worker + " is here without a row");
-    if (idle_.contains(id) && session.attempt) broken.push_back(worker + " is idle and works");
-    if (!session.attempt) continue;
-    const auto found = durable_.running_attempts.find(session.attempt);
-    if (found == durable_.running_attempts.end() || found->second.worker != id) {
-      broken.push_back(worker + " holds what is not its own");
-    } else if (process_of(found->second) != session.process) {
-      broken.push_back(worker + " holds another process's attempt");
-    }
-  }
-  for (const WorkerId worker : idle_) {
-    if (sessions_.contains(worker)) continue;
-    broken.push_back(with_number("worker", worker.value) + " is idle and gone");
-  }
-  for (const auto& [process, worker] : process2worker_) {
-    const auto session = sessions_.find(worker);
-    if (session != sessions_.end() && session->second.process == process) continue;
-    broken.push_back(with_number("worker", worker.value) + " is named for another's process");
-  }
-  if (memories_.size() != sessions_.size()) broken.emplace_back("memory of a worker that is gone");
-}
-
 std::vector<std::string> JobState::validate() const {
   Complaints broken;
   find_broken_tasks(broken);
   find_broken_attempts(broken);
-  find_broken_sessions(broken);
   for (const Complaints& part :
-       {leases_.validate(durable_.running_attempts),
+       {workers_.validate(durable_.running_attempts), leases_.validate(durable_.running_attempts),
         races_.validate(durable_.running_attempts, durable_.tasks),
         delays_.validate(durable_.tasks), lists_.validate(durable_.tasks, durable_.jobs),
         progress_.validate(durable_.subdomains), host_crashes_.validate()}) {

@@ -70,7 +70,7 @@ void JobState::count_out_of_memory(TaskRow& task, std::uint64_t had_bytes,
   const std::int64_t again_ms =
       now.steady_ms + delay_after(task.oom_count, rules_.loss_delay_ms, rules_.longest_delay_ms);
   delays_.wait_until(task.id, again_ms);
-  const std::uint64_t largest = largest_memory();
+  const std::uint64_t largest = workers_.largest_memory();
   const std::uint64_t knew = std::max({task.memory_bytes, had_bytes, failure.peak_rss_bytes});
   if (now.steady_ms < all_back_ms_) {
     task.memory_bytes = std::max<std::uint64_t>(2 * knew, 1);

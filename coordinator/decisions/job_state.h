@@ -4,7 +4,8 @@
 /// committed) and commands (to be carried out after the commit) come out. Built again from the
 /// committed rows it goes on where it was, so the daemon may be killed at any instant.
 ///
-/// What it knows beside the rows is in parts, each with its own invariants: leases.h (who holds
+/// What it knows beside the rows is in parts, each with its own invariants:
+/// worker_sessions.h (who is here), leases.h (who holds
 /// which attempt until when), races.h (second attempts of slow tasks), retry_delays.h and
 /// host_crashes.h (what fails, when it is tried again, whose fault it is), task_lists.h (what is on
 /// offer, at work, in quarantine, and where), tree_progress.h (how far each job is),
@@ -49,7 +50,7 @@
 #include "coordinator/decisions/task_lists.h"
 #include "coordinator/decisions/task_outlook.h"
 #include "coordinator/decisions/tree_progress.h"
-#include "coordinator/decisions/worker_process.h"
+#include "coordinator/decisions/worker_sessions.h"
 #include "store/rows.h"
 
 namespace tetfarm {
@@ -168,7 +169,7 @@ class JobState {
            const FinishedJobs* finished = nullptr);
 
   // Workers. An unknown worker id is a mistake of the caller: ask knows_worker first.
-  bool knows_worker(WorkerId worker) const { return sessions_.contains(worker); }
+  bool knows_worker(WorkerId worker) const { return workers_.has(worker); }
   /// Whether the attempt is running there: what else comes in its name is refused.
   bool holds(WorkerId worker, TaskId task, AttemptId attempt) const;
   /// A worker that says Hello; `task` and `attempt` are what it still works on, 0 for nothing.
@@ -218,7 +219,7 @@ class JobState {
   const DurableState& durable() const { return durable_; }
   const FinishedJobs& finished() const { return *finished_; }
   bool is_at_hand(JobId job) const { return at_hand_.contains(job); }
-  std::size_t worker_count() const { return sessions_.size(); }
+  std::size_t worker_count() const { return workers_.all().size(); }
   std::vector<WorkerAtWork> workers_at_work() const;
   /// What a running attempt does; null when nothing was heard of it. Good until it is heard again.
   const AttemptWork* work_of(AttemptId attempt) const { return leases_.work_of(attempt); }
@@ -243,24 +244,11 @@ class JobState {
   std::vector<std::string> validate() const;
 
  private:
-  struct Session {
-    AttemptId attempt;  ///< running there, 0: none
-    bool drains = false;
-    bool shares_memory = true;
-    WorkerProcess process;
-    std::int64_t ends_ms = 0;  ///< 0: not known
-    std::int64_t heard_ms = 0;
-    std::string tag;
-    std::uint64_t reach_bytes = 0;  ///< its memory, or what its pool can bring
-  };
-  /// Of each host whose workers share its memory: what running attempts were given of it.
-  using HostMemory = std::map<std::string, std::uint64_t>;
   using Complaints = std::vector<std::string>;
 
   // job_invariants.cpp
   void find_broken_tasks(Complaints& broken) const;
   void find_broken_attempts(Complaints& broken) const;
-  void find_broken_sessions(Complaints& broken) const;
 
   // job_state.cpp: rows and indexes
   TaskRow& edit(TaskId task);
@@ -283,10 +271,8 @@ class JobState {
 
   // job_processes.cpp: who is who
   bool is_current(TaskId task, AttemptId attempt) const;
-  void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
   bool settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
-  void forget_process(WorkerId worker);
   bool take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
   void move_attempt(AttemptId attempt, WorkerId worker, Moment now);
 
@@ -299,8 +285,8 @@ class JobState {
   void hand_out(Moment now);
   bool may_work(WorkerId worker) const;
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
-  TaskId pick_for(WorkerId worker, const HostMemory& used, Moment now);
-  void lease(WorkerId worker, TaskId task, HostMemory& used, Moment now);
+  TaskId pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now);
+  void lease(WorkerId worker, TaskId task, WorkerSessions::HostMemory& used, Moment now);
 
   // job_outlook.cpp: why a task does not run
   TaskId maker_of(JobId job, const ArtifactRef& file) const;
@@ -312,14 +298,11 @@ class JobState {
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;
   std::uint64_t tasks_brought_by(const TaskRow& running) const;
-  std::uint64_t largest_memory() const;
   std::uint64_t memory_for(const TaskRow& task) const;
-  HostMemory used_memory() const;
-  std::uint64_t free_memory(WorkerId worker, const HostMemory& used) const;
-  bool has_time_for(const Session& session, const TaskRow& task, Moment now) const;
+  bool has_time_for(const WorkerSession& session, const TaskRow& task, Moment now) const;
   std::vector<TaskId> late_tasks(Moment now);
-  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late, const HostMemory& used,
-                   Moment now) const;
+  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late,
+                   const WorkerSessions::HostMemory& used, Moment now) const;
   void leave_race(const AttemptRow& ended);
   void revoke_attempts(TaskRow& task, const std::string& why, Moment now);
 
@@ -382,13 +365,10 @@ class JobState {
   const FinishedJobs* finished_;
 
   std::set<JobId> at_hand_;  ///< whose tasks and sub-domains are in durable_
-  std::map<WorkerId, Session> sessions_;
-  std::set<WorkerId> idle_;  ///< that asked for a task and were given none
   std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
-  std::map<WorkerProcess, WorkerId> process2worker_;                     ///< its newest connection
-  std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools
   /// After a restart workers come back one by one: until then the largest may be missing.
   std::int64_t all_back_ms_ = std::numeric_limits<std::int64_t>::min();
+  WorkerSessions workers_;
   Leases leases_;
   Races races_;
   RetryDelays delays_;
@@ -399,7 +379,6 @@ class JobState {
   FullDiskPause disk_pause_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::set<TaskId>> done_work_;  ///< by work_key
   std::map<std::pair<std::string, std::string>, JobId> keys_;  ///< by owner and key
-  std::map<WorkerId, WorkerRow> workers_;
   PendingChanges changes_;
   std::vector<Command> commands_;
 };

@@ -148,7 +148,8 @@ class Cgns {
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path) {
+std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path,
+                                      const std::filesystem::path&) {
   const auto file = std::make_shared<const Cgns>(path);
   ListedMesh mesh;
   mesh.name = path.string();

@@ -130,6 +130,8 @@ void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table
   }
 }
 
+std::string file_of_part(std::int32_t part) { return "part-" + std::to_string(part) + ".comm"; }
+
 }  // namespace
 
 void for_each_communication_table(const MeshSource& source, const MeshOutline& outline,
@@ -177,15 +179,19 @@ void for_each_part_with_ghosts(
 }
 
 void write_communication(const MeshSource& source, const MeshOutline& outline,
-                         const std::filesystem::path& folder, bool is_text) {
+                         const std::filesystem::path& folder) {
   make_folders(folder);
   for_each_communication_table(source, outline, folder, [&](const CommunicationTable& table) {
-    const std::string name = "part-" + std::to_string(table.part) + ".comm";
-    if (is_text) {
-      write_file_atomically(folder / (name + ".txt"), communication_to_text(table));
-    } else {
-      write_file_atomically(folder / name, communication_to_bytes(table));
-    }
+    write_file_atomically(folder / file_of_part(table.part), communication_to_bytes(table));
+  });
+}
+
+void write_communication_text(const MeshSource& source, const MeshOutline& outline,
+                              const std::filesystem::path& folder) {
+  make_folders(folder);
+  for_each_communication_table(source, outline, folder, [&](const CommunicationTable& table) {
+    write_file_atomically(folder / (file_of_part(table.part) + ".txt"),
+                          communication_to_text(table));
   });
 }
 

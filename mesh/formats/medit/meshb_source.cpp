@@ -50,7 +50,8 @@ void require_tets_alone(const MeditFile& file) {
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path) {
+std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path,
+                                       const std::filesystem::path&) {
   const auto file = std::make_shared<const MeditFile>(path);
   require_tets_alone(*file);
   ListedMesh mesh;

@@ -9,8 +9,10 @@
 
 namespace tetfarm {
 
-/// As a listed mesh (listed_mesh.h). References of triangles are patches, of tets regions, from 1.
+/// As a listed mesh (listed_mesh.h), without the scratch folder. References of triangles are
+/// patches, of tets regions, from 1.
 /// @throws IoError, InvalidInput with the byte.
-std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path);
+std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path,
+                                       const std::filesystem::path& scratch_folder);
 
 }  // namespace tetfarm

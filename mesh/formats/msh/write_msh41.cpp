@@ -63,12 +63,9 @@ void write_nodes(OutputFile& file, const NumberedPart& part, const Places& place
                      });
 }
 
-}  // namespace
-
 void write_msh41(const MeshSource& source, const MeshOutline& outline,
-                 const std::filesystem::path& path, MshEncoding encoding) {
+                 const std::filesystem::path& path, const NumberText& style) {
   OutputFile file(path);
-  const NumberText style = msh_style(outline, encoding == MshEncoding::text);
   const Places places = write_frame(file, outline, style);
   const std::vector<std::int64_t> first_triangle = first_msh_triangles(outline);
   const std::vector<RegionRun> runs = region_runs(outline);
@@ -97,6 +94,18 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
     }
   }
   file.finish();
+}
+
+}  // namespace
+
+void write_msh41_binary(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& file) {
+  write_msh41(source, outline, file, msh_style(outline, false));
+}
+
+void write_msh41_text(const MeshSource& source, const MeshOutline& outline,
+                      const std::filesystem::path& file) {
+  write_msh41(source, outline, file, msh_style(outline, true));
 }
 
 }  // namespace tetfarm

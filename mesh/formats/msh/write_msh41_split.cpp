@@ -1,6 +1,7 @@
 #include "mesh/formats/msh/write_msh41_split.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/count_limit.h"
@@ -206,10 +207,11 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
   return numbers.take();
 }
 
-}  // namespace
+using WritePartition = std::function<void(std::size_t i, const Ghosts& ghosts)>;
 
-void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
-                       const std::filesystem::path& path, MshGhosts with_ghosts) {
+/// What writes the file of a part, as often as wanted. @pre the arguments outlive it.
+WritePartition partition_writer(const MeshSource& source, const MeshOutline& outline,
+                                const std::filesystem::path& path) {
   refuse_more_entities_than_tags(outline);
   const NumberText raw = NumberText::raw();
   std::vector<MshVolume> regions;
@@ -218,7 +220,7 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
   }
   const std::string head = msh_head(outline, raw) + msh_entities(outline, regions, raw);
   const std::vector<std::int64_t> first_triangle = first_msh_triangles(outline);
-  const auto write = [&](std::size_t i, const Ghosts& ghosts) {
+  return [&source, &outline, path, head, first_triangle](std::size_t i, const Ghosts& ghosts) {
     const NumberedPart part = source.part(i);
     const std::string name =
         path.stem().string() + "_" + std::to_string(i + 1) + path.extension().string();
@@ -230,10 +232,19 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
     end.write(ghost_elements(ghosts, outline, part.number + 1));
     file.finish();
   };
-  if (with_ghosts == MshGhosts::none) {
-    for (std::size_t i = 0; i < source.size(); ++i) write(i, {});
-    return;
-  }
+}
+
+}  // namespace
+
+void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
+                       const std::filesystem::path& path) {
+  const WritePartition write = partition_writer(source, outline, path);
+  for (std::size_t i = 0; i < source.size(); ++i) write(i, {});
+}
+
+void write_msh41_ghosts(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& path) {
+  const WritePartition write = partition_writer(source, outline, path);
   for_each_part_with_ghosts(source, outline, std::filesystem::absolute(path).parent_path(),
                             [&](const CommunicationTable& table, const GhostCorners& corners) {
                               write(static_cast<std::size_t>(table.part),

@@ -216,7 +216,7 @@ bool is_piece(const fs::path& path) {
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_pvtu(const fs::path& path) {
+std::unique_ptr<MeshSource> open_pvtu(const fs::path& path, const fs::path&) {
   if (is_piece(path)) return std::make_unique<PvtuSource>(std::vector{path});
   const std::string text = read_file(path);
   std::vector<fs::path> pieces;

@@ -137,4 +137,19 @@ std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridF
   return open_listed(std::move(mesh), tets_of_piece);
 }
 
+template <bool big_endian, bool wide>
+std::unique_ptr<MeshSource> open_ugrid_as(const std::filesystem::path& path,
+                                          const std::filesystem::path&) {
+  return open_ugrid(path, {big_endian, wide});
+}
+
+template std::unique_ptr<MeshSource> open_ugrid_as<false, false>(const std::filesystem::path&,
+                                                                 const std::filesystem::path&);
+template std::unique_ptr<MeshSource> open_ugrid_as<false, true>(const std::filesystem::path&,
+                                                                const std::filesystem::path&);
+template std::unique_ptr<MeshSource> open_ugrid_as<true, false>(const std::filesystem::path&,
+                                                                const std::filesystem::path&);
+template std::unique_ptr<MeshSource> open_ugrid_as<true, true>(const std::filesystem::path&,
+                                                               const std::filesystem::path&);
+
 }  // namespace tetfarm

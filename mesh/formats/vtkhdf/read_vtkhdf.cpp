@@ -214,19 +214,6 @@ std::vector<std::string> VtkhdfParts::region_names() const {
   return content_->texts("Tetfarm/region_names");
 }
 
-void for_each_vtkhdf_part(const std::filesystem::path& path,
-                          const std::function<void(NumberedPart& part)>& visit) {
-  const VtkhdfParts parts(path);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    NumberedPart part = parts.part(i);
-    visit(part);
-  }
-}
-
-std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
-  return VtkhdfParts(path).patch_names();
-}
-
 GlobalMesh read_vtkhdf(const std::filesystem::path& path) {
   const Hdf5Input file = open_mesh(path);
   const KnownArrays known = known_arrays(file);

@@ -82,8 +82,11 @@ TEST(TaskLists, a_job_that_is_forgotten_leaves_the_others_alone) {
     const TaskRow task = task_of(job.value, job, TaskKind::mesh, TaskState::failed);
     lists.place(task);
     lists.update(task, false);
+    lists.update(task_of(job.value + 2, job, TaskKind::mesh, TaskState::ready), false);
   }
   lists.forget(wing);
+  EXPECT_FALSE(lists.is_active(wing));
+  EXPECT_TRUE(lists.is_active(flange));
   EXPECT_THAT(lists.tasks_of(wing), IsEmpty());
   EXPECT_THAT(lists.failed_of(wing), IsEmpty());
   EXPECT_THAT(lists.tasks_of(flange), ElementsAre(TaskId{2}));

@@ -61,8 +61,8 @@ TEST(TreeProgress, turns_start_anew_with_another_order) {
   EXPECT_TRUE(progress.had_all_turns(job));
   progress.start_turns_anew(job);
   EXPECT_EQ(progress.turns(job), nullptr);
-  progress.set_turns(job, {{2, {}}});
-  EXPECT_FALSE(progress.had_all_turns(job));
+  progress.set_turns(job, {{2, {}}, {3, {}}});
+  EXPECT_FALSE(progress.had_all_turns(job)) << "those of the other order do not count";
 }
 
 TEST(TreeProgress, former_leaves_are_counted_on_the_way_up) {
