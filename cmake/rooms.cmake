@@ -24,8 +24,8 @@ function(room_target room out)
   set(${out} ${target} PARENT_SCOPE)
 endfunction()
 
-# Twelve files of a room of the mesh read their headers once where this is on. The preset `dev` compiles each file
-# by itself.
+# Twelve files of a room of the mesh (but for the formats) read their headers once where this is on. The preset
+# `dev` compiles each file by itself.
 option(TETFARM_ROOMS_IN_BATCHES "Compile the files of a room together" OFF)
 
 function(add_room room)
@@ -37,7 +37,7 @@ function(add_room room)
     set(sources ${PROJECT_BINARY_DIR}/empty_${target}.cpp)
   endif()
   add_library(${target} STATIC ${sources})
-  if(room MATCHES "^(base|mesh/.*|store|pool)$")
+  if(room MATCHES "^(base|mesh/[a-z_]+|store|pool)$" AND NOT room STREQUAL "mesh/formats")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES} UNITY_BUILD_BATCH_SIZE 12)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
@@ -47,12 +47,12 @@ function(add_room room)
   endforeach()
 endfunction()
 
-<<<<<<< HEAD
 # Files that use a name of their own for what another file of their room calls by the same name.
 function(compile_apart)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-=======
+endfunction()
+
 # What every folder of formats may use; the check of the layers has the same list.
 set(rooms_for_formats base mesh/core mesh/artifacts mesh/assemble mesh/formats mesh/formats/list)
 
@@ -111,7 +111,6 @@ function(formats_without out)
     endif()
   endforeach()
   set(${out} ${rooms} PARENT_SCOPE)
->>>>>>> main
 endfunction()
 
 # The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow. Those of the
