@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "tasks/failure_cause.h"
+
 namespace tetfarm {
 
 void DamageChecks::take(Failure failure, const std::vector<ArtifactRef>& claimed) {
@@ -42,7 +44,7 @@ std::optional<DamageChecks::Failure> DamageChecks::note(const CheckedFile& check
   }
   if (!pending.unknown.empty()) return std::nullopt;
   // The worker could not read what is whole here: its view of the disk lags, or its disk fails.
-  if (failure.damaged_inputs.empty()) failure.killed = true;
+  if (failure.damaged_inputs.empty()) failure.cause = FailureCause::killed;
   return std::move(pending_.extract(found).mapped().failure);
 }
 

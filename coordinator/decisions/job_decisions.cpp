@@ -94,32 +94,38 @@ void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskF
 
 void JobState::take_failure(TaskRow& task, WorkerId worker, AttemptId attempt,
                             const TaskFailure& failure, Moment now) {
-  const bool for_good = !failure.may_retry && !failure.out_of_resources && !failure.killed &&
-                        !failure.out_of_memory && failure.damaged_inputs.empty();
-  if (for_good) {
-    end_attempt(attempt, AttemptState::failed, failure.message, now);
-    if (task.outputs.empty()) {
-      std::copy_if(failure.evidence.begin(), failure.evidence.end(),
-                   std::back_inserter(task.outputs), has_file_);
+  switch (failure.cause) {
+    case FailureCause::for_good:
+      end_attempt(attempt, AttemptState::failed, failure.message, now);
+      if (task.outputs.empty()) {
+        std::copy_if(failure.evidence.begin(), failure.evidence.end(),
+                     std::back_inserter(task.outputs), has_file_);
+      }
+      fail_task(task, failure.exit_code, failure.message, now);
+      break;
+    case FailureCause::damaged_input:
+      lose_attempt(attempt, AttemptState::returned, failure.message, now);
+      settle_waiting(task.id, now);
+      if (task.state == TaskState::ready) count_loss(task, failure.message, now);
+      break;
+    case FailureCause::out_of_memory: {
+      const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
+      lose_attempt(attempt, AttemptState::starved, failure.message, now);
+      count_out_of_memory(task, had_bytes, failure, now);
+      break;
     }
-    fail_task(task, failure.exit_code, failure.message, now);
-  } else if (!failure.damaged_inputs.empty()) {
-    lose_attempt(attempt, AttemptState::returned, failure.message, now);
-    settle_waiting(task.id, now);
-    if (task.state == TaskState::ready) count_loss(task, failure.message, now);
-  } else if (failure.out_of_memory) {
-    const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
-    lose_attempt(attempt, AttemptState::starved, failure.message, now);
-    count_out_of_memory(task, had_bytes, failure, now);
-  } else if (failure.out_of_resources) {
-    lose_attempt(attempt, AttemptState::returned, failure.message, now);
-    out_of_resources(failure.message, now);
-  } else if (failure.killed) {
-    lose_attempt(attempt, AttemptState::killed, failure.message, now);
-    count_loss(task, failure.message, now);
-  } else {
-    lose_attempt(attempt, AttemptState::crashed, failure.message, now);
-    count_crash(task, worker, failure.message, now);
+    case FailureCause::disk_full:
+      lose_attempt(attempt, AttemptState::returned, failure.message, now);
+      out_of_resources(failure.message, now);
+      break;
+    case FailureCause::killed:
+      lose_attempt(attempt, AttemptState::killed, failure.message, now);
+      count_loss(task, failure.message, now);
+      break;
+    case FailureCause::error:
+      lose_attempt(attempt, AttemptState::crashed, failure.message, now);
+      count_crash(task, worker, failure.message, now);
+      break;
   }
 }
 

@@ -7,14 +7,13 @@
 
 #include "base/counted.h"
 #include "coordinator/decisions/job_state.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
 /// Whether the leaf of this task can be cut once more; "" when it can, else why not.
 std::string JobState::why_no_further_cut(const TaskRow& task) const {
-  const bool is_of_leaf = task.kind == TaskKind::mesh || task.kind == TaskKind::extract ||
-                          task.kind == TaskKind::cosmetic;
-  if (!is_of_leaf) return "more cuts do not make it smaller";
+  if (!traits_of(task.kind).shrinks_with_leaf) return "more cuts do not make it smaller";
   const JobId job = task.job;
   if (find_task(job, TaskKind::number, 0) != nullptr) return "the nodes are already numbered";
   if (task.path >= deepest_cut) return "the tree cannot be deeper";
@@ -49,10 +48,7 @@ void JobState::cut_further(JobId job, std::uint64_t leaf, const std::string& why
 /// What was decided and done from the whole tree.
 void JobState::replace_turns(JobId job, const std::string& why, Moment now) {
   for (const TaskId id : lists_.tasks_of(job)) {
-    const TaskKind kind = durable_.tasks.at(id).kind;
-    const bool is_of_turns =
-        kind == TaskKind::order || kind == TaskKind::extract || kind == TaskKind::cosmetic;
-    if (is_of_turns) replace(id, why, now);
+    if (traits_of(durable_.tasks.at(id).kind).needs_whole_tree) replace(id, why, now);
   }
   progress_.start_turns_anew(job);
 }

@@ -52,6 +52,8 @@
 #include "coordinator/decisions/tree_progress.h"
 #include "coordinator/decisions/worker_sessions.h"
 #include "store/rows.h"
+#include "tasks/failure_cause.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -101,10 +103,7 @@ struct WorkerInfo {
 struct TaskFailure {
   std::int32_t exit_code = 1;
   std::string message;
-  bool may_retry = false;
-  bool out_of_resources = false;
-  bool killed = false;
-  bool out_of_memory = false;
+  FailureCause cause = FailureCause::for_good;
   std::uint64_t peak_rss_bytes = 0;
   std::vector<std::string> damaged_inputs;  ///< hashes; the shell has checked that they are damaged
   std::vector<ArtifactRef> evidence;

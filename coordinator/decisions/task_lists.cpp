@@ -1,25 +1,12 @@
 #include "coordinator/decisions/task_lists.h"
 
 #include "base/check.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
 
-/// Cuts go first: they make work for everybody else; so does what others wait for to have their
-/// turn.
-int rank_of(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::decompose:
-    case TaskKind::order:
-    case TaskKind::extract:
-    case TaskKind::cosmetic:
-      return 0;
-    default:
-      return 1;
-  }
-}
-
-TaskLists::Offer offer_of(const TaskRow& task) { return {rank_of(task.kind), task.id}; }
+TaskLists::Offer offer_of(const TaskRow& task) { return {traits_of(task.kind).rank, task.id}; }
 
 bool is_at_work(const TaskRow& task) {
   return task.state == TaskState::ready || task.state == TaskState::leased;
@@ -67,8 +54,8 @@ void TaskLists::update(const TaskRow& task, bool job_is_running) {
 }
 
 void TaskLists::forget(JobId job) {
-  places_.erase(places_.lower_bound({job, TaskKind::inspect, 0}),
-                places_.lower_bound({JobId{job.value + 1}, TaskKind::inspect, 0}));
+  places_.erase(places_.lower_bound({job, all_task_kinds.front(), 0}),
+                places_.lower_bound({JobId{job.value + 1}, all_task_kinds.front(), 0}));
   active_.erase(job);
   failed_.erase(job);
 }
@@ -80,7 +67,7 @@ std::optional<TaskId> TaskLists::find(JobId job, TaskKind kind, std::uint64_t pa
 
 std::vector<TaskId> TaskLists::tasks_of(JobId job) const {
   std::vector<TaskId> tasks;
-  for (auto place = places_.lower_bound({job, TaskKind::inspect, 0});
+  for (auto place = places_.lower_bound({job, all_task_kinds.front(), 0});
        place != places_.end() && std::get<JobId>(place->first) == job; ++place) {
     tasks.push_back(place->second);
   }

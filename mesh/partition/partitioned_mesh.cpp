@@ -191,6 +191,7 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
     : pieces_(options.parts, folder),
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
+  require_tets_alone(source, "Parts for solvers are made of");
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);
   FinePartition fine(coarsen(source, clusters, folder), options.parts);
   for (std::size_t i = 0; i < source.size(); ++i) {

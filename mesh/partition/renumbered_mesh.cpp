@@ -69,6 +69,7 @@ void put_in_order(NumberedPart& part) {
 
 RenumberedMesh::RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering numbering)
     : source_(std::move(source)), numbering_(numbering) {
+  require_tets_alone(*source_, "Nodes get other numbers in meshes of");
   find_shared_nodes();
   number_nodes();
 }

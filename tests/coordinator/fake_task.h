@@ -3,12 +3,14 @@
 #pragma once
 
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/hash.h"
 #include "coordinator/decisions/task_graph.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "tasks/task_contracts.h"
 
 namespace tetfarm {
 
@@ -69,9 +71,23 @@ inline void decompose_make_believe(const std::string& seed, TaskResult& result) 
   result.numbers["interdomain_nodes"] = static_cast<double>(hash.low % 50);
   result.numbers["left_work"] = static_cast<double>(hash.low % 500);
   result.numbers["right_work"] = static_cast<double>(hash.high % 500);
+  result.numbers["left_needles"] = 0;
+  result.numbers["right_needles"] = static_cast<double>(hash.low % 3);
+}
+
+/// @throws std::logic_error where a worker refuses the task.
+inline void require_given(const TaskRow& task) {
+  TaskWords words;
+  for (const ArtifactRef& file : task.inputs) {
+    words.files.push_back({file.name, {file.hash, file.size}});
+  }
+  words.texts = task.parameters;
+  const std::string breach = breach_of_given(task.kind, words);
+  if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 
 inline TaskResult run_make_believe(const TaskRow& task) {
+  require_given(task);
   const std::string seed = work_name(task);
   const Hash128 hash = hash128(seed);
   TaskResult result;
@@ -88,6 +104,8 @@ inline TaskResult run_make_believe(const TaskRow& task) {
       result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000)},
                         {"groups", static_cast<double>(size < 1000 ? 0 : size % 1000)},
                         {"total_work", 1000},
+                        {"most_bytes", 0},
+                        {"needles", 0},
                         {"across_cuts", 1}};
       break;
     }

@@ -145,6 +145,7 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
 void for_each_part_with_ghosts(
     const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
     const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
+  require_tets_alone(outline, "Communication tables are made of");
   ExternalSort<SharedNode> shared(folder);
   find_shared_nodes(source, folder, shared);
   // The list is gone through twice: for the ghosts of others, then for the tables.

@@ -1,6 +1,7 @@
 // What the simulated farm has found (farm_schedules.h), each as a few events.
 #include <algorithm>
 
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -34,7 +35,7 @@ TEST_F(Recovery, a_missing_input_is_told_with_the_task_that_makes_it_and_how_tha
   worker_ = add_worker({.nonce = "one"});
   run_until_meshes();
   TaskFailure killed;
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   ASSERT_TRUE(fail(worker_, held_, killed));
   now_.steady_ms += 1000;
   const ArtifactRef lost = task(held_.task).inputs.front();

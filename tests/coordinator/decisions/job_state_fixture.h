@@ -10,6 +10,7 @@
 
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/job_status.h"
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/durable_record.h"
 #include "tests/coordinator/fake_task.h"
 
@@ -155,7 +156,7 @@ class JobStateTest : public testing::Test {
 inline TaskFailure crash() {
   TaskFailure failure;
   failure.message = "signal 11";
-  failure.may_retry = true;
+  failure.cause = FailureCause::error;
   return failure;
 }
 

@@ -1,3 +1,4 @@
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -218,7 +219,7 @@ TEST_F(JobStateTest, kills_from_outside_are_not_counted_as_crashes) {
   submit();
   worker_ = new_worker();
   TaskFailure killed = crash();
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   for (int i = 0; i < 10; ++i) {
     wait(60000);
     fail(worker_, next(worker_), killed);
@@ -233,7 +234,7 @@ TEST_F(JobStateTest, a_task_that_is_lost_again_and_again_fails_in_the_end) {
   submit();
   worker_ = new_worker();
   TaskFailure killed;
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   for (std::uint32_t i = 0; i < rules_.max_losses; ++i) {
     wait(60000);
     fail(worker_, next(worker_), killed);
@@ -256,7 +257,7 @@ TEST_F(JobStateTest, a_full_disk_stops_the_handing_out_for_a_growing_while) {
   worker_ = new_worker();
   TaskFailure full;
   full.message = "No space left on device";
-  full.out_of_resources = true;
+  full.cause = FailureCause::disk_full;
   full.exit_code = 6;
   fail(worker_, next(worker_), full);
   EXPECT_EQ(summary().state, "stuck");

@@ -92,6 +92,11 @@ TEST(TaskGraph, results_without_their_files_are_unusable) {
   result.outputs = {make_believe_file("left", "l")};
   EXPECT_TRUE(problem_with(cut, result));
   result.outputs.push_back(make_believe_file("right", "r"));
+  result.numbers = {{"interdomain_nodes", 17},
+                    {"left_work", 40},
+                    {"right_work", 90},
+                    {"left_needles", 0},
+                    {"right_needles", 0}};
   EXPECT_FALSE(problem_with(cut, result));
 }
 

@@ -239,7 +239,7 @@ TEST_P(LargeCounts, tables_and_seams_of_such_nodes_are_those_of_small_numbers) {
 }
 
 TEST(LargeCountsOfVtu, pieces_of_the_largest_size_have_offsets_of_64_bits) {
-  const VtuLayout layout = vtu_layout(most, most, most);
+  const VtuLayout layout = vtu_layout(most, 2 * most, 7 * most);
   EXPECT_EQ(layout.arrays[1].offset, 8 + 24 * most);
   EXPECT_EQ(layout.arrays[2].bytes, 8 * 7 * most);
   EXPECT_EQ(layout.arrays[3].offset, 3 * 8 + (24 + 8 + 56) * most);
