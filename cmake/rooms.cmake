@@ -24,6 +24,10 @@ function(room_target room out)
   set(${out} ${target} PARENT_SCOPE)
 endfunction()
 
+# Twelve files of a room of the mesh (but for the formats) read their headers once where this is on. The preset
+# `dev` compiles each file by itself.
+option(TETFARM_ROOMS_IN_BATCHES "Compile the files of a room together" OFF)
+
 function(add_room room)
   room_target(${room} target)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${room}/*.cpp)
@@ -33,11 +37,20 @@ function(add_room room)
     set(sources ${PROJECT_BINARY_DIR}/empty_${target}.cpp)
   endif()
   add_library(${target} STATIC ${sources})
+  if(room MATCHES "^(base|mesh/[a-z_]+|store|pool)$" AND NOT room STREQUAL "mesh/formats")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES} UNITY_BUILD_BATCH_SIZE 12)
+  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   foreach(dependency ${ARGN})
     room_target(${dependency} library)
     target_link_libraries(${target} PUBLIC ${library})
   endforeach()
+endfunction()
+
+# Files that use a name of their own for what another file of their room calls by the same name.
+function(compile_apart)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # What every folder of formats may use; the check of the layers has the same list.

@@ -3,13 +3,12 @@
 #include <bit>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/assemble/face_balance.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 [[noreturn]] void refuse(const Subdomain& subdomain, const std::string& what) {
   throw Error(ExitCode::failed, "sub-domain " + subdomain.path.text() + ": " + what);

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 TetBlocks::TetBlocks(std::span<const Tet> tets, std::size_t nodes) : tets_(tets), nodes_(nodes) {
   std::vector<std::size_t> block_of_page(pages(), std::numeric_limits<std::size_t>::max());
   for (std::size_t t = 0; t < tets.size(); ++t) {

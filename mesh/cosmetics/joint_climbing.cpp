@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool has(const std::vector<std::int32_t>& list, std::int32_t item) {
   return std::find(list.begin(), list.end(), item) != list.end();

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
 
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Goodness {
   double operator()(const StarFace& face, const Vec3& p) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/array_index.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
@@ -14,8 +15,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Whether the cavity's boundary faces and nodes leave the point room.
 bool keeps_clear(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,

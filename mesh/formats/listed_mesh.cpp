@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
 #include "mesh/formats/regions_of_faces.h"
@@ -16,8 +17,6 @@ using Nodes = ListedMesh::Nodes;
 
 constexpr std::int64_t tets_at_once = 65536;
 constexpr std::int32_t most_names = 1'000'000;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Consecutive cells of one type and one region.
 struct CellsOfList {

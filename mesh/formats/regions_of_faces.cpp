@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The smallest number first, turning the same way round.
 template <std::size_t N>

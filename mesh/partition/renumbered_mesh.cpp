@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<bool> nodes_on_surface(const NumberedPart& part) {
   std::vector<bool> is_on_surface(part.nodes.size(), false);

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 
+#include "base/array_index.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/element_block.h"
@@ -13,8 +14,6 @@ namespace tetfarm {
 namespace {
 
 using std::to_string;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::uint64_t odd_bit = 1;
 constexpr std::uint64_t boundary_bit = 2;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "mesh/core/element_block.h"
 #include "mesh/core/signed_volume.h"
 
@@ -10,8 +11,6 @@ namespace tetfarm {
 namespace {
 
 using std::to_string;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 template <std::size_t N>
 std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& local,

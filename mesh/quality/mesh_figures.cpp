@@ -6,13 +6,12 @@
 #include <span>
 #include <tuple>
 
+#include "base/array_index.h"
 #include "mesh/core/element_block.h"
 #include "mesh/quality/cut_nodes.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double degrees_of(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
 

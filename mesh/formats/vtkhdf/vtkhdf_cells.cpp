@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 template <class Element>
 const std::int64_t* take(const std::int64_t* ids, Element& element) {
