@@ -141,6 +141,7 @@ TEST_F(Recovery, a_job_goes_on_with_what_a_task_made_before_it_came_into_quarant
   const std::string lost = task(turn.task).inputs.back().hash;
   files_.erase(lost);
   TaskFailure damaged = crash();
+  damaged.cause = FailureCause::damaged_input;
   damaged.damaged_inputs = {lost};
   ASSERT_TRUE(fail(other, turn, damaged));
   const SendAssign maker = next(other);
