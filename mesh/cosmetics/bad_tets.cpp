@@ -9,7 +9,7 @@
 
 namespace tetfarm::cosmetics {
 
-BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
+BadTetScan scan_for_bad_tets(const TetComplex& complex, const QualityLimits& limits,
                              const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
   constexpr double quality_of_regular = 0.75;

@@ -14,7 +14,7 @@
 
 namespace tetfarm {
 
-inline ArtifactRef make_believe_file(const std::string& name, const std::string& content) {
+inline ArtifactRef fake_file(const std::string& name, const std::string& content) {
   const std::string hash = hash128(content).hex();
   return {name, hash, content.size() + 1};
 }
@@ -27,9 +27,9 @@ inline std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) 
 
 /// The inspect task of a job of so many parts, done.
 inline TaskRow inspected(double parts) {
-  TaskRow task = inspect_task(JobId{1}, make_believe_file("job", "j"), {});
-  task.outputs = {make_believe_file("surface", "s"), make_believe_file("spacing", "p"),
-                  make_believe_file("root", "r"), make_believe_file("settings", "t")};
+  TaskRow task = inspect_task(JobId{1}, fake_file("job", "j"), {});
+  task.outputs = {fake_file("surface", "s"), fake_file("spacing", "p"), fake_file("root", "r"),
+                  fake_file("settings", "t")};
   task.numbers["parts"] = parts;
   return task;
 }
@@ -52,11 +52,11 @@ inline void assimilate_make_believe(const TaskRow& task, const std::string& seed
     const std::string first = group2first.emplace(leaves++ % 3, heap).first->second;
     if (first == heap) {
       const std::string name = "group:" + heap;
-      result.outputs.push_back(make_believe_file(name, seed + name));
+      result.outputs.push_back(fake_file(name, seed + name));
     }
     result.texts["groups"] += heap + " " + first + "\n";
   }
-  result.outputs.push_back(make_believe_file("dropped", seed + "dropped"));
+  result.outputs.push_back(fake_file("dropped", seed + "dropped"));
 }
 
 inline void decompose_make_believe(const std::string& seed, TaskResult& result) {
@@ -66,7 +66,7 @@ inline void decompose_make_believe(const std::string& seed, TaskResult& result) 
     return;
   }
   for (const char* side : {"left", "right"}) {
-    result.outputs.push_back(make_believe_file(side, seed + side));
+    result.outputs.push_back(fake_file(side, seed + side));
   }
   result.numbers["interdomain_nodes"] = static_cast<double>(hash.low % 50);
   result.numbers["left_work"] = static_cast<double>(hash.low % 500);
@@ -92,13 +92,13 @@ inline TaskResult run_make_believe(const TaskRow& task) {
   const Hash128 hash = hash128(seed);
   TaskResult result;
   const auto add = [&](const char* name) {
-    result.outputs.push_back(make_believe_file(name, seed + name));
+    result.outputs.push_back(fake_file(name, seed + name));
   };
   switch (task.kind) {
     case TaskKind::inspect: {
       // What lies in the surface does not depend on the number of parts.
       for (const char* name : {"surface", "spacing", "root", "settings"}) {
-        result.outputs.push_back(make_believe_file(name, name));
+        result.outputs.push_back(fake_file(name, name));
       }
       const std::uint64_t size = task.inputs.front().size;
       result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000)},

@@ -145,8 +145,8 @@ class JobStateTest : public testing::Test {
   FarmRules rules_;
   Moment now_{1000000, 5};
   DurableRecord record_;
-  ArtifactRef job_file_ = make_believe_file("job", "toml");
-  ArtifactRef surface_ = make_believe_file("input_surface", "flange");
+  ArtifactRef job_file_ = fake_file("job", "toml");
+  ArtifactRef surface_ = fake_file("input_surface", "flange");
   std::set<std::string> files_;
   std::unique_ptr<JobState> state_;
   WorkerId worker_;

@@ -164,7 +164,7 @@ TEST_F(JobStateTest, bad_input_fails_the_job_at_once_with_its_evidence) {
   TaskFailure failure;
   failure.exit_code = 3;
   failure.message = "wing.stl: the surface is open";
-  failure.evidence = {make_believe_file("open_edges.vtp", "x")};
+  failure.evidence = {fake_file("open_edges.vtp", "x")};
   files_.insert(failure.evidence.front().hash);
   EXPECT_TRUE(fail(worker_, assign, failure));
   const JobSummary result = summary();
@@ -337,7 +337,7 @@ TEST_F(JobStateTest, other_bytes_the_second_time_fail_the_job) {
   const SendAssign again = next(worker_);
   ASSERT_EQ(again.task, inspect.task);
   TaskResult other = run_make_believe(task(again.task));
-  other.outputs.front() = make_believe_file("surface", "other");
+  other.outputs.front() = fake_file("surface", "other");
   files_.insert(other.outputs.front().hash);
   files_.insert(find_file(other.outputs, "root")->hash);
   state_->done(worker_, again.task, again.attempt, other, now_);
