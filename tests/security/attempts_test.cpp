@@ -163,6 +163,7 @@ TEST_F(Attempts, numbers_that_are_no_numbers_make_an_unusable_result) {
 TEST_F(Attempts, evidence_with_a_name_that_leads_out_is_kept_under_a_plain_one) {
   wire::Envelope failed = failed_message(held_.task(), held_.attempt());
   failed.mutable_failed()->set_exit_code(3);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::for_good));
   failed.mutable_failed()->set_message("bad surface");
   wire::Artifact& evidence = *failed.mutable_failed()->add_evidence();
   evidence.set_name("../../../planted");
