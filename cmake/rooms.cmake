@@ -3,21 +3,34 @@
 # add_room(mesh/geometry mesh/core) makes the library mesh_geometry.
 include(GoogleTest)
 
-# Half of what a test costs to compile is the reading of GoogleTest: where this is on, it is read once for all
-# tests. GCC then takes inlined code of system headers for ours and warns of it, so the preset `dev`, whose
-# warnings are errors, does without; it also sees that each test includes what it uses.
-option(TETFARM_PRECOMPILED_TESTS "Read GoogleTest once for all tests" OFF)
-set(TETFARM_TEST_FLAGS "" CACHE STRING "How tests are compiled, beside what all files are compiled with")
-if(TETFARM_PRECOMPILED_TESTS)
-  file(WRITE ${PROJECT_BINARY_DIR}/test_headers.cpp "")
-  add_library(test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
-  target_link_libraries(test_headers PRIVATE GTest::gmock)
-  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <gmock/gmock.h>)
-  set(test_flags -fpch-preprocess ${TETFARM_TEST_FLAGS})
-  target_compile_options(test_headers PRIVATE ${test_flags})
-else()
-  set(test_flags ${TETFARM_TEST_FLAGS})
-endif()
+# Most of what a test or a file of the service costs to compile is the reading of the same few headers (GoogleTest,
+# JSON, the messages): where this is on, they are read once for all of them. The preset `dev` does without, and sees
+# that each file includes what it uses.
+option(TETFARM_PRECOMPILED_HEADERS "Read the headers that many files include once" OFF)
+set(TETFARM_OUTER_FLAGS "" CACHE STRING
+    "How tests and the rooms around the work are compiled, beside what all files are compiled with")
+# Compiled as everything is: what tests spend their time in.
+set(rooms_that_work "^(base|mesh/.*|(coordinator|worker)/decisions)$")
+
+# After the rooms: the rooms that are read with the precompiled headers.
+function(precompile_headers)
+  if(NOT TETFARM_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  file(WRITE ${PROJECT_BINARY_DIR}/common_headers.cpp "")
+  add_library(common_headers OBJECT ${PROJECT_BINARY_DIR}/common_headers.cpp)
+  target_link_libraries(common_headers PRIVATE proto GTest::gmock)
+  target_include_directories(common_headers PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(common_headers PRIVATE ${TETFARM_OUTER_FLAGS})
+  target_precompile_headers(common_headers PRIVATE
+    <gtest/gtest.h> <gmock/gmock.h> <nlohmann/json.hpp> "${PROJECT_BINARY_DIR}/generated/proto/messages.pb.h"
+    <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <random> <set>
+    <sstream> <string> <thread> <variant> <vector>)
+  get_property(rooms GLOBAL PROPERTY rooms_with_common_headers)
+  foreach(room ${rooms})
+    target_precompile_headers(${room} REUSE_FROM common_headers)
+  endforeach()
+endfunction()
 
 function(room_target room out)
   string(REPLACE "/" "_" target ${room})
@@ -39,6 +52,12 @@ function(add_room room)
   add_library(${target} STATIC ${sources})
   if(room MATCHES "^(base|mesh/[a-z_]+|store|pool)$" AND NOT room STREQUAL "mesh/formats")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES} UNITY_BUILD_BATCH_SIZE 12)
+  endif()
+  if(NOT room MATCHES ${rooms_that_work})
+    target_compile_options(${target} PRIVATE ${TETFARM_OUTER_FLAGS})
+    if(NOT room STREQUAL "proto")
+      set_property(GLOBAL APPEND PROPERTY rooms_with_common_headers ${target})
+    endif()
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   foreach(dependency ${ARGN})
@@ -138,9 +157,9 @@ endfunction()
 function(add_test_program program sources label)
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
-  target_compile_options(${program} PRIVATE ${test_flags})
-  if(TETFARM_PRECOMPILED_TESTS)
-    target_precompile_headers(${program} REUSE_FROM test_headers)
+  target_compile_options(${program} PRIVATE ${TETFARM_OUTER_FLAGS})
+  if(TETFARM_PRECOMPILED_HEADERS)
+    target_precompile_headers(${program} REUSE_FROM common_headers)
   endif()
   if(label STREQUAL "slow" AND NOT TETFARM_SLOW_TESTS)
     set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)

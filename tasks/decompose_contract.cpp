@@ -37,7 +37,7 @@ void DecomposeMade::describe(ContractFields& fields) {
   if (halves) left = halves->left.file;
   fields.file("left", left);
   if (!left) return;
-  if (!halves) halves.emplace();
+  if (!halves) halves = Halves{};
   halves->left.file = *left;
   fields.file("right", halves->right.file);
   fields.count("interdomain_nodes", halves->interdomain_nodes);

@@ -16,17 +16,14 @@
 
 #include "base/child_process.h"
 #include "base/retry_on_eintr.h"
+#include "base/sanitizers.h"
 #include "worker/task_environment.h"
 
 namespace tetfarm {
 namespace {
 
 // A copy that the C library does not know of is nothing for ThreadSanitizer.
-#if defined(__SANITIZE_THREAD__)
-constexpr bool can_copy_itself = false;
-#else
-constexpr bool can_copy_itself = true;
-#endif
+constexpr bool can_copy_itself = !has_thread_sanitizer;
 
 constexpr int most_failures = 3;
 

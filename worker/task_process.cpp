@@ -5,17 +5,14 @@
 #include <unistd.h>
 
 #include "base/child_process.h"
+#include "base/sanitizers.h"
 
 namespace tetfarm {
 namespace {
 
 // A sanitizer's shadow of the address space counts as data, and is larger than any machine's
 // memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool can_limit_memory = false;
-#else
-constexpr bool can_limit_memory = true;
-#endif
+constexpr bool can_limit_memory = !is_sanitized;
 
 }  // namespace
 

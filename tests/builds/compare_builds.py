@@ -53,7 +53,8 @@ def run(command):
 
 def built(root, folder, compiler, c_compiler, flags):
     run(["cmake", "-G", "Ninja", "-S", str(root), "-B", str(folder), f"-DCMAKE_CXX_COMPILER={compiler}",
-         f"-DCMAKE_C_COMPILER={c_compiler}", f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_BUILD_TYPE="])
+         f"-DCMAKE_C_COMPILER={c_compiler}", f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_BUILD_TYPE=",
+         "-DTETFARM_ROOMS_IN_BATCHES=ON"])
     run(["cmake", "--build", str(folder), "--target", "kernel_digests"])
     return folder / "bin" / "kernel_digests"
 

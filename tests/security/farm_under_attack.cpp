@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 
 namespace tetfarm::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <random>
 
+#include "base/sanitizers.h"
 #include "tests/security/farm_under_attack.h"
-#include "tests/support/sanitized.h"
 
 namespace tetfarm {
 namespace {
@@ -25,7 +25,7 @@ constexpr double soon_s = 60;
 
 /// No process that this one has waited for ever held more than `most_bytes`.
 void expect_little_memory() {
-  if (test::is_sanitized) return;
+  if (is_sanitized) return;
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);
   EXPECT_LE(static_cast<std::uint64_t>(usage.ru_maxrss) << 10U, most_bytes);

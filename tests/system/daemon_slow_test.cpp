@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 #include "tests/system/daemon_farm.h"
 
 namespace tetfarm {
@@ -137,7 +137,7 @@ TEST_F(Daemon, a_zombies_result_is_refused_while_another_works_on_the_task) {
 }
 
 TEST_F(Daemon, a_task_out_of_memory_says_so_and_is_tried_where_there_is_more) {
-  if (test::is_sanitized) GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
+  if (is_sanitized) GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
   const auto small = start_worker({"--memory", "3MB"});
   const std::string job = submit(test::sphere_in_box(folder_.path(), 24, 2));
   // Alone in the farm it has all the memory there is.

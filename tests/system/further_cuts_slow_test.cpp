@@ -1,7 +1,7 @@
 // What is out of memory on every worker is cut further, as if the job had asked for it.
 #include <set>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 #include "tests/system/daemon_farm.h"
 
 namespace tetfarm {
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 class FurtherCuts : public test::Daemon {
  protected:
   void SetUp() override {
-    if (test::is_sanitized) GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
+    if (is_sanitized) GTEST_SKIP() << "under a sanitizer tasks have no limit of memory";
     const Ended made = run_program(
         {"shape", "sphere-in-sphere", "-o", "ball.off", "--spacing", "0.055"}, folder_.path());
     ASSERT_EQ(made.code, 0) << made.err;

@@ -1,7 +1,7 @@
 // `[decompose] max_memory` is a promise: no task of a run needs more.
 #include <gmock/gmock.h>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 #include "tests/system/farm_cases.h"
 
 namespace tetfarm {
@@ -17,7 +17,7 @@ constexpr double megabyte = 1e6;
 class Memory : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (test::is_sanitized) GTEST_SKIP() << "a sanitizer's memory is not the program's";
+    if (is_sanitized) GTEST_SKIP() << "a sanitizer's memory is not the program's";
   }
   Memory() {
     run_program({"shape", "sphere-in-sphere", "-o", "ball.off", "--spacing", "0.08"},

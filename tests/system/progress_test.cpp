@@ -1,7 +1,7 @@
 // What is told of a task while it runs, by the program itself.
 #include <gmock/gmock.h>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 #include "tests/system/watched_run.h"
 
 namespace tetfarm {
@@ -17,7 +17,7 @@ TEST(Progress, of_a_leaf_that_is_meshed_is_seen_in_status_explain_and_plain_line
   const TemporaryFolder folder;
   const std::string input = test::sphere_in_box(folder.path(), 24, 4);
   // The leaf takes some seconds: lines of a task come a second apart.
-  const std::string size = test::is_sanitized ? "0.085" : "0.062";
+  const std::string size = is_sanitized ? "0.085" : "0.062";
   const auto words = [&](const std::string& output, const std::string& progress) {
     return std::vector<std::string>{"run",    input,          "-o",    output,   "-j",
                                     "1",      "--subdomains", "1",     "--size", size,

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-#include "tests/support/sanitized.h"
+#include "base/sanitizers.h"
 #include "tests/system/farm_cases.h"
 
 namespace tetfarm {
@@ -123,7 +123,7 @@ TEST_F(Views, tasks_tell_what_was_expected_of_them) {
   for (const json& task : look_json({"tasks", "--kind", "mesh"})) {
     EXPECT_GT(task["expected_seconds"], 0);
     EXPECT_GT(task["expected_bytes"], 1 << 20);
-    if (!test::is_sanitized) {
+    if (!is_sanitized) {
       EXPECT_GT(task["expected_bytes"], task["peak_rss_bytes"]);
     }
     EXPECT_GT(task["expected_elements"], 0);

@@ -1,5 +1,7 @@
 #include "worker/task_host.h"
 
+#include "base/sanitizers.h"
+
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -20,10 +22,10 @@ class TaskHosts : public ::testing::Test {
   TaskHosts() : null_(::open("/dev/null", O_RDWR | O_CLOEXEC)) {}
   ~TaskHosts() override { ::close(null_); }
   void SetUp() override {
-#if defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "hosts copy themselves behind the C library's back, which ThreadSanitizer "
-                    "does not follow: there is none in such a build";
-#endif
+    if (has_thread_sanitizer) {
+      GTEST_SKIP() << "hosts copy themselves behind the C library's back, which ThreadSanitizer "
+                      "does not follow: there is none in such a build";
+    }
   }
 
   std::optional<pid_t> start(TaskHost& host, const std::string& script, int patience_ms = 10'000) {
@@ -86,9 +88,7 @@ TEST_F(TaskHosts, the_task_has_its_pipes_and_no_other_descriptor) {
 }
 
 TEST_F(TaskHosts, the_task_has_a_group_of_its_own_and_the_limit_of_memory) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "a sanitizer's shadow is larger than any limit";
-#endif
+  if (has_address_sanitizer) GTEST_SKIP() << "a sanitizer's shadow is larger than any limit";
   const auto task =
       host_.start("[ $(ulimit -d) = 262144 ]", {null_, null_, null_}, std::uint64_t{256} << 20U);
   EXPECT_EQ(exit_code(task), 0);

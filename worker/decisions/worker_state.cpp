@@ -179,7 +179,7 @@ bool WorkerState::is_running() const {
 void WorkerState::take_assign(const wire::Assign& assign, std::int64_t now_ms) {
   if (phase_ != WorkerPhase::idle || assign.attempt() == 0) return;
   ask_ms_ = never_ms;
-  attempt_.emplace();
+  attempt_ = Attempt{};
   attempt_->assign = assign;
   attempt_->is_apart = !sees_store_;
   const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
@@ -238,7 +238,8 @@ void WorkerState::fail(WorkerStep step_taken, const Error& error, std::int64_t n
   how.set_message(error.what());
   how.set_exit_code(static_cast<int>(error.code()));
   blame_own_disk(how);
-  *result_.emplace().outcome.mutable_failed() = std::move(how);
+  result_ = Result{};
+  *result_->outcome.mutable_failed() = std::move(how);
   commands_.push_back(ForgetFiles{});
   tell_result(now_ms);
 }
@@ -256,7 +257,8 @@ void WorkerState::child_ended(wire::Envelope outcome, std::int64_t now_ms) {
     log(attempt_name() + ": " + outcome.failed().message(), true);
     blame_own_disk(*outcome.mutable_failed());
   }
-  result_.emplace().outcome = std::move(outcome);
+  result_ = Result{};
+  result_->outcome = std::move(outcome);
   if (phase_ == WorkerPhase::telling) return tell_result(now_ms);
   commands_.push_back(UploadOutputs{result_->outcome});
 }

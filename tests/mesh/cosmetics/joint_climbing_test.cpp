@@ -74,8 +74,8 @@ TEST(JointClimbing, a_direction_goes_up_for_all_slopes_and_is_none_where_two_are
                                           along(1, {0, 0, 2})};
   const std::vector<Vec3> up = direction_up(agreeing, 2);
   ASSERT_EQ(up.size(), 2U);
-  EXPECT_GT(dot(up[0], Vec3(1, 0, 0)), 0.01);
-  EXPECT_GT(dot(up[0], Vec3(-0.5, 1, 0)), 0.01);
+  EXPECT_GT(dot(up[0], Vec3{1, 0, 0}), 0.01);
+  EXPECT_GT(dot(up[0], Vec3{-0.5, 1, 0}), 0.01);
   EXPECT_GT(up[1].z, 0.01);
   EXPECT_NEAR(std::max(norm(up[0]), norm(up[1])), 1, 1e-12);
   EXPECT_THAT(direction_up({along(0, {1, 0, 0}), along(0, {-1, 0, 0})}, 1), IsEmpty());

@@ -53,11 +53,11 @@ SettledBall settled_ball(std::uint64_t seed) {
 /// The squared height of the lowest tet.
 double lowest2_of(const WorkMesh& work) {
   double lowest2 = HUGE_VAL;
-  for (const auto& [a, b, c, d] : tets_of(work.complex)) {
+  for (const auto& tet : tets_of(work.complex)) {
     const auto height2 = [&](std::int32_t i, std::int32_t j) {
-      return smallest_height2(work.point(i), work.point(j), work.point(c), work.point(d));
+      return smallest_height2(work.point(i), work.point(j), work.point(tet[2]), work.point(tet[3]));
     };
-    lowest2 = std::min(lowest2, std::max(height2(a, b), height2(b, a)));
+    lowest2 = std::min(lowest2, std::max(height2(tet[0], tet[1]), height2(tet[1], tet[0])));
   }
   return lowest2;
 }
