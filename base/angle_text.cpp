@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr int digits_of_difference = 2;
 }  // namespace
 
 std::string angle_text(double deg, int decimals) {
+  TF_CHECK(decimals >= 0 && decimals <= most_decimals);
   if (deg == 0) return "0";
   if (deg == 180) return "180";
   const double to_flat = std::min(deg, 180 - deg);

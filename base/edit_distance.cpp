@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -20,6 +22,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
       }
     }
   }
+  TF_CHECK(cost.back() <= std::max(a.size(), b.size()));
   return cost.back();
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/ids.h"
 #include "base/utf8.h"
@@ -36,6 +37,7 @@ class OpenFile {
   int descriptor() const { return descriptor_; }
 
   void write(std::string_view bytes) {
+    TF_CHECK(descriptor_ >= 0);
     while (!bytes.empty()) {
       const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
@@ -59,6 +61,7 @@ class OpenFile {
 
   /// NFS reports a full disk or quota only here.
   void close_checked() {
+    TF_CHECK(descriptor_ >= 0);
     if (::close(std::exchange(descriptor_, -1)) != 0) {
       throw IoError("cannot close", path_.string(), errno);
     }
@@ -102,6 +105,7 @@ void replace_file(const fs::path& path, const Make& make) {
 }
 
 void copy_durably(const fs::path& from, const fs::path& to) {
+  TF_CHECK(from != to);
   OpenFile source(from, O_RDONLY);
   OpenFile target(to, O_WRONLY | O_CREAT | O_EXCL, file_mode);
   std::array<char, 1U << 16U> buffer;
@@ -208,6 +212,7 @@ void remove_file(const fs::path& path) {
 }
 
 std::string unique_temp_name(std::string_view stem) {
+  TF_CHECK(stem.find('/') == std::string_view::npos);
   constexpr std::size_t longest_stem = 200;  // what file systems take is 255 bytes in all
   return std::string(cut_utf8(stem, longest_stem)) + "." + std::to_string(::getpid()) + "." +
          random_hex(8) + ".tmp";

@@ -21,6 +21,7 @@ std::string Hash128::hex() const {
 }
 
 Hash128 hash128(const void* data, std::size_t size) {
+  TF_CHECK(data != nullptr || size == 0);
   const XXH128_hash_t hash = XXH3_128bits(data, size);
   return {hash.high64, hash.low64};
 }
@@ -43,10 +44,12 @@ Hasher& Hasher::operator=(Hasher&& other) noexcept {
 }
 
 void Hasher::add(const void* data, std::size_t size) {
+  TF_CHECK(state_ != nullptr);  // not moved from
   XXH3_128bits_update(state_->xxh, data, size);
 }
 
 Hash128 Hasher::finish() const {
+  TF_CHECK(state_ != nullptr);
   const XXH128_hash_t hash = XXH3_128bits_digest(state_->xxh);
   return {hash.high64, hash.low64};
 }

@@ -1,5 +1,6 @@
 #include "base/job_name.h"
 
+#include "base/check.h"
 #include "base/utf8.h"
 
 namespace tetfarm {
@@ -30,6 +31,7 @@ std::string problem_with_job_name(std::string_view name) {
 }
 
 std::string file_name_of_job(std::string_view name, std::string_view ending) {
+  TF_CHECK(ending.size() < longest_file_name);
   return std::string(cut_utf8(name, longest_file_name - ending.size())).append(ending);
 }
 

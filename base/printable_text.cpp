@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/utf8.h"
 
 namespace tetfarm {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::string_view hex_digits = "0123456789abcdef";
 
 std::string hex(std::size_t value, int digits) {
+  TF_CHECK(digits > 0 && digits <= 16);
   std::string text;
   for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) {
     text += hex_digits[(value >> static_cast<unsigned>(shift)) & 0xFU];

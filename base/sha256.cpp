@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -39,6 +41,7 @@ std::array<std::uint32_t, 64> schedule_of(std::string_view block) {
 }
 
 void add_block(std::string_view block, Words& hash) {
+  TF_CHECK(block.size() == block_bytes);
   const std::array<std::uint32_t, 64> w = schedule_of(block);
   auto [a, b, c, d, e, f, g, h] = hash;
   for (std::size_t i = 0; i < w.size(); ++i) {
@@ -61,6 +64,7 @@ void add_block(std::string_view block, Words& hash) {
 
 /// What is left after the whole blocks, a one, zeros, and the length in bits: one block or two.
 std::string last_blocks(std::string_view rest, std::uint64_t all_bytes) {
+  TF_CHECK(rest.size() < block_bytes);
   std::string last(rest);
   last += '\x80';
   while ((last.size() + length_bytes) % block_bytes != 0) last += '\0';

@@ -1,5 +1,7 @@
 #include "base/utf8.h"
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -14,6 +16,7 @@ bool continues(unsigned byte) { return (byte & 0xC0U) == 0x80U; }
 }  // namespace
 
 CodePoint code_point_at(std::string_view text, std::size_t at) {
+  TF_CHECK(at < text.size());
   const unsigned first = byte_at(text, at);
   if (first < 0x80U) return {first, 1};
   std::size_t bytes = 0;

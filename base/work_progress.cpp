@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 WorkProgress::WorkProgress(Listener listener) : state_(std::make_shared<State>()) {
+  TF_CHECK(listener != nullptr);
   state_->listener = std::move(listener);
   for (std::size_t i = 0; i < work_stages; ++i) {
     state_->counts[i].stage = static_cast<WorkStage>(i);
@@ -14,6 +17,7 @@ WorkProgress::WorkProgress(Listener listener) : state_(std::make_shared<State>()
 }
 
 void WorkProgress::enter(WorkStage stage, std::size_t more, int tell_every) const {
+  TF_CHECK(tell_every > 0);
   WorkCount& count = state_->counts.at(static_cast<std::size_t>(stage));
   if (more > 0) count.total = std::max(count.total, count.done + more);
   state_->now = &count;

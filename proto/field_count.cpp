@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/check.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
@@ -26,6 +27,7 @@ class FieldCount {
 
   bool is_above_limit() {
     add(wire::Envelope::descriptor());
+    TF_CHECK(count_ == 0);  // one count reads its bytes once
     return count_ > max_fields;
   }
 
@@ -34,6 +36,7 @@ class FieldCount {
   /// end or make no sense, or there are enough. Messages hold each other only a few deep.
   bool add(const Descriptor* type) {
     while (const std::uint32_t tag = stream_.ReadTag()) {
+      TF_CHECK(type != nullptr);
       if (++count_ > max_fields || !pass(tag, type)) return false;
     }
     return true;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "store/database_file.h"
 #include "store/network_file_system.h"
@@ -44,6 +45,7 @@ bool is_forbidden(int error_number) {
 }
 
 void roll_back(sqlite3* database) {
+  TF_CHECK(database != nullptr);
   // Some errors end the transaction by themselves; a second ROLLBACK would only hide the first.
   if (sqlite3_get_autocommit(database) != 0) return;
   sqlite3_exec(database, "ROLLBACK", nullptr, nullptr, nullptr);
@@ -96,7 +98,9 @@ JobDatabase::JobDatabase(const std::filesystem::path& path, const HistoryBounds&
   }
 }
 
-JobDatabase::JobDatabase(SqlitePtr database) : database_(std::move(database)) {}
+JobDatabase::JobDatabase(SqlitePtr database) : database_(std::move(database)) {
+  TF_CHECK(database_ != nullptr);
+}
 
 JobDatabase JobDatabase::open_to_read(const std::filesystem::path& path) {
   SqlitePtr database = open_database(path, DatabaseAccess::read);

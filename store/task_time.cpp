@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -85,6 +87,7 @@ Terms solve(Matrix m, Terms right) {
   constexpr std::size_t n = TaskTimes::terms;
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = k + 1; i < n; ++i) {
+      TF_CHECK(m[k][k] > 0);  // a sum of squares on top of a positive diagonal
       const double factor = m[i][k] / m[k][k];
       for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
       right[i] -= factor * right[k];
@@ -117,6 +120,7 @@ void TaskTimes::learn(TaskKind kind, const TaskSize& size, double cpu_seconds) {
     return;
   }
   const auto k = static_cast<std::size_t>(kind);
+  TF_CHECK(k < kinds_.size());
   kinds_[k].samples.push_back({usual_terms(kind, size), std::max(cpu_seconds, least_seconds)});
   if (kinds_[k].samples.size() > samples_kept) kinds_[k].samples.pop_front();
   is_stale_[k] = true;
@@ -124,6 +128,7 @@ void TaskTimes::learn(TaskKind kind, const TaskSize& size, double cpu_seconds) {
 
 void TaskTimes::fit(Kind& kind) {
   const Terms believed = kind.spreads;
+  TF_CHECK(!kind.samples.empty() && kind.samples.size() <= samples_kept);
   Matrix m{};
   Terms right{};
   for (std::size_t j = 0; j < terms; ++j) {
@@ -149,6 +154,7 @@ void TaskTimes::fit(Kind& kind) {
   }
   for (const Sample& sample : kind.samples) {
     const double expected = dot(kind.factors, sample.usual);
+    TF_CHECK(expected > 0);
     const double error = std::log(sample.seconds / expected);
     for (std::size_t j = 0; j < terms; ++j) {
       const double share = kind.factors[j] * sample.usual[j] / expected;
@@ -161,6 +167,7 @@ void TaskTimes::fit(Kind& kind) {
 
 SecondsRange TaskTimes::seconds(TaskKind kind, const TaskSize& size) const {
   const auto k = static_cast<std::size_t>(kind);
+  TF_CHECK(k < kinds_.size());
   if (kinds_[k].samples.empty()) return usual_seconds(kind, size);
   if (is_stale_[k]) {
     kinds_[k].spreads = belief_of(kind).spreads;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -11,6 +13,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 TetBlocks::TetBlocks(std::span<const Tet> tets, std::size_t nodes) : tets_(tets), nodes_(nodes) {
+  TF_CHECK(tets.size() <= std::numeric_limits<std::uint32_t>::max());
   std::vector<std::size_t> block_of_page(pages(), std::numeric_limits<std::size_t>::max());
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const std::size_t block = t / tets_of_block;

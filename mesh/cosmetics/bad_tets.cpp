@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smallest_angle.h"
 
@@ -17,6 +18,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
                              const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
+  TF_CHECK(options.regular.first <= options.regular.last);
   constexpr double quality_of_regular = 0.75;
   const bool skips_regular = std::max(limits.wanted, limits.relaxed) < quality_of_regular;
   BadTetScan result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/cosmetics/element_homes.h"
 
@@ -75,6 +76,7 @@ void put_outer_nodes_first(Region& region) {
     for (std::int32_t& v : face) v = number[at(v)];
   }
   std::vector<std::int32_t> node2tet(is_outer.size());
+  TF_CHECK(next_inner == static_cast<std::int32_t>(is_outer.size()) && next_outer == outer_nodes);
   for (std::size_t v = 0; v < number.size(); ++v) {
     node2tet[at(number[v])] = region.complex.node2tet[v];
   }
@@ -136,6 +138,7 @@ std::vector<std::int32_t> return_nodes(const Region& region, const TetComplex& c
                                        SeamResult& result) {
   result.next_node = turn.next_node;
   std::vector<std::int32_t> region2joined = region.region2joined;
+  TF_CHECK(complex.points.size() >= region.region2joined.size());
   for (std::size_t v = 0; v < complex.points.size(); ++v) {
     const bool is_used = complex.node2tet[v] >= 0;
     if (v < region.region2joined.size()) {
@@ -157,6 +160,7 @@ std::vector<std::int32_t> return_nodes(const Region& region, const TetComplex& c
 void return_tets(const Region& region, const TetComplex& complex,
                  const std::vector<std::int32_t>& region2joined,
                  const std::vector<ElementHome>& homes, JoinedElements& joined) {
+  TF_CHECK(homes.size() == complex.live_tets());
   std::size_t kept = 0;
   for (std::size_t t = 0, next = 0; t < joined.tets.size(); ++t) {
     if (next < region.tets.size() && region.tets[next] == t) {
@@ -174,6 +178,7 @@ void return_tets(const Region& region, const TetComplex& complex,
     joined.tets.push_back(tet);
   }
   joined.tet_home.insert(joined.tet_home.end(), homes.begin(), homes.end());
+  TF_CHECK(joined.tet_home.size() == joined.tets.size());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -22,6 +23,7 @@ struct Goodness {
 /// The mean of the nodes of the star; each counts as often as it has faces.
 Vec3 mean_of(const Star& star) {
   Vec3 sum;
+  TF_CHECK(!star.empty());
   for (const StarFace& face : star) sum += face[0] + face[1] + face[2];
   return sum / (3.0 * static_cast<double>(star.size()));
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/decompose/maximum_flow.h"
 
 namespace tetfarm {
@@ -34,6 +35,7 @@ double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plan
 }
 
 std::int64_t to_capacity(double cost) {
+  TF_CHECK(cost >= 0);
   constexpr double resolution = 1 << 20;
   constexpr double largest = 1e6;
   return static_cast<std::int64_t>(std::fmin(cost, largest) * resolution) + 1;
@@ -75,6 +77,7 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
     }
   }
   const std::vector<bool> is_left = network.source_side_of_minimum_cut(source, sink);
+  TF_CHECK(is_left[idx(source)] && !is_left[idx(sink)]);
   for (const std::int32_t t : band) {
     colours[idx(t)] = is_left[idx(triangle2node[idx(t)])] ? Side::left : Side::right;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -67,6 +69,7 @@ CellOfNode cell_of(const LatticeNode& node) {
 
 LatticeGrid::LatticeGrid(std::span<const LatticeNode> nodes) {
   BlockTable table;
+  TF_CHECK(nodes.size() < (std::size_t{1} << 31U));
   std::vector<std::uint64_t> keys;
   std::int32_t last = none;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
 
@@ -31,6 +32,7 @@ class Sweeps {
         insertion_(complex, &constrained) {}
 
   SweepReport run(const std::vector<std::uint8_t>& inside) {
+    TF_CHECK(inside.size() == complex_.nodes.size());
     open_ = inside;
     SweepReport report;
     for (;;) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -12,6 +13,7 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Location locate(const TetComplex& complex, const Vec3& point, std::int32_t start) {
+  TF_CHECK(complex.is_live(start));
   std::int32_t tet = start;
   FaceHandle entry = no_face;
   // A walk in a mesh that is not Delaunay may run in circles; turning the first face tried breaks

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/shapes/box_and_sphere.h"
@@ -73,6 +74,7 @@ int parts_of(double length, double triangles_at_1, int least, const OuterBoundar
     return std::floor(std::sqrt(triangles / triangles_at_1));
   };
   const double asked = asked_spacing(outer, by_growth);
+  TF_CHECK(length > 0 && by_growth > 0);
   const double parts = std::ceil(length / (asked > 0 ? asked : by_growth));
   const double most = parts_with(asked > 0 && !outer.is_sketch ? most_triangles : few_triangles);
   if (asked > 0 && !outer.is_sketch && parts > most) {
@@ -147,6 +149,7 @@ SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& out
   result.patch_of_triangle.resize(result.triangles.size(),
                                   static_cast<std::int32_t>(result.patch_names.size()));
   result.patch_names.emplace_back(is_box ? "outer_box" : "outer_sphere");
+  TF_CHECK(result.patch_of_triangle.size() == result.triangles.size());
   return result;
 }
 

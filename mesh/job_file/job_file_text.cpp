@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 
+#include "base/check.h"
 #include "mesh/job_file/job_file.h"
 
 namespace tetfarm {
@@ -23,6 +24,7 @@ std::string quoted_toml(std::string_view text) {
 
 /// As few digits as give the same double again.
 std::string number(double value) {
+  TF_CHECK(std::isfinite(value));
   if (value == 0) return "0";  // "-0" would come back as the whole number 0
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
@@ -40,6 +42,7 @@ std::string corner_keys_of(const JobSource::Corner& corner, std::string_view bet
 }
 
 std::string source_to_toml(const JobSource& source) {
+  TF_CHECK(!source.corners.empty() && source.corners.size() <= 3);
   std::string text = "\n[[source]]\n";
   const auto inline_corner = [&](std::size_t i) {
     return "{ " + corner_keys_of(source.corners.at(i), ", ") + " }";

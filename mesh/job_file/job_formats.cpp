@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -31,6 +33,7 @@ std::vector<std::string> formats_of_tasks(const std::vector<std::string>& wanted
   if (written.size() < wanted.size() && !has(written, formats[0])) {
     written.emplace_back(formats[0]);
   }
+  TF_CHECK(written.empty() == wanted.empty());
   return written;
 }
 

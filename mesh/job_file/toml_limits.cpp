@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -20,6 +21,7 @@ class Scan {
  private:
   void step() {
     switch (text_[at_]) {
+      TF_CHECK(depth_ >= 0 && dots_ >= 0);
       case '"':
       case '\'':
         return skip_string();
@@ -60,6 +62,7 @@ class Scan {
 
   void skip_string() {
     const char quote = text_[at_];
+    TF_CHECK(quote == '"' || quote == '\'');
     const bool has_lines = is_triple(quote);
     at_ += has_lines ? 3 : 1;
     for (; at_ < text_.size(); ++at_) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/check.h"
 #include "mesh/recovery/kernel_point.h"
 
 namespace tetfarm {
@@ -120,6 +121,7 @@ std::optional<Cavity> grown(const LocalRemeshing& mesh, const Cavity& cavity, st
 }
 
 void fill(LocalRemeshing& mesh, const Cavity& cavity, std::int32_t node) {
+  TF_CHECK(cavity.hull.size() >= 4);
   std::vector<Tet> tets;
   for (const FaceHandle face : cavity.hull) {
     const auto [a, b, c] = face_nodes(mesh, face);

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/tet_complex.h"
@@ -69,6 +70,7 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
     new_number[v] = count;
     mesh.nodes[at(count++)] = mesh.nodes[v];
   }
+  TF_CHECK(count >= boundary_nodes && at(count) <= mesh.nodes.size());
   mesh.nodes.resize(at(count));
   for (Tet& tet : mesh.tets) {
     for (std::int32_t& v : tet) v = new_number[at(v)];
@@ -100,6 +102,7 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     return inside;
   };
   std::vector<std::uint8_t> inside = sides();
+  TF_CHECK(inside.size() == complex.nodes.size());
   PendingCore core;
   if (options.fill) {
     options.progress.begin(WorkStage::points);
@@ -117,6 +120,7 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
+  TF_CHECK(kept.complex.nodes.size() == kept.constrained.size());
   const GraftedCore grafted = graft_pending_core(kept.complex, kept.constrained, std::move(core),
                                                  boundary_nodes, enclosing_nodes);
   if (options.fill && options.cosmetics) {
