@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/ids.h"
+#include "base/undo_unless_done.h"
 #include "base/utf8.h"
 
 namespace tetfarm {
@@ -94,13 +95,10 @@ void rename_checked(const fs::path& from, const fs::path& to) {
 template <class Make>
 void replace_file(const fs::path& path, const Make& make) {
   const fs::path temp = folder_of(path) / unique_temp_name(path.filename().string());
-  try {
-    make(temp);
-    rename_checked(temp, path);
-  } catch (...) {
-    ::unlink(temp.c_str());
-    throw;
-  }
+  UndoUnlessDone growing([&temp] { ::unlink(temp.c_str()); });
+  make(temp);
+  rename_checked(temp, path);
+  growing.done();
   sync_folder(folder_of(path));
 }
 
@@ -149,13 +147,10 @@ std::string read_part_of_file(const fs::path& path, std::uint64_t offset, std::s
 
 void append_to_file(const fs::path& path, std::uint64_t offset, std::string_view bytes) {
   OpenFile file(path, O_WRONLY | O_CREAT | O_APPEND, file_mode);
-  try {
-    file.write(bytes);
-    file.close_checked();
-  } catch (const IoError&) {
-    ::truncate(path.c_str(), static_cast<off_t>(offset));
-    throw;
-  }
+  UndoUnlessDone appended([&] { return ::truncate(path.c_str(), static_cast<off_t>(offset)); });
+  file.write(bytes);
+  file.close_checked();
+  appended.done();
 }
 
 std::optional<std::uint64_t> size_of_file(const fs::path& path) {

@@ -9,11 +9,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <system_error>
 #include <thread>
 
 #include "base/child_process.h"
 #include "base/clock.h"
 #include "base/file_system.h"
+#include "base/undo_unless_done.h"
 
 namespace tetfarm {
 namespace {
@@ -87,14 +89,13 @@ LocalFarm::LocalFarm(const FarmOptions& options) : options_(options) {
   folder_ = make_socket_folder();
   endpoint_ = "ipc://" + folder_.string() + "/farm";
   workers_.resize(static_cast<std::size_t>(options.first_workers));
-  try {
-    start(coordinator_, coordinator_command(), "coordinator.log");
-    for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
-  } catch (const IoError&) {
+  UndoUnlessDone starting([this] {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
-    throw;
-  }
+  });
+  start(coordinator_, coordinator_command(), "coordinator.log");
+  for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
+  starting.done();
 }
 
 LocalFarm::~LocalFarm() {

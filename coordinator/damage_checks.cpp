@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 void DamageChecks::take(Failure failure, const std::vector<ArtifactRef>& claimed) {
+  TF_CHECK(!claimed.empty());
   const auto [place, is_new] = pending_.try_emplace(failure.attempt);
   Pending& pending = place->second;
   if (!is_new) {
@@ -43,6 +46,7 @@ std::optional<DamageChecks::Failure> DamageChecks::note(const CheckedFile& check
   if (!pending.unknown.empty()) return std::nullopt;
   // The worker could not read what is whole here: its view of the disk lags, or its disk fails.
   if (failure.damaged_inputs.empty()) failure.killed = true;
+  TF_CHECK(pending.unknown.empty());
   return std::move(pending_.extract(found).mapped().failure);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
 #include "mesh/formats/regions_of_faces.h"
@@ -173,6 +174,7 @@ class ListedSource : public MeshSource {
   }
 
   void make_pieces(std::int64_t most) {
+    TF_CHECK(most > 0);
     std::int64_t first = 0;
     for (const TetRun& run : mesh_.runs) {
       for (std::int64_t done = 0; done < run.tets; done += most) {
@@ -185,6 +187,7 @@ class ListedSource : public MeshSource {
 
   /// Gives each part its triangles, and the last one those that no tet has.
   void share_out() {
+    TF_CHECK(!parts_.empty());
     UnclaimedTriangles unclaimed(mesh_);
     std::vector<bool> is_used = unclaimed.nodes();
     for (PartOfList& part : parts_) {
@@ -234,6 +237,7 @@ class ListedSource : public MeshSource {
     for (const TetRun& run : here.runs) {
       part.region_of_tet.insert(part.region_of_tet.end(), at(run.tets), run.region);
     }
+    TF_CHECK(part.region_of_tet.size() == at(here.tets));
   }
 
   static void renumber(NumberedPart& part, const std::vector<std::int32_t>& new_number) {

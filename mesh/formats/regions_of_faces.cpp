@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -17,6 +19,7 @@ Triangle smallest_first(Triangle face) {
 }  // namespace
 
 void set_regions_of_faces(NumberedPart& part) {
+  TF_CHECK(part.region_of_tet.size() == part.tets.size());
   std::vector<std::pair<Triangle, std::size_t>> wanted;
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     wanted.emplace_back(smallest_first(part.faces[i]), i);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/check.h"
 #include "mesh/assemble/node_blocks.h"
 #include "mesh/formats/cgns/cgns_tree.h"
 #include "mesh/formats/node_records.h"
@@ -29,6 +30,7 @@ struct Places {
 /// Elements `first` … `last`; returns where their nodes go.
 std::int64_t add_section(CgnsTree& tree, const std::string& name, std::int32_t type,
                          std::int64_t first, std::int64_t last) {
+  TF_CHECK(type == tri_3 || type == tetra_4);
   const std::string section = std::string(zone) + "/" + name;
   const int nodes = type == tri_3 ? 3 : 4;
   tree.small_node(zone, name, "Elements_t", {type, 0});
@@ -77,6 +79,7 @@ Places write_frame(const std::filesystem::path& path, const MeshOutline& outline
   tree.text_node(cell_data, "GridLocation", "GridLocation_t", "CellCenter");
   places.regions = tree.room_for_small(cell_data, "Region", outline.tets);
   places.subdomains = tree.room_for_small(cell_data, "Subdomain", outline.tets);
+  TF_CHECK(places.triangles.size() == outline.faces_of_patch.size());
   tree.close();
   return places;
 }
@@ -96,6 +99,7 @@ void write_coordinates(OutputFile& file, const Places& places, const NumberedPar
 
 void write_cgns(const MeshSource& source, const MeshOutline& outline,
                 const std::filesystem::path& path) {
+  TF_CHECK(outline.parts.size() == source.size());
   const Places places = write_frame(path, outline);
   OutputFile file(path, OutputFile::Start::as_it_is);
   const NumberText raw = NumberText::raw();

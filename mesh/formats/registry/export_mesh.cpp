@@ -1,9 +1,12 @@
 #include "mesh/formats/registry/export_mesh.h"
 
 #include <array>
+#include <system_error>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
+#include "base/undo_unless_done.h"
 #include "mesh/formats/cgns/write_cgns.h"
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/medit/write_meshb.h"
@@ -118,15 +121,16 @@ constexpr std::array formats = {
 
 void write_single_file(const MeshSource& source, const MeshOutline& outline,
                        const MeshFormat& format, const fs::path& output) {
+  TF_CHECK(format.write != nullptr);
   const fs::path growing = output.parent_path() / (unique_temp_name(output.filename().string()) +
                                                    std::string(format.ending));
-  try {
-    format.write(source, outline, growing);
-    publish_by_rename(growing, output);
-  } catch (...) {
-    remove_file(growing);
-    throw;
-  }
+  UndoUnlessDone writing([&growing] {
+    std::error_code ignored;
+    fs::remove(growing, ignored);
+  });
+  format.write(source, outline, growing);
+  publish_by_rename(growing, output);
+  writing.done();
 }
 
 std::string all_names() {

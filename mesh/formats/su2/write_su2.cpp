@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
 
@@ -51,6 +52,8 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
   const NumberText style =
       NumberText::text(std::max<std::int64_t>({outline.nodes, outline.tets, vtk_tetra}));
   const Places places = write_frame(file, outline, style);
+  TF_CHECK(outline.parts.size() == source.size());
+  TF_CHECK(places.face_of_patch.size() == outline.patch_names.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
     const PartOutline& here = outline.parts[i];

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "mesh/formats/patch_names.h"
@@ -53,6 +54,7 @@ std::string write_stl(const SurfaceMesh& surface) {
   const auto at = [&](std::int32_t v) { return surface.vertices[static_cast<std::size_t>(v)]; };
   const bool has_patches = !surface.patch_of_triangle.empty();
   const std::size_t patches = has_patches ? surface.patch_names.size() : 1;
+  TF_CHECK(!has_patches || surface.patch_of_triangle.size() == surface.triangles.size());
   std::string text;
   for (std::size_t patch = 0; patch < patches; ++patch) {
     const std::string name = has_patches ? surface.patch_names[patch] : std::string(unnamed_patch);

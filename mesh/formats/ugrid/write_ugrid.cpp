@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/node_blocks.h"
 #include "mesh/assemble/node_runs.h"
@@ -54,6 +55,8 @@ class UgridFile : public UgridWriter {
     const auto number = [&](std::int32_t local) {
       return static_cast<Integer>(part.local2global[static_cast<std::size_t>(local)] + 1);
     };
+    TF_CHECK(part.patch_of_face.size() == part.faces.size());
+    TF_CHECK(part.local2global.size() == part.nodes.size());
     std::vector<Integer> triangles;
     for (const auto& [a, b, c] : part.faces) {
       triangles.insert(triangles.end(), {number(a), number(c), number(b)});

@@ -80,6 +80,8 @@ FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, Outp
   if (part.region_of_tet.empty()) {
     regions.add(part.tets.size() + part.faces.size(), part.region);
   } else {
+    TF_CHECK(part.region_of_tet.size() == part.tets.size());
+    TF_CHECK(part.region_of_face.size() == part.faces.size());
     for (const std::int32_t region : part.region_of_tet) regions.add(region);
     for (const std::int32_t region : part.region_of_face) regions.add(region);
   }
@@ -104,6 +106,7 @@ std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const Vtkh
   subdomains.add(part.tets.size() + part.faces.size(), part.number);
   written.push_back(subdomains.finish());
   written.push_back(write_regions(here.regions, part, file));
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   Row<std::int32_t> patches(file, here.patches);
   patches.add(part.tets.size(), no_patch);
   for (const std::int32_t patch : part.patch_of_face) patches.add(patch);
@@ -115,6 +118,7 @@ void write_vtkhdf_points(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                          const NumberedPart& part, OutputFile& file) {
   constexpr std::int64_t bytes_of_point = 24;
   static_assert(sizeof(Vec3) == bytes_of_point);
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   file.write(places.points + before.points * bytes_of_point, part.nodes);
   file.write(places.node_numbers + before.points * 8, part.local2global);
 }

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Exceptions are caught in the places that ARCHITECTURE.md ("Errors") names, and in no others.
+
+PLACES says for each of these files how many catches it has, under the kind of place. Fails on a catch in
+another file, on one more in one of these, and on a number that is too high: who takes a catch away lowers it.
+With --count prints how many there are in how many files.
+"""
+
+import pathlib
+import re
+import sys
+
+ROOMS = ("base", "mesh", "proto", "store", "coordinator", "worker", "cli", "pool", "report")
+
+PLACES = {
+    "a program ends, and its exit code says how": {
+        "cli/main.cpp": 4,
+        "cli/command_line.cpp": 3,
+    },
+    "a task is run": {
+        "worker/run_task.cpp": 12,
+        "worker/task_io.h": 2,
+        "worker/mesh_task.cpp": 2,
+    },
+    "a request is handled": {
+        "coordinator/request_handler.cpp": 3,
+        "coordinator/request_client_files.cpp": 1,
+        "coordinator/request_replies.cpp": 2,
+        "coordinator/file_orders.cpp": 6,
+        "coordinator/views/status_server.cpp": 1,
+    },
+    "a loop goes on without the one that failed": {
+        "coordinator/server.cpp": 7,
+        "coordinator/authenticator.cpp": 1,
+        "worker/client.cpp": 6,
+        "cli/farm_view.cpp": 1,
+        "cli/pool_command.cpp": 2,
+        "cli/run_command.cpp": 4,
+        "cli/run_folder.cpp": 1,
+    },
+    "a disk is full or gone, and the caller waits or says so": {
+        "coordinator/guarded_database.cpp": 4,
+        "store/artifact_store.cpp": 1,
+        "store/database_file.cpp": 1,
+        "store/job_database.cpp": 1,
+        "worker/file_exchange.cpp": 1,
+        "worker/store_probe.cpp": 2,
+    },
+    "damage is looked for": {
+        "store/database_backup.cpp": 2,
+        "store/store_check.cpp": 1,
+        "worker/output_upload.cpp": 1,
+    },
+    "another library's exception becomes one of ours": {
+        "cli/coordinator_connection.cpp": 4,
+        "mesh/job_file/job_section.cpp": 1,
+        "proto/authorized_keys.cpp": 1,
+        "proto/wire.cpp": 1,
+    },
+    "a volume that cannot be filled is filled in another way": {
+        "mesh/library/leaf_mesh.cpp": 4,
+        "mesh/volume/volume_mesh.cpp": 1,
+    },
+}
+
+NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
+
+
+def count(text):
+    """How many catches the text of a file has; comments and texts have none."""
+    return len(re.findall(r"\bcatch\s*\(", NOT_CODE.sub("", text)))
+
+
+def catches(root):
+    """file -> how many catches, of the files that have any."""
+    files = [path for room in ROOMS for path in sorted((root / room).rglob("*")) if path.suffix in (".h", ".cpp")]
+    found = {path.relative_to(root).as_posix(): count(path.read_text()) for path in files}
+    return {name: number for name, number in found.items() if number}
+
+
+def check(found, places):
+    """What is wrong with the files of catches(), a line each."""
+    allowed = {name: number for files in places.values() for name, number in files.items()}
+    wrong = []
+    for name in sorted(found.keys() | allowed.keys()):
+        has, may = found.get(name, 0), allowed.get(name, 0)
+        if has > may:
+            wrong.append(f"{name}: {has} catches, {may} are allowed; return what is expected, and let the rest through")
+        elif has < may:
+            wrong.append(f"{name}: {has} catches, {may} are allowed; lower the number in check_catches.py")
+    return wrong
+
+
+def main():
+    found = catches(pathlib.Path("."))
+    if "--count" in sys.argv[1:]:
+        print(f"{sum(found.values())} catches in {len(found)} files")
+    wrong = check(found, PLACES)
+    for line in wrong:
+        print(line)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
