@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
+#include "mesh/core/elements.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/listed_mesh.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::int32_t tri_3 = 5;
-constexpr std::int32_t tetra_4 = 10;
+constexpr std::int32_t tri_3 = code_of(ElementCodes::cgns, ElementType::triangle);
+constexpr std::int32_t tetra_4 = code_of(ElementCodes::cgns, ElementType::tet);
 constexpr std::int64_t at_once = 65536;
 constexpr const char* zone = "Base/Zone1";
 

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "mesh/assemble/node_blocks.h"
+#include "mesh/core/elements.h"
 #include "mesh/formats/cgns/cgns_tree.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
@@ -11,8 +12,8 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int32_t tri_3 = 5;
-constexpr std::int32_t tetra_4 = 10;
+constexpr std::int32_t tri_3 = code_of(ElementCodes::cgns, ElementType::triangle);
+constexpr std::int32_t tetra_4 = code_of(ElementCodes::cgns, ElementType::tet);
 constexpr std::int64_t large_bytes = 8;
 constexpr std::int64_t small_bytes = 4;
 constexpr const char* base = "Base";

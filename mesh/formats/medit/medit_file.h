@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/core/elements.h"
 #include "mesh/core/vec3.h"
 #include "mesh/formats/input_file.h"
 
@@ -26,12 +27,12 @@ namespace medit {
 enum Keyword : std::int32_t {
   dimension = 3,
   vertices = 4,
-  triangles = 6,
-  quadrangles = 7,
-  tetrahedra = 8,
-  prisms = 9,
-  hexahedra = 10,
-  pyramids = 49,
+  triangles = code_of(ElementCodes::medit, ElementType::triangle),
+  quadrangles = code_of(ElementCodes::medit, ElementType::quad),
+  tetrahedra = code_of(ElementCodes::medit, ElementType::tet),
+  prisms = code_of(ElementCodes::medit, ElementType::prism),
+  hexahedra = code_of(ElementCodes::medit, ElementType::hex),
+  pyramids = code_of(ElementCodes::medit, ElementType::pyramid),
   end = 54
 };
 

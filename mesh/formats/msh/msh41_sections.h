@@ -5,14 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/core/elements.h"
 #include "mesh/formats/mesh_source.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/number_text.h"
 
 namespace tetfarm {
 
-inline constexpr std::int32_t msh_triangle_type = 2;
-inline constexpr std::int32_t msh_tet_type = 4;
+inline constexpr std::int32_t msh_triangle_type = code_of(ElementCodes::msh, ElementType::triangle);
+inline constexpr std::int32_t msh_tet_type = code_of(ElementCodes::msh, ElementType::tet);
 
 /// `style` with room for every number of the mesh: text or raw.
 NumberText msh_style(const MeshOutline& outline, bool is_text);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/core/elements.h"
+
 namespace tetfarm {
 
 struct MshElementType {
@@ -15,7 +17,8 @@ struct MshElementType {
   int nodes = 0;
 };
 
-inline constexpr std::int64_t msh_triangle = 2;
+inline constexpr std::int64_t msh_triangle = code_of(ElementCodes::msh, ElementType::triangle);
+inline constexpr std::int64_t msh_tet = code_of(ElementCodes::msh, ElementType::tet);
 
 /// Source: Gmsh reference manual, "MSH file format". Nothing for a type that it does not list.
 std::optional<MshElementType> msh_element_type(std::int64_t type);

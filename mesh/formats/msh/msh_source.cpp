@@ -20,8 +20,6 @@ std::array<std::int64_t, N> from_zero(std::array<std::int64_t, N> nodes) {
   return nodes;
 }
 
-constexpr std::int64_t msh_tet = 4;
-
 struct MshFile {
   explicit MshFile(const fs::path& path) : text(path), walker(text.scanner()) {}
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
+#include "mesh/core/elements.h"
 #include "mesh/formats/input_file.h"
 #include "mesh/formats/regions_of_faces.h"
 
@@ -14,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint8_t vtk_triangle = 5;
-constexpr std::uint8_t vtk_tetra = 10;
+constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
+constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t most_regions = 1'000'000;
 
 /// The value of an attribute of the XML element that begins at `place`; empty when it has none.

@@ -3,12 +3,13 @@
 #include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/assemble/output_file.h"
+#include "mesh/core/elements.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = 5;
-constexpr std::uint8_t vtk_tetra = 10;
+constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
+constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t no_patch = -1;
 
 /// An array's description, and its place in the file.

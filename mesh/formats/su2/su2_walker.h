@@ -10,13 +10,14 @@
 #include <span>
 #include <string_view>
 
+#include "mesh/core/elements.h"
 #include "mesh/core/vec3.h"
 #include "mesh/formats/input_scanner.h"
 
 namespace tetfarm {
 
-inline constexpr std::int64_t su2_triangle = 5;
-inline constexpr std::int64_t su2_tetra = 10;
+inline constexpr std::int64_t su2_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
+inline constexpr std::int64_t su2_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 
 /// Where an element stands: in the list of all (NELEM) or in that of a marker.
 enum class Su2List { elements, marker };

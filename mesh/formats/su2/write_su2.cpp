@@ -5,12 +5,10 @@
 #include "base/check.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
+#include "mesh/formats/su2/su2_walker.h"
 
 namespace tetfarm {
 namespace {
-
-constexpr int vtk_triangle = 5;
-constexpr int vtk_tetra = 10;
 
 /// Where each list begins.
 struct Places {
@@ -50,7 +48,7 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
                const std::filesystem::path& path) {
   OutputFile file(path);
   const NumberText style =
-      NumberText::text(std::max<std::int64_t>({outline.nodes, outline.tets, vtk_tetra}));
+      NumberText::text(std::max<std::int64_t>({outline.nodes, outline.tets, su2_tetra}));
   const Places places = write_frame(file, outline, style);
   TF_CHECK(outline.parts.size() == source.size());
   TF_CHECK(places.face_of_patch.size() == outline.patch_names.size());
@@ -68,7 +66,7 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
     NumberText tets = style;
     std::int64_t tet_number = here.first_tet;
     for (const Tet& tet : part.tets) {
-      tets.integer(vtk_tetra);
+      tets.integer(su2_tetra);
       for (const std::int32_t v : tet) tets.integer(global_node(part, v));
       tets.integer(tet_number++);
       tets.end_record();
@@ -78,7 +76,7 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
     for (std::size_t patch = 0; patch < faces.size(); ++patch) {
       NumberText triangles = style;
       for (const std::size_t face : faces[patch]) {
-        triangles.integer(vtk_triangle);
+        triangles.integer(su2_triangle);
         for (const std::int32_t v : part.faces[face]) triangles.integer(global_node(part, v));
         triangles.end_record();
       }

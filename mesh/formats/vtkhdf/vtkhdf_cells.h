@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/core/elements.h"
 #include "mesh/core/tet_mesh.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
 
-inline constexpr std::uint8_t vtkhdf_triangle_type = 5;
-inline constexpr std::uint8_t vtkhdf_tet_type = 10;
+inline constexpr std::uint8_t vtkhdf_triangle_type =
+    code_of(ElementCodes::vtk, ElementType::triangle);
+inline constexpr std::uint8_t vtkhdf_tet_type = code_of(ElementCodes::vtk, ElementType::tet);
 inline constexpr std::int64_t vtkhdf_cells_of_block = 16384;
 
 /// Where a partition begins in the arrays, and how much it has.

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "mesh/core/elements.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = 5;
-constexpr std::uint8_t vtk_tetra = 10;
+constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
+constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t no_patch = -1;
 /// What is written at once: it stays in the processor's caches until then.
 constexpr std::size_t values_of_block = 65536;
