@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/printable_text.h"
@@ -93,6 +94,8 @@ std::string running_text(const wire::JobStatus& status) {
 }
 
 std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns) {
+  TF_CHECK(!texts.empty());
+  TF_CHECK(share >= 0 && share <= 1);
   // The last column stays free: a line that wraps could not be erased.
   const std::size_t room = columns == 0                 ? std::string::npos
                            : columns > shortest_bar + 2 ? columns - shortest_bar - 2
@@ -161,6 +164,7 @@ void ProgressDisplay::show_forecast(const wire::JobStatus& status) {
 }
 
 void ProgressDisplay::draw_bar(const wire::JobStatus& status, const std::string& running) {
+  TF_CHECK(is_bar_);
   const double rate = rate_.tets_per_second();
   const std::string line = bar_line(
       share_done(status, rate_),

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/graph/graph_coarsening.h"
@@ -55,6 +56,7 @@ class Coarsening {
     const CellFaces cells = cell_faces(part);
     const std::vector<GraphLevel> levels =
         coarsen_graph(dual_graph(cells, part.tets.size()), part.tets.size(), at(wanted));
+    TF_CHECK(wanted >= 1 && !levels.empty());
     const auto first = static_cast<std::int32_t>(mesh_.graph.weight.size());
     mesh_.first_cluster.push_back(first);
     mesh_.wanted_clusters.push_back(wanted);
@@ -120,6 +122,7 @@ class Coarsening {
 CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
                    const std::filesystem::path& folder) {
   Coarsening coarsening(folder);
+  TF_CHECK(source.size() > 0 && clusters >= 1);
   const auto subdomains = static_cast<std::int64_t>(source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -56,6 +58,7 @@ class CuthillMcKee {
       for (const std::int32_t node : piece) is_placed_[at(node)] = true;
       order.insert(order.end(), piece.rbegin(), piece.rend());
     }
+    TF_CHECK(order.size() == is_placed_.size());  // each node once
     return order;
   }
 

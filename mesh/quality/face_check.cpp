@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/sorted_face.h"
@@ -71,6 +72,7 @@ class FaceBuckets {
     for (std::size_t bucket = 0; bucket < end_.size(); ++bucket) {
       std::sort(keys_.begin() + static_cast<std::ptrdiff_t>(i),
                 keys_.begin() + static_cast<std::ptrdiff_t>(end_[bucket]));
+      TF_CHECK(end_[bucket] >= i);  // buckets follow one another
       while (i < end_[bucket]) {
         const std::uint64_t nodes = keys_[i] >> last_shift;
         FaceUse use;
@@ -181,6 +183,7 @@ void FaceCheck::add(const NumberedPart& part) {
     }
     FaceBuckets faces(part, std::span(counts).subspan(first, last - first),
                       static_cast<std::int32_t>(first));
+    TF_CHECK(last > first);
     faces.for_each([&](const Triangle& nodes, FaceUse use) {
       if (is_matched_inside(use)) return;
       OpenFace open;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -14,6 +16,7 @@ Triangle sorted(Triangle nodes) {
 }  // namespace
 
 std::vector<ShownFace> surface_faces(const NumberedPart& part) {
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   std::vector<ShownFace> faces;
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     faces.push_back({part.faces[i], part.patch_of_face[i], part.region_of_boundary(i)});
@@ -22,6 +25,7 @@ std::vector<ShownFace> surface_faces(const NumberedPart& part) {
 }
 
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
+  TF_CHECK(is_kept.size() == part.tets.size());
   std::vector<std::pair<Triangle, std::size_t>> all;  // with their tets
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     if (!is_kept[t]) continue;
