@@ -121,8 +121,8 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
       .given_up = {},
       .node2settled = {},
       .attempts = most_attempts(complex.live_tets())};
-  improver.work.tet2quality = std::move(before.tet2quality);
   TF_CHECK(before.tet2quality.size() == complex.nodes.size());
+  improver.work.tet2quality = std::move(before.tet2quality);
   if (is_of_needles) cosmetics::improve_in_stages(improver);
   for (int pass = 0; pass < options.most_passes; ++pass) {
     begin_pass(improver);

@@ -249,8 +249,7 @@ void CavityInsertion::glue_large_star() {
 
 std::int32_t CavityInsertion::fill() {
   gather_bases();
-  // A closed surface without handles, seen from the point: its faces are given by its nodes.
-  TF_CHECK(hull_.size() + 4 == 2 * hull_nodes_.size());
+  TF_CHECK(hull_.size() >= 4 && hull_nodes_.size() >= 4);
   take_tets();
   TF_CHECK(mark_.size() == complex_.nodes.size());
   hull_tets_.resize(hull_nodes_.size());

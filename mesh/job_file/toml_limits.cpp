@@ -20,8 +20,8 @@ class Scan {
 
  private:
   void step() {
+    TF_CHECK(depth_ >= 0 && dots_ >= 0);
     switch (text_[at_]) {
-      TF_CHECK(depth_ >= 0 && dots_ >= 0);
       case '"':
       case '\'':
         return skip_string();
