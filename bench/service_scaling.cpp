@@ -79,18 +79,25 @@ class Job {
     switch (task.kind) {
       case TaskKind::inspect:
         for (const char* name : {"surface", "spacing", "root", "settings"}) add(name);
-        result.numbers = {
-            {"parts", static_cast<double>(leaves_)}, {"total_work", elements_}, {"across_cuts", 1}};
+        result.numbers = {{"parts", static_cast<double>(leaves_)},
+                          {"total_work", elements_},
+                          {"across_cuts", 1},
+                          {"groups", 0},
+                          {"most_bytes", 0},
+                          {"needles", 0}};
         break;
       case TaskKind::decompose:
         add("left");
         add("right");
         result.numbers["left_work"] = result.numbers["right_work"] =
             elements_ / std::exp2(std::bit_width(task.path));
+        result.numbers["left_needles"] = result.numbers["right_needles"] = 0;
+        result.numbers["interdomain_nodes"] = 0;
         break;
       case TaskKind::mesh:
         add("mesh");
-        result.numbers["tets"] = elements_ / static_cast<double>(leaves_);
+        result.numbers["tets"] = std::floor(elements_ / static_cast<double>(leaves_));
+        result.numbers["interior_nodes"] = 0;
         break;
       case TaskKind::order:
         for (std::uint64_t leaf = leaves_; leaf < 2 * leaves_; ++leaf) {

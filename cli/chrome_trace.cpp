@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "mesh/core/subdomain.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -17,16 +19,10 @@ constexpr std::int64_t us_per_ms = 1000;
 
 /// The names of colours that the viewer knows. Perfetto colours by name instead, which is the kind.
 const char* colour_of(const wire::AttemptLine& attempt) {
-  static const std::map<std::string, const char*> kind2colour = {
-      {"inspect", "grey"},         {"decompose", "rail_response"},
-      {"assimilate", "rail_idle"}, {"mesh", "good"},
-      {"order", "grey"},           {"extract", "generic_work"},
-      {"cosmetic", "bad"},         {"number", "grey"},
-      {"write", "rail_load"},      {"assemble", "rail_load"}};
   if (attempt.state() == "running") return "white";
   if (attempt.state() != "done") return "terrible";
-  const auto found = kind2colour.find(attempt.kind());
-  return found == kind2colour.end() ? "grey" : found->second;
+  const std::optional<TaskKind> kind = task_kind_named(attempt.kind());
+  return kind ? traits_of(*kind).trace_colour : "grey";
 }
 
 std::string place_of(const wire::AttemptLine& attempt) {

@@ -12,6 +12,9 @@
 #include "cli/service_command_line.h"
 #include "cli/unknown_words.h"
 #include "cli/view_command_line.h"
+#include "mesh/formats/registry/export_mesh.h"
+#include "mesh/formats/registry/open_mesh.h"
+#include "mesh/formats/surfaces/surface_formats.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
@@ -22,9 +25,9 @@ constexpr const char* exit_codes =
     "4 done, but below the quality gate; 5 not found or unreachable; 6 out of disk or memory;\n"
     "75 stopped at a checkpoint: run the same command again to continue.";
 
-constexpr const char* a_mesh =
-    "A mesh (.vtkhdf .ugrid .cgns .msh .su2 .meshb .pvtu .vtu .node .ele), the output folder of a "
-    "run, or a job (job-7)";
+std::string a_mesh() {
+  return "A mesh (" + readable_meshes() + "), the output folder of a run, or a job (job-7)";
+}
 
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
@@ -39,8 +42,7 @@ void add_progress(CLI::App& app, ProgressStyle& style) {
 
 void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("INPUT", job.input,
-                 "A closed surface (.stl .obj .off .msh .ply .ugrid .su2 .mesh .meshb .poly .smesh "
-                 ".fro; also .gz) or a job file (.toml)")
+                 "A closed surface (" + readable_surfaces() + "; also .gz) or a job file (.toml)")
       ->required();
   app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: chosen by size)")
       ->check(whole_number(1, std::int64_t{1} << 40))
@@ -201,7 +203,7 @@ class Parser {
   void add_quality() {
     CLI::App& sub = add("quality", "Read a mesh, check it and show its quality",
                         "tetfarm quality out/wing.vtkhdf", quality_);
-    sub.add_option("FILE", quality_.input, a_mesh)->required();
+    sub.add_option("FILE", quality_.input, a_mesh())->required();
     sub.add_option("--run", quality_.run,
                    "Output folder of the run that made the mesh, for its spacing (default: the "
                    "mesh's folder)")
@@ -222,14 +224,16 @@ class Parser {
   void add_export() {
     CLI::App& mesh = add("export", "Write a mesh in another format, one sub-domain at a time",
                          "tetfarm export out -o wing.lb8l.ugrid", export_);
-    mesh.add_option("FILE", export_.input, a_mesh)->required();
+    mesh.add_option("FILE", export_.input, a_mesh())->required();
     mesh.add_option("-o,--output", export_.output,
                     "The output file, or the folder for a format of several files")
         ->required()
         ->option_text("OUT");
     mesh.add_option("--format", export_.format,
-                    "Format, as named in docs/file_formats.md (default: by the file extension)")
+                    "Format, one of those below (default: by the file extension)")
         ->option_text("F");
+    mesh.footer("Formats, each with the file extension that selects it:\n" +
+                written_formats_text() + mesh.get_footer());
     mesh.add_option(
             "--partitions", export_.partitions,
             "Parts for a solver: the sub-domains, or N even parts by METIS (default as-meshed)")
@@ -246,7 +250,8 @@ class Parser {
     CLI::App& surface = add("convert", "Write a surface in another format",
                             "tetfarm convert wing.msh wing.stl", convert_);
     surface.add_option("IN", convert_.input, "The surface")->required();
-    surface.add_option("OUT", convert_.output, "The output file, .stl or .off")->required();
+    surface.add_option("OUT", convert_.output, "The output file: " + writable_surfaces())
+        ->required();
     add_json(surface, convert_.json);
   }
 
@@ -257,9 +262,7 @@ class Parser {
     const auto place = [&sub](const char* name, std::vector<double>& value, const char* what) {
       sub.add_option(name, value, what)->delimiter(',')->expected(3)->option_text("X,Y,Z");
     };
-    sub.add_option("FILE", render_.input,
-                   "A mesh (.vtkhdf, .lb8.ugrid), the output folder of a run, or a job (job-7)")
-        ->required();
+    sub.add_option("FILE", render_.input, a_mesh())->required();
     add_place_of_jobs(sub, render_.source);
     sub.add_option("-o,--output", render_.output, "The picture")->required()->option_text("PNG");
     sub.add_option(
@@ -304,8 +307,7 @@ class Parser {
     sub.add_option("KIND", shape_.name, "The shape")
         ->required()
         ->check(CLI::IsMember(shape_names()));
-    sub.add_option("-o,--output", shape_.output,
-                   "The output file: .stl (with patches) or .off (without)")
+    sub.add_option("-o,--output", shape_.output, "The output file: " + writable_surfaces())
         ->required()
         ->option_text("FILE");
     sub.add_option("--spacing", shape_.spacing,

@@ -12,6 +12,7 @@
 #include "base/undo_unless_done.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
+#include "mesh/formats/list/format.h"
 #include "mesh/formats/registry/export_mesh.h"
 
 namespace tetfarm {
@@ -28,13 +29,13 @@ std::vector<std::string> wanted_formats(const wire::JobStatus& status) {
 }
 
 /// What a format of several files is told to write in its folder.
-fs::path file_in_folder(const fs::path& folder, const MeshFormat& format, const fs::path& stem) {
-  if (!format.ending.empty()) return folder / (stem.string() + std::string(format.ending));
-  return format.name.starts_with("msh") ? folder / (stem.string() + ".msh") : folder;
+fs::path file_in_folder(const fs::path& folder, const Format& format, const fs::path& stem) {
+  if (format.layout == FormatLayout::folder) return folder;
+  return folder / (stem.string() + std::string(format.written_ending()));
 }
 
 /// A folder that is half written has another name.
-void write_folder(const MeshSource& source, const MeshFormat& format, const fs::path& target,
+void write_folder(const MeshSource& source, const Format& format, const fs::path& target,
                   const fs::path& stem) {
   const fs::path growing = target.parent_path() / unique_temp_name(target.filename().string());
   UndoUnlessDone writing([&growing] {
@@ -55,12 +56,12 @@ bool is_newer(const fs::path& file, const fs::path& than) {
 }  // namespace
 
 fs::path converted_file(const fs::path& vtkhdf, const std::string& format) {
-  const MeshFormat& wanted = find_mesh_format(format, vtkhdf);
+  const Format& wanted = find_mesh_format(format, vtkhdf);
   const std::string stem = vtkhdf.stem().string();
-  if (!wanted.is_single_file) return vtkhdf.parent_path() / (stem + "." + format);
-  const std::string ending =
-      wanted.ending.empty() ? "." + format + ".msh" : std::string(wanted.ending);
-  return vtkhdf.parent_path() / (stem + ending);
+  if (wanted.layout != FormatLayout::one_file) return vtkhdf.parent_path() / (stem + "." + format);
+  const std::string ending(wanted.written_ending());
+  const bool is_told_by_ending = !wanted.endings[0].empty();
+  return vtkhdf.parent_path() / (stem + (is_told_by_ending ? "" : "." + format) + ending);
 }
 
 void convert_mesh(const wire::JobStatus& status, ProgressStyle progress,
@@ -84,8 +85,8 @@ void convert_mesh(const wire::JobStatus& status, ProgressStyle progress,
                          vtkhdf.parent_path());
       if (source->takes_threads()) source = std::make_unique<ReadAhead>(std::move(source));
     }
-    const MeshFormat& wanted = find_mesh_format(format, target);
-    if (wanted.is_single_file) {
+    const Format& wanted = find_mesh_format(format, target);
+    if (wanted.layout == FormatLayout::one_file) {
       export_mesh(*source, wanted, target);
     } else {
       write_folder(*source, wanted, target, vtkhdf.stem());

@@ -10,6 +10,7 @@
 #include "cli/json_line.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
+#include "mesh/formats/list/format.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/formats/surfaces/read_surface.h"
@@ -29,10 +30,10 @@ std::filesystem::path folder_of(const std::filesystem::path& output) {
 }
 
 /// Parts that nobody could tell apart in the file would be worked out for nothing.
-void require_parts_in(const MeshFormat& format, int partitions) {
+void require_parts_in(const Format& format, int partitions) {
   if (partitions == 0 || format.holds_parts) return;
   std::string others;
-  for (const MeshFormat& other : mesh_formats()) {
+  for (const Format& other : written_formats()) {
     if (other.holds_parts) others += (others.empty() ? "" : ", ") + std::string(other.name);
   }
   throw ErrorWithHelp(
@@ -62,7 +63,7 @@ nlohmann::ordered_json spans_json(const NumberSpans& spans) {
   return {{"bandwidth", spans.bandwidth}, {"mean_difference", spans.mean()}};
 }
 
-nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& format,
+nlohmann::ordered_json json_of(const ExportCommand& command, const Format& format,
                                const ExportCounts& counts, const PartitionFigures& figures,
                                const std::optional<NumberingFigures>& numbering) {
   nlohmann::ordered_json result = {
@@ -87,7 +88,7 @@ nlohmann::ordered_json json_of(const ExportCommand& command, const MeshFormat& f
 
 ExitCode export_command(const ExportCommand& command) {
   keep_freed_memory();
-  const MeshFormat& format = find_mesh_format(command.format, command.output);
+  const Format& format = find_mesh_format(command.format, command.output);
   require_parts_in(format, command.partitions);
   const std::filesystem::path folder = folder_of(command.output);
   const MeshInput mesh = find_mesh(command.input, command.source, folder);

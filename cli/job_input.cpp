@@ -11,7 +11,7 @@
 #include "cli/output_formats.h"
 #include "mesh/formats/flite/read_flite_sources.h"
 #include "mesh/formats/surfaces/read_surface.h"
-#include "mesh/formats/surfaces/surface_type.h"
+#include "mesh/formats/surfaces/surface_formats.h"
 #include "mesh/inspect/defect_text.h"
 #include "mesh/job_file/toml_limits.h"
 #include "worker/inspect_task.h"
@@ -106,7 +106,7 @@ JobInput describe_job(const RunOptions& options) {
     job.formats = options.formats;
   }
   input.path = job.surface;
-  surface_ending_of(input.path);  // refused before a file is read or anything is started
+  surface_format_of(input.path);  // refused before a file is read or anything is started
   job.surface = std::filesystem::path(without_ending(job.surface, ".gz")).filename().string();
   return input;
 }

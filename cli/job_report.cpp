@@ -24,6 +24,7 @@
 #include "cli/text_table.h"
 #include "mesh/core/subdomain.h"
 #include "store/artifact_store.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -209,11 +210,10 @@ Json balance_json(const wire::JobStatus& status) {
 /// What each kind of task took, and what it was expected to take (worker/task_cost.h).
 Json tasks_json(const wire::JobStatus& status) {
   Json json = Json::object();
-  for (const char* kind : {"inspect", "decompose", "assimilate", "mesh", "order", "extract",
-                           "cosmetic", "number", "write", "assemble"}) {
-    const std::string prefix = std::string("task_") + kind;
+  for (const TaskKind kind : all_task_kinds) {
+    const std::string prefix = std::string("task_") + name_of(kind);
     if (!status.numbers().contains(prefix + "_count")) continue;
-    Json& task = json[kind];
+    Json& task = json[name_of(kind)];
     for (const char* name : {"count", "bytes", "expected_bytes", "of_expected_bytes", "seconds",
                              "cpu_seconds", "expected_seconds"}) {
       task[name] = number_of(status, prefix + "_" + name);

@@ -9,6 +9,7 @@
 #include "cli/farm_view.h"
 #include "cli/fetch_files.h"
 #include "cli/run_folder.h"
+#include "mesh/formats/list/known_formats.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "store/artifact_store.h"
 
@@ -19,13 +20,15 @@ namespace fs = std::filesystem;
 
 /// Of the job's results the one that is read best: .vtkhdf knows the sub-domains.
 const wire::Artifact& mesh_among(const wire::JobStatus& status) {
-  for (const char* ending : {".vtkhdf", ".lb8.ugrid"}) {
+  std::string known;
+  for (const KnownFormat& format : known_formats()) {
+    if (!format.is_of_tasks) continue;
     for (const wire::Artifact& file : status.files()) {
-      if (file.name().ends_with(ending)) return file;
+      if (file.name().ends_with(format.written_ending())) return file;
     }
+    known += (known.empty() ? "" : " or ") + std::string(format.written_ending());
   }
-  throw Error(ExitCode::not_found,
-              status.job() + " has no mesh that can be read (.vtkhdf or .lb8.ugrid)");
+  throw Error(ExitCode::not_found, status.job() + " has no mesh that can be read (" + known + ")");
 }
 
 void expect_done(const wire::JobStatus& status) {

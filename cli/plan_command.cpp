@@ -19,6 +19,7 @@
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
 #include "store/disk_room.h"
+#include "tasks/task_kind.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/task_cost.h"
@@ -105,7 +106,7 @@ class Costs {
 
  private:
   const TaskTimes& times_;
-  std::array<KindCost, static_cast<std::size_t>(TaskKind::assemble) + 1> kinds_;
+  std::array<KindCost, all_task_kinds.size()> kinds_;
 };
 
 std::vector<SubdomainSize> leaves_of_tree(const Plan& plan) {

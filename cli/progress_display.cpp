@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "base/check.h"
 #include "base/clock.h"
@@ -12,6 +13,7 @@
 #include "base/utf8.h"
 #include "cli/terminal.h"
 #include "proto/doing.h"
+#include "tasks/task_kind.h"
 #include "worker/job_forecast.h"
 
 namespace tetfarm {
@@ -31,13 +33,9 @@ std::string format(const char* pattern, Arguments... arguments) {
 }
 
 double share_done(const wire::JobStatus& status, const MeshingRate& rate) {
-  if (status.stage() == "mesh") return rate.share();
-  const bool is_improving =
-      status.stage() == "order" || status.stage() == "extract" || status.stage() == "cosmetic";
-  if (is_improving || status.stage() == "number" || status.stage() == "write" ||
-      status.stage() == "assemble")
-    return 1;
-  return 0;
+  const std::optional<TaskKind> stage = task_kind_named(status.stage());
+  if (stage == TaskKind::mesh) return rate.share();
+  return stage > TaskKind::mesh ? 1 : 0;
 }
 
 /// The longest running one that has said something; null when none has.

@@ -12,7 +12,6 @@
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "cli/run_folder.h"
-#include "mesh/formats/openfoam/openfoam_source.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/quality/mesh_check.h"
@@ -55,6 +54,20 @@ std::size_t subdomains_of(const MeshFigures& figures) {
   return figures.knows_subdomains ? figures.subdomains.size() : 1;
 }
 
+/// Of a mesh with other cells than tets: what there is besides.
+void add_others(const MeshFigures& figures, Json& json) {
+  if (figures.boundary_quads > 0) json["boundary_quads"] = figures.boundary_quads;
+  for (const ElementType type : cell_block_types) {
+    const CellFigures& cells = figures.others[type];
+    if (cells.cells == 0) continue;
+    json[std::string(element(type).plural)] = {
+        {"count", cells.cells},
+        {"volume", cells.volume},
+        {"least_scaled_jacobian", cells.least_scaled_jacobian},
+        {"mean_scaled_jacobian", cells.mean_scaled_jacobian()}};
+  }
+}
+
 Json report_json(const Report& report, const std::string& file) {
   const MeshFigures& figures = report.figures;
   Json json = {{"type", "quality"},
@@ -79,9 +92,22 @@ Json report_json(const Report& report, const std::string& file) {
                                {"volume", region.volume},
                                {"shapes", shapes_json(region.shapes)}});
   }
+  add_others(figures, json);
   json["digest"] = report.check.digest.hex();
   json["complaints"] = report.check.complaints;
   return json;
+}
+
+void print_others(const MeshFigures& figures) {
+  for (const ElementType type : cell_block_types) {
+    const CellFigures& cells = figures.others[type];
+    if (cells.cells == 0) continue;
+    std::printf("%-16s%lld, volume %.12g, scaled Jacobian %.4f mean, %.4f smallest\n",
+                std::string(element(type).plural).c_str(), static_cast<long long>(cells.cells),
+                cells.volume, cells.mean_scaled_jacobian(), cells.least_scaled_jacobian);
+  }
+  if (figures.boundary_quads == 0) return;
+  std::printf("boundary        %lld quads\n", static_cast<long long>(figures.boundary_quads));
 }
 
 double percent_of_angles(const ShapeStatistics& shapes, std::size_t bin) {
@@ -151,6 +177,7 @@ void print_report(const Report& report) {
   std::printf("tets            %lld\nnodes           %lld\nboundary        %lld triangles\n",
               static_cast<long long>(shapes.tets), static_cast<long long>(report.check.nodes),
               static_cast<long long>(figures.boundary_triangles));
+  print_others(figures);
   std::printf("sub-domains     %zu\nvolume          %.12g, enclosed %.12g\n",
               subdomains_of(figures), report.check.volume, report.check.enclosed_volume);
   std::printf("dihedral        %s to %s deg; worst at (%.6g, %.6g, %.6g)\n",
@@ -209,7 +236,7 @@ std::filesystem::path mesh_file(const std::filesystem::path& input) {
     if (name.ends_with(".vtkhdf") || name.ends_with(".ugrid")) meshes.push_back(entry.path());
   }
   if (meshes.empty()) {
-    if (is_openfoam_case(input)) return input;
+    if (is_mesh_folder(input)) return input;
     throw Error(ExitCode::not_found, input.string() + ": has no mesh (.vtkhdf, .lb8.ugrid)");
   }
   return *std::min_element(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) {

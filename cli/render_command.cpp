@@ -9,8 +9,7 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
-#include "mesh/formats/registry/read_global_mesh.h"
-#include "mesh/formats/vtkhdf/read_vtkhdf.h"
+#include "mesh/formats/mesh_source.h"
 #include "mesh/render/render_mesh.h"
 
 namespace tetfarm {
@@ -64,24 +63,18 @@ RenderOptions options_of(const RenderCommand& command) {
   return options;
 }
 
-/// A mesh of a format without sub-domains, as one part.
-NumberedPart whole_mesh(GlobalMesh mesh) {
-  NumberedPart part;
-  part.nodes = std::move(mesh.mesh.nodes);
-  part.tets = std::move(mesh.mesh.tets);
-  part.faces = std::move(mesh.boundary);
-  part.patch_of_face = std::move(mesh.patch_of_triangle);
-  return part;
-}
-
-Picture picture_of(const MeshInput& mesh, const RenderOptions& options) {
-  if (mesh.name.ends_with(".ugrid")) {
-    NumberedPart part = whole_mesh(read_global_mesh(mesh.file, mesh.name));
-    return render_mesh([&part](const auto& visit) { visit(part); }, {}, options);
-  }
-  const std::filesystem::path& file = mesh.file;
-  return render_mesh([&file](const auto& visit) { for_each_vtkhdf_part(file, visit); },
-                     vtkhdf_patch_names(file), options);
+/// Pieces of a file that does not know the sub-domains have one colour, and stay together.
+Picture picture_of(const MeshSource& mesh, RenderOptions options) {
+  const bool has_subdomains = mesh.knows_subdomains();
+  if (!has_subdomains) options.explosion = 0;
+  const auto for_each_part = [&](const auto& visit) {
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      NumberedPart part = mesh.part(i);
+      if (!has_subdomains) part.number = 0;
+      visit(part);
+    }
+  };
+  return render_mesh(for_each_part, mesh.patch_names(), options);
 }
 
 void require_png(const std::string& output) {
@@ -100,7 +93,8 @@ ExitCode render_command(const RenderCommand& command) {
   require_png(command.output);
   const RenderOptions options = options_of(command);
   const std::filesystem::path folder = std::filesystem::absolute(command.output).parent_path();
-  const Picture picture = picture_of(find_mesh(command.input, command.source, folder), options);
+  const MeshInput mesh = find_mesh(command.input, command.source, folder);
+  const Picture picture = picture_of(*open_mesh(mesh, folder), options);
   write_file_atomically(command.output, png_of(picture));
   return ExitCode::ok;
 }

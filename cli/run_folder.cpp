@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
+#include "mesh/formats/list/known_formats.h"
 #include "store/artifact_store.h"
 
 namespace tetfarm {
@@ -32,8 +33,9 @@ wire::Explanation task_with_spacing(FarmView& view, const std::string& job) {
 /// file.lb8.ugrid, file.vtkhdf: "file".
 std::string name_of_job(const fs::path& mesh) {
   std::string name = mesh.filename().string();
-  for (const char* ending : {".vtkhdf", ".lb8.ugrid"}) {
-    if (name.ends_with(ending)) name.resize(name.size() - std::string_view(ending).size());
+  for (const KnownFormat& format : known_formats()) {
+    const std::string_view ending = format.written_ending();
+    if (format.is_of_tasks && name.ends_with(ending)) name.resize(name.size() - ending.size());
   }
   return name;
 }

@@ -3,11 +3,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+formats_without(formats mesh/formats/hdf5)
 set(library_rooms mesh/library mesh/decompose mesh/planar mesh/graph mesh/volume mesh/recovery mesh/filling mesh/cosmetics mesh/spacing
     mesh/inspect mesh/shapes mesh/geometry
-    mesh/formats/surfaces mesh/formats/flite mesh/formats/medit
-    mesh/formats/msh mesh/formats/communication mesh/formats/obj mesh/formats/off mesh/formats/ply mesh/formats/stl
-    mesh/formats/su2 mesh/formats/tetgen mesh/formats/ugrid mesh/formats mesh/assemble mesh/artifacts mesh/job_file mesh/core base)
+    mesh/formats/surfaces ${formats} mesh/formats mesh/assemble mesh/artifacts mesh/job_file mesh/formats/list mesh/core base)
 set(archives "")
 foreach(room ${library_rooms})
   room_target(${room} target)

@@ -3,10 +3,30 @@
 # add_room(mesh/geometry mesh/core) makes the library mesh_geometry.
 include(GoogleTest)
 
+# Half of what a test costs to compile is the reading of GoogleTest: where this is on, it is read once for all
+# tests. GCC then takes inlined code of system headers for ours and warns of it, so the preset `dev`, whose
+# warnings are errors, does without; it also sees that each test includes what it uses.
+option(TETFARM_PRECOMPILED_TESTS "Read GoogleTest once for all tests" OFF)
+set(TETFARM_TEST_FLAGS "" CACHE STRING "How tests are compiled, beside what all files are compiled with")
+if(TETFARM_PRECOMPILED_TESTS)
+  file(WRITE ${PROJECT_BINARY_DIR}/test_headers.cpp "")
+  add_library(test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(test_headers PRIVATE GTest::gmock)
+  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <gmock/gmock.h>)
+  set(test_flags -fpch-preprocess ${TETFARM_TEST_FLAGS})
+  target_compile_options(test_headers PRIVATE ${test_flags})
+else()
+  set(test_flags ${TETFARM_TEST_FLAGS})
+endif()
+
 function(room_target room out)
   string(REPLACE "/" "_" target ${room})
   set(${out} ${target} PARENT_SCOPE)
 endfunction()
+
+# Twelve files of a room of the mesh (but for the formats) read their headers once where this is on. The preset
+# `dev` compiles each file by itself.
+option(TETFARM_ROOMS_IN_BATCHES "Compile the files of a room together" OFF)
 
 function(add_room room)
   room_target(${room} target)
@@ -17,11 +37,80 @@ function(add_room room)
     set(sources ${PROJECT_BINARY_DIR}/empty_${target}.cpp)
   endif()
   add_library(${target} STATIC ${sources})
+  if(room MATCHES "^(base|mesh/[a-z_]+|store|pool)$" AND NOT room STREQUAL "mesh/formats")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES} UNITY_BUILD_BATCH_SIZE 12)
+  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   foreach(dependency ${ARGN})
     room_target(${dependency} library)
     target_link_libraries(${target} PUBLIC ${library})
   endforeach()
+endfunction()
+
+# Files that use a name of their own for what another file of their room calls by the same name.
+function(compile_apart)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# What every folder of formats may use; the check of the layers has the same list.
+set(rooms_for_formats base mesh/core mesh/artifacts mesh/assemble mesh/formats mesh/formats/list)
+
+# A folder of formats: add_format(su2) makes the room mesh/formats/su2, and puts the array su2_formats of
+# mesh/formats/su2/su2_format.h in the list of all formats.
+function(add_format folder)
+  add_room(mesh/formats/${folder} ${rooms_for_formats} ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY folders_of_formats ${folder})
+  set_property(GLOBAL PROPERTY rooms_for_${folder} ${ARGN})
+endfunction()
+
+# After the last of them: mesh/formats/list/all_formats.h, in the order of the lines.
+function(write_list_of_formats)
+  get_property(folders GLOBAL PROPERTY folders_of_formats)
+  set(includes "")
+  set(arrays "")
+  foreach(folder ${folders})
+    string(APPEND includes "#include \"mesh/formats/${folder}/${folder}_format.h\"\n")
+    list(APPEND arrays "${folder}_formats")
+  endforeach()
+  list(JOIN arrays ", " arrays)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/all_formats.h.in
+                 ${PROJECT_BINARY_DIR}/generated/mesh/formats/list/all_formats.h @ONLY)
+  see_list_of_formats(mesh_formats_list)
+endfunction()
+
+function(see_list_of_formats target)
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+endfunction()
+
+# Links all formats, or those that need none of some rooms: link_formats(TARGET [WITHOUT ROOM...]).
+function(link_formats target)
+  cmake_parse_arguments(PARSE_ARGV 1 given "" "" "WITHOUT")
+  formats_without(rooms ${given_WITHOUT})
+  see_list_of_formats(${target})
+  foreach(room ${rooms})
+    room_target(${room} library)
+    target_link_libraries(${target} PUBLIC ${library})
+  endforeach()
+endfunction()
+
+# Their rooms.
+function(formats_without out)
+  get_property(folders GLOBAL PROPERTY folders_of_formats)
+  set(rooms "")
+  foreach(folder ${folders})
+    get_property(needed GLOBAL PROPERTY rooms_for_${folder})
+    set(is_wanted TRUE)
+    foreach(room ${ARGN})
+      if(room IN_LIST needed)
+        set(is_wanted FALSE)
+      endif()
+    endforeach()
+    if(is_wanted)
+      list(APPEND rooms mesh/formats/${folder})
+    endif()
+  endforeach()
+  set(${out} ${rooms} PARENT_SCOPE)
 endfunction()
 
 # The tests of a room lie in tests/ROOM: *_test.cpp are fast, *_slow_test.cpp carry the label slow. Those of the
@@ -49,6 +138,10 @@ endfunction()
 function(add_test_program program sources label)
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
+  target_compile_options(${program} PRIVATE ${test_flags})
+  if(TETFARM_PRECOMPILED_TESTS)
+    target_precompile_headers(${program} REUSE_FROM test_headers)
+  endif()
   if(label STREQUAL "slow" AND NOT TETFARM_SLOW_TESTS)
     set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "tasks/failure_cause.h"
 
 namespace tetfarm {
 
@@ -45,8 +46,7 @@ std::optional<DamageChecks::Failure> DamageChecks::note(const CheckedFile& check
   }
   if (!pending.unknown.empty()) return std::nullopt;
   // The worker could not read what is whole here: its view of the disk lags, or its disk fails.
-  if (failure.damaged_inputs.empty()) failure.killed = true;
-  TF_CHECK(pending.unknown.empty());
+  if (failure.damaged_inputs.empty()) failure.cause = FailureCause::killed;
   return std::move(pending_.extract(found).mapped().failure);
 }
 

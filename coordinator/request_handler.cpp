@@ -382,14 +382,15 @@ void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobSta
   const AttemptId attempt{message.attempt()};
   const auto& named = message.damaged_inputs();
   std::vector<ArtifactRef> claimed;
-  if (state.holds(worker, task, attempt)) {
+  if (failure.cause == FailureCause::damaged_input && state.holds(worker, task, attempt)) {
     for (const ArtifactRef& input : state.durable().tasks.at(task).inputs) {
       if (std::find(named.begin(), named.end(), input.hash) != named.end())
         claimed.push_back(input);
     }
   }
   if (!claimed.empty()) return checks_.take({worker, task, attempt, std::move(failure)}, claimed);
-  failure.killed = failure.killed || !named.empty();
+  // What it names is no input of its task, or nothing: there is nothing to make again.
+  if (failure.cause == FailureCause::damaged_input) failure.cause = FailureCause::killed;
   state.failed(worker, task, attempt, failure, now);
 }
 

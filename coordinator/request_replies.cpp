@@ -5,6 +5,7 @@
 #include "coordinator/request_handler.h"
 #include "coordinator/views/query_answers.h"
 #include "store/disk_room.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -92,10 +93,10 @@ void RequestHandler::send(const Command& command, const JobState& state, Moment 
     message.set_sees_store(workers_.at(connection->second).sees_store);
     answer(connection->second, std::move(envelope));
   } else if (const auto* assign = std::get_if<SendAssign>(&command)) {
-    wire::Envelope envelope =
-        assign_message(state.durable().tasks.at(assign->task), assign->attempt);
+    const TaskRow& task = state.durable().tasks.at(assign->task);
+    wire::Envelope envelope = assign_message(task, assign->attempt);
     envelope.mutable_assign()->set_limit_ms(static_cast<std::uint64_t>(assign->limit_ms));
-    if (envelope.assign().kind() == wire::INSPECT) {
+    if (task.kind == TaskKind::inspect) {
       (*envelope.mutable_assign()->mutable_parameters())["free_bytes"] =
           std::to_string(room_for_jobs(store_.folder()));
     }

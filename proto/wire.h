@@ -16,7 +16,7 @@
 namespace tetfarm {
 
 /// Rises with every change that an older program would misunderstand. A coordinator refuses others.
-inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::uint32_t protocol_version = 2;
 
 /// The largest message in bytes (16 MiB); set it as ZMQ_MAXMSGSIZE on every socket too.
 inline constexpr std::size_t max_message_size = std::size_t{16} << 20U;

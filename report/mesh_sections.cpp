@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "base/angle_text.h"
+#include "mesh/core/element_block.h"
 #include "report/html_table.h"
 #include "report/html_text.h"
 #include "report/report_page.h"
@@ -119,6 +120,17 @@ std::string facts(const MeshFigures& figures) {
        angle_text(shapes.min_dihedral_deg) + "° to " + angle_text(shapes.max_dihedral_deg) + "°"},
       {"mean radius ratio", format("%.4f", shapes.mean_radius_ratio())},
       {"smallest height", format("%.6g", shapes.smallest_height)}};
+  for (const ElementType type : cell_block_types) {
+    const CellFigures& cells = figures.others[type];
+    if (cells.cells == 0) continue;
+    rows.insert(rows.begin() + 1, {std::string(element(type).plural), count_text(cells.cells)});
+    rows.push_back({"scaled Jacobian of " + std::string(element(type).plural),
+                    format("%.4f mean, %.4f smallest", cells.mean_scaled_jacobian(),
+                           cells.least_scaled_jacobian)});
+  }
+  if (figures.boundary_quads > 0) {
+    rows.push_back({"boundary quads", count_text(figures.boundary_quads)});
+  }
   if (figures.knows_subdomains) {
     rows.insert(rows.begin() + 3, {"sub-domains", count_text(std::ssize(figures.subdomains))});
   }

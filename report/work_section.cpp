@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 #include "base/check.h"
 #include "mesh/assemble/global_numbering.h"
@@ -10,32 +11,21 @@
 #include "report/html_text.h"
 #include "report/report_page.h"
 #include "report/svg_charts.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
 
-/// Kinds of tasks in the order in which they come, and their colours.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kinds = {
-    {{"inspect", "#8c6bb1"},
-     {"decompose", "#d9822b"},
-     {"assimilate", "#a65628"},
-     {"mesh", "#3b7dbd"},
-     {"order", "#999999"},
-     {"extract", "#66c2a5"},
-     {"cosmetic", "#4daf4a"},
-     {"number", "#777777"},
-     {"write", "#e7a8c9"},
-     {"assemble", "#c0392b"}}};
 constexpr const char* lost_colour = "#111111";
 
-std::size_t rank_of(std::string_view kind) {
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                  [kind](const auto& known) { return known.first == kind; });
-  return static_cast<std::size_t>(found - kinds.begin());
+/// In the order in which the kinds come; those that this program does not know are the last.
+std::size_t place_of_kind(std::string_view name) {
+  const std::optional<TaskKind> kind = task_kind_named(name);
+  return kind ? static_cast<std::size_t>(*kind) : all_task_kinds.size();
 }
-std::string colour_of(std::string_view kind) {
-  const std::size_t rank = rank_of(kind);
-  return std::string(rank < kinds.size() ? kinds[rank].second : "#999999");
+std::string colour_of(std::string_view name) {
+  const std::optional<TaskKind> kind = task_kind_named(name);
+  return kind ? traits_of(*kind).colour : "#999999";
 }
 
 template <class... Arguments>
@@ -54,7 +44,8 @@ std::vector<wire::TaskLine> done_tasks(const ReportedWork& work) {
     if (task.state() == "done") tasks.push_back(task);
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
-    if (rank_of(a.kind()) != rank_of(b.kind())) return rank_of(a.kind()) < rank_of(b.kind());
+    if (place_of_kind(a.kind()) != place_of_kind(b.kind()))
+      return place_of_kind(a.kind()) < place_of_kind(b.kind());
     return a.path() != 0 && b.path() != 0 && comes_before({a.path()}, {b.path()});
   });
   return tasks;
@@ -87,11 +78,11 @@ struct KindSums {
 
 std::string by_kind(const std::vector<wire::TaskLine>& tasks) {
   std::map<std::size_t, KindSums> sums;
-  for (const wire::TaskLine& task : tasks) sums[rank_of(task.kind())].add(task);
+  for (const wire::TaskLine& task : tasks) sums[place_of_kind(task.kind())].add(task);
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [rank, sum] : sums) {
+  for (const auto& [place, sum] : sums) {
     const bool is_mesh = sum.elements > 0;
-    rows.push_back({rank < kinds.size() ? std::string(kinds[rank].first) : "other",
+    rows.push_back({place < all_task_kinds.size() ? name_of(all_task_kinds.at(place)) : "other",
                     std::to_string(sum.count), format("%.2f", sum.expected_seconds),
                     format("%.2f", sum.cpu_seconds), format("%.2f", sum.seconds),
                     format("%.1f", sum.expected_bytes / 1e6), format("%.1f", sum.bytes / 1e6),
@@ -178,10 +169,12 @@ std::string legend(const std::vector<wire::AttemptLine>& attempts) {
     html += "<span class=\"key\" style=\"background:" + std::string(colour) + "\"></span>" +
             escaped(name);
   };
-  for (const auto& [kind, colour] : kinds) {
-    const bool is_there = std::any_of(attempts.begin(), attempts.end(),
-                                      [&](const auto& attempt) { return attempt.kind() == kind; });
-    if (is_there) key(colour, kind);
+  for (const TaskKind kind : all_task_kinds) {
+    const TaskKindTraits& traits = traits_of(kind);
+    const bool is_there = std::any_of(attempts.begin(), attempts.end(), [&](const auto& attempt) {
+      return attempt.kind() == traits.name;
+    });
+    if (is_there) key(traits.colour, traits.name);
   }
   const bool has_lost = std::any_of(attempts.begin(), attempts.end(), [](const auto& attempt) {
     return attempt.ended_ms() != 0 && attempt.state() != "done";

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "store/job_history.h"
 #include "store/sqlite_statement.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -175,10 +176,12 @@ std::uint64_t highest(sqlite3* database, const char* sql) {
 }  // namespace
 
 TaskKind task_kind_of(const std::string& name) {
-  return value_of(
-      name, std::array{TaskKind::inspect, TaskKind::decompose, TaskKind::assimilate, TaskKind::mesh,
-                       TaskKind::order, TaskKind::extract, TaskKind::cosmetic, TaskKind::number,
-                       TaskKind::write, TaskKind::assemble});
+  const std::optional<TaskKind> kind = task_kind_named(name);
+  if (!kind) {
+    throw CorruptFile("a task of the kind '" + name + "', which this program does not know",
+                      "database");
+  }
+  return *kind;
 }
 
 AttemptState attempt_state_of(const std::string& name) {

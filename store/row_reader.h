@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "store/rows.h"
+#include "tasks/task_kind.h"
 
 struct sqlite3;
 

@@ -16,32 +16,6 @@ const char* name_of(JobPhase phase) {
   return "?";
 }
 
-const char* name_of(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::inspect:
-      return "inspect";
-    case TaskKind::decompose:
-      return "decompose";
-    case TaskKind::assimilate:
-      return "assimilate";
-    case TaskKind::mesh:
-      return "mesh";
-    case TaskKind::order:
-      return "order";
-    case TaskKind::extract:
-      return "extract";
-    case TaskKind::cosmetic:
-      return "cosmetic";
-    case TaskKind::number:
-      return "number";
-    case TaskKind::write:
-      return "write";
-    case TaskKind::assemble:
-      return "assemble";
-  }
-  return "?";
-}
-
 const char* name_of(TaskState state) {
   switch (state) {
     case TaskState::waiting:

@@ -13,22 +13,11 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
 enum class JobPhase { running, done, failed, cancelled };
-enum class TaskKind {
-  inspect,
-  decompose,
-  assimilate,
-  mesh,
-  order,
-  extract,
-  cosmetic,
-  number,
-  write,
-  assemble
-};
 /// waiting: an input has to be made again; replaced: its leaf, or another of the job, was cut
 /// further, and it is no part of the job any more; the rest as in
 /// coordinator/decisions/task_states.dot.
@@ -203,7 +192,6 @@ struct ChangeSet {
 };
 
 const char* name_of(JobPhase phase);
-const char* name_of(TaskKind kind);
 const char* name_of(TaskState state);
 const char* name_of(AttemptState state);
 const char* name_of(SubdomainState state);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -24,42 +25,8 @@ constexpr double least_seconds = 0.005;
 constexpr double least_factor = 0.05;
 constexpr double most_factor = 100;
 
-/// What is believed of a kind before anything was learnt: seconds of the fixed part, and of an
-/// element, a triangle and a needle among many; and how sure each is, of its logarithm, which is
-/// also how far its factor may be from 1. See docs/measurements/2026-11-plan_accuracy.md.
-struct Belief {
-  Terms seconds;
-  Terms spreads{0.4, 0.4, 0.4, 0.55};
-};
-
-Belief belief_of(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::inspect:
-      return {{0.006, 0.15e-6, 7e-6, 0}};
-    case TaskKind::decompose:
-      return {{0.02, 0.1e-6, 1e-6, 0.15e-3}, {0.5, 0.5, 0.5, 0.8}};
-    case TaskKind::assimilate:
-      return {{0.01, 0, 1.5e-6, 0}};
-    case TaskKind::mesh:
-      return {{0.006, 1.8e-6, 8e-6, 0.45e-3}};
-    case TaskKind::order:
-      return {{0.006, 0, 0.1e-6, 0}};
-    case TaskKind::extract:
-      return {{0.006, 0.1e-6, 0, 0}};
-    case TaskKind::cosmetic:
-      return {{0.006, 3e-6, 0, 0}, {0.4, 0.9, 0.4, 0.55}};
-    case TaskKind::number:
-      return {{0.003, 0, 0.1e-6, 0}};
-    case TaskKind::write:
-      return {{0.006, 0.3e-6, 0.15e-6, 0}};
-    case TaskKind::assemble:
-      return {{0.006, 0.02e-6, 0.4e-6, 0}};
-  }
-  return {};
-}
-
 Terms usual_terms(TaskKind kind, const TaskSize& size) {
-  const Terms of_one = belief_of(kind).seconds;
+  const Terms& of_one = traits_of(kind).seconds.of;
   return {of_one[0], of_one[1] * size.elements, of_one[2] * size.triangles,
           of_one[3] * size.needles * size.needles / (size.needles + few_needles)};
 }
@@ -110,7 +77,7 @@ SecondsRange& SecondsRange::operator+=(const SecondsRange& other) {
 }
 
 SecondsRange usual_seconds(TaskKind kind, const TaskSize& size) {
-  return range_of(usual_terms(kind, size), belief_of(kind).spreads);
+  return range_of(usual_terms(kind, size), traits_of(kind).seconds.spreads);
 }
 
 void TaskTimes::learn(TaskKind kind, const TaskSize& size, double cpu_seconds) {
@@ -170,7 +137,7 @@ SecondsRange TaskTimes::seconds(TaskKind kind, const TaskSize& size) const {
   TF_CHECK(k < kinds_.size());
   if (kinds_[k].samples.empty()) return usual_seconds(kind, size);
   if (is_stale_[k]) {
-    kinds_[k].spreads = belief_of(kind).spreads;
+    kinds_[k].spreads = traits_of(kind).seconds.spreads;
     fit(kinds_[k]);
     is_stale_[k] = false;
   }

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "store/rows.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -64,7 +64,7 @@ class TaskTimes {
     Terms factors{1, 1, 1, 1};
     Terms spreads{};  ///< of the logarithm of a term
   };
-  static constexpr std::size_t kinds = static_cast<std::size_t>(TaskKind::assemble) + 1;
+  static constexpr std::size_t kinds = all_task_kinds.size();
 
   /// Works out the factors and spreads of a kind again. Cost: O(samples).
   static void fit(Kind& kind);

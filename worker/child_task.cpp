@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/work_stage.h"
 #include "store/rows.h"
+#include "tasks/failure_cause.h"
 #include "worker/task_environment.h"
 
 namespace tetfarm {
@@ -43,8 +44,11 @@ std::array<int, 2> make_pipe() {
 }
 
 /// The assignment as a file in memory: unlike a pipe it never blocks, however long it is.
-int assignment_fd(const wire::Assign& assign) {
-  const std::string bytes = assign.SerializeAsString();
+int assignment_fd(const wire::Assign& assign, bool is_apart) {
+  wire::TaskStart start;
+  *start.mutable_assign() = assign;
+  start.set_apart(is_apart);
+  const std::string bytes = start.SerializeAsString();
   const int fd = ::memfd_create("tetfarm-task", MFD_CLOEXEC);
   if (fd < 0) throw IoError("cannot create a file in memory", "task", errno);
   std::size_t written = 0;
@@ -130,7 +134,7 @@ std::string frame_of(const wire::Envelope& envelope) {
 ChildTask::ChildTask(const ChildTaskOptions& options, const wire::Assign& assign)
     : task_(assign.task()), attempt_(assign.attempt()), start_(std::chrono::steady_clock::now()) {
   oom_kills_before_ = kernel_oom_kills();
-  int in = assignment_fd(assign);
+  int in = assignment_fd(assign, options.is_apart);
   std::array<int, 2> frames = make_pipe();
   std::array<int, 2> words = make_pipe();
   process_ = start_process(options, {in, words[1], frames[1]});
@@ -279,9 +283,10 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
     wire::Failed& failed = *envelope.mutable_failed();
     failed.set_message(how_it_ended(status) + (starved ? "; it ran out of memory" : ""));
     failed.set_exit_code(static_cast<int>(starved ? ExitCode::out_of_resources : ExitCode::failed));
-    failed.set_may_retry(true);
-    failed.set_out_of_memory(starved);
-    failed.set_killed(!starved && overdue_ms_ == 0 && was_ended_from_outside(status));
+    const bool was_ended = overdue_ms_ == 0 && was_ended_from_outside(status);
+    failed.set_cause(on_wire(starved     ? FailureCause::out_of_memory
+                             : was_ended ? FailureCause::killed
+                                         : FailureCause::error));
   }
   TF_CHECK(envelope.has_done() || envelope.has_failed());
   write_log(envelope.has_done()

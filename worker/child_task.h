@@ -2,10 +2,10 @@
 /// worker.
 ///
 /// The child is a program, or a copy of one that is loaded already (TaskHost), that reads a
-/// wire::Assign from its standard input and writes framed wire::Envelopes (Heartbeats with what it
-/// does, then one Done
-/// or Failed) to task_result_fd. What it says on standard error is kept for the message of a
-/// failure, and for the log of the attempt. It dies with the thread that started it.
+/// wire::TaskStart from its standard input and writes framed wire::Envelopes (Heartbeats with what
+/// it does, then one Done or Failed) to task_result_fd. What it says on standard error is kept for
+/// the message of a failure, and for the log of the attempt. It dies with the thread that started
+/// it.
 #pragma once
 
 #include <sys/resource.h>
@@ -28,6 +28,7 @@ struct ChildTaskOptions {
   std::vector<std::string> command;
   /// What the program works in: its last argument; "": none.
   std::string store = {};
+  bool is_apart = false;  ///< no other task sees that store
   /// Starts the task instead of the program, where it can; not owned.
   TaskHost* host = nullptr;
   /// Limit of what the child may write to (heap, stacks, private maps; not files and shared ones

@@ -204,6 +204,7 @@ class Client {
       task_store_ = command.is_apart ? files_.store().folder() : options_.store;
       const ChildTaskOptions child{.command = options_.task_command,
                                    .store = task_store_.string(),
+                                   .is_apart = command.is_apart,
                                    .host = &host_,
                                    .memory_limit_bytes = memory_of(options_)};
       child_.emplace(child, command.assign);

@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "base/file_system.h"
-#include "mesh/formats/surfaces/write_surface.h"
+#include "mesh/formats/off/write_off.h"
 
 namespace tetfarm {
 namespace {

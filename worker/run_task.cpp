@@ -5,24 +5,23 @@
 
 #include "base/error.h"
 #include "store/attempt_scratch.h"
+#include "tasks/failure_cause.h"
 #include "worker/job_forecast.h"
 
 namespace tetfarm {
 namespace {
 
-wire::Failed failure(const std::string& message, ExitCode code, bool may_retry) {
+wire::Failed failure(const Error& error, FailureCause cause) {
   wire::Failed failed;
-  failed.set_message(message);
-  failed.set_exit_code(static_cast<int>(code));
-  failed.set_may_retry(may_retry);
-  failed.set_out_of_resources(code == ExitCode::out_of_resources);
+  failed.set_message(error.what());
+  failed.set_exit_code(static_cast<int>(error.code()));
+  failed.set_cause(on_wire(cause));
   return failed;
 }
 
-/// Not the disk, which all tasks share: this one needs more room than it had.
-void call_out_of_memory(wire::Failed& failed) {
-  failed.set_out_of_memory(true);
-  failed.set_out_of_resources(false);
+/// Where no more is known of an error than its code.
+FailureCause cause_of(ExitCode code) {
+  return code == ExitCode::out_of_resources ? FailureCause::disk_full : FailureCause::error;
 }
 
 /// Evidence that cannot be stored must not hide the reason itself.
@@ -46,34 +45,29 @@ wire::Failed caught_failure(const ArtifactStore* store) {
   try {
     throw;
   } catch (const TaskRefusal& refused) {
-    wire::Failed failed = failure(refused.what(), refused.code(), false);
+    wire::Failed failed = failure(refused, FailureCause::for_good);
     if (store != nullptr) add_evidence(failed, *store, refused);
     return failed;
   } catch (const DamagedInput& error) {
-    wire::Failed failed = failure(error.what(), error.code(), true);
+    wire::Failed failed = failure(error, FailureCause::damaged_input);
     failed.add_damaged_inputs(error.hash());
     return failed;
   } catch (const IoError& error) {
-    wire::Failed failed = failure(error.what(), error.code(), true);
-    if (error.error_number() == ENOMEM) call_out_of_memory(failed);
-    return failed;
+    const bool starved = error.error_number() == ENOMEM;
+    return failure(error, starved ? FailureCause::out_of_memory : cause_of(error.code()));
   } catch (const InvalidInput& error) {
-    return failure(error.what(), error.code(), false);
+    return failure(error, FailureCause::for_good);
   } catch (const UsageError& error) {
-    return failure(error.what(), error.code(), false);
+    return failure(error, FailureCause::for_good);
   } catch (const JobTooLarge& error) {
     // What is short is room for this job, not for all of them.
-    wire::Failed failed = failure(error.what(), error.code(), false);
-    failed.set_out_of_resources(false);
-    return failed;
+    return failure(error, FailureCause::for_good);
   } catch (const Error& error) {
-    return failure(error.what(), error.code(), true);
+    return failure(error, cause_of(error.code()));
   } catch (const std::bad_alloc&) {
-    wire::Failed failed = failure("out of memory", ExitCode::out_of_resources, true);
-    call_out_of_memory(failed);
-    return failed;
+    return failure(Error(ExitCode::out_of_resources, "out of memory"), FailureCause::out_of_memory);
   } catch (const std::exception& error) {
-    return failure(error.what(), ExitCode::failed, true);
+    return failure(Error(ExitCode::failed, error.what()), FailureCause::error);
   }
 }
 
@@ -94,15 +88,15 @@ class ScratchOfAttempt {
 }  // namespace
 
 wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
-                        const TaskBody& body, const TaskIo::Say& say) {
+                        const TaskBody& body, const TaskIo::Say& say, bool is_apart) {
   wire::Envelope envelope;
   try {
     if (!body) {
-      throw Error(ExitCode::failed, "this worker cannot run tasks of kind " +
-                                        std::to_string(static_cast<int>(assign.kind())));
+      throw Error(ExitCode::failed,
+                  "this worker cannot run tasks of kind " + std::to_string(assign.kind()));
     }
     const ScratchOfAttempt scratch(store, assign);
-    TaskIo io(store, assign, say);
+    TaskIo io(store, assign, say, is_apart);
     body(io);
     *envelope.mutable_done() = io.done();
   } catch (...) {
@@ -112,10 +106,10 @@ wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
 }
 
 wire::Envelope run_task_in(const std::filesystem::path& store_folder, const wire::Assign& assign,
-                           const TaskBody& body, const TaskIo::Say& say) {
+                           const TaskBody& body, const TaskIo::Say& say, bool is_apart) {
   try {
     const ArtifactStore store = ArtifactStore::open_existing(store_folder);
-    return run_task(store, assign, body, say);
+    return run_task(store, assign, body, say, is_apart);
   } catch (...) {
     wire::Envelope envelope;
     *envelope.mutable_failed() = caught_failure(nullptr);

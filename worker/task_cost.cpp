@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/core/triangle_angles.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -13,100 +14,57 @@ constexpr double process_bytes = 19e6;
 
 /// Elements that come out for each estimated one, at most but for the smallest sub-domains.
 constexpr double elements_in_estimate = 1.15;
-constexpr double mesh_bytes = 2e6;
-constexpr double mesh_bytes_per_element = 330;
-constexpr double mesh_bytes_per_triangle = 700;
 
-constexpr double decompose_bytes_per_triangle = 260;
-constexpr double decompose_bytes_per_element = 1;
-constexpr double decompose_bytes = 13e6;
-
-constexpr double inspect_bytes = 8e6;
-constexpr double inspect_spacing_copies = 2.5;
-constexpr double inspect_bytes_per_triangle = 220;
-constexpr double inspect_input_copies = 1.2;
-
-constexpr double assimilate_bytes_per_triangle = 8;
-constexpr double assimilate_bytes_in_group = 500;
-
-constexpr double order_bytes_per_triangle = 90;
-
-constexpr double extract_bytes_per_element = 190;
-constexpr double extract_bytes_per_triangle = 200;
-
-constexpr double cosmetic_bytes = 4e6;
-constexpr double cosmetic_bytes_per_element = 360;
 /// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
 /// leaves these are all, and as many again of the neighbours.
 constexpr double turn_elements_of_leaf = 2.5;
 constexpr double turn_elements_per_triangle = 23;
 
-constexpr double number_bytes_per_triangle = 60;
-
-constexpr double write_bytes = 4e6;
-constexpr double write_bytes_per_triangle = 250;
-constexpr double write_bytes_per_element = 150;
-
-constexpr double assemble_bytes = 4e6;
-constexpr double assemble_bytes_per_triangle = 250;
-constexpr double assemble_bytes_per_element = 130;
-
 constexpr double most_parts = 1e6;
 
-TaskCost cost_of(TaskKind kind, double bytes, const TaskSize& size) {
-  return {bytes, usual_seconds(kind, size).expected, kind, size};
+double bytes_of(TaskKind kind, const MemorySize& size) {
+  const TaskMemory& of = traits_of(kind).memory;
+  return process_bytes + of.fixed + of.of_spacing_byte * size.spacing_bytes +
+         of.of_input_byte * size.input_bytes + of.of_element * size.elements +
+         of.of_triangle * size.triangles + of.of_triangle_of_largest * size.triangles_of_largest;
 }
 
 }  // namespace
 
+TaskCost cost_of(TaskKind kind, const MemorySize& memory, const TaskSize& size) {
+  return {bytes_of(kind, memory), usual_seconds(kind, size).expected, kind, size};
+}
+
 TaskCost inspect_cost(double input_bytes, const SubdomainSize& root) {
-  return cost_of(TaskKind::inspect,
-                 process_bytes + inspect_bytes + inspect_input_copies * input_bytes +
-                     inspect_bytes_per_triangle * root.triangles +
-                     inspect_spacing_copies * root.spacing_bytes,
+  return cost_of(TaskKind::inspect, {0, root.triangles, root.spacing_bytes, input_bytes},
                  {root.elements, root.triangles, root.needles});
 }
 
 TaskCost decompose_cost(const SubdomainSize& size) {
-  return cost_of(TaskKind::decompose,
-                 process_bytes + size.spacing_bytes + decompose_bytes +
-                     decompose_bytes_per_triangle * size.triangles +
-                     decompose_bytes_per_element * size.elements,
+  return cost_of(TaskKind::decompose, {size.elements, size.triangles, size.spacing_bytes},
                  {size.elements, size.triangles, size.needles});
 }
 
 TaskCost mesh_cost(const SubdomainSize& size) {
-  const double elements = elements_in_estimate * size.elements;
   return cost_of(TaskKind::mesh,
-                 process_bytes + mesh_bytes + size.spacing_bytes +
-                     mesh_bytes_per_element * elements + mesh_bytes_per_triangle * size.triangles,
+                 {elements_in_estimate * size.elements, size.triangles, size.spacing_bytes},
                  {size.elements, size.triangles, size.needles});
 }
 
 TaskCost assimilate_cost(double triangles, double largest_group) {
-  return cost_of(TaskKind::assimilate,
-                 process_bytes + assimilate_bytes_per_triangle * triangles +
-                     assimilate_bytes_in_group * largest_group,
-                 {0, triangles, 0});
+  return cost_of(TaskKind::assimilate, {0, triangles, 0, 0, largest_group}, {0, triangles, 0});
 }
 
 TaskCost order_cost(double triangles) {
-  return cost_of(TaskKind::order, process_bytes + order_bytes_per_triangle * triangles,
-                 {0, triangles, 0});
+  return cost_of(TaskKind::order, {0, triangles}, {0, triangles, 0});
 }
 
 TaskCost extract_cost(double elements, double triangles) {
-  return cost_of(
-      TaskKind::extract,
-      process_bytes + extract_bytes_per_element * elements + extract_bytes_per_triangle * triangles,
-      {elements, triangles, 0});
+  return cost_of(TaskKind::extract, {elements, triangles}, {elements, triangles, 0});
 }
 
 TaskCost cosmetic_cost(double elements, double spacing_bytes) {
-  return cost_of(
-      TaskKind::cosmetic,
-      process_bytes + cosmetic_bytes + spacing_bytes + cosmetic_bytes_per_element * elements,
-      {elements, 0, 0});
+  return cost_of(TaskKind::cosmetic, {elements, 0, spacing_bytes}, {elements, 0, 0});
 }
 
 double turn_elements(const SubdomainSize& leaf) {
@@ -127,21 +85,15 @@ double triangles_of_leaves(const SubdomainSize& root, double parts) {
 }
 
 TaskCost number_cost(double surface_triangles) {
-  return cost_of(TaskKind::number, process_bytes + number_bytes_per_triangle * surface_triangles,
-                 {0, surface_triangles, 0});
+  return cost_of(TaskKind::number, {0, surface_triangles}, {0, surface_triangles, 0});
 }
 
 TaskCost write_cost(double surface_triangles, double elements) {
-  return cost_of(TaskKind::write,
-                 process_bytes + write_bytes + write_bytes_per_triangle * surface_triangles +
-                     write_bytes_per_element * elements,
-                 {elements, surface_triangles, 0});
+  return cost_of(TaskKind::write, {elements, surface_triangles}, {elements, surface_triangles, 0});
 }
 
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
-  return cost_of(TaskKind::assemble,
-                 process_bytes + assemble_bytes + assemble_bytes_per_triangle * surface_triangles +
-                     assemble_bytes_per_element * elements_in_estimate * largest.elements,
+  return cost_of(TaskKind::assemble, {elements_in_estimate * largest.elements, surface_triangles},
                  {elements, surface_triangles, 0});
 }
 

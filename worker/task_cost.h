@@ -4,14 +4,16 @@
 /// The thesis lets the user choose the number of sub-domains (4.3.1); here the size of a task is
 /// known before it runs: its surface's triangles, its estimated elements, and the spacing's bytes,
 /// which every task reads whole. The coefficients are measured:
-/// docs/decisions/0012-decompose-assimilation.md; those of the seconds are in store/task_time.h.
-/// Units: bytes of the process that runs the task (peak resident set); CPU seconds.
+/// docs/decisions/0012-decompose-assimilation.md; each kind's are in its traits
+/// (tasks/task_kind.h). Units: bytes of the process that runs the task (peak resident set); CPU
+/// seconds.
 #pragma once
 
 #include <cstdint>
 
 #include "mesh/core/subdomain.h"
 #include "store/task_time.h"
+#include "tasks/task_kind.h"
 #include "worker/task_io.h"
 
 namespace tetfarm {
@@ -30,6 +32,18 @@ struct SubdomainSize {
   double spacing_bytes = 0;
   double needles = 0;  ///< triangles of the input surface in it with a small angle
 };
+
+/// What the memory of a task is told in.
+struct MemorySize {
+  double elements = 0;
+  double triangles = 0;
+  double spacing_bytes = 0;
+  double input_bytes = 0;
+  double triangles_of_largest = 0;  ///< of the largest group that is joined
+};
+
+/// By the traits of the kind. Cost: O(1).
+TaskCost cost_of(TaskKind kind, const MemorySize& memory, const TaskSize& size);
 
 TaskCost inspect_cost(double input_bytes, const SubdomainSize& root);
 TaskCost decompose_cost(const SubdomainSize& size);

@@ -27,11 +27,12 @@ void add_output(wire::Done& done, const std::string& name, const StoredArtifact&
 
 }  // namespace
 
-TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say)
+TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart)
     : store_(store),
       assign_(assign),
       say_(std::move(say)),
-      progress_([this](const WorkCount& count) { pass_on(count); }) {}
+      progress_([this](const WorkCount& count) { pass_on(count); }),
+      is_apart_(is_apart) {}
 
 bool TaskIo::has_input(const std::string& name) const {
   return find_input(assign_, name) != nullptr;

@@ -77,7 +77,7 @@ class TaskIo {
  public:
   using Say = std::function<void(const wire::Doing&)>;
 
-  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say);
+  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart = false);
   TaskIo(const TaskIo&) = delete;
   TaskIo& operator=(const TaskIo&) = delete;
 
@@ -97,6 +97,8 @@ class TaskIo {
   template <class Look>
   auto look_into(const std::string& name, const Look& look) const;
   const wire::Assign& assign() const { return assign_; }
+  /// Whether no other task sees this store.
+  bool is_apart() const { return is_apart_; }
 
   bool has_parameter(const std::string& name) const;
   /// @throws Error when the parameter is missing.
@@ -137,6 +139,7 @@ class TaskIo {
   WorkProgress progress_;
   std::bitset<work_stages> said_stages_;
   std::chrono::steady_clock::time_point last_said_;
+  bool is_apart_;
 };
 
 template <class Look>

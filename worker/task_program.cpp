@@ -5,51 +5,52 @@
 
 #include <array>
 #include <cerrno>
+#include <optional>
+#include <string>
 
 #include "base/error.h"
 #include "base/large_blocks.h"
-#include "worker/assemble_task.h"
-#include "worker/assimilate_task.h"
+#include "tasks/task_contracts.h"
+#include "tasks/task_kind.h"
 #include "worker/child_task.h"
-#include "worker/cosmetic_task.h"
-#include "worker/decompose_task.h"
-#include "worker/extract_task.h"
-#include "worker/inspect_task.h"
-#include "worker/mesh_task.h"
-#include "worker/number_task.h"
-#include "worker/order_task.h"
 #include "worker/run_task.h"
-#include "worker/write_task.h"
 
 namespace tetfarm {
+
+/// Each kind's function is in its file, KIND_task.h.
+#define TETFARM_DECLARED(kind) void kind##_task(TaskIo& io);
+TETFARM_TASK_KINDS(TETFARM_DECLARED)
+#undef TETFARM_DECLARED
+
 namespace {
 
-/// Kinds this program does not know have no body.
-TaskBody body_of(wire::TaskKind kind) {
-  switch (kind) {
-    case wire::INSPECT:
-      return inspect_task;
-    case wire::DECOMPOSE:
-      return decompose_task;
-    case wire::ASSIMILATE:
-      return assimilate_task;
-    case wire::MESH:
-      return mesh_task;
-    case wire::ORDER:
-      return order_task;
-    case wire::EXTRACT:
-      return extract_task;
-    case wire::COSMETIC:
-      return cosmetic_task;
-    case wire::NUMBER:
-      return number_task;
-    case wire::WRITE:
-      return write_task;
-    case wire::ASSEMBLE:
-      return assemble_task;
-    default:
-      return nullptr;
+#define TETFARM_BODY(kind) kind##_task,
+const std::array<void (*)(TaskIo&), all_task_kinds.size()> bodies = {
+    TETFARM_TASK_KINDS(TETFARM_BODY)};
+#undef TETFARM_BODY
+
+TaskWords words_of(const wire::Assign& assign) {
+  TaskWords words;
+  for (const wire::Artifact& file : assign.inputs()) {
+    words.files.push_back({file.name(), {file.hash(), file.size()}});
   }
+  words.texts = {assign.parameters().begin(), assign.parameters().end()};
+  return words;
+}
+
+/// What the kind's contract refuses is not begun. Kinds that this program does not know have no
+/// body.
+TaskBody body_of(const wire::Assign& assign) {
+  const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
+  if (!kind) return nullptr;
+  return [kind = *kind](TaskIo& io) {
+    const std::string breach = breach_of_given(kind, words_of(io.assign()));
+    if (!breach.empty()) {
+      throw OwnDefect("the task to " + std::string(name_of(kind)) + " cannot be done: " + breach,
+                      {});
+    }
+    bodies.at(static_cast<std::size_t>(kind))(io);
+  };
 }
 
 std::string read_all(int fd) {
@@ -75,9 +76,9 @@ void write_frame(int fd, const wire::Envelope& envelope) {
   }
 }
 
-/// These read the file of one leaf after the other.
-void choose_memory_for(wire::TaskKind kind) {
-  if (kind == wire::ASSEMBLE || kind == wire::ORDER) {
+void choose_memory_for(const wire::Assign& assign) {
+  const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
+  if (kind && traits_of(*kind).reads_file_by_file) {
     keep_freed_memory();
   } else {
     give_back_large_blocks();
@@ -88,17 +89,18 @@ void choose_memory_for(wire::TaskKind kind) {
 
 void run_task_program(const std::filesystem::path& store, int in, int out) {
   ::prctl(PR_SET_NAME, "tetfarm-task");  // what `top` shows
-  wire::Assign assign;
-  if (!assign.ParseFromString(read_all(in))) {
+  wire::TaskStart start;
+  if (!start.ParseFromString(read_all(in))) {
     throw Error(ExitCode::failed, "the assignment cannot be read");
   }
-  choose_memory_for(assign.kind());
+  const wire::Assign& assign = start.assign();
+  choose_memory_for(assign);
   const auto say = [out](const wire::Doing& doing) {
     wire::Envelope envelope;
     *envelope.mutable_heartbeat()->mutable_doing() = doing;
     write_frame(out, envelope);
   };
-  write_frame(out, run_task_in(store, assign, body_of(assign.kind()), say));
+  write_frame(out, run_task_in(store, assign, body_of(assign), say, start.apart()));
 }
 
 }  // namespace tetfarm

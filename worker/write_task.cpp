@@ -41,7 +41,7 @@ void place(const TaskIo& io, const SurfaceMesh& surface, const Numbering& number
   const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
   if (!is_wanted || !knows_places(numbering)) return;
   SharedFile file = shared_mesh_file(io);
-  if (io.assign().apart()) file.path.clear();
+  if (io.is_apart()) file.path.clear();
   portion.placed = place_cells(file, portion.part, numbering, surface);
 }
 

@@ -14,17 +14,16 @@ const TaskRow* JobState::find_done(JobId job, TaskKind kind, std::uint64_t path)
 }
 
 const TurnOrder& JobState::turns_of(JobId job) {
-  const auto known = turns_.find(job);
-  if (known != turns_.end()) return known->second;
+  if (const TurnOrder* known = progress_.turns(job)) return *known;
   const TaskRow* order = find_done(job, TaskKind::order, 0);
   TF_CHECK(order != nullptr);
   std::optional<TurnOrder> turns = turn_order_of(order->texts.at("order"));
   TF_CHECK(turns.has_value());
-  return turns_.emplace(job, std::move(*turns)).first->second;
+  return progress_.set_turns(job, std::move(*turns));
 }
 
 void JobState::order_when_whole(JobId job, Moment now) {
-  if (open_[job] > 0) return;
+  if (progress_.has_open(job)) return;
   const std::vector<SubdomainRow> tree = tree_of(job);
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
   if (has_seam_cosmetics(*inspect, tree)) add_task(order_task(*inspect, tree), now);
@@ -50,11 +49,6 @@ void JobState::give_turns_round(JobId job, std::uint64_t leaf, Moment now) {
     if (find_task(job, TaskKind::cosmetic, candidate) != nullptr) continue;
     if (const auto task = cosmetic_task(*inspect, turns, candidate, find)) add_task(*task, now);
   }
-}
-
-bool JobState::had_all_turns(JobId job) {
-  const TurnOrder& turns = turns_of(job);
-  return turns_over_[job] == static_cast<std::int64_t>(turns.size());
 }
 
 }  // namespace tetfarm

@@ -33,7 +33,7 @@ std::string place_of(const TaskRow& task) {
 
 void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
                     Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
   if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
     return;
@@ -73,18 +73,16 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   set_state(task, TaskState::done);
   if (!made_before) remember_work(task);
   expectation_.learn(task);
-  note_done_on_host(id, workers_.at(worker).host, now);
-  not_before_ms_.erase(id);
-  failed_on_.erase(id);
-  stuck_delay_ms_ = 0;
-  stuck_message_.clear();
+  note_done_on_host(id, workers_.at(worker).row.host, now);
+  delays_.forget(id);
+  disk_pause_.end();
   if (made_before) wake_waiting(task.job, now);
   if (!made_before || task.kind == TaskKind::assemble) advance(task, now);
 }
 
 void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
                       Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
   if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, false});
     return;
@@ -96,32 +94,38 @@ void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskF
 
 void JobState::take_failure(TaskRow& task, WorkerId worker, AttemptId attempt,
                             const TaskFailure& failure, Moment now) {
-  const bool for_good = !failure.may_retry && !failure.out_of_resources && !failure.killed &&
-                        !failure.out_of_memory && failure.damaged_inputs.empty();
-  if (for_good) {
-    end_attempt(attempt, AttemptState::failed, failure.message, now);
-    if (task.outputs.empty()) {
-      std::copy_if(failure.evidence.begin(), failure.evidence.end(),
-                   std::back_inserter(task.outputs), has_file_);
+  switch (failure.cause) {
+    case FailureCause::for_good:
+      end_attempt(attempt, AttemptState::failed, failure.message, now);
+      if (task.outputs.empty()) {
+        std::copy_if(failure.evidence.begin(), failure.evidence.end(),
+                     std::back_inserter(task.outputs), has_file_);
+      }
+      fail_task(task, failure.exit_code, failure.message, now);
+      break;
+    case FailureCause::damaged_input:
+      lose_attempt(attempt, AttemptState::returned, failure.message, now);
+      settle_waiting(task.id, now);
+      if (task.state == TaskState::ready) count_loss(task, failure.message, now);
+      break;
+    case FailureCause::out_of_memory: {
+      const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
+      lose_attempt(attempt, AttemptState::starved, failure.message, now);
+      count_out_of_memory(task, had_bytes, failure, now);
+      break;
     }
-    fail_task(task, failure.exit_code, failure.message, now);
-  } else if (!failure.damaged_inputs.empty()) {
-    lose_attempt(attempt, AttemptState::returned, failure.message, now);
-    settle_waiting(task.id, now);
-    if (task.state == TaskState::ready) count_loss(task, failure.message, now);
-  } else if (failure.out_of_memory) {
-    const std::uint64_t had_bytes = durable_.running_attempts.at(attempt).memory_bytes;
-    lose_attempt(attempt, AttemptState::starved, failure.message, now);
-    count_out_of_memory(task, had_bytes, failure, now);
-  } else if (failure.out_of_resources) {
-    lose_attempt(attempt, AttemptState::returned, failure.message, now);
-    out_of_resources(failure.message, now);
-  } else if (failure.killed) {
-    lose_attempt(attempt, AttemptState::killed, failure.message, now);
-    count_loss(task, failure.message, now);
-  } else {
-    lose_attempt(attempt, AttemptState::crashed, failure.message, now);
-    count_crash(task, worker, failure.message, now);
+    case FailureCause::disk_full:
+      lose_attempt(attempt, AttemptState::returned, failure.message, now);
+      out_of_resources(failure.message, now);
+      break;
+    case FailureCause::killed:
+      lose_attempt(attempt, AttemptState::killed, failure.message, now);
+      count_loss(task, failure.message, now);
+      break;
+    case FailureCause::error:
+      lose_attempt(attempt, AttemptState::crashed, failure.message, now);
+      count_crash(task, worker, failure.message, now);
+      break;
   }
 }
 
@@ -134,7 +138,7 @@ void JobState::advance(const TaskRow& task, Moment now) {
       break;
     case TaskKind::decompose: {
       const SubdomainRow& self = durable_.subdomains.at({task.job, task.path});
-      const bool is_further = further_cuts_above(task.job, 2 * task.path) > 0;
+      const bool is_further = progress_.former_leaves_above(task.job, 2 * task.path) > 0;
       GraphStep step = after_decompose(*inspect, task, self, is_further);
       // What could not be cut after all is tried once more with all the room.
       for (TaskRow& next : step.tasks) {
@@ -150,7 +154,7 @@ void JobState::advance(const TaskRow& task, Moment now) {
       put(after_mesh(task, durable_.subdomains.at({task.job, task.path})));
       if (find_task(task.job, TaskKind::order, 0) != nullptr) {
         extract_when_ordered(task.job, task.path, now);
-      } else if (unsettled_.at(task.job) == 0) {
+      } else if (progress_.is_settled(task.job)) {
         number_tree(task.job, now);
       }
       break;
@@ -163,20 +167,20 @@ void JobState::advance(const TaskRow& task, Moment now) {
       give_turns_round(task.job, task.path, now);
       break;
     case TaskKind::cosmetic:
-      ++turns_over_[task.job];
+      progress_.note_turn_over(task.job);
       give_turns_round(task.job, task.path, now);
-      if (had_all_turns(task.job)) number_tree(task.job, now);
+      if (progress_.had_all_turns(task.job)) number_tree(task.job, now);
       break;
     case TaskKind::number:
       write_leaves(task, now);
       break;
     case TaskKind::write:
-      ++written_[task.job];
+      progress_.note_written(task.job);
       assemble_when_written(task.job, now);
       break;
     case TaskKind::assemble:
       set_phase(edit(task.job), JobPhase::done, now);
-      new_events_.push_back({now.wall_ms, task.job, {}, {}, {}, "job done", ""});
+      changes_.add({now.wall_ms, task.job, {}, {}, {}, "job done", ""});
       break;
   }
 }
@@ -191,7 +195,7 @@ void JobState::carry_out(const GraphStep& step, Moment now) {
 /// When the last cut is made, the leaves are joined where the job asks for it; when that is over,
 /// their order in cosmetics is found.
 void JobState::tree_has_grown(JobId job, Moment now) {
-  if (open_[job] > 0) return;
+  if (progress_.has_open(job)) return;
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
   const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
   if (assimilate == nullptr) {
@@ -242,7 +246,7 @@ void JobState::write_leaves(const TaskRow& number, Moment now) {
 }
 
 void JobState::assemble_when_written(JobId job, Moment now) {
-  if (written_[job] < leaves_.at(job)) return;
+  if (!progress_.is_written(job)) return;
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
   const TaskRow* number = find_task(job, TaskKind::number, 0);
   const auto find_written = [this, job](std::uint64_t leaf) {
@@ -285,10 +289,10 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   job.created_ms = now.wall_ms;
   job.owner = submission.owner;
   job.content = content;
-  dirty_jobs_.insert(job.id);
+  changes_.note(job.id);
   if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
   durable_.jobs.emplace(job.id, job);
-  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
+  changes_.add({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
   inspect.job = job.id;
   add_task(std::move(inspect), now);
   return {job.id, false};
@@ -306,8 +310,8 @@ bool JobState::cancel(JobId id, Moment now) {
   if (found == durable_.jobs.end()) return false;
   if (found->second.phase != JobPhase::running) return true;
   set_phase(edit(id), JobPhase::cancelled, now);
-  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
-  for (const TaskId task : tasks_of(id)) {
+  changes_.add({now.wall_ms, id, {}, {}, {}, "cancelled", ""});
+  for (const TaskId task : lists_.tasks_of(id)) {
     if (durable_.tasks.at(task).state != TaskState::leased) continue;
     revoke_attempts(edit(task), "the job was cancelled", now);
   }

@@ -26,7 +26,8 @@ std::vector<TaskId> JobState::running_and_next(std::size_t count) const {
   for (const auto& [id, attempt] : durable_.running_attempts) {
     if (!attempt.is_rival) tasks.push_back(attempt.task);
   }
-  for (auto offer = offers_.begin(); offer != offers_.end() && count > 0; ++offer, --count) {
+  for (auto offer = lists_.offers().begin(); offer != lists_.offers().end() && count > 0;
+       ++offer, --count) {
     tasks.push_back(std::get<TaskId>(*offer));
   }
   return tasks;
@@ -37,7 +38,7 @@ std::map<std::uint64_t, std::uint64_t> JobState::demand() const {
   const auto wanted = [this](const TaskRow& task) {
     return std::max(task.memory_bytes, expectation_.bytes(task.kind));
   };
-  for (const auto& [rank, id] : offers_) ++tasks[wanted(durable_.tasks.at(id))];
+  for (const auto& [rank, id] : lists_.offers()) ++tasks[wanted(durable_.tasks.at(id))];
   for (const auto& [id, attempt] : durable_.running_attempts) {
     const TaskRow& running = durable_.tasks.at(attempt.task);
     const std::uint64_t brought = attempt.is_rival ? 0 : tasks_brought_by(running);

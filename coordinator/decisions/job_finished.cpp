@@ -15,12 +15,12 @@ void JobState::take_in(const TaskRow& task) {
     note_replaced(task);
     return;
   }
-  places_[{task.job, task.kind, task.path}] = task.id;
+  lists_.place(task);
   index(task);
   const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
-  if (had_turn) ++turns_over_[task.job];
+  if (had_turn) progress_.note_turn_over(task.job);
   const bool is_written = task.kind == TaskKind::write && find_file(task.outputs, "portion");
-  if (is_written) ++written_[task.job];
+  if (is_written) progress_.note_written(task.job);
   remember_work(task);
 }
 
@@ -28,7 +28,7 @@ void JobState::take_in(const TaskRow& task) {
 void JobState::bring_back(JobId job) {
   if (is_at_hand(job) || !finished_->contains(job)) return;
   DurableState rows = finished_->rows_of(job);
-  for (const auto& [key, subdomain] : rows.subdomains) index(subdomain, true);
+  for (const auto& [key, subdomain] : rows.subdomains) progress_.add(subdomain);
   durable_.subdomains.merge(rows.subdomains);
   for (auto& [id, row] : rows.tasks) {
     take_in(durable_.tasks.insert_or_assign(id, std::move(row)).first->second);
@@ -38,7 +38,7 @@ void JobState::bring_back(JobId job) {
 std::vector<DurableState> JobState::take_finished() {
   std::vector<DurableState> taken;
   if (!finished_->is_kept()) return taken;
-  TF_CHECK(dirty_tasks_.empty() && dirty_jobs_.empty() && dirty_subdomains_.empty());
+  TF_CHECK(changes_.has_no_job_rows());
   std::set<JobId> over;
   for (const JobId job : at_hand_) {
     if (durable_.jobs.at(job).phase != JobPhase::running) over.insert(job);
@@ -61,22 +61,15 @@ DurableState JobState::take_out(JobId job) {
     const auto work = done_work_.find({key.high, key.low});
     if (work != done_work_.end()) work->second.erase(task->first);
     if (work != done_work_.end() && work->second.empty()) done_work_.erase(work);
-    not_before_ms_.erase(task->first);
-    failed_on_.erase(task->first);
+    delays_.forget(task->first);
     rows.tasks.insert(durable_.tasks.extract(task));
   }
   const auto end = durable_.subdomains.lower_bound({JobId{job.value + 1}, 0});
   for (auto next = durable_.subdomains.lower_bound({job, 0}); next != end;) {
     rows.subdomains.insert(durable_.subdomains.extract(next++));
   }
-  places_.erase(places_.lower_bound({job, TaskKind::inspect, 0}),
-                places_.lower_bound({JobId{job.value + 1}, TaskKind::inspect, 0}));
-  for (auto* const tasks : {&active_, &failed_}) tasks->erase(job);
-  for (auto* const count : {&unsettled_, &open_, &leaves_, &written_, &turns_over_}) {
-    count->erase(job);
-  }
-  turns_.erase(job);
-  cut_further_.erase(job);
+  lists_.forget(job);
+  progress_.forget(job);
   at_hand_.erase(job);
   return rows;
 }

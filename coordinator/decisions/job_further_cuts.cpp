@@ -4,25 +4,23 @@
 /// order of turns, the elements near cuts and the turns themselves. Their tasks are replaced: they
 /// stay as rows, for people, and others have their places. The job ends as if it had had that tree
 /// from the start: same tree, same mesh. Which leaves are cut depends on the memory of the workers.
-#include <algorithm>
 
 #include "base/counted.h"
 #include "coordinator/decisions/job_state.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
 /// Whether the leaf of this task can be cut once more; "" when it can, else why not.
 std::string JobState::why_no_further_cut(const TaskRow& task) const {
-  const bool is_of_leaf = task.kind == TaskKind::mesh || task.kind == TaskKind::extract ||
-                          task.kind == TaskKind::cosmetic;
-  if (!is_of_leaf) return "more cuts do not make it smaller";
+  if (!traits_of(task.kind).shrinks_with_leaf) return "more cuts do not make it smaller";
   const JobId job = task.job;
   if (find_task(job, TaskKind::number, 0) != nullptr) return "the nodes are already numbered";
   if (task.path >= deepest_cut) return "the tree cannot be deeper";
   if (find_task(job, TaskKind::decompose, task.path) != nullptr) {
     return "its sub-domain cannot be cut";
   }
-  const std::uint32_t cuts = further_cuts_above(job, task.path);
+  const std::uint32_t cuts = progress_.former_leaves_above(job, task.path);
   if (cuts >= rules_.max_further_cuts) {
     return "it was already cut further " + counted(cuts, "time");
   }
@@ -42,29 +40,24 @@ void JobState::cut_further(JobId job, std::uint64_t leaf, const std::string& why
   const TaskRow& inspect = *find_task(job, TaskKind::inspect, 0);
   GraphStep step = cut_once_more(inspect, durable_.subdomains.at({job, leaf}));
   for (TaskRow& cut : step.tasks) cut.memory_bytes = room_bytes;
-  new_events_.push_back(
+  changes_.add(
       {now.wall_ms, job, mesh.id, {}, {}, "cut further", std::to_string(leaf) + ": " + why});
   carry_out(step, now);
 }
 
 /// What was decided and done from the whole tree.
 void JobState::replace_turns(JobId job, const std::string& why, Moment now) {
-  for (const TaskId id : tasks_of(job)) {
-    const TaskKind kind = durable_.tasks.at(id).kind;
-    const bool is_of_turns =
-        kind == TaskKind::order || kind == TaskKind::extract || kind == TaskKind::cosmetic;
-    if (is_of_turns) replace(id, why, now);
+  for (const TaskId id : lists_.tasks_of(job)) {
+    if (traits_of(durable_.tasks.at(id).kind).needs_whole_tree) replace(id, why, now);
   }
-  turns_.erase(job);
-  turns_over_.erase(job);
+  progress_.start_turns_anew(job);
 }
 
 void JobState::replace(TaskId id, const std::string& why, Moment now) {
   TaskRow& task = edit(id);
   revoke_attempts(task, why, now);
-  places_.erase({task.job, task.kind, task.path});
-  not_before_ms_.erase(id);
-  failed_on_.erase(id);
+  lists_.unplace(task);
+  delays_.forget(id);
   task.message = why;
   task.attempt = {};
   set_state(task, TaskState::replaced);
@@ -74,18 +67,7 @@ void JobState::replace(TaskId id, const std::string& why, Moment now) {
 
 /// A mesh is replaced only when its own leaf is cut.
 void JobState::note_replaced(const TaskRow& task) {
-  if (task.kind == TaskKind::mesh) cut_further_[task.job].insert(task.path);
-}
-
-/// How many of those that the sub-domain lies below were leaves once.
-std::uint32_t JobState::further_cuts_above(JobId job, std::uint64_t path) const {
-  const auto paths = cut_further_.find(job);
-  if (paths == cut_further_.end()) return 0;
-  std::uint32_t cuts = 0;
-  for (std::uint64_t above = path / 2; above > 0; above /= 2) {
-    if (paths->second.contains(above)) ++cuts;
-  }
-  return cuts;
+  if (task.kind == TaskKind::mesh) progress_.note_former_leaf(task.job, task.path);
 }
 
 /// Why the sub-domain is cut, where that was not planned; "" otherwise.

@@ -1,6 +1,5 @@
-/// JobState, the part about hosts on which tasks crash. A task is not to blame for a bad host, nor
-/// a host for bad tasks: only a task that crashed on one host and was then done on another tells
-/// which of the two it was.
+/// JobState, the part about hosts on which tasks crash: who has to wait for another host, and which
+/// host comes into quarantine.
 #include <algorithm>
 
 #include "coordinator/decisions/job_state.h"
@@ -9,97 +8,53 @@ namespace tetfarm {
 
 void JobState::note_crash_on_host(const TaskRow& task, WorkerId worker,
                                   const std::string& message) {
-  const auto row = workers_.find(worker);
-  if (row == workers_.end()) return;
-  HostCrashes& crashes = host2crashes_[row->second.host];
-  crashes.last_message = message;
-  std::erase_if(crashes.tasks, [this](const auto& entry) {
-    return !entry.second.was_done_elsewhere && !durable_.tasks.contains(entry.first);
-  });
-  CrashesOfTask& of_task = crashes.tasks[task.id];
-  of_task.job = task.job;
-  ++of_task.count;
-}
-
-std::size_t JobState::hosts_where_it_crashed(TaskId task) const {
-  return static_cast<std::size_t>(
-      std::count_if(host2crashes_.begin(), host2crashes_.end(),
-                    [task](const auto& host) { return host.second.tasks.contains(task); }));
+  if (!workers_.has(worker)) return;
+  host_crashes_.note_crash(workers_.at(worker).row.host, task, message,
+                           [this](TaskId id) { return durable_.tasks.contains(id); });
 }
 
 /// Whether the task crashed on the host since something was last done there, and a worker of
 /// another host, where it has not crashed, has the room and the time for it: that one goes first.
 bool JobState::waits_for_another_host(const TaskRow& task, const std::string& host,
                                       Moment now) const {
-  const auto crashed_on = [&](const std::string& where) {
-    const auto found = host2crashes_.find(where);
-    return found != host2crashes_.end() && found->second.tasks.contains(task.id);
-  };
-  if (!crashed_on(host)) return false;
-  return std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& entry) {
-    const auto& [id, session] = entry;
-    const WorkerRow& other = workers_.at(id);
+  if (!host_crashes_.crashed_on(host, task.id)) return false;
+  return std::any_of(workers_.all().begin(), workers_.all().end(), [&](const auto& entry) {
+    const WorkerSession& session = entry.second;
+    const WorkerRow& other = session.row;
     return other.host != host && !session.drains && memory_for(task) <= other.memory_bytes &&
-           !durable_.quarantined_hosts.contains(other.host) && !crashed_on(other.host) &&
-           has_time_for(session, task, now);
+           !durable_.quarantined_hosts.contains(other.host) &&
+           !host_crashes_.crashed_on(other.host, task.id) && has_time_for(session, task, now);
   });
 }
 
 /// Whether all that is known of the task is that this host does not do it, and another can try.
 bool JobState::counts_against_host(const TaskRow& task, WorkerId worker, Moment now) const {
-  const auto row = workers_.find(worker);
-  return row != workers_.end() && hosts_where_it_crashed(task.id) == 1 &&
-         waits_for_another_host(task, row->second.host, now);
+  return workers_.has(worker) && host_crashes_.hosts_where_it_crashed(task.id) == 1 &&
+         waits_for_another_host(task, workers_.at(worker).row.host, now);
 }
 
-/// The task is done on `host`: nothing that crashed there speaks against the host any more, and if
-/// the task crashed on one other host, it speaks against that one.
 void JobState::note_done_on_host(TaskId task, const std::string& host, Moment now) {
-  const bool is_proof = hosts_where_it_crashed(task) == 1;
-  host2crashes_.erase(host);
-  if (!is_proof) return;
-  for (auto& [other, crashes] : host2crashes_) {
-    const auto found = crashes.tasks.find(task);
-    if (found == crashes.tasks.end()) continue;
-    found->second.was_done_elsewhere = true;
-    quarantine_if_proven(other, now);
-    return;
-  }
+  if (const auto suspect = host_crashes_.note_done(host, task)) quarantine_if_proven(*suspect, now);
 }
 
-/// Enough different tasks, of more than one job: nobody takes a host out of the farm with a job
-/// made for it.
 void JobState::quarantine_if_proven(const std::string& host, Moment now) {
-  const auto found = host2crashes_.find(host);
-  const HostCrashes& crashes = found->second;
-  std::size_t proofs = 0;
-  std::set<JobId> jobs;
-  for (const auto& [task, of_task] : crashes.tasks) {
-    if (!of_task.was_done_elsewhere) continue;
-    ++proofs;
-    jobs.insert(of_task.job);
-  }
-  if (proofs < rules_.host_tasks || jobs.size() < 2) return;
-  if (durable_.quarantined_hosts.contains(host) || !has_host_besides(host)) return;
-  for (const auto& [id, of_task] : crashes.tasks) {
+  const auto proof = host_crashes_.proof_against(host, rules_.host_tasks);
+  if (!proof || durable_.quarantined_hosts.contains(host) || !has_host_besides(host)) return;
+  for (const auto& [id, count] : proof->crashes) {
     if (!durable_.tasks.contains(id)) continue;  // its job is over
     TaskRow& blamed = edit(id);
-    blamed.crashes -= std::min(blamed.crashes, of_task.count);
+    blamed.crashes -= std::min(blamed.crashes, count);
   }
-  const HostRow quarantined{
-      host, true, now.wall_ms,
-      std::to_string(proofs) + " tasks of " + std::to_string(jobs.size()) +
-          " jobs failed there and were done elsewhere; last failure: " + crashes.last_message};
+  const HostRow quarantined{host, true, now.wall_ms, proof->reason};
   durable_.quarantined_hosts[host] = quarantined;
-  dirty_hosts_[host] = quarantined;
-  new_events_.push_back(
-      {now.wall_ms, {}, {}, {}, {}, "host quarantined", host + ": " + quarantined.reason});
-  host2crashes_.erase(found);  // `host` may be its key
+  changes_.put(quarantined);
+  changes_.add({now.wall_ms, {}, {}, {}, {}, "host quarantined", host + ": " + proof->reason});
+  host_crashes_.forget(host);
 }
 
 bool JobState::has_host_besides(const std::string& host) const {
-  return std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) {
-    const std::string& other = workers_.at(session.first).host;
+  return std::any_of(workers_.all().begin(), workers_.all().end(), [&](const auto& entry) {
+    const std::string& other = entry.second.row.host;
     return other != host && !durable_.quarantined_hosts.contains(other);
   });
 }
@@ -110,9 +65,9 @@ bool JobState::release_host(const std::string& host, Moment now) {
   HostRow row = found->second;
   row.is_quarantined = false;
   row.since_ms = now.wall_ms;
-  dirty_hosts_[host] = row;
+  changes_.put(row);
   durable_.quarantined_hosts.erase(found);
-  new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "host let go", host});
+  changes_.add({now.wall_ms, {}, {}, {}, {}, "host let go", host});
   return true;
 }
 

@@ -30,7 +30,7 @@ std::string failures_of(const TaskRow& task) {
 
 /// The task that made or makes the file; 0 when none of that job does.
 TaskId JobState::maker_of(JobId job, const ArtifactRef& file) const {
-  for (const TaskId id : tasks_of(job)) {
+  for (const TaskId id : lists_.tasks_of(job)) {
     const std::vector<ArtifactRef>& outputs = durable_.tasks.at(id).outputs;
     const bool made_it =
         std::any_of(outputs.begin(), outputs.end(), [&file](const ArtifactRef& output) {
@@ -61,17 +61,17 @@ std::vector<std::string> JobState::missing_inputs(const TaskRow& task) const {
 
 /// What keeps a ready task from every worker that is here, counted by cause.
 std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) const {
-  if (sessions_.empty()) return {"no worker is connected"};
-  const HostMemory used = used_memory();
+  if (workers_.all().empty()) return {"no worker is connected"};
+  const WorkerSessions::HostMemory used = workers_.used_memory(durable_.running_attempts);
   std::map<std::string, int> causes;
   std::uint64_t most_free = 0;
   std::int64_t latest_end_ms = now.steady_ms;
   int suited = 0;
-  for (const auto& [worker, session] : sessions_) {
-    const std::uint64_t free_bytes = free_memory(worker, used);
+  for (const auto& [worker, session] : workers_.all()) {
+    const std::uint64_t free_bytes = workers_.free_memory(worker, used);
     most_free = std::max(most_free, free_bytes);
-    latest_end_ms = std::max(latest_end_ms, session.ends_ms);
-    if (durable_.quarantined_hosts.contains(workers_.at(worker).host)) {
+    latest_end_ms = std::max(latest_end_ms, session.terms.ends_ms);
+    if (durable_.quarantined_hosts.contains(session.row.host)) {
       ++causes["on a host in quarantine"];
     } else if (session.drains) {
       ++causes["about to leave"];
@@ -90,7 +90,7 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
   std::vector<std::string> reasons;
   if (suited > 0) return {"a worker may take it at any moment"};
   for (const auto& [cause, count] : causes) {
-    reasons.push_back(std::to_string(count) + " of " + std::to_string(sessions_.size()) +
+    reasons.push_back(std::to_string(count) + " of " + std::to_string(workers_.all().size()) +
                       " workers: " + cause);
   }
   if (causes.contains("without room for it")) {
@@ -98,7 +98,7 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
                       mebibytes(most_free) + " is free on any worker");
   }
   const auto too_late = causes.find("with too little time left");
-  if (too_late != causes.end() && too_late->second == static_cast<int>(sessions_.size())) {
+  if (too_late != causes.end() && too_late->second == static_cast<int>(workers_.all().size())) {
     const auto expected_ms =
         static_cast<std::int64_t>(expectation_.seconds(task).value_or(0) * 1000);
     reasons.push_back("it is expected to take " + seconds_text(expected_ms) +
@@ -115,14 +115,13 @@ std::string JobState::why_not(const TaskRow& task, Moment now) const {
   if (task.state == TaskState::failed) return "in quarantine: " + task.message;
   if (task.state == TaskState::replaced) return "no longer part of the job: " + task.message;
   if (job.phase != JobPhase::running) return std::string("its job is ") + name_of(job.phase);
-  if (is_stuck() && now.steady_ms < stuck_until_ms_) {
-    return "no room on the disk (" + stuck_message_ + "); next try in " +
-           seconds_text(stuck_until_ms_ - now.steady_ms);
+  if (const std::int64_t wait_ms = disk_pause_.wait_ms(now.steady_ms); wait_ms > 0) {
+    return "no room on the disk (" + disk_pause_.message() + "); next try in " +
+           seconds_text(wait_ms);
   }
-  const auto from = not_before_ms_.find(task.id);
-  if (from != not_before_ms_.end() && now.steady_ms < from->second) {
-    return "after " + failures_of(task) + " it waits another " +
-           seconds_text(from->second - now.steady_ms) + "; last failure: " + task.message;
+  if (const std::int64_t wait_ms = delays_.wait_ms(task.id, now.steady_ms); wait_ms > 0) {
+    return "after " + failures_of(task) + " it waits another " + seconds_text(wait_ms) +
+           "; last failure: " + task.message;
   }
   return {};
 }
@@ -138,7 +137,7 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
   if (!reasons.empty()) return reasons;
   reasons = obstacles(task, now);
   std::size_t ahead = 0;
-  for (const auto& [rank, other] : offers_) {
+  for (const auto& [rank, other] : lists_.offers()) {
     if (other == task.id) break;
     ++ahead;
   }

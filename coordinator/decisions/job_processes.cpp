@@ -1,17 +1,24 @@
 /// JobState, the part about who is who: processes, their connections, and which attempts are
 /// theirs.
 #include <algorithm>
-#include <utility>
 
-#include "base/check.h"
 #include "base/sha256.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/worker_process.h"
 
 namespace tetfarm {
+namespace {
 
-JobState::Process JobState::process_of(const WorkerInfo& info) {
+WorkerProcess process_of(const WorkerInfo& info) {
   return {info.key, info.nonce.empty() ? "" : sha256_hex(info.nonce)};
 }
+
+SessionTerms terms_of(const WorkerInfo& info, Moment now) {
+  return {process_of(info), info.tag, info.shares_memory,
+          info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0};
+}
+
+}  // namespace
 
 bool JobState::is_current(TaskId task, AttemptId attempt) const {
   const auto found = durable_.running_attempts.find(attempt);
@@ -39,96 +46,71 @@ WorkerId JobState::add_worker(const WorkerInfo& info, TaskId task, AttemptId att
   row.memory_bytes = info.memory_bytes;
   row.program_version = info.program_version;
   row.seen_ms = now.wall_ms;
-  workers_[id] = row;
-  dirty_workers_[id] = row;
-  sessions_[id].reach_bytes = std::max(info.memory_bytes, info.pool_memory_bytes);
-  memories_.insert(sessions_[id].reach_bytes);
-  note_terms(id, info, now);
-  new_events_.push_back({now.wall_ms,
-                         {},
-                         {},
-                         {},
-                         id,
-                         "worker",
-                         info.host + " process " + std::to_string(info.process)});
+  changes_.put(row);
+  workers_.arrive(row, std::max(info.memory_bytes, info.pool_memory_bytes));
+  workers_.introduce(id, terms_of(info, now), now.steady_ms);
+  changes_.add({now.wall_ms,
+                {},
+                {},
+                {},
+                id,
+                "worker",
+                info.host + " process " + std::to_string(info.process)});
   commands_.emplace_back(SendWelcome{id, settle_in(id, task, attempt, now)});
   return id;
 }
 
-void JobState::note_terms(WorkerId worker, const WorkerInfo& info, Moment now) {
-  Session& session = sessions_[worker];
-  session.heard_ms = now.steady_ms;
-  forget_process(worker);
-  session.process = process_of(info);
-  session.shares_memory = info.shares_memory;
-  session.tag = info.tag;
-  session.ends_ms = info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0;
-}
-
 void JobState::greet_again(WorkerId worker, const WorkerInfo& info, TaskId task, AttemptId attempt,
                            Moment now) {
-  const AttemptId held = sessions_.at(worker).attempt;
-  const bool is_another = sessions_.at(worker).process != process_of(info);
+  const AttemptId held = workers_.at(worker).attempt;
+  const bool is_another = workers_.at(worker).terms.process != process_of(info);
   if (held && is_another) {
     lose_attempt(held, AttemptState::lost, "another process took its place", now);
   }
-  note_terms(worker, info, now);
+  workers_.introduce(worker, terms_of(info, now), now.steady_ms);
   commands_.emplace_back(SendWelcome{worker, settle_in(worker, task, attempt, now)});
 }
 
 /// What the process holds, on this connection or an earlier one, is its own; nothing else is. True
 /// when it shall go on with the attempt that it named.
 bool JobState::settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  const Process process = sessions_.at(worker).process;
+  const WorkerProcess process = workers_.at(worker).terms.process;
   const bool goes_on = take_over(worker, task, attempt, now);
   if (process.nonce_hash.empty()) return goes_on;
   // An assignment that was lost on the way is said again when it is ready.
-  const auto held = process2attempt_.find(process);
-  if (held != process2attempt_.end()) move_attempt(held->second, worker, now);
-  const auto [earlier, is_first] = process2worker_.emplace(process, worker);
-  if (!is_first && earlier->second != worker) {
-    const WorkerId left = earlier->second;
-    earlier->second = worker;
-    worker_left(left, false, now);
-  }
+  if (const auto held = leases_.held_by(process)) move_attempt(*held, worker, now);
+  if (const auto earlier = workers_.take_seat(worker)) worker_left(*earlier, false, now);
   return goes_on;
-}
-
-void JobState::forget_process(WorkerId worker) {
-  const auto process = process2worker_.find(sessions_.at(worker).process);
-  if (process != process2worker_.end() && process->second == worker) process2worker_.erase(process);
 }
 
 /// False when the attempt is stale, or another process's.
 bool JobState::take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
   if (!attempt || !is_current(task, attempt)) return false;
-  if (process_of(durable_.running_attempts.at(attempt)) != sessions_.at(worker).process) {
+  if (process_of(durable_.running_attempts.at(attempt)) != workers_.at(worker).terms.process) {
     return false;
   }
   move_attempt(attempt, worker, now);
-  idle_.erase(worker);
-  lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
+  leases_.renew(attempt, now.steady_ms);
   return true;
 }
 
 /// To `worker`, which is the same process on a new connection.
 void JobState::move_attempt(AttemptId attempt, WorkerId worker, Moment now) {
   AttemptRow& row = durable_.running_attempts.at(attempt);
-  Session& session = sessions_.at(worker);
   if (row.worker != worker) {
-    if (session.attempt) {
-      lose_attempt(session.attempt, AttemptState::lost, "its worker went on with another", now);
+    if (const AttemptId other = workers_.at(worker).attempt) {
+      lose_attempt(other, AttemptState::lost, "its worker went on with another", now);
     }
-    if (sessions_.contains(row.worker)) {
-      sessions_.at(row.worker).attempt = {};
+    if (workers_.has(row.worker)) {
+      workers_.let_go(row.worker, attempt);
       worker_left(row.worker, false, now);
     }
     row.worker = worker;
-    row.host = workers_.at(worker).host;
-    dirty_attempts_[attempt] = row;
+    row.host = workers_.at(worker).row.host;
+    changes_.put(row);
     record(now, durable_.tasks.at(row.task), attempt, worker, "reconnected");
   }
-  session.attempt = attempt;
+  workers_.hold(worker, attempt);
 }
 
 }  // namespace tetfarm

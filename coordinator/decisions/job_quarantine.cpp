@@ -13,12 +13,6 @@ namespace {
 constexpr int exit_failed = static_cast<int>(ExitCode::failed);
 constexpr std::size_t most_named = 20;
 
-std::int64_t delay_ms(std::int64_t first_ms, std::uint32_t count, std::int64_t longest_ms) {
-  std::int64_t delay = first_ms;
-  for (std::uint32_t i = 1; i < count && delay < longest_ms; ++i) delay *= 2;
-  return std::min(delay, longest_ms);
-}
-
 /// Where a person finds the inputs of a task, relative to the store's folder.
 std::string inputs_of(const TaskRow& task) {
   std::string list;
@@ -49,8 +43,8 @@ bool was_done_before(const TaskRow& task) {
 void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& message, Moment now) {
   ++task.crashes;
   task.message = message;
-  not_before_ms_[task.id] =
-      now.steady_ms + delay_ms(rules_.crash_delay_ms, task.crashes, rules_.longest_delay_ms);
+  delays_.wait_until(task.id, now.steady_ms + delay_after(task.crashes, rules_.crash_delay_ms,
+                                                          rules_.longest_delay_ms));
   note_crash_on_host(task, worker, message);
   if (task.crashes < rules_.max_crashes || counts_against_host(task, worker, now)) return;
   fail_task(task, exit_failed, quarantine_reason(task, "crashed", task.crashes, message), now);
@@ -59,8 +53,8 @@ void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& me
 void JobState::count_loss(TaskRow& task, const std::string& message, Moment now) {
   ++task.losses;
   task.message = message;
-  not_before_ms_[task.id] =
-      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.losses, rules_.longest_delay_ms);
+  delays_.wait_until(task.id, now.steady_ms + delay_after(task.losses, rules_.loss_delay_ms,
+                                                          rules_.longest_delay_ms));
   if (task.losses < rules_.max_losses) return;
   fail_task(task, exit_failed, quarantine_reason(task, "lost or killed", task.losses, message),
             now);
@@ -73,13 +67,14 @@ void JobState::count_out_of_memory(TaskRow& task, std::uint64_t had_bytes,
                                    const TaskFailure& failure, Moment now) {
   ++task.oom_count;
   task.message = failure.message;
-  not_before_ms_[task.id] =
-      now.steady_ms + delay_ms(rules_.loss_delay_ms, task.oom_count, rules_.longest_delay_ms);
-  const std::uint64_t largest = largest_memory();
+  const std::int64_t again_ms =
+      now.steady_ms + delay_after(task.oom_count, rules_.loss_delay_ms, rules_.longest_delay_ms);
+  delays_.wait_until(task.id, again_ms);
+  const std::uint64_t largest = workers_.largest_memory();
   const std::uint64_t knew = std::max({task.memory_bytes, had_bytes, failure.peak_rss_bytes});
   if (now.steady_ms < all_back_ms_) {
     task.memory_bytes = std::max<std::uint64_t>(2 * knew, 1);
-    not_before_ms_[task.id] = std::max(not_before_ms_[task.id], all_back_ms_);
+    delays_.wait_until(task.id, std::max(again_ms, all_back_ms_));
     return;
   }
   const bool had_all = largest == 0 || had_bytes >= largest;
@@ -120,14 +115,14 @@ void JobState::fail_job(JobId id, std::int32_t exit_code, const std::string& mes
   job.exit_code = exit_code;
   job.message = message;
   set_phase(job, JobPhase::failed, now);
-  new_events_.push_back({now.wall_ms, id, {}, {}, {}, "job failed", message});
+  changes_.add({now.wall_ms, id, {}, {}, {}, "job failed", message});
 }
 
 /// A job with tasks in quarantine ends when nothing else of it can go on. What waits for a file of
 /// such a task cannot.
 void JobState::end_hopeless_jobs(Moment now) {
-  for (const auto& [job, tasks] : failed_) {
-    if (durable_.jobs.at(job).phase != JobPhase::running || !active_[job].empty()) continue;
+  for (const auto& [job, tasks] : lists_.failed()) {
+    if (durable_.jobs.at(job).phase != JobPhase::running || lists_.is_active(job)) continue;
     const TaskRow& first = durable_.tasks.at(*tasks.begin());
     std::string message = place_of(first) + ": " + first.message;
     if (tasks.size() > 1) {
@@ -154,8 +149,7 @@ void JobState::forgive(TaskId id) {
   task.memory_bytes = 0;
   task.exit_code = 0;
   task.message.clear();
-  not_before_ms_.erase(id);
-  failed_on_.erase(id);
+  delays_.forget(id);
   set_state(task, TaskState::ready);
 }
 
@@ -164,8 +158,8 @@ void JobState::resume(JobRow& job, Moment now) {
   job.exit_code = 0;
   job.message.clear();
   set_phase(job, JobPhase::running, now);
-  new_events_.push_back({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
-  for (const TaskId id : tasks_of(job.id)) {
+  changes_.add({now.wall_ms, job.id, {}, {}, {}, "resumed", ""});
+  for (const TaskId id : lists_.tasks_of(job.id)) {
     const TaskState state = durable_.tasks.at(id).state;
     if (state == TaskState::failed || state == TaskState::ready) forgive(id);
   }
@@ -176,7 +170,7 @@ std::size_t JobState::retry(JobId id, TaskId task, Moment now) {
   const auto found = durable_.jobs.find(id);
   if (found == durable_.jobs.end() || found->second.phase == JobPhase::done) return 0;
   bring_back(id);
-  const std::set<TaskId> quarantined = failed_[id];
+  const std::set<TaskId> quarantined = lists_.failed_of(id);
   if (!task) {
     resume(edit(id), now);
     return std::max<std::size_t>(quarantined.size(), 1);

@@ -1,16 +1,11 @@
 /// JobState, the part about time and room: which task a worker has time and memory for, when a
 /// running one is late, and second attempts that race late ones.
 #include <algorithm>
+#include <optional>
 
 #include "coordinator/decisions/job_state.h"
 
 namespace tetfarm {
-namespace {
-
-/// What is late is so by seconds; every running task is looked at.
-constexpr std::int64_t late_look_ms = 100;
-
-}  // namespace
 
 /// How long an attempt may run before its worker ends it.
 std::int64_t JobState::limit_ms(const TaskRow& task) const {
@@ -20,74 +15,39 @@ std::int64_t JobState::limit_ms(const TaskRow& task) const {
   return std::max(rules_.least_limit_ms, rules_.limit_factor * expected_ms);
 }
 
-/// What a worker may use at most, of those that are here or that a pool of theirs can bring; 0 when
-/// that is not known.
-std::uint64_t JobState::largest_memory() const {
-  return memories_.empty() ? 0 : *memories_.rbegin();
-}
-
 /// The room that a task is given: what it asked for after it was out of memory, or what its kind
 /// took before; never more than the largest worker has or can have, so that there will be one to
 /// try it on.
 std::uint64_t JobState::memory_for(const TaskRow& task) const {
-  return std::min(std::max(task.memory_bytes, expectation_.bytes(task.kind)), largest_memory());
+  return std::min(std::max(task.memory_bytes, expectation_.bytes(task.kind)),
+                  workers_.largest_memory());
 }
 
-/// Attempts without a session are of workers that have not come back after a restart: they run all
-/// the same. Whether such a worker has memory of its own is not known before it is back.
-JobState::HostMemory JobState::used_memory() const {
-  HostMemory used;
-  for (const auto& [id, attempt] : durable_.running_attempts) {
-    const auto session = sessions_.find(attempt.worker);
-    if (session != sessions_.end() && !session->second.shares_memory) continue;
-    used[attempt.host] += attempt.memory_bytes;
-  }
-  return used;
-}
-
-/// What is left of a worker's memory: its own, or the host's, less what runs there already.
-std::uint64_t JobState::free_memory(WorkerId worker, const HostMemory& used) const {
-  const WorkerRow& row = workers_.at(worker);
-  if (!sessions_.at(worker).shares_memory) return row.memory_bytes;
-  const auto found = used.find(row.host);
-  const std::uint64_t used_bytes = found == used.end() ? 0 : found->second;
-  return row.memory_bytes - std::min(used_bytes, row.memory_bytes);
-}
-
-bool JobState::has_time_for(const Session& session, const TaskRow& task, Moment now) const {
-  if (session.ends_ms == 0) return true;
+bool JobState::has_time_for(const WorkerSession& session, const TaskRow& task, Moment now) const {
+  if (session.terms.ends_ms == 0) return true;
   const std::optional<double> seconds = expectation_.seconds(task);
-  return !seconds || *seconds * 1000 <= static_cast<double>(session.ends_ms - now.steady_ms);
+  return !seconds || *seconds * 1000 <= static_cast<double>(session.terms.ends_ms - now.steady_ms);
 }
 
 /// Tasks that run much longer than expected and that nobody races yet, the latest first.
 std::vector<TaskId> JobState::late_tasks(Moment now) {
-  if (now.steady_ms < next_late_look_ms_) return {};
-  next_late_look_ms_ = now.steady_ms + late_look_ms;
-  std::vector<std::pair<std::int64_t, TaskId>> late;
-  for (const auto& [id, attempt] : durable_.running_attempts) {
-    if (attempt.is_rival || rivals_.contains(attempt.task)) continue;
-    const TaskRow& task = durable_.tasks.at(attempt.task);
-    const std::optional<double> seconds = expectation_.seconds(task);
-    if (!seconds) continue;
+  const auto over_ms = [&](const AttemptRow& attempt) -> std::optional<std::int64_t> {
+    const std::optional<double> seconds = expectation_.seconds(durable_.tasks.at(attempt.task));
+    if (!seconds) return std::nullopt;
     const std::int64_t bound_ms = std::max(
         rules_.least_late_ms, rules_.late_factor * static_cast<std::int64_t>(*seconds * 1000));
-    const std::int64_t over_ms = now.steady_ms - started_ms_.at(id) - bound_ms;
-    if (over_ms > 0) late.emplace_back(-over_ms, task.id);
-  }
-  std::sort(late.begin(), late.end());
-  std::vector<TaskId> tasks;
-  for (const auto& [over, task] : late) tasks.push_back(task);
-  return tasks;
+    return now.steady_ms - leases_.started_ms(attempt.id) - bound_ms;
+  };
+  return races_.late_tasks(durable_.running_attempts, over_ms, now.steady_ms);
 }
 
 /// A late task for a worker that has nothing else to do; 0 when there is none for it.
-TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late, const HostMemory& used,
-                           Moment now) const {
+TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late,
+                           const WorkerSessions::HostMemory& used, Moment now) const {
   const auto fits = [&](TaskId id) {
     const TaskRow& task = durable_.tasks.at(id);
-    return memory_for(task) <= free_memory(worker, used) &&
-           has_time_for(sessions_.at(worker), task, now) &&
+    return memory_for(task) <= workers_.free_memory(worker, used) &&
+           has_time_for(workers_.at(worker), task, now) &&
            std::all_of(task.inputs.begin(), task.inputs.end(), has_file_);
   };
   const auto found = std::find_if(late.begin(), late.end(), fits);
@@ -100,15 +60,14 @@ TaskId JobState::pick_late(WorkerId worker, std::vector<TaskId>& late, const Hos
 /// The ended attempt leaves its task to the one that races it, if there is one.
 void JobState::leave_race(const AttemptRow& ended) {
   TaskRow& task = edit(ended.task);
-  const auto rival = rivals_.find(task.id);
-  const bool leaves_other = rival != rivals_.end() && task.attempt == ended.id;
-  task.attempt = leaves_other ? rival->second : ended.is_rival ? task.attempt : AttemptId{};
-  if (leaves_other) {
-    AttemptRow& other = durable_.running_attempts.at(rival->second);
+  if (const auto goes_on = races_.leave(task.id, ended.id, task.attempt)) {
+    AttemptRow& other = durable_.running_attempts.at(*goes_on);
     other.is_rival = false;
-    dirty_attempts_[other.id] = other;
+    changes_.put(other);
+    task.attempt = other.id;
+  } else if (!ended.is_rival) {
+    task.attempt = {};
   }
-  if (rival != rivals_.end()) rivals_.erase(rival);
 }
 
 /// Ends every running attempt of the task, and tells their workers.
@@ -117,7 +76,7 @@ void JobState::revoke_attempts(TaskRow& task, const std::string& why, Moment now
     const AttemptId attempt = task.attempt;
     const WorkerId worker = durable_.running_attempts.at(attempt).worker;
     lose_attempt(attempt, AttemptState::revoked, why, now);
-    if (sessions_.contains(worker)) {
+    if (workers_.has(worker)) {
       commands_.emplace_back(SendAccepted{worker, task.id, attempt, false});
     }
   }

@@ -28,7 +28,7 @@ void JobState::settle_waiting(TaskId id, Moment now) {
 }
 
 void JobState::wake_waiting(JobId job, Moment now) {
-  for (const TaskId id : tasks_of(job)) {
+  for (const TaskId id : lists_.tasks_of(job)) {
     if (durable_.tasks.at(id).state == TaskState::waiting) settle_waiting(id, now);
   }
 }
@@ -40,7 +40,7 @@ void JobState::remake(JobId job, const ArtifactRef& file, Moment now) {
     return output.hash == file.hash && output.size == file.size;
   };
   bool has_maker = false;
-  for (const TaskId id : tasks_of(job)) {
+  for (const TaskId id : lists_.tasks_of(job)) {
     TaskRow& task = durable_.tasks.at(id);
     if (std::none_of(task.outputs.begin(), task.outputs.end(), made_it)) continue;
     has_maker = true;

@@ -1,41 +1,28 @@
 #include "coordinator/decisions/job_state.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <utility>
 
-#include "base/check.h"
 #include "coordinator/decisions/task_reuse.h"
 
 namespace tetfarm {
-namespace {
-
-/// Cuts go first: they make work for everybody else; so does what others wait for to have their
-/// turn.
-int rank_of(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::decompose:
-    case TaskKind::order:
-    case TaskKind::extract:
-    case TaskKind::cosmetic:
-      return 0;
-    default:
-      return 1;
-  }
-}
-
-}  // namespace
 
 JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_file, Moment now,
                    const FinishedJobs* finished)
-    : durable_(std::move(durable)), rules_(rules), has_file_(std::move(has_file)) {
+    : durable_(std::move(durable)),
+      rules_(rules),
+      has_file_(std::move(has_file)),
+      leases_(rules.lease_ms),
+      delays_(rules.elsewhere_ms),
+      disk_pause_(rules.crash_delay_ms, rules.longest_delay_ms) {
   static const FinishedJobs none;
   finished_ = finished == nullptr ? &none : finished;
   expectation_ = finished_->expectation();
   for (const auto& [id, job] : durable_.jobs) {
     if (!job.key.empty()) keys_[{job.owner, job.key}] = id;
   }
-  for (const auto& [key, subdomain] : durable_.subdomains) index(subdomain, true);
+  for (const auto& [key, subdomain] : durable_.subdomains) progress_.add(subdomain);
   for (const auto& [id, task] : durable_.tasks) {
     durable_.last_task = std::max(durable_.last_task, id.value);
     take_in(task);
@@ -43,86 +30,58 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
   }
   if (!durable_.tasks.empty()) all_back_ms_ = now.steady_ms + rules_.lease_ms;
   for (const auto& [id, attempt] : durable_.running_attempts) {
-    lease_ends_ms_[id] = now.steady_ms + rules_.lease_ms;
-    started_ms_[id] = now.steady_ms;
-    if (attempt.is_rival) rivals_[attempt.task] = id;
-    if (!attempt.nonce_hash.empty()) process2attempt_[process_of(attempt)] = id;
+    leases_.begin(attempt, now.steady_ms);
+    if (attempt.is_rival) races_.begin(attempt.task, id);
   }
   for (const auto& [id, job] : durable_.jobs) {
     if (job.phase == JobPhase::running) wake_waiting(id, now);
   }
 }
 
-JobState::Offer JobState::offer_of(const TaskRow& task) { return {rank_of(task.kind), task.id}; }
-
 TaskRow& JobState::edit(TaskId task) {
-  dirty_tasks_.insert(task);
+  changes_.note(task);
   return durable_.tasks.at(task);
 }
 
 JobRow& JobState::edit(JobId job) {
-  dirty_jobs_.insert(job);
+  changes_.note(job);
   return durable_.jobs.at(job);
 }
 
 void JobState::index(const TaskRow& task) {
-  const Offer offer = offer_of(task);
-  if (task.state == TaskState::ready && durable_.jobs.at(task.job).phase == JobPhase::running) {
-    offers_.insert(offer);
-  } else {
-    offers_.erase(offer);
-  }
-  const auto belongs = [&task](std::map<JobId, std::set<TaskId>>& lists, bool should) {
-    std::set<TaskId>& list = lists[task.job];
-    if (should) {
-      list.insert(task.id);
-    } else {
-      list.erase(task.id);
-    }
-    if (list.empty()) lists.erase(task.job);
-  };
-  belongs(active_, task.state == TaskState::ready || task.state == TaskState::leased);
-  belongs(failed_, task.state == TaskState::failed);
-}
-
-void JobState::index(const SubdomainRow& subdomain, bool adds) {
-  const std::int64_t change = adds ? 1 : -1;
-  if (!is_settled(subdomain)) unsettled_[subdomain.job] += change;
-  if (subdomain.state == SubdomainState::open) open_[subdomain.job] += change;
-  if (subdomain.state == SubdomainState::leaf) leaves_[subdomain.job] += change;
+  lists_.update(task, durable_.jobs.at(task.job).phase == JobPhase::running);
 }
 
 void JobState::set_state(TaskRow& task, TaskState state) {
-  dirty_tasks_.insert(task.id);
+  changes_.note(task.id);
   task.state = state;
   index(task);
 }
 
 void JobState::set_phase(JobRow& job, JobPhase phase, Moment now) {
-  dirty_jobs_.insert(job.id);
+  changes_.note(job.id);
   job.phase = phase;
   job.finished_ms = phase == JobPhase::running ? 0 : now.wall_ms;
-  for (const TaskId task : tasks_of(job.id)) index(durable_.tasks.at(task));
+  for (const TaskId task : lists_.tasks_of(job.id)) index(durable_.tasks.at(task));
 }
 
 void JobState::put(const SubdomainRow& subdomain) {
   const SubdomainKey key{subdomain.job, subdomain.path};
   const auto [place, is_new] = durable_.subdomains.try_emplace(key, subdomain);
   if (!is_new) {
-    index(place->second, false);
+    progress_.take_away(place->second);
     place->second = subdomain;
   }
-  index(subdomain, true);
-  dirty_subdomains_.insert(key);
+  progress_.add(subdomain);
+  changes_.note(key);
 }
 
 void JobState::add_task(TaskRow task, Moment now) {
-  const Place place{task.job, task.kind, task.path};
-  if (places_.contains(place)) return;
+  if (lists_.find(task.job, task.kind, task.path)) return;
   task.id = TaskId{++durable_.last_task};
   at_hand_.insert(task.job);
-  places_[place] = task.id;
-  dirty_tasks_.insert(task.id);
+  lists_.place(task);
+  changes_.note(task.id);
   const bool served = is_served(task);
   const TaskRow& added = durable_.tasks.emplace(task.id, std::move(task)).first->second;
   index(added);
@@ -179,42 +138,15 @@ void JobState::record(Moment now, const TaskRow& task, AttemptId attempt, Worker
   std::string text = name_of(task.kind);
   if (task.path != 0) text += " " + std::to_string(task.path);
   if (!message.empty()) text += ": " + message;
-  new_events_.push_back({now.wall_ms, task.job, task.id, attempt, worker, what, text});
+  changes_.add({now.wall_ms, task.job, task.id, attempt, worker, what, text});
 }
 
 const TaskRow* JobState::find_task(JobId job, TaskKind kind, std::uint64_t path) const {
-  const auto found = places_.find({job, kind, path});
-  return found == places_.end() ? nullptr : &durable_.tasks.at(found->second);
+  const std::optional<TaskId> found = lists_.find(job, kind, path);
+  return found ? &durable_.tasks.at(*found) : nullptr;
 }
 
-std::vector<TaskId> JobState::tasks_of(JobId job) const {
-  std::vector<TaskId> tasks;
-  for (auto place = places_.lower_bound({job, TaskKind::inspect, 0});
-       place != places_.end() && std::get<JobId>(place->first) == job; ++place) {
-    tasks.push_back(place->second);
-  }
-  return tasks;
-}
-
-ChangeSet JobState::take_changes() {
-  ChangeSet changes;
-  for (const JobId id : dirty_jobs_) changes.jobs.push_back(durable_.jobs.at(id));
-  for (const SubdomainKey& key : dirty_subdomains_) {
-    changes.subdomains.push_back(durable_.subdomains.at(key));
-  }
-  for (const TaskId id : dirty_tasks_) changes.tasks.push_back(durable_.tasks.at(id));
-  for (auto& [id, worker] : dirty_workers_) changes.workers.push_back(std::move(worker));
-  for (auto& [id, attempt] : dirty_attempts_) changes.attempts.push_back(std::move(attempt));
-  for (auto& [name, host] : dirty_hosts_) changes.hosts.push_back(std::move(host));
-  changes.events = std::exchange(new_events_, {});
-  dirty_jobs_.clear();
-  dirty_subdomains_.clear();
-  dirty_tasks_.clear();
-  dirty_workers_.clear();
-  dirty_attempts_.clear();
-  dirty_hosts_.clear();
-  return changes;
-}
+ChangeSet JobState::take_changes() { return changes_.take(durable_); }
 
 std::vector<Command> JobState::take_commands() { return std::exchange(commands_, {}); }
 

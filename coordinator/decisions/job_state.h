@@ -4,9 +4,16 @@
 /// committed) and commands (to be carried out after the commit) come out. Built again from the
 /// committed rows it goes on where it was, so the daemon may be killed at any instant.
 ///
+/// What it knows beside the rows is in parts, each with its own invariants:
+/// worker_sessions.h (who is here), leases.h (who holds
+/// which attempt until when), races.h (second attempts of slow tasks), retry_delays.h and
+/// host_crashes.h (what fails, when it is tried again, whose fault it is), task_lists.h (what is on
+/// offer, at work, in quarantine, and where), tree_progress.h (how far each job is),
+/// task_expectation.h, full_disk_pause.h; pending_changes.h collects what is to be committed.
+///
 /// States and transitions of a task: coordinator/decisions/task_states.dot. Messages:
-/// proto/protocol.md. Invariants, checked by validate(), with the indexes beside the rows (5:
-/// wherever a task is leased):
+/// proto/protocol.md. Invariants, checked by validate() with those of the parts (5: wherever a task
+/// is leased):
 ///  1. A task is leased exactly when its attempt is running; at most one other, its rival, runs
 ///  too.
 ///  2. A done task names the attempt that was accepted; no other is ever accepted for it.
@@ -26,17 +33,27 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "coordinator/decisions/attempt_work.h"
 #include "coordinator/decisions/cosmetic_graph.h"
 #include "coordinator/decisions/finished_jobs.h"
+#include "coordinator/decisions/full_disk_pause.h"
+#include "coordinator/decisions/host_crashes.h"
+#include "coordinator/decisions/leases.h"
+#include "coordinator/decisions/pending_changes.h"
+#include "coordinator/decisions/races.h"
+#include "coordinator/decisions/retry_delays.h"
 #include "coordinator/decisions/task_expectation.h"
 #include "coordinator/decisions/task_graph.h"
+#include "coordinator/decisions/task_lists.h"
 #include "coordinator/decisions/task_outlook.h"
+#include "coordinator/decisions/tree_progress.h"
+#include "coordinator/decisions/worker_sessions.h"
 #include "store/rows.h"
+#include "tasks/failure_cause.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -86,10 +103,7 @@ struct WorkerInfo {
 struct TaskFailure {
   std::int32_t exit_code = 1;
   std::string message;
-  bool may_retry = false;
-  bool out_of_resources = false;
-  bool killed = false;
-  bool out_of_memory = false;
+  FailureCause cause = FailureCause::for_good;
   std::uint64_t peak_rss_bytes = 0;
   std::vector<std::string> damaged_inputs;  ///< hashes; the shell has checked that they are damaged
   std::vector<ArtifactRef> evidence;
@@ -154,7 +168,7 @@ class JobState {
            const FinishedJobs* finished = nullptr);
 
   // Workers. An unknown worker id is a mistake of the caller: ask knows_worker first.
-  bool knows_worker(WorkerId worker) const { return sessions_.contains(worker); }
+  bool knows_worker(WorkerId worker) const { return workers_.has(worker); }
   /// Whether the attempt is running there: what else comes in its name is refused.
   bool holds(WorkerId worker, TaskId task, AttemptId attempt) const;
   /// A worker that says Hello; `task` and `attempt` are what it still works on, 0 for nothing.
@@ -204,10 +218,10 @@ class JobState {
   const DurableState& durable() const { return durable_; }
   const FinishedJobs& finished() const { return *finished_; }
   bool is_at_hand(JobId job) const { return at_hand_.contains(job); }
-  std::size_t worker_count() const { return sessions_.size(); }
+  std::size_t worker_count() const { return workers_.all().size(); }
   std::vector<WorkerAtWork> workers_at_work() const;
   /// What a running attempt does; null when nothing was heard of it. Good until it is heard again.
-  const AttemptWork* work_of(AttemptId attempt) const;
+  const AttemptWork* work_of(AttemptId attempt) const { return leases_.work_of(attempt); }
   /// How many tasks would run if there were workers for them, by the memory that each wants (0: not
   /// known): ready ones, and those that a running one brings beside the first. Cost: O(running and
   /// ready tasks), at most O(sub-domains) for each job that joins or orders them.
@@ -215,8 +229,8 @@ class JobState {
   /// The tasks that run, and as many of the ready ones as are named, those first that are handed
   /// out first.
   std::vector<TaskId> running_and_next(std::size_t count) const;
-  bool is_stuck() const { return stuck_delay_ms_ > 0; }
-  const std::string& stuck_message() const { return stuck_message_; }
+  bool is_stuck() const { return disk_pause_.is_stuck(); }
+  const std::string& stuck_message() const { return disk_pause_.message(); }
 
   /// A job whose rows are not at hand, by itself, for questions about it; changes nothing here.
   /// @pre finished() has it. Cost: reads its rows.
@@ -229,49 +243,13 @@ class JobState {
   std::vector<std::string> validate() const;
 
  private:
-  /// Who holds an attempt: whoever has only the nonce, or only the key, is another.
-  struct Process {
-    std::string key;
-    std::string nonce_hash;  ///< "": it has none
-
-    friend auto operator<=>(const Process&, const Process&) = default;
-  };
-  static Process process_of(const AttemptRow& attempt) { return {attempt.key, attempt.nonce_hash}; }
-  struct Session {
-    AttemptId attempt;  ///< running there, 0: none
-    bool drains = false;
-    bool shares_memory = true;
-    Process process;
-    std::int64_t ends_ms = 0;  ///< 0: not known
-    std::int64_t heard_ms = 0;
-    std::string tag;
-    std::uint64_t reach_bytes = 0;  ///< its memory, or what its pool can bring
-  };
-  struct CrashesOfTask {
-    JobId job;
-    std::uint32_t count = 0;
-    bool was_done_elsewhere = false;  ///< and crashed nowhere else
-  };
-  /// What crashed on a host since a task was last done there.
-  struct HostCrashes {
-    std::map<TaskId, CrashesOfTask> tasks;
-    std::string last_message;
-  };
-  using Offer = std::tuple<int, TaskId>;  ///< rank, task
-  /// Of each host whose workers share its memory: what running attempts were given of it.
-  using HostMemory = std::map<std::string, std::uint64_t>;
-  using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
   using Complaints = std::vector<std::string>;
 
   // job_invariants.cpp
   void find_broken_tasks(Complaints& broken) const;
-  void find_broken_places(Complaints& broken) const;
   void find_broken_attempts(Complaints& broken) const;
-  void find_broken_sessions(Complaints& broken) const;
-  void find_broken_counts(Complaints& broken) const;
 
   // job_state.cpp: rows and indexes
-  static Offer offer_of(const TaskRow& task);
   TaskRow& edit(TaskId task);
   JobRow& edit(JobId job);
   void set_state(TaskRow& task, TaskState state);
@@ -281,7 +259,6 @@ class JobState {
   void bring_back(JobId job);
   DurableState take_out(JobId job);
   void index(const TaskRow& task);
-  void index(const SubdomainRow& subdomain, bool adds);
   void add_task(TaskRow task, Moment now);
   bool is_served(TaskRow& task) const;
   std::optional<TaskRow> find_row(TaskId task) const;
@@ -289,16 +266,12 @@ class JobState {
   void record(Moment now, const TaskRow& task, AttemptId attempt, WorkerId worker, const char* what,
               const std::string& message = {});
   const TaskRow* find_task(JobId job, TaskKind kind, std::uint64_t path) const;
-  std::vector<TaskId> tasks_of(JobId job) const;
   std::vector<SubdomainRow> tree_of(JobId job) const;
 
   // job_processes.cpp: who is who
-  static Process process_of(const WorkerInfo& info);
   bool is_current(TaskId task, AttemptId attempt) const;
-  void note_terms(WorkerId worker, const WorkerInfo& info, Moment now);
   bool was_accepted(TaskId task, AttemptId attempt) const;
   bool settle_in(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
-  void forget_process(WorkerId worker);
   bool take_over(WorkerId worker, TaskId task, AttemptId attempt, Moment now);
   void move_attempt(AttemptId attempt, WorkerId worker, Moment now);
 
@@ -311,8 +284,8 @@ class JobState {
   void hand_out(Moment now);
   bool may_work(WorkerId worker) const;
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
-  TaskId pick_for(WorkerId worker, const HostMemory& used, Moment now);
-  void lease(WorkerId worker, TaskId task, HostMemory& used, Moment now);
+  TaskId pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now);
+  void lease(WorkerId worker, TaskId task, WorkerSessions::HostMemory& used, Moment now);
 
   // job_outlook.cpp: why a task does not run
   TaskId maker_of(JobId job, const ArtifactRef& file) const;
@@ -324,14 +297,11 @@ class JobState {
   // job_races.cpp: time and room
   std::int64_t limit_ms(const TaskRow& task) const;
   std::uint64_t tasks_brought_by(const TaskRow& running) const;
-  std::uint64_t largest_memory() const;
   std::uint64_t memory_for(const TaskRow& task) const;
-  HostMemory used_memory() const;
-  std::uint64_t free_memory(WorkerId worker, const HostMemory& used) const;
-  bool has_time_for(const Session& session, const TaskRow& task, Moment now) const;
+  bool has_time_for(const WorkerSession& session, const TaskRow& task, Moment now) const;
   std::vector<TaskId> late_tasks(Moment now);
-  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late, const HostMemory& used,
-                   Moment now) const;
+  TaskId pick_late(WorkerId worker, std::vector<TaskId>& late,
+                   const WorkerSessions::HostMemory& used, Moment now) const;
   void leave_race(const AttemptRow& ended);
   void revoke_attempts(TaskRow& task, const std::string& why, Moment now);
 
@@ -360,7 +330,6 @@ class JobState {
 
   // job_hosts.cpp: hosts on which tasks crash
   void note_crash_on_host(const TaskRow& task, WorkerId worker, const std::string& message);
-  std::size_t hosts_where_it_crashed(TaskId task) const;
   bool waits_for_another_host(const TaskRow& task, const std::string& host, Moment now) const;
   bool counts_against_host(const TaskRow& task, WorkerId worker, Moment now) const;
   void note_done_on_host(TaskId task, const std::string& host, Moment now);
@@ -375,7 +344,6 @@ class JobState {
   void replace_turns(JobId job, const std::string& why, Moment now);
   void note_replaced(const TaskRow& task);
   std::string why_cut_further(JobId job, std::uint64_t path) const;
-  std::uint32_t further_cuts_above(JobId job, std::uint64_t path) const;
 
   // job_cosmetics.cpp: turns in cosmetics across cuts
   const TaskRow* find_done(JobId job, TaskKind kind, std::uint64_t path) const;
@@ -383,7 +351,6 @@ class JobState {
   void order_when_whole(JobId job, Moment now);
   void extract_when_ordered(JobId job, std::uint64_t leaf, Moment now);
   void give_turns_round(JobId job, std::uint64_t leaf, Moment now);
-  bool had_all_turns(JobId job);
 
   // job_repair.cpp: files that were lost
   void settle_waiting(TaskId task, Moment now);
@@ -397,48 +364,21 @@ class JobState {
   const FinishedJobs* finished_;
 
   std::set<JobId> at_hand_;  ///< whose tasks and sub-domains are in durable_
-  std::map<WorkerId, Session> sessions_;
-  std::set<WorkerId> idle_;  ///< that asked for a task and were given none
   std::int64_t next_end_ms_ = std::numeric_limits<std::int64_t>::min();  ///< see end_leases
-  std::int64_t next_late_look_ms_ = std::numeric_limits<std::int64_t>::min();
-  std::map<Process, WorkerId> process2worker_;    ///< its newest connection
-  std::map<Process, AttemptId> process2attempt_;  ///< running ones
-  std::multiset<std::uint64_t> memories_;  ///< of the workers that are here, or of their pools
   /// After a restart workers come back one by one: until then the largest may be missing.
   std::int64_t all_back_ms_ = std::numeric_limits<std::int64_t>::min();
-  std::map<AttemptId, std::int64_t> lease_ends_ms_;
-  std::map<AttemptId, AttemptWork> works_;        ///< running ones of which something was heard
-  std::map<AttemptId, std::int64_t> started_ms_;  ///< running ones; after a restart: since then
-  std::map<TaskId, AttemptId> rivals_;            ///< second attempts that race the first
+  WorkerSessions workers_;
+  Leases leases_;
+  Races races_;
+  RetryDelays delays_;
+  HostCrashes host_crashes_;
+  TaskLists lists_;
+  TreeProgress progress_;
   TaskExpectation expectation_;
-  std::set<Offer> offers_;
-  std::map<TaskId, std::int64_t> not_before_ms_;
-  std::map<TaskId, WorkerId> failed_on_;
-  std::map<std::string, HostCrashes> host2crashes_;
-  std::map<JobId, std::set<TaskId>> active_;  ///< ready or leased
-  std::map<JobId, std::set<TaskId>> failed_;  ///< in quarantine
-  std::map<Place, TaskId> places_;
-  std::map<JobId, std::int64_t> unsettled_;  ///< sub-domains still to be cut or meshed
-  std::map<JobId, std::int64_t> open_;       ///< sub-domains still to be cut
-  std::map<JobId, std::int64_t> leaves_;
-  std::map<JobId, std::int64_t> written_;  ///< leaves of which there is, or was, the portion
-  std::map<JobId, TurnOrder> turns_;
-  std::map<JobId, std::int64_t> turns_over_;
-  std::map<JobId, std::set<std::uint64_t>> cut_further_;  ///< sub-domains that were leaves
+  FullDiskPause disk_pause_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::set<TaskId>> done_work_;  ///< by work_key
   std::map<std::pair<std::string, std::string>, JobId> keys_;  ///< by owner and key
-  std::int64_t stuck_until_ms_ = 0;
-  std::int64_t stuck_delay_ms_ = 0;  ///< 0: not stuck
-  std::string stuck_message_;
-
-  std::set<JobId> dirty_jobs_;
-  std::set<TaskId> dirty_tasks_;
-  std::set<SubdomainKey> dirty_subdomains_;
-  std::map<AttemptId, AttemptRow> dirty_attempts_;
-  std::map<WorkerId, WorkerRow> dirty_workers_;
-  std::map<std::string, HostRow> dirty_hosts_;
-  std::map<WorkerId, WorkerRow> workers_;
-  std::vector<EventRow> new_events_;
+  PendingChanges changes_;
   std::vector<Command> commands_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tasks/task_kind.h"
+
 namespace tetfarm {
 namespace {
 
@@ -179,7 +181,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   const std::int64_t end_ms = job.finished_ms != 0 ? job.finished_ms : now_wall_ms;
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
   count_subdomains(durable, summary);
-  TaskKind stage = TaskKind::assemble;
+  TaskKind stage = all_task_kinds.back();
   for (const TaskRow* row : tasks) {
     const TaskRow& task = *row;
     count_task(task, summary);

@@ -10,23 +10,23 @@
 namespace tetfarm {
 
 void JobState::worker_is_ready(WorkerId worker, Moment now) {
-  Session& session = sessions_.at(worker);
-  session.heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
+  const WorkerSession& session = workers_.at(worker);
   if (session.attempt) {
     const TaskRow& task = durable_.tasks.at(durable_.running_attempts.at(session.attempt).task);
     commands_.emplace_back(SendAssign{worker, task.id, session.attempt, limit_ms(task)});
   } else if (session.drains) {
     commands_.emplace_back(SendDrain{worker});
   } else {
-    idle_.insert(worker);
+    workers_.wait(worker);
   }
 }
 
 void JobState::heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment now) {
-  sessions_.at(worker).heard_ms = now.steady_ms;
+  workers_.hear(worker, now.steady_ms);
   if (!attempt) return;
   if (holds(worker, task, attempt)) {
-    lease_ends_ms_[attempt] = now.steady_ms + rules_.lease_ms;
+    leases_.renew(attempt, now.steady_ms);
   } else {
     commands_.emplace_back(SendAccepted{worker, task, attempt, was_accepted(task, attempt)});
   }
@@ -39,31 +39,19 @@ void JobState::note_work(WorkerId worker, TaskId task, AttemptId attempt, const 
       row.kind == TaskKind::mesh
           ? mesh_share(count, parameter_or_zero(row, "work"), parameter_or_zero(row, "needles"))
           : 0;
-  works_[attempt].note(count, share);
-}
-
-const AttemptWork* JobState::work_of(AttemptId attempt) const {
-  const auto found = works_.find(attempt);
-  return found == works_.end() ? nullptr : &found->second;
+  leases_.note_work(attempt, count, share);
 }
 
 void JobState::worker_left(WorkerId worker, bool lost, Moment now) {
-  const auto session = sessions_.find(worker);
-  if (session == sessions_.end()) return;
-  const AttemptId attempt = session->second.attempt;
-  if (attempt) {
+  if (!workers_.has(worker)) return;
+  if (const AttemptId attempt = workers_.at(worker).attempt) {
     lose_attempt(attempt, lost ? AttemptState::lost : AttemptState::returned,
                  lost ? "the worker was lost" : "handed back", now);
   }
-  forget_process(worker);
-  idle_.erase(worker);
-  memories_.erase(memories_.find(session->second.reach_bytes));
-  sessions_.erase(worker);
-  auto row = workers_.extract(worker);
-  row.mapped().gone = true;
-  dirty_workers_[worker] = row.mapped();
-  new_events_.push_back(
-      {now.wall_ms, {}, {}, {}, worker, lost ? "worker lost" : "worker left", row.mapped().host});
+  WorkerRow row = workers_.leave(worker);
+  row.gone = true;
+  changes_.put(row);
+  changes_.add({now.wall_ms, {}, {}, {}, worker, lost ? "worker lost" : "worker left", row.host});
 }
 
 /// For people: what the attempt said and took; committed with its end.
@@ -82,16 +70,10 @@ AttemptRow JobState::end_attempt(AttemptId attempt, AttemptState state, const st
   row.state = state;
   row.message = message;
   row.ended_ms = now.wall_ms;
-  dirty_attempts_[attempt] = row;
-  process2attempt_.erase(process_of(row));
-  lease_ends_ms_.erase(attempt);
-  started_ms_.erase(attempt);
-  works_.erase(attempt);
+  changes_.put(row);
+  leases_.end(row);
   leave_race(row);
-  const auto session = sessions_.find(row.worker);
-  if (session != sessions_.end() && session->second.attempt == attempt) {
-    session->second.attempt = {};
-  }
+  workers_.let_go(row.worker, attempt);
   record(now, durable_.tasks.at(row.task), attempt, row.worker, name_of(state), message);
   return row;
 }
@@ -100,64 +82,50 @@ void JobState::lose_attempt(AttemptId attempt, AttemptState state, const std::st
                             Moment now) {
   const AttemptRow row = end_attempt(attempt, state, message, now);
   TaskRow& task = edit(row.task);
-  failed_on_[task.id] = row.worker;
-  not_before_ms_[task.id] = now.steady_ms;
+  delays_.failed_on(task.id, row.worker, now.steady_ms);
   if (!task.attempt) set_state(task, TaskState::ready);
   if (state == AttemptState::lost) count_loss(task, message, now);
 }
 
 bool JobState::hold_back(const std::string& message, Moment now) {
-  stuck_message_ = message;
-  if (is_stuck() && now.steady_ms < stuck_until_ms_) return false;
-  stuck_delay_ms_ =
-      is_stuck() ? std::min(2 * stuck_delay_ms_, rules_.longest_delay_ms) : rules_.crash_delay_ms;
-  stuck_until_ms_ = now.steady_ms + stuck_delay_ms_;
-  return true;
+  return disk_pause_.begin(message, now.steady_ms);
 }
 
 void JobState::out_of_resources(const std::string& message, Moment now) {
   if (!hold_back(message, now)) return;
-  new_events_.push_back({now.wall_ms, {}, {}, {}, {}, "stuck", message});
+  changes_.add({now.wall_ms, {}, {}, {}, {}, "stuck", message});
 }
 
 /// Every lease and every silence is over a term after some event, none before the first that was
 /// found at the last look: until then nothing needs to be looked at.
 void JobState::end_leases(Moment now) {
   if (now.steady_ms <= next_end_ms_) return;
-  std::vector<AttemptId> ended;
-  for (const auto& [attempt, end_ms] : lease_ends_ms_) {
-    if (end_ms < now.steady_ms) ended.push_back(attempt);
-  }
-  for (const AttemptId attempt : ended) {
+  for (const AttemptId attempt : leases_.run_out(now.steady_ms)) {
     // Losing the one before may have put the task that both worked on into quarantine.
-    if (!lease_ends_ms_.contains(attempt)) continue;
+    if (!leases_.has(attempt)) continue;
     lose_attempt(attempt, AttemptState::lost, "its lease ran out", now);
   }
-  std::vector<WorkerId> silent;
-  for (const auto& [worker, session] : sessions_) {
-    if (session.heard_ms + rules_.lease_ms < now.steady_ms) silent.push_back(worker);
+  for (const WorkerId worker : workers_.silent_since(now.steady_ms - rules_.lease_ms)) {
+    worker_left(worker, true, now);
   }
-  for (const WorkerId worker : silent) worker_left(worker, true, now);
   next_end_ms_ = now.steady_ms + rules_.lease_ms;
-  for (const auto& [attempt, end_ms] : lease_ends_ms_)
-    next_end_ms_ = std::min(next_end_ms_, end_ms);
-  for (const auto& [worker, session] : sessions_) {
-    next_end_ms_ = std::min(next_end_ms_, session.heard_ms + rules_.lease_ms);
+  next_end_ms_ = std::min(next_end_ms_, leases_.first_end_ms().value_or(next_end_ms_));
+  if (const auto heard_ms = workers_.longest_silent_ms()) {
+    next_end_ms_ = std::min(next_end_ms_, *heard_ms + rules_.lease_ms);
   }
 }
 
 void JobState::tick(Moment now) {
   end_leases(now);
-  if (!is_stuck() || now.steady_ms >= stuck_until_ms_) hand_out(now);
+  if (disk_pause_.wait_ms(now.steady_ms) == 0) hand_out(now);
   end_hopeless_jobs(now);
 }
 
 std::size_t JobState::drain(WorkerId worker) {
   std::size_t count = 0;
-  for (auto& [id, session] : sessions_) {
+  for (const auto& [id, session] : workers_.all()) {
     if (worker && id != worker) continue;
-    session.drains = true;
-    idle_.erase(id);
+    workers_.drain(id);
     commands_.emplace_back(SendDrain{id});
     ++count;
   }
@@ -166,31 +134,31 @@ std::size_t JobState::drain(WorkerId worker) {
 
 std::vector<WorkerAtWork> JobState::workers_at_work() const {
   std::vector<WorkerAtWork> all;
-  for (const auto& [id, session] : sessions_) {
+  for (const auto& [id, session] : workers_.all()) {
     const auto attempt = durable_.running_attempts.find(session.attempt);
     const TaskId task =
         attempt == durable_.running_attempts.end() ? TaskId{} : attempt->second.task;
-    all.push_back({workers_.at(id), task, session.attempt, session.drains, session.tag});
+    all.push_back({session.row, task, session.attempt, session.drains, session.terms.tag});
   }
   return all;
 }
 
 bool JobState::may_work(WorkerId worker) const {
-  return !sessions_.at(worker).attempt &&
-         !durable_.quarantined_hosts.contains(workers_.at(worker).host);
+  const WorkerSession& session = workers_.at(worker);
+  return !session.attempt && !durable_.quarantined_hosts.contains(session.row.host);
 }
 
 /// Who has nothing else to do races a task that is late.
 void JobState::hand_out(Moment now) {
-  std::optional<HostMemory> known;
+  std::optional<WorkerSessions::HostMemory> known;
   std::optional<std::vector<TaskId>> late;
-  for (auto next = idle_.begin(); next != idle_.end();) {
-    if (offers_.empty() && !late) late = late_tasks(now);
-    if (offers_.empty() && late->empty()) return;
+  for (auto next = workers_.idle().begin(); next != workers_.idle().end();) {
+    if (lists_.offers().empty() && !late) late = late_tasks(now);
+    if (lists_.offers().empty() && late->empty()) return;
     const WorkerId worker = *next++;  // it is idle no more when it is given a task
     if (!may_work(worker)) continue;
-    if (!known) known = used_memory();
-    HostMemory& used = *known;
+    if (!known) known = workers_.used_memory(durable_.running_attempts);
+    WorkerSessions::HostMemory& used = *known;
     TaskId task = pick_for(worker, used, now);
     if (!task && !late) late = late_tasks(now);
     if (!task) task = pick_late(worker, *late, used, now);
@@ -201,26 +169,20 @@ void JobState::hand_out(Moment now) {
 /// Whether a ready task may go to the worker now: not before its back-off is over, elsewhere than
 /// where it failed for a while, on another host than where it crashed, with time and room for it.
 bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Moment now) const {
-  const auto not_before = not_before_ms_.find(id);
-  const std::int64_t from_ms = not_before == not_before_ms_.end() ? 0 : not_before->second;
-  if (not_before != not_before_ms_.end() && now.steady_ms < from_ms) return false;
-  const auto failed_on = failed_on_.find(id);
-  const bool failed_here = failed_on != failed_on_.end() && failed_on->second == worker;
-  if (failed_here && sessions_.size() > 1 && now.steady_ms < from_ms + rules_.elsewhere_ms) {
-    return false;
-  }
+  if (delays_.wait_ms(id, now.steady_ms) > 0) return false;
+  if (worker_count() > 1 && delays_.prefers_other(id, worker, now.steady_ms)) return false;
   const TaskRow& task = durable_.tasks.at(id);
-  return memory_for(task) <= free_bytes && has_time_for(sessions_.at(worker), task, now) &&
-         !waits_for_another_host(task, workers_.at(worker).host, now);
+  return memory_for(task) <= free_bytes && has_time_for(workers_.at(worker), task, now) &&
+         !waits_for_another_host(task, workers_.at(worker).row.host, now);
 }
 
 /// The best task for a worker; 0 when there is none for it now. Tasks whose inputs turn out to be
 /// gone start to wait.
-TaskId JobState::pick_for(WorkerId worker, const HostMemory& used, Moment now) {
-  const std::uint64_t free_bytes = free_memory(worker, used);
+TaskId JobState::pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now) {
+  const std::uint64_t free_bytes = workers_.free_memory(worker, used);
   std::vector<TaskId> incomplete;
   TaskId picked;
-  for (const auto& [rank, id] : offers_) {
+  for (const auto& [rank, id] : lists_.offers()) {
     if (!suits(worker, id, free_bytes, now)) continue;
     const std::vector<ArtifactRef>& inputs = durable_.tasks.at(id).inputs;
     if (std::all_of(inputs.begin(), inputs.end(), has_file_)) {
@@ -233,8 +195,8 @@ TaskId JobState::pick_for(WorkerId worker, const HostMemory& used, Moment now) {
   return picked;
 }
 
-void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now) {
-  Session& session = sessions_.at(worker);
+void JobState::lease(WorkerId worker, TaskId task, WorkerSessions::HostMemory& used, Moment now) {
+  const WorkerSession& session = workers_.at(worker);
   TF_CHECK(may_work(worker));
   AttemptRow attempt;
   attempt.id = AttemptId{++durable_.last_attempt};
@@ -242,21 +204,18 @@ void JobState::lease(WorkerId worker, TaskId task, HostMemory& used, Moment now)
   attempt.worker = worker;
   attempt.started_ms = now.wall_ms;
   TaskRow& row = edit(task);
-  attempt.nonce_hash = session.process.nonce_hash;
-  attempt.key = session.process.key;
-  attempt.host = workers_.at(worker).host;
-  attempt.memory_bytes = session.shares_memory ? memory_for(row) : workers_.at(worker).memory_bytes;
+  attempt.nonce_hash = session.terms.process.nonce_hash;
+  attempt.key = session.terms.process.key;
+  attempt.host = session.row.host;
+  attempt.memory_bytes = session.terms.shares_memory ? memory_for(row) : session.row.memory_bytes;
   attempt.is_rival = row.state == TaskState::leased;
   durable_.running_attempts.emplace(attempt.id, attempt);
-  dirty_attempts_[attempt.id] = attempt;
-  if (!attempt.nonce_hash.empty()) process2attempt_[session.process] = attempt.id;
-  lease_ends_ms_[attempt.id] = now.steady_ms + rules_.lease_ms;
-  session.attempt = attempt.id;
-  started_ms_[attempt.id] = now.steady_ms;
-  idle_.erase(worker);
-  if (session.shares_memory) used[workers_.at(worker).host] += attempt.memory_bytes;
+  changes_.put(attempt);
+  leases_.begin(attempt, now.steady_ms);
+  workers_.hold(worker, attempt.id);
+  if (session.terms.shares_memory) used[session.row.host] += attempt.memory_bytes;
   if (attempt.is_rival) {
-    rivals_[task] = attempt.id;
+    races_.begin(task, attempt.id);
   } else {
     row.attempt = attempt.id;
     set_state(row, TaskState::leased);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "tasks/failure_cause.h"
+#include "tasks/task_kind.h"
+
 namespace tetfarm {
 namespace {
 
@@ -15,32 +18,6 @@ std::string plain_name(std::string name) {
       [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 127; }, '_');
   if (name.empty() || name == "." || name == "..") return "_";
   return name;
-}
-
-wire::TaskKind wire_kind(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::inspect:
-      return wire::INSPECT;
-    case TaskKind::decompose:
-      return wire::DECOMPOSE;
-    case TaskKind::assimilate:
-      return wire::ASSIMILATE;
-    case TaskKind::mesh:
-      return wire::MESH;
-    case TaskKind::order:
-      return wire::ORDER;
-    case TaskKind::extract:
-      return wire::EXTRACT;
-    case TaskKind::cosmetic:
-      return wire::COSMETIC;
-    case TaskKind::number:
-      return wire::NUMBER;
-    case TaskKind::write:
-      return wire::WRITE;
-    case TaskKind::assemble:
-      return wire::ASSEMBLE;
-  }
-  return wire::TASK_KIND_UNSPECIFIED;
 }
 
 void add_file(const ArtifactRef& file, wire::Artifact& message) {
@@ -89,10 +66,8 @@ TaskFailure failure_of(const wire::Failed& failed) {
   TaskFailure failure;
   failure.exit_code = failed.exit_code();
   failure.message = failed.message();
-  failure.may_retry = failed.may_retry();
-  failure.out_of_resources = failed.out_of_resources();
-  failure.killed = failed.killed();
-  failure.out_of_memory = failed.out_of_memory();
+  // A cause that this program does not know is worth another try, but not for ever.
+  failure.cause = failure_cause_on_wire(failed.cause()).value_or(FailureCause::error);
   failure.peak_rss_bytes = failed.peak_rss_bytes();
   failure.log = failed.log();
   failure.evidence = files_of(failed.evidence());
@@ -105,7 +80,7 @@ wire::Envelope assign_message(const TaskRow& task, AttemptId attempt) {
   assign.set_task(task.id.value);
   assign.set_attempt(attempt.value);
   assign.set_job(job_name(task.job));
-  assign.set_kind(wire_kind(task.kind));
+  assign.set_kind(traits_of(task.kind).on_wire);
   assign.set_path(task.path);
   for (const ArtifactRef& input : task.inputs) add_file(input, *assign.add_inputs());
   assign.mutable_parameters()->insert(task.parameters.begin(), task.parameters.end());

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "store/rows.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -37,8 +38,7 @@ class TaskExpectation {
     double median_seconds = 0;
     double median_bytes = 0;
   };
-  static constexpr std::size_t kinds = static_cast<std::size_t>(TaskKind::assemble) + 1;
-  std::array<Samples, kinds> samples_;
+  std::array<Samples, all_task_kinds.size()> samples_;
 };
 
 }  // namespace tetfarm

@@ -7,6 +7,8 @@
 #include "base/check.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "tasks/task_contracts.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -103,6 +105,16 @@ double work_of(const TaskRow& task, const std::string& name) {
   return found == task.numbers.end() || !(found->second >= 0) ? 0 : found->second;
 }
 
+TaskWords words_of(const TaskResult& result) {
+  TaskWords words;
+  for (const ArtifactRef& file : result.outputs) {
+    words.files.push_back({file.name, {file.hash, file.size}});
+  }
+  words.texts = result.texts;
+  words.numbers = result.numbers;
+  return words;
+}
+
 /// Every leaf that the task was given has its turn.
 std::optional<std::string> problem_with_order(const TaskRow& task, const TaskResult& result) {
   const auto text = result.texts.find("order");
@@ -117,35 +129,24 @@ std::optional<std::string> problem_with_order(const TaskRow& task, const TaskRes
   return std::nullopt;
 }
 
+/// Those that a result of the kind has to have.
 std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& result) {
-  switch (task.kind) {
-    case TaskKind::inspect:
-      return {"surface", "spacing", "root", "settings"};
-    case TaskKind::decompose:
-      if (result.outputs.empty()) return {};
-      return {"left", "right"};
-    case TaskKind::assimilate:
-      return {"dropped"};
-    case TaskKind::mesh:
-      return {"mesh"};
-    case TaskKind::order: {
-      std::vector<std::string> shared;
-      for (const ArtifactRef& input : task.inputs) {
-        shared.push_back("shared:" + input.name.substr(input.name.find(':') + 1));
-      }
-      return shared;
+  const TaskKindTraits& traits = traits_of(task.kind);
+  if (traits.may_make_nothing && result.outputs.empty()) return {};
+  std::vector<std::string> names;
+  for (const std::string_view output : traits.outputs) {
+    const std::string name(output);
+    if (name.empty()) continue;
+    if (!name.ends_with(':')) {
+      names.push_back(name);
+      continue;
     }
-    case TaskKind::extract:
-    case TaskKind::cosmetic:
-      return {"elements"};
-    case TaskKind::number:
-      return {"numbering"};
-    case TaskKind::write:
-      return {"portion", "tets"};
-    case TaskKind::assemble:
-      return {};
+    for (const ArtifactRef& input : task.inputs) {
+      const std::size_t colon = input.name.find(':');
+      if (colon != std::string::npos) names.push_back(name + input.name.substr(colon + 1));
+    }
   }
-  return {};
+  return names;
 }
 
 }  // namespace
@@ -160,9 +161,10 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
   for (const std::string& name : outputs_of(task, result)) {
     if (!find_file(result.outputs, name)) return "the output '" + name + "' is missing";
   }
-  if (task.kind == TaskKind::inspect) {
-    const auto parts = count_of(result.numbers, "parts", most_parts);
-    if (!parts || *parts < 1) return "the number of parts is missing";
+  const std::string breach = breach_of_made(task.kind, words_of(result));
+  if (!breach.empty()) return breach;
+  if (task.kind == TaskKind::inspect && result.numbers.at("parts") < 1) {
+    return "the number of parts is 0";
   }
   if (task.kind == TaskKind::assimilate) return problem_with_groups(task, result);
   if (task.kind == TaskKind::order) return problem_with_order(task, result);

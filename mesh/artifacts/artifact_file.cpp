@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/artifacts/checked_bytes.h"
 
@@ -17,8 +18,6 @@ constexpr std::string_view subdomain_magic = "TFSUBD\r\n";
 constexpr std::string_view tet_mesh_magic = "TFTETM\r\n";
 constexpr std::uint32_t version = 2;
 constexpr std::uint64_t max_count = std::numeric_limits<std::int32_t>::max();
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 void write_name(const std::string& name, ByteWriter& writer) {
   writer.number(static_cast<std::uint32_t>(name.size()));

@@ -3,12 +3,11 @@
 #include <bit>
 #include <vector>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The finalizer of SplitMix64: every bit of the result depends on every bit given.
 std::uint64_t mixed(std::uint64_t x) {

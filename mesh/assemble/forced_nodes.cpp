@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/core/tet_quality.h"
@@ -10,8 +11,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// Those that bound the region and have a wanted vertex, turned to point out of it.
 std::vector<Triangle> triangles_that_count(const SurfaceMesh& surface, std::int32_t region,

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/mesh_digest.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 [[noreturn]] void refuse(const LeafNumbers& leaf, const std::string& what) {
   throw Error(ExitCode::failed,

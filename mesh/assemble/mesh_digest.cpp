@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <vector>
 
 namespace tetfarm {
 namespace {
@@ -48,11 +49,23 @@ void MeshDigest::add_boundary_triangle(const std::array<std::int64_t, 3>& nodes,
   add(std::array<std::int64_t, 4>{nodes[0], nodes[1], nodes[2], patch}, triangles_);
 }
 
+void MeshDigest::add_other(ElementType type, std::int64_t number_or_patch,
+                           std::span<const std::int64_t> nodes) {
+  std::vector<std::int64_t> record = {code_of(ElementCodes::vtk, type), number_or_patch};
+  record.insert(record.end(), nodes.begin(), nodes.end());
+  others_.hash = sum_of(others_.hash, hash128(record.data(), record.size() * sizeof(std::int64_t)));
+  ++others_.count;
+}
+
 Hash128 MeshDigest::finish() const {
   Hasher all;
   for (const Sum& sum : {nodes_, tets_, triangles_}) add_hash(all, sum.hash);
   const std::array<std::int64_t, 3> counts = {nodes_.count, tets_.count, triangles_.count};
   add_hash(all, hash128(counts.data(), sizeof counts));
+  if (others_.count > 0) {
+    add_hash(all, others_.hash);
+    add_hash(all, hash128(&others_.count, sizeof others_.count));
+  }
   return all.finish();
 }
 

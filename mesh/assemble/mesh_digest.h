@@ -2,13 +2,16 @@
 ///
 /// Two meshes have the same digest when they have the same nodes with the same numbers and
 /// coordinates bit by bit, the same tets in the same order, the same boundary triangles with the
-/// same patch numbers, in any order: formats that list them patch by patch keep the digest.
+/// same patch numbers, in any order: formats that list them patch by patch keep the digest. Other
+/// cells and boundary quads count in the same way where there are any.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "base/hash.h"
+#include "mesh/core/elements.h"
 #include "mesh/core/vec3.h"
 
 namespace tetfarm {
@@ -17,7 +20,11 @@ namespace tetfarm {
 /// 1. nodes: the sum modulo 2^128 of XXH3-128(number, x, y, z);
 /// 2. tets: the same sum of XXH3-128(number, four global node numbers);
 /// 3. boundary triangles: the same sum of XXH3-128(three global node numbers, patch number);
-/// 4. the counts of nodes, tets and boundary triangles.
+/// 4. the counts of nodes, tets and boundary triangles;
+/// and, where there are others, two more, of:
+/// 5. the same sum of XXH3-128(VTK's code of the type, number among those of the type or the patch
+///    number of a boundary face, global node numbers);
+/// 6. their count.
 /// Numbers are i64 and count from 0, coordinates f64, all little endian. As all are sums, the parts
 /// of a mesh may be summed apart, in any order.
 class MeshDigest {
@@ -35,6 +42,9 @@ class MeshDigest {
   void add_tet(std::int64_t number, const std::array<std::int64_t, 4>& nodes);
   /// Normal out of the domain.
   void add_boundary_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch);
+  /// A cell that is no tet, or a boundary face that is no triangle, its nodes in our order.
+  void add_other(ElementType type, std::int64_t number_or_patch,
+                 std::span<const std::int64_t> nodes);
   /// Tets that another digest has summed.
   void add_tets(const Sum& tets);
   const Sum& tets() const { return tets_; }
@@ -47,6 +57,7 @@ class MeshDigest {
   Sum nodes_;
   Sum tets_;
   Sum triangles_;
+  Sum others_;
 };
 
 }  // namespace tetfarm

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/tet_layers.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bool>& is_on_cut) {
   std::vector<bool> result(tets.size(), false);
   if (std::find(is_on_cut.begin(), is_on_cut.end(), true) == is_on_cut.end()) return result;

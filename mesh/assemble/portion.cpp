@@ -3,14 +3,13 @@
 #include <bit>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/face_balance.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 [[noreturn]] void refuse(const Subdomain& subdomain, const std::string& what) {
   throw Error(ExitCode::failed, "sub-domain " + subdomain.path.text() + ": " + what);
@@ -107,12 +106,35 @@ MeshDigest::Sum tet_digest_of(const NumberedPart& part, std::int64_t next) {
 }  // namespace
 
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part) {
-  if (part.region_of_tet.empty()) {
-    return std::vector<std::int32_t>(part.tets.size() + part.faces.size(), part.region);
-  }
   std::vector<std::int32_t> regions = part.region_of_tet;
-  regions.insert(regions.end(), part.region_of_face.begin(), part.region_of_face.end());
+  regions.resize(part.tets.size(), part.region);
+  for (const ElementType type : cell_block_types) {
+    const ElementBlock& block = part.blocks[type];
+    regions.insert(regions.end(), block.regions.begin(), block.regions.end());
+  }
   return regions;
+}
+
+std::vector<std::int32_t> regions_of_boundary(const NumberedPart& part) {
+  std::vector<std::int32_t> regions = part.region_of_face;
+  regions.resize(part.faces.size(), part.region);
+  for (const ElementType type : face_block_types) {
+    const ElementBlock& block = part.blocks[type];
+    regions.insert(regions.end(), block.regions.begin(), block.regions.end());
+  }
+  return regions;
+}
+
+std::int64_t cells_of(const NumberedPart& part) {
+  std::int64_t cells = std::ssize(part.tets);
+  for (const ElementType type : cell_block_types) cells += std::ssize(part.blocks[type].regions);
+  return cells;
+}
+
+std::int64_t boundary_faces_of(const NumberedPart& part) {
+  std::int64_t faces = std::ssize(part.faces);
+  for (const ElementType type : face_block_types) faces += std::ssize(part.blocks[type].regions);
+  return faces;
 }
 
 std::vector<bool> nodes_on_cuts(const Subdomain& subdomain) {

@@ -15,6 +15,7 @@
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/assemble/mesh_digest.h"
 #include "mesh/assemble/mesh_shapes.h"
+#include "mesh/core/element_block.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
 
@@ -33,7 +34,8 @@ struct MeshPart {
 std::vector<bool> nodes_on_cuts(const Subdomain& subdomain);
 
 /// A part with its global numbers: what is written and hashed. Faces are the triangles of the input
-/// surface that the part has, normals out of the part's region.
+/// surface that the part has, normals out of the part's region. What Tetfarm meshes has tets and
+/// triangles alone; what was read may have other elements besides, and its boundary quads.
 struct NumberedPart {
   std::int32_t number = 0;  ///< of the sub-domain, from 0 in tree order
   std::int32_t region = 1;  ///< of all of it, but where the next two are not empty
@@ -45,6 +47,7 @@ struct NumberedPart {
   std::vector<Tet> tets;        ///< local node numbers
   std::vector<Triangle> faces;  ///< local node numbers
   std::vector<std::int32_t> patch_of_face;
+  ElementBlocks blocks;  ///< the other elements; cells of a type by region, as tets are
   std::vector<std::int64_t> local2global;
 
   std::int32_t region_of(std::size_t tet) const {
@@ -55,15 +58,21 @@ struct NumberedPart {
   }
 };
 
-/// A part whose elements are counted: `tets` and `faces` of the part itself may be empty.
+/// A part whose elements are counted: `tets` and `faces` of the part itself may be empty, and so
+/// may the nodes of its blocks.
 struct CountedPart {
   NumberedPart part;
   std::int64_t tets = 0;
   std::int64_t faces = 0;
 };
 
-/// Of each tet, then of each face.
+/// Of each cell: tets, then each type of block.
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part);
+/// Of each boundary face: triangles, then quads.
+std::vector<std::int32_t> regions_of_boundary(const NumberedPart& part);
+/// How many they are.
+std::int64_t cells_of(const NumberedPart& part);
+std::int64_t boundary_faces_of(const NumberedPart& part);
 
 /// Its tets may be apart, in a file of their own: then `part` has none.
 struct Portion {

@@ -5,14 +5,13 @@
 #include <bit>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/assimilation/group_refinement.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// A vertex or triangle of one of the leaves.
 struct Item {

@@ -5,14 +5,13 @@
 #include <numeric>
 #include <set>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
 
 using Leaves = std::vector<std::int32_t>;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// The leaves fall into pieces that hang together; each ascending, by their first leaves.
 std::vector<Leaves> pieces_of(const SubdomainGraph& graph, const Leaves& leaves) {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 template <class Element>
 bool has_nodes(const std::vector<Element>& elements, std::size_t nodes) {

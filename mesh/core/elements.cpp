@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/error.h"
 #include "mesh/core/signed_volume.h"
 #include "mesh/core/tet_mesh.h"
 
@@ -148,6 +149,10 @@ const std::array<std::uint8_t, most_element_nodes>& node_order(ElementCodes code
   static constexpr Order as_ours = {0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr Order vtk_wedge = {0, 2, 1, 3, 5, 4};
   static constexpr Order ugrid_pyramid = {0, 3, 4, 1, 2};
+  if (code_of(codes, type) == 0) {
+    throw Error(ExitCode::failed,
+                "the format has no code for " + std::string(element(type).plural));
+  }
   if (codes == ElementCodes::vtk && type == prism) return vtk_wedge;
   if (codes == ElementCodes::ugrid && type == pyramid) return ugrid_pyramid;
   return as_ours;

@@ -100,6 +100,7 @@ constexpr std::optional<ElementType> type_of(ElementCodes codes, std::int64_t co
 }
 
 /// Which of our nodes stands k-th in that format; as many entries count as the type has nodes.
+/// @throws Error when the numbering has none for the type: the format cannot hold it.
 /// Two are not everybody's. Of VTK_WEDGE the class says that the normal of its points 0, 1, 2
 /// points out of it. In UGRID the base of a pyramid is its nodes 1, 4, 5, 2, seen from its apex,
 /// which is 3.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/tree_path.h"
 #include "mesh/core/complaints.h"
@@ -12,8 +13,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 std::string text_of(const Origin& origin) {
   return "(owner " + std::to_string(origin.owner) + ", index " + std::to_string(origin.index) + ")";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -9,8 +10,6 @@ namespace tetfarm {
 namespace {
 
 constexpr std::size_t most_messages = 20;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::array<std::int32_t, 3> sorted_face(const Tet& tet, int face) {
   const auto& local = tet_face_nodes[at(face)];

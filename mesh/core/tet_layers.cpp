@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 TetBlocks::TetBlocks(std::span<const Tet> tets, std::size_t nodes) : tets_(tets), nodes_(nodes) {
   TF_CHECK(tets.size() <= std::numeric_limits<std::uint32_t>::max());
   std::vector<std::size_t> block_of_page(pages(), std::numeric_limits<std::size_t>::max());

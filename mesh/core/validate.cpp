@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/signed_volume.h"
@@ -12,8 +13,6 @@ namespace tetfarm {
 namespace {
 
 using std::to_string;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// Items in buckets by their smallest node: two passes of `for_each`, which calls its argument with
 /// (smallest node, key), instead of one sort of everything. Each bucket comes out sorted.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <queue>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/quality.h"
@@ -12,8 +13,6 @@
 
 namespace tetfarm::cosmetics {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Below 1 while a tet is too low. Where its quality nears the floor it counts as low too, at the
 /// floor itself as low as the lowest was at first: no rise of the smallest measure goes below it.

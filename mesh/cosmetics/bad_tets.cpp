@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smallest_angle.h"
 
 namespace tetfarm::cosmetics {
 
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
-BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
+BadTetScan scan_for_bad_tets(const TetComplex& complex, const QualityLimits& limits,
                              const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
   TF_CHECK(options.regular.first <= options.regular.last);

@@ -31,13 +31,13 @@ struct BadTetScan {
 };
 
 /// The qualities below which a tet is bad, and below which its nodes are relaxed.
-struct GoodnessLimits {
+struct QualityLimits {
   double wanted = 0;
   double relaxed = 0;
 };
 
 /// Regular tets are looked at only where they may be bad. Cost: 50 ns a tet.
-BadTetScan scan_for_bad_tets(const TetComplex& complex, const GoodnessLimits& limits,
+BadTetScan scan_for_bad_tets(const TetComplex& complex, const QualityLimits& limits,
                              const CosmeticOptions& options);
 
 /// The smallest dihedral angle of the mesh. Cost: that of a quality for each tet whose is not

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
 
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A face that needs a partner: an outer face of the cavity, or one of a new tet.
 struct OpenFace {

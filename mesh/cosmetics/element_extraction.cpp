@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/cosmetics/element_passing.h"
@@ -11,8 +12,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// The sets by preference: the places in `sets`.
 std::vector<std::uint32_t> by_preference(const std::vector<Sharers>& sets) {

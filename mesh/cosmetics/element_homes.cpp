@@ -5,14 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 using SortedTet = std::array<std::int32_t, 4>;
 

@@ -102,8 +102,8 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
                             const CosmeticOptions& options) {
   if (complex.live_tets() == 0) return {};
   options.progress.begin(WorkStage::cosmetics);
-  const cosmetics::GoodnessLimits limits{cosmetics::quality_of_angle(options.wanted_dihedral_deg),
-                                         cosmetics::quality_of_angle(options.relaxed_dihedral_deg)};
+  const cosmetics::QualityLimits limits{cosmetics::quality_of_angle(options.wanted_dihedral_deg),
+                                        cosmetics::quality_of_angle(options.relaxed_dihedral_deg)};
   const cosmetics::HeightOptions heights = heights_of(options, limits.wanted);
   cosmetics::BadTetScan before = cosmetics::scan_for_bad_tets(complex, limits, options);
   const bool is_of_needles = cosmetics::is_of_needles(before.bad, complex.live_tets());

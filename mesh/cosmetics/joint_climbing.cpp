@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool has(const std::vector<std::int32_t>& list, std::int32_t item) {
   return std::find(list.begin(), list.end(), item) != list.end();
@@ -61,7 +60,7 @@ std::vector<Vec3> dense(const TetSlope& slope, std::size_t nodes) {
   return vector;
 }
 
-GuardedGoodness guard(const NodePatch& patch, double worst) {
+GuardedQuality guard(const NodePatch& patch, double worst) {
   double lowest2 = HUGE_VAL;
   for (const auto& [a, b, c, d] : patch.corners) {
     lowest2 = std::min(lowest2, smallest_height2(patch.points[at(a)], patch.points[at(b)],
@@ -72,13 +71,13 @@ GuardedGoodness guard(const NodePatch& patch, double worst) {
 
 }  // namespace
 
-double GuardedGoodness::operator()(const Vec3& a, const Vec3& b, const Vec3& c,
-                                   const Vec3& d) const {
+double GuardedQuality::operator()(const Vec3& a, const Vec3& b, const Vec3& c,
+                                  const Vec3& d) const {
   return std::min(quality(a, b, c, d), of_height(smallest_height2(a, b, c, d)));
 }
 
-MeasurePieces GuardedGoodness::pieces(const Vec3& a, const Vec3& b, const Vec3& c,
-                                      const Vec3& d) const {
+MeasurePieces GuardedQuality::pieces(const Vec3& a, const Vec3& b, const Vec3& c,
+                                     const Vec3& d) const {
   const TetPieces tet = pieces_of(a, b, c, d);
   MeasurePieces all;
   std::copy(tet.sines2.begin(), tet.sines2.end(), all.begin());

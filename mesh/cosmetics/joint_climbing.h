@@ -53,7 +53,7 @@ concept TetMeasure = requires(const T& measure, const Vec3& p) {
 
 /// The quality, as long as no tet gets lower than a height: that counts as the worst quality at
 /// first, and no rise of the smallest measure above it leaves a lower tet.
-struct GuardedGoodness {
+struct GuardedQuality {
   static constexpr double slope = 0.2;
   double worst_at_first = 0;
   double least_height2 = 0;

@@ -40,7 +40,7 @@ std::vector<std::int32_t> split_together(WorkMesh& work, std::int32_t t, double 
   undoing.old_tets = replace_tets(work, *found);
   if (undoing.old_tets.empty()) return {};
   NodePatch patch = patch_round(work, undoing.old_tets.front());
-  const GuardedGoodness measure{before, lowest_before(work, patch, undoing)};
+  const GuardedQuality measure{before, lowest_before(work, patch, undoing)};
   const double after = climb_together(patch, enough, measure);
   if (is_worth(before, after) && move_patch(work, patch)) return std::move(patch.tets);
   TF_CHECK(!replace_tets(work, undoing).empty());

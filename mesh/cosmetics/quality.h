@@ -28,7 +28,7 @@ double quality_of_two(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& a
 double quality_over_two(const std::array<Vec3, 3>& face, const std::array<Vec3, 3>& other,
                         const Vec3& d);
 
-/// Goodness of a tet whose worst angle is `degrees` (0 to 90), without libm.
+/// Quality of a tet whose worst angle is `degrees` (0 to 90), without libm.
 double quality_of_angle(double degrees);
 
 /// A worst of `before` is worth replacing by one above this only. The gain makes every sequence of

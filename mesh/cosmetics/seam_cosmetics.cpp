@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/cosmetics/element_homes.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// The part of the joined sections that is worked on, as a mesh of its own. The nodes of its outer
 /// faces come first: they stay.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
@@ -20,8 +21,6 @@ constexpr double volume_slack = 1e-9;
 using Node = std::uint8_t;
 /// A tet is wanted at this face: (face, apex) is positive.
 using Face = std::array<Node, 3>;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::size_t number_of_triple(std::size_t a, std::size_t b, std::size_t c) {
   return c * (c - 1) * (c - 2) / 6 + b * (b - 1) / 2 + a;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
@@ -9,9 +10,7 @@ namespace tetfarm::cosmetics {
 
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-struct Goodness {
+struct TetQuality {
   double operator()(const StarFace& face, const Vec3& p) const {
     return quality(face[0], face[1], face[2], p);
   }
@@ -31,7 +30,7 @@ Vec3 mean_of(const Star& star) {
 }  // namespace
 
 double worst_at(const Star& star, const Vec3& p, double least) {
-  return worst_at(star, p, least, Goodness{});
+  return worst_at(star, p, least, TetQuality{});
 }
 
 Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::int32_t node) {
@@ -47,7 +46,7 @@ Star star_of(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::i
 }
 
 Place climb(const Star& star, const Vec3& start, double enough) {
-  return climb(star, start, enough, Goodness{});
+  return climb(star, start, enough, TetQuality{});
 }
 
 std::optional<Place> find_move(const WorkMesh& work, const std::vector<std::int32_t>& ball,

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/tet_layers.h"
 #include "mesh/cosmetics/altitude_improvement.h"
@@ -14,8 +15,6 @@ namespace tetfarm {
 namespace {
 
 constexpr SetRank no_rank = no_set_rank;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// A flag for the shared nodes that may gain from a move, from the tets at them. Those round which
 /// the leaf has nothing but tets of the even lattice do not: no other place would make one of these

@@ -177,7 +177,7 @@ double lattice_share_of(const CutPlane& plane, double area, const WorkSamples& w
   return clear * clear * even / near;
 }
 
-/// The planes at the wanted shares; of the lattice, the roundest ones near them.
+/// The planes at the wanted shares; of the lattice, the coarsest ones near them.
 std::vector<Place> places_across(const Direction& direction, const WorkProfile& profile,
                                  const std::vector<double>& shares, const WorkSamples& work,
                                  const SpacingField& spacing) {

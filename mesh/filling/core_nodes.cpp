@@ -3,14 +3,13 @@
 #include <array>
 #include <optional>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool is_cell(const LatticeGrid& grid, std::int32_t slot) {
   return slot != LatticeGrid::none && grid.centre(slot) != LatticeGrid::none;

@@ -5,12 +5,11 @@
 #include <bit>
 #include <cstdlib>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t hash = 0;

@@ -3,12 +3,11 @@
 #include <bit>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 // Which tets.
 //

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/filling/core_graft.h"
 #include "mesh/filling/core_nodes.h"
@@ -16,8 +17,6 @@ namespace {
 
 /// Each round takes a layer off the core where it did not fit; after these all nodes are inserted.
 constexpr int most_rounds = 4;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::uint8_t> core_nodes_inside(const std::vector<std::uint8_t>& is_inside,
                                             std::vector<std::uint8_t> kinds) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr int coordinate_bits = 19;  // of a block: grid points have 22 bits, the least size is 2
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::uint64_t block_key(int shift, const std::array<std::int32_t, 3>& block) {
   std::uint64_t key = static_cast<std::uint64_t>(shift);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/geometry/cavity_insertion.h"
@@ -15,8 +16,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Whether the cavity's boundary faces and nodes leave the point room.
 bool keeps_clear(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,

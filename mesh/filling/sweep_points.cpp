@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Candidate {
   Vec3 place;

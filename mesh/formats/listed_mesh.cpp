@@ -2,90 +2,52 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
 #include "mesh/formats/regions_of_faces.h"
+#include "mesh/formats/unclaimed_faces.h"
 
 namespace tetfarm {
 namespace {
 
 using Nodes = ListedMesh::Nodes;
-using FaceNodes = std::array<std::int64_t, 3>;
 
 constexpr std::int64_t tets_at_once = 65536;
 constexpr std::int32_t most_names = 1'000'000;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-/// The smallest number first, turning the same way round.
-FaceNodes smallest_first(FaceNodes face) {
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  return face;
-}
+/// Consecutive cells of one type and one region.
+struct CellsOfList {
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+  std::int32_t region = 1;
+};
 
 struct PartOfList {
   std::int64_t first_tet = 0;
   std::int64_t tets = 0;
   std::vector<TetRun> runs;
   std::vector<std::size_t> triangles;
+  ByType<std::vector<CellsOfList>> cells;
+  std::vector<std::size_t> quads;
+  std::int32_t subdomain = 0;
 };
 
-/// The boundary triangles for whose tets is looked.
-class UnclaimedTriangles {
- public:
-  explicit UnclaimedTriangles(const ListedMesh& mesh) : has_node_(at(mesh.nodes), false) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const FaceNodes& nodes = mesh.triangles[t].nodes;
-      for (const std::int64_t node : nodes) has_node_[at(node)] = true;
-      by_nodes_.emplace_back(smallest_first(nodes), t);
-    }
-    std::sort(by_nodes_.begin(), by_nodes_.end());
-    is_taken_.resize(by_nodes_.size(), false);
-  }
-
-  /// Of each node of the mesh, whether a boundary triangle has it.
-  const std::vector<bool>& nodes() const { return has_node_; }
-
-  /// Appends those that the tet has as faces. Of several equal ones the first goes to the first
-  /// who asks.
-  void give_faces(const Nodes& tet, std::vector<std::size_t>& to) {
-    std::array<bool, 4> is_outside{};
-    for (std::size_t k = 0; k < 4; ++k) is_outside[k] = has_node_[at(tet[k])];
-    if (is_outside[0] + is_outside[1] + is_outside[2] + is_outside[3] < 3) return;
-    for (const auto& [i, j, k] : tet_face_nodes) {
-      if (is_outside[at(i)] && is_outside[at(j)] && is_outside[at(k)]) {
-        give(smallest_first({tet[at(i)], tet[at(j)], tet[at(k)]}), to);
-      }
+/// Appends the boundary triangles that the tet has as faces.
+void give_faces(const Nodes& tet, const std::vector<bool>& is_on_boundary,
+                UnclaimedFaces<3>& unclaimed, std::vector<std::size_t>& to) {
+  std::array<bool, 4> is_outside{};
+  for (std::size_t k = 0; k < 4; ++k) is_outside[k] = is_on_boundary[at(tet[k])];
+  if (is_outside[0] + is_outside[1] + is_outside[2] + is_outside[3] < 3) return;
+  for (const auto& [i, j, k] : tet_face_nodes) {
+    if (is_outside[at(i)] && is_outside[at(j)] && is_outside[at(k)]) {
+      unclaimed.give({tet[at(i)], tet[at(j)], tet[at(k)]}, to);
     }
   }
-
-  /// Those that nobody got, ascending.
-  std::vector<std::size_t> rest() const {
-    std::vector<std::size_t> left;
-    for (std::size_t t = 0; t < is_taken_.size(); ++t) {
-      if (!is_taken_[t]) left.push_back(t);
-    }
-    return left;
-  }
-
- private:
-  void give(const FaceNodes& face, std::vector<std::size_t>& to) {
-    auto found =
-        std::lower_bound(by_nodes_.begin(), by_nodes_.end(), std::pair(face, std::size_t{0}));
-    for (; found != by_nodes_.end() && found->first == face; ++found) {
-      if (is_taken_[found->second]) continue;
-      is_taken_[found->second] = true;
-      to.push_back(found->second);
-      return;
-    }
-  }
-
-  std::vector<bool> has_node_;
-  std::vector<std::pair<FaceNodes, std::size_t>> by_nodes_;  ///< sorted; with its number
-  std::vector<bool> is_taken_;                               ///< by its number
-};
+}
 
 class ListedSource : public MeshSource {
  public:
@@ -93,8 +55,10 @@ class ListedSource : public MeshSource {
     check();
     if (mesh_.knows_subdomains) {
       make_subdomains();
+      add_cells_to_subdomains();
     } else {
       make_pieces(tets_of_piece);
+      make_pieces_of_cells(tets_of_piece);
     }
     if (parts_.empty()) fail("has no tets");
     share_out();
@@ -120,15 +84,24 @@ class ListedSource : public MeshSource {
       for (std::size_t k = 0; k < 4; ++k) part.tets[t][k] = numbers.of(tets[t][k]);
     }
     tets = {};
+    for (const ElementType type : cell_block_types) {
+      read_cells(type, here.cells[type], numbers, part.blocks[type]);
+    }
     for (const std::size_t t : here.triangles) {
       Triangle& face = part.faces.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) face[k] = numbers.of(mesh_.triangles[t].nodes[k]);
       part.patch_of_face.push_back(mesh_.triangles[t].patch);
     }
+    ElementBlock& quads = part.blocks[ElementType::quad];
+    for (const std::size_t q : here.quads) {
+      for (const std::int64_t node : mesh_.quads[q].nodes) quads.nodes.push_back(numbers.of(node));
+      quads.patches.push_back(mesh_.quads[q].patch);
+      quads.regions.push_back(part.region);
+    }
     renumber(part, numbers.sort());
     part.local2global = numbers.take();
     read_nodes(part);
-    if (!part.region_of_tet.empty()) set_regions_of_faces(part);
+    if (has_several_regions(part)) set_regions_of_faces(part);
     return part;
   }
 
@@ -136,21 +109,31 @@ class ListedSource : public MeshSource {
   [[noreturn]] void fail(const std::string& what) const { throw InvalidInput(what, mesh_.name); }
 
   void check() const {
-    for (const TetRun& run : mesh_.runs) {
+    check_regions(mesh_.runs, ElementType::tet);
+    for (const ElementType type : cell_block_types) check_regions(mesh_.cells[type].runs, type);
+    check_faces(mesh_.triangles, "boundary triangle ");
+    check_faces(mesh_.quads, "boundary quad ");
+  }
+
+  void check_regions(const std::vector<TetRun>& runs, ElementType type) const {
+    for (const TetRun& run : runs) {
       if (run.region < 1 || run.region > most_names) {
-        fail("a tet has the region " + std::to_string(run.region));
+        fail("a " + std::string(element(type).name) + " has the region " +
+             std::to_string(run.region));
       }
     }
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const ListedTriangle& triangle = mesh_.triangles[t];
-      if (triangle.patch < 0 || triangle.patch >= most_names) {
-        fail("boundary triangle " + std::to_string(t) + " has the patch " +
-             std::to_string(triangle.patch));
+  }
+
+  template <class Listed>
+  void check_faces(const std::vector<Listed>& faces, const std::string& kind) const {
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (faces[f].patch < 0 || faces[f].patch >= most_names) {
+        fail(kind + std::to_string(f) + " has the patch " + std::to_string(faces[f].patch));
       }
-      for (const std::int64_t node : triangle.nodes) {
+      for (const std::int64_t node : faces[f].nodes) {
         if (node < 0 || node >= mesh_.nodes) {
-          fail("boundary triangle " + std::to_string(t) + " has node " + std::to_string(node) +
-               " of " + std::to_string(mesh_.nodes));
+          fail(kind + std::to_string(f) + " has node " + std::to_string(node) + " of " +
+               std::to_string(mesh_.nodes));
         }
       }
     }
@@ -161,9 +144,10 @@ class ListedSource : public MeshSource {
     std::int32_t subdomain = 0;
     for (const TetRun& run : mesh_.runs) {
       if (run.tets == 0) continue;
-      if (parts_.empty() || run.subdomain != subdomain) parts_.push_back({first, 0, {}, {}});
+      if (parts_.empty() || run.subdomain != subdomain) parts_.emplace_back().first_tet = first;
       subdomain = run.subdomain;
       PartOfList& part = parts_.back();
+      part.subdomain = subdomain;
       part.tets += run.tets;
       part.runs.push_back(run);
       if (part.tets > std::numeric_limits<std::int32_t>::max()) {
@@ -179,29 +163,91 @@ class ListedSource : public MeshSource {
     for (const TetRun& run : mesh_.runs) {
       for (std::int64_t done = 0; done < run.tets; done += most) {
         const TetRun piece{std::min(most, run.tets - done), run.region, 0};
-        parts_.push_back({first + done, piece.tets, {piece}, {}});
+        PartOfList& part = parts_.emplace_back();
+        part.first_tet = first + done;
+        part.tets = piece.tets;
+        part.runs = {piece};
       }
       first += run.tets;
     }
   }
 
-  /// Gives each part its triangles, and the last one those that no tet has.
+  /// Other cells go to the part of their sub-domain; parts without tets get the place that the
+  /// number of their sub-domain says.
+  void add_cells_to_subdomains() {
+    std::map<std::int32_t, std::size_t> part_of;
+    for (std::size_t i = 0; i < parts_.size(); ++i) part_of.emplace(parts_[i].subdomain, i);
+    bool has_cells = false;
+    for (const ElementType type : cell_block_types) {
+      std::int64_t first = 0;
+      for (const TetRun& run : mesh_.cells[type].runs) {
+        const auto [found, is_new] = part_of.emplace(run.subdomain, parts_.size());
+        if (is_new) parts_.emplace_back().subdomain = run.subdomain;
+        parts_[found->second].cells[type].push_back({first, run.tets, run.region});
+        first += run.tets;
+        has_cells = true;
+      }
+    }
+    if (!has_cells) return;
+    std::stable_sort(parts_.begin(), parts_.end(), [](const PartOfList& a, const PartOfList& b) {
+      return a.subdomain < b.subdomain;
+    });
+  }
+
+  void make_pieces_of_cells(std::int64_t most) {
+    for (const ElementType type : cell_block_types) {
+      std::int64_t first = 0;
+      for (const TetRun& run : mesh_.cells[type].runs) {
+        for (std::int64_t done = 0; done < run.tets; done += most) {
+          parts_.emplace_back().cells[type] = {
+              {first + done, std::min(most, run.tets - done), run.region}};
+        }
+        first += run.tets;
+      }
+    }
+  }
+
+  /// Gives each part its boundary faces, and the last one those that no cell has.
   void share_out() {
     TF_CHECK(!parts_.empty());
-    UnclaimedTriangles unclaimed(mesh_);
-    std::vector<bool> is_used = unclaimed.nodes();
+    UnclaimedFaces<3> triangles(mesh_.triangles);
+    UnclaimedFaces<4> quads(mesh_.quads);
+    std::vector<bool> is_on_boundary(at(mesh_.nodes), false);
+    for (const ListedTriangle& face : mesh_.triangles) {
+      for (const std::int64_t node : face.nodes) is_on_boundary[at(node)] = true;
+    }
+    for (const ListedQuad& face : mesh_.quads) {
+      for (const std::int64_t node : face.nodes) is_on_boundary[at(node)] = true;
+    }
+    std::vector<bool> is_used = is_on_boundary;
     for (PartOfList& part : parts_) {
       for_each_tet(part, [&](const Nodes& tet) {
         for (const std::int64_t node : tet) is_used[at(node)] = true;
-        unclaimed.give_faces(tet, part.triangles);
+        give_faces(tet, is_on_boundary, triangles, part.triangles);
+      });
+      for_each_cell(part, [&](ElementType type, std::span<const std::int64_t> nodes) {
+        for (const std::int64_t node : nodes) is_used[at(node)] = true;
+        for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int64_t> face) {
+          if (face.size() == 3) {
+            triangles.give({face[0], face[1], face[2]}, part.triangles);
+          } else {
+            quads.give({face[0], face[1], face[2], face[3]}, part.quads);
+          }
+        });
       });
     }
-    const std::vector<std::size_t> rest = unclaimed.rest();
-    std::vector<std::size_t>& last = parts_.back().triangles;
-    last.insert(last.end(), rest.begin(), rest.end());
+    give_rest(triangles.rest(), parts_.back().triangles);
+    give_rest(quads.rest(), parts_.back().quads);
     // As the file has them.
-    for (PartOfList& part : parts_) std::sort(part.triangles.begin(), part.triangles.end());
+    for (PartOfList& part : parts_) {
+      std::sort(part.triangles.begin(), part.triangles.end());
+      std::sort(part.quads.begin(), part.quads.end());
+    }
     complain_of_unused(is_used);
+  }
+
+  static void give_rest(const std::vector<std::size_t>& rest, std::vector<std::size_t>& last) {
+    last.insert(last.end(), rest.begin(), rest.end());
   }
 
   void complain_of_unused(const std::vector<bool>& is_used) {
@@ -229,7 +275,67 @@ class ListedSource : public MeshSource {
     }
   }
 
+  /// Visits the cells of a part that are no tets.
+  template <class Visit>
+  void for_each_cell(const PartOfList& part, const Visit& visit) const {
+    std::vector<std::int64_t> nodes;
+    for (const ElementType type : cell_block_types) {
+      const auto nodes_of_cell = static_cast<std::int64_t>(nodes_of(type));
+      for (const CellsOfList& cells : part.cells[type]) {
+        for (std::int64_t done = 0, count = 0; done < cells.count; done += count) {
+          count = std::min(tets_at_once, cells.count - done);
+          nodes.resize(at(count * nodes_of_cell));
+          mesh_.cells[type].read(cells.first + done, nodes);
+          for (std::int64_t i = 0; i < count; ++i) {
+            const auto cell =
+                std::span<const std::int64_t>(nodes).subspan(at(i * nodes_of_cell), nodes_of(type));
+            check_nodes(type, cells.first + done + i, cell);
+            visit(type, cell);
+          }
+        }
+      }
+    }
+  }
+
+  void check_nodes(ElementType type, std::int64_t number,
+                   std::span<const std::int64_t> nodes) const {
+    for (const std::int64_t node : nodes) {
+      if (node >= 0 && node < mesh_.nodes) continue;
+      fail(std::string(element(type).name) + " " + std::to_string(number) + " has node " +
+           std::to_string(node) + " of " + std::to_string(mesh_.nodes));
+    }
+  }
+
+  /// Region after region, as the blocks of a part have them.
+  void read_cells(ElementType type, std::vector<CellsOfList> stretches, LocalNumbers& numbers,
+                  ElementBlock& block) const {
+    std::stable_sort(stretches.begin(), stretches.end(),
+                     [](const auto& a, const auto& b) { return a.region < b.region; });
+    std::vector<std::int64_t> nodes;
+    for (const CellsOfList& cells : stretches) {
+      nodes.resize(at(cells.count) * nodes_of(type));
+      mesh_.cells[type].read(cells.first, nodes);
+      for (const std::int64_t node : nodes) block.nodes.push_back(numbers.of(node));
+      block.regions.insert(block.regions.end(), at(cells.count), cells.region);
+    }
+  }
+
+  static bool has_several_regions(const NumberedPart& part) {
+    bool has = !part.region_of_tet.empty();
+    for_each_block_cell(part.blocks,
+                        [&](ElementType, std::span<const std::int32_t>, std::int32_t region) {
+                          has = has || region != part.region;
+                        });
+    return has;
+  }
+
   static void set_regions(const PartOfList& here, NumberedPart& part) {
+    if (here.runs.empty()) {
+      for (const ElementType type : cell_block_types) {
+        if (!here.cells[type].empty()) part.region = here.cells[type].front().region;
+      }
+      return;
+    }
     part.region = here.runs.front().region;
     const bool is_one = std::all_of(here.runs.begin(), here.runs.end(),
                                     [&](const TetRun& run) { return run.region == part.region; });
@@ -247,6 +353,9 @@ class ListedSource : public MeshSource {
     for (Triangle& face : part.faces) {
       for (std::int32_t& v : face) v = new_number[at(v)];
     }
+    for_each_block(part.blocks, [&](ElementType, ElementBlock& block) {
+      for (std::int32_t& v : block.nodes) v = new_number[at(v)];
+    });
   }
 
   /// Stretches of the list that have nearly all their nodes in the part are read at once.

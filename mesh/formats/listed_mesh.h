@@ -1,5 +1,5 @@
-/// A mesh whose file has one list of nodes, one of tets and one of boundary triangles, read part by
-/// part: what the readers of such formats have in common.
+/// A mesh whose file has one list of nodes, one of tets and one of boundary triangles, and lists of
+/// other elements by type, read part by part: what the readers of such formats have in common.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace tetfarm {
 
-/// Consecutive tets of one region and one sub-domain.
+/// Consecutive tets, or other cells of one type, of one region and one sub-domain.
 struct TetRun {
   std::int64_t tets = 0;
   std::int32_t region = 1;
@@ -25,6 +25,18 @@ struct TetRun {
 struct ListedTriangle {
   std::array<std::int64_t, 3> nodes{};
   std::int32_t patch = 0;
+};
+
+struct ListedQuad {
+  std::array<std::int64_t, 4> nodes{};
+  std::int32_t patch = 0;
+};
+
+/// Cells of a type that is kept in blocks.
+struct ListedCells {
+  std::vector<TetRun> runs;  ///< all of them, one run after the other
+  /// Fills the span with the nodes of consecutive cells from `first` on, in our order.
+  std::function<void(std::int64_t first, std::span<std::int64_t>)> read;
 };
 
 /// Numbers count from 0.
@@ -38,6 +50,8 @@ struct ListedMesh {
   std::function<void(std::int64_t first, std::span<Nodes>)> read_tets;
   std::vector<TetRun> runs;  ///< all tets, one run after the other
   std::vector<ListedTriangle> triangles;
+  ByType<ListedCells> cells;  ///< of the types in blocks
+  std::vector<ListedQuad> quads;
   std::vector<std::string> patch_names;
   std::vector<std::string> region_names;
   bool knows_subdomains = false;
@@ -48,12 +62,13 @@ struct ListedMesh {
 void add_tets(std::vector<TetRun>& runs, const TetRun& next);
 
 /// Parts are the sub-domains where the file knows them, consecutive runs of each, else pieces of at
-/// most `tets_of_piece` tets of one region. A boundary triangle belongs to the part that has it as
-/// the face of a tet, turned the same way; triangles without such a tet are with the last part.
-/// The numbers of triangles are those of the list. Nodes that no element has are in no part, and
-/// complained of. All tets are read once for that. In memory: the boundary triangles, two bits a
-/// node, one part. @throws InvalidInput when there are no tets, or one or a triangle has a node
-/// that is not there, or a patch or region is out of range; what the functions throw.
+/// most `tets_of_piece` tets of one region, and then such pieces of each other type. A boundary
+/// face belongs to the part that has it as the face of a cell, turned the same way; those without
+/// such a cell are with the last part. The numbers of boundary faces are those of the list. Nodes
+/// that no element has are in no part, and complained of. All cells are read once for that. In
+/// memory: the boundary faces, two bits a node, one part. @throws InvalidInput when there are no
+/// cells, or one or a boundary face has a node that is not there, or a patch or region is out of
+/// range; what the functions throw.
 std::unique_ptr<MeshSource> open_listed(ListedMesh mesh, std::int64_t tets_of_piece = 1'000'000);
 
 }  // namespace tetfarm

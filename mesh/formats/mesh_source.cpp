@@ -44,6 +44,30 @@ void add_tets_of_region(std::int32_t region, std::int64_t tets, std::size_t inde
   outline.tets_of_region.back() += tets;
 }
 
+/// One more of a region, or of a patch from 1.
+void add_to_group(std::size_t group, BlockOutline& outline) {
+  if (group > outline.of_group.size()) outline.of_group.resize(group);
+  ++outline.of_group[group - 1];
+  ++outline.count;
+}
+
+void outline_blocks(const ElementBlocks& blocks, std::size_t index, PartOutline& outline) {
+  for (const ElementType type : cell_block_types) {
+    BlockOutline& here = outline.blocks[type];
+    for (const std::int32_t region : blocks[type].regions) {
+      if (region < 1 || region > most_names) refuse(index, "a region number is out of range");
+      if (region < std::ssize(here.of_group)) refuse(index, "regions are not in order");
+      add_to_group(static_cast<std::size_t>(region), here);
+    }
+  }
+  for (const ElementType type : face_block_types) {
+    for (const std::int32_t patch : blocks[type].patches) {
+      if (patch < 0 || patch >= most_names) refuse(index, "a patch number is out of range");
+      add_to_group(static_cast<std::size_t>(patch) + 1, outline.blocks[type]);
+    }
+  }
+}
+
 PartOutline outline_of_part(const CountedPart& counted, std::size_t index, std::int64_t limit,
                             KnownNodes& known) {
   const NumberedPart& part = counted.part;
@@ -68,7 +92,17 @@ PartOutline outline_of_part(const CountedPart& counted, std::size_t index, std::
     if (at >= outline.faces_of_patch.size()) outline.faces_of_patch.resize(at + 1);
     ++outline.faces_of_patch[at];
   }
+  outline_blocks(part.blocks, index, outline);
   return outline;
+}
+
+/// Where the part begins in the blocks of the whole mesh, and what comes behind it.
+void add_up_block(BlockOutline& here, BlockOutline& sum) {
+  here.of_group.resize(sum.of_group.size());
+  here.first = sum.count;
+  here.first_of_group = sum.of_group;
+  sum.count += here.count;
+  add_counts(here.of_group, sum.of_group);
 }
 
 void name_the_rest(std::vector<std::string>& names, std::size_t count, const std::string& kind) {
@@ -102,6 +136,12 @@ MeshOutline outline_of(const MeshSource& source) {
     for (const std::int64_t number : counted.part.local2global) largest = std::max(largest, number);
     patches = std::max(patches, here.faces_of_patch.size());
     regions = std::max(regions, here.tets_of_region.size());
+    for (const ElementType type : cell_block_types) {
+      regions = std::max(regions, here.blocks[type].of_group.size());
+    }
+    for (const ElementType type : face_block_types) {
+      patches = std::max(patches, here.blocks[type].of_group.size());
+    }
   }
   outline.patch_names = source.patch_names();
   outline.region_names = source.region_names();
@@ -121,6 +161,12 @@ void add_up(MeshOutline& outline) {
   outline.nodes = outline.tets = outline.boundary_triangles = 0;
   outline.faces_of_patch.assign(outline.patch_names.size(), 0);
   outline.tets_of_region.assign(outline.region_names.size(), 0);
+  for (const ElementType type : cell_block_types) {
+    outline.blocks[type] = {0, 0, std::vector<std::int64_t>(outline.region_names.size()), {}};
+  }
+  for (const ElementType type : face_block_types) {
+    outline.blocks[type] = {0, 0, std::vector<std::int64_t>(outline.patch_names.size()), {}};
+  }
   for (PartOutline& part : outline.parts) {
     part.faces_of_patch.resize(outline.patch_names.size());
     part.tets_of_region.resize(outline.region_names.size());
@@ -132,20 +178,82 @@ void add_up(MeshOutline& outline) {
     outline.boundary_triangles += part.faces;
     add_counts(part.faces_of_patch, outline.faces_of_patch);
     add_counts(part.tets_of_region, outline.tets_of_region);
+    for_each_block(part.blocks, [&](ElementType type, BlockOutline& block) {
+      add_up_block(block, outline.blocks[type]);
+    });
   }
+}
+
+std::int64_t MeshOutline::cells() const {
+  std::int64_t sum = tets;
+  for (const ElementType type : cell_block_types) sum += blocks[type].count;
+  return sum;
+}
+
+std::int64_t MeshOutline::boundary_faces() const {
+  std::int64_t sum = boundary_triangles;
+  for (const ElementType type : face_block_types) sum += blocks[type].count;
+  return sum;
+}
+
+std::int64_t MeshOutline::boundary_faces_of(std::size_t patch) const {
+  std::int64_t sum = faces_of_patch[patch];
+  for (const ElementType type : face_block_types) sum += blocks[type].of_group[patch];
+  return sum;
+}
+
+void require_tets_alone(const MeshOutline& outline, const std::string& what) {
+  std::string others;
+  for_each_block(outline.blocks, [&](ElementType type, const BlockOutline& block) {
+    if (block.count == 0) return;
+    others += (others.empty() ? "" : ", ") + text_of_count(block.count, type);
+  });
+  if (others.empty()) return;
+  throw Error(ExitCode::failed, what + " tetrahedra only; this mesh has " + others);
+}
+
+void require_tets_alone(const MeshSource& source, const std::string& what) {
+  MeshOutline sums;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const CountedPart counted = source.counted_part(i);
+    for_each_block(counted.part.blocks, [&](ElementType type, const ElementBlock& block) {
+      sums.blocks[type].count += std::ssize(block.regions);
+    });
+  }
+  require_tets_alone(sums, what);
+}
+
+std::int64_t RegionRun::cells() const {
+  std::int64_t sum = tets;
+  for (const ElementType type : cell_block_types) sum += others[type];
+  return sum;
 }
 
 std::vector<RegionRun> region_runs(const MeshOutline& outline) {
   std::vector<RegionRun> runs;
   for (std::size_t i = 0; i < outline.parts.size(); ++i) {
     const PartOutline& part = outline.parts[i];
-    std::int64_t first = part.first_tet;
-    for (std::size_t region = 0; region < part.tets_of_region.size(); ++region) {
-      const std::int64_t tets = part.tets_of_region[region];
-      if (tets > 0) runs.push_back({i, static_cast<std::int32_t>(region + 1), first, tets});
-      first += tets;
+    RegionRun next;
+    next.part = i;
+    next.first_tet = part.first_tet;
+    for (const ElementType type : cell_block_types) {
+      next.first_in_block[type] = part.blocks[type].first;
     }
-    if (part.tets == 0) runs.push_back({i, 1, first, 0});
+    const std::size_t runs_before = runs.size();
+    for (std::size_t region = 0; region < part.tets_of_region.size(); ++region) {
+      next.region = static_cast<std::int32_t>(region + 1);
+      next.tets = part.tets_of_region[region];
+      for (const ElementType type : cell_block_types) {
+        next.others[type] = part.blocks[type].of_group[region];
+      }
+      if (next.cells() > 0) runs.push_back(next);
+      next.first_tet += next.tets;
+      for (const ElementType type : cell_block_types) {
+        next.first_in_block[type] += next.others[type];
+      }
+    }
+    if (runs.size() > runs_before) continue;
+    runs.push_back({i, 1, part.first_tet, 0, {}, {}});
   }
   return runs;
 }

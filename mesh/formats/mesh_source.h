@@ -30,6 +30,14 @@ class MeshSource {
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
 };
 
+/// What a part, or the mesh, has of a type that is kept in blocks.
+struct BlockOutline {
+  std::int64_t count = 0;
+  std::int64_t first = 0;              ///< what the parts before have
+  std::vector<std::int64_t> of_group;  ///< of regions 1, 2, …; of a face, of patches 0, 1, …
+  std::vector<std::int64_t> first_of_group;  ///< of each: what the parts before have
+};
+
 /// What must be known before the first part is written.
 struct PartOutline {
   std::int64_t nodes = 0;
@@ -41,6 +49,7 @@ struct PartOutline {
   std::int64_t faces = 0;
   std::int64_t first_face = 0;                    ///< faces are counted part after part too
   std::vector<std::int64_t> first_face_of_patch;  ///< of each patch: what the parts before have
+  ByType<BlockOutline> blocks;                    ///< cells of a type are in the order of regions
   Box3 box;
 };
 
@@ -51,23 +60,39 @@ struct MeshOutline {
   std::vector<PartOutline> parts;
   std::vector<std::int64_t> faces_of_patch;  ///< one for each name
   std::vector<std::int64_t> tets_of_region;  ///< one for each name
+  ByType<BlockOutline> blocks;               ///< sums
   std::vector<std::string> patch_names;      ///< all have one: "patch 3" without
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
+
+  std::int64_t cells() const;
+  std::int64_t boundary_faces() const;
+  /// Of a patch, triangles and others.
+  std::int64_t boundary_faces_of(std::size_t patch) const;
 };
+
+/// For formats that hold nothing else: `what` is "TetGen files hold". @throws Error with a sentence
+/// that says what the mesh has besides tets and triangles.
+void require_tets_alone(const MeshOutline& outline, const std::string& what);
+/// The same without an outline. Reads every part.
+void require_tets_alone(const MeshSource& source, const std::string& what);
 
 /// From what each part has: where in the whole mesh it begins, and the sums. All parts get as many
 /// patches and regions as there are names. @pre each has a name.
 void add_up(MeshOutline& outline);
 
-/// Consecutive tets of a part that are of one region.
+/// The cells of a part that are of one region: tets, and others where there are any.
 struct RegionRun {
   std::size_t part = 0;
   std::int32_t region = 1;
   std::int64_t first_tet = 0;  ///< in the whole mesh
   std::int64_t tets = 0;
+  ElementCounts first_in_block;  ///< in the whole mesh, within the type
+  ElementCounts others;
+
+  std::int64_t cells() const;
 };
 
-/// Part after part, in each by region. A part without tets has a run without tets, of region 1.
+/// Part after part, in each by region. A part without cells has a run without cells, of region 1.
 std::vector<RegionRun> region_runs(const MeshOutline& outline);
 
 /// Reads each part once, without the nodes of its elements, and checks it. @throws InvalidInput

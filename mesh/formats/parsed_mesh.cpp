@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -19,7 +21,8 @@ std::function<void(std::int64_t, std::span<Record>)> reader_of(
 
 ParsedMesh::ParsedMesh(const std::filesystem::path& scratch_folder)
     : node_file_(std::make_shared<ScratchFile>(scratch_folder)),
-      tet_file_(std::make_shared<ScratchFile>(scratch_folder)) {}
+      tet_file_(std::make_shared<ScratchFile>(scratch_folder)),
+      scratch_folder_(scratch_folder) {}
 
 void ParsedMesh::add_node(const Vec3& p) { set_node(next_node_, p); }
 
@@ -48,12 +51,51 @@ void ParsedMesh::flush_tets() {
   last_tets_.clear();
 }
 
+void ParsedMesh::add_cell(ElementType type, std::span<const std::int64_t> nodes,
+                          std::int32_t region, std::int32_t subdomain) {
+  TF_CHECK(is_cell(type) && nodes.size() == nodes_of(type));
+  if (type == ElementType::tet) {
+    add_tet({nodes[0], nodes[1], nodes[2], nodes[3]}, region, subdomain);
+    return;
+  }
+  Cells& cells = cells_[type];
+  if (cells.last_nodes.size() >= records_at_once) flush_cells(type);
+  cells.last_nodes.insert(cells.last_nodes.end(), nodes.begin(), nodes.end());
+  add_tets(mesh_.cells[type].runs, {1, region, subdomain});
+}
+
+void ParsedMesh::add_face(ElementType type, std::span<const std::int64_t> nodes,
+                          std::int32_t patch) {
+  TF_CHECK(!is_cell(type) && nodes.size() == nodes_of(type));
+  if (type == ElementType::triangle) {
+    add_triangle({nodes[0], nodes[1], nodes[2]}, patch);
+  } else {
+    mesh_.quads.push_back({{nodes[0], nodes[1], nodes[2], nodes[3]}, patch});
+  }
+}
+
+void ParsedMesh::flush_cells(ElementType type) {
+  Cells& cells = cells_[type];
+  if (!cells.file) cells.file = std::make_shared<ScratchFile>(scratch_folder_);
+  cells.file->append(cells.last_nodes.data(), cells.last_nodes.size() * sizeof(std::int64_t));
+  cells.last_nodes.clear();
+}
+
 ListedMesh ParsedMesh::take() {
   flush_nodes();
   flush_tets();
   mesh_.nodes = nodes_;
   mesh_.read_nodes = reader_of<Vec3>(node_file_);
   mesh_.read_tets = reader_of<Nodes>(tet_file_);
+  for (const ElementType type : cell_block_types) {
+    if (mesh_.cells[type].runs.empty()) continue;
+    flush_cells(type);
+    const auto bytes = static_cast<std::int64_t>(nodes_of(type) * sizeof(std::int64_t));
+    mesh_.cells[type].read = [file = cells_[type].file, bytes](std::int64_t first,
+                                                               std::span<std::int64_t> into) {
+      file->read(first * bytes, into.data(), into.size_bytes());
+    };
+  }
   return std::move(mesh_);
 }
 

@@ -2,11 +2,12 @@
 /// tets are kept in files without names, so that any stretch can be read at any time.
 ///
 /// For formats whose numbers are text, or lie where only who reads all before them knows. On disk
-/// for the time: 24 bytes a node, 32 bytes a tet.
+/// for the time: 24 bytes a node, 8 for each node of a cell.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ class ParsedMesh {
   void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) {
     mesh_.triangles.push_back({nodes, patch});
   }
+  /// A cell of any type, its nodes in our order.
+  void add_cell(ElementType type, std::span<const std::int64_t> nodes, std::int32_t region = 1,
+                std::int32_t subdomain = 0);
+  /// A boundary face of any type.
+  void add_face(ElementType type, std::span<const std::int64_t> nodes, std::int32_t patch);
   std::int64_t nodes() const { return nodes_; }
   std::int64_t tets() const { return tets_; }
 
@@ -40,6 +46,13 @@ class ParsedMesh {
  private:
   void flush_nodes();
   void flush_tets();
+  void flush_cells(ElementType type);
+
+  /// Cells of a type in blocks.
+  struct Cells {
+    std::shared_ptr<ScratchFile> file;  ///< made for the first
+    std::vector<std::int64_t> last_nodes;
+  };
 
   ListedMesh mesh_;
   std::shared_ptr<ScratchFile> node_file_;
@@ -49,6 +62,8 @@ class ParsedMesh {
   std::int64_t nodes_ = 0;
   std::vector<Nodes> last_tets_;
   std::int64_t tets_ = 0;
+  std::filesystem::path scratch_folder_;
+  ByType<Cells> cells_;
 };
 
 }  // namespace tetfarm

@@ -6,8 +6,9 @@
 
 namespace tetfarm {
 
-/// Sets part.region_of_face: each is of the region of the tet that has it, turned the same way;
-/// what no tet has is of `part.region`. Cost: O(n log n).
+/// Sets part.region_of_face, and the regions of its boundary quads: each is of the region of the
+/// cell that has it, turned the same way; a triangle that no cell has is of `part.region`. Cost:
+/// O(n log n).
 void set_regions_of_faces(NumberedPart& part);
 
 }  // namespace tetfarm

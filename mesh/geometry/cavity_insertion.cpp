@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/predicates.h"
 #include "mesh/geometry/sphere_filter.h"
@@ -15,8 +16,6 @@ namespace {
 constexpr std::size_t usual_cavity = 64;
 /// Nodes of a hull whose edges are looked up in a table of all pairs: 4 MB.
 constexpr std::size_t largest_edge_table = 1024;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

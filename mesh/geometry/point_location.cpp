@@ -2,16 +2,11 @@
 
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 Location locate(const TetComplex& complex, const Vec3& point, std::int32_t start) {
   TF_CHECK(complex.is_live(start));
   std::int32_t tet = start;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -13,8 +14,6 @@ constexpr std::int32_t none = -1;
 constexpr double hardly_coarser = 0.95;
 /// The heaviest node may have so many times the mean weight that is wanted.
 constexpr std::int64_t heaviest_over_wanted = 2;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Fibonacci hashing.
 std::uint32_t scrambled(std::size_t v) {

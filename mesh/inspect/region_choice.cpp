@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/counted.h"
 #include "base/error.h"
@@ -12,8 +13,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// A region of the map as it will be.
 struct Choice {

@@ -1,22 +1,21 @@
 #include "mesh/job_file/job_formats.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
-#include "base/check.h"
+#include "mesh/formats/list/known_formats.h"
 
 namespace tetfarm {
 namespace {
 
-/// Those of the tasks first.
-constexpr std::array<std::string_view, 19> formats = {
-    "vtkhdf", "lb8.ugrid",  "lb8l.ugrid",          "b8l.ugrid",    "b8.ugrid", "cgns", "pvtu",
-    "msh41",  "msh41-text", "msh41-split",         "msh41-ghosts", "msh22",    "su2",  "meshb",
-    "tetgen", "openfoam",   "openfoam-decomposed", "comm",         "comm-text"};
+/// What all others are converted from.
+constexpr std::string_view converted_from = "vtkhdf";
 
-bool is_written_by_tasks(const std::string& format) {
-  return format == formats[0] || format == formats[1];
+bool is_written_by_tasks(const std::string& name) {
+  const auto known = known_formats();
+  return std::any_of(known.begin(), known.end(), [&](const KnownFormat& format) {
+    return format.name == name && format.is_of_tasks;
+  });
 }
 
 bool has(const std::vector<std::string>& list, std::string_view format) {
@@ -25,15 +24,23 @@ bool has(const std::vector<std::string>& list, std::string_view format) {
 
 }  // namespace
 
-std::span<const std::string_view> job_output_formats() { return formats; }
+std::span<const std::string_view> job_output_formats() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> written;
+    for (const KnownFormat& format : known_formats()) {
+      if (format.writes_meshes) written.push_back(format.name);
+    }
+    return written;
+  }();
+  return names;
+}
 
 std::vector<std::string> formats_of_tasks(const std::vector<std::string>& wanted) {
   std::vector<std::string> written;
   std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(written), is_written_by_tasks);
-  if (written.size() < wanted.size() && !has(written, formats[0])) {
-    written.emplace_back(formats[0]);
+  if (written.size() < wanted.size() && !has(written, converted_from)) {
+    written.emplace_back(converted_from);
   }
-  TF_CHECK(written.empty() == wanted.empty());
   return written;
 }
 

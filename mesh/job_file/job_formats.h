@@ -1,7 +1,8 @@
 /// The formats of meshes that a job may ask for.
 ///
 /// The tasks write some (`assemble`); every other one is converted from VTKHDF by whoever takes the
-/// results out (run, wait), with mesh/formats/registry/export_mesh.h, which has the same names.
+/// results out (run, wait), with mesh/formats/registry/export_mesh.h. All come from the one list of
+/// formats (mesh/formats/list/known_formats.h).
 #pragma once
 
 #include <span>

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/node_records.h"
@@ -12,8 +13,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A face that only one tet of its sub-domain has.
 struct OpenFace {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using Edge = std::array<std::int32_t, 2>;
 

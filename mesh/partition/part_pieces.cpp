@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Of each boundary triangle the tet that has it, on the side that its normal points away from.
 std::vector<std::int32_t> tets_of_boundary(const NumberedPart& part) {

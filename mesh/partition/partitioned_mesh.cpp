@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/formats/cell_faces.h"
 #include "mesh/graph/graph_coarsening.h"
@@ -25,8 +26,6 @@ constexpr std::int32_t most_parts_by_halves = 16;
 constexpr std::int64_t most_weight = std::int64_t{1} << 30;
 constexpr int coarse_passes = 30;
 constexpr int fine_passes = 8;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::int64_t heaviest_part(std::int64_t tets, std::int32_t parts) {
   const std::int64_t mean_or_more = (tets + parts - 1) / parts;
@@ -192,6 +191,7 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
     : pieces_(options.parts, folder),
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
+  require_tets_alone(source, "Parts for solvers are made of");
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);
   FinePartition fine(coarsen(source, clusters, folder), options.parts);
   for (std::size_t i = 0; i < source.size(); ++i) {

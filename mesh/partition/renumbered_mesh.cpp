@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<bool> nodes_on_surface(const NumberedPart& part) {
   std::vector<bool> is_on_surface(part.nodes.size(), false);
@@ -70,6 +69,7 @@ void put_in_order(NumberedPart& part) {
 
 RenumberedMesh::RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering numbering)
     : source_(std::move(source)), numbering_(numbering) {
+  require_tets_alone(*source_, "Nodes get other numbers in meshes of");
   find_shared_nodes();
   number_nodes();
 }

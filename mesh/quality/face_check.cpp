@@ -4,9 +4,11 @@
 #include <map>
 #include <span>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
+#include "mesh/core/element_block.h"
 #include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
@@ -14,15 +16,33 @@ namespace {
 
 using std::to_string;
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 constexpr std::uint64_t odd_bit = 1;
 constexpr std::uint64_t boundary_bit = 2;
 constexpr int last_shift = 2;
 constexpr int middle_shift = 33;
 constexpr std::uint64_t node_bits = 0x7fffffff;
 
-/// Calls visit(nodes, bits of the key) for each face of each tet, then for each boundary triangle.
+/// The corners of a quad so that it has the same ones from either side and wherever it begins; true
+/// when that turned them the other way round.
+template <class Node>
+bool sort_quad(std::array<Node, 4>& nodes) {
+  std::rotate(nodes.begin(), std::min_element(nodes.begin(), nodes.end()), nodes.end());
+  if (nodes[1] < nodes[3]) return false;
+  std::swap(nodes[1], nodes[3]);
+  return true;
+}
+
+/// The same of either kind of face.
+bool sort_nodes(FaceNodes& nodes) {
+  if (nodes[3] >= 0) return sort_quad(nodes);
+  std::array<std::int64_t, 3> triangle = {nodes[0], nodes[1], nodes[2]};
+  const bool is_turned = sort_face(triangle);
+  std::copy(triangle.begin(), triangle.end(), nodes.begin());
+  return is_turned;
+}
+
+/// Calls visit(nodes, bits of the key) for each triangle that is a face of a cell, tets first, then
+/// for each boundary triangle.
 template <class Visit>
 void for_each_face(const NumberedPart& part, const Visit& visit) {
   for (const Tet& tet : part.tets) {
@@ -30,7 +50,30 @@ void for_each_face(const NumberedPart& part, const Visit& visit) {
       visit(Triangle{tet[at(i)], tet[at(j)], tet[at(k)]}, std::uint64_t{0});
     }
   }
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> cell, std::int32_t) {
+        for_each_face_of(type, cell, [&](ElementType, std::span<const std::int32_t> face) {
+          if (face.size() == 3) visit(Triangle{face[0], face[1], face[2]}, std::uint64_t{0});
+        });
+      });
   for (const Triangle& face : part.faces) visit(face, boundary_bit);
+}
+
+using Quad = std::array<std::int32_t, 4>;
+
+/// Calls visit(nodes, bits) for each quad in the same way.
+template <class Visit>
+void for_each_quad(const NumberedPart& part, const Visit& visit) {
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> cell, std::int32_t) {
+        for_each_face_of(type, cell, [&](ElementType, std::span<const std::int32_t> face) {
+          if (face.size() == 4) visit(Quad{face[0], face[1], face[2], face[3]}, std::uint64_t{0});
+        });
+      });
+  for_each_block_face(part.blocks, [&](ElementType, std::span<const std::int32_t> face,
+                                       std::int32_t, std::int32_t) {
+    visit(Quad{face[0], face[1], face[2], face[3]}, boundary_bit);
+  });
 }
 
 /// How many faces have each node as their lowest.
@@ -109,33 +152,86 @@ struct PartPlace {
   std::size_t part = 0;
   std::int64_t first_tet = 0;
   std::int64_t first_triangle = 0;
+  std::int64_t first_quad = 0;
+  ElementCounts first_other;
 };
 
-void find_faces(const NumberedPart& part, const PartPlace& place, bool knows_subdomains,
-                std::map<FaceNodes, FaceFinding>& findings) {
-  const std::string where = knows_subdomains ? " of sub-domain " + to_string(place.part) : "";
-  std::int64_t next = 0;
-  for_each_face(part, [&](const Triangle& local, std::uint64_t bits) {
-    const std::int64_t face = next++;
-    FaceNodes nodes{};
-    for (std::size_t k = 0; k < 3; ++k) nodes[k] = part.local2global[at(local[k])];
-    const std::size_t side = sort_face(nodes) ? 1 : 0;
-    const auto found = findings.find(nodes);
-    if (found == findings.end()) return;
+/// The element of each face that for_each_face or for_each_quad visits, one after the other.
+std::vector<std::string> owners_of_blocks(const NumberedPart& part, const PartPlace& place,
+                                          std::size_t corners) {
+  std::vector<std::string> owners;
+  ElementCounts next = place.first_other;
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t>, std::int32_t) {
+        const std::string name = std::string(element(type).name) + " " + to_string(next[type]++);
+        for (const ElementFace& face : element(type).faces) {
+          if (nodes_of(face.type) == corners) owners.push_back(name);
+        }
+      });
+  return owners;
+}
+
+class FaceFinder {
+ public:
+  FaceFinder(const NumberedPart& part, const PartPlace& place, bool knows_subdomains,
+             std::map<FaceNodes, FaceFinding>& findings)
+      : part_(part),
+        place_(place),
+        where_(knows_subdomains ? " of sub-domain " + to_string(place.part) : ""),
+        findings_(findings) {}
+
+  void find() {
+    const std::vector<std::string> owners = owners_of_blocks(part_, place_, 3);
+    const std::int64_t of_tets = 4 * std::ssize(part_.tets);
+    std::int64_t next = 0;
+    for_each_face(part_, [&](const Triangle& face, std::uint64_t bits) {
+      const std::int64_t i = next++;
+      look(face, bits, [&] {
+        if (i < of_tets) return "tet " + to_string(place_.first_tet + i / 4);
+        const std::int64_t rest = i - of_tets - std::ssize(owners);
+        return rest < 0 ? owners[static_cast<std::size_t>(i - of_tets)]
+                        : "boundary triangle " + to_string(place_.first_triangle + rest);
+      });
+    });
+    find_quads();
+  }
+
+ private:
+  void find_quads() {
+    const std::vector<std::string> owners = owners_of_blocks(part_, place_, 4);
+    std::int64_t next = 0;
+    for_each_quad(part_, [&](const Quad& face, std::uint64_t bits) {
+      const std::int64_t i = next++;
+      look(face, bits, [&] {
+        return i < std::ssize(owners)
+                   ? owners[static_cast<std::size_t>(i)]
+                   : "boundary quad " + to_string(place_.first_quad + i - std::ssize(owners));
+      });
+    });
+  }
+
+  template <class Owner>
+  void look(std::span<const std::int32_t> local, std::uint64_t bits, const Owner& owner) {
+    FaceNodes nodes = {-1, -1, -1, -1};
+    for (std::size_t k = 0; k < local.size(); ++k) nodes[k] = part_.local2global[at(local[k])];
+    const std::size_t side = sort_nodes(nodes) ? 1 : 0;
+    const auto found = findings_.find(nodes);
+    if (found == findings_.end()) return;
     FaceFinding& finding = found->second;
     FaceUse use;
-    const bool is_tet = bits != boundary_bit;
-    (is_tet ? use.tets : use.boundary)[side] = 1;
+    (bits != boundary_bit ? use.tets : use.boundary)[side] = 1;
     finding.use.add(use);
-    const auto p = [&](std::size_t k) { return part.nodes[at(local[k])]; };
-    finding.at = (p(0) + p(1) + p(2)) / 3.0;
-    finding.elements += (finding.elements.empty() ? "" : ", ") +
-                        (is_tet ? "tet " + to_string(place.first_tet + face / 4)
-                                : "boundary triangle " + to_string(place.first_triangle + face -
-                                                                   4 * std::ssize(part.tets))) +
-                        where;
-  });
-}
+    Vec3 sum;
+    for (const std::int32_t v : local) sum += part_.nodes[at(v)];
+    finding.at = sum / static_cast<double>(local.size());
+    finding.elements += (finding.elements.empty() ? "" : ", ") + owner() + where_;
+  }
+
+  const NumberedPart& part_;
+  const PartPlace& place_;
+  std::string where_;
+  std::map<FaceNodes, FaceFinding>& findings_;
+};
 
 bool is_matched_inside(const FaceUse& use) {
   return use.tets == std::array<std::uint8_t, 2>{1, 1} &&
@@ -174,6 +270,20 @@ FaceCheck::FaceCheck(const std::filesystem::path& folder, std::size_t memory_byt
       open_(folder, std::max<std::size_t>(memory_bytes / 4 / sizeof(OpenFace), 1024)) {}
 
 void FaceCheck::add(const NumberedPart& part) {
+  add_triangles(part);
+  add_quads(part);
+}
+
+/// For faces that are not done with in their part; nodes are not sorted yet.
+void FaceCheck::keep_open(OpenFace open) {
+  if (sort_nodes(open.nodes)) {
+    std::swap(open.use.tets[0], open.use.tets[1]);
+    std::swap(open.use.boundary[0], open.use.boundary[1]);
+  }
+  open_.push(open);
+}
+
+void FaceCheck::add_triangles(const NumberedPart& part) {
   const std::vector<std::uint32_t> counts = faces_of_lowest_node(part);
   for (std::size_t first = 0; first < counts.size();) {
     std::size_t last = first;
@@ -184,18 +294,34 @@ void FaceCheck::add(const NumberedPart& part) {
     FaceBuckets faces(part, std::span(counts).subspan(first, last - first),
                       static_cast<std::int32_t>(first));
     TF_CHECK(last > first);
-    faces.for_each([&](const Triangle& nodes, FaceUse use) {
+    faces.for_each([&](const Triangle& nodes, const FaceUse& use) {
       if (is_matched_inside(use)) return;
-      OpenFace open;
+      OpenFace open{{-1, -1, -1, -1}, use};
       for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = part.local2global[at(nodes[k])];
-      if (sort_face(open.nodes)) {
-        std::swap(use.tets[0], use.tets[1]);
-        std::swap(use.boundary[0], use.boundary[1]);
-      }
-      open.use = use;
-      open_.push(open);
+      keep_open(open);
     });
     first = last;
+  }
+}
+
+/// Quads are few beside what the kernel makes: all of a part are sorted at once.
+void FaceCheck::add_quads(const NumberedPart& part) {
+  std::vector<std::pair<Quad, FaceUse>> quads;
+  for_each_quad(part, [&](Quad nodes, std::uint64_t bits) {
+    FaceUse use;
+    const std::size_t side = sort_quad(nodes) ? 1 : 0;
+    (bits == boundary_bit ? use.boundary : use.tets)[side] = 1;
+    quads.emplace_back(nodes, use);
+  });
+  std::sort(quads.begin(), quads.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < quads.size();) {
+    OpenFace open;
+    const Quad nodes = quads[i].first;
+    for (; i < quads.size() && quads[i].first == nodes; ++i) open.use.add(quads[i].second);
+    if (is_matched_inside(open.use)) continue;
+    for (std::size_t k = 0; k < 4; ++k) open.nodes[k] = part.local2global[at(nodes[k])];
+    keep_open(open);
   }
 }
 
@@ -218,15 +344,19 @@ std::vector<std::string> describe_faces(const MeshSource& source,
   PartPlace place;
   for (; place.part < source.size() && !faces.empty(); ++place.part) {
     const NumberedPart part = source.part(place.part);
-    find_faces(part, place, source.knows_subdomains(), findings);
+    FaceFinder(part, place, source.knows_subdomains(), findings).find();
     place.first_tet += std::ssize(part.tets);
     place.first_triangle += std::ssize(part.faces);
+    for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
+      (is_cell(type) ? place.first_other[type] : place.first_quad) += std::ssize(block.regions);
+    });
   }
   std::vector<std::string> lines;
   for (const auto& [nodes, finding] : findings) {
     lines.push_back("face (" + to_string(nodes[0]) + ", " + to_string(nodes[1]) + ", " +
-                    to_string(nodes[2]) + ") at " + text_of(finding.at) + " has " +
-                    finding.use.text() + ": " + finding.elements);
+                    to_string(nodes[2]) + (nodes[3] < 0 ? "" : ", " + to_string(nodes[3])) +
+                    ") at " + text_of(finding.at) + " has " + finding.use.text() + ": " +
+                    finding.elements);
   }
   return lines;
 }

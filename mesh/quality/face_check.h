@@ -31,8 +31,9 @@ struct FaceUse {
   std::string text() const;
 };
 
-/// Its nodes in the whole mesh, ascending.
-using FaceNodes = std::array<std::int64_t, 3>;
+/// Its nodes in the whole mesh, ascending; of a quad the lowest, the lower of its neighbours, the
+/// opposite one and the other neighbour. The fourth of a triangle is -1.
+using FaceNodes = std::array<std::int64_t, 4>;
 
 class FaceCheck {
  public:
@@ -52,6 +53,10 @@ class FaceCheck {
     FaceUse use;
     bool operator<(const OpenFace& other) const { return nodes < other.nodes; }
   };
+
+  void add_triangles(const NumberedPart& part);
+  void add_quads(const NumberedPart& part);
+  void keep_open(OpenFace open);
 
   std::size_t keys_at_once_;
   ExternalSort<OpenFace> open_;

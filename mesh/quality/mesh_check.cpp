@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/element_block.h"
 #include "mesh/core/signed_volume.h"
 
 namespace tetfarm {
 namespace {
 
 using std::to_string;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 template <std::size_t N>
 std::array<std::int64_t, N> global_nodes(const std::array<std::int32_t, N>& local,
@@ -70,6 +70,39 @@ void MeshCheck::add_tets(const NumberedPart& part) {
     }
     ++tets_;
   }
+  add_other_cells(part, is_used);
+  complain_of_unused(part, is_used);
+}
+
+/// Numbered within their type.
+void MeshCheck::add_other_cells(const NumberedPart& part, std::vector<bool>& is_used) {
+  std::vector<std::int64_t> global;
+  std::vector<Vec3> corners;
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
+        global.clear();
+        corners.clear();
+        Vec3 sum;
+        for (const std::int32_t v : nodes) {
+          is_used[at(v)] = true;
+          global.push_back(part.local2global[at(v)]);
+          corners.push_back(part.nodes[at(v)]);
+          sum += part.nodes[at(v)];
+        }
+        const std::int64_t number = others_[type]++;
+        digest_.add_other(type, number, global);
+        const long double volume = element_volume(type, corners);
+        volume_ += volume;
+        const double jacobian = scaled_jacobian(type, corners);
+        if (volume > 0 && jacobian > 0) return;
+        complaints_.add(std::string(element(type).name) + " " + to_string(number) + where(part) +
+                        ", at " + tetfarm::text_of(sum / static_cast<double>(nodes.size())) +
+                        ", has the volume " + tetfarm::text_of(static_cast<double>(volume)) +
+                        " and the scaled Jacobian " + tetfarm::text_of(jacobian));
+      });
+}
+
+void MeshCheck::complain_of_unused(const NumberedPart& part, const std::vector<bool>& is_used) {
   const auto unused = std::find(is_used.begin(), is_used.end(), false);
   if (unused == is_used.end()) return;
   const auto v = static_cast<std::size_t>(unused - is_used.begin());
@@ -88,7 +121,24 @@ void MeshCheck::add_faces(const NumberedPart& part) {
     enclosed_ += signed_volume(*origin_, part.nodes[at(face[0])], part.nodes[at(face[1])],
                                part.nodes[at(face[2])]);
   }
+  add_other_faces(part);
   angles_.add(part);
+}
+
+void MeshCheck::add_other_faces(const NumberedPart& part) {
+  std::vector<std::int64_t> global;
+  std::vector<Vec3> corners;
+  for_each_block_face(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
+                                       std::int32_t, std::int32_t patch) {
+    global.clear();
+    corners.clear();
+    for (const std::int32_t v : nodes) {
+      global.push_back(part.local2global[at(v)]);
+      corners.push_back(part.nodes[at(v)]);
+    }
+    digest_.add_other(type, patch, global);
+    enclosed_ += cone_volume(*origin_, corners);
+  });
 }
 
 MeshCheckResult MeshCheck::finish() {

@@ -32,9 +32,10 @@ struct MeshCheckResult {
   ForcedDihedral forced;
   Hash128 digest;  ///< see mesh_digest.h
   /// What is wrong, a line each with numbers and places, at most twenty: tets that are flat or
-  /// turned, nodes that no tet has or that parts have at different places, gaps in their numbers,
-  /// faces that are neither shared by two tets nor a boundary triangle, boundary triangles without
-  /// their tet, volumes that do not add up to 1e-9. Empty for a right mesh.
+  /// turned, other cells that are so as a whole or at a corner (elements.h), nodes that no tet has
+  /// or that parts have at different places, gaps in their numbers, faces that are neither shared
+  /// by two cells nor a boundary face, boundary faces without their cell, volumes that do not add
+  /// up to 1e-9. Empty for a right mesh.
   std::vector<std::string> complaints;
 };
 
@@ -51,6 +52,9 @@ class MeshCheck {
 
  private:
   void add_tets(const NumberedPart& part);
+  void add_other_cells(const NumberedPart& part, std::vector<bool>& is_used);
+  void add_other_faces(const NumberedPart& part);
+  void complain_of_unused(const NumberedPart& part, const std::vector<bool>& is_used);
   void add_faces(const NumberedPart& part);
   std::string where(const NumberedPart& part) const;
 
@@ -64,6 +68,7 @@ class MeshCheck {
   long double volume_ = 0;
   long double enclosed_ = 0;
   std::int64_t tets_ = 0;
+  ElementCounts others_;
 };
 
 /// Of a whole mesh, for who wants nothing else.

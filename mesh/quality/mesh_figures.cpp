@@ -6,13 +6,13 @@
 #include <span>
 #include <tuple>
 
+#include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/element_block.h"
 #include "mesh/quality/cut_nodes.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double degrees_of(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
 
@@ -60,6 +60,7 @@ class Figures {
     here.boundary_triangles = std::ssize(part.faces);
     for (const std::int64_t number : part.local2global) count_node(number);
     for (const TetRange& range : ranges_of(part)) add_tets(part, range, here);
+    add_others(part, here);
     if (spacing_) add_edges(part);
     figures_.tets += here.tets;
     figures_.boundary_triangles += here.boundary_triangles;
@@ -94,6 +95,26 @@ class Figures {
       const auto number = figures_.tets + static_cast<std::int64_t>(range.first + t);
       consider(shape, number, is_near[t], here);
     }
+  }
+
+  void add_others(const NumberedPart& part, SubdomainFigures& here) {
+    std::vector<Vec3> corners;
+    for_each_block_cell(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
+                                         std::int32_t in_region) {
+      corners.clear();
+      for (const std::int32_t v : nodes) corners.push_back(part.nodes[at(v)]);
+      const auto volume = static_cast<double>(element_volume(type, corners));
+      const double jacobian = scaled_jacobian(type, corners);
+      CellFigures& figures = figures_.others[type];
+      ++figures.cells;
+      figures.volume += volume;
+      figures.least_scaled_jacobian = std::min(figures.least_scaled_jacobian, jacobian);
+      figures.sum_of_scaled_jacobians += jacobian;
+      here.volume += volume;
+      figures_.regions.resize(std::max(figures_.regions.size(), at(in_region)));
+      figures_.regions[at(in_region - 1)].volume += volume;
+    });
+    figures_.boundary_quads += std::ssize(part.blocks[ElementType::quad].regions);
   }
 
   /// Keeps it when it is among the worst.

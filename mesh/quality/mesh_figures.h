@@ -36,6 +36,17 @@ struct WorstTet {
   bool is_near_cut = false;
 };
 
+/// Of the cells of a type that are no tets. Dihedral angles, heights and radius ratios are of tets.
+struct CellFigures {
+  std::int64_t cells = 0;
+  double volume = 0;
+  double least_scaled_jacobian = 1;  ///< see elements.h
+  double sum_of_scaled_jacobians = 0;
+  double mean_scaled_jacobian() const {
+    return cells > 0 ? sum_of_scaled_jacobians / static_cast<double>(cells) : 0;
+  }
+};
+
 struct SubdomainFigures {
   std::int64_t tets = 0;
   std::int64_t nodes = 0;
@@ -59,7 +70,9 @@ struct MeshFigures {
   std::int64_t nodes = 0;  ///< each once
   std::int64_t tets = 0;
   std::int64_t boundary_triangles = 0;
+  std::int64_t boundary_quads = 0;
   double volume = 0;
+  ByType<CellFigures> others;
   TetFigures all;
   TetFigures near_cuts;  ///< within layers_near_cuts; none when the file knows no sub-domains
   TetFigures away_from_cuts;

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/edge_recovery.h"
 #include "mesh/recovery/face_recovery.h"
@@ -18,8 +19,6 @@ namespace tetfarm {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// How deep a pass searches for each thing that is missing: what is near goes first, and makes
 /// room. Chains of flips through fans of needles are some twenty long.

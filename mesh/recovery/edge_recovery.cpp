@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// How the ray from a through b leaves the tet of a's star: the weights of the three other nodes,
 /// of which only the signs are exact.

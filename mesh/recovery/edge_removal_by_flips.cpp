@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/ring_triangulation.h"
 
@@ -13,8 +14,6 @@ namespace {
 constexpr std::size_t longest_whole_ring = 8;
 /// Longer rings than this are worked off for the outermost edge only.
 constexpr std::size_t longest_inner_ring = 20;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// An apex of a ring between its neighbours.
 struct Apex {

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::vector<std::array<std::int32_t, 2>> piercing_edges(const LocalRemeshing& mesh,
                                                         const Triangle& face) {
   std::vector<std::array<std::int32_t, 2>> found;

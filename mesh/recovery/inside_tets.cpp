@@ -2,12 +2,11 @@
 
 #include <array>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Whether the outward face of a tet turns as the triangle with the same nodes does.
 bool turns_alike(const std::array<std::int32_t, 3>& face, const Triangle& triangle) {

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 RecoverySurface::RecoverySurface(std::span<const Triangle> triangles, std::int32_t nodes)
     : triangles_(triangles), edge_begin_(at(nodes) + 1, 0), triangle_begin_(at(nodes) + 1, 0) {
   std::vector<std::array<std::int32_t, 2>> edges;

@@ -4,13 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/kernel_point.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr int most_tets_taken_in = 16;
 /// Faces that hem the node in, of which the tets beyond are tried.

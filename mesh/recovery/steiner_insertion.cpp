@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/face_recovery.h"
 
@@ -11,8 +12,6 @@ namespace tetfarm {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr DoubleDouble one_half = {0.5, 0};
 

@@ -6,14 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/kernel_point.h"
 #include "mesh/recovery/surface_fans.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A part of the star that constrained faces part from the rest, and the triangles that will close
 /// it, as seen from within: their corners turn anticlockwise.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/recovery/edge_removal_by_flips.h"
 #include "mesh/recovery/kernel_point.h"
@@ -11,8 +12,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::int32_t> neighbours_of(const LocalRemeshing& mesh, std::int32_t node,
                                         const std::vector<std::int32_t>& star) {

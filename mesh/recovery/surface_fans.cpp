@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Looks at a boundary triangle's plane from where the triangle turns anticlockwise.
 class PlaneView {

@@ -4,13 +4,12 @@
 #include <iterator>
 #include <numeric>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool holds(const std::vector<std::int32_t>& ids, std::int32_t id) {
   return std::binary_search(ids.begin(), ids.end(), id);

@@ -13,6 +13,21 @@ Triangle sorted(Triangle nodes) {
   return nodes;
 }
 
+/// Calls visit(triangle) for a triangle, or for the halves of a quad, which are the same ones from
+/// either side.
+template <class Visit>
+void for_each_half(std::span<const std::int32_t> face, const Visit& visit) {
+  if (face.size() == 3) {
+    visit(Triangle{face[0], face[1], face[2]});
+    return;
+  }
+  const auto lowest =
+      static_cast<std::size_t>(std::min_element(face.begin(), face.end()) - face.begin());
+  const auto corner = [&](std::size_t k) { return face[(lowest + k) % 4]; };
+  visit(Triangle{corner(0), corner(1), corner(2)});
+  visit(Triangle{corner(0), corner(2), corner(3)});
+}
+
 }  // namespace
 
 std::vector<ShownFace> surface_faces(const NumberedPart& part) {
@@ -21,12 +36,16 @@ std::vector<ShownFace> surface_faces(const NumberedPart& part) {
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     faces.push_back({part.faces[i], part.patch_of_face[i], part.region_of_boundary(i)});
   }
+  for_each_block_face(part.blocks, [&](ElementType, std::span<const std::int32_t> face,
+                                       std::int32_t region, std::int32_t patch) {
+    for_each_half(face, [&](const Triangle& half) { faces.push_back({half, patch, region}); });
+  });
   return faces;
 }
 
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
   TF_CHECK(is_kept.size() == part.tets.size());
-  std::vector<std::pair<Triangle, std::size_t>> all;  // with their tets
+  std::vector<std::pair<Triangle, std::size_t>> all;  // with their cells
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     if (!is_kept[t]) continue;
     for (const auto& [i, j, k] : tet_face_nodes) {
@@ -34,6 +53,16 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
       all.emplace_back(sorted({node(i), node(j), node(k)}), t);
     }
   }
+  std::size_t cell = part.tets.size();
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
+        const std::size_t here = cell++;
+        if (!is_kept[here]) return;
+        for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int32_t> face) {
+          for_each_half(face, [&](const Triangle& half) { all.emplace_back(sorted(half), here); });
+        });
+      });
+  const std::vector<std::int32_t> regions = regions_of_cells(part);
   std::sort(all.begin(), all.end());
   std::vector<ShownFace> surface = surface_faces(part);
   for (ShownFace& face : surface) face.nodes = sorted(face.nodes);
@@ -44,7 +73,7 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
     std::size_t end = i + 1;
     while (end < all.size() && all[end].first == all[i].first) ++end;
     if (end == i + 1) {
-      ShownFace face{all[i].first, -1, part.region_of(all[i].second)};
+      ShownFace face{all[i].first, -1, regions[all[i].second]};
       const auto found = std::lower_bound(surface.begin(), surface.end(), face, before);
       if (found != surface.end() && found->nodes == face.nodes) face.patch = found->patch;
       faces.push_back(face);

@@ -8,18 +8,19 @@
 
 namespace tetfarm {
 
-/// A triangle to be drawn, with local node numbers of the part.
+/// A triangle to be drawn, with local node numbers of the part. A quad is two, cut at its lowest
+/// node.
 struct ShownFace {
   Triangle nodes;
   std::int32_t patch = -1;  ///< of the input surface; -1: inside of the domain
   std::int32_t region = 1;
 };
 
-/// The triangles of the input surface that the part has.
+/// The triangles of the input surface that the part has, and the halves of its boundary quads.
 std::vector<ShownFace> surface_faces(const NumberedPart& part);
 
-/// The faces that exactly one of the tets has for which is_kept is true. Sorted by their nodes.
-/// @pre is_kept has one entry for each tet. Cost: O(n log n).
+/// The faces that exactly one of the cells has for which is_kept is true. Sorted by their nodes.
+/// @pre is_kept has one entry for each tet, then for each cell in blocks. Cost: O(n log n).
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept);
 
 }  // namespace tetfarm

@@ -171,8 +171,10 @@ class MeshRenderer {
           return !has_bodies_ || is_in(is_body_, face.patch);
         });
       case View::exploded:
-        return draw_faces(part, outer_faces(part, std::vector<bool>(part.tets.size(), true)),
-                          moves_[drawn_++], [](const ShownFace&) { return true; });
+        return draw_faces(
+            part,
+            outer_faces(part, std::vector<bool>(static_cast<std::size_t>(cells_of(part)), true)),
+            moves_[drawn_++], [](const ShownFace&) { return true; });
       case View::cut:
         return draw_cut(part);
     }
@@ -185,6 +187,12 @@ class MeshRenderer {
       for (const std::int32_t v : tet) sum += part.nodes[static_cast<std::size_t>(v)];
       is_kept.push_back(dot(normal_, 0.25 * sum) < at_);
     }
+    for_each_block_cell(
+        part.blocks, [&](ElementType, std::span<const std::int32_t> nodes, std::int32_t) {
+          Vec3 sum;
+          for (const std::int32_t v : nodes) sum += part.nodes[static_cast<std::size_t>(v)];
+          is_kept.push_back(dot(normal_, sum / static_cast<double>(nodes.size())) < at_);
+        });
     draw_faces(part, outer_faces(part, is_kept), Vec3{},
                [this](const ShownFace& face) { return !is_in(is_body_, face.patch); });
     draw_faces(part, surface_faces(part), Vec3{},

@@ -27,7 +27,7 @@ Vec3 normal_of(const Direction& d) {
 
 /// The multiple of the largest power of two in [low, high].
 /// @pre low <= high, and the two are far from the limits of the type.
-std::int64_t roundest_between(std::int64_t low, std::int64_t high) {
+std::int64_t coarsest_between(std::int64_t low, std::int64_t high) {
   TF_CHECK(low <= high);
   std::int64_t step = 1;
   const auto largest_multiple = [high](std::int64_t of) {
@@ -59,7 +59,7 @@ std::optional<LatticePlane> coarsest_lattice_plane(const GridFrame& frame, std::
       2.0 * octree_span, std::floor(largest_offset * per_offset - static_cast<double>(origin)));
   if (!(low <= high)) return std::nullopt;
   const std::int64_t sum =
-      roundest_between(static_cast<std::int64_t>(low), static_cast<std::int64_t>(high));
+      coarsest_between(static_cast<std::int64_t>(low), static_cast<std::int64_t>(high));
   return LatticePlane{d.axis,       d.other_axis,
                       d.sign,       static_cast<std::int32_t>(sum),
                       normal_of(d), static_cast<double>(origin + sum) * frame.unit * inverse_sqrt2};

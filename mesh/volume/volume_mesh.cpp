@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
@@ -19,8 +20,6 @@ namespace tetfarm {
 namespace {
 
 constexpr std::int32_t enclosing_nodes = 4;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Triangles at a node of the boundary: the place of an error.
 std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t node) {

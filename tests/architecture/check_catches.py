@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Exceptions are caught in the places that ARCHITECTURE.md ("Errors") names, and in no others.
 
-PLACES says for each of these files how many catches it has, under the kind of place. Fails on a catch in
+PLACES says for each kind of place which files have how many catches of it. Fails on a catch in
 another file, on one more in one of these, and on a number that is too high: who takes a catch away lowers it.
 With --count prints how many there are in how many files.
 """
 
+import collections
 import pathlib
 import re
 import sys
@@ -57,6 +58,14 @@ PLACES = {
         "proto/authorized_keys.cpp": 1,
         "proto/wire.cpp": 1,
     },
+    "what was begun is undone, and the exception goes on": {
+        "cli/converted_meshes.cpp": 1,
+        "cli/local_farm.cpp": 1,
+        "coordinator/surface_roots.cpp": 1,
+        "mesh/formats/registry/export_mesh.cpp": 1,
+        "store/database_backup.cpp": 2,
+        "store/job_database.cpp": 2,
+    },
     "a volume that cannot be filled is filled in another way": {
         "mesh/library/leaf_mesh.cpp": 4,
         "mesh/volume/volume_mesh.cpp": 1,
@@ -80,10 +89,12 @@ def catches(root):
 
 def check(found, places):
     """What is wrong with the files of catches(), a line each."""
-    allowed = {name: number for files in places.values() for name, number in files.items()}
+    allowed = collections.Counter()
+    for files in places.values():
+        allowed.update(files)
     wrong = []
     for name in sorted(found.keys() | allowed.keys()):
-        has, may = found.get(name, 0), allowed.get(name, 0)
+        has, may = found.get(name, 0), allowed[name]
         if has > may:
             wrong.append(f"{name}: {has} catches, {may} are allowed; return what is expected, and let the rest through")
         elif has < may:

@@ -3,7 +3,7 @@
 
 import unittest
 
-from check_layers import ROOMS, check
+from check_layers import FOR_FORMATS, ROOMS, check
 
 TABLE = {"base": [], "mesh/core": ["base"], "store": ["base"], "worker": ["mesh/core", "base"]}
 
@@ -45,6 +45,20 @@ class CheckLayers(unittest.TestCase):
         cmake = "add_room(base)\nadd_room(mesh/core base)\nadd_room(store base mesh/core)\n" \
                 "add_room(worker mesh/core base)\n"
         self.assertIn("add_room(store)", check({}, TABLE, cmake)[0])
+
+    def test_a_folder_of_formats_needs_only_its_line(self):
+        table = {room: [] for room in FOR_FORMATS} | {"store": []}
+        cmake = "".join(f"add_room({room})\n" for room in table) + "add_format(su2 store)\n"
+        files = {"mesh/formats/su2/a.h": '#include "mesh/formats/list/b.h"\n#include "store/c.h"\n'}
+        self.assertEqual(check(files, table, cmake), [])
+        for other in ("worker/a.h", "mesh/formats/stl/a.h"):
+            self.assertTrue(check({"mesh/formats/su2/a.h": f'#include "{other}"\n'} | {other: ""}, table, cmake))
+        unused = {"mesh/formats/su2/a.h": ""}
+        self.assertEqual(check(unused, table, cmake),
+                         ["mesh/formats/su2 includes nothing of store, which the table lets it"])
+
+    def test_refuses_a_line_of_formats_with_a_room_that_is_none(self):
+        self.assertIn("kitchen", check({}, TABLE, "add_format(su2 kitchen)\n")[0])
 
     def test_tests_see_every_room(self):
         self.assertEqual(check({"tests/base/a_test.cpp": '#include "worker/a.h"\n'}, TABLE), [])

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Every path that docs/thesis_map.md, README.md and ARCHITECTURE.md name is there.
 
-A path is what stands in backquotes or in a link, and has a slash or the ending of a source file.
+A path is what stands in a link, or in backquotes with a slash and begins with a folder of the
+repository or ends as a source does. What is built (`build/`, `out/`) is left out.
 `a/b.h` also stands for b.cpp; `a/b.*` for any ending; a folder ends with a slash. Argument: the root
 of the repository.
 """
@@ -13,15 +14,17 @@ import sys
 QUOTED = re.compile(r"`([A-Za-z0-9_./*-]+)`|\]\(([A-Za-z0-9_./-]+)\)")
 
 
-def is_path(text):
+SOURCES = (".h", ".cpp", ".py", ".sh", ".proto", ".cmake")
+
+
+def is_path(text, folders):
     first = text.split("/")[0]
-    return "/" in text and not first.startswith("-") and first in (
-        "base", "mesh", "proto", "store", "coordinator", "worker", "cli", "tests", "docs", "bench",
-        "deploy", "examples", "cmake", ".ci")
+    return "/" in text and (first in folders or text.endswith(SOURCES))
 
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    folders = {path.name for path in root.iterdir() if path.is_dir()} - {"build", "out"}
     missing, count = [], 0
     for name in ("docs/thesis_map.md", "README.md", "ARCHITECTURE.md"):
         if not (root / name).is_file():
@@ -30,7 +33,7 @@ def main():
         for quoted, linked in QUOTED.findall((root / name).read_text(encoding="utf-8")):
             if linked:
                 found = ((root / name).parent / linked).exists()
-            elif is_path(quoted):
+            elif is_path(quoted, folders):
                 found = any(root.glob(quoted.rstrip("/")))
             else:
                 continue

@@ -19,7 +19,9 @@ TEST(UndoUnlessDone, undoes_what_an_exception_cut_short) {
 
 TEST(UndoUnlessDone, undoes_what_a_return_left_half_done) {
   int undone = 0;
-  { const UndoUnlessDone begun([&undone] { ++undone; }); }
+  {
+    const UndoUnlessDone begun([&undone] { ++undone; });
+  }
   EXPECT_EQ(undone, 1);
 }
 

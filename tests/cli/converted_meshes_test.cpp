@@ -16,8 +16,8 @@ using ::testing::SizeIs;
 TEST(ConvertedMeshes, are_of_all_formats_that_export_writes) {
   const auto named = job_output_formats();
   const std::vector<std::string_view> names(named.begin(), named.end());
-  for (const MeshFormat& format : mesh_formats()) EXPECT_THAT(names, Contains(format.name));
-  EXPECT_THAT(names, SizeIs(mesh_formats().size()));
+  for (const Format& format : written_formats()) EXPECT_THAT(names, Contains(format.name));
+  EXPECT_THAT(names, SizeIs(written_formats().size()));
 }
 
 TEST(ConvertedMeshes, have_a_name_each) {

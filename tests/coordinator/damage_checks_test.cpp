@@ -1,4 +1,5 @@
 #include "coordinator/damage_checks.h"
+#include "tasks/failure_cause.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +14,11 @@ using Verdict = CheckedFile::Verdict;
 
 class DamageChecksTest : public testing::Test {
  protected:
-  void say(WorkerId worker) { checks_.take({worker, TaskId{3}, attempt_, {}}, files_); }
+  void say(WorkerId worker) {
+    TaskFailure failure;
+    failure.cause = FailureCause::damaged_input;
+    checks_.take({worker, TaskId{3}, attempt_, failure}, files_);
+  }
   std::optional<DamageChecks::Failure> note(const ArtifactRef& file, Verdict verdict) {
     return checks_.note({attempt_, file.hash, verdict});
   }
@@ -33,7 +38,7 @@ TEST_F(DamageChecksTest, the_failure_comes_back_with_the_damaged_ones_when_all_w
   const auto failure = note(files_[1], Verdict::sound);
   ASSERT_TRUE(failure);
   EXPECT_THAT(failure->what.damaged_inputs, ElementsAre("a"));
-  EXPECT_FALSE(failure->what.killed);
+  EXPECT_EQ(failure->what.cause, FailureCause::damaged_input);
 }
 
 TEST_F(DamageChecksTest, where_all_are_sound_the_attempt_is_as_a_killed_one) {
@@ -41,7 +46,7 @@ TEST_F(DamageChecksTest, where_all_are_sound_the_attempt_is_as_a_killed_one) {
   note(files_[0], Verdict::sound);
   const auto failure = note(files_[1], Verdict::sound);
   ASSERT_TRUE(failure);
-  EXPECT_TRUE(failure->what.killed);
+  EXPECT_EQ(failure->what.cause, FailureCause::killed);
   EXPECT_THAT(failure->what.damaged_inputs, IsEmpty());
 }
 

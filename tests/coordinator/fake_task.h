@@ -3,16 +3,18 @@
 #pragma once
 
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/hash.h"
 #include "coordinator/decisions/task_graph.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "tasks/task_contracts.h"
 
 namespace tetfarm {
 
-inline ArtifactRef make_believe_file(const std::string& name, const std::string& content) {
+inline ArtifactRef fake_file(const std::string& name, const std::string& content) {
   const std::string hash = hash128(content).hex();
   return {name, hash, content.size() + 1};
 }
@@ -25,9 +27,9 @@ inline std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) 
 
 /// The inspect task of a job of so many parts, done.
 inline TaskRow inspected(double parts) {
-  TaskRow task = inspect_task(JobId{1}, make_believe_file("job", "j"), {});
-  task.outputs = {make_believe_file("surface", "s"), make_believe_file("spacing", "p"),
-                  make_believe_file("root", "r"), make_believe_file("settings", "t")};
+  TaskRow task = inspect_task(JobId{1}, fake_file("job", "j"), {});
+  task.outputs = {fake_file("surface", "s"), fake_file("spacing", "p"), fake_file("root", "r"),
+                  fake_file("settings", "t")};
   task.numbers["parts"] = parts;
   return task;
 }
@@ -50,11 +52,11 @@ inline void assimilate_make_believe(const TaskRow& task, const std::string& seed
     const std::string first = group2first.emplace(leaves++ % 3, heap).first->second;
     if (first == heap) {
       const std::string name = "group:" + heap;
-      result.outputs.push_back(make_believe_file(name, seed + name));
+      result.outputs.push_back(fake_file(name, seed + name));
     }
     result.texts["groups"] += heap + " " + first + "\n";
   }
-  result.outputs.push_back(make_believe_file("dropped", seed + "dropped"));
+  result.outputs.push_back(fake_file("dropped", seed + "dropped"));
 }
 
 inline void decompose_make_believe(const std::string& seed, TaskResult& result) {
@@ -64,30 +66,46 @@ inline void decompose_make_believe(const std::string& seed, TaskResult& result) 
     return;
   }
   for (const char* side : {"left", "right"}) {
-    result.outputs.push_back(make_believe_file(side, seed + side));
+    result.outputs.push_back(fake_file(side, seed + side));
   }
   result.numbers["interdomain_nodes"] = static_cast<double>(hash.low % 50);
   result.numbers["left_work"] = static_cast<double>(hash.low % 500);
   result.numbers["right_work"] = static_cast<double>(hash.high % 500);
+  result.numbers["left_needles"] = 0;
+  result.numbers["right_needles"] = static_cast<double>(hash.low % 3);
+}
+
+/// @throws std::logic_error where a worker refuses the task.
+inline void require_given(const TaskRow& task) {
+  TaskWords words;
+  for (const ArtifactRef& file : task.inputs) {
+    words.files.push_back({file.name, {file.hash, file.size}});
+  }
+  words.texts = task.parameters;
+  const std::string breach = breach_of_given(task.kind, words);
+  if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 
 inline TaskResult run_make_believe(const TaskRow& task) {
+  require_given(task);
   const std::string seed = work_name(task);
   const Hash128 hash = hash128(seed);
   TaskResult result;
   const auto add = [&](const char* name) {
-    result.outputs.push_back(make_believe_file(name, seed + name));
+    result.outputs.push_back(fake_file(name, seed + name));
   };
   switch (task.kind) {
     case TaskKind::inspect: {
       // What lies in the surface does not depend on the number of parts.
       for (const char* name : {"surface", "spacing", "root", "settings"}) {
-        result.outputs.push_back(make_believe_file(name, name));
+        result.outputs.push_back(fake_file(name, name));
       }
       const std::uint64_t size = task.inputs.front().size;
       result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000)},
                         {"groups", static_cast<double>(size < 1000 ? 0 : size % 1000)},
                         {"total_work", 1000},
+                        {"most_bytes", 0},
+                        {"needles", 0},
                         {"across_cuts", 1}};
       break;
     }

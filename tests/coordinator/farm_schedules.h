@@ -13,7 +13,8 @@
 
 namespace tetfarm::simulation {
 
-/// What must not depend on the course of events.
+/// What must not depend on the course of events. The numbers of jobs do: of two submissions the one
+/// that arrives first has the smaller one, so that jobs are listed by their keys.
 inline std::string final_table(const DurableState& state) {
   std::map<std::string, std::string> lines;
   for (const auto& [id, task] : state.tasks) {
@@ -25,8 +26,10 @@ inline std::string final_table(const DurableState& state) {
     const std::string& key = state.jobs.at(task.job).key;
     lines[key + " " + name_of(task.kind) + " " + std::to_string(task.path)] = line;
   }
+  std::map<std::string, JobPhase> key2phase;
+  for (const auto& [id, job] : state.jobs) key2phase[job.key] = job.phase;
   std::string text;
-  for (const auto& [id, job] : state.jobs) text += job.key + " " + name_of(job.phase) + "\n";
+  for (const auto& [key, phase] : key2phase) text += key + " " + name_of(phase) + "\n";
   for (const auto& [name, line] : lines) text += name + " " + line + "\n";
   return text;
 }

@@ -15,6 +15,7 @@
 #include "base/file_system.h"
 #include "proto/authorized_keys.h"
 #include "store/artifact_store.h"
+#include "tasks/failure_cause.h"
 #include "tests/base/temp_folder.h"
 #include "tests/coordinator/child_coordinator.h"
 
@@ -343,8 +344,7 @@ TEST_F(Security, an_old_attempts_message_sent_again_is_stale) {
   wire::Envelope failed;
   failed.mutable_failed()->set_task(first.task());
   failed.mutable_failed()->set_attempt(first.attempt());
-  failed.mutable_failed()->set_may_retry(true);
-  failed.mutable_failed()->set_killed(true);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::killed));
   EXPECT_TRUE(worker.ask(failed).accepted().taken());
   const wire::Assign second = worker.ask(ready()).assign();
   EXPECT_EQ(second.task(), first.task());

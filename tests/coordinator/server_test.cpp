@@ -19,6 +19,8 @@
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "store/job_database.h"
+#include "tasks/failure_cause.h"
+#include "tasks/task_kind.h"
 #include "tests/base/temp_folder.h"
 #include "tests/coordinator/child_coordinator.h"
 #include "tests/coordinator/store_messages.h"
@@ -54,25 +56,31 @@ class ServerTest : public testing::Test, protected test::WithStore {
           store_.publish(name + std::to_string(assign.kind()) + std::to_string(assign.path())));
     };
     auto& numbers = *done.mutable_numbers();
-    switch (assign.kind()) {
-      case wire::INSPECT:
+    switch (task_kind_on_wire(assign.kind()).value()) {
+      case TaskKind::inspect:
         for (const char* name : {"surface", "spacing", "root", "settings"}) add(name);
+        for (const char* name : {"total_work", "groups", "most_bytes", "needles", "across_cuts"}) {
+          numbers[name] = 0;
+        }
         numbers["parts"] = 3;
         break;
-      case wire::DECOMPOSE:
+      case TaskKind::decompose:
         for (const char* name : {"left", "right"}) add(name);
+        for (const char* name : {"left_work", "right_work", "left_needles", "right_needles"}) {
+          numbers[name] = 0;
+        }
         numbers["interdomain_nodes"] = 4;
         break;
-      case wire::MESH:
+      case TaskKind::mesh:
         add("mesh");
         numbers["interior_nodes"] = 10;
         numbers["tets"] = 100;
         break;
-      case wire::NUMBER:
+      case TaskKind::number:
         add("numbering");
         (*done.mutable_texts())["table"] = assign.parameters().at("table");
         break;
-      case wire::WRITE:
+      case TaskKind::write:
         add("portion");
         add("tets");
         break;
@@ -86,7 +94,7 @@ class ServerTest : public testing::Test, protected test::WithStore {
     wire::Envelope failed;
     failed.mutable_failed()->set_task(assign.task());
     failed.mutable_failed()->set_attempt(assign.attempt());
-    failed.mutable_failed()->set_may_retry(true);
+    failed.mutable_failed()->set_cause(on_wire(FailureCause::damaged_input));
     failed.mutable_failed()->add_damaged_inputs(hash);
     return failed;
   }
@@ -396,7 +404,8 @@ TEST_F(ServerTest, killed_before_every_result_it_goes_on_and_accepts_each_once) 
     EXPECT_EQ(welcome.welcome().keep_running(), running.has_value());
     if (running) {
       const wire::Envelope result = done(*running);
-      if (running->kind() == wire::NUMBER) table = result.done().texts().at("table");
+      if (running->kind() == traits_of(TaskKind::number).on_wire)
+        table = result.done().texts().at("table");
       if (worker.ask(result).accepted().taken()) ++taken;
       running.reset();
       if (taken == tasks_of_the_job) break;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "coordinator/decisions/message_translation.h"
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/farm_invariants.h"
 #include "tests/coordinator/simulated_world.h"
 
@@ -278,7 +279,7 @@ class Coordinator {
       }
     }
     const bool claims = message.damaged_inputs_size() > 0;
-    if (failure.damaged_inputs.empty() && claims) failure.killed = true;
+    if (failure.damaged_inputs.empty() && claims) failure.cause = FailureCause::killed;
     state_->failed(worker, TaskId{message.task()}, AttemptId{message.attempt()}, failure, moment());
   }
 

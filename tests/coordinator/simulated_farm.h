@@ -152,7 +152,7 @@ class Farm {
     });
   }
 
-  static ArtifactRef surface() { return make_believe_file("input_surface", "flange"); }
+  static ArtifactRef surface() { return fake_file("input_surface", "flange"); }
 
   // ---- time and trouble
   void go_to_the_next_event() {

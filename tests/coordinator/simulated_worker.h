@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/fake_task.h"
 #include "tests/coordinator/simulated_world.h"
 #include "worker/decisions/worker_state.h"
@@ -79,10 +80,7 @@ inline wire::Envelope failed_message(const wire::Assign& assign, const TaskFailu
   failed.set_attempt(assign.attempt());
   failed.set_message("make-believe");
   failed.set_exit_code(failure.exit_code);
-  failed.set_may_retry(failure.may_retry);
-  failed.set_out_of_resources(failure.out_of_resources);
-  failed.set_killed(failure.killed);
-  failed.set_out_of_memory(failure.out_of_memory);
+  failed.set_cause(on_wire(failure.cause));
   failed.set_peak_rss_bytes(failure.peak_rss_bytes);
   for (const std::string& hash : failure.damaged_inputs) failed.add_damaged_inputs(hash);
   return envelope;
@@ -289,7 +287,7 @@ class Worker {
     const wire::Assign assign = child_->assign;
     if (child_->is_overdue) {
       TaskFailure failure;
-      failure.may_retry = true;
+      failure.cause = FailureCause::error;
       return end_child(failed_message(assign, failure), world);
     }
     const TaskRow& task = world.tasks.at(TaskId{assign.task()});
@@ -322,19 +320,23 @@ class Worker {
       const bool is_at_hand = child_->is_apart || world.disk.has(input);
       if (!is_at_hand) failure.damaged_inputs.push_back(input.hash);
     }
-    failure.may_retry = !failure.damaged_inputs.empty() || host_ == world.bad_host ||
-                        world.random.chance(world.trouble.crash);
-    failure.killed = !failure.may_retry && world.random.chance(world.trouble.kill);
+    const bool errs = !failure.damaged_inputs.empty() || host_ == world.bad_host ||
+                      world.random.chance(world.trouble.crash);
+    const bool killed = !errs && world.random.chance(world.trouble.kill);
     const auto attempt = world.rooms.find(AttemptId{child_->assign.attempt()});
     const std::uint64_t room = attempt == world.rooms.end() ? 0 : attempt->second.memory_bytes;
     const std::uint64_t had = room == 0 ? memory_bytes_ : room;
     if (world.is_giant(task)) failure.peak_rss_bytes = had;
-    failure.out_of_memory = world.is_giant(task) || room_of(task) > memory_bytes_ ||
-                            (room_of(task) > had && world.random.chance(world.trouble.hungry));
-    failure.out_of_resources = world.random.chance(world.trouble.full_disk);
-    const bool fails =
-        failure.may_retry || failure.killed || failure.out_of_memory || failure.out_of_resources;
-    return fails ? std::optional(failure) : std::nullopt;
+    const bool starves = world.is_giant(task) || room_of(task) > memory_bytes_ ||
+                         (room_of(task) > had && world.random.chance(world.trouble.hungry));
+    const bool is_full = world.random.chance(world.trouble.full_disk);
+    if (!errs && !killed && !starves && !is_full) return std::nullopt;
+    failure.cause = !failure.damaged_inputs.empty() ? FailureCause::damaged_input
+                    : starves                       ? FailureCause::out_of_memory
+                    : is_full                       ? FailureCause::disk_full
+                    : killed                        ? FailureCause::killed
+                                                    : FailureCause::error;
+    return failure;
   }
 
   std::string host_;

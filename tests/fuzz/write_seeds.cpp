@@ -14,6 +14,7 @@
 #include "proto/file_chunks.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
+#include "tasks/failure_cause.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -98,7 +99,7 @@ void write_messages(const fs::path& folder) {
   const auto failed = with([](wire::Envelope& e) {
     e.mutable_failed()->set_task(1);
     e.mutable_failed()->set_attempt(1);
-    e.mutable_failed()->set_may_retry(true);
+    e.mutable_failed()->set_cause(on_wire(FailureCause::damaged_input));
     e.mutable_failed()->set_message("m");
     e.mutable_failed()->add_damaged_inputs(std::string(32, 'b'));
   });

@@ -281,6 +281,94 @@ CHECKS = [
 ]
 
 
+# What is said of a mesh of all types of cells.
+KINDS = ("nodes", "tets", "pyramids", "prisms", "hexes", "triangles", "quads")
+
+
+def mixed(which, *left_out):
+    def check(export, name):
+        found = library(export, which, name)
+        for what in left_out:
+            found.pop(what, None)
+        export.compare(found)
+        return found
+    return check
+
+
+def mixed_with_preprocessor(export, name):
+    said = run([PREPROCESSOR, "--out", "saturne.out", name], export.folder)
+    found = {"nodes": number(r"Number of vertices[ :]+(\d+)", said),
+             "cells": number(r"Number of cells[ :]+(\d+)", said),
+             "boundary faces": number(r"Number of boundary faces[ :]+(\d+)", said)}
+    export.compare(found)
+    return found
+
+
+def mixed_with_gmsh_to_foam(export, name):
+    case = export.folder / "converted"
+    case.mkdir()
+    make_case(export, "converted", [])
+    run(["gmshToFoam", "../" + name], case)
+    said = run(["checkMesh"], case)
+    found = {"nodes": number(r"\n\s+points:\s+(\d+)", said),
+             "hexes": number(r"\n\s+hexahedra:\s+(\d+)", said),
+             "prisms": number(r"\n\s+prisms:\s+(\d+)", said),
+             "pyramids": number(r"\n\s+pyramids:\s+(\d+)", said),
+             "tets": number(r"\n\s+tetrahedra:\s+(\d+)", said),
+             "volume": number(r"Total volume = ([\d.e+-]+?)\.? ", said)}
+    export.compare(found)
+    return found
+
+
+MIXED_CHECKS = [
+    ("vtkhdf", "m.vtkhdf", "VTK", mixed("vtk-mixed")),
+    ("pvtu", "m.pvtu", "VTK", mixed("vtk-mixed")),
+    ("cgns", "m.cgns", "cgnscheck", with_cgnscheck),
+    ("cgns", "m.cgns", "VTK", mixed("vtk-mixed", "volume")),  # its wedges stay as CGNS has them
+    ("cgns", "m.cgns", "code_saturne preprocessor", mixed_with_preprocessor),
+    ("lb8.ugrid", "m.lb8.ugrid", "meshio", mixed("meshio-mixed")),
+    ("b8.ugrid", "m.b8.ugrid", "meshio", mixed("meshio-mixed")),
+    ("lb8l.ugrid", "m.lb8l.ugrid", "meshio", mixed("meshio-mixed")),
+    ("b8l.ugrid", "m.b8l.ugrid", "meshio", mixed("meshio-mixed")),
+    ("msh41", "m41.msh", "gmsh -check", with_gmsh),
+    ("msh41", "m41.msh", "meshio", mixed("meshio-mixed")),
+    ("msh41-text", "m41t.msh", "meshio", mixed("meshio-mixed")),
+    ("msh22", "m22.msh", "gmsh -check", with_gmsh),
+    ("msh22", "m22.msh", "meshio", mixed("meshio-mixed")),
+    ("msh22", "m22.msh", "OpenFOAM gmshToFoam, checkMesh", mixed_with_gmsh_to_foam),
+    ("su2", "m.su2", "meshio", mixed("meshio-mixed", "volume")),  # it takes wedges for Gmsh's
+    ("meshb", "m.meshb", "meshio", mixed("meshio-mixed")),
+]
+
+
+def mixed_table(export):
+    """The same as table() for a mesh of all types."""
+    wrong = 0
+    print("\nall types of cells:\n")
+    print("| format | read by | " + " | ".join(KINDS) + " | |\n|---|---|" + "--:|" * len(KINDS) + "---|")
+    for form, name, reader, check in MIXED_CHECKS:
+        try:
+            export.write(form, name)
+            found, said = check(export, name), "the same"
+        except Wrong as error:
+            found, said = {}, f"WRONG: {error}"
+            wrong += 1
+        counts = " | ".join(f"{int(found[what])}" if what in found else "" for what in KINDS)
+        print(f"| `{form}` | {reader} | {counts} | {said} |", flush=True)
+    return wrong
+
+
+def mixed_export(program, folder):
+    export = Export(program, pathlib.Path(__file__).resolve().parent / "all_types.msh", folder, 2)
+    mesh = export.mesh
+    for kind in ("pyramids", "prisms", "hexes"):
+        export.expected[kind] = mesh[kind]["count"]
+    export.expected["quads"] = mesh["boundary_quads"]
+    export.expected["cells"] = sum(export.expected[k] for k in ("tets", "pyramids", "prisms", "hexes"))
+    export.expected["boundary faces"] = mesh["boundary_triangles"] + mesh["boundary_quads"]
+    return export
+
+
 # Formats in which parts are seen.
 WITH_PARTS = ("vtkhdf", "pvtu", "cgns", "msh41-split", "msh41-ghosts", "openfoam-decomposed")
 
@@ -326,7 +414,9 @@ def main():
         as_meshed = Export(program, folder / "out", folder / "as_meshed", SUBDOMAINS)
         in_parts = Export(program, folder / "out", folder / "in_parts", PARTITIONS, ["--partitions", PARTITIONS])
         print("expected:", as_meshed.expected)
-        return 1 if table(as_meshed) + table(in_parts, WITH_PARTS) else 0
+        all_types = mixed_export(program, folder / "all_types")
+        wrong = table(as_meshed) + table(in_parts, WITH_PARTS) + mixed_table(all_types)
+        return 1 if wrong else 0
 
 
 if __name__ == "__main__":

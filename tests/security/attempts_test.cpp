@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tasks/failure_cause.h"
 #include "tests/security/raw_worker.h"
 
 namespace tetfarm {
@@ -85,7 +86,7 @@ TEST_F(Attempts, a_guessed_nonce_under_the_same_key_takes_no_attempt_over) {
 
 TEST_F(Attempts, an_attempt_that_is_over_cannot_be_brought_again) {
   wire::Envelope killed = failed_message(held_.task(), held_.attempt());
-  killed.mutable_failed()->set_killed(true);
+  killed.mutable_failed()->set_cause(on_wire(FailureCause::killed));
   EXPECT_TRUE(owner_.is_taken(killed));
   EXPECT_FALSE(owner_.is_taken(done_message(held_.task(), held_.attempt())));
   EXPECT_FALSE(owner_.is_taken(failed_message(held_.task(), held_.attempt())));
@@ -162,6 +163,7 @@ TEST_F(Attempts, numbers_that_are_no_numbers_make_an_unusable_result) {
 TEST_F(Attempts, evidence_with_a_name_that_leads_out_is_kept_under_a_plain_one) {
   wire::Envelope failed = failed_message(held_.task(), held_.attempt());
   failed.mutable_failed()->set_exit_code(3);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::for_good));
   failed.mutable_failed()->set_message("bad surface");
   wire::Artifact& evidence = *failed.mutable_failed()->add_evidence();
   evidence.set_name("../../../planted");
@@ -180,6 +182,7 @@ TEST_F(Attempts, evidence_with_a_name_that_leads_out_is_kept_under_a_plain_one) 
 TEST_F(Attempts, a_false_tale_of_damage_removes_no_file) {
   const std::string hash = held_.inputs(0).hash();
   wire::Envelope failed = failed_message(held_.task(), held_.attempt());
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::damaged_input));
   failed.mutable_failed()->add_damaged_inputs(hash);
   failed.mutable_failed()->add_damaged_inputs(some_hash);
   failed.mutable_failed()->add_damaged_inputs("../../keys/coordinator.key");
@@ -198,7 +201,7 @@ TEST_F(Attempts, exit_codes_and_times_out_of_range_end_nothing) {
   wire::Envelope failed = failed_message(held_.task(), held_.attempt());
   failed.mutable_failed()->set_exit_code(std::numeric_limits<std::int32_t>::min());
   failed.mutable_failed()->set_peak_rss_bytes(largest);
-  failed.mutable_failed()->set_killed(true);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::killed));
   EXPECT_TRUE(owner_.is_taken(failed));
   EXPECT_EQ(job_status().state(), "running");
 }

@@ -127,16 +127,17 @@ TEST_F(Messages, eighteen_mebibytes_never_arrive) {
 }
 
 TEST_F(Messages, fields_and_bodies_of_the_future_are_no_message) {
+  static_assert(protocol_version == 2, "the bytes of this file say version 2");
   RawPeer anna = peer("anna");
-  // Version 1, then field 99 with 5 bytes, then field 1000 with a number.
-  anna.send_bytes(std::string("\x08\x01\x9a\x06\x05hello\xc0\x3e\x01", 13));
+  // Version 2, then field 99 with 5 bytes, then field 1000 with a number.
+  anna.send_bytes(std::string("\x08\x02\x9a\x06\x05hello\xc0\x3e\x01", 13));
   expect_served(anna);
   EXPECT_EQ(counted("senseless"), 1U);
 }
 
 TEST_F(Messages, groups_ninety_thousand_deep_are_garbage) {
   RawPeer anna = peer("anna");
-  std::string bytes("\x08\x01", 2);
+  std::string bytes("\x08\x02", 2);
   for (int i = 0; i < 90'000; ++i) bytes += std::string("\x9b\x06", 2);  // field 99, group begins
   anna.send_bytes(bytes);
   expect_served(anna);
@@ -159,7 +160,7 @@ TEST_F(Messages, millions_of_empty_inputs_are_refused_in_bounded_memory) {
   // Envelope: version, then submit with 15 MiB of inputs of no bytes each.
   std::string inputs;
   for (std::size_t i = 0; i < (std::size_t{15} << 20U) / 2; ++i) inputs += std::string("\x12\0", 2);
-  std::string bytes("\x08\x01\xf2\x01", 4);
+  std::string bytes("\x08\x02\xf2\x01", 4);
   for (std::size_t rest = inputs.size(); rest > 0; rest >>= 7U) {
     bytes += static_cast<char>((rest & 0x7fU) | (rest > 0x7fU ? 0x80U : 0U));
   }

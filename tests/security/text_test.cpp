@@ -1,6 +1,7 @@
 // Texts that would forge lines of the log, steer a terminal or fill memory, in every place where
 // somebody may write one.
 #include "base/utf8.h"
+#include "tasks/failure_cause.h"
 #include "tests/security/raw_worker.h"
 
 namespace tetfarm {
@@ -87,6 +88,7 @@ TEST_F(Texts, of_a_failure_reach_neither_log_nor_terminal_as_they_are) {
   const wire::Assign held = worker.take_task();
   wire::Envelope failed = failed_message(held.task(), held.attempt());
   failed.mutable_failed()->set_exit_code(3);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::for_good));
   failed.mutable_failed()->set_message(wicked);
   failed.mutable_failed()->set_log(wicked);
   wire::Artifact& evidence = *failed.mutable_failed()->add_evidence();
@@ -155,6 +157,7 @@ TEST_F(Texts, of_fifteen_mebibytes_in_a_failure_are_refused_or_cut) {
   const wire::Assign held = worker.take_task();
   wire::Envelope failed = failed_message(held.task(), held.attempt());
   failed.mutable_failed()->set_exit_code(3);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::for_good));
   failed.mutable_failed()->set_message(fifteen_mebibytes());
   worker.peer().ask(failed);
   EXPECT_LT(farm().status().ByteSizeLong(), 100'000U);

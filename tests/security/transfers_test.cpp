@@ -2,6 +2,7 @@
 // announced.
 #include "base/hash.h"
 #include "proto/file_chunks.h"
+#include "tasks/failure_cause.h"
 #include "tests/security/raw_worker.h"
 
 namespace tetfarm {
@@ -198,7 +199,7 @@ TEST_F(Transfers, what_came_of_a_file_is_gone_when_the_attempt_is_over) {
   worker_.peer().ask(chunk(hash, 0, std::string(chunk_bytes, 'h')));
   EXPECT_EQ(scratch_bytes(), chunk_bytes);
   wire::Envelope killed = test::failed_message(held_.task(), held_.attempt());
-  killed.mutable_failed()->set_killed(true);
+  killed.mutable_failed()->set_cause(on_wire(FailureCause::killed));
   EXPECT_TRUE(worker_.is_taken(killed));
   for (int i = 0; i < 400 && scratch_bytes() > 0; ++i) farm().status();
   EXPECT_EQ(scratch_bytes(), 0U);

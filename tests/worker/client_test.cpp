@@ -13,6 +13,7 @@
 
 #include "proto/wire.h"
 #include "store/artifact_store.h"
+#include "tasks/failure_cause.h"
 #include "worker/child_task.h"
 
 namespace tetfarm {
@@ -413,7 +414,7 @@ TEST_F(WorkerClient, a_task_that_runs_beyond_its_limit_is_ended_and_that_is_no_e
   get_task_5(true, 100);
   const wire::Failed failed = hear(Body::kFailed).failed();
   EXPECT_THAT(failed.message(), HasSubstr("took longer than its limit"));
-  EXPECT_FALSE(failed.killed());
+  EXPECT_NE(failed.cause(), on_wire(FailureCause::killed));
   accept(5, 9, true);
   hear(Body::kReady);
 }
@@ -421,21 +422,19 @@ TEST_F(WorkerClient, a_task_that_runs_beyond_its_limit_is_ended_and_that_is_no_e
 TEST_F(WorkerClient, a_full_disk_of_a_worker_apart_is_its_own_and_that_of_the_store_everybodys) {
   wire::Envelope full;
   full.mutable_failed()->set_message("no space");
-  full.mutable_failed()->set_out_of_resources(true);
+  full.mutable_failed()->set_cause(on_wire(FailureCause::disk_full));
   start(printed(full));
   get_task_5(false);
   const wire::Failed apart = hear(Body::kFailed).failed();
   EXPECT_EQ(apart.message(), "no space");
-  EXPECT_FALSE(apart.out_of_resources());
-  EXPECT_TRUE(apart.killed());
+  EXPECT_EQ(apart.cause(), on_wire(FailureCause::killed));
   welcome(true);
   accept(5, 9, true);
   hear(Body::kReady);
   assign(6, 10);
   wire::Failed shared = hear(Body::kFailed).failed();
   while (shared.attempt() == 9 && !HasFailure()) shared = hear(Body::kFailed).failed();
-  EXPECT_TRUE(shared.out_of_resources());
-  EXPECT_FALSE(shared.killed());
+  EXPECT_EQ(shared.cause(), on_wire(FailureCause::disk_full));
   accept(6, 10, true);
   hear(Body::kReady);
 }

@@ -84,14 +84,14 @@ class CosmeticTasks : public ::testing::Test {
                             const Parameters& parameters = {}) {
     wire::Assign assign;
     assign.set_path(path);
-    assign.set_apart(is_apart_);
     for (const auto& [name, artifact] : inputs) {
       wire::Artifact& input = *assign.add_inputs();
       input = artifact;
       input.set_name(name);
     }
     assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
-    return run_task(store_, assign, body, [](const wire::Doing&) {});
+    return run_task(
+        store_, assign, body, [](const wire::Doing&) {}, is_apart_);
   }
 
   wire::Done run(const TaskBody& body, std::uint64_t path, const Files& inputs,

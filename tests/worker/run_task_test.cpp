@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/surfaces/read_surface.h"
+#include "tasks/failure_cause.h"
 #include "worker/evidence.h"
 
 namespace tetfarm {
@@ -58,7 +59,7 @@ TEST_F(RunTask, what_an_attempt_has_in_the_making_goes_with_it_however_it_ends) 
     make(io);
     throw IoError("cannot write", "mesh.vtkhdf", ENOSPC);
   });
-  EXPECT_TRUE(failed.failed().out_of_resources());
+  EXPECT_EQ(failed.failed().cause(), on_wire(FailureCause::disk_full));
   EXPECT_TRUE(std::filesystem::is_empty(store_.scratch_folder()));
 }
 
@@ -84,7 +85,7 @@ TEST_F(RunTask, bad_input_ends_the_job_with_its_exit_code_and_evidence) {
   });
   ASSERT_TRUE(result.has_failed());
   const wire::Failed& failed = result.failed();
-  EXPECT_FALSE(failed.may_retry());
+  EXPECT_EQ(failed.cause(), on_wire(FailureCause::for_good));
   EXPECT_EQ(failed.exit_code(), 3);
   EXPECT_THAT(failed.message(), HasSubstr("(1, 2, 3)"));
   ASSERT_EQ(failed.evidence_size(), 1);
@@ -102,7 +103,7 @@ TEST_F(RunTask, a_surface_that_was_not_recovered_is_called_our_defect_with_a_fil
     throw unrecovered_subdomain(io, subdomain, "1 boundary triangles were not recovered", {2});
   });
   const wire::Failed& failed = result.failed();
-  EXPECT_FALSE(failed.may_retry());
+  EXPECT_EQ(failed.cause(), on_wire(FailureCause::for_good));
   EXPECT_EQ(failed.exit_code(), 1);
   EXPECT_THAT(failed.message(), HasSubstr("sub-domain LR: 1 boundary"));
   EXPECT_THAT(failed.message(), HasSubstr("triangle 12 of the input at (0.333333"));
@@ -121,23 +122,21 @@ TEST_F(RunTask, a_surface_that_was_not_recovered_is_called_our_defect_with_a_fil
 TEST_F(RunTask, a_wrong_job_file_is_not_tried_again) {
   const wire::Envelope result =
       run([](TaskIo&) { throw UsageError("unknown key", "job.toml:3:1"); });
-  EXPECT_FALSE(result.failed().may_retry());
+  EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::for_good));
   EXPECT_EQ(result.failed().exit_code(), 2);
 }
 
 TEST_F(RunTask, a_full_disk_and_lack_of_memory_are_no_crash) {
   const wire::Envelope disk = run([](TaskIo&) { throw IoError("write", "/x", ENOSPC); });
-  EXPECT_TRUE(disk.failed().out_of_resources());
+  EXPECT_EQ(disk.failed().cause(), on_wire(FailureCause::disk_full));
   EXPECT_EQ(disk.failed().exit_code(), 6);
   const wire::Envelope memory = run([](TaskIo&) { throw std::bad_alloc(); });
-  EXPECT_TRUE(memory.failed().out_of_memory());
-  EXPECT_TRUE(memory.failed().may_retry());
+  EXPECT_EQ(memory.failed().cause(), on_wire(FailureCause::out_of_memory));
 }
 
 TEST_F(RunTask, any_other_exception_is_worth_another_try) {
   const wire::Envelope result = run([](TaskIo&) { throw std::runtime_error("odd"); });
-  EXPECT_TRUE(result.failed().may_retry());
-  EXPECT_FALSE(result.failed().out_of_resources());
+  EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::error));
   EXPECT_EQ(result.failed().message(), "odd");
 }
 
@@ -153,7 +152,7 @@ TEST_F(RunTask, missing_and_damaged_inputs_are_named) {
     for (const TaskBody& look : {TaskBody([&](TaskIo& io) { io.read(input.name()); }),
                                  TaskBody([&](TaskIo& io) { io.path(input.name()); })}) {
       const wire::Envelope result = run(look);
-      EXPECT_TRUE(result.failed().may_retry());
+      EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::damaged_input));
       EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash()));
     }
   }

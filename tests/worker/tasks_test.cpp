@@ -15,6 +15,7 @@
 #include "mesh/core/validate.h"
 #include "mesh/formats/registry/read_global_mesh.h"
 #include "mesh/job_file/job_file.h"
+#include "tasks/failure_cause.h"
 #include "tests/support/mesh_report.h"
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
@@ -81,7 +82,7 @@ TEST_F(Tasks, inspect_refuses_more_elements_than_the_job_may_have_and_says_what_
     const wire::Envelope result = inspect(job, ball);
     ASSERT_TRUE(result.has_failed()) << size;
     EXPECT_EQ(result.failed().exit_code(), 2);
-    EXPECT_FALSE(result.failed().may_retry());
+    EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::for_good));
     EXPECT_THAT(result.failed().message(), HasSubstr("more than the 1.0 M that it may have"));
     EXPECT_THAT(result.failed().message(), HasSubstr("`--size 0.03"));
   }
@@ -115,8 +116,7 @@ TEST_F(Tasks, inspect_refuses_what_the_disk_cannot_hold_unless_forced) {
   const wire::Envelope refused = inspect_with("9000000");
   ASSERT_TRUE(refused.has_failed());
   EXPECT_EQ(refused.failed().exit_code(), 6);
-  EXPECT_FALSE(refused.failed().may_retry());
-  EXPECT_FALSE(refused.failed().out_of_resources()) << "other jobs may go on";
+  EXPECT_EQ(refused.failed().cause(), on_wire(FailureCause::for_good)) << "other jobs may go on";
   EXPECT_THAT(refused.failed().message(), HasSubstr("of which only 9.0 MB is free"));
   EXPECT_THAT(refused.failed().message(), HasSubstr("`--size 0."));
   EXPECT_TRUE(inspect_with("900000000").has_done());
@@ -159,7 +159,7 @@ TEST_F(Tasks, inspect_refuses_an_open_surface_and_shows_it) {
   const wire::Envelope result = inspect(job_of(1), open);
   ASSERT_TRUE(result.has_failed());
   EXPECT_EQ(result.failed().exit_code(), 3);
-  EXPECT_FALSE(result.failed().may_retry());
+  EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::for_good));
   EXPECT_THAT(result.failed().message(), HasSubstr("open edge"));
   ASSERT_EQ(result.failed().evidence_size(), 1);
   EXPECT_EQ(result.failed().evidence(0).name(), "ball.defects.vtp");

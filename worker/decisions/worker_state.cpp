@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/check.h"
+#include "tasks/failure_cause.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -180,8 +182,8 @@ void WorkerState::take_assign(const wire::Assign& assign, std::int64_t now_ms) {
   attempt_.emplace();
   attempt_->assign = assign;
   attempt_->is_apart = !sees_store_;
-  attempt_->assign.set_apart(attempt_->is_apart);
-  log(assign.job() + " " + attempt_name() + ": " + wire::TaskKind_Name(assign.kind()) + " " +
+  const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
+  log(assign.job() + " " + attempt_name() + ": " + (kind ? name_of(*kind) : "unknown kind") + " " +
       std::to_string(assign.path()));
   step(attempt_->is_apart ? WorkerStep::assigned_apart : WorkerStep::assigned);
   if (!attempt_->is_apart) return start_child(now_ms);
@@ -210,41 +212,41 @@ void WorkerState::child_did_not_start(const Error& error, std::int64_t now_ms) {
 void WorkerState::input_is_damaged(const std::string& hash, std::int64_t now_ms) {
   if (phase_ != WorkerPhase::fetching) return;
   wire::Failed how;
+  how.set_cause(on_wire(FailureCause::damaged_input));
   how.add_damaged_inputs(hash);
   const Error error(ExitCode::failed, "the coordinator has no intact copy of file " + hash);
-  fail(WorkerStep::input_is_damaged, error, now_ms, how);
+  fail(WorkerStep::input_is_damaged, error, now_ms, std::move(how));
 }
 
 void WorkerState::files_failed(const Error& error, bool output_is_damaged, std::int64_t now_ms) {
   if (!phase_after(phase_, WorkerStep::files_failed)) return;
   wire::Failed how;
-  how.set_killed(output_is_damaged);
-  fail(WorkerStep::files_failed, error, now_ms, how);
+  if (output_is_damaged) how.set_cause(on_wire(FailureCause::killed));
+  fail(WorkerStep::files_failed, error, now_ms, std::move(how));
 }
 
-/// The attempt ends here because of the world around it.
+/// The attempt ends here because of the world around it; `how` may have no cause.
 void WorkerState::fail(WorkerStep step_taken, const Error& error, std::int64_t now_ms,
-                       const wire::Failed& how) {
+                       wire::Failed how) {
   step(step_taken);
-  result_.emplace();
-  wire::Failed& failed = *result_->outcome.mutable_failed();
-  failed = how;
-  failed.set_task(attempt_->assign.task());
-  failed.set_attempt(attempt_->assign.attempt());
-  failed.set_message(error.what());
-  failed.set_exit_code(static_cast<int>(error.code()));
-  failed.set_may_retry(true);
-  failed.set_out_of_resources(error.code() == ExitCode::out_of_resources);
-  blame_own_disk(failed);
+  if (how.cause() == 0) {
+    const bool is_full = error.code() == ExitCode::out_of_resources;
+    how.set_cause(on_wire(is_full ? FailureCause::disk_full : FailureCause::error));
+  }
+  how.set_task(attempt_->assign.task());
+  how.set_attempt(attempt_->assign.attempt());
+  how.set_message(error.what());
+  how.set_exit_code(static_cast<int>(error.code()));
+  blame_own_disk(how);
+  *result_.emplace().outcome.mutable_failed() = std::move(how);
   commands_.push_back(ForgetFiles{});
   tell_result(now_ms);
 }
 
 /// A full disk of this worker alone must not stop the others: the task goes elsewhere.
 void WorkerState::blame_own_disk(wire::Failed& failed) const {
-  if (!attempt_->is_apart || !failed.out_of_resources()) return;
-  failed.set_out_of_resources(false);
-  failed.set_killed(true);
+  if (!attempt_->is_apart || failed.cause() != on_wire(FailureCause::disk_full)) return;
+  failed.set_cause(on_wire(FailureCause::killed));
 }
 
 void WorkerState::child_ended(wire::Envelope outcome, std::int64_t now_ms) {

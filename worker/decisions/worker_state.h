@@ -161,7 +161,7 @@ class WorkerState {
 
   // What becomes of the attempt.
   void start_child(std::int64_t now_ms);
-  void fail(WorkerStep step, const Error& error, std::int64_t now_ms, const wire::Failed& how = {});
+  void fail(WorkerStep step, const Error& error, std::int64_t now_ms, wire::Failed how = {});
   void blame_own_disk(wire::Failed& failed) const;
   void release();
   void drain_until(std::int64_t until_ms, std::int64_t now_ms);

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "mesh/core/elements.h"
+#include "mesh/formats/cgns/cgns_tree.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/listed_mesh.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::int32_t tri_3 = code_of(ElementCodes::cgns, ElementType::triangle);
-constexpr std::int32_t tetra_4 = code_of(ElementCodes::cgns, ElementType::tet);
 constexpr std::int64_t at_once = 65536;
 constexpr const char* zone = "Base/Zone1";
 
@@ -60,7 +59,8 @@ class Cgns {
     for (const std::string& name : children_of_zone(name_)) {
       if (file_.has(std::string(zone) + "/" + name + "/ElementConnectivity")) read_section(name);
     }
-    if (tets_.empty()) file_.fail("has no section of tets");
+    if (counted_ == 0) file_.fail("has no section of tets");
+    if (counted_ != cells_) file_.fail("does not have one section with all tets");
   }
 
   void read_nodes(std::int64_t first, std::span<Vec3> into) const {
@@ -70,29 +70,30 @@ class Cgns {
       for (std::size_t i = 0; i < values.size(); ++i) into[i][axis] = values[i];
     }
   }
-  void read_tets(std::int64_t first, std::span<ListedMesh::Nodes> into) const {
-    static_assert(sizeof(ListedMesh::Nodes) == 4 * sizeof(std::int64_t));
-    tets_.front().read(4 * first, 4 * std::ssize(into), into.data()->data());
-    for (ListedMesh::Nodes& nodes_of_tet : into) {
-      for (std::int64_t& node : nodes_of_tet) --node;
-    }
+  void read_cells(ElementType type, std::int64_t first, std::span<std::int64_t> into) const {
+    const auto nodes_of_cell = static_cast<std::int64_t>(nodes_of(type));
+    cells_of_type_[type].rows.front().read(nodes_of_cell * first, std::ssize(into), into.data());
+    for (std::int64_t& node : into) --node;
+    put_in_our_order(type, into);
   }
 
   bool knows_subdomains() const { return file_.has(data_of("CellData/Subdomain")); }
-  std::vector<TetRun> runs() const {
+  std::vector<TetRun> runs(ElementType type) const {
     std::vector<TetRun> runs;
+    const std::int64_t cells = cells_of_type_[type].count;
+    if (cells == 0) return runs;
     if (!knows_subdomains() || !file_.has(data_of("CellData/Region"))) {
-      add_tets(runs, {tets, 1, 0});
+      add_tets(runs, {cells, 1, 0});
       return runs;
     }
     const Hdf5Rows regions = file_.rows(data_of("CellData/Region"));
     const Hdf5Rows subdomains = file_.rows(data_of("CellData/Subdomain"));
-    std::vector<std::int32_t> region(static_cast<std::size_t>(std::min(at_once, tets)));
+    std::vector<std::int32_t> region(static_cast<std::size_t>(std::min(at_once, cells)));
     std::vector<std::int32_t> subdomain(region.size());
-    for (std::int64_t first = 0; first < tets; first += at_once) {
-      const std::int64_t count = std::min(at_once, tets - first);
-      regions.read(first, count, region.data());
-      subdomains.read(first, count, subdomain.data());
+    for (std::int64_t first = 0; first < cells; first += at_once) {
+      const std::int64_t count = std::min(at_once, cells - first);
+      regions.read(cells_of_type_[type].first + first, count, region.data());
+      subdomains.read(cells_of_type_[type].first + first, count, subdomain.data());
       for (std::size_t t = 0; t < static_cast<std::size_t>(count); ++t) {
         add_tets(runs, {1, region[t], subdomain[t]});
       }
@@ -101,8 +102,8 @@ class Cgns {
   }
 
   std::int64_t nodes = 0;
-  std::int64_t tets = 0;
   std::vector<ListedTriangle> triangles;
+  std::vector<ListedQuad> quads;
   std::vector<std::string> patch_names;
 
  private:
@@ -110,7 +111,7 @@ class Cgns {
     const std::array<std::int64_t, 3> size = size_of_zone(name_);
     if (size[0] < 0 || size[1] < 0) file_.fail("the zone has no size");
     nodes = size[0];
-    tets = size[1];
+    cells_ = size[1];
   }
 
   void read_section(const std::string& name) {
@@ -121,34 +122,79 @@ class Cgns {
         range[1] > most) {
       file_.fail("the section " + name + " has no type or range");
     }
-    const std::int64_t count = range[1] - range[0] + 1;
-    Hdf5Rows connectivity = file_.rows(data_of(name + "/ElementConnectivity"));
-    if (type[0] == tetra_4) {
-      if (!tets_.empty() || count != tets) file_.fail("does not have one section with all tets");
-      connectivity.check(0, 4 * count);
-      tets_.push_back(std::move(connectivity));
-    } else if (type[0] == tri_3) {
-      const auto numbers =
-          file_.slice<std::int64_t>(data_of(name + "/ElementConnectivity"), 0, 3 * count);
-      const auto patch = static_cast<std::int32_t>(patch_names.size());
-      for (std::size_t i = 0; i < numbers.size(); i += 3) {
-        triangles.push_back({{numbers[i] - 1, numbers[i + 1] - 1, numbers[i + 2] - 1}, patch});
-      }
-      patch_names.push_back(name);
+    const std::optional<ElementType> known = type_of(ElementCodes::cgns, type[0]);
+    if (!known) file_.fail("the section " + name + " has elements that are not supported");
+    if (is_cell(*known)) {
+      add_cells(*known, name, range[0] - 1, range[1] - range[0] + 1);
     } else {
-      file_.fail("the section " + name + " has elements other than triangles and tets");
+      add_faces(*known, name, range[1] - range[0] + 1);
     }
   }
+
+  /// One section has all cells of its type.
+  void add_cells(ElementType type, const std::string& name, std::int64_t first,
+                 std::int64_t count) {
+    CellsOfType& cells = cells_of_type_[type];
+    if (!cells.rows.empty() || count > cells_ - counted_ || first > cells_ - count) {
+      file_.fail("does not have one section with all " + std::string(element(type).plural));
+    }
+    cells.rows.push_back(file_.rows(data_of(name + "/ElementConnectivity")));
+    cells.rows.back().check(0, static_cast<std::int64_t>(nodes_of(type)) * count);
+    cells.first = first;
+    cells.count = count;
+    counted_ += count;
+  }
+
+  /// A section is a patch, but one of quads may go on with the patch before it.
+  void add_faces(ElementType type, const std::string& name, std::int64_t count) {
+    const auto nodes_of_face = static_cast<std::int64_t>(nodes_of(type));
+    auto numbers =
+        file_.slice<std::int64_t>(data_of(name + "/ElementConnectivity"), 0, nodes_of_face * count);
+    for (std::int64_t& number : numbers) --number;
+    put_in_our_order(type, numbers);
+    if (patch_names.empty() || !name.starts_with(cgns_section(type) + "_")) {
+      patch_names.push_back(name);
+    }
+    const auto patch = static_cast<std::int32_t>(patch_names.size()) - 1;
+    for (auto next = numbers.begin(); next != numbers.end(); next += nodes_of_face) {
+      if (type == ElementType::triangle) {
+        triangles.push_back({{next[0], next[1], next[2]}, patch});
+      } else {
+        quads.push_back({{next[0], next[1], next[2], next[3]}, patch});
+      }
+    }
+  }
+
+  static void put_in_our_order(ElementType type, std::span<std::int64_t> nodes) {
+    if (type == ElementType::tet || type == ElementType::triangle) return;
+    std::array<std::int64_t, most_element_nodes> theirs{};
+    const std::size_t count = nodes_of(type);
+    for (std::size_t i = 0; i < nodes.size(); i += count) {
+      std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(i), count, theirs.begin());
+      take_from_order_of(ElementCodes::cgns, type,
+                         std::span<const std::int64_t>(theirs).first(count),
+                         nodes.subspan(i, count));
+    }
+  }
+
+  struct CellsOfType {
+    std::vector<Hdf5Rows> rows;  ///< one, when it is open
+    std::int64_t first = 0;      ///< among the elements of the zone
+    std::int64_t count = 0;
+  };
 
   Hdf5Input file_;
   std::string name_;
   std::vector<Hdf5Rows> coordinates_;
-  std::vector<Hdf5Rows> tets_;  ///< one, when it is open
+  std::int64_t cells_ = 0;
+  std::int64_t counted_ = 0;  ///< in sections
+  ByType<CellsOfType> cells_of_type_;
 };
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path) {
+std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path,
+                                      const std::filesystem::path&) {
   const auto file = std::make_shared<const Cgns>(path);
   ListedMesh mesh;
   mesh.name = path.string();
@@ -157,10 +203,18 @@ std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path) {
     file->read_nodes(first, into);
   };
   mesh.read_tets = [file](std::int64_t first, std::span<ListedMesh::Nodes> into) {
-    file->read_tets(first, into);
+    static_assert(sizeof(ListedMesh::Nodes) == 4 * sizeof(std::int64_t));
+    file->read_cells(ElementType::tet, first, {into.data()->data(), 4 * into.size()});
   };
-  mesh.runs = file->runs();
+  mesh.runs = file->runs(ElementType::tet);
+  for (const ElementType type : cell_block_types) {
+    mesh.cells[type].runs = file->runs(type);
+    mesh.cells[type].read = [file, type](std::int64_t first, std::span<std::int64_t> into) {
+      file->read_cells(type, first, into);
+    };
+  }
   mesh.triangles = file->triangles;
+  mesh.quads = file->quads;
   mesh.patch_names = file->patch_names;
   mesh.knows_subdomains = file->knows_subdomains();
   mesh.takes_threads = hdf5_takes_threads();

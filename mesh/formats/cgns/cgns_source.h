@@ -9,9 +9,11 @@
 
 namespace tetfarm {
 
-/// As a listed mesh (listed_mesh.h). Sections of triangles are patches, in their order. Sub-domains
-/// and regions are those of the solution CellData; without it the file knows neither.
+/// As a listed mesh (listed_mesh.h), without the scratch folder. Sections of triangles are patches,
+/// in their order. Sub-domains and regions are those of the solution CellData; without it the file
+/// knows neither.
 /// @throws IoError, InvalidInput with what is missing or unfit.
-std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path);
+std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path,
+                                      const std::filesystem::path& scratch_folder);
 
 }  // namespace tetfarm

@@ -22,6 +22,12 @@ Hdf5Handle keeping_order(hid_t kind) {
 
 }  // namespace
 
+std::string cgns_section(ElementType type) {
+  std::string name = "Grid" + std::string(element(type).plural);
+  name[4] = static_cast<char>(name[4] - 'a' + 'A');
+  return name;
+}
+
 CgnsTree::CgnsTree(std::filesystem::path path) : path_(path.string()) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   errno = 0;

@@ -8,9 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "mesh/core/elements.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
+
+/// The name of a section that is not a patch's own: "GridPyramids", and "GridQuads_2" for the quads
+/// of a patch that has triangles too.
+std::string cgns_section(ElementType type);
 
 class CgnsTree {
  public:

@@ -2,12 +2,12 @@
 
 #include "mesh/formats/communication/communication_table.h"
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
 
 constexpr std::size_t most_complaints = 20;
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 class Complaints {
  public:

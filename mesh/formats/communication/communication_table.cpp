@@ -132,6 +132,8 @@ void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table
   }
 }
 
+std::string file_of_part(std::int32_t part) { return "part-" + std::to_string(part) + ".comm"; }
+
 }  // namespace
 
 void for_each_communication_table(const MeshSource& source, const MeshOutline& outline,
@@ -145,6 +147,7 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
 void for_each_part_with_ghosts(
     const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
     const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
+  require_tets_alone(outline, "Communication tables are made of");
   TF_CHECK(outline.parts.size() == source.size());
   ExternalSort<SharedNode> shared(folder);
   find_shared_nodes(source, folder, shared);
@@ -180,15 +183,19 @@ void for_each_part_with_ghosts(
 }
 
 void write_communication(const MeshSource& source, const MeshOutline& outline,
-                         const std::filesystem::path& folder, bool is_text) {
+                         const std::filesystem::path& folder) {
   make_folders(folder);
   for_each_communication_table(source, outline, folder, [&](const CommunicationTable& table) {
-    const std::string name = "part-" + std::to_string(table.part) + ".comm";
-    if (is_text) {
-      write_file_atomically(folder / (name + ".txt"), communication_to_text(table));
-    } else {
-      write_file_atomically(folder / name, communication_to_bytes(table));
-    }
+    write_file_atomically(folder / file_of_part(table.part), communication_to_bytes(table));
+  });
+}
+
+void write_communication_text(const MeshSource& source, const MeshOutline& outline,
+                              const std::filesystem::path& folder) {
+  make_folders(folder);
+  for_each_communication_table(source, outline, folder, [&](const CommunicationTable& table) {
+    write_file_atomically(folder / (file_of_part(table.part) + ".txt"),
+                          communication_to_text(table));
   });
 }
 

@@ -73,8 +73,11 @@ std::string communication_to_text(const CommunicationTable& table);
 std::vector<std::string> communication_complaints(
     std::int32_t parts, const std::function<CommunicationTable(std::int32_t)>& read);
 
-/// FOLDER/part-0.comm, … for export; `is_text`: part-0.comm.txt. @throws as above.
+/// FOLDER/part-0.comm, … for export. @throws as above.
 void write_communication(const MeshSource& source, const MeshOutline& outline,
-                         const std::filesystem::path& folder, bool is_text);
+                         const std::filesystem::path& folder);
+/// The same as text: FOLDER/part-0.comm.txt, … @throws as above.
+void write_communication_text(const MeshSource& source, const MeshOutline& outline,
+                              const std::filesystem::path& folder);
 
 }  // namespace tetfarm

@@ -64,6 +64,12 @@ class MeditFile {
                   {reinterpret_cast<std::int64_t*>(into.data()), N * into.size()});
   }
 
+  /// The numbers of records from `first` on, of lists whose elements are known only when the
+  /// program runs. @pre the list has them.
+  void read_numbers(medit::Keyword list, std::int64_t first, std::span<std::int64_t> into) const {
+    if (!into.empty()) read_integers(lists_.at(list).place + first * record_bytes(list), into);
+  }
+
   /// @throws InvalidInput for the head of that list, or for its `record`.
   [[noreturn]] void fail_at(medit::Keyword list, const std::string& what) const;
   [[noreturn]] void fail_at(medit::Keyword list, std::int64_t record,

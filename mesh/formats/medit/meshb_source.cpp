@@ -39,20 +39,45 @@ std::vector<ListedTriangle> boundary_of(const MeditFile& file) {
   return result;
 }
 
-void require_tets_alone(const MeditFile& file) {
-  for (const medit::Keyword other :
-       {medit::quadrangles, medit::pyramids, medit::prisms, medit::hexahedra}) {
-    if (file.count(other) > 0) {
-      file.fail_at(other, "has elements other than triangles and tets");
-    }
+std::vector<ListedQuad> quads_of(const MeditFile& file) {
+  std::vector<std::array<std::int64_t, 5>> records(
+      static_cast<std::size_t>(file.count(medit::quadrangles)));
+  file.read_elements<5>(medit::quadrangles, 0, records);
+  std::vector<ListedQuad> result;
+  for (const auto& [a, b, c, d, patch] : records) {
+    result.push_back({{a - 1, b - 1, c - 1, d - 1}, small(patch) - 1});
   }
+  return result;
+}
+
+/// The cells of a list that is kept in a block.
+ListedCells cells_of(const std::shared_ptr<const MeditFile>& file, ElementType type) {
+  const auto list = static_cast<medit::Keyword>(code_of(ElementCodes::medit, type));
+  const std::size_t nodes = nodes_of(type);
+  ListedCells cells;
+  std::vector<std::int64_t> record(nodes + 1);
+  for (std::int64_t i = 0; i < file->count(list); ++i) {
+    file->read_numbers(list, i, record);
+    add_tets(cells.runs, {1, small(record.back()), 0});
+  }
+  cells.read = [file, list, nodes, type](std::int64_t first, std::span<std::int64_t> into) {
+    const std::size_t count = into.size() / nodes;
+    std::vector<std::int64_t> records(count * (nodes + 1));
+    file->read_numbers(list, first, records);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto from = std::span<const std::int64_t>(records).subspan(i * (nodes + 1), nodes);
+      take_from_order_of(ElementCodes::medit, type, from, into.subspan(i * nodes, nodes));
+    }
+    for (std::int64_t& node : into) --node;
+  };
+  return cells;
 }
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path) {
+std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path,
+                                       const std::filesystem::path&) {
   const auto file = std::make_shared<const MeditFile>(path);
-  require_tets_alone(*file);
   ListedMesh mesh;
   mesh.name = file->name();
   mesh.nodes = file->count(medit::vertices);
@@ -68,6 +93,8 @@ std::unique_ptr<MeshSource> open_meshb(const std::filesystem::path& path) {
   };
   mesh.runs = runs_of(*file);
   mesh.triangles = boundary_of(*file);
+  mesh.quads = quads_of(*file);
+  for (const ElementType type : cell_block_types) mesh.cells[type] = cells_of(file, type);
   return open_listed(std::move(mesh));
 }
 

@@ -49,6 +49,13 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
   const std::int64_t tet_bytes = raw.record_bytes(5, 0);
   const std::int64_t first_tet =
       begin_list(file, place, medit::tetrahedra, outline.tets, tet_bytes);
+  ByType<std::int64_t> first_of;
+  for_each_block(outline.blocks, [&](ElementType type, const BlockOutline& block) {
+    if (block.count == 0) return;
+    first_of[type] =
+        begin_list(file, place, static_cast<medit::Keyword>(code_of(ElementCodes::medit, type)),
+                   block.count, raw.record_bytes(static_cast<int>(nodes_of(type) + 1), 0));
+  });
   NumberText tail = raw;
   tail.small(medit::end);
   tail.integer(0);
@@ -75,6 +82,18 @@ void write_meshb(const MeshSource& source, const MeshOutline& outline,
       tets.integer(part.region_of(t));
     }
     file.write(first_tet + outline.parts[i].first_tet * tet_bytes, tets.bytes());
+    for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
+      NumberText records = raw;
+      for (std::size_t e = 0; e < block.size(); ++e) {
+        for_each_global_node(ElementCodes::medit, type, part, e,
+                             [&](std::int64_t node) { records.integer(node + 1); });
+        records.integer(is_cell(type) ? block.regions[e] : block.patches[e] + 1);
+      }
+      const std::int64_t bytes = raw.record_bytes(static_cast<int>(nodes_of(type) + 1), 0);
+      if (!block.empty()) {
+        file.write(first_of[type] + outline.parts[i].blocks[type].first * bytes, records.bytes());
+      }
+    });
   }
   file.finish();
 }

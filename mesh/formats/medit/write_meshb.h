@@ -2,7 +2,7 @@
 /// bits, coordinates in double precision.
 ///
 /// Source: the GMF format as libMeshb documents it. References are the number of the patch of a
-/// triangle and of the region of a tetrahedron, from 1; the format has no names.
+/// face and of the region of a cell, from 1; the format has no names.
 #pragma once
 
 #include <filesystem>

@@ -15,7 +15,7 @@ std::string quoted_name(const std::string& name) {
 
 NumberText msh_style(const MeshOutline& outline, bool is_text) {
   if (!is_text) return NumberText::raw();
-  return NumberText::text(std::max(outline.nodes, outline.tets + outline.boundary_triangles));
+  return NumberText::text(std::max(outline.nodes, outline.cells() + outline.boundary_faces()));
 }
 
 std::string msh_section_end(const std::string& name, const NumberText& style) {
@@ -95,6 +95,22 @@ void put_msh_counts(NumberText& numbers, std::int64_t blocks, std::int64_t items
                     std::int64_t first, std::int64_t last) {
   for (const std::int64_t count : {blocks, items, first, last}) numbers.integer(count);
   numbers.end_record();
+}
+
+MshNumbers first_msh_numbers(const MeshOutline& outline) {
+  MshNumbers first;
+  std::int64_t next = 1 + outline.boundary_triangles;
+  for (const ElementType type : face_block_types) {
+    first.block[type] = next;
+    next += outline.blocks[type].count;
+  }
+  first.tet = next;
+  next += outline.tets;
+  for (const ElementType type : cell_block_types) {
+    first.block[type] = next;
+    next += outline.blocks[type].count;
+  }
+  return first;
 }
 
 std::vector<std::int64_t> first_msh_triangles(const MeshOutline& outline) {

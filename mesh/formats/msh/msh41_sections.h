@@ -57,8 +57,28 @@ void put_msh_element(NumberText& numbers, std::int64_t number, const Element& el
   numbers.end_record();
 }
 
-/// Of each patch the number of its first triangle, and behind the last patch that of the first tet:
-/// triangles are numbered patch after patch, then the tets.
+/// The i-th element of a block.
+inline void put_msh_element(NumberText& numbers, std::int64_t number, ElementType type,
+                            const NumberedPart& part, std::size_t i) {
+  numbers.integer(number);
+  for_each_global_node(ElementCodes::msh, type, part, i,
+                       [&](std::int64_t node) { numbers.integer(node + 1); });
+  numbers.end_record();
+}
+
+/// Gmsh's number of a type.
+inline std::int32_t msh_code(ElementType type) { return code_of(ElementCodes::msh, type); }
+
+/// The numbers of the first tet, and of the first element of each type in blocks. Elements are
+/// numbered as triangles patch after patch, other faces, tets, other cells.
+struct MshNumbers {
+  std::int64_t tet = 1;
+  ByType<std::int64_t> block;
+};
+MshNumbers first_msh_numbers(const MeshOutline& outline);
+
+/// Of each patch the number of its first triangle, and behind the last patch the next number:
+/// triangles are numbered patch after patch.
 std::vector<std::int64_t> first_msh_triangles(const MeshOutline& outline);
 
 /// A file that grows at its end, with gaps to be filled later.

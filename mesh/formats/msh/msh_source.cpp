@@ -14,12 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <std::size_t N>
-std::array<std::int64_t, N> from_zero(std::array<std::int64_t, N> nodes) {
-  for (std::int64_t& node : nodes) --node;
-  return nodes;
-}
-
 struct MshFile {
   explicit MshFile(const fs::path& path) : text(path), walker(text.scanner()) {}
 
@@ -41,21 +35,25 @@ class GroupedContent : public MshContent {
   }
   bool wants(const MshElementType& type, std::int64_t number) override {
     if (type.dimension < 2) return false;
-    if (number != msh_triangle && number != msh_tet) {
-      fail("a " + std::string(type.name) + ": only triangles and tets are supported");
+    if (!type_of(ElementCodes::msh, number)) {
+      fail("a " + std::string(type.name) +
+           ": only triangles, quads, tets, pyramids, prisms and hexes are supported");
     }
     return true;
   }
   void add_element(const MshElement& element) override {
     const std::int32_t group = element.group == 0 ? 1 : group_number(element.group);
-    const auto& nodes = element.nodes;
-    if (element.type == msh_triangle) {
-      add_triangle({nodes[0], nodes[1], nodes[2]}, group - 1);
+    const ElementType type = type_of(ElementCodes::msh, element.type).value();
+    std::array<std::int64_t, most_element_nodes> ours{};
+    take_from_order_of(ElementCodes::msh, type, element.nodes, std::span<std::int64_t>(ours));
+    const std::span<std::int64_t> nodes(ours.data(), element.nodes.size());
+    for (std::int64_t& node : nodes) --node;
+    if (!is_cell(type)) {
+      add_face(type, nodes, group - 1);
     } else if (!element.is_ghost) {
       const std::int32_t partition = element.partition == 0 ? 0 : group_number(element.partition);
       const auto entity = static_cast<std::int32_t>(element.entity);
-      add_tet({nodes[0], nodes[1], nodes[2], nodes[3]}, group,
-              file_.walker.is_version_4() ? entity : partition);
+      add_cell(type, nodes, group, file_.walker.is_version_4() ? entity : partition);
     }
     file_.text.pass();
   }
@@ -64,10 +62,12 @@ class GroupedContent : public MshContent {
   const std::vector<std::string>& region_names() const { return names_[1]; }
 
  protected:
-  virtual void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) = 0;
+  /// Nodes are tags less 1, in our order.
+  virtual void add_face(ElementType type, std::span<const std::int64_t> nodes,
+                        std::int32_t patch) = 0;
   /// `subdomain`: the volume entity in 4.1, the partition in 2.2; 0 when the file does not say.
-  virtual void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
-                       std::int32_t subdomain) = 0;
+  virtual void add_cell(ElementType type, std::span<const std::int64_t> nodes, std::int32_t region,
+                        std::int32_t subdomain) = 0;
   MshFile& file() { return file_; }
   /// For the place where the walker is.
   [[noreturn]] void fail(const std::string& what) const { file_.text.scanner().fail(what); }
@@ -109,12 +109,13 @@ class WholeMesh : public GroupedContent {
     mesh_.set_node(tag - 1, p);
     file().text.pass();
   }
-  void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
-    mesh_.add_triangle(from_zero(nodes), patch);
+  void add_face(ElementType type, std::span<const std::int64_t> nodes,
+                std::int32_t patch) override {
+    mesh_.add_face(type, nodes, patch);
   }
-  void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
-               std::int32_t subdomain) override {
-    mesh_.add_tet(from_zero(nodes), region, subdomain);
+  void add_cell(ElementType type, std::span<const std::int64_t> nodes, std::int32_t region,
+                std::int32_t subdomain) override {
+    mesh_.add_cell(type, nodes, region, subdomain);
     knows_subdomains_ = knows_subdomains_ || subdomain > 0;
   }
   ListedMesh take() {
@@ -151,23 +152,38 @@ class PartitionOfMesh : public GroupedContent {
     part_.nodes.push_back(p);
     file().text.pass();
   }
-  void add_triangle(const std::array<std::int64_t, 3>& nodes, std::int32_t patch) override {
-    part_.faces.push_back(local(nodes));
-    part_.patch_of_face.push_back(patch);
+  void add_face(ElementType type, std::span<const std::int64_t> nodes,
+                std::int32_t patch) override {
+    if (type == ElementType::triangle) {
+      part_.faces.push_back(local<3>(nodes));
+      part_.patch_of_face.push_back(patch);
+      return;
+    }
+    // The region is known when all cells are.
+    add_to_block(part_.blocks[type], nodes, 1);
+    part_.blocks[type].patches.push_back(patch);
   }
-  void add_tet(const std::array<std::int64_t, 4>& nodes, std::int32_t region,
-               std::int32_t) override {
-    part_.tets.push_back(local(nodes));
-    part_.region_of_tet.push_back(region);
+  void add_cell(ElementType type, std::span<const std::int64_t> nodes, std::int32_t region,
+                std::int32_t) override {
+    if (type == ElementType::tet) {
+      part_.tets.push_back(local<4>(nodes));
+      part_.region_of_tet.push_back(region);
+    } else {
+      add_to_block(part_.blocks[type], nodes, region);
+    }
   }
   /// Without the nodes of ghosts where there are such.
   NumberedPart take() {
     part_.local2global = numbers_.take();
     if (file().walker.has_ghosts()) keep_own_nodes();
-    const auto& regions = part_.region_of_tet;
+    const std::vector<std::int32_t> regions = regions_of_cells(part_);
     if (!regions.empty()) part_.region = regions.front();
     if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part_.region; })) {
       part_.region_of_tet.clear();
+      for (const ElementType type : face_block_types) {
+        std::vector<std::int32_t>& of_faces = part_.blocks[type].regions;
+        std::fill(of_faces.begin(), of_faces.end(), part_.region);
+      }
     } else {
       set_regions_of_faces(part_);
     }
@@ -175,26 +191,42 @@ class PartitionOfMesh : public GroupedContent {
   }
 
  private:
-  template <std::size_t N>
-  std::array<std::int32_t, N> local(const std::array<std::int64_t, N>& nodes) const {
-    std::array<std::int32_t, N> result;
-    for (std::size_t k = 0; k < N; ++k) {
-      result[k] = numbers_.find(nodes[k] - 1);
-      if (result[k] < 0) {
-        fail("an element has the node " + std::to_string(nodes[k]) + ", which is not in the file");
-      }
+  std::int32_t local(std::int64_t node) const {
+    const std::int32_t number = numbers_.find(node);
+    if (number < 0) {
+      fail("an element has the node " + std::to_string(node + 1) + ", which is not in the file");
     }
+    return number;
+  }
+  template <std::size_t N>
+  std::array<std::int32_t, N> local(std::span<const std::int64_t> nodes) const {
+    std::array<std::int32_t, N> result;
+    for (std::size_t k = 0; k < N; ++k) result[k] = local(nodes[k]);
     return result;
+  }
+  void add_to_block(ElementBlock& block, std::span<const std::int64_t> nodes,
+                    std::int32_t region) const {
+    for (const std::int64_t node : nodes) block.nodes.push_back(local(node));
+    block.regions.push_back(region);
+  }
+
+  /// Calls visit(v) for each node of each element.
+  template <class Visit>
+  void for_each_use(const Visit& visit) {
+    for (Tet& tet : part_.tets) {
+      for (std::int32_t& v : tet) visit(v);
+    }
+    for (Triangle& face : part_.faces) {
+      for (std::int32_t& v : face) visit(v);
+    }
+    for_each_block(part_.blocks, [&](ElementType, ElementBlock& block) {
+      for (std::int32_t& v : block.nodes) visit(v);
+    });
   }
 
   void keep_own_nodes() {
     std::vector<std::int32_t> new_number(part_.nodes.size(), -1);
-    for (const Tet& tet : part_.tets) {
-      for (const std::int32_t v : tet) new_number[static_cast<std::size_t>(v)] = 0;
-    }
-    for (const Triangle& face : part_.faces) {
-      for (const std::int32_t v : face) new_number[static_cast<std::size_t>(v)] = 0;
-    }
+    for_each_use([&](std::int32_t v) { new_number[static_cast<std::size_t>(v)] = 0; });
     std::size_t kept = 0;
     for (std::size_t v = 0; v < new_number.size(); ++v) {
       if (new_number[v] < 0) continue;
@@ -205,12 +237,7 @@ class PartitionOfMesh : public GroupedContent {
     }
     part_.nodes.resize(kept);
     part_.local2global.resize(kept);
-    for (Tet& tet : part_.tets) {
-      for (std::int32_t& v : tet) v = new_number[static_cast<std::size_t>(v)];
-    }
-    for (Triangle& face : part_.faces) {
-      for (std::int32_t& v : face) v = new_number[static_cast<std::size_t>(v)];
-    }
+    for_each_use([&](std::int32_t& v) { v = new_number[static_cast<std::size_t>(v)]; });
   }
 
   LocalNumbers numbers_;

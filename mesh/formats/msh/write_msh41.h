@@ -11,10 +11,10 @@
 
 namespace tetfarm {
 
-enum class MshEncoding { binary, text };
-
 /// @throws IoError, what the source throws. One pass; memory of one part.
-void write_msh41(const MeshSource& source, const MeshOutline& outline,
-                 const std::filesystem::path& file, MshEncoding encoding);
+void write_msh41_binary(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& file);
+void write_msh41_text(const MeshSource& source, const MeshOutline& outline,
+                      const std::filesystem::path& file);
 
 }  // namespace tetfarm

@@ -1,6 +1,7 @@
 #include "mesh/formats/msh/write_msh41_split.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/count_limit.h"
@@ -25,11 +26,27 @@ std::int32_t volume_of(const MeshOutline& outline, std::int32_t partition, std::
          static_cast<std::int32_t>(region) + 1;
 }
 
+bool has_cells(const PartOutline& part, std::size_t region) {
+  bool has = part.tets_of_region[region] > 0;
+  for (const ElementType type : cell_block_types) {
+    has = has || part.blocks[type].of_group[region] > 0;
+  }
+  return has;
+}
+
+bool has_faces(const PartOutline& part, std::size_t patch) {
+  bool has = part.faces_of_patch[patch] > 0;
+  for (const ElementType type : face_block_types) {
+    has = has || part.blocks[type].of_group[patch] > 0;
+  }
+  return has;
+}
+
 /// The volume that a partition's nodes are listed with.
 std::int32_t first_volume(const MeshOutline& outline, std::size_t part) {
-  const std::vector<std::int64_t>& tets = outline.parts[part].tets_of_region;
+  const PartOutline& here = outline.parts[part];
   std::size_t region = 0;
-  while (region + 1 < tets.size() && tets[region] == 0) ++region;
+  while (region + 1 < outline.region_names.size() && !has_cells(here, region)) ++region;
   return volume_of(outline, static_cast<std::int32_t>(part + 1), region);
 }
 
@@ -72,7 +89,7 @@ std::string partitioned_entities(const MeshOutline& outline, std::size_t index, 
   const auto partition = static_cast<std::int32_t>(index + 1);
   const auto patches = static_cast<std::int32_t>(outline.patch_names.size());
   std::int32_t surfaces = 0;
-  for (const std::int64_t faces : part.faces_of_patch) surfaces += faces > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < part.faces_of_patch.size(); ++i) surfaces += has_faces(part, i);
   NumberText numbers = NumberText::raw();
   const auto put = [&](std::int32_t tag, std::int32_t dimension, std::int32_t parent) {
     for (const std::int32_t value : {tag, dimension, parent}) numbers.small(value);
@@ -92,15 +109,15 @@ std::string partitioned_entities(const MeshOutline& outline, std::size_t index, 
   }
   const auto regions = static_cast<std::int32_t>(outline.region_names.size());
   std::int32_t volumes = 0;
-  for (const std::int64_t tets : part.tets_of_region) volumes += tets > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < part.tets_of_region.size(); ++i) volumes += has_cells(part, i);
   for (const std::int32_t count : {0, 0, surfaces, volumes}) numbers.integer(count);
   for (std::int32_t patch = 1; patch <= patches; ++patch) {
-    if (part.faces_of_patch[static_cast<std::size_t>(patch - 1)] > 0) {
+    if (has_faces(part, static_cast<std::size_t>(patch - 1))) {
       put(patches * partition + patch, 2, patch);
     }
   }
   for (std::int32_t region = 1; region <= regions; ++region) {
-    if (part.tets_of_region[static_cast<std::size_t>(region - 1)] > 0) {
+    if (has_cells(part, static_cast<std::size_t>(region - 1))) {
       put(volume_of(outline, partition, static_cast<std::size_t>(region - 1)), 3, region);
     }
   }
@@ -165,6 +182,45 @@ std::string ghost_elements(const Ghosts& ghosts, const MeshOutline& outline,
   return numbers.take();
 }
 
+/// Faces that are no triangles, patch by patch.
+void put_faces_of_blocks(NumberText& numbers, const NumberedPart& part,
+                         const MeshOutline& outline) {
+  const auto patches = static_cast<std::int32_t>(outline.patch_names.size());
+  for (const ElementType type : face_block_types) {
+    const auto faces = faces_by_patch(part.blocks[type], outline.patch_names.size());
+    std::int64_t first = first_msh_numbers(outline).block[type];
+    for (std::size_t patch = 0; patch < faces.size(); ++patch) {
+      std::int64_t number =
+          first +
+          outline.parts[static_cast<std::size_t>(part.number)].blocks[type].first_of_group[patch];
+      first += outline.blocks[type].of_group[patch];
+      if (faces[patch].empty()) continue;
+      put_msh_block(numbers, {2, patches * (part.number + 1) + static_cast<std::int32_t>(patch) + 1,
+                              msh_code(type), std::ssize(faces[patch])});
+      for (const std::size_t face : faces[patch])
+        put_msh_element(numbers, number++, type, part, face);
+    }
+  }
+}
+
+/// Cells that are no tets, region by region.
+void put_cells_of_blocks(NumberText& numbers, const NumberedPart& part,
+                         const MeshOutline& outline) {
+  const PartOutline& here = outline.parts[static_cast<std::size_t>(part.number)];
+  for (const ElementType type : cell_block_types) {
+    std::int64_t number = first_msh_numbers(outline).block[type] + here.blocks[type].first;
+    std::size_t next = 0;
+    for (std::size_t region = 0; region < here.blocks[type].of_group.size(); ++region) {
+      const std::int64_t count = here.blocks[type].of_group[region];
+      if (count == 0) continue;
+      put_msh_block(numbers,
+                    {3, volume_of(outline, part.number + 1, region), msh_code(type), count});
+      for (std::int64_t i = 0; i < count; ++i)
+        put_msh_element(numbers, number++, type, part, next++);
+    }
+  }
+}
+
 /// `first_triangle` are the numbers of the first triangle of each patch.
 std::string elements_of_partition(const NumberedPart& part, const MeshOutline& outline,
                                   const std::vector<std::int64_t>& first_triangle,
@@ -176,11 +232,14 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
   std::int64_t blocks = ghosts.tets.empty() ? 0 : 1;
   for (const std::int64_t tets : here.tets_of_region) blocks += tets > 0 ? 1 : 0;
   for (const auto& of_patch : faces) blocks += of_patch.empty() ? 0 : 1;
+  std::int64_t elements = std::ssize(part.tets) + std::ssize(part.faces) + std::ssize(ghosts.tets);
+  for_each_block(here.blocks, [&](ElementType, const BlockOutline& block) {
+    for (const std::int64_t count : block.of_group) blocks += count > 0 ? 1 : 0;
+    elements += block.count;
+  });
   NumberText numbers = NumberText::raw();
   numbers.words("$Elements\n");
-  put_msh_counts(numbers, blocks,
-                 std::ssize(part.tets) + std::ssize(part.faces) + std::ssize(ghosts.tets), 1,
-                 outline.boundary_triangles + outline.tets);
+  put_msh_counts(numbers, blocks, elements, 1, outline.boundary_faces() + outline.cells());
   for (std::int32_t patch = 0; patch < patches; ++patch) {
     const auto& of_patch = faces[static_cast<std::size_t>(patch)];
     if (of_patch.empty()) continue;
@@ -192,7 +251,8 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
       put_msh_element(numbers, number++, part.faces[face], part);
     }
   }
-  std::int64_t number = 1 + outline.boundary_triangles + here.first_tet;
+  put_faces_of_blocks(numbers, part, outline);
+  std::int64_t number = first_msh_numbers(outline).tet + here.first_tet;
   std::size_t next = 0;
   for (std::size_t region = 0; region < here.tets_of_region.size(); ++region) {
     const std::int64_t tets = here.tets_of_region[region];
@@ -201,15 +261,17 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
     for (std::int64_t t = 0; t < tets; ++t)
       put_msh_element(numbers, number++, part.tets[next++], part);
   }
+  put_cells_of_blocks(numbers, part, outline);
   put_ghosts(numbers, ghosts, outline, partition);
   numbers.words(msh_section_end("Elements", numbers));
   return numbers.take();
 }
 
-}  // namespace
+using WritePartition = std::function<void(std::size_t i, const Ghosts& ghosts)>;
 
-void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
-                       const std::filesystem::path& path, MshGhosts with_ghosts) {
+/// What writes the file of a part, as often as wanted. @pre the arguments outlive it.
+WritePartition partition_writer(const MeshSource& source, const MeshOutline& outline,
+                                const std::filesystem::path& path) {
   refuse_more_entities_than_tags(outline);
   const NumberText raw = NumberText::raw();
   std::vector<MshVolume> regions;
@@ -218,7 +280,7 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
   }
   const std::string head = msh_head(outline, raw) + msh_entities(outline, regions, raw);
   const std::vector<std::int64_t> first_triangle = first_msh_triangles(outline);
-  const auto write = [&](std::size_t i, const Ghosts& ghosts) {
+  return [&source, &outline, path, head, first_triangle](std::size_t i, const Ghosts& ghosts) {
     const NumberedPart part = source.part(i);
     const std::string name =
         path.stem().string() + "_" + std::to_string(i + 1) + path.extension().string();
@@ -230,10 +292,20 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
     end.write(ghost_elements(ghosts, outline, part.number + 1));
     file.finish();
   };
-  if (with_ghosts == MshGhosts::none) {
-    for (std::size_t i = 0; i < source.size(); ++i) write(i, {});
-    return;
-  }
+}
+
+}  // namespace
+
+void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
+                       const std::filesystem::path& path) {
+  const WritePartition write = partition_writer(source, outline, path);
+  for (std::size_t i = 0; i < source.size(); ++i) write(i, {});
+}
+
+void write_msh41_ghosts(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& path) {
+  require_tets_alone(outline, "Files with ghosts are written of");
+  const WritePartition write = partition_writer(source, outline, path);
   for_each_part_with_ghosts(source, outline, std::filesystem::absolute(path).parent_path(),
                             [&](const CommunicationTable& table, const GhostCorners& corners) {
                               write(static_cast<std::size_t>(table.part),

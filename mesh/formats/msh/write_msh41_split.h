@@ -10,17 +10,18 @@
 
 namespace tetfarm {
 
-/// Gmsh 4.8 merges files without ghosts into one mesh, but ends when it merges files with them, its
-/// own too.
-enum class MshGhosts { none, all };
-
 /// NAME_1.msh, NAME_2.msh, … for NAME.msh: each sub-domain as a partition ($PartitionedEntities),
-/// with the numbers that nodes and elements have in the whole mesh. As ghosts, tets of other
-/// partitions that have a node of this one are there too, as an entity of their own
-/// ($GhostElements).
+/// with the numbers that nodes and elements have in the whole mesh.
 /// @throws Error when there are more entities than numbers; IoError, what the source throws. Reads
-/// each part once, with ghosts four times; memory of one part and its ghosts.
+/// each part once; memory of one part.
 void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
-                       const std::filesystem::path& file, MshGhosts with_ghosts);
+                       const std::filesystem::path& file);
+
+/// The same, and as ghosts the tets of other partitions that have a node of this one, as an entity
+/// of their own ($GhostElements). Gmsh 4.8 merges files without ghosts into one mesh, but ends when
+/// it merges files with them, its own too.
+/// @throws as above. Reads each part four times; memory of one part and its ghosts.
+void write_msh41_ghosts(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& file);
 
 }  // namespace tetfarm

@@ -135,6 +135,7 @@ void refuse_more_than_labels(std::int64_t nodes, std::int64_t tets, std::int64_t
 
 void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                     const std::filesystem::path& folder) {
+  require_tets_alone(outline, "OpenFOAM cases are written of");
   refuse_more_than_labels(outline.nodes, outline.tets, outline.boundary_triangles,
                           "use openfoam-decomposed");
   const std::filesystem::path mesh = folder / "constant" / "polyMesh";
@@ -272,6 +273,7 @@ void write_processor(const std::filesystem::path& mesh, const NumberedPart& part
 
 void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outline,
                                const std::filesystem::path& folder) {
+  require_tets_alone(outline, "OpenFOAM cases are written of");
   for (const PartOutline& part : outline.parts) {
     refuse_more_than_labels(part.nodes, part.tets, part.faces, "make more, smaller parts");
   }

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
-#include "mesh/core/elements.h"
+#include "mesh/core/element_block.h"
 #include "mesh/formats/input_file.h"
 #include "mesh/formats/regions_of_faces.h"
 
@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
-constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t most_regions = 1'000'000;
 
 /// The value of an attribute of the XML element that begins at `place`; empty when it has none.
@@ -129,13 +127,23 @@ class VtuFile {
     return values;
   }
 
+  ElementType type_of_cell(std::uint8_t code) const {
+    const std::optional<ElementType> type = type_of(ElementCodes::vtk, code);
+    if (!type) {
+      throw InvalidInput("has a cell of type " + std::to_string(code) +
+                             "; only triangles (5), quads (9), tetrahedra (10), hexahedra (12), "
+                             "wedges (13) and pyramids (14) are read",
+                         file_.name());
+    }
+    return *type;
+  }
+
   void read_cells(NumberedPart& part) const {
     const auto types = array<std::uint8_t>("types", "UInt8", cells_);
-    const std::int64_t tets = std::count(types.begin(), types.end(), vtk_tetra);
-    const std::int64_t faces = std::count(types.begin(), types.end(), vtk_triangle);
-    if (tets + faces != cells_)
-      throw InvalidInput("has cells other than tets and triangles", file_.name());
-    const auto nodes = array<std::int64_t>("connectivity", "Int64", 4 * tets + 3 * faces);
+    std::size_t count = 0;
+    for (const std::uint8_t code : types) count += nodes_of(type_of_cell(code));
+    const auto nodes =
+        array<std::int64_t>("connectivity", "Int64", static_cast<std::int64_t>(count));
     for (const std::int64_t node : nodes) {
       if (node < 0 || node >= points_) {
         throw InvalidInput(
@@ -145,24 +153,42 @@ class VtuFile {
     }
     const auto regions = optional_array("region", 1);
     const auto patches = optional_array("patch", 0);
-    std::size_t next = 0;
+    std::span<const std::int64_t> rest = nodes;
     for (std::size_t cell = 0; cell < types.size(); ++cell) {
-      const auto take = [&](auto element) {
-        for (std::int32_t& v : element) v = static_cast<std::int32_t>(nodes[next++]);
-        return element;
-      };
       if (regions[cell] < 1 || regions[cell] > most_regions) {
         throw InvalidInput("a cell has the region " + std::to_string(regions[cell]), file_.name());
       }
-      if (types[cell] == vtk_tetra) {
-        part.tets.push_back(take(Tet{}));
-        part.region_of_tet.push_back(regions[cell]);
-      } else {
-        part.faces.push_back(take(Triangle{}));
-        part.region_of_face.push_back(regions[cell]);
-        part.patch_of_face.push_back(patches[cell]);
-      }
+      const ElementType type = type_of_cell(types[cell]);
+      add_cell(type, rest.first(nodes_of(type)), regions[cell], patches[cell], part);
+      rest = rest.subspan(nodes_of(type));
     }
+    settle_regions(regions, part);
+  }
+
+  static void add_cell(ElementType type, std::span<const std::int64_t> nodes, std::int32_t region,
+                       std::int32_t patch, NumberedPart& part) {
+    const auto take = [&](auto into) {
+      take_from_order_of(ElementCodes::vtk, type, nodes, std::span<std::int32_t>(into));
+      return into;
+    };
+    if (type == ElementType::tet) {
+      part.tets.push_back(take(Tet{}));
+      part.region_of_tet.push_back(region);
+    } else if (type == ElementType::triangle) {
+      part.faces.push_back(take(Triangle{}));
+      part.region_of_face.push_back(region);
+      part.patch_of_face.push_back(patch);
+    } else {
+      ElementBlock& block = part.blocks[type];
+      block.nodes.resize(block.nodes.size() + nodes.size());
+      take_from_order_of(ElementCodes::vtk, type, nodes, std::span(block.nodes).last(nodes.size()));
+      block.regions.push_back(region);
+      if (!is_cell(type)) block.patches.push_back(patch);
+    }
+  }
+
+  /// One region of all tets and triangles is said once.
+  static void settle_regions(const std::vector<std::int32_t>& regions, NumberedPart& part) {
     const auto is_of = [](const std::vector<std::int32_t>& all, std::int32_t region) {
       return std::all_of(all.begin(), all.end(), [region](auto r) { return r == region; });
     };
@@ -216,7 +242,7 @@ bool is_piece(const fs::path& path) {
 
 }  // namespace
 
-std::unique_ptr<MeshSource> open_pvtu(const fs::path& path) {
+std::unique_ptr<MeshSource> open_pvtu(const fs::path& path, const fs::path&) {
   if (is_piece(path)) return std::make_unique<PvtuSource>(std::vector{path});
   const std::string text = read_file(path);
   std::vector<fs::path> pieces;

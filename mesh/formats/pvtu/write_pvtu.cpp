@@ -3,13 +3,11 @@
 #include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/assemble/output_file.h"
-#include "mesh/core/elements.h"
+#include "mesh/core/element_block.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
-constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t no_patch = -1;
 
 /// An array's description, and its place in the file.
@@ -56,35 +54,73 @@ class AppendedData {
   std::size_t next_ = 0;
 };
 
+/// In VTK's order.
+void append_nodes(ElementType type, const ElementBlock& block, std::vector<std::int64_t>& nodes) {
+  const std::size_t count = nodes_of(type);
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    nodes.resize(nodes.size() + count);
+    put_in_order_of(ElementCodes::vtk, type, block.element(type, i), std::span(nodes).last(count));
+  }
+}
+
+/// Tets, other cells, triangles, quads: calls visit(type, how many).
+template <class Visit>
+void for_each_type(const NumberedPart& part, const Visit& visit) {
+  visit(ElementType::tet, part.tets.size());
+  for (const ElementType type : cell_block_types) visit(type, part.blocks[type].size());
+  visit(ElementType::triangle, part.faces.size());
+  for (const ElementType type : face_block_types) visit(type, part.blocks[type].size());
+}
+
+std::int64_t connected_nodes(const NumberedPart& part) {
+  std::size_t nodes = 0;
+  for_each_type(part,
+                [&](ElementType type, std::size_t count) { nodes += nodes_of(type) * count; });
+  return static_cast<std::int64_t>(nodes);
+}
+
 void write_arrays(const NumberedPart& part, AppendedData data) {
-  const std::size_t count = part.tets.size() + part.faces.size();
+  const auto cells_of_part = static_cast<std::size_t>(cells_of(part));
+  const std::size_t count = cells_of_part + static_cast<std::size_t>(boundary_faces_of(part));
   std::vector<std::int64_t> numbers;
-  numbers.reserve(4 * part.tets.size() + 3 * part.faces.size());
+  numbers.reserve(static_cast<std::size_t>(connected_nodes(part)));
   for (const Tet& tet : part.tets) numbers.insert(numbers.end(), tet.begin(), tet.end());
+  for (const ElementType type : cell_block_types) append_nodes(type, part.blocks[type], numbers);
   for (const Triangle& face : part.faces) numbers.insert(numbers.end(), face.begin(), face.end());
+  for (const ElementType type : face_block_types) append_nodes(type, part.blocks[type], numbers);
   data.add(part.nodes);
   data.add(part.local2global);
   data.add(numbers);
   numbers.clear();
+  std::vector<std::uint8_t> types;
   std::int64_t end = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    end += i < part.tets.size() ? 4 : 3;
-    numbers.push_back(end);
-  }
+  for_each_type(part, [&](ElementType type, std::size_t of_type) {
+    for (std::size_t i = 0; i < of_type; ++i) {
+      numbers.push_back(end += static_cast<std::int64_t>(nodes_of(type)));
+    }
+    types.resize(types.size() + of_type,
+                 static_cast<std::uint8_t>(code_of(ElementCodes::vtk, type)));
+  });
   data.add(numbers);
-  std::vector<std::uint8_t> types(part.tets.size(), vtk_tetra);
-  types.resize(count, vtk_triangle);
   data.add(types);
   data.add(std::vector<std::int32_t>(count, part.number));
-  data.add(regions_of_cells(part));
-  std::vector<std::int32_t> patches(part.tets.size(), no_patch);
+  std::vector<std::int32_t> regions = regions_of_cells(part);
+  const std::vector<std::int32_t> of_boundary = regions_of_boundary(part);
+  regions.insert(regions.end(), of_boundary.begin(), of_boundary.end());
+  data.add(regions);
+  std::vector<std::int32_t> patches(cells_of_part, no_patch);
   patches.insert(patches.end(), part.patch_of_face.begin(), part.patch_of_face.end());
+  for (const ElementType type : face_block_types) {
+    const std::vector<std::int32_t>& of_type = part.blocks[type].patches;
+    patches.insert(patches.end(), of_type.begin(), of_type.end());
+  }
   data.add(patches);
 }
 
 void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
+  const std::int64_t cells_of_piece = cells_of(part) + boundary_faces_of(part);
   const VtuLayout layout =
-      vtu_layout(std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces));
+      vtu_layout(std::ssize(part.nodes), cells_of_piece, connected_nodes(part));
   std::size_t next = 0;
   const auto array = [&](const Array& what) {
     return described("DataArray", what) + " format=\"appended\" offset=\"" +
@@ -92,7 +128,7 @@ void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
   };
   std::string text = head("UnstructuredGrid") + "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
                      std::to_string(part.nodes.size()) + "\" NumberOfCells=\"" +
-                     std::to_string(part.tets.size() + part.faces.size()) + "\">\n<Points>\n";
+                     std::to_string(cells_of_piece) + "\">\n<Points>\n";
   text += array(points);
   text += "</Points>\n<PointData>\n";
   text += array(node_number);
@@ -111,12 +147,11 @@ void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
 
 }  // namespace
 
-VtuLayout vtu_layout(std::int64_t points, std::int64_t tets, std::int64_t triangles) {
-  const std::int64_t cells_of_piece = tets + triangles;
+VtuLayout vtu_layout(std::int64_t points, std::int64_t cells_of_piece, std::int64_t cell_nodes) {
   VtuLayout layout;
   std::size_t next = 0;
   for (const std::int64_t bytes :
-       {24 * points, 8 * points, 8 * (4 * tets + 3 * triangles), 8 * cells_of_piece, cells_of_piece,
+       {24 * points, 8 * points, 8 * cell_nodes, 8 * cells_of_piece, cells_of_piece,
         4 * cells_of_piece, 4 * cells_of_piece, 4 * cells_of_piece}) {
     layout.arrays[next++] = {layout.bytes, bytes};
     layout.bytes += VtuLayout::length_bytes + bytes;

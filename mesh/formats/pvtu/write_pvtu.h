@@ -24,7 +24,8 @@ struct VtuLayout {
   std::array<Place, 8> arrays{};
   std::int64_t bytes = 0;  ///< of all
 };
-VtuLayout vtu_layout(std::int64_t points, std::int64_t tets, std::int64_t triangles);
+/// `cell_nodes`: how many the cells have, each for itself.
+VtuLayout vtu_layout(std::int64_t points, std::int64_t cells, std::int64_t cell_nodes);
 
 /// NAME.pvtu, and NAME/NAME_0.vtu … in a folder beside it, which is made. @throws IoError, what the
 /// source throws. One pass; memory of one part.

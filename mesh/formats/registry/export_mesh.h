@@ -1,4 +1,5 @@
-/// Writes a finished mesh in another format (`tetfarm export`): one table of what can be written.
+/// Writes a finished mesh in another format (`tetfarm export`): in any that the list of formats
+/// writes.
 ///
 /// Source: thesis 4.3.4.2, final mesh options.
 #pragma once
@@ -8,22 +9,10 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/formats/list/format.h"
 #include "mesh/formats/mesh_source.h"
 
 namespace tetfarm {
-
-struct MeshFormat {
-  std::string_view name;    ///< as --format takes it
-  std::string_view ending;  ///< of the file that tells the format; empty for a folder
-  std::string_view what;    ///< for people
-  /// Files of a single name are written under another one first: `file` is where to write to.
-  bool is_single_file = true;
-  void (*write)(const MeshSource& source, const MeshOutline& outline,
-                const std::filesystem::path& file) = nullptr;
-  /// Writes what goes beside `file`, where there is something.
-  void (*write_beside)(const MeshOutline& outline, const std::filesystem::path& file) = nullptr;
-  bool holds_parts = false;  ///< the file tells of each tet which part it is in
-};
 
 struct ExportCounts {
   std::int64_t nodes = 0;
@@ -32,16 +21,19 @@ struct ExportCounts {
   std::size_t parts = 0;
 };
 
-/// The longest endings come before those that they end with.
-std::span<const MeshFormat> mesh_formats();
+/// All that can be written, in the order of the list of formats.
+std::span<const Format> written_formats();
+
+/// A line for each: name, ending, what it is.
+std::string written_formats_text();
 
 /// By name, or by the ending of `output` when the name is empty. @throws UsageError naming all.
-const MeshFormat& find_mesh_format(std::string_view name, const std::filesystem::path& output);
+const Format& find_mesh_format(std::string_view name, const std::filesystem::path& output);
 
 /// One file is wholly there or not at all. Of a format of many files those that others refer to
 /// come last. @throws IoError, InvalidInput, Error when the format cannot hold the mesh.
 /// Cost: O(n log n); memory of one part, see the formats.
-ExportCounts export_mesh(const MeshSource& source, const MeshFormat& format,
+ExportCounts export_mesh(const MeshSource& source, const Format& format,
                          const std::filesystem::path& output);
 
 }  // namespace tetfarm

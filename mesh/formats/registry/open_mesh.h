@@ -1,4 +1,4 @@
-/// Opens a finished mesh in one of the formats that `tetfarm export` writes: one table of them.
+/// Opens a finished mesh in one of the formats that the list of formats reads.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,10 @@ std::unique_ptr<MeshSource> open_mesh_as(
     const std::filesystem::path& path, std::string_view name,
     const std::filesystem::path& scratch_folder = std::filesystem::temp_directory_path());
 
-/// The endings, for messages: ".vtkhdf, .lb8.ugrid, …".
+/// Whether a folder is a mesh of some format, such as a case of OpenFOAM.
+bool is_mesh_folder(const std::filesystem::path& folder);
+
+/// The endings and the kinds of folders, for messages: ".vtkhdf, .lb8.ugrid, …, OpenFOAM cases".
 std::string readable_meshes();
 
 }  // namespace tetfarm

@@ -20,16 +20,24 @@ class MeshContent : public Su2Content {
   }
   void begin_marker(std::string_view name) override { mesh_.mesh().patch_names.emplace_back(name); }
   bool wants(Su2List list, std::int64_t type, const InputScanner& in) override {
-    if (list == Su2List::elements && type != su2_tetra) in.fail("expected a tet, type 10");
-    if (list == Su2List::marker && type != su2_triangle) in.fail("expected a triangle, type 5");
+    const std::optional<ElementType> known = type_of(ElementCodes::vtk, type);
+    if (list == Su2List::elements && !(known && is_cell(*known))) {
+      in.fail("expected a tet, a hex, a prism or a pyramid, type 10, 12, 13 or 14");
+    }
+    if (list == Su2List::marker && !(known && !is_cell(*known))) {
+      in.fail("expected a triangle or a quad, type 5 or 9");
+    }
     return true;
   }
-  void add_element(Su2List list, std::int64_t, std::span<const std::int64_t> nodes) override {
+  void add_element(Su2List list, std::int64_t code, std::span<const std::int64_t> nodes) override {
+    const ElementType type = type_of(ElementCodes::vtk, code).value();
+    std::array<std::int64_t, most_element_nodes> ours{};
+    take_from_order_of(ElementCodes::vtk, type, nodes, std::span<std::int64_t>(ours));
+    const std::span<const std::int64_t> element(ours.data(), nodes.size());
     if (list == Su2List::elements) {
-      mesh_.add_tet({nodes[0], nodes[1], nodes[2], nodes[3]});
+      mesh_.add_cell(type, element);
     } else {
-      const auto patch = static_cast<std::int32_t>(mesh_.mesh().patch_names.size()) - 1;
-      mesh_.add_triangle({nodes[0], nodes[1], nodes[2]}, patch);
+      mesh_.add_face(type, element, static_cast<std::int32_t>(mesh_.mesh().patch_names.size()) - 1);
     }
     text_.pass();
   }

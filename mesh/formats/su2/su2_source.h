@@ -1,4 +1,4 @@
-/// Reads an SU2 mesh of tets (mesh/formats/su2/write_su2.h) piece by piece.
+/// Reads an SU2 mesh in three dimensions (mesh/formats/su2/write_su2.h) piece by piece.
 #pragma once
 
 #include <filesystem>

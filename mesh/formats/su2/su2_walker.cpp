@@ -85,20 +85,15 @@ class Walker {
   }
 
   std::size_t nodes_of(std::int64_t type) const {
-    switch (type) {
-      case su2_triangle:
-        return 3;
-      case su2_tetra:
-        return 4;
-      default:
-        in_.fail("unknown element type " + std::to_string(type));
-    }
+    const std::optional<ElementType> known = type_of(ElementCodes::vtk, type);
+    if (!known) in_.fail("unknown element type " + std::to_string(type));
+    return tetfarm::nodes_of(*known);
   }
 
   InputScanner& in_;
   Su2Content& content_;
   bool has_marker_ = false;
-  std::array<std::int64_t, 4> nodes_{};
+  std::array<std::int64_t, most_element_nodes> nodes_{};
 };
 
 }  // namespace

@@ -17,7 +17,6 @@
 namespace tetfarm {
 
 inline constexpr std::int64_t su2_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
-inline constexpr std::int64_t su2_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 
 /// Where an element stands: in the list of all (NELEM) or in that of a marker.
 enum class Su2List { elements, marker };

@@ -1,6 +1,7 @@
 #include "mesh/formats/su2/write_su2.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "mesh/formats/node_records.h"
@@ -10,11 +11,20 @@
 namespace tetfarm {
 namespace {
 
+constexpr ElementCodes vtk = ElementCodes::vtk;
+
+/// Records have a type and nodes; those of cells a number behind.
+int numbers_of(ElementType type) {
+  return static_cast<int>(1 + nodes_of(type) + (is_cell(type) ? 1 : 0));
+}
+
 /// Where each list begins.
 struct Places {
   std::int64_t tet = 0;
+  ByType<std::int64_t> cells;
   std::int64_t node = 0;
   std::vector<std::int64_t> face_of_patch;
+  ByType<std::vector<std::int64_t>> others_of_patch;
 };
 
 /// Writes the lines between the lists.
@@ -25,9 +35,14 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
     file.write(place, text);
     place += std::ssize(text);
   };
-  words("NDIME= 3\nNELEM= " + std::to_string(outline.tets) + "\n");
-  places.tet = place;
-  place += outline.tets * style.record_bytes(6, 0);
+  const auto leave = [&](ElementType type, std::int64_t count) {
+    return std::exchange(place, place + count * style.record_bytes(numbers_of(type), 0));
+  };
+  words("NDIME= 3\nNELEM= " + std::to_string(outline.cells()) + "\n");
+  places.tet = leave(ElementType::tet, outline.tets);
+  for (const ElementType type : cell_block_types) {
+    places.cells[type] = leave(type, outline.blocks[type].count);
+  }
   words("NPOIN= " + std::to_string(outline.nodes) + "\n");
   places.node = place;
   place += outline.nodes * style.record_bytes(1, 3);
@@ -35,11 +50,83 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
   const std::vector<std::string> names = plain_names(outline.patch_names, 200);
   for (std::size_t i = 0; i < names.size(); ++i) {
     words("MARKER_TAG= " + names[i] +
-          "\nMARKER_ELEMS= " + std::to_string(outline.faces_of_patch[i]) + "\n");
-    places.face_of_patch.push_back(place);
-    place += outline.faces_of_patch[i] * style.record_bytes(4, 0);
+          "\nMARKER_ELEMS= " + std::to_string(outline.boundary_faces_of(i)) + "\n");
+    places.face_of_patch.push_back(leave(ElementType::triangle, outline.faces_of_patch[i]));
+    for (const ElementType type : face_block_types) {
+      places.others_of_patch[type].push_back(leave(type, outline.blocks[type].of_group[i]));
+    }
   }
   return places;
+}
+
+void write_tets(OutputFile& file, const Places& places, const NumberedPart& part,
+                const PartOutline& here, const NumberText& style) {
+  NumberText tets = style;
+  std::int64_t tet_number = here.first_tet;
+  for (const Tet& tet : part.tets) {
+    tets.integer(code_of(vtk, ElementType::tet));
+    for (const std::int32_t v : tet) tets.integer(global_node(part, v));
+    tets.integer(tet_number++);
+    tets.end_record();
+  }
+  file.write(places.tet + here.first_tet * style.record_bytes(numbers_of(ElementType::tet), 0),
+             tets.bytes());
+}
+
+/// Cells in blocks are numbered behind the tets, type after type.
+void write_cells(OutputFile& file, const Places& places, const NumberedPart& part,
+                 const PartOutline& here, const MeshOutline& outline, const NumberText& style) {
+  std::int64_t first = outline.tets;
+  for (const ElementType type : cell_block_types) {
+    NumberText cells = style;
+    std::int64_t number = first + here.blocks[type].first;
+    for (std::size_t i = 0; i < part.blocks[type].size(); ++i) {
+      cells.integer(code_of(vtk, type));
+      for_each_global_node(vtk, type, part, i, [&](std::int64_t node) { cells.integer(node); });
+      cells.integer(number++);
+      cells.end_record();
+    }
+    file.write(
+        places.cells[type] + here.blocks[type].first * style.record_bytes(numbers_of(type), 0),
+        cells.bytes());
+    first += outline.blocks[type].count;
+  }
+}
+
+void write_triangles(OutputFile& file, const Places& places, const NumberedPart& part,
+                     const PartOutline& here, const NumberText& style) {
+  const auto faces = faces_by_patch(part, places.face_of_patch.size());
+  for (std::size_t patch = 0; patch < faces.size(); ++patch) {
+    NumberText triangles = style;
+    for (const std::size_t face : faces[patch]) {
+      triangles.integer(su2_triangle);
+      for (const std::int32_t v : part.faces[face]) triangles.integer(global_node(part, v));
+      triangles.end_record();
+    }
+    file.write(
+        places.face_of_patch[patch] + here.first_face_of_patch[patch] *
+                                          style.record_bytes(numbers_of(ElementType::triangle), 0),
+        triangles.bytes());
+  }
+}
+
+void write_faces(OutputFile& file, const Places& places, const NumberedPart& part,
+                 const PartOutline& here, const NumberText& style) {
+  for (const ElementType type : face_block_types) {
+    const auto faces = faces_by_patch(part.blocks[type], places.face_of_patch.size());
+    for (std::size_t patch = 0; patch < faces.size(); ++patch) {
+      NumberText records = style;
+      for (const std::size_t face : faces[patch]) {
+        records.integer(code_of(vtk, type));
+        for_each_global_node(vtk, type, part, face,
+                             [&](std::int64_t node) { records.integer(node); });
+        records.end_record();
+      }
+      file.write(places.others_of_patch[type][patch] + here.blocks[type].first_of_group[patch] *
+                                                           style.record_bytes(numbers_of(type), 0),
+                 records.bytes());
+    }
+  }
 }
 
 }  // namespace
@@ -47,8 +134,9 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
 void write_su2(const MeshSource& source, const MeshOutline& outline,
                const std::filesystem::path& path) {
   OutputFile file(path);
-  const NumberText style =
-      NumberText::text(std::max<std::int64_t>({outline.nodes, outline.tets, su2_tetra}));
+  // Room for the two digits of a type too.
+  const NumberText style = NumberText::text(
+      std::max<std::int64_t>({outline.nodes, outline.cells(), code_of(vtk, ElementType::tet)}));
   const Places places = write_frame(file, outline, style);
   TF_CHECK(outline.parts.size() == source.size());
   TF_CHECK(places.face_of_patch.size() == outline.patch_names.size());
@@ -63,27 +151,10 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
                          numbers.integer(number);
                          numbers.end_record();
                        });
-    NumberText tets = style;
-    std::int64_t tet_number = here.first_tet;
-    for (const Tet& tet : part.tets) {
-      tets.integer(su2_tetra);
-      for (const std::int32_t v : tet) tets.integer(global_node(part, v));
-      tets.integer(tet_number++);
-      tets.end_record();
-    }
-    file.write(places.tet + here.first_tet * style.record_bytes(6, 0), tets.bytes());
-    const auto faces = faces_by_patch(part, outline.patch_names.size());
-    for (std::size_t patch = 0; patch < faces.size(); ++patch) {
-      NumberText triangles = style;
-      for (const std::size_t face : faces[patch]) {
-        triangles.integer(su2_triangle);
-        for (const std::int32_t v : part.faces[face]) triangles.integer(global_node(part, v));
-        triangles.end_record();
-      }
-      file.write(
-          places.face_of_patch[patch] + here.first_face_of_patch[patch] * style.record_bytes(4, 0),
-          triangles.bytes());
-    }
+    write_tets(file, places, part, here, style);
+    write_cells(file, places, part, here, outline, style);
+    write_triangles(file, places, part, here, style);
+    write_faces(file, places, part, here, style);
   }
   file.finish();
 }

@@ -1,4 +1,4 @@
-/// Writes a mesh as SU2 (.su2), text: tetrahedra, nodes, a marker for each patch.
+/// Writes a mesh as SU2 (.su2), text: cells, nodes, a marker for each patch.
 ///
 /// Source: SU2 documentation, "Mesh File". Names of markers are plain (plain_names.h). The format
 /// has no place for regions.

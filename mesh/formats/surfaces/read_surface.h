@@ -1,6 +1,5 @@
-/// Reads a surface by its file's ending: .stl (binary, ASCII), .obj, .off, .msh (Gmsh 2.2 and 4.1),
-/// .ply, .ugrid (with .b8, .lb8l … before it), .su2, .mesh and .meshb (Medit), .poly and .smesh
-/// (TetGen), .fro (FLITE), each also as .gz.
+/// Reads a surface by its file's ending, in any format of surfaces (surface_formats.h;
+/// docs/file_formats.md), also as .gz.
 #pragma once
 
 #include <string>

@@ -33,6 +33,7 @@ class ListFile {
 
 void write_tetgen(const MeshSource& source, const MeshOutline& outline,
                   const std::filesystem::path& file) {
+  require_tets_alone(outline, "TetGen files hold");
   TF_CHECK(outline.parts.size() == source.size());
   const std::string larger = "use meshb or msh41, which count with 64 bits";
   require_32_bits(outline.nodes, "nodes", "TetGen's files", larger);

@@ -120,6 +120,32 @@ void UgridFile::read_tets(std::int64_t first, std::span<std::array<std::int64_t,
   read_integers(tet_place(first), {reinterpret_cast<std::int64_t*>(into.data()), 4 * into.size()});
 }
 
+std::int64_t UgridListCounts::of(ElementType type) const {
+  const std::array all = {nodes, triangles, quadrangles, tets, pyramids, prisms, hexahedra};
+  const std::int32_t code = code_of(ElementCodes::ugrid, type);
+  return code == 0 ? 0 : all[static_cast<std::size_t>(code)];
+}
+
+/// Cells lie behind one another, type after type; faces before their patches.
+std::int64_t UgridFile::element_place(ElementType type, std::int64_t i) const {
+  std::int64_t place = is_cell(type) ? tet_place(0) : triangle_place(0);
+  for (const ElementType before : all_element_types) {
+    if (before == type) break;
+    if (is_cell(before) != is_cell(type)) continue;
+    place += counts_.of(before) * static_cast<std::int64_t>(nodes_of(before)) * integer_bytes();
+  }
+  return place + i * static_cast<std::int64_t>(nodes_of(type)) * integer_bytes();
+}
+
+void UgridFile::read_elements(ElementType type, std::int64_t first,
+                              std::span<std::int64_t> into) const {
+  read_integers(element_place(type, first), into);
+}
+
+void UgridFile::fail_at_quadrangle(const std::string& what, std::int64_t quadrangle) const {
+  file_.fail(what, element_place(ElementType::quad, quadrangle));
+}
+
 void UgridFile::fail_at_corner(const std::string& what, std::int64_t triangle,
                                std::size_t corner) const {
   file_.fail(what, triangle_place(triangle) + static_cast<std::int64_t>(corner) * integer_bytes());

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/core/elements.h"
 #include "mesh/core/vec3.h"
 #include "mesh/formats/input_file.h"
 
@@ -37,6 +38,8 @@ struct UgridListCounts {
   std::int64_t pyramids = 0;
   std::int64_t prisms = 0;
   std::int64_t hexahedra = 0;
+
+  std::int64_t of(ElementType type) const;
 };
 
 /// Threads may read at once. Nodes count from 1, as in the file.
@@ -59,8 +62,11 @@ class UgridFile {
   void read_triangles(std::int64_t first, std::span<std::array<std::int64_t, 3>> into) const;
   void read_patches(std::int64_t first, std::span<std::int64_t> into) const;
   void read_tets(std::int64_t first, std::span<std::array<std::int64_t, 4>> into) const;
+  /// The nodes of consecutive elements of a type from `first` on.
+  void read_elements(ElementType type, std::int64_t first, std::span<std::int64_t> into) const;
 
-  /// @throws InvalidInput for the place of a triangle's corner.
+  /// @throws InvalidInput for the place of a quadrangle, or of a triangle's corner.
+  [[noreturn]] void fail_at_quadrangle(const std::string& what, std::int64_t quadrangle) const;
   [[noreturn]] void fail_at_corner(const std::string& what, std::int64_t triangle,
                                    std::size_t corner) const;
   /// @throws InvalidInput for the counts.
@@ -74,6 +80,7 @@ class UgridFile {
   std::int64_t triangle_place(std::int64_t triangle) const;
   std::int64_t patch_place(std::int64_t face) const;
   std::int64_t tet_place(std::int64_t tet) const;
+  std::int64_t element_place(ElementType type, std::int64_t i) const;
   void read_integers(std::int64_t place, std::span<std::int64_t> into) const;
   template <class Number>
   void read(std::int64_t place, std::span<Number> into) const;

@@ -16,4 +16,9 @@ namespace tetfarm {
 std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridForm form = {},
                                        std::int64_t tets_of_piece = 1'000'000);
 
+/// The same of one form, in place: without the scratch folder.
+template <bool big_endian, bool wide>
+std::unique_ptr<MeshSource> open_ugrid_as(const std::filesystem::path& path,
+                                          const std::filesystem::path& scratch_folder);
+
 }  // namespace tetfarm

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/core/element_block.h"
 
 namespace tetfarm {
 
@@ -25,6 +26,7 @@ struct UgridCounts {
   std::int64_t nodes = 0;
   std::int64_t boundary_triangles = 0;
   std::int64_t tets = 0;
+  ElementCounts others{};  ///< of the types in blocks
 };
 
 /// Parts in any order when it is told what the parts before them have (of nodes nothing).

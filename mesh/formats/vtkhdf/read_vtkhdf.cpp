@@ -26,7 +26,8 @@ std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
   std::vector<VtkhdfPartition> partitions;
   VtkhdfPartition next;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (const std::int64_t count : {points[i], cells[i], ids[i] / 4}) {
+    for (const std::int64_t count :
+         {points[i], cells[i], ids[i] / std::int64_t{most_element_nodes}}) {
       if (count < 0 || count > most) file.fail("a partition has a wrong number of points or cells");
     }
     next.points = points[i];
@@ -76,7 +77,7 @@ void read_points(const Hdf5Input& file, const VtkhdfPartition& here, bool has_nu
   }
 }
 
-/// A partition lies in one region, or says it of each cell.
+/// A partition lies in one region, or says it of each cell. Blocks have it of each element.
 void read_regions(const Hdf5Input& file, const VtkhdfPartition& here, NumberedPart& part) {
   if (here.cells == 0) return;
   const Hdf5Rows rows = file.rows("VTKHDF/CellData/region");
@@ -99,9 +100,22 @@ void read_regions(const Hdf5Input& file, const VtkhdfPartition& here, NumberedPa
   const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
   regions = file.slice<std::int32_t>("VTKHDF/CellData/region", here.first_cell, here.cells);
   for (std::size_t cell = 0; cell < regions.size(); ++cell) {
-    (types[cell] == vtkhdf_tet_type ? part.region_of_tet : part.region_of_face)
-        .push_back(regions[cell]);
+    const auto type = type_of(ElementCodes::vtk, types[cell]);
+    if (type == ElementType::tet) {
+      part.region_of_tet.push_back(regions[cell]);
+    } else if (!type || type == ElementType::triangle) {
+      part.region_of_face.push_back(regions[cell]);
+    } else {
+      part.blocks[*type].regions.push_back(regions[cell]);
+    }
   }
+}
+
+/// Those of the partition where cells do not say it.
+void complete_regions(const ElementCounts& counts, NumberedPart& part) {
+  for_each_block(part.blocks, [&](ElementType type, ElementBlock& block) {
+    block.regions.resize(at(counts[type]), part.region);
+  });
 }
 
 /// All but the nodes of the elements.
@@ -113,9 +127,11 @@ CountedPart count_part(const Hdf5Input& file, const VtkhdfPartition& here,
   if (known.regions) read_regions(file, here, part);
   read_points(file, here, known.node_numbers, part);
   VtkhdfCells cells(file, here);
-  counted.tets = cells.count_tets();
-  counted.faces = here.cells - counted.tets;
-  part.patch_of_face = cells.patches(known.patches, counted.faces);
+  const ElementCounts counts = cells.count();
+  counted.tets = counts[ElementType::tet];
+  counted.faces = counts[ElementType::triangle];
+  complete_regions(counts, part);
+  cells.read_patches(known.patches, counts, part);
   return counted;
 }
 
@@ -124,7 +140,7 @@ NumberedPart read_part(const Hdf5Input& file, const VtkhdfPartition& here,
   CountedPart counted = count_part(file, here, known);
   counted.part.tets.reserve(at(counted.tets));
   counted.part.faces.reserve(at(counted.faces));
-  VtkhdfCells(file, here).read_nodes(counted.part.tets, counted.part.faces);
+  VtkhdfCells(file, here).read_nodes(counted.part);
   return std::move(counted.part);
 }
 
@@ -135,6 +151,7 @@ Element with_global_nodes(Element element, const NumberedPart& part) {
 }
 
 void join(const Hdf5Input& file, const NumberedPart& part, GlobalMesh& mesh) {
+  if (has_elements(part.blocks)) file.fail("has cells other than tets and triangles");
   std::vector<Vec3>& nodes = mesh.mesh.nodes;
   for (std::size_t i = 0; i < part.nodes.size(); ++i) {
     const std::int64_t number = part.local2global[i];
@@ -212,19 +229,6 @@ std::vector<std::string> VtkhdfParts::patch_names() const {
 
 std::vector<std::string> VtkhdfParts::region_names() const {
   return content_->texts("Tetfarm/region_names");
-}
-
-void for_each_vtkhdf_part(const std::filesystem::path& path,
-                          const std::function<void(NumberedPart& part)>& visit) {
-  const VtkhdfParts parts(path);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    NumberedPart part = parts.part(i);
-    visit(part);
-  }
-}
-
-std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path) {
-  return VtkhdfParts(path).patch_names();
 }
 
 GlobalMesh read_vtkhdf(const std::filesystem::path& path) {

@@ -12,7 +12,9 @@
 
 namespace tetfarm {
 
-/// Any partition at any time: memory of one. What is not there is made up as below.
+/// Any partition at any time: memory of one. Without GlobalNodeId, numbers are those of the
+/// partition; without the cell array `region` all is region 1; without `patch` all boundary
+/// triangles are of patch 0.
 class VtkhdfParts {
  public:
   /// @throws IoError, InvalidInput.
@@ -35,16 +37,6 @@ class VtkhdfParts {
   struct Content;
   std::unique_ptr<const Content> content_;
 };
-
-/// Visits the partitions one after the other: memory of one. Without GlobalNodeId, numbers are
-/// those of the partition; without the cell array `region` all is region 1; without `patch` all
-/// boundary triangles are of patch 0.
-/// @throws IoError, InvalidInput.
-void for_each_vtkhdf_part(const std::filesystem::path& path,
-                          const std::function<void(NumberedPart& part)>& visit);
-
-/// The names of the patches; empty when the file has none. @throws as above.
-std::vector<std::string> vtkhdf_patch_names(const std::filesystem::path& path);
 
 /// Partitions are joined by the point array GlobalNodeId; without it there must be one partition.
 /// @throws IoError, InvalidInput.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 template <class Element>
 const std::int64_t* take(const std::int64_t* ids, Element& element) {
@@ -36,31 +36,68 @@ std::int64_t VtkhdfCells::tets_of_block(std::int64_t cells) const {
   return std::count(types_.begin(), types_.begin() + cells, vtkhdf_tet_type);
 }
 
-std::int64_t VtkhdfCells::count_tets() {
-  std::int64_t tets = 0;
-  for_each_block([&](std::int64_t, std::int64_t cells) { tets += tets_of_block(cells); });
-  return tets;
+/// Whether there are others than tets and triangles.
+bool VtkhdfCells::has_blocks(std::int64_t cells) const {
+  return std::any_of(types_.begin(), types_.begin() + cells, [](std::uint8_t type) {
+    return type != vtkhdf_tet_type && type != vtkhdf_triangle_type;
+  });
 }
 
-std::vector<std::int32_t> VtkhdfCells::patches(bool has_patches, std::int64_t faces) {
-  std::vector<std::int32_t> patch_of_face(at(faces), 0);
-  if (!has_patches) return patch_of_face;
+ElementCounts VtkhdfCells::count() {
+  ElementCounts counts;
+  for_each_block([&](std::int64_t, std::int64_t cells) {
+    const std::int64_t tets = tets_of_block(cells);
+    counts[ElementType::tet] += tets;
+    if (!has_blocks(cells)) {
+      counts[ElementType::triangle] += cells - tets;
+      return;
+    }
+    for (std::int64_t i = 0; i < cells; ++i) {
+      const std::uint8_t code = types_[at(i)];
+      if (code != vtkhdf_tet_type) ++counts[type_of_cell(code)];
+    }
+  });
+  return counts;
+}
+
+ElementType VtkhdfCells::type_of_cell(std::uint8_t code) const {
+  const std::optional<ElementType> type = type_of(ElementCodes::vtk, code);
+  if (!type) {
+    file_.fail("a cell of type " + std::to_string(code) +
+               "; only triangles (5), quads (9), tetrahedra (10), hexahedra (12), wedges (13) and "
+               "pyramids (14) are read");
+  }
+  return *type;
+}
+
+void VtkhdfCells::read_patches(bool has_patches, const ElementCounts& counts, NumberedPart& part) {
+  part.patch_of_face.assign(at(counts[ElementType::triangle]), 0);
+  for (const ElementType type : face_block_types) {
+    part.blocks[type].patches.assign(at(counts[type]), 0);
+  }
+  if (!has_patches) return;
   const Hdf5Rows patch_rows = file_.rows("VTKHDF/CellData/patch");
   patch_rows.check(here_.first_cell, here_.cells);
   std::vector<std::int32_t> patches;
-  std::size_t face = 0;
+  ByType<std::size_t> next;
   for_each_block([&](std::int64_t first, std::int64_t cells) {
     if (tets_of_block(cells) == cells) return;
     patches.resize(at(cells));
     patch_rows.read(here_.first_cell + first, cells, patches.data());
     for (std::size_t i = 0; i < patches.size(); ++i) {
-      if (types_[i] != vtkhdf_tet_type) patch_of_face[face++] = patches[i];
+      if (types_[i] == vtkhdf_triangle_type) {
+        part.patch_of_face[next[ElementType::triangle]++] = patches[i];
+      } else if (types_[i] != vtkhdf_tet_type) {
+        const ElementType type = type_of_cell(types_[i]);
+        if (!is_cell(type)) part.blocks[type].patches[next[type]++] = patches[i];
+      }
     }
   });
-  return patch_of_face;
 }
 
-void VtkhdfCells::read_nodes(std::vector<Tet>& tets, std::vector<Triangle>& faces) {
+void VtkhdfCells::read_nodes(NumberedPart& part) {
+  std::vector<Tet>& tets = part.tets;
+  std::vector<Triangle>& faces = part.faces;
   const Hdf5Rows offset_rows = file_.rows("VTKHDF/Offsets");
   const Hdf5Rows id_rows = file_.rows("VTKHDF/Connectivity");
   id_rows.check(here_.first_id, here_.ids);
@@ -73,6 +110,10 @@ void VtkhdfCells::read_nodes(std::vector<Tet>& tets, std::vector<Triangle>& face
     ids.resize(at(offsets.back() - offsets.front()));
     id_rows.read(here_.first_id + offsets.front(), std::ssize(ids), ids.data());
     check_nodes(ids);
+    if (has_blocks(cells)) {
+      read_mixed_nodes(ids.data(), cells, part);
+      return;
+    }
     const auto tets_here = at(tets_of_block(cells));
     tets.resize(tets.size() + tets_here);
     faces.resize(faces.size() + at(cells) - tets_here);
@@ -85,14 +126,32 @@ void VtkhdfCells::read_nodes(std::vector<Tet>& tets, std::vector<Triangle>& face
   });
 }
 
+void VtkhdfCells::read_mixed_nodes(const std::int64_t* next, std::int64_t cells,
+                                   NumberedPart& part) const {
+  for (std::int64_t i = 0; i < cells; ++i) {
+    const ElementType type = type_of_cell(types_[at(i)]);
+    if (type == ElementType::tet) {
+      next = take(next, part.tets.emplace_back());
+    } else if (type == ElementType::triangle) {
+      next = take(next, part.faces.emplace_back());
+    } else {
+      std::vector<std::int32_t>& nodes = part.blocks[type].nodes;
+      const std::size_t count = nodes_of(type);
+      nodes.resize(nodes.size() + count);
+      take_from_order_of(ElementCodes::vtk, type, std::span(next, count),
+                         std::span(nodes).last(count));
+      next += count;
+    }
+  }
+}
+
 void VtkhdfCells::check_offsets(const std::vector<std::int64_t>& offsets) const {
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-    const std::uint8_t type = types_[i];
-    const int nodes = type == vtkhdf_tet_type ? 4 : type == vtkhdf_triangle_type ? 3 : 0;
-    if (nodes == 0) {
-      file_.fail("a cell of type " + std::to_string(type) +
-                 "; only triangles (5) and tetrahedra (10) are read");
-    }
+    const std::uint8_t code = types_[i];
+    const auto nodes =
+        static_cast<std::int64_t>(code == vtkhdf_tet_type        ? 4
+                                  : code == vtkhdf_triangle_type ? 3
+                                                                 : nodes_of(type_of_cell(code)));
     if (offsets[i] < 0 || offsets[i + 1] > here_.ids || offsets[i + 1] - offsets[i] != nodes) {
       file_.fail("the offset of a cell is wrong");
     }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/core/elements.h"
-#include "mesh/core/tet_mesh.h"
+#include "mesh/assemble/portion.h"
+#include "mesh/core/element_block.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
@@ -33,16 +33,20 @@ class VtkhdfCells {
   /// `file` and `here` must live longer.
   VtkhdfCells(const Hdf5Input& file, const VtkhdfPartition& here);
 
-  std::int64_t count_tets();
-  /// Of each of the `faces` triangles; 0 without that array.
-  std::vector<std::int32_t> patches(bool has_patches, std::int64_t faces);
-  /// Puts the elements behind those that are there, with the nodes of the partition.
-  void read_nodes(std::vector<Tet>& tets, std::vector<Triangle>& faces);
+  /// Of each type how many there are.
+  ElementCounts count();
+  /// Of the boundary faces, of the counts that count() gave; 0 without that array.
+  void read_patches(bool has_patches, const ElementCounts& counts, NumberedPart& part);
+  /// Puts the nodes of the elements behind those that are there, with the nodes of the partition.
+  void read_nodes(NumberedPart& part);
 
  private:
   template <class Visit>
   void for_each_block(const Visit& visit);
   std::int64_t tets_of_block(std::int64_t cells) const;
+  bool has_blocks(std::int64_t cells) const;
+  void read_mixed_nodes(const std::int64_t* next, std::int64_t cells, NumberedPart& part) const;
+  ElementType type_of_cell(std::uint8_t code) const;
   void check_offsets(const std::vector<std::int64_t>& offsets) const;
   void check_nodes(const std::vector<std::int64_t>& ids) const;
 

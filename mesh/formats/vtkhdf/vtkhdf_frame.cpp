@@ -5,8 +5,19 @@
 namespace tetfarm {
 namespace {
 
-std::int64_t cells_of(const VtkhdfCounts& part) { return part.tets + part.faces; }
-std::int64_t ids_of(const VtkhdfCounts& part) { return 4 * part.tets + 3 * part.faces; }
+std::int64_t cells_of(const VtkhdfCounts& part) {
+  std::int64_t cells = part.tets + part.faces;
+  for_each_block(part.others, [&](ElementType, std::int64_t count) { cells += count; });
+  return cells;
+}
+
+std::int64_t ids_of(const VtkhdfCounts& part) {
+  std::int64_t ids = 4 * part.tets + 3 * part.faces;
+  for_each_block(part.others, [&](ElementType type, std::int64_t count) {
+    ids += static_cast<std::int64_t>(nodes_of(type)) * count;
+  });
+  return ids;
+}
 
 void add_counts(std::span<const VtkhdfCounts> parts, Hdf5Output& file) {
   std::vector<std::int64_t> points;
@@ -23,6 +34,14 @@ void add_counts(std::span<const VtkhdfCounts> parts, Hdf5Output& file) {
 }
 
 }  // namespace
+
+VtkhdfCounts vtkhdf_counts(const NumberedPart& part) {
+  VtkhdfCounts counts{std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)};
+  for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
+    counts.others[type] = std::ssize(block.regions);
+  });
+  return counts;
+}
 
 std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts) {
   std::vector<VtkhdfBefore> all(1);

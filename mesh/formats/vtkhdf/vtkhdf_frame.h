@@ -11,14 +11,21 @@
 #include <string>
 #include <vector>
 
+#include "mesh/assemble/portion.h"
+
 namespace tetfarm {
 
-/// What a partition has.
+/// What a partition has. Its cells lie in the arrays as tets, pyramids, prisms, hexes, then
+/// triangles and quads of the boundary.
 struct VtkhdfCounts {
   std::int64_t points = 0;
   std::int64_t tets = 0;
   std::int64_t faces = 0;
+  ElementCounts others{};  ///< of the types in blocks
+
+  friend bool operator==(const VtkhdfCounts&, const VtkhdfCounts&) = default;
 };
+VtkhdfCounts vtkhdf_counts(const NumberedPart& part);
 
 /// Where the arrays begin in the file, bytes.
 struct VtkhdfPlaces {

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "mesh/core/elements.h"
+#include "mesh/core/element_block.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::uint8_t vtk_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
-constexpr std::uint8_t vtk_tetra = code_of(ElementCodes::vtk, ElementType::tet);
 constexpr std::int32_t no_patch = -1;
 /// What is written at once: it stays in the processor's caches until then.
 constexpr std::size_t values_of_block = 65536;
@@ -41,6 +39,15 @@ class Row {
       for (const std::int32_t v : element) add(v);
     }
   }
+  /// In VTK's order.
+  void add_nodes(ElementType type, const ElementBlock& block) {
+    std::array<T, most_element_nodes> nodes;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const std::span<T> here(nodes.data(), nodes_of(type));
+      put_in_order_of(ElementCodes::vtk, type, block.element(type, i), here);
+      for (const T node : here) add(node);
+    }
+  }
   FileRange finish() {
     store();
     TF_CHECK(next_ == place_.offset + place_.size);
@@ -63,29 +70,36 @@ class Row {
   std::vector<T> values_;
 };
 
-VtkhdfCounts counts_of(const NumberedPart& part) {
-  return {std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)};
+constexpr auto vtk_code(ElementType type) {
+  return static_cast<std::uint8_t>(code_of(ElementCodes::vtk, type));
 }
 
 FileRange write_offsets(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
   Row<std::int64_t> offsets(file, place);
   std::int64_t offset = 0;
   offsets.add(offset);
-  for (std::size_t i = 0; i < part.tets.size(); ++i) offsets.add(offset += 4);
-  for (std::size_t i = 0; i < part.faces.size(); ++i) offsets.add(offset += 3);
+  const auto add = [&](ElementType type, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      offsets.add(offset += static_cast<std::int64_t>(nodes_of(type)));
+    }
+  };
+  add(ElementType::tet, part.tets.size());
+  for (const ElementType type : cell_block_types) add(type, part.blocks[type].size());
+  add(ElementType::triangle, part.faces.size());
+  for (const ElementType type : face_block_types) add(type, part.blocks[type].size());
   return offsets.finish();
 }
 
 FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
   Row<std::int32_t> regions(file, place);
-  if (part.region_of_tet.empty()) {
-    regions.add(part.tets.size() + part.faces.size(), part.region);
-  } else {
-    TF_CHECK(part.region_of_tet.size() == part.tets.size());
-    TF_CHECK(part.region_of_face.size() == part.faces.size());
-    for (const std::int32_t region : part.region_of_tet) regions.add(region);
-    for (const std::int32_t region : part.region_of_face) regions.add(region);
-  }
+  const auto add = [&](const std::vector<std::int32_t>& of_each, std::size_t count) {
+    if (of_each.empty()) regions.add(count, part.region);
+    for (const std::int32_t region : of_each) regions.add(region);
+  };
+  add(part.region_of_tet, part.tets.size());
+  for (const ElementType type : cell_block_types) add(part.blocks[type].regions, 0);
+  add(part.region_of_face, part.faces.size());
+  for (const ElementType type : face_block_types) add(part.blocks[type].regions, 0);
   return regions.finish();
 }
 
@@ -93,24 +107,37 @@ FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, Outp
 
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                                           const NumberedPart& part, OutputFile* file) {
-  const VtkhdfCellPlaces here = cell_places(places, part.number, before, counts_of(part));
+  const VtkhdfCellPlaces here = cell_places(places, part.number, before, vtkhdf_counts(part));
+  const auto cells = static_cast<std::size_t>(cells_of(part));
+  const auto faces = static_cast<std::size_t>(boundary_faces_of(part));
   Row<std::int64_t> ids(file, here.connectivity);
   ids.add_nodes(part.tets);
+  for (const ElementType type : cell_block_types) ids.add_nodes(type, part.blocks[type]);
   ids.add_nodes(part.faces);
+  for (const ElementType type : face_block_types) ids.add_nodes(type, part.blocks[type]);
   std::vector<FileRange> written = {ids.finish()};
   written.push_back(write_offsets(here.offsets, part, file));
   Row<std::uint8_t> types(file, here.types);
-  types.add(part.tets.size(), vtk_tetra);
-  types.add(part.faces.size(), vtk_triangle);
+  types.add(part.tets.size(), vtk_code(ElementType::tet));
+  for (const ElementType type : cell_block_types) {
+    types.add(part.blocks[type].size(), vtk_code(type));
+  }
+  types.add(part.faces.size(), vtk_code(ElementType::triangle));
+  for (const ElementType type : face_block_types) {
+    types.add(part.blocks[type].size(), vtk_code(type));
+  }
   written.push_back(types.finish());
   Row<std::int32_t> subdomains(file, here.subdomains);
-  subdomains.add(part.tets.size() + part.faces.size(), part.number);
+  subdomains.add(cells + faces, part.number);
   written.push_back(subdomains.finish());
   written.push_back(write_regions(here.regions, part, file));
   TF_CHECK(part.patch_of_face.size() == part.faces.size());
   Row<std::int32_t> patches(file, here.patches);
-  patches.add(part.tets.size(), no_patch);
+  patches.add(cells, no_patch);
   for (const std::int32_t patch : part.patch_of_face) patches.add(patch);
+  for (const ElementType type : face_block_types) {
+    for (const std::int32_t patch : part.blocks[type].patches) patches.add(patch);
+  }
   written.push_back(patches.finish());
   return written;
 }

@@ -25,8 +25,7 @@ class VtkhdfWriter : public GlobalMeshWriter {
   void add(const NumberedPart& part) override {
     const auto number = static_cast<std::size_t>(part.number);
     const VtkhdfCounts& counts = parts_.at(number);
-    if (std::ssize(part.nodes) != counts.points || std::ssize(part.tets) != counts.tets ||
-        std::ssize(part.faces) != counts.faces) {
+    if (vtkhdf_counts(part) != counts) {
       throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
     }
     write_vtkhdf_cells(places_, before_[number], part, &file_);

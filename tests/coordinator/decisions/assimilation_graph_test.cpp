@@ -38,7 +38,7 @@ TEST_F(Assimilated, leaves_wait_for_the_task_that_sees_them_all) {
 
 TEST_F(Assimilated, a_group_is_a_leaf_under_the_number_of_its_first) {
   TaskRow done = *assimilate_task(inspect_, tree_);
-  done.outputs = {make_believe_file("dropped", "d"), make_believe_file("group:2", "g")};
+  done.outputs = {fake_file("dropped", "d"), fake_file("group:2", "g")};
   done.texts["groups"] = "2 2\n3 2\n";
   const GraphStep step = after_assimilate(inspect_, done, tree_);
   ASSERT_THAT(step.tasks, SizeIs(1));
@@ -57,8 +57,8 @@ TEST_F(Assimilated, a_group_is_a_leaf_under_the_number_of_its_first) {
 TEST_F(Assimilated, groups_that_leave_a_leaf_out_are_unusable) {
   const TaskRow task = *assimilate_task(inspect_, tree_);
   TaskResult result;
-  result.outputs = {make_believe_file("dropped", "d"), make_believe_file("group:2", "g"),
-                    make_believe_file("group:3", "g3")};
+  result.outputs = {fake_file("dropped", "d"), fake_file("group:2", "g"),
+                    fake_file("group:3", "g3")};
   const auto problem = [&](const char* groups) {
     result.texts["groups"] = groups;
     return problem_with(task, result).has_value();

@@ -21,7 +21,7 @@ class DoneTasks {
     TaskRow& task = tasks_[{kind, leaf}];
     task.kind = kind;
     task.path = leaf;
-    task.outputs = {make_believe_file("elements", name_of(kind) + std::to_string(leaf))};
+    task.outputs = {fake_file("elements", name_of(kind) + std::to_string(leaf))};
   }
   FindDone find() const {
     return [this](TaskKind kind, std::uint64_t leaf) {
@@ -37,7 +37,7 @@ class DoneTasks {
 TaskRow inspected(double across_cuts) {
   TaskRow task;
   task.job = JobId{1};
-  task.outputs = {make_believe_file("spacing", "p"), make_believe_file("surface", "s")};
+  task.outputs = {fake_file("spacing", "p"), fake_file("surface", "s")};
   task.numbers["across_cuts"] = across_cuts;
   return task;
 }
@@ -94,9 +94,9 @@ TEST(CosmeticGraph, only_jobs_with_cuts_that_ask_for_it_are_mended) {
 TEST(CosmeticGraph, an_order_must_have_the_leaves_of_the_tree) {
   TaskRow order;
   order.kind = TaskKind::order;
-  order.inputs = {make_believe_file("subdomain:4", "a"), make_believe_file("subdomain:5", "b")};
+  order.inputs = {fake_file("subdomain:4", "a"), fake_file("subdomain:5", "b")};
   TaskResult result;
-  result.outputs = {make_believe_file("shared:4", "c"), make_believe_file("shared:5", "d")};
+  result.outputs = {fake_file("shared:4", "c"), fake_file("shared:5", "d")};
   EXPECT_TRUE(problem_with(order, result));
   result.texts["order"] = "4 0 5\n5 1 4\n";
   EXPECT_FALSE(problem_with(order, result));

@@ -1,4 +1,5 @@
 // What waits for workers, as a pool of workers is told of it.
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -37,8 +38,7 @@ TEST_F(Demand, names_the_memory_that_a_starved_task_wants_though_no_worker_has_i
   worker_ =
       add_worker({.memory_bytes = 2 * gib, .shares_memory = false, .pool_memory_bytes = 16 * gib});
   TaskFailure starved;
-  starved.out_of_memory = true;
-  starved.may_retry = true;
+  starved.cause = FailureCause::out_of_memory;
   starved.peak_rss_bytes = 2 * gib;
   const SendAssign first = next(worker_);
   fail(worker_, first, starved);
@@ -55,8 +55,7 @@ TEST_F(Demand, what_the_largest_worker_of_a_pool_could_not_hold_goes_into_quaran
   worker_ =
       add_worker({.memory_bytes = 16 * gib, .shares_memory = false, .pool_memory_bytes = 16 * gib});
   TaskFailure starved;
-  starved.out_of_memory = true;
-  starved.may_retry = true;
+  starved.cause = FailureCause::out_of_memory;
   fail(worker_, next(worker_), starved);
   EXPECT_EQ(job().phase, JobPhase::failed);
 }

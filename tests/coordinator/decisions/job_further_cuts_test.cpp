@@ -1,4 +1,5 @@
 // Leaves that are out of memory on every worker are cut once more.
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -15,8 +16,7 @@ class FurtherCuts : public JobStateTest {
   void starve(const SendAssign& assign) {
     TaskFailure failure;
     failure.message = "out of memory";
-    failure.may_retry = true;
-    failure.out_of_memory = true;
+    failure.cause = FailureCause::out_of_memory;
     failure.peak_rss_bytes = 2 * gib;
     fail(worker_, assign, failure);
   }
@@ -195,8 +195,7 @@ TEST_F(FurtherCuts, the_first_worker_after_a_restart_does_not_count_as_the_large
   const JobId job = begin(6);
   run_until_meshes();
   TaskFailure handed_back;
-  handed_back.killed = true;
-  handed_back.may_retry = true;
+  handed_back.cause = FailureCause::killed;
   fail(worker_, held_, handed_back);
   restart();
   const std::int64_t restarted_ms = now_.steady_ms;

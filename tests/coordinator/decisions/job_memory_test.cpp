@@ -1,4 +1,5 @@
 // Tasks that are out of memory, and how workers are packed.
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -12,8 +13,7 @@ class Memory : public JobStateTest {
   static TaskFailure starved(std::uint64_t peak) {
     TaskFailure failure;
     failure.message = "out of memory";
-    failure.may_retry = true;
-    failure.out_of_memory = true;
+    failure.cause = FailureCause::out_of_memory;
     failure.peak_rss_bytes = peak;
     return failure;
   }

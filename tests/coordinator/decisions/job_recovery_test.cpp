@@ -1,6 +1,7 @@
 // What the simulated farm has found (farm_schedules.h), each as a few events.
 #include <algorithm>
 
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -34,7 +35,7 @@ TEST_F(Recovery, a_missing_input_is_told_with_the_task_that_makes_it_and_how_tha
   worker_ = add_worker({.nonce = "one"});
   run_until_meshes();
   TaskFailure killed;
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   ASSERT_TRUE(fail(worker_, held_, killed));
   now_.steady_ms += 1000;
   const ArtifactRef lost = task(held_.task).inputs.front();
@@ -140,6 +141,7 @@ TEST_F(Recovery, a_job_goes_on_with_what_a_task_made_before_it_came_into_quarant
   const std::string lost = task(turn.task).inputs.back().hash;
   files_.erase(lost);
   TaskFailure damaged = crash();
+  damaged.cause = FailureCause::damaged_input;
   damaged.damaged_inputs = {lost};
   ASSERT_TRUE(fail(other, turn, damaged));
   const SendAssign maker = next(other);

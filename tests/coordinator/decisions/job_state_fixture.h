@@ -10,6 +10,7 @@
 
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/job_status.h"
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/durable_record.h"
 #include "tests/coordinator/fake_task.h"
 
@@ -144,8 +145,8 @@ class JobStateTest : public testing::Test {
   FarmRules rules_;
   Moment now_{1000000, 5};
   DurableRecord record_;
-  ArtifactRef job_file_ = make_believe_file("job", "toml");
-  ArtifactRef surface_ = make_believe_file("input_surface", "flange");
+  ArtifactRef job_file_ = fake_file("job", "toml");
+  ArtifactRef surface_ = fake_file("input_surface", "flange");
   std::set<std::string> files_;
   std::unique_ptr<JobState> state_;
   WorkerId worker_;
@@ -155,7 +156,7 @@ class JobStateTest : public testing::Test {
 inline TaskFailure crash() {
   TaskFailure failure;
   failure.message = "signal 11";
-  failure.may_retry = true;
+  failure.cause = FailureCause::error;
   return failure;
 }
 

@@ -1,3 +1,4 @@
+#include "tasks/failure_cause.h"
 #include "tests/coordinator/decisions/job_state_fixture.h"
 
 namespace tetfarm {
@@ -163,7 +164,7 @@ TEST_F(JobStateTest, bad_input_fails_the_job_at_once_with_its_evidence) {
   TaskFailure failure;
   failure.exit_code = 3;
   failure.message = "wing.stl: the surface is open";
-  failure.evidence = {make_believe_file("open_edges.vtp", "x")};
+  failure.evidence = {fake_file("open_edges.vtp", "x")};
   files_.insert(failure.evidence.front().hash);
   EXPECT_TRUE(fail(worker_, assign, failure));
   const JobSummary result = summary();
@@ -218,7 +219,7 @@ TEST_F(JobStateTest, kills_from_outside_are_not_counted_as_crashes) {
   submit();
   worker_ = new_worker();
   TaskFailure killed = crash();
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   for (int i = 0; i < 10; ++i) {
     wait(60000);
     fail(worker_, next(worker_), killed);
@@ -233,7 +234,7 @@ TEST_F(JobStateTest, a_task_that_is_lost_again_and_again_fails_in_the_end) {
   submit();
   worker_ = new_worker();
   TaskFailure killed;
-  killed.killed = true;
+  killed.cause = FailureCause::killed;
   for (std::uint32_t i = 0; i < rules_.max_losses; ++i) {
     wait(60000);
     fail(worker_, next(worker_), killed);
@@ -256,7 +257,7 @@ TEST_F(JobStateTest, a_full_disk_stops_the_handing_out_for_a_growing_while) {
   worker_ = new_worker();
   TaskFailure full;
   full.message = "No space left on device";
-  full.out_of_resources = true;
+  full.cause = FailureCause::disk_full;
   full.exit_code = 6;
   fail(worker_, next(worker_), full);
   EXPECT_EQ(summary().state, "stuck");
@@ -336,7 +337,7 @@ TEST_F(JobStateTest, other_bytes_the_second_time_fail_the_job) {
   const SendAssign again = next(worker_);
   ASSERT_EQ(again.task, inspect.task);
   TaskResult other = run_make_believe(task(again.task));
-  other.outputs.front() = make_believe_file("surface", "other");
+  other.outputs.front() = fake_file("surface", "other");
   files_.insert(other.outputs.front().hash);
   files_.insert(find_file(other.outputs, "root")->hash);
   state_->done(worker_, again.task, again.attempt, other, now_);

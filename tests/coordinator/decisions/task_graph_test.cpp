@@ -27,7 +27,7 @@ TEST(TaskGraph, several_parts_are_cut_and_the_halves_treated_alike) {
   EXPECT_EQ(cut.kind, TaskKind::decompose);
   EXPECT_EQ(cut.parameters.at("left_parts"), "1");
   EXPECT_EQ(cut.parameters.at("right_parts"), "2");
-  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"interdomain_nodes", 17}, {"left_work", 40}, {"right_work", 90}};
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
   ASSERT_THAT(second.tasks, SizeIs(2));
@@ -47,7 +47,7 @@ TEST(TaskGraph, tasks_on_subdomains_are_told_how_many_needles_they_have) {
   EXPECT_EQ(cut.parameters.at("needles"), "700");
   const GraphStep whole = after_decompose(inspect, cut, first.subdomains[0], false);
   EXPECT_EQ(whole.tasks.at(0).parameters.at("needles"), "700");
-  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_needles", 0}, {"right_needles", 690}};
   const GraphStep halves = after_decompose(inspect, cut, first.subdomains[0], false);
   EXPECT_FALSE(halves.tasks.at(0).parameters.contains("needles"));
@@ -69,7 +69,7 @@ TEST(TaskGraph, heap_numbers_do_not_overflow) {
   deep.path = deepest_cut / 2 + 1;
   TaskRow cut;
   cut.job = JobId{1};
-  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 4}, {"right_parts", 4}};
   const GraphStep step = after_decompose(inspect, cut, deep, false);
   for (const TaskRow& task : step.tasks) EXPECT_EQ(task.kind, TaskKind::mesh);
@@ -89,9 +89,14 @@ TEST(TaskGraph, results_without_their_files_are_unusable) {
   cut.kind = TaskKind::decompose;
   TaskResult result;
   EXPECT_FALSE(problem_with(cut, result));
-  result.outputs = {make_believe_file("left", "l")};
+  result.outputs = {fake_file("left", "l")};
   EXPECT_TRUE(problem_with(cut, result));
-  result.outputs.push_back(make_believe_file("right", "r"));
+  result.outputs.push_back(fake_file("right", "r"));
+  result.numbers = {{"interdomain_nodes", 17},
+                    {"left_work", 40},
+                    {"right_work", 90},
+                    {"left_needles", 0},
+                    {"right_needles", 0}};
   EXPECT_FALSE(problem_with(cut, result));
 }
 
@@ -99,7 +104,7 @@ TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) 
   const TaskRow inspect = inspected(4);
   const GraphStep first = after_inspect(inspect);
   TaskRow cut = first.tasks[0];
-  cut.outputs = {make_believe_file("left", "l"), make_believe_file("right", "r2")};
+  cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
   EXPECT_EQ(second.subdomains[1].state, SubdomainState::leaf);

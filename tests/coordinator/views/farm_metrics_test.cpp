@@ -107,7 +107,8 @@ class FarmMetricsTest : public testing::Test {
                       {"spacing", std::string(32, 'b'), 1},
                       {"root", std::string(32, 'c'), 1},
                       {"settings", std::string(32, 'd'), 1}};
-    result.numbers = {{"parts", 1}};
+    result.numbers = {{"parts", 1},   {"total_work", 0}, {"groups", 0},
+                      {"needles", 0}, {"most_bytes", 0}, {"across_cuts", 0}};
     result.seconds = 2;
     state_.done(worker, TaskId{1}, AttemptId{1}, result, now_);
     metrics_.note(state_.take_changes(), 0.2);

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "store/job_database.h"
+#include "tasks/failure_cause.h"
 #include "tests/base/temp_folder.h"
 
 namespace tetfarm {
@@ -142,7 +143,7 @@ TEST_F(QueryAnswers, a_task_after_an_error_says_how_long_it_waits_and_why) {
   const WorkerId worker = add_worker("a");
   tick();
   TaskFailure failure;
-  failure.may_retry = true;
+  failure.cause = FailureCause::error;
   failure.message = "signal 11";
   fail(worker, failure);
   ASSERT_THAT(reasons(), SizeIs(1));
@@ -155,7 +156,7 @@ TEST_F(QueryAnswers, a_task_that_fits_nowhere_says_what_it_is_given_and_what_is_
   const WorkerId small = add_worker("a", 100U << 20U);
   tick();
   TaskFailure failure;
-  failure.out_of_memory = true;
+  failure.cause = FailureCause::out_of_memory;
   failure.message = "std::bad_alloc";
   failure.peak_rss_bytes = 90U << 20U;
   const WorkerId large = add_worker("b", 1U << 30U);
@@ -178,7 +179,7 @@ TEST_F(QueryAnswers, explain_tells_what_a_task_is_given_and_which_inputs_are_the
   const WorkerId largest = add_worker("b", 150 * mib);
   add_worker("c", 50 * mib);
   TaskFailure failure;
-  failure.out_of_memory = true;
+  failure.cause = FailureCause::out_of_memory;
   failure.peak_rss_bytes = 90 * mib;
   fail(first, failure);
   state_.drain(largest);
@@ -203,7 +204,7 @@ TEST_F(QueryAnswers, of_many_attempts_the_last_are_told_and_which_of_them_raced)
   const WorkerId worker = add_worker("a");
   tick();
   TaskFailure failure;
-  failure.may_retry = true;
+  failure.cause = FailureCause::error;
   fail(worker, failure);
   ChangeSet later;
   later.attempts = {{AttemptId{50}, TaskId{1}, worker, AttemptState::killed, 1, 2, "", "", true}};

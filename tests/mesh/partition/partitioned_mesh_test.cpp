@@ -159,9 +159,9 @@ TEST(PartitionedMesh, every_format_takes_parts_of_several_regions) {
   const TempFolder folder;
   const GridSource grid = grid_of_two_regions(4);
   const PartitionedMesh mesh(grid, options_for(3), folder.path());
-  for (const MeshFormat& format : mesh_formats()) {
+  for (const Format& format : written_formats()) {
     SCOPED_TRACE(format.name);
-    const std::string name = "of-" + std::string(format.name) + std::string(format.ending);
+    const std::string name = "of-" + std::string(format.name) + std::string(format.endings[0]);
     EXPECT_EQ(export_mesh(mesh, format, folder.path() / name).parts, 3u);
   }
 }

@@ -103,8 +103,8 @@ TEST(RenumberedMesh, is_written_whole_in_every_format) {
       export_mesh(mesh, find_mesh_format("", folder.path() / name), folder.path() / name);
       EXPECT_EQ(content_of(*open_mesh(folder.path() / name)), content_of(grid)) << name;
     }
-    for (const MeshFormat& format : mesh_formats()) {
-      const auto file = folder.path() / (std::string(format.name) + std::string(format.ending));
+    for (const Format& format : written_formats()) {
+      const auto file = folder.path() / (std::string(format.name) + std::string(format.endings[0]));
       EXPECT_EQ(export_mesh(mesh, format, file).nodes, grid.nodes) << format.name;
     }
   }

@@ -1,4 +1,5 @@
 #include "worker/decisions/worker_state.h"
+#include "tasks/failure_cause.h"
 
 #include <gmock/gmock.h>
 
@@ -419,8 +420,7 @@ TEST_F(WorkerStateTest, a_process_that_could_not_be_started_is_a_failure_of_the_
   const wire::Failed failed = said(Body::kFailed).failed();
   EXPECT_EQ(failed.attempt(), 9U);
   EXPECT_EQ(failed.message(), "no process");
-  EXPECT_TRUE(failed.may_retry());
-  EXPECT_FALSE(failed.killed());
+  EXPECT_EQ(failed.cause(), on_wire(FailureCause::error));
 }
 
 TEST_F(WorkerStateTest, ends_a_task_once_it_takes_longer_than_its_limit_in_milliseconds) {
@@ -458,7 +458,7 @@ TEST_F(WorkerStateTest, the_limit_does_not_count_while_inputs_come) {
 
 TEST_F(WorkerStateTest, that_does_not_see_the_store_fetches_inputs_before_its_task_runs) {
   fetch_task_5();
-  EXPECT_TRUE(last<FetchInputs>().assign.apart());
+  EXPECT_EQ(last<FetchInputs>().assign.task(), 5U);
   EXPECT_TRUE(state_.may_move_files());
   state_.inputs_came(now_);
   EXPECT_THAT(does(), ElementsAre("start"));
@@ -527,37 +527,33 @@ TEST_F(WorkerStateTest, its_own_full_disk_is_not_that_of_all) {
   fetch_task_5();
   state_.files_failed(Error(ExitCode::out_of_resources, "no space"), false, now_);
   EXPECT_THAT(does(), ElementsAre("failed"));
-  EXPECT_FALSE(said(Body::kFailed).failed().out_of_resources());
-  EXPECT_TRUE(said(Body::kFailed).failed().killed());
+  EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::killed));
 }
 
 TEST_F(WorkerStateTest, a_full_disk_that_its_task_met_is_its_own_only_when_it_ran_apart) {
   wire::Envelope full = failed_message();
-  full.mutable_failed()->set_out_of_resources(true);
+  full.mutable_failed()->set_cause(on_wire(FailureCause::disk_full));
   run_task_5_apart();
   state_.child_ended(full, now_);
   state_.outputs_went(now_);
   EXPECT_THAT(does(), ElementsAre("upload", "failed"));
-  EXPECT_FALSE(said(Body::kFailed).failed().out_of_resources());
-  EXPECT_TRUE(said(Body::kFailed).failed().killed());
+  EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::killed));
 }
 
 TEST_F(WorkerStateTest, a_full_disk_of_the_store_is_everybodys) {
   wire::Envelope full = failed_message();
-  full.mutable_failed()->set_out_of_resources(true);
+  full.mutable_failed()->set_cause(on_wire(FailureCause::disk_full));
   run_task_5();
   state_.child_ended(full, now_);
   EXPECT_THAT(does(), ElementsAre("failed"));
-  EXPECT_TRUE(said(Body::kFailed).failed().out_of_resources());
-  EXPECT_FALSE(said(Body::kFailed).failed().killed());
+  EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::disk_full));
 }
 
 TEST_F(WorkerStateTest, a_disk_that_fails_under_its_files_is_no_full_one) {
   fetch_task_5();
   state_.files_failed(Error(ExitCode::failed, "input/output error"), false, now_);
   does();
-  EXPECT_FALSE(said(Body::kFailed).failed().killed());
-  EXPECT_TRUE(said(Body::kFailed).failed().may_retry());
+  EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::error));
 }
 
 TEST_F(WorkerStateTest, a_damaged_output_counts_as_if_the_task_had_been_killed) {
@@ -566,7 +562,7 @@ TEST_F(WorkerStateTest, a_damaged_output_counts_as_if_the_task_had_been_killed) 
   does();
   state_.files_failed(Error(ExitCode::failed, "damaged"), true, now_);
   EXPECT_THAT(does(), ElementsAre("failed")) << "instead of the result";
-  EXPECT_TRUE(said(Body::kFailed).failed().killed());
+  EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::killed));
   EXPECT_EQ(said(Body::kFailed).failed().attempt(), 9U);
 }
 

@@ -107,8 +107,8 @@ TEST(CommunicationTable, complains_of_each_kind_of_error) {
 TEST(CommunicationTable, files_of_both_forms_are_written) {
   const TempFolder folder;
   const GridSource grid(cut_grid(4));
-  write_communication(grid, outline_of(grid), folder.path(), false);
-  write_communication(grid, outline_of(grid), folder.path(), true);
+  write_communication(grid, outline_of(grid), folder.path());
+  write_communication_text(grid, outline_of(grid), folder.path());
   const auto tables = tables_of(grid);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = "part-" + std::to_string(i) + ".comm";

@@ -47,8 +47,8 @@ TEST(MshSource, refuses_node_tags_with_gaps_or_twice) {
 TEST(MshSource, names_the_line_of_what_is_wrong) {
   EXPECT_THAT(refusal_of("a.msh", changed(version_2, "1 3 2\n", "1 3 x\n")),
               HasSubstr("a.msh:14: "));
-  EXPECT_THAT(refusal_of("a.msh", changed(version_4, "2 1 2 1\n", "2 1 3 1\n")),
-              HasSubstr("quadrangle"));
+  EXPECT_THAT(refusal_of("a.msh", changed(version_4, "2 1 2 1\n", "2 1 9 1\n")),
+              HasSubstr("6-node triangle"));
   EXPECT_THAT(refusal_of("a.msh", changed(version_4, "2 1 0 3", "2 1 0 333")),
               HasSubstr("a count of 333"));
   EXPECT_THAT(refusal_of("a.msh", changed(version_4, "4.1", "4.0")), HasSubstr("a.msh:2: "));

@@ -27,7 +27,7 @@ TEST(Su2Source, reads_comments_blanks_and_sections_in_any_order) {
 TEST(Su2Source, names_the_line_of_what_is_wrong) {
   EXPECT_THAT(refusal_of("a.su2", changed(one_tet, "10 0 1", "12 0 1")), HasSubstr("a.su2:4: "));
   EXPECT_THAT(refusal_of("a.su2", changed(one_tet, "0 0 1 3", "0 x 1 3")), HasSubstr("a.su2:9: "));
-  EXPECT_THAT(refusal_of("a.su2", changed(one_tet, "5 1 2 3", "9 1 2 3 0")), HasSubstr(":13: "));
+  EXPECT_THAT(refusal_of("a.su2", changed(one_tet, "5 1 2 3", "7 1 2 3 0")), HasSubstr(":13: "));
   EXPECT_THAT(refusal_of("a.su2", changed(one_tet, "NDIME= 3", "NDIME= 2")), HasSubstr(":2: "));
 }
 

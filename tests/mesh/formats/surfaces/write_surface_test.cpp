@@ -4,7 +4,9 @@
 
 #include "base/error.h"
 #include "mesh/formats/off/read_off.h"
+#include "mesh/formats/off/write_off.h"
 #include "mesh/formats/stl/read_stl.h"
+#include "mesh/formats/stl/write_stl.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {

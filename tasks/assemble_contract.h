@@ -1,0 +1,25 @@
+/// The contract of assemble: puts the portions in a row.
+#pragma once
+
+#include "tasks/task_contract.h"
+
+namespace tetfarm {
+
+struct AssembleGiven {
+  TaskFile job;
+  TaskFile surface;
+  TaskFile numbering;
+  LeafFiles portions;  ///< of every leaf
+  LeafFiles tets;      ///< of every leaf
+
+  static constexpr ContractSide side = ContractSide::given;
+  void describe(ContractFields& fields);
+};
+
+/// The files that the job asks for, and figures of the mesh: both for people.
+struct AssembleMade {
+  static constexpr ContractSide side = ContractSide::made;
+  void describe(ContractFields& fields);
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,37 @@
+/// The contract of inspect: reads and checks the surface, and says what the job will come to.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "tasks/task_contract.h"
+
+namespace tetfarm {
+
+struct InspectGiven {
+  TaskFile job;
+  std::optional<TaskFile> input_surface;
+  std::optional<std::uint64_t>
+      free_bytes;  ///< of the disk for this job, told with the assignment; never kept
+
+  static constexpr ContractSide side = ContractSide::given;
+  void describe(ContractFields& fields);
+};
+
+struct InspectMade {
+  TaskFile surface;
+  TaskFile spacing;
+  TaskFile root;                 ///< the whole domain as a sub-domain
+  TaskFile settings;             ///< the job file without what makes no difference to a sub-domain
+  std::uint64_t parts = 0;       ///< sub-domains that the root is to become, at least 1
+  double total_work = 0;         ///< estimated elements
+  std::uint64_t groups = 0;      ///< of leaves, to be joined; 0: none are
+  std::uint64_t most_bytes = 0;  ///< memory of a task; 0: it does not decide
+  std::uint64_t needles = 0;     ///< triangles with a small angle
+  bool across_cuts = false;      ///< whether there are turns of cosmetics
+
+  static constexpr ContractSide side = ContractSide::made;
+  void describe(ContractFields& fields);
+};
+
+}  // namespace tetfarm

@@ -1,0 +1,36 @@
+#include "tasks/write_contract.h"
+
+#include "tasks/kind_contracts.h"
+#include "tasks/task_traits.h"
+
+namespace tetfarm {
+
+constinit const TaskKindTraits write_traits = {
+    .name = "write",
+    .on_wire = 10,
+    .colour = "#e7a8c9",
+    .trace_colour = "rail_load",
+    .outputs = {"portion", "tets"},
+    .seconds = {.of = {0.006, 0.3e-6, 0.15e-6, 0}},
+    .memory = {.fixed = 4e6, .of_element = 150, .of_triangle = 250},
+};
+
+constinit const KindContracts write_contracts = contracts_between<WriteGiven, WriteMade>;
+
+void WriteGiven::describe(ContractFields& fields) {
+  fields.file("job", job);
+  fields.file("surface", surface);
+  fields.file("numbering", numbering);
+  fields.file("subdomain", subdomain);
+  fields.file("mesh", mesh);
+  fields.files("core:", cores);
+  fields.files("elements:", elements);
+  fields.text("colours", colours);
+}
+
+void WriteMade::describe(ContractFields& fields) {
+  fields.file("portion", portion);
+  fields.file("tets", tets);
+}
+
+}  // namespace tetfarm

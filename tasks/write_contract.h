@@ -1,0 +1,33 @@
+/// The contract of write: the share of a leaf in the global mesh.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tasks/task_contract.h"
+
+namespace tetfarm {
+
+struct WriteGiven {
+  TaskFile job;
+  TaskFile surface;
+  TaskFile numbering;
+  TaskFile subdomain;
+  TaskFile mesh;
+  LeafFiles cores;                     ///< after cosmetics, of the leaf
+  LeafFiles elements;                  ///< after cosmetics, of it and its neighbours
+  std::optional<std::string> colours;  ///< after cosmetics
+
+  static constexpr ContractSide side = ContractSide::given;
+  void describe(ContractFields& fields);
+};
+
+struct WriteMade {
+  TaskFile portion;
+  TaskFile tets;
+
+  static constexpr ContractSide side = ContractSide::made;
+  void describe(ContractFields& fields);
+};
+
+}  // namespace tetfarm

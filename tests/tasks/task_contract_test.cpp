@@ -1,0 +1,207 @@
+#include "tasks/task_contract.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tasks/assemble_contract.h"
+#include "tasks/assimilate_contract.h"
+#include "tasks/cosmetic_contract.h"
+#include "tasks/decompose_contract.h"
+#include "tasks/extract_contract.h"
+#include "tasks/inspect_contract.h"
+#include "tasks/mesh_contract.h"
+#include "tasks/number_contract.h"
+#include "tasks/order_contract.h"
+#include "tasks/task_contracts.h"
+#include "tasks/write_contract.h"
+
+namespace tetfarm {
+namespace {
+
+using testing::HasSubstr;
+
+/// One side of a kind with all that it may have, and what of that may be missing.
+struct Side {
+  std::string name;
+  TaskWords words;
+  std::set<std::string> optional;
+  std::function<TaskWords(const TaskWords&)> there_and_back;
+  bool is_given = false;
+};
+
+template <class Contract>
+Side side_of(const std::string& name, const Contract& full,
+             const std::set<std::string>& optional = {}) {
+  return {name, to_words(full), optional,
+          [](const TaskWords& words) {
+            const ContractReading<Contract> reading = from_words<Contract>(words);
+            if (!reading.breach.empty()) throw std::invalid_argument(reading.breach);
+            return to_words(reading.contract);
+          },
+          Contract::side == ContractSide::given};
+}
+
+TaskFile file(const std::string& hash) { return {hash, hash.size()}; }
+
+std::vector<Side> all_sides() {
+  const LeafFiles two = {{4, file("four")}, {(std::uint64_t{1} << 63U) - 1, file("deepest")}};
+  const DecomposeMade::Half half = {file("h"), 0.5, 3, 7};
+  const std::set<std::string> leaves = {"core:4", "core:9223372036854775807", "elements:4",
+                                        "elements:9223372036854775807"};
+  std::set<std::string> of_write = leaves;
+  of_write.insert("colours");
+  std::set<std::string> of_number = leaves;
+  of_number.insert({"dropped", "order"});
+  const auto each = [](const std::string& prefix) {
+    return std::set<std::string>{prefix + "4", prefix + "9223372036854775807"};
+  };
+  std::set<std::string> turns = each("waits:");
+  turns.merge(each("had_turn:"));
+  std::set<std::string> portions = each("portion:");
+  portions.merge(each("tets:"));
+  return {
+      side_of("inspect given", InspectGiven{file("j"), file("i"), 5},
+              {"input_surface", "free_bytes"}),
+      side_of("inspect made", InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3,
+                                          2, 1U << 30U, 9, true}),
+      side_of("decompose given", DecomposeGiven{file("j"), file("s"), file("p"), 3, 4, 1000, 5, 6},
+              {"most_bytes", "needles"}),
+      side_of("decompose made", DecomposeMade{DecomposeMade::Halves{half, half, 17}, "a reason"},
+              {"left_parts", "right_parts", "reason"}),
+      side_of("assimilate given", AssimilateGiven{file("j"), two, "4 10\n"}, each("subdomain:")),
+      side_of("assimilate made", AssimilateMade{two, file("d"), "4 4\n"}, each("group:")),
+      side_of("mesh given", MeshGiven{file("j"), file("s"), file("p"), 1000, 3}, {"needles"}),
+      side_of("mesh made", MeshMade{file("m"), 10, 100}),
+      side_of("order given", OrderGiven{two}, each("subdomain:")),
+      side_of("order made", OrderMade{two, "4 0\n"}, each("shared:")),
+      side_of("extract given", ExtractGiven{file("s"), file("m"), file("h")}),
+      side_of("extract made", ExtractMade{file("e")}),
+      side_of("cosmetic given", CosmeticGiven{file("p"), file("o"), two, two, "4 0\n"}, turns),
+      side_of("cosmetic made", CosmeticMade{file("e")}),
+      side_of("number given", NumberGiven{file("s"), file("d"), two, two, "cut 1 5\n", "4 0\n"},
+              of_number),
+      side_of("number made", NumberMade{file("n")}),
+      side_of("write given",
+              WriteGiven{file("j"), file("s"), file("n"), file("d"), file("m"), two, two, "4 0\n"},
+              of_write),
+      side_of("write made", WriteMade{file("p"), file("t")}),
+      side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two}, portions),
+  };
+}
+
+/// The words without one of them, each with its name.
+std::vector<std::pair<std::string, TaskWords>> each_left_out(const TaskWords& words) {
+  std::vector<std::pair<std::string, TaskWords>> all;
+  for (std::size_t i = 0; i < words.files.size(); ++i) {
+    all.emplace_back(words.files[i].first, words);
+    auto& files = all.back().second.files;
+    files.erase(files.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  for (const auto& [name, text] : words.texts) {
+    all.emplace_back(name, words);
+    all.back().second.texts.erase(name);
+  }
+  for (const auto& [name, number] : words.numbers) {
+    all.emplace_back(name, words);
+    all.back().second.numbers.erase(name);
+  }
+  return all;
+}
+
+std::string breach_of(const Side& side, const TaskWords& words) {
+  try {
+    side.there_and_back(words);
+  } catch (const std::invalid_argument& breach) {
+    return breach.what();
+  }
+  return {};
+}
+
+TEST(TaskContracts, say_the_same_after_they_have_travelled) {
+  for (const Side& side : all_sides()) {
+    EXPECT_EQ(side.there_and_back(side.words), side.words) << side.name;
+  }
+}
+
+TEST(TaskContracts, refuse_each_field_that_is_missing_and_name_it) {
+  for (const Side& side : all_sides()) {
+    for (const auto& [name, words] : each_left_out(side.words)) {
+      if (side.optional.contains(name)) {
+        EXPECT_EQ(side.there_and_back(words), words) << side.name << " without " << name;
+      } else if (side.name != "decompose made" || name != "left") {
+        EXPECT_THAT(breach_of(side, words), HasSubstr("'" + name + "' is missing")) << side.name;
+      }
+    }
+  }
+}
+
+TEST(TaskContracts, refuse_what_a_task_is_given_and_nobody_asked_for_but_not_what_it_says_besides) {
+  for (const Side& side : all_sides()) {
+    TaskWords words = side.words;
+    words.files.emplace_back("spare", file("x"));
+    words.texts["spare"] = "1";
+    words.numbers["spare"] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(breach_of(side, words).empty(), !side.is_given) << side.name;
+  }
+}
+
+TEST(TaskContracts, refuse_numbers_that_are_none_or_out_of_their_bounds) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Side& side : all_sides()) {
+    for (const auto& [name, number] : side.words.numbers) {
+      for (const double hostile : {-1.0, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
+        TaskWords words = side.words;
+        words.numbers[name] = hostile;
+        EXPECT_THAT(breach_of(side, words), HasSubstr("'" + name + "' cannot be")) << side.name;
+      }
+    }
+  }
+  MeshGiven mesh;
+  for (const std::string hostile : {"", " 1", "1 ", "x", "-1", "1e300", "0x10", "1.5", "nan", "inf",
+                                    "99999999999999999999", "1\n"}) {
+    TaskWords words = to_words(mesh);
+    words.texts["work"] = hostile;
+    EXPECT_NE(from_words<MeshGiven>(words).breach, "") << hostile;
+  }
+  TaskWords parts = to_words(DecomposeGiven{});
+  parts.texts["left_parts"] = "1000001";
+  EXPECT_NE(from_words<DecomposeGiven>(parts).breach, "");
+}
+
+TEST(TaskContracts, refuse_files_of_no_sub_domain_and_two_of_one_name) {
+  for (const std::string name :
+       {"subdomain:", "subdomain:0", "subdomain:x", "subdomain:4x", "subdomain:-4", "subdomain: 4",
+        "subdomain:04", "subdomain:9223372036854775808", "subdomain:4/../.."}) {
+    const TaskWords words = {{{name, file("a")}}, {}, {}};
+    EXPECT_NE(from_words<OrderGiven>(words).breach, "") << name;
+  }
+  const TaskWords twice = {{{"subdomain:4", file("a")}, {"subdomain:4", file("b")}}, {}, {}};
+  EXPECT_NE(from_words<OrderGiven>(twice).breach, "");
+}
+
+TEST(TaskContracts, of_a_sub_domain_that_stays_whole_ask_for_nothing) {
+  const TaskWords whole = {{}, {{"reason", "no valid plane"}}, {}};
+  const auto made = from_words<DecomposeMade>(whole).contract;
+  EXPECT_FALSE(made.halves);
+  EXPECT_EQ(made.reason, "no valid plane");
+  EXPECT_EQ(from_words<DecomposeMade>({}).breach, "");
+}
+
+/// The table names what every result has; the contract says what else there may be.
+TEST(TaskContracts, ask_for_the_outputs_that_the_table_names) {
+  for (const TaskKind kind : all_task_kinds) {
+    for (const std::string_view output : traits_of(kind).outputs) {
+      if (output.empty() || output.ends_with(':') || traits_of(kind).may_make_nothing) continue;
+      EXPECT_THAT(breach_of_made(kind, {}), HasSubstr("is missing")) << output;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
