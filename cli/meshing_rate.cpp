@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/check.h"
-
 namespace tetfarm {
 namespace {
 
@@ -29,7 +27,6 @@ void MeshingRate::note(const wire::JobStatus& status, std::int64_t now_ms) {
   most_elements_ = std::max(most_elements_, made);
   if (status.estimated_elements() > 0) {
     share_ = std::clamp(most_elements_ / status.estimated_elements(), share_, 1.0);
-    TF_CHECK(share_ >= 0 && share_ <= 1);
   }
 }
 

@@ -93,7 +93,6 @@ std::string running_text(const wire::JobStatus& status) {
 
 std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns) {
   TF_CHECK(!texts.empty());
-  TF_CHECK(share >= 0 && share <= 1);
   // The last column stays free: a line that wraps could not be erased.
   const std::size_t room = columns == 0                 ? std::string::npos
                            : columns > shortest_bar + 2 ? columns - shortest_bar - 2

@@ -75,7 +75,7 @@ std::string GuardedDatabase::displacement() const {
 }
 
 void GuardedDatabase::close(const std::string& trouble, ExitCode code) {
-  TF_CHECK(!trouble.empty() && code != ExitCode::ok);
+  TF_CHECK(code != ExitCode::ok);
   trouble_ = last_failure_ = trouble;
   code_ = code;
 }

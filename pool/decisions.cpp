@@ -68,7 +68,6 @@ void PoolDecisions::cancel(const std::string& job, std::int64_t now_ms) {
   if (known.cancelled_ms >= 0 && now_ms - known.cancelled_ms < minute_ms) return;
   if (actions_.cancel.size() >= rules_.most_at_once) return;
   known.cancelled_ms = now_ms;
-  TF_CHECK(!job.empty());
   actions_.cancel.push_back(job);
 }
 
@@ -205,7 +204,6 @@ bool PoolDecisions::is_spare(const Server& server, bool at_once, std::int64_t pa
 
 void PoolDecisions::drain(const PoolWorker& worker, const std::string& job, std::int64_t now_ms) {
   Known& known = jobs_.at(job);
-  TF_CHECK(!job.empty());
   if (known.leaves_ms >= 0) return;
   known.leaves_ms = now_ms;
   actions_.drain.push_back(worker.worker);

@@ -55,7 +55,6 @@ constexpr std::array<CountLimit, 6> counts = {{
 /// "Hello.host"; of the entries of a map "Done.texts" and "Done.texts.key".
 std::string name_of(const FieldDescriptor& field) {
   const Descriptor& message = *field.containing_type();
-  TF_CHECK(field.containing_type() != nullptr);
   const Descriptor* outer = message.containing_type();
   for (int i = 0; outer != nullptr && i < outer->field_count(); ++i) {
     const FieldDescriptor& map = *outer->field(i);

@@ -7,7 +7,6 @@
 #include <limits>
 #include <system_error>
 
-#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 
@@ -84,7 +83,6 @@ Garbage find_garbage(const ArtifactStore& store, const std::set<std::string>& ne
 }
 
 void remove_garbage(const ArtifactStore& store, const Garbage& garbage) {
-  TF_CHECK(std::is_sorted(garbage.files.begin(), garbage.files.end()));
   const std::set<fs::path> stay = {store.folder() / "artifacts", store.scratch_folder(),
                                    store.folder()};
   for (const fs::path& path : garbage.files) {

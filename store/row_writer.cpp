@@ -64,7 +64,6 @@ constexpr const char* insert_event = "INSERT INTO events VALUES (NULL, ?, ?, ?, 
 }  // namespace
 
 RowWriter::RowWriter(sqlite3* database)
-
     : database_(database),
       job_(database, put_job),
       artifact_(database, put_artifact),
@@ -95,14 +94,14 @@ void RowWriter::write(const ChangeSet& changes) {
 }
 
 void RowWriter::write(const JobRow& job) {
-  TF_CHECK(job.id && job.finished_ms >= 0);
+  TF_CHECK(job.id);
   job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
   job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
   job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content).run();
 }
 
 void RowWriter::write(const SubdomainRow& row) {
-  TF_CHECK(row.job && row.path >= 1 && row.parts >= 1);
+  TF_CHECK(row.job && row.path >= 1);
   artifact_.bind(row.hash).bind(row.size).run();
   subdomain_.bind(row.job.value).bind(row.path).bind(row.parts);
   subdomain_.bind(name_of(row.state)).bind(row.interdomain_nodes);
@@ -127,7 +126,7 @@ void RowWriter::write_texts(TaskId task, const char* sort,
 }
 
 Statement& RowWriter::bind_progress(Statement& statement, const TaskRow& task) {
-  TF_CHECK(task.id && (task.attempt || task.state != TaskState::leased));
+  TF_CHECK(task.id);
   statement.bind(task.id.value).bind(name_of(task.state)).bind(task.attempt.value);
   statement.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
   statement.bind(task.seconds).bind(task.peak_rss_bytes);
@@ -174,14 +173,13 @@ void RowWriter::write(const WorkerRow& worker) {
 }
 
 void RowWriter::write(const AttemptRow& attempt) {
-  TF_CHECK(attempt.id && attempt.task && attempt.worker);
+  TF_CHECK(attempt.id && attempt.task);
   attempt_.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
   attempt_.bind(name_of(attempt.state)).bind(attempt.started_ms);
   attempt_.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce_hash);
   attempt_.bind(attempt.is_rival ? 1 : 0).bind(attempt.memory_bytes);
   attempt_.bind(attempt.peak_rss_bytes).bind(attempt.key).run();
   if (!attempt.log.empty()) log_.bind(attempt.id.value).bind(attempt.log).run();
-  TF_CHECK(attempt.log.size() <= longest_log);
 }
 
 void RowWriter::write(const HostRow& host) {

@@ -126,7 +126,6 @@ struct Front {
   /// Puts a tet on an open face; false when one of its other faces has its two tets already.
   bool place(const Face& base, Node apex) {
     const auto [x, y, z] = base;
-    TF_CHECK(count > 0);
     close(sorted_face(base).number);
     for (const Face& beyond : {Face{x, y, apex}, Face{y, z, apex}, Face{z, x, apex}}) {
       const SortedFace sorted = sorted_face(beyond);

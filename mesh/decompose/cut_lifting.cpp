@@ -41,10 +41,10 @@ std::vector<std::optional<double>> held_heights(const InterdomainMesh& mesh) {
   std::vector<std::optional<double>> held;
   if (mesh.lattice.empty()) return held;
   held.resize(mesh.planar.points.size());
+  TF_CHECK(mesh.rim_vertices.size() + mesh.lattice.size() <= held.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     if (mesh.lattice[i].is_held) {
       held[mesh.rim_vertices.size() + i] = mesh.plane.height(mesh.lattice[i].at);
-      TF_CHECK(mesh.rim_vertices.size() + i < held.size());
     }
   }
   return held;

@@ -2,12 +2,9 @@
 
 #include <cmath>
 
-#include "base/check.h"
-
 namespace tetfarm {
 
 CutPlane make_cut_plane(const Vec3& unit_normal, double offset) {
-  TF_CHECK(std::fabs(norm2(unit_normal) - 1) < 1e-9);
   const Vec3 size{std::fabs(unit_normal.x), std::fabs(unit_normal.y), std::fabs(unit_normal.z)};
   // The axis after the largest component is never close to the normal, and cycles x, y, z.
   const int main_axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -28,8 +28,8 @@ std::vector<Fan> fans_round(const FaceColours& colours, const std::vector<HalfEd
 }
 
 bool open_pinch(FaceColours& colours, const SurfaceTopology& topology, HalfEdge from_node) {
-  const std::vector<HalfEdge> round = half_edges_round_start(topology, from_node);
   TF_CHECK(from_node >= 0);  // every vertex is used
+  const std::vector<HalfEdge> round = half_edges_round_start(topology, from_node);
   bool has_changed = false;
   while (true) {
     const std::vector<Fan> fans = fans_round(colours, round);

@@ -165,7 +165,7 @@ void drop_lattice_outside(InterdomainMesh& mesh) {
   }
   mesh.planar.points = std::move(points);
   mesh.lattice = std::move(lattice);
-  TF_CHECK(points.size() >= mesh.rim_vertices.size());
+  TF_CHECK(mesh.planar.points.size() >= mesh.rim_vertices.size());
 }
 
 }  // namespace

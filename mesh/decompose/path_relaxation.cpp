@@ -35,7 +35,6 @@ double path_cost(const Vec3& a, const Vec3& b, double size, const CutPlane& plan
 }
 
 std::int64_t to_capacity(double cost) {
-  TF_CHECK(cost >= 0);
   constexpr double resolution = 1 << 20;
   constexpr double largest = 1e6;
   return static_cast<std::int64_t>(std::fmin(cost, largest) * resolution) + 1;

@@ -74,7 +74,6 @@ int parts_of(double length, double triangles_at_1, int least, const OuterBoundar
     return std::floor(std::sqrt(triangles / triangles_at_1));
   };
   const double asked = asked_spacing(outer, by_growth);
-  TF_CHECK(length > 0 && by_growth > 0);
   const double parts = std::ceil(length / (asked > 0 ? asked : by_growth));
   const double most = parts_with(asked > 0 && !outer.is_sketch ? most_triangles : few_triangles);
   if (asked > 0 && !outer.is_sketch && parts > most) {

@@ -92,8 +92,8 @@ void RegionMap::gather_parts() {
 
 /// A vertex of no other part; without one, the centre of a triangle, exact only up to rounding.
 Vec3 RegionMap::start_of_ray(std::int32_t part) const {
+  TF_CHECK(!parts_[at(part)].triangles.empty());
   for (const std::int32_t t : parts_[at(part)].triangles) {
-    TF_CHECK(!parts_[at(part)].triangles.empty());
     for (const std::int32_t v : surface_.triangles[at(t)]) {
       if (vertex2part_[at(v)] == part) return surface_.vertices[at(v)];
     }
@@ -155,8 +155,8 @@ void RegionMap::number_regions() {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     for (const std::int32_t sheet : sheets_round_part_[i]) {
       if (sheet2part_[at(sheet)] != parts_[i].parent) continue;
-      sheet2region_[at(part2outside_[i])] = sheet2region_[at(sheet)];
       TF_CHECK(part2outside_[i] >= 0);
+      sheet2region_[at(part2outside_[i])] = sheet2region_[at(sheet)];
     }
   }
   for (std::size_t sheet = 0; sheet < sheet_volume_.size(); ++sheet) {

@@ -24,7 +24,6 @@ std::string quoted_toml(std::string_view text) {
 
 /// As few digits as give the same double again.
 std::string number(double value) {
-  TF_CHECK(std::isfinite(value));
   if (value == 0) return "0";  // "-0" would come back as the whole number 0
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};

@@ -142,7 +142,6 @@ SurfaceMesh box_surface(const Box3& box, int n) {
 }
 
 SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n) {
-  TF_CHECK(radius > 0);
   TF_CHECK(n > 0);
   SphereLattice lattice(centre, radius);
   for (const Triangle& face : icosahedron) {

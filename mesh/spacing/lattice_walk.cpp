@@ -193,10 +193,7 @@ class LatticeWalk {
   /// Looked up once: both walks of a sample come to the same cells.
   template <class LookUp>
   unsigned looked_up(LookUp&& look_up) {
-    if (purpose_ == Purpose::choice) {
-      TF_CHECK(next_found_ < found_.size());
-      return found_[next_found_++];
-    }
+    if (purpose_ == Purpose::choice) return found_[next_found_++];
     const unsigned found = look_up();
     if (purpose_ == Purpose::count) found_.push_back(static_cast<std::uint8_t>(found));
     return found;

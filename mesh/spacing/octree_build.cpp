@@ -122,7 +122,8 @@ SpacingOctree build_octree(const SpacingDemand& demand, const GridFrame& frame,
   octree.values = layout.corners_.leaf_values();
   octree.owned_corners = layout.corners_.owned_corners(octree);
   mark_even_blocks(octree);
-  TF_CHECK(validate(octree) == nullptr);
+  TF_CHECK(octree.values.size() == octree.lattice_level.size() &&
+           octree.owned_corners.size() == octree.lattice_level.size());
   return octree;
 }
 

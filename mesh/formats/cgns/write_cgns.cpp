@@ -33,7 +33,6 @@ struct Places {
 /// Elements `first` … `last`; returns where their nodes go.
 std::int64_t add_section(CgnsTree& tree, const std::string& name, ElementType type,
                          std::int64_t first, std::int64_t last) {
-  TF_CHECK(type == tri_3 || type == tetra_4);
   const std::string section = std::string(zone) + "/" + name;
   const auto nodes = static_cast<std::int64_t>(nodes_of(type));
   tree.small_node(zone, name, "Elements_t", {code_of(ElementCodes::cgns, type), 0});
