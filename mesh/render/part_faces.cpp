@@ -44,7 +44,7 @@ std::vector<ShownFace> surface_faces(const NumberedPart& part) {
 }
 
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
-  TF_CHECK(is_kept.size() == part.tets.size());
+  TF_CHECK(is_kept.size() >= part.tets.size());
   std::vector<std::pair<Triangle, std::size_t>> all;  // with their cells
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     if (!is_kept[t]) continue;
@@ -57,11 +57,13 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
   for_each_block_cell(
       part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
         const std::size_t here = cell++;
+        TF_CHECK(here < is_kept.size());
         if (!is_kept[here]) return;
         for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int32_t> face) {
           for_each_half(face, [&](const Triangle& half) { all.emplace_back(sorted(half), here); });
         });
       });
+  TF_CHECK(cell == is_kept.size());
   const std::vector<std::int32_t> regions = regions_of_cells(part);
   std::sort(all.begin(), all.end());
   std::vector<ShownFace> surface = surface_faces(part);

@@ -77,6 +77,7 @@ void add_patch(CgnsTree& tree, const std::string& name, std::int64_t first, std:
 /// Sections and boundary conditions, behind `last` elements.
 void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, Places& places) {
   const std::vector<std::string> names = names_of_patches(outline);
+  TF_CHECK(names.size() <= outline.faces_of_patch.size());
   SectionNames more_names(names);
   tree.node(zone, "ZoneBC", "ZoneBC_t");
   for (std::size_t i = 0; i < names.size(); ++i) {

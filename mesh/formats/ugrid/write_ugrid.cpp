@@ -99,6 +99,7 @@ class UgridFile : public UgridWriter {
   void add_quads(const UgridCounts& before, const NumberedPart& part) {
     const ElementBlock& block = part.blocks[ElementType::quad];
     if (block.empty()) return;
+    TF_CHECK(block.patches.size() == block.size());
     std::vector<Integer> quads;
     std::vector<Integer> patches;
     for (std::size_t i = 0; i < block.size(); ++i) {
