@@ -63,7 +63,7 @@ void PatchedSurface::zip_rings(VertexRow left, VertexRow right) {
 }
 
 int parts_of_length(double length, double spacing, int least) {
-  TF_CHECK(length > 0 && least > 0);
+  TF_CHECK(least > 0);
   constexpr double most = 20'000;
   const double parts = std::floor(length / spacing + 0.5);
   if (!(spacing > 0) || !(parts <= most)) {
