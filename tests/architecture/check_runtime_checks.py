@@ -8,10 +8,10 @@ With --table prints the count of each room.
 """
 
 import pathlib
-import re
 import sys
 
 from check_layers import ROOMS, rooms_of_formats
+from source_files import SOURCES, count_in_code, end
 
 OF_ALL = 1.0  # checks per 1,000 lines of all rooms together
 OF_A_ROOM = 2.0  # of each room, and never fewer than one
@@ -26,12 +26,11 @@ FEW = {
 }
 FORMATS = "mesh/formats/FOLDER"  # all folders of formats together, so that a new one needs no line here
 MACRO = "base/check.h"
-NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 
 
 def count(text):
     """How many checks the text of a file makes; comments and texts make none."""
-    return len(re.findall(r"\bTF_CHECK\s*\(", NOT_CODE.sub("", text)))
+    return count_in_code(r"\bTF_CHECK\s*\(", text)
 
 
 def rooms_of(root):
@@ -40,7 +39,7 @@ def rooms_of(root):
     formats = rooms_of_formats((root / "CMakeLists.txt").read_text(encoding="utf-8"))
     for room, folders in ({room: [room] for room in ROOMS} | {FORMATS: list(formats)}).items():
         files = [path for folder in folders for path in sorted((root / folder).glob("*"))
-                 if path.suffix in (".h", ".cpp")]
+                 if path.suffix in SOURCES]
         texts = [path.read_text() for path in files if path.relative_to(root).as_posix() != MACRO]
         found[room] = (sum(len(text.splitlines()) for text in texts), sum(count(text) for text in texts))
     return found
@@ -70,11 +69,8 @@ def main():
     if "--table" in sys.argv[1:]:
         for room, (lines, checks) in rooms.items():
             print(f"{room:30} {lines:6} lines {checks:4} checks {1000 * checks / max(lines, 1):6.1f} per 1,000")
-    wrong = check(rooms, FEW)
-    for line in wrong:
-        print(line)
-    return 1 if wrong else 0
+    end(check(rooms, FEW))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
