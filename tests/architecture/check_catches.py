@@ -20,7 +20,6 @@ PLACES = {
     "a task is run": {
         "worker/run_task.cpp": 12,
         "worker/task_io.h": 2,
-        "worker/mesh_task.cpp": 2,
     },
     "a request is handled": {
         "coordinator/request_handler.cpp": 3,
@@ -64,10 +63,6 @@ PLACES = {
         "mesh/formats/registry/export_mesh.cpp": 1,
         "store/database_backup.cpp": 2,
         "store/job_database.cpp": 2,
-    },
-    "a volume that cannot be filled is filled in another way": {
-        "mesh/library/leaf_mesh.cpp": 4,
-        "mesh/volume/volume_mesh.cpp": 1,
     },
 }
 
