@@ -7,20 +7,19 @@ checks is seen here. With --table prints the count of each room.
 """
 
 import pathlib
-import re
 import sys
 
 from check_layers import ROOMS, rooms_of_formats
+from source_files import SOURCES, count_in_code, end
 
 OF_ALL = 6.0  # checks per 1,000 lines of all rooms together
 OF_A_ROOM = 2.0  # of each room, and never fewer than one
 MACRO = "base/check.h"
-NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 
 
 def count(text):
     """How many checks the text of a file makes; comments and texts make none."""
-    return len(re.findall(r"\bTF_CHECK\s*\(", NOT_CODE.sub("", text)))
+    return count_in_code(r"\bTF_CHECK\s*\(", text)
 
 
 def rooms_of(root):
@@ -28,7 +27,7 @@ def rooms_of(root):
     found = {}
     formats = rooms_of_formats((root / "CMakeLists.txt").read_text(encoding="utf-8"))
     for room in [*ROOMS, *formats]:
-        files = [path for path in sorted((root / room).glob("*")) if path.suffix in (".h", ".cpp")]
+        files = [path for path in sorted((root / room).glob("*")) if path.suffix in SOURCES]
         texts = [path.read_text() for path in files if path.relative_to(root).as_posix() != MACRO]
         found[room] = (sum(len(text.splitlines()) for text in texts), sum(count(text) for text in texts))
     return found
@@ -53,11 +52,8 @@ def main():
     if "--table" in sys.argv[1:]:
         for room, (lines, checks) in rooms.items():
             print(f"{room:30} {lines:6} lines {checks:4} checks {1000 * checks / max(lines, 1):6.1f} per 1,000")
-    wrong = check(rooms)
-    for line in wrong:
-        print(line)
-    return 1 if wrong else 0
+    end(check(rooms))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
