@@ -26,8 +26,8 @@ class FieldCount {
                 static_cast<int>(bytes.size())) {}
 
   bool is_above_limit() {
-    add(wire::Envelope::descriptor());
     TF_CHECK(count_ == 0);  // one count reads its bytes once
+    add(wire::Envelope::descriptor());
     return count_ > max_fields;
   }
 

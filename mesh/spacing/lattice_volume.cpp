@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/check.h"
-
 namespace tetfarm {
 namespace {
 
@@ -104,7 +102,6 @@ double cells_to_walk(const SpacingOctree& octree, const Box3& box) {
 }
 
 LatticeSample sample_by_volume(const SpacingOctree& octree, const Box3& box, std::size_t most) {
-  TF_CHECK(most > 0);
   double nodes = 0;
   for_each_leaf(octree, box, [&](std::size_t, const LatticeCell&, const LeafInBox& leaf) {
     nodes += nodes_in(leaf);

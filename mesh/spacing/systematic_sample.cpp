@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "base/check.h"
-
 namespace tetfarm {
 namespace {
 
@@ -26,7 +24,6 @@ void drop_one_of_each_two(SystematicSample& choice) {
 }  // namespace
 
 SystematicSample systematic_sample(std::size_t count, std::size_t most) {
-  TF_CHECK(most > 0);
   SystematicSample choice;
   for (std::size_t first = 0; first < count; first += choice.stride) {
     const bool ends_a_pair = (first & (2 * choice.stride - 1)) == 0;
