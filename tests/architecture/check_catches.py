@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ("base", "mesh", "proto", "store", "coordinator", "worker", "cli", "pool", "report")
+ROOMS = ("base", "mesh", "proto", "store", "coordinator", "worker", "cli", "pool", "report", "json")
 
 PLACES = {
     "a program ends, and its exit code says how": {

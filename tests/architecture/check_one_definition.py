@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["base", "bench", "cli", "coordinator", "mesh", "pool", "proto", "report", "store", "worker"]
+FOLDERS = ["base", "bench", "cli", "coordinator", "json", "mesh", "pool", "proto", "report", "store", "worker"]
 
 RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.DOTALL)
 COMMENT_OR_TEXT = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|(?<!\w)'(?:\\.|[^'\\\n])+'", re.DOTALL)

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["base", "bench", "cli", "coordinator", "mesh", "pool", "proto", "report", "store", "tests", "worker"]
+FOLDERS = ["base", "bench", "cli", "coordinator", "json", "mesh", "pool", "proto", "report", "store", "tests", "worker"]
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)', re.MULTILINE)
 
 
