@@ -76,7 +76,7 @@ Trial meshed_trial(const std::string& path, double background) {
   VolumeMeshOptions options;
   options.cosmetics = false;
   const double start = seconds_now();
-  Trial trial{mesh_volume(root_subdomain(surface), *field, options), {}};
+  Trial trial{mesh_volume(root_subdomain(surface), *field, options).mesh.value(), {}};
   std::printf("meshed in %.3f s\n", seconds_now() - start);
   trial.options.spacing = [field](const Vec3& p) { return field->at(p); };
   return trial;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <vector>
 
 #include "mesh/core/subdomain_regions.h"
@@ -28,12 +27,7 @@ struct CutLeaves {
 };
 
 inline bool recovers(const Subdomain& part, const SpacingField& spacing) {
-  try {
-    mesh_volume(part, spacing, {.fill = false, .cosmetics = false, .progress = {}});
-    return true;
-  } catch (const std::exception&) {
-    return false;
-  }
+  return mesh_volume(part, spacing, {.fill = false, .cosmetics = false}).mesh.has_value();
 }
 
 inline void cut_into(const Subdomain& subdomain, const SpacingField& spacing, std::int64_t parts,

@@ -125,24 +125,24 @@ void add_shapes(const Subdomain& leaf, const TetMesh& mesh, const SpacingField& 
 void mesh_leaf(const Subdomain& leaf, const SpacingField& spacing, const Arguments& arguments,
                Totals& totals) {
   const double start = cpu_seconds();
-  try {
-    const TetMesh mesh = mesh_volume(leaf, spacing);
-    totals.mesh_seconds += cpu_seconds() - start;
-    const auto tets = static_cast<double>(mesh.tets.size());
-    const double estimate = estimated_elements(leaf, spacing);
-    totals.leaf_tets.push_back(tets);
-    totals.estimated_tets += estimate;
-    totals.worst_estimate = std::max(totals.worst_estimate, std::abs(estimate / tets - 1));
-    if (arguments.is_verbose) {
-      std::printf("%-8s %7zu triangles: %.0f tets of %.0f estimated\n", leaf.path.text().c_str(),
-                  leaf.triangles.size(), tets, estimate);
-    }
-    add_shapes(leaf, mesh, spacing, totals);
-  } catch (const std::exception& e) {
+  const VolumeOutcome outcome = mesh_volume(leaf, spacing);
+  if (!outcome.mesh) {
     ++totals.leaves_not_meshed;
     std::printf("%-8s %7zu triangles: NOT MESHED, %s\n", leaf.path.text().c_str(),
-                leaf.triangles.size(), e.what());
+                leaf.triangles.size(), outcome.failure.message.c_str());
+    return;
   }
+  totals.mesh_seconds += cpu_seconds() - start;
+  const auto tets = static_cast<double>(outcome.mesh->tets.size());
+  const double estimate = estimated_elements(leaf, spacing);
+  totals.leaf_tets.push_back(tets);
+  totals.estimated_tets += estimate;
+  totals.worst_estimate = std::max(totals.worst_estimate, std::abs(estimate / tets - 1));
+  if (arguments.is_verbose) {
+    std::printf("%-8s %7zu triangles: %.0f tets of %.0f estimated\n", leaf.path.text().c_str(),
+                leaf.triangles.size(), tets, estimate);
+  }
+  add_shapes(leaf, *outcome.mesh, spacing, totals);
 }
 
 void cut_recursively(const Subdomain& subdomain, const SpacingField& spacing, int parts,

@@ -231,7 +231,7 @@ int mesh(const std::string& path, double growth, InteriorPoints points) {
   const SpacingField spacing = spacing_of(surface, growth);
   VolumeMeshOptions options;
   options.points = points;
-  const TetMesh made = mesh_volume(domain, spacing, options);
+  const TetMesh made = mesh_volume(domain, spacing, options).mesh.value();
   const Seconds end = now();
   const double memory = peak_mb();
   const std::vector<std::string> complaints = validate(made, domain.triangles);

@@ -50,7 +50,7 @@ void run(const std::string& name, int count, char** words) {
   const SpacingField field = make_spacing_field(surface, spacing);
   VolumeMeshReport report;
   const auto start = std::clock();
-  const TetMesh mesh = mesh_volume(root_subdomain(surface), field, {}, &report);
+  const TetMesh mesh = mesh_volume(root_subdomain(surface), field, {}, &report).mesh.value();
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   std::uint64_t sum = 0;
   for (const Tet& tet : mesh.tets) {

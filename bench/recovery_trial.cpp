@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <span>
 #include <string>
 
@@ -46,16 +45,15 @@ void run(const shapes::SurfaceGenerator& generator, Move move, std::uint64_t see
     options.fill = fill;
     const double spacing = 0.2 * norm(bounding_box(domain.vertices).size());
     const double start = seconds_now();
-    try {
-      const TetMesh mesh = mesh_volume(domain, SpacingField(spacing), options, &report);
-      seconds = seconds_now() - start;
-      const auto wrong = validate(mesh, domain.triangles);
+    const VolumeOutcome made = mesh_volume(domain, SpacingField(spacing), options, &report);
+    seconds = seconds_now() - start;
+    if (made.mesh) {
+      const auto wrong = validate(*made.mesh, domain.triangles);
       outcome = wrong.empty() ? "meshed" : "wrong";
       if (!wrong.empty()) words = wrong.front();
-    } catch (const std::exception& error) {
-      seconds = seconds_now() - start;
+    } else {
       outcome = "refused";
-      words = error.what();
+      words = made.failure.message;
     }
   }
   std::printf("%s %d %llu %s triangles=%zu missing=%lld,%lld steiner=%lld,%lld s=%.3f %s\n",

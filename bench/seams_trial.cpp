@@ -296,7 +296,7 @@ Turns give_turns(const CosmeticOrder& order, const Arguments& arguments,
 }
 
 Figures uncut_figures(const Subdomain& root, const SpacingField& spacing) {
-  const TetMesh mesh = mesh_volume(root, spacing);
+  const TetMesh mesh = mesh_volume(root, spacing).mesh.value();
   Figures figures;
   for (const auto& [a, b, c, d] : mesh.tets) {
     const auto at = [&mesh](std::int32_t v) { return mesh.nodes[static_cast<std::size_t>(v)]; };
@@ -341,7 +341,7 @@ int main(int count, char** words) {
   double worst_estimate = 0;
   for (const Subdomain& leaf : leaves) {
     mesh_seconds -= cpu_seconds();
-    const TetMesh mesh = mesh_volume(leaf, spacing);
+    const TetMesh mesh = mesh_volume(leaf, spacing).mesh.value();
     mesh_seconds += cpu_seconds();
     const double estimate = estimated_elements(leaf, spacing);
     const double off = estimate / static_cast<double>(mesh.tets.size()) - 1;

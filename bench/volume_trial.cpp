@@ -49,7 +49,7 @@ void run(const std::string& path, double constant, bool with_cosmetics) {
     std::printf("%8.3f s  %s\n", seconds_now() - start, work_text(count).c_str());
   });
   VolumeMeshReport report;
-  const TetMesh mesh = mesh_volume(root_subdomain(surface), field, options, &report);
+  const TetMesh mesh = mesh_volume(root_subdomain(surface), field, options, &report).mesh.value();
   const double seconds = seconds_now() - start;
   print_angles(mesh);
   std::uint64_t sum = 0;

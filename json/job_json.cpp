@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/check.h"
 #include "json/json_line.h"
 #include "json/quality_gates.h"
 #include "json/reply_values.h"
@@ -245,6 +246,7 @@ std::string farm_events_json(const wire::StatusReply& reply, bool with_workers) 
 }
 
 std::string copy_json(const std::string& what, const std::string& file) {
+  TF_CHECK(!what.empty());
   return json_line({{"type", what}, {"file", file}});
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "mesh/core/subdomain.h"
 
@@ -22,7 +23,10 @@ std::array<double, 3> place_of(const wire::JobStatus& status, const std::string&
           number_of(status, what + "_z")};
 }
 
-std::string region_prefix(int region) { return "region_" + std::to_string(region) + "_"; }
+std::string region_prefix(int region) {
+  TF_CHECK(region >= 1);
+  return "region_" + std::to_string(region) + "_";
+}
 
 std::vector<std::pair<std::string, std::string>> said_of_subdomains(const wire::JobStatus& status,
                                                                     std::string_view mark) {

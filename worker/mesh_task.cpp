@@ -36,14 +36,13 @@ LeafMeshers real_meshers(TaskIo& io, const JobFile& job, const SpacingField& spa
 
 TetMesh mesh_or_refuse(TaskIo& io, const JobFile& job, const Subdomain& leaf,
                        const SpacingField& spacing) {
-  try {
-    return leaf_mesh(leaf, real_meshers(io, job, spacing));
-  } catch (const RecoveryFailure& failure) {
-    throw unrecovered_subdomain(io, leaf, failure.what(), failure.triangles());
-  } catch (const InvalidInput& error) {
-    throw refused_subdomain(io, leaf, error.what(),
-                            {error.triangles().begin(), error.triangles().end()});
+  VolumeOutcome outcome = leaf_mesh(leaf, real_meshers(io, job, spacing));
+  if (outcome.mesh) return *std::move(outcome.mesh);
+  const VolumeFailure& failure = outcome.failure;
+  if (failure.cause == VolumeFailure::Cause::same_place) {
+    throw refused_subdomain(io, leaf, failure.message, failure.triangles);
   }
+  throw unrecovered_subdomain(io, leaf, failure.message, failure.triangles);
 }
 
 double smallest_dihedral_deg(const TetMesh& mesh) {

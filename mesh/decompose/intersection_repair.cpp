@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -106,6 +108,7 @@ bool push_triangle_off_corners(const InterdomainMesh& mesh, const Subdomain& sub
 int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const FaceColours& colours,
                const std::vector<SurfaceContact>& contacts,
                std::vector<std::optional<double>>& pushed, const PushOptions& options) {
+  TF_CHECK(colours.size() == subdomain.triangles.size());
   Pushes pushes(mesh, options, pushed);
   int moved = 0;
   for (const SurfaceContact& contact : contacts) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/decompose/maximum_flow.h"
 
 namespace tetfarm {
@@ -75,6 +76,7 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
     }
   }
   const std::vector<bool> is_left = network.source_side_of_minimum_cut(source, sink);
+  TF_CHECK(is_left[idx(source)] && !is_left[idx(sink)]);
   for (const std::int32_t t : band) {
     colours[idx(t)] = is_left[idx(triangle2node[idx(t)])] ? Side::left : Side::right;
   }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/error.h"
 #include "mesh/library/append_mesh.h"
 
 namespace tetfarm {
@@ -76,25 +75,16 @@ class Joining {
 std::optional<TetMesh> mesh_of_halves(const Subdomain& leaf, const LeafMeshers& meshers) {
   const CutOutcome outcome = meshers.cut(leaf);
   if (!outcome.cut) return std::nullopt;
-  try {
-    const TetMesh left = meshers.mesh(outcome.cut->left);
-    const TetMesh right = meshers.mesh(outcome.cut->right);
-    return join_halves(leaf, outcome.cut->left, left, outcome.cut->right, right);
-  } catch (const RecoveryFailure&) {
-    return std::nullopt;
-  }
+  const VolumeOutcome left = meshers.mesh(outcome.cut->left);
+  if (!left.mesh) return std::nullopt;
+  const VolumeOutcome right = meshers.mesh(outcome.cut->right);
+  if (!right.mesh) return std::nullopt;
+  return join_halves(leaf, outcome.cut->left, *left.mesh, outcome.cut->right, *right.mesh);
 }
 
 /// Whether a half of a leaf that did not recover as a whole does.
 bool boundary_recovers(const Subdomain& half, const SpacingField& spacing) {
-  try {
-    mesh_volume(half, spacing, {.fill = false, .cosmetics = false});
-    return true;
-  } catch (const RecoveryFailure&) {
-    return false;
-  } catch (const InvalidInput&) {
-    return false;
-  }
+  return mesh_volume(half, spacing, {.fill = false, .cosmetics = false}).mesh.has_value();
 }
 
 }  // namespace
@@ -118,13 +108,12 @@ TetMesh join_halves(const Subdomain& whole, const Subdomain& left, const TetMesh
   return std::move(joining).result();
 }
 
-TetMesh leaf_mesh(const Subdomain& leaf, const LeafMeshers& meshers) {
-  try {
-    return meshers.mesh(leaf);
-  } catch (const RecoveryFailure&) {
-    if (std::optional<TetMesh> joined = mesh_of_halves(leaf, meshers)) return *std::move(joined);
-    throw;
+VolumeOutcome leaf_mesh(const Subdomain& leaf, const LeafMeshers& meshers) {
+  VolumeOutcome outcome = meshers.mesh(leaf);
+  if (!outcome.mesh && outcome.failure.cause == VolumeFailure::Cause::not_recovered) {
+    outcome.mesh = mesh_of_halves(leaf, meshers);
   }
+  return outcome;
 }
 
 }  // namespace tetfarm

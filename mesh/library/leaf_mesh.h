@@ -13,7 +13,7 @@ namespace tetfarm {
 
 /// How a sub-domain is meshed and cut: the mesh rooms, or a test's own.
 struct LeafMeshers {
-  std::function<TetMesh(const Subdomain&)> mesh;
+  std::function<VolumeOutcome(const Subdomain&)> mesh;
   std::function<CutOutcome(const Subdomain&)> cut;
 };
 
@@ -22,9 +22,9 @@ struct LeafMeshers {
 LeafMeshers leaf_meshers(const SpacingField& spacing, const VolumeMeshOptions& meshing,
                          CutOptions cutting);
 
-/// A mesh that satisfies the invariants of TetMesh for `leaf`. @throws RecoveryFailure of the whole
-/// leaf when neither way works; what `mesh` throws otherwise.
-TetMesh leaf_mesh(const Subdomain& leaf, const LeafMeshers& meshers);
+/// A mesh that satisfies the invariants of TetMesh for `leaf`, or why the whole leaf has none when
+/// neither way works. The second way is for a boundary that was not recovered only.
+VolumeOutcome leaf_mesh(const Subdomain& leaf, const LeafMeshers& meshers);
 
 /// The meshes of the two halves as one of `whole`: its nodes first, then the cut's, then the
 /// halves' inner ones.

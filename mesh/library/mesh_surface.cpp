@@ -42,6 +42,14 @@ void divide(Subdomain whole, std::vector<Subdomain>& leaves) {
   divide(part_of_regions(whole, halves.right, whole.path.right()), leaves);
 }
 
+/// What the library's users are told of a leaf that has no mesh.
+[[noreturn]] void throw_failure(const VolumeFailure& failure) {
+  if (failure.cause == VolumeFailure::Cause::same_place) {
+    throw InvalidInput(failure.message, "", {failure.triangles.begin(), failure.triangles.end()});
+  }
+  throw RecoveryFailure(failure.message, failure.triangles);
+}
+
 /// Adds a leaf's mesh to that of all. Its boundary nodes are the surface's own.
 void join(const Subdomain& leaf, const TetMesh& mesh, MeshedSurface& all) {
   std::vector<std::int32_t> leaf2all;
@@ -65,12 +73,13 @@ MeshedSurface mesh_surface(const SurfaceMesh& surface, const MeshSurfaceOptions&
   divide(root_subdomain(all.surface), leaves);
   all.nodes = all.surface.vertices;
   for (const Subdomain& leaf : leaves) {
-    const TetMesh mesh = leaf_mesh(leaf, meshers);
-    const std::vector<std::string> complaints = validate(mesh, leaf.triangles);
+    const VolumeOutcome outcome = leaf_mesh(leaf, meshers);
+    if (!outcome.mesh) throw_failure(outcome.failure);
+    const std::vector<std::string> complaints = validate(*outcome.mesh, leaf.triangles);
     if (!complaints.empty()) {
       throw Error(ExitCode::failed, "the mesh is not valid: " + complaints.front());
     }
-    join(leaf, mesh, all);
+    join(leaf, *outcome.mesh, all);
   }
   return all;
 }

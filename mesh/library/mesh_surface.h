@@ -6,6 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
@@ -31,6 +34,18 @@ struct MeshedSurface {
   std::vector<Vec3> nodes;
   std::vector<Tet> tets;
   std::vector<std::int32_t> region_of_tet;  ///< from 1, as surface.region_names
+};
+
+/// The boundary of a region could not be recovered: which of its triangles are missing.
+class RecoveryFailure : public std::runtime_error {
+ public:
+  RecoveryFailure(const std::string& message, std::vector<std::int32_t> triangles)
+      : std::runtime_error(message), triangles_(std::move(triangles)) {}
+  /// Numbers among the triangles of the region, in the order of the surface.
+  const std::vector<std::int32_t>& triangles() const { return triangles_; }
+
+ private:
+  std::vector<std::int32_t> triangles_;
 };
 
 /// @throws InvalidInput when the surface cannot be meshed: what is wrong, with triangle numbers and

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/check.h"
 #include "mesh/planar/restricted_cavity.h"
 
 namespace tetfarm {
@@ -221,6 +222,7 @@ class PointInsertion {
       clear = std::min(clear, spacing_at_[as_index(v)]);
     if (!has_room(p, clear)) return false;
     fill_cavity(complex_, p, cavity_);
+    TF_CHECK(spacing_at_.size() + 1 == complex_.points.size());
     spacing_at_.push_back(h);
     state_.resize(complex_.triangles.size(), State::large);
     for (const std::int32_t fresh : cavity_.triangles) state_[as_index(fresh)] = judge(fresh);

@@ -33,6 +33,7 @@ void TriangleComplex::set_triangle(std::int32_t t, const Nodes& nodes) {
 }
 
 void TriangleComplex::glue(EdgeHandle a, EdgeHandle b) {
+  TF_CHECK(a != no_edge);
   neighbours[as_index(triangle_of(a))][as_index(edge_of(a))] = b;
   if (b != no_edge) neighbours[as_index(triangle_of(b))][as_index(edge_of(b))] = a;
 }
@@ -79,6 +80,7 @@ void TriangleComplex::flip(EdgeHandle edge) {
   const std::int32_t t = triangle_of(edge);
   const int i = edge_of(edge);
   const EdgeHandle other = neighbour(t, i);
+  TF_CHECK(other != no_edge && !is_constrained(t, i));
   const std::int32_t u = triangle_of(other);
   const int j = edge_of(other);
   const std::int32_t p = node(t, i);
@@ -113,6 +115,7 @@ void TriangleComplex::flip(EdgeHandle edge) {
 
 TriangleComplex make_triangle_complex(std::vector<Vec2> points,
                                       std::vector<TriangleComplex::Nodes> triangles) {
+  TF_CHECK(triangles.size() < (1U << 29U));
   TriangleComplex complex;
   complex.points = std::move(points);
   complex.node2triangle.assign(complex.points.size(), -1);

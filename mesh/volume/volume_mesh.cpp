@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "base/array_index.h"
-#include "base/error.h"
+#include "base/check.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/cosmetics/improve_mesh.h"
@@ -21,11 +22,11 @@ namespace {
 constexpr std::int32_t enclosing_nodes = 4;
 
 /// Triangles at a node of the boundary: the place of an error.
-std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t node) {
-  std::vector<std::int64_t> found;
+std::vector<std::int32_t> triangles_at(const Subdomain& subdomain, std::int32_t node) {
+  std::vector<std::int32_t> found;
   for (std::size_t i = 0; i < subdomain.triangles.size(); ++i) {
     const Triangle& t = subdomain.triangles[i];
-    if (t[0] == node || t[1] == node || t[2] == node) found.push_back(static_cast<std::int64_t>(i));
+    if (t[0] == node || t[1] == node || t[2] == node) found.push_back(static_cast<std::int32_t>(i));
   }
   return found;
 }
@@ -33,17 +34,19 @@ std::vector<std::int64_t> triangles_at(const Subdomain& subdomain, std::int32_t 
 DelaunayTets boundary_delaunay(const Subdomain& subdomain, const WorkProgress& progress) {
   constexpr int tell_every = 1 << 12;
   progress.begin(WorkStage::boundary, subdomain.vertices.size(), tell_every);
-  DelaunayTets tets = bowyer_watson(subdomain.vertices, progress);
-  if (!tets.duplicates.empty()) {
-    const std::int32_t node = tets.duplicates.front()[0];
-    throw InvalidInput(
-        "two vertices are at the same place " + text_of(subdomain.vertices[at(node)]),
-        "sub-domain " + subdomain.path.text(), triangles_at(subdomain, node));
-  }
-  return tets;
+  return bowyer_watson(subdomain.vertices, progress);
 }
 
-[[noreturn]] void throw_lost(const Subdomain& subdomain, const std::vector<std::int32_t>& lost) {
+VolumeOutcome same_place(const Subdomain& subdomain, std::int32_t node) {
+  return {.mesh = {},
+          .failure = {.cause = VolumeFailure::Cause::same_place,
+                      .message = "sub-domain " + subdomain.path.text() +
+                                 ": two vertices are at the same place " +
+                                 text_of(subdomain.vertices[at(node)]),
+                      .triangles = triangles_at(subdomain, node)}};
+}
+
+VolumeOutcome not_recovered(const Subdomain& subdomain, const std::vector<std::int32_t>& lost) {
   std::string message = "sub-domain " + subdomain.path.text() + ": " + std::to_string(lost.size()) +
                         (lost.size() == 1 ? " boundary triangle was" : " boundary triangles were") +
                         " not recovered";
@@ -52,7 +55,10 @@ DelaunayTets boundary_delaunay(const Subdomain& subdomain, const WorkProgress& p
     message += ", the first at " + text_of(subdomain.vertices[at(t[0])]) + ", " +
                text_of(subdomain.vertices[at(t[1])]) + ", " + text_of(subdomain.vertices[at(t[2])]);
   }
-  throw RecoveryFailure(message, lost);
+  return {.mesh = {},
+          .failure = {.cause = VolumeFailure::Cause::not_recovered,
+                      .message = std::move(message),
+                      .triangles = lost}};
 }
 
 /// The complex with points that belong to a tet only; the boundary nodes stay first.
@@ -68,6 +74,7 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
     new_number[v] = count;
     mesh.nodes[at(count++)] = mesh.nodes[v];
   }
+  TF_CHECK(count >= boundary_nodes && at(count) <= mesh.nodes.size());
   mesh.nodes.resize(at(count));
   for (Tet& tet : mesh.tets) {
     for (std::int32_t& v : tet) v = new_number[at(v)];
@@ -76,10 +83,12 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
 }
 
 /// From the Delaunay tets on, with the flips in the order of the seed.
-TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
-                  const VolumeMeshOptions& options, std::uint64_t seed, VolumeMeshReport* report) {
+VolumeOutcome mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
+                        const VolumeMeshOptions& options, std::uint64_t seed,
+                        VolumeMeshReport* report) {
   const auto boundary_nodes = static_cast<std::int32_t>(subdomain.vertices.size());
   DelaunayTets tets = boundary_delaunay(subdomain, options.progress);
+  if (!tets.duplicates.empty()) return same_place(subdomain, tets.duplicates.front()[0]);
   TetComplex& complex = tets.complex;
   std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
   const RecoveredBoundary recovered =
@@ -90,15 +99,13 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     report->boundary_steiner_points = recovered.splits;
     report->interior_steiner_points = recovered.steiner_points;
   }
-  if (!recovered.lost.empty()) throw_lost(subdomain, recovered.lost);
+  if (!recovered.lost.empty()) return not_recovered(subdomain, recovered.lost);
   const RecoverySurface surface(subdomain.triangles,
                                 static_cast<std::int32_t>(complex.points.size()));
-  const auto sides = [&] {
-    auto inside = inside_tets(LocalRemeshing(complex, constrained), surface);
-    if (inside.empty()) throw_lost(subdomain, {});
-    return inside;
-  };
+  const auto sides = [&] { return inside_tets(LocalRemeshing(complex, constrained), surface); };
   std::vector<std::uint8_t> inside = sides();
+  if (inside.empty()) return not_recovered(subdomain, {});
+  TF_CHECK(inside.size() == complex.nodes.size());
   PendingCore core;
   if (options.fill) {
     options.progress.begin(WorkStage::points);
@@ -113,9 +120,11 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
       sweep_points(complex, constrained, inside, spacing, sweeps);
     }
     inside = sides();
+    if (inside.empty()) return not_recovered(subdomain, {});
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
+  TF_CHECK(kept.complex.nodes.size() == kept.constrained.size());
   const GraftedCore grafted = graft_pending_core(kept.complex, kept.constrained, std::move(core),
                                                  boundary_nodes, enclosing_nodes);
   if (options.fill && options.cosmetics) {
@@ -128,7 +137,7 @@ TetMesh mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
     const CosmeticReport improved = improve_mesh(kept.complex, boundary_nodes, cosmetics);
     if (report != nullptr) report->cosmetic_attempts = improved.attempts;
   }
-  return compact_mesh(kept.complex, boundary_nodes);
+  return {.mesh = compact_mesh(kept.complex, boundary_nodes), .failure = {}};
 }
 
 /// Small surfaces get more attempts: they are cheap, and blocked ones are mostly small.
@@ -139,18 +148,16 @@ std::uint64_t attempts_for(std::size_t triangles) {
 
 }  // namespace
 
-TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
-                    const VolumeMeshOptions& options, VolumeMeshReport* report) {
-  const std::uint64_t last = attempts_for(subdomain.triangles.size()) - 1;
-  for (std::uint64_t seed = 0; seed < last; ++seed) {
-    try {
-      return mesh_once(subdomain, spacing, options, seed, report);
-    } catch (const RecoveryFailure&) {
-      // Another order of the flips meets other obstacles.
-      continue;
-    }
+VolumeOutcome mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
+                          const VolumeMeshOptions& options, VolumeMeshReport* report) {
+  const std::uint64_t attempts = attempts_for(subdomain.triangles.size());
+  VolumeOutcome outcome = mesh_once(subdomain, spacing, options, 0, report);
+  for (std::uint64_t seed = 1; seed < attempts && !outcome.mesh; ++seed) {
+    if (outcome.failure.cause == VolumeFailure::Cause::same_place) break;
+    // Another order of the flips meets other obstacles.
+    outcome = mesh_once(subdomain, spacing, options, seed, report);
   }
-  return mesh_once(subdomain, spacing, options, last, report);
+  return outcome;
 }
 
 }  // namespace tetfarm

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/work_progress.h"
@@ -37,22 +36,27 @@ struct VolumeMeshReport {
   std::int64_t cosmetic_attempts = 0;        // at tets that are bad
 };
 
-/// The surface could not be recovered: which sub-domain triangles are missing.
-class RecoveryFailure : public std::runtime_error {
- public:
-  RecoveryFailure(const std::string& message, std::vector<std::int32_t> triangles)
-      : std::runtime_error(message), triangles_(std::move(triangles)) {}
-  const std::vector<std::int32_t>& triangles() const { return triangles_; }
-
- private:
-  std::vector<std::int32_t> triangles_;
+/// Why a sub-domain has no mesh.
+struct VolumeFailure {
+  enum class Cause : std::uint8_t { same_place, not_recovered };
+  /// Two vertices are at the same place, or no attempt recovered the whole boundary.
+  Cause cause = Cause::not_recovered;
+  std::string message;                  // begins with the name of the sub-domain
+  std::vector<std::int32_t> triangles;  // of the sub-domain: at the vertex, or missing
 };
 
-/// A mesh that holds every boundary triangle as a face and no added point on the boundary.
-/// @pre validate(subdomain) is empty. @throws InvalidInput with sub-domain triangle numbers when
-/// the surface cuts itself; RecoveryFailure when it could not be recovered. Cost: about 2 µs an
-/// element.
-TetMesh mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
-                    const VolumeMeshOptions& options = {}, VolumeMeshReport* report = nullptr);
+/// Either a mesh, or why there is none.
+struct VolumeOutcome {
+  std::optional<TetMesh> mesh;
+  VolumeFailure failure;
+};
+
+/// A mesh that holds every boundary triangle as a face and no added point on the boundary. There
+/// is none when two vertices are at the same place, and when the boundary was not recovered, as
+/// that of a surface that cuts itself.
+/// @pre validate(subdomain) is empty. Cost: about 2 µs an element.
+VolumeOutcome mesh_volume(const Subdomain& subdomain, const SpacingField& spacing,
+                          const VolumeMeshOptions& options = {},
+                          VolumeMeshReport* report = nullptr);
 
 }  // namespace tetfarm

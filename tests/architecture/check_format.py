@@ -7,7 +7,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-from check_layers import sources
+from source_files import sources
 
 
 def main():

@@ -6,9 +6,9 @@ room includes, on a circle of rooms or of headers, on a folder with sources that
 know, and when CMakeLists.txt links other rooms than the table says. Run in the root of the repository, or with that as argument.
 """
 
-import pathlib
 import re
-import sys
+
+from source_files import OUTSIDE, end, root_of_arguments, texts
 
 # room: the rooms that its files include, and no others.
 ROOMS = {
@@ -17,7 +17,7 @@ ROOMS = {
     "mesh/graph": ["base"],
     "mesh/geometry": ["base", "mesh/core"],
     "mesh/spacing": ["base", "mesh/core"],
-    "mesh/formats/list": [],
+    "mesh/formats/list": ["base"],
     "mesh/job_file": ["base", "mesh/core", "mesh/formats/list"],
     "mesh/artifacts": ["base", "mesh/core"],
     "mesh/shapes": ["base", "mesh/core"],
@@ -65,9 +65,6 @@ ROOMS = {
 # What a folder of formats may use, whether it does or not. Besides, each may use what its line
 # add_format(FOLDER ROOM...) in CMakeLists.txt names, and must. A line is enough for a new folder.
 FOR_FORMATS = ["base", "mesh/core", "mesh/artifacts", "mesh/assemble", "mesh/formats", "mesh/formats/list"]
-
-# They see every room, and no room sees them.
-OUTSIDE = {"tests", "bench", "examples"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 ADD_ROOM = re.compile(r"^add_room\(([^)]*)\)", re.MULTILINE)
@@ -157,31 +154,17 @@ def check(files, rooms, cmake_text=""):
     return errors
 
 
-def sources(root):
-    hidden = {"build", "out"}
-    for path in sorted(root.rglob("*")):
-        parts = path.relative_to(root).parts
-        if parts[0] in hidden or parts[0].startswith("."):
-            continue
-        if path.suffix in (".h", ".cpp") and path.is_file():
-            yield path
-
-
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    files = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
-             for path in sources(root)}
+    root = root_of_arguments()
+    files = texts(root)
     errors = check(files, ROOMS, (root / "CMakeLists.txt").read_text(encoding="utf-8"))
     linked = FOR_FORMATS_IN_CMAKE.findall((root / "cmake/rooms.cmake").read_text(encoding="utf-8"))
     if [words.split() for words in linked] != [FOR_FORMATS]:
         errors.append(f"cmake/rooms.cmake: rooms_for_formats are {linked}, here they are {FOR_FORMATS}")
     if not any(path.startswith("mesh/") for path in files):
         errors.append(f"{root} has no sources of mesh/")
-    for error in errors:
-        print(error)
-    print(f"{len(files)} files, {len(errors)} violations of the layers")
-    return 1 if errors else 0
+    end(errors, f"{len(files)} files, {len(errors)} violations of the layers")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -8,11 +8,9 @@ repository, or with that as argument.
 """
 
 import collections
-import pathlib
 import re
-import sys
 
-FOLDERS = ["base", "bench", "cli", "coordinator", "json", "mesh", "pool", "proto", "report", "store", "worker"]
+from source_files import end, root_of_arguments, texts
 
 RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.DOTALL)
 COMMENT_OR_TEXT = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|(?<!\w)'(?:\\.|[^'\\\n])+'", re.DOTALL)
@@ -84,14 +82,8 @@ def check(files):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    paths = [path for folder in FOLDERS for ending in ("*.h", "*.cpp") for path in (root / folder).rglob(ending)]
-    files = {str(path.relative_to(root)): path.read_text() for path in paths}
-    if not files:
-        sys.exit(f"{root}: no sources")
-    complaints = check(files)
-    print("\n".join(complaints) or f"{len(files)} files: every name has one definition")
-    sys.exit(1 if complaints else 0)
+    files = texts(root_of_arguments(), without=("tests", "examples"))
+    end(check(files), f"{len(files)} files: every name has one definition")
 
 
 if __name__ == "__main__":

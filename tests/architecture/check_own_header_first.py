@@ -4,11 +4,10 @@
 Run in the root of the repository, or with that as argument.
 """
 
-import pathlib
 import re
-import sys
 
-FOLDERS = ["base", "bench", "cli", "coordinator", "json", "mesh", "pool", "proto", "report", "store", "tests", "worker"]
+from source_files import end, root_of_arguments, texts
+
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)', re.MULTILINE)
 
 
@@ -25,14 +24,8 @@ def check(files):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    paths = [path for folder in FOLDERS for ending in ("*.h", "*.cpp") for path in (root / folder).rglob(ending)]
-    files = {str(path.relative_to(root)): path.read_text() for path in paths}
-    if not files:
-        sys.exit(f"{root}: no sources")
-    complaints = check(files)
-    print("\n".join(complaints) or f"{len(files)} files: every header is the first include of the .cpp of its name")
-    sys.exit(1 if complaints else 0)
+    files = texts(root_of_arguments())
+    end(check(files), f"{len(files)} files: every header is the first include of the .cpp of its name")
 
 
 if __name__ == "__main__":

@@ -7,9 +7,9 @@ when ARCHITECTURE.md tells another number of files for a new kind. Tests and ben
 want. Run in the root of the repository, or with that as argument.
 """
 
-import pathlib
 import re
-import sys
+
+from source_files import OUTSIDE, end, root_of_arguments, texts
 
 # What a new kind needs besides files of its own (tasks/KIND_contract.cpp, worker/KIND_task.h and .cpp): a line
 # in the list, and what may follow it.
@@ -37,9 +37,6 @@ ONE_KIND = {
     "worker/task_cost.cpp", "worker/task_cost.h",
 }
 
-SOURCES = (".h", ".cpp")
-OUTSIDE = {"tests", "bench", "examples", "build"}
-
 
 def kinds_of(header):
     """The names in the list of kinds."""
@@ -62,7 +59,7 @@ def check(files, architecture):
     errors = []
     every, some = set(), set()
     for path, text in sorted(files.items()):
-        if path.split("/")[0] in OUTSIDE or not path.endswith(SOURCES):
+        if path.split("/")[0] in OUTSIDE:
             continue
         named = named_kinds(text, kinds)
         if len(named) == len(kinds) and path not in ONE_KIND:
@@ -86,15 +83,11 @@ def check(files, architecture):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    files = {str(path.relative_to(root)): path.read_text(errors="replace")
-             for path in root.rglob("*") if path.suffix in SOURCES and "build" not in path.relative_to(root).parts}
-    errors = check(files, (root / "ARCHITECTURE.md").read_text())
-    for error in errors:
-        print(error)
-    print(f"{len(files)} files, {len(errors)} complaints about kinds of tasks")
-    return 1 if errors else 0
+    root = root_of_arguments()
+    files = texts(root)
+    errors = check(files, (root / "ARCHITECTURE.md").read_text(encoding="utf-8"))
+    end(errors, f"{len(files)} files, {len(errors)} complaints about kinds of tasks")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -5,20 +5,15 @@ import pathlib
 import unittest
 
 import check_task_kinds
+from source_files import texts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-
-
-def sources():
-    return {str(path.relative_to(ROOT)): path.read_text(errors="replace")
-            for path in ROOT.rglob("*")
-            if path.suffix in check_task_kinds.SOURCES and "build" not in path.relative_to(ROOT).parts}
 
 
 class CheckTaskKinds(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.sources = sources()
+        cls.sources = texts(ROOT)
 
     def setUp(self):
         self.files = dict(self.sources)

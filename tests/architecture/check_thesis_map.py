@@ -7,9 +7,9 @@ repository or ends as a source does. What is built (`build/`, `out/`) is left ou
 of the repository.
 """
 
-import pathlib
 import re
-import sys
+
+from source_files import end, root_of_arguments
 
 QUOTED = re.compile(r"`([A-Za-z0-9_./*-]+)`|\]\(([A-Za-z0-9_./-]+)\)")
 
@@ -23,7 +23,7 @@ def is_path(text, folders):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    root = root_of_arguments()
     folders = {path.name for path in root.iterdir() if path.is_dir()} - {"build", "out"}
     missing, count = [], 0
     for name in ("docs/thesis_map.md", "README.md", "ARCHITECTURE.md"):
@@ -40,11 +40,10 @@ def main():
             count += 1
             if not found:
                 missing.append(f"{name}: there is no {quoted or linked}")
-    for line in missing:
-        print(line)
-    print(f"{count} paths, {len(missing)} of them missing")
-    return 1 if missing or count == 0 else 0
+    if count == 0:
+        missing.append(f"{root}: no paths are named")
+    end(missing, f"{count} paths, {len(missing)} of them missing")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

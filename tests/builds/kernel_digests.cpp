@@ -73,11 +73,8 @@ class Case {
 
   void run_volume(const char* step, const Subdomain& part, const SpacingField& spacing,
                   const VolumeMeshOptions& options) const {
-    try {
-      tell(step, tet_mesh_to_bytes(mesh_volume(part, spacing, options)));
-    } catch (const RecoveryFailure& failure) {
-      tell(step, failure.what());
-    }
+    const VolumeOutcome outcome = mesh_volume(part, spacing, options);
+    tell(step, outcome.mesh ? tet_mesh_to_bytes(*outcome.mesh) : outcome.failure.message);
   }
 
   std::string name_;

@@ -98,7 +98,7 @@ TEST(LatticeBoundary, ends_where_a_node_lies_beside_the_lattice) {
 
 TEST(LatticeBoundary, lets_the_core_reach_a_cut_along_the_lattice) {
   const LatticeBlock block(4);
-  const TetMesh mesh = mesh_volume(block.domain, block.field);
+  const TetMesh mesh = mesh_volume(block.domain, block.field).mesh.value();
   expect_mesh_of(mesh, block.domain);
   EXPECT_EQ(mesh.tets.size(), at(block.core.tet_count()));
   const double edge = block.nodes.front().cell_edge;

@@ -126,7 +126,7 @@ TEST(VolumeMesh, by_sweeps_holds_all_invariants_where_the_spacing_grows) {
   const SpacingField spacing = make_spacing_field(surface, {});
   VolumeMeshOptions options;
   options.points = InteriorPoints::sweeps;
-  const TetMesh mesh = mesh_volume(domain, spacing, options);
+  const TetMesh mesh = mesh_volume(domain, spacing, options).mesh.value();
   expect_mesh_of(mesh, domain);
   EXPECT_GT(mesh.nodes.size(), 2 * domain.vertices.size());
 }

@@ -71,37 +71,69 @@ TEST(JoinHalves, is_a_valid_mesh_of_the_whole_whose_first_nodes_are_its_own) {
   for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(joined.nodes[v], o.whole.vertices[v]);
 }
 
+VolumeOutcome pyramid_of(const Subdomain& half) { return {pyramid_mesh(half), {}}; }
+
+VolumeOutcome failure_at(std::int32_t triangle, VolumeFailure::Cause cause) {
+  return {{}, {cause, "no mesh", {triangle}}};
+}
+
 TEST(LeafMesh, takes_the_first_way_when_it_works) {
   const Octahedron o = octahedron();
   const auto never = [](const Subdomain&) -> CutOutcome {
     ADD_FAILURE() << "cut without need";
     return {};
   };
-  const TetMesh mesh = leaf_mesh(o.cut.left, {.mesh = pyramid_mesh, .cut = never});
-  EXPECT_EQ(mesh.tets.size(), 4U);
+  const VolumeOutcome outcome = leaf_mesh(o.cut.left, {.mesh = pyramid_of, .cut = never});
+  EXPECT_EQ(outcome.mesh.value().tets.size(), 4U);
 }
 
-TetMesh halves_only(const Subdomain& part) {
-  if (part.path.heap == 1) throw RecoveryFailure("an edge is missing", {3});
-  return pyramid_mesh(part);
+VolumeOutcome halves_only(const Subdomain& part) {
+  if (part.path.heap == 1) return failure_at(3, VolumeFailure::Cause::not_recovered);
+  return pyramid_of(part);
 }
 
 TEST(LeafMesh, cuts_a_leaf_that_cannot_be_recovered_once_more) {
   const Octahedron o = octahedron();
   const auto cut = [&o](const Subdomain&) { return CutOutcome{o.cut, ""}; };
-  const TetMesh mesh = leaf_mesh(o.whole, {.mesh = halves_only, .cut = cut});
-  EXPECT_EQ(validate(mesh, o.whole.triangles), std::vector<std::string>());
+  const VolumeOutcome outcome = leaf_mesh(o.whole, {.mesh = halves_only, .cut = cut});
+  EXPECT_EQ(validate(outcome.mesh.value(), o.whole.triangles), std::vector<std::string>());
 }
 
 TEST(LeafMesh, names_the_triangles_of_the_whole_when_neither_way_works) {
   const Octahedron o = octahedron();
   const auto no_cut = [](const Subdomain&) { return CutOutcome{std::nullopt, "no plane"}; };
-  try {
-    leaf_mesh(o.whole, {.mesh = halves_only, .cut = no_cut});
-    FAIL() << "no failure";
-  } catch (const RecoveryFailure& failure) {
-    EXPECT_EQ(failure.triangles(), std::vector<std::int32_t>{3});
+  const VolumeOutcome outcome = leaf_mesh(o.whole, {.mesh = halves_only, .cut = no_cut});
+  EXPECT_FALSE(outcome.mesh);
+  EXPECT_EQ(outcome.failure.triangles, std::vector<std::int32_t>{3});
+}
+
+TEST(LeafMesh, names_the_triangles_of_the_whole_when_a_half_fails) {
+  const Octahedron o = octahedron();
+  const auto cut = [&o](const Subdomain&) { return CutOutcome{o.cut, ""}; };
+  for (const std::uint64_t failing : {2U, 3U}) {
+    const auto mesh = [failing](const Subdomain& part) {
+      if (part.path.heap != 1 && part.path.heap != failing) return pyramid_of(part);
+      return failure_at(static_cast<std::int32_t>(part.path.heap),
+                        VolumeFailure::Cause::not_recovered);
+    };
+    const VolumeOutcome outcome = leaf_mesh(o.whole, {.mesh = mesh, .cut = cut});
+    EXPECT_FALSE(outcome.mesh);
+    EXPECT_EQ(outcome.failure.triangles, std::vector<std::int32_t>{1});
   }
+}
+
+TEST(LeafMesh, cuts_no_leaf_two_of_whose_vertices_are_at_the_same_place) {
+  const Octahedron o = octahedron();
+  const auto mesh = [](const Subdomain&) {
+    return failure_at(3, VolumeFailure::Cause::same_place);
+  };
+  const auto never = [](const Subdomain&) -> CutOutcome {
+    ADD_FAILURE() << "cut in vain";
+    return {};
+  };
+  const VolumeOutcome outcome = leaf_mesh(o.whole, {.mesh = mesh, .cut = never});
+  EXPECT_FALSE(outcome.mesh);
+  EXPECT_EQ(outcome.failure.cause, VolumeFailure::Cause::same_place);
 }
 
 }  // namespace

@@ -31,17 +31,14 @@ inline double mesh_cad_surface(const shapes::SurfaceGenerator& generator, std::u
   const Subdomain domain = root_subdomain(checked.surface);
   const SpacingField spacing(0.2 * norm(bounding_box(domain.vertices).size()));
   const std::clock_t start = std::clock();
-  try {
-    VolumeMeshReport report;
-    const TetMesh mesh = mesh_volume(domain, spacing, {}, &report);
-    EXPECT_LT(report.cosmetic_attempts, 120'000 + 250 * std::ssize(domain.vertices));
-    const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    expect_mesh_of(mesh, domain);
-    return seconds;
-  } catch (const RecoveryFailure& failure) {
-    ADD_FAILURE() << failure.what();
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  }
+  VolumeMeshReport report;
+  const VolumeOutcome outcome = mesh_volume(domain, spacing, {}, &report);
+  const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  EXPECT_TRUE(outcome.mesh) << outcome.failure.message;
+  if (!outcome.mesh) return seconds;
+  EXPECT_LT(report.cosmetic_attempts, 120'000 + 250 * std::ssize(domain.vertices));
+  expect_mesh_of(*outcome.mesh, domain);
+  return seconds;
 }
 
 }  // namespace tetfarm

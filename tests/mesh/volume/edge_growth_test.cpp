@@ -61,7 +61,7 @@ TEST_P(EdgesWhereSpacingGrows, are_as_long_as_asked_at_every_size) {
   const SpacingField spacing = make_spacing_field(surface, options);
   VolumeMeshOptions how;
   how.points = GetParam();
-  const TetMesh mesh = mesh_volume(domain, spacing, how);
+  const TetMesh mesh = mesh_volume(domain, spacing, how).mesh.value();
   expect_mesh_of(mesh, domain);
   int sizes = 0;
   EdgesOfSize all;

@@ -29,13 +29,14 @@ inline Outcome mesh_generated_surface(const shapes::SurfaceGenerator& generator,
   VolumeMeshOptions options;
   options.fill = seed % 4 == 3;
   const double spacing = 0.2 * norm(bounding_box(domain.vertices).size());
-  try {
-    expect_mesh_of(mesh_volume(domain, SpacingField(spacing), options), domain);
-  } catch (const RecoveryFailure& failure) {
-    EXPECT_FALSE(failure.triangles().empty());
-    std::cout << name << ": " << failure.what() << "\n";
+  const VolumeOutcome outcome = mesh_volume(domain, SpacingField(spacing), options);
+  if (!outcome.mesh) {
+    EXPECT_EQ(outcome.failure.cause, VolumeFailure::Cause::not_recovered);
+    EXPECT_FALSE(outcome.failure.triangles.empty());
+    std::cout << name << ": " << outcome.failure.message << "\n";
     return Outcome::refused;
   }
+  expect_mesh_of(*outcome.mesh, domain);
   return Outcome::meshed;
 }
 

@@ -37,7 +37,7 @@ TEST_P(VolumeMeshOfRealSurface, is_valid_and_holds_every_input_triangle) {
   }
   const Subdomain domain = root_subdomain(checked.surface);
   const SpacingField spacing = make_spacing_field(checked.surface, {});
-  const TetMesh mesh = mesh_volume(domain, spacing);
+  const TetMesh mesh = mesh_volume(domain, spacing).mesh.value();
   expect_mesh_of(mesh, domain);
   double smallest = 180;
   for (const Tet& t : mesh.tets) {
@@ -83,7 +83,7 @@ TEST_P(RecoveryOfTessellation, loses_no_triangle_and_leaves_few_points_inside) {
   VolumeMeshOptions options;
   options.fill = false;
   VolumeMeshReport report;
-  const TetMesh mesh = mesh_volume(domain, SpacingField(1), options, &report);
+  const TetMesh mesh = mesh_volume(domain, SpacingField(1), options, &report).mesh.value();
   expect_mesh_of(mesh, domain);
   EXPECT_GT(report.missing_edges, 100);
   EXPECT_LT(report.interior_steiner_points, report.missing_edges / 8);

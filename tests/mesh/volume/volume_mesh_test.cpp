@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-#include "base/error.h"
 #include "mesh/core/tet_quality.h"
 #include "tests/mesh/volume/volume_checks.h"
 
@@ -25,7 +24,7 @@ double smallest_dihedral(const TetMesh& mesh) {
 
 TEST(VolumeMesh, of_a_single_tet_is_that_tet) {
   const Subdomain domain = root_subdomain(shapes::tetrahedron());
-  const TetMesh mesh = mesh_volume(domain, SpacingField(10));
+  const TetMesh mesh = mesh_volume(domain, SpacingField(10)).mesh.value();
   expect_mesh_of(mesh, domain);
   EXPECT_EQ(mesh.tets.size(), 1U);
 }
@@ -43,7 +42,7 @@ TEST(VolumeMesh, of_simple_shapes_is_valid_and_well_shaped) {
                {shapes::torus(0.4, 40, 16), 0.16, 12}};
   for (const auto& c : cases) {
     const Subdomain domain = root_subdomain(c.surface);
-    const TetMesh mesh = mesh_volume(domain, SpacingField(c.spacing));
+    const TetMesh mesh = mesh_volume(domain, SpacingField(c.spacing)).mesh.value();
     expect_mesh_of(mesh, domain);
     EXPECT_GT(smallest_dihedral(mesh), c.angle);
   }
@@ -52,7 +51,7 @@ TEST(VolumeMesh, of_simple_shapes_is_valid_and_well_shaped) {
 TEST(VolumeMesh, has_about_as_many_elements_as_the_spacing_asks_for) {
   const Subdomain domain = root_subdomain(shapes::box({0, 0, 0}, {1, 1, 1}, 16));
   const double h = 1.0 / 16;
-  const TetMesh mesh = mesh_volume(domain, SpacingField(h));
+  const TetMesh mesh = mesh_volume(domain, SpacingField(h)).mesh.value();
   const double wanted = SpacingField::elements_per_h3 / (h * h * h);
   EXPECT_GT(static_cast<double>(mesh.tets.size()), 0.5 * wanted);
   EXPECT_LT(static_cast<double>(mesh.tets.size()), 1.6 * wanted);
@@ -62,7 +61,7 @@ TEST(VolumeMesh, of_the_schoenhardt_polyhedron_has_a_point_inside) {
   const Subdomain domain = root_subdomain(shapes::schoenhardt());
   ASSERT_GT(enclosed_volume(domain.vertices, domain.triangles), 0);
   VolumeMeshReport report;
-  const TetMesh mesh = mesh_volume(domain, SpacingField(10), {}, &report);
+  const TetMesh mesh = mesh_volume(domain, SpacingField(10), {}, &report).mesh.value();
   expect_mesh_of(mesh, domain);
   EXPECT_GE(report.interior_steiner_points, 1);
 }
@@ -70,7 +69,7 @@ TEST(VolumeMesh, of_the_schoenhardt_polyhedron_has_a_point_inside) {
 TEST(VolumeMesh, of_random_stars_with_spikes_is_valid) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Subdomain domain = root_subdomain(shapes::random_star(2, 0.25, 1.5, seed));
-    const TetMesh mesh = mesh_volume(domain, SpacingField(0.3));
+    const TetMesh mesh = mesh_volume(domain, SpacingField(0.3)).mesh.value();
     SCOPED_TRACE(seed);
     expect_mesh_of(mesh, domain);
   }
@@ -86,7 +85,7 @@ TEST(VolumeMesh, of_blocks_that_touch_along_edges_of_a_grid_is_valid) {
     }
     const Subdomain domain = root_subdomain(surface);
     SCOPED_TRACE(seed);
-    expect_mesh_of(mesh_volume(domain, SpacingField(0.2)), domain);
+    expect_mesh_of(mesh_volume(domain, SpacingField(0.2)).mesh.value(), domain);
   }
 }
 
@@ -94,15 +93,15 @@ TEST(VolumeMesh, without_filling_has_the_boundary_nodes_only) {
   const Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, 2));
   VolumeMeshOptions options;
   options.fill = false;
-  const TetMesh mesh = mesh_volume(domain, SpacingField(0.1), options);
+  const TetMesh mesh = mesh_volume(domain, SpacingField(0.1), options).mesh.value();
   expect_mesh_of(mesh, domain);
   EXPECT_EQ(mesh.nodes.size(), domain.vertices.size());
 }
 
 TEST(VolumeMesh, is_the_same_to_the_last_bit_each_time) {
   const Subdomain domain = root_subdomain(shapes::random_star(3, 0.7, 1.2, 5));
-  const TetMesh a = mesh_volume(domain, SpacingField(0.12));
-  const TetMesh b = mesh_volume(domain, SpacingField(0.12));
+  const TetMesh a = mesh_volume(domain, SpacingField(0.12)).mesh.value();
+  const TetMesh b = mesh_volume(domain, SpacingField(0.12)).mesh.value();
   EXPECT_EQ(a.tets, b.tets);
   EXPECT_EQ(a.nodes, b.nodes);
 }
@@ -113,8 +112,8 @@ TEST(VolumeMesh, is_the_same_whether_somebody_listens) {
     VolumeMeshOptions listened;
     std::int64_t calls = 0;
     listened.progress = WorkProgress([&calls](const WorkCount&) { ++calls; });
-    const TetMesh a = mesh_volume(domain, SpacingField(0.2));
-    const TetMesh b = mesh_volume(domain, SpacingField(0.2), listened);
+    const TetMesh a = mesh_volume(domain, SpacingField(0.2)).mesh.value();
+    const TetMesh b = mesh_volume(domain, SpacingField(0.2), listened).mesh.value();
     EXPECT_EQ(a.tets, b.tets);
     EXPECT_EQ(a.nodes, b.nodes);
     EXPECT_GT(calls, 4);
@@ -149,13 +148,12 @@ TEST(VolumeMesh, tells_its_stages_in_order_with_counts_that_never_fall) {
 TEST(VolumeMesh, names_the_place_of_two_vertices_at_one_point) {
   Subdomain domain = root_subdomain(shapes::box({0, 0, 0}, {1, 1, 1}, 2));
   domain.vertices[3] = domain.vertices[5];
-  try {
-    mesh_volume(domain, SpacingField(1));
-    FAIL() << "was meshed";
-  } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("same place"));
-    EXPECT_FALSE(error.triangles().empty());
-  }
+  const VolumeOutcome outcome = mesh_volume(domain, SpacingField(1));
+  ASSERT_FALSE(outcome.mesh);
+  EXPECT_EQ(outcome.failure.cause, VolumeFailure::Cause::same_place);
+  EXPECT_THAT(outcome.failure.message,
+              testing::StartsWith("sub-domain root: two vertices are at the same place ("));
+  EXPECT_FALSE(outcome.failure.triangles.empty());
 }
 
 TEST(VolumeMesh, of_a_surface_that_cuts_itself_fails_and_names_triangles) {
@@ -165,12 +163,10 @@ TEST(VolumeMesh, of_a_surface_that_cuts_itself_fails_and_names_triangles) {
   for (std::size_t t = a.triangles.size(); t < both.triangles.size(); ++t) {
     std::swap(both.triangles[t][1], both.triangles[t][2]);
   }
-  try {
-    mesh_volume(root_subdomain(both), SpacingField(0.5));
-    FAIL() << "was meshed";
-  } catch (const RecoveryFailure& failure) {
-    EXPECT_FALSE(failure.triangles().empty());
-  }
+  const VolumeOutcome outcome = mesh_volume(root_subdomain(both), SpacingField(0.5));
+  ASSERT_FALSE(outcome.mesh);
+  EXPECT_EQ(outcome.failure.cause, VolumeFailure::Cause::not_recovered);
+  EXPECT_FALSE(outcome.failure.triangles.empty());
 }
 
 }  // namespace
