@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "mesh/core/sorted_face.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -28,14 +29,7 @@ struct OpenFace {
 OpenFace open_face(const Tet& tet, int face, FaceHandle handle, bool outer) {
   const auto& local = tet_face_nodes[at(face)];
   OpenFace open{{tet[at(local[0])], tet[at(local[1])], tet[at(local[2])]}, handle, outer, false};
-  const auto sort_two = [&open](std::size_t i, std::size_t j) {
-    if (open.nodes[i] < open.nodes[j]) return;
-    std::swap(open.nodes[i], open.nodes[j]);
-    open.odd = !open.odd;
-  };
-  sort_two(0, 1);
-  sort_two(1, 2);
-  sort_two(0, 1);
+  open.odd = sort_face(open.nodes);
   return open;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smoothing.h"
 
@@ -14,8 +15,6 @@ constexpr std::size_t most_cavity = 24;
 /// Layers of flat tets are larger.
 constexpr std::size_t most_cavity_of_flat = 160;
 constexpr std::size_t most_ring = 12;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// An outer face of a cavity as its inside sees it, and the tet beyond (-1: none).
 struct CavityFace {

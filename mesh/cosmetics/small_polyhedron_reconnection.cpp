@@ -5,6 +5,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -27,21 +28,13 @@ std::size_t number_of_triple(std::size_t a, std::size_t b, std::size_t c) {
 }
 
 /// A face by its nodes in rising order, and whether that takes an odd permutation.
-struct SortedFace {
+struct NumberedFace {
   std::size_t number;
   bool odd;
 };
-SortedFace sorted_face(Face f) {
-  bool odd = false;
-  const auto order = [&](Node& a, Node& b) {
-    if (a < b) return;
-    std::swap(a, b);
-    odd = !odd;
-  };
-  order(f[0], f[1]);
-  order(f[1], f[2]);
-  order(f[0], f[1]);
-  return {number_of_triple(f[0], f[1], f[2]), odd};
+NumberedFace numbered(Face face) {
+  const bool odd = sort_face(face);
+  return {number_of_triple(face[0], face[1], face[2]), odd};
 }
 
 /// The tets and nodes of a cavity.
@@ -109,7 +102,7 @@ struct Front {
 
   static State open_state(bool odd) { return odd ? open_odd : open_even; }
   bool add_open(const Face& face) {
-    const SortedFace sorted = sorted_face(face);
+    const NumberedFace sorted = numbered(face);
     if (count == most_open || state[sorted.number] != unused) return false;
     state[sorted.number] = open_state(sorted.odd);
     open[count++] = face;
@@ -118,7 +111,7 @@ struct Front {
   void close(std::size_t number) {
     state[number] = closed;
     for (std::size_t i = 0; i < count; ++i) {
-      if (sorted_face(open[i]).number != number) continue;
+      if (numbered(open[i]).number != number) continue;
       open[i] = open[--count];
       return;
     }
@@ -126,9 +119,9 @@ struct Front {
   /// Puts a tet on an open face; false when one of its other faces has its two tets already.
   bool place(const Face& base, Node apex) {
     const auto [x, y, z] = base;
-    close(sorted_face(base).number);
+    close(numbered(base).number);
     for (const Face& beyond : {Face{x, y, apex}, Face{y, z, apex}, Face{z, x, apex}}) {
-      const SortedFace sorted = sorted_face(beyond);
+      const NumberedFace sorted = numbered(beyond);
       const State now = state[sorted.number];
       if (now == unused) {
         if (!add_open(beyond)) return false;
@@ -207,7 +200,7 @@ class Search {
 
   /// The nodes that make a tet with the face better than what is to be beaten (when first asked).
   std::uint16_t apexes_of(const Face& face) {
-    const SortedFace sorted = sorted_face(face);
+    const NumberedFace sorted = numbered(face);
     Apexes& apexes = apexes_[2 * sorted.number + (sorted.odd ? 1 : 0)];
     if (apexes.known) return apexes.nodes;
     apexes.known = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -14,11 +15,6 @@ struct TetFace {
   Triangle nodes;
 };
 
-Triangle ascending(Triangle nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
 /// All faces of all tets, by their nodes.
 std::vector<TetFace> faces_by_nodes(const NumberedPart& part) {
   std::vector<TetFace> faces;
@@ -29,7 +25,7 @@ std::vector<TetFace> faces_by_nodes(const NumberedPart& part) {
       for (std::size_t k = 0; k < 3; ++k) {
         face.nodes[k] = part.tets[t][static_cast<std::size_t>(corners[k])];
       }
-      face.sorted = ascending(face.nodes);
+      face.sorted = sorted_face(face.nodes);
       face.tet = static_cast<std::int32_t>(t);
       faces.push_back(face);
     }
@@ -45,7 +41,7 @@ class BoundaryFaces {
  public:
   explicit BoundaryFaces(const NumberedPart& part) {
     for (std::size_t i = 0; i < part.faces.size(); ++i) {
-      faces_.emplace_back(ascending(part.faces[i]), static_cast<std::int32_t>(i));
+      faces_.emplace_back(sorted_face(part.faces[i]), static_cast<std::int32_t>(i));
     }
     std::sort(faces_.begin(), faces_.end());
   }

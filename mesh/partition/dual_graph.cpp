@@ -1,10 +1,11 @@
 #include "mesh/partition/dual_graph.h"
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 
 WeightedGraph dual_graph(const CellFaces& cells, std::size_t tets,
                          const std::vector<std::int32_t>& beyond) {
-  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
   WeightedGraph graph;
   graph.weight.assign(tets + beyond.size(), 1);
   make_rows(graph, [&](const auto& visit) {

@@ -4,6 +4,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -15,15 +16,6 @@ struct KeyedFace {
   int face;
   friend bool operator<(const KeyedFace& a, const KeyedFace& b) { return a.key < b.key; }
 };
-
-std::array<std::int32_t, 3> sorted_face(const Tet& t, int face) {
-  const auto& f = tet_face_nodes[at(face)];
-  std::array<std::int32_t, 3> key = {t[at(f[0])], t[at(f[1])], t[at(f[2])]};
-  if (key[0] > key[1]) std::swap(key[0], key[1]);
-  if (key[1] > key[2]) std::swap(key[1], key[2]);
-  if (key[0] > key[1]) std::swap(key[0], key[1]);
-  return key;
-}
 
 }  // namespace
 
