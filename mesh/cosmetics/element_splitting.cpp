@@ -29,15 +29,15 @@ void visit_outer_faces(const WorkMesh& work, std::int32_t t, Visitor&& visit) {
   for (int face = 0; face < 4; ++face) {
     const FaceHandle across = work.across(t, face);
     const std::int32_t beyond = across == no_face ? -1 : tet_of(across);
-    if (beyond >= 0 && work.is_marked(beyond)) continue;
+    if (beyond >= 0 && work.marks.has(beyond)) continue;
     const auto& local = tet_face_nodes[at(face)];
     visit(CavityFace{{tet[at(local[2])], tet[at(local[1])], tet[at(local[0])]}, beyond});
   }
 }
 
 std::vector<CavityFace> faces_of_cavity(WorkMesh& work, const std::vector<std::int32_t>& cavity) {
-  work.clear_marks();
-  for (const std::int32_t t : cavity) work.set_mark(t);
+  work.marks.clear();
+  for (const std::int32_t t : cavity) work.marks.add(t);
   std::vector<CavityFace> faces;
   for (const std::int32_t t : cavity) {
     visit_outer_faces(work, t, [&](const CavityFace& face) { faces.push_back(face); });
@@ -122,7 +122,7 @@ std::optional<Replacement> fill_with_star(WorkMesh& work, const std::vector<std:
 class GrowingCavity {
  public:
   GrowingCavity(WorkMesh& work, std::int32_t t, const Vec3& p) : work_(work), p_(p) {
-    work_.clear_marks();
+    work_.marks.clear();
     add(t);
   }
   const std::vector<std::int32_t>& tets() const { return tets_; }
@@ -137,13 +137,13 @@ class GrowingCavity {
   };
   /// The first of those that p sees worst.
   const Seen& worst() {
-    while (faces_.top().beyond >= 0 && work_.is_marked(faces_.top().beyond)) faces_.pop();
+    while (faces_.top().beyond >= 0 && work_.marks.has(faces_.top().beyond)) faces_.pop();
     return faces_.top();
   }
 
   void add(std::int32_t t) {
     tets_.push_back(t);
-    work_.set_mark(t);
+    work_.marks.add(t);
     visit_outer_faces(work_, t, [this](const CavityFace& face) {
       faces_.push({quality_over(work_, face, p_), count_++, face.beyond});
     });

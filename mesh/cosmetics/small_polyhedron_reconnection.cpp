@@ -49,7 +49,7 @@ struct Cavity {
 
 void take_tet(WorkMesh& work, Cavity& cavity, std::int32_t t) {
   cavity.tets.push_back(t);
-  work.set_mark(t);
+  work.marks.add(t);
   for (const std::int32_t v : work.tet(t)) {
     if (!cavity.has(v)) cavity.nodes.push_back(v);
   }
@@ -66,7 +66,7 @@ double measure_of(const WorkMesh& work, std::int32_t t, const ReconnectionOption
 Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& options) {
   Cavity cavity;
   const double least = measure_of(work, t, options);
-  work.clear_marks();
+  work.marks.clear();
   take_tet(work, cavity, t);
   while (cavity.tets.size() < options.most_tets) {
     std::int32_t best = -1;
@@ -74,7 +74,7 @@ Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& o
     for (const std::int32_t inside : cavity.tets) {
       for (int face = 0; face < 4; ++face) {
         const FaceHandle across = work.across(inside, face);
-        if (across == no_face || work.is_marked(tet_of(across))) continue;
+        if (across == no_face || work.marks.has(tet_of(across))) continue;
         const double across_measure = measure_of(work, tet_of(across), options);
         if (across_measure < least) continue;
         const bool is_new = !cavity.has(work.tet(tet_of(across))[at(face_of(across))]);
@@ -273,7 +273,7 @@ std::optional<Front> outer_front(const WorkMesh& work, const Cavity& cavity) {
   for (const std::int32_t t : cavity.tets) {
     for (int face = 0; face < 4; ++face) {
       const FaceHandle across = work.across(t, face);
-      if (across != no_face && work.is_marked(tet_of(across))) continue;
+      if (across != no_face && work.marks.has(tet_of(across))) continue;
       const auto& local = tet_face_nodes[at(face)];
       Face seen;
       for (std::size_t i = 0; i < 3; ++i) {
