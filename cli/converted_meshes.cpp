@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "base/file_system.h"
 #include "base/printable_text.h"
+#include "base/undo_unless_done.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "mesh/formats/list/format.h"
@@ -36,16 +38,15 @@ fs::path file_in_folder(const fs::path& folder, const Format& format, const fs::
 void write_folder(const MeshSource& source, const Format& format, const fs::path& target,
                   const fs::path& stem) {
   const fs::path growing = target.parent_path() / unique_temp_name(target.filename().string());
-  try {
-    make_folders(growing);
-    export_mesh(source, format, file_in_folder(growing, format, stem));
-    fs::remove_all(target);
-    fs::rename(growing, target);
-  } catch (...) {
+  UndoUnlessDone writing([&growing] {
     std::error_code ignored;
     fs::remove_all(growing, ignored);
-    throw;
-  }
+  });
+  make_folders(growing);
+  export_mesh(source, format, file_in_folder(growing, format, stem));
+  fs::remove_all(target);
+  fs::rename(growing, target);
+  writing.done();
 }
 
 bool is_newer(const fs::path& file, const fs::path& than) {

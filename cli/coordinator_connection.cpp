@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <zmq.hpp>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "proto/address_family.h"
@@ -106,6 +107,7 @@ wire::Envelope CoordinatorConnection::wait_for(wire::Envelope::BodyCase wanted,
 }
 
 wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::int64_t timeout_ms) {
+  TF_CHECK(question.body_case() != wire::Envelope::BODY_NOT_SET);
   const std::int64_t until = steady_ms() + timeout_ms;
   const std::string bytes = encode(question);
   while (steady_ms() < until) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/angle_text.h"
+#include "base/check.h"
 #include "cli/text_table.h"
 
 namespace tetfarm {
@@ -49,6 +50,7 @@ std::string bars_text(const std::string& title, const std::vector<Bin>& bins) {
 /// Without the empty bins at both ends. In an open histogram the last bin has all that is larger.
 std::vector<Bin> bins_of(const Histogram& histogram, bool is_open) {
   std::vector<Bin> bins;
+  TF_CHECK(!histogram.counts.empty());
   const std::size_t last = histogram.counts.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const bool has_end = !is_open || i < last;
@@ -67,6 +69,7 @@ std::vector<Bin> bins_of(const Histogram& histogram, bool is_open) {
 std::vector<Bin> bins_of(const std::map<int, std::int64_t>& volumes, int powers) {
   std::vector<Bin> bins;
   if (volumes.empty()) return bins;
+  TF_CHECK(powers >= 1);
   const int first = volumes.begin()->first;
   for (int power = first; power <= volumes.rbegin()->first; power += powers) {
     bins.push_back({format("from %.3g", std::ldexp(1.0, power)), 0});

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "base/check.h"
 #include "base/printable_text.h"
 #include "cli/coloured_text.h"
 #include "cli/job_report.h"
@@ -23,6 +24,7 @@ bool has_ended(const wire::JobStatus& status) {
 }
 
 ExitCode report_outcome(const wire::JobStatus& status, const OutcomeOptions& options) {
+  TF_CHECK(has_ended(status));
   if (status.state() == "cancelled") throw Error(ExitCode::failed, "the job was cancelled");
   if (status.state() == "failed") {
     std::string message = printable(status.message());

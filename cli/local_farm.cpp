@@ -9,11 +9,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <system_error>
 #include <thread>
 
+#include "base/check.h"
 #include "base/child_process.h"
 #include "base/clock.h"
 #include "base/file_system.h"
+#include "base/undo_unless_done.h"
 
 namespace tetfarm {
 namespace {
@@ -86,15 +89,15 @@ std::string last_error(const std::filesystem::path& log) {
 LocalFarm::LocalFarm(const FarmOptions& options) : options_(options) {
   folder_ = make_socket_folder();
   endpoint_ = "ipc://" + folder_.string() + "/farm";
+  TF_CHECK(options.first_workers >= 0);
   workers_.resize(static_cast<std::size_t>(options.first_workers));
-  try {
-    start(coordinator_, coordinator_command(), "coordinator.log");
-    for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
-  } catch (const IoError&) {
+  UndoUnlessDone starting([this] {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
-    throw;
-  }
+  });
+  start(coordinator_, coordinator_command(), "coordinator.log");
+  for (Member& worker : workers_) start(worker, worker_command(), "workers.log");
+  starting.done();
 }
 
 LocalFarm::~LocalFarm() {
@@ -124,6 +127,8 @@ std::vector<std::string> LocalFarm::worker_command() const {
 
 void LocalFarm::start(Member& member, const std::vector<std::string>& command,
                       const std::string& log) {
+  TF_CHECK(!command.empty());
+  TF_CHECK(member.process <= 0);  // it runs once
   const std::vector<char*> arguments = exec_arguments(command);
   const std::filesystem::path path = options_.store / log;
   const int log_fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -148,6 +153,7 @@ std::optional<int> LocalFarm::reap(Member& member) {
 }
 
 void LocalFarm::note_death(Member& member, int status) const {
+  TF_CHECK(member.process <= 0);
   const std::int64_t now = steady_ms();
   const bool by_itself = WIFEXITED(status);
   member.short_lives =

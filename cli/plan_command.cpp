@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "base/mebibytes.h"
 #include "cli/commands.h"
@@ -124,6 +125,7 @@ double sum_of_triangles(const std::vector<SubdomainSize>& leaves) {
 
 /// Groups of equal work. Surfaces of joined leaves grow as the power 2/3 of their number.
 std::vector<SubdomainSize> joined(const Plan& plan, const std::vector<SubdomainSize>& leaves) {
+  TF_CHECK(plan.groups > 0 && !leaves.empty());
   const auto groups = static_cast<double>(plan.groups);
   const double in_group = std::max(1.0, static_cast<double>(leaves.size()) / groups);
   const double triangles = sum_of_triangles(leaves) / groups / std::cbrt(in_group);
@@ -143,6 +145,7 @@ TaskCost turn_cost(const SubdomainSize& leaf, double cut_triangles) {
 
 /// The tasks on leaves, of which there are as many as leaves.
 void add_leaves(const Plan& plan, const std::vector<SubdomainSize>& leaves, Costs& costs) {
+  TF_CHECK(!leaves.empty());
   const bool has_turns = plan.across_cuts && leaves.size() > 1;
   const double all_triangles = sum_of_triangles(leaves);
   if (has_turns) costs.add(order_cost(all_triangles));
@@ -173,6 +176,7 @@ std::vector<KindCost> cost_of_kinds(const Plan& plan) {
   const auto largest = std::max_element(
       leaves.begin(), leaves.end(),
       [](const SubdomainSize& a, const SubdomainSize& b) { return a.elements < b.elements; });
+  TF_CHECK(largest != leaves.end());
   costs.add(number_cost(plan.root.triangles));
   costs.add(assemble_cost(plan.root.triangles, plan.root.elements, *largest));
   return costs.of_kinds();

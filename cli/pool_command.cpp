@@ -13,6 +13,7 @@
 #include <set>
 #include <thread>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/error_with_help.h"
@@ -164,6 +165,7 @@ class Pool {
     view.farm = look();
     const std::int64_t quiet = decisions_.quiet_until_ms();
     const PoolActions actions = decisions_.decide(view, steady_ms());
+    TF_CHECK(view.jobs || actions.submit.empty());  // nothing is decided blindly
     for (const WorkerOrder& order : actions.submit) submit(order, *view.jobs);
     drain(actions.drain);
     cancel(actions.cancel);

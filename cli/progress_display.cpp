@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/printable_text.h"
@@ -91,6 +92,7 @@ std::string running_text(const wire::JobStatus& status) {
 }
 
 std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns) {
+  TF_CHECK(!texts.empty());
   // The last column stays free: a line that wraps could not be erased.
   const std::size_t room = columns == 0                 ? std::string::npos
                            : columns > shortest_bar + 2 ? columns - shortest_bar - 2
@@ -159,6 +161,7 @@ void ProgressDisplay::show_forecast(const wire::JobStatus& status) {
 }
 
 void ProgressDisplay::draw_bar(const wire::JobStatus& status, const std::string& running) {
+  TF_CHECK(is_bar_);
   const double rate = rate_.tets_per_second();
   const std::string line = bar_line(
       share_done(status, rate_),

@@ -1,6 +1,7 @@
 #include "cli/quality_gates.h"
 
 #include "base/angle_text.h"
+#include "base/check.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
@@ -33,6 +34,7 @@ std::vector<QualityGate> quality_gates_of(const wire::JobStatus& status) {
 }
 
 std::string gate_text(const QualityGate& gate) {
+  TF_CHECK(!gate.key.empty());
   const std::string where = text_of(Vec3{gate.at[0], gate.at[1], gate.at[2]});
   const std::string limit = angle_text(gate.limit_deg) + " deg";
   if (gate.key == unforced_key) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "cli/run_folder.h"
 #include "store/job_database.h"
@@ -57,6 +58,7 @@ TaskTimes times_seen_in(const std::string& store, const std::string& database) {
     const std::vector<TaskRow> page = history.tasks({}, after, tasks_in_page);
     if (page.empty()) return times;
     for (const TaskRow& task : page) learn_from(task, times);
+    TF_CHECK(page.back().id > after);  // or it would never end
     after = page.back().id;
   }
 }

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <utility>
 
+#include "base/check.h"
 #include "base/printable_text.h"
 
 namespace tetfarm {
@@ -72,6 +73,7 @@ int fd_of(const std::FILE* stream) { return stream == stdout ? STDOUT_FILENO : S
 
 Guarded guarded(std::string_view text) {
   const std::size_t kept = unfinished(text);
+  TF_CHECK(kept <= text.size());
   Guarded result;
   result.kept_back = text.substr(text.size() - kept);
   text.remove_suffix(kept);
@@ -84,6 +86,7 @@ Guarded guarded(std::string_view text) {
       end = at;
       next = sequence;
     }
+    TF_CHECK(end + next.size() > 0);  // it gets on
     result.shown += printable(text.substr(0, end), Lines::kept);
     result.shown += next;
     text.remove_prefix(end + next.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/printable_text.h"
 #include "base/utf8.h"
 
@@ -19,6 +20,7 @@ std::string table_text(const std::vector<std::string>& head,
   lines.insert(lines.end(), rows.begin(), rows.end());
   std::vector<std::size_t> widths(head.size(), 0);
   for (std::vector<std::string>& line : lines) {
+    TF_CHECK(line.size() <= head.size());
     for (std::size_t i = 0; i < line.size(); ++i) {
       line[i] = harmless(line[i]);
       widths[i] = std::max(widths[i], line[i].size());

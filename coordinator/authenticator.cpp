@@ -8,6 +8,7 @@
 #include <utility>
 #include <zmq_addon.hpp>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "proto/wire.h"
 
@@ -65,6 +66,7 @@ void Authenticator::guard(zmq::socket_t& router) {
 void Authenticator::make_next_listener(zmq::socket_t& router, bool encrypted) const {
   router.set(zmq::sockopt::curve_server, encrypted);
   if (!encrypted) return;
+  TF_CHECK(own_.has_value());
   const std::string& secret = own_->secret_bytes;
   if (zmq_setsockopt(router.handle(), ZMQ_CURVE_SECRETKEY, secret.data(), secret.size()) != 0) {
     throw Error(ExitCode::failed, "this libzmq was built without CURVE: keys cannot be used");
@@ -167,6 +169,7 @@ bool Authenticator::has_new_list() {
 
 /// A list that cannot be read lets nobody in.
 void Authenticator::read_list() {
+  TF_CHECK(has_keys());
   try {
     list_ = read_authorized_keys(list_path_);
     complaints_.push_back("authorised keys: " + std::to_string(list_.peers.size()));

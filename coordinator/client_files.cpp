@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -13,6 +14,7 @@ constexpr std::int64_t grant_ms = 60'000;
 
 FileOrder order_of(const ClientSender& sender, FileOrder::Kind kind, const StoredArtifact& file,
                    std::uint64_t offset) {
+  TF_CHECK(!sender.client.empty());
   FileOrder order;
   order.kind = kind;
   order.connection = sender.connection;

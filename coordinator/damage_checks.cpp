@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "base/check.h"
 #include "tasks/failure_cause.h"
 
 namespace tetfarm {
 
 void DamageChecks::take(Failure failure, const std::vector<ArtifactRef>& claimed) {
+  TF_CHECK(!claimed.empty());
   const auto [place, is_new] = pending_.try_emplace(failure.attempt);
   Pending& pending = place->second;
   if (!is_new) {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "proto/file_chunks.h"
@@ -90,6 +91,7 @@ wire::Envelope open_upload(const FileOrder& order, const ArtifactStore& store) {
     if (!order.client.empty()) want_room_for(order.file.size - there, store);
     return stored(order, there, false, true);
   }
+  TF_CHECK(there == order.file.size);
   append_to_file(path, there, "");
   return publish_upload(order, store);
 }
@@ -108,6 +110,7 @@ wire::Envelope append_chunk(const FileOrder& order, const ArtifactStore& store) 
   }
   append_to_file(path, there, order.chunk.bytes());
   const std::uint64_t now_there = there + order.chunk.bytes().size();
+  TF_CHECK(now_there <= order.file.size);
   if (now_there < order.file.size) return stored(order, now_there, false, false);
   return publish_upload(order, store);
 }
@@ -141,6 +144,7 @@ wire::Envelope answer_to(const FileOrder& order, const ArtifactStore& store) {
 
 /// Who cannot read a file does not know it to be damaged: the worker's disk may have failed.
 void check(const FileOrder& order, const ArtifactStore& store, FileAnswer& answer) {
+  TF_CHECK(answer.checked.has_value());
   CheckedFile& checked = *answer.checked;
   try {
     store.verify(order.file.hash, order.file.size);
@@ -178,12 +182,14 @@ std::optional<AttemptId> attempt_of(const std::string& name) {
 
 std::filesystem::path upload_path(const ArtifactStore& store, AttemptId attempt,
                                   const std::string& hash) {
+  TF_CHECK(attempt && ArtifactStore::is_hash(hash));
   return store.scratch_folder() /
          (upload_stem + std::to_string(attempt.value) + "-" + hash + part_ending);
 }
 
 std::filesystem::path surface_path(const ArtifactStore& store, const std::string& client,
                                    const std::string& hash) {
+  TF_CHECK(ArtifactStore::is_hash(client) && ArtifactStore::is_hash(hash));
   return store.scratch_folder() / (surface_stem + client + "-" + hash + part_ending);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -37,6 +38,7 @@ FileThread::~FileThread() {
 void FileThread::give(FileOrder order) {
   {
     const std::lock_guard lock(mutex_);
+    TF_CHECK(!is_over_);
     orders_.push_back(std::move(order));
   }
   has_work_.notify_one();
@@ -54,6 +56,7 @@ void FileThread::run() {
   while (true) {
     has_work_.wait(lock, [this] { return is_over_ || !orders_.empty(); });
     if (is_over_) return;
+    TF_CHECK(!orders_.empty());
     const FileOrder order = std::move(orders_.front());
     orders_.pop_front();
     lock.unlock();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/check.h"
 #include "proto/file_chunks.h"
 
 namespace tetfarm {
@@ -63,6 +64,7 @@ bool FileTransfers::take(const std::string& connection, WorkerId worker,
     order.offset = message.file_chunk().offset();
     order.chunk = message.file_chunk();
   }
+  TF_CHECK(ArtifactStore::is_hash(order.file.hash));
   return lines_.add(std::move(order), {worker, subject->task, subject->attempt}, now);
 }
 

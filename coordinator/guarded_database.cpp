@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "base/check.h"
 #include "base/file_system.h"
 
 namespace tetfarm {
@@ -74,6 +75,7 @@ std::string GuardedDatabase::displacement() const {
 }
 
 void GuardedDatabase::close(const std::string& trouble, ExitCode code) {
+  TF_CHECK(code != ExitCode::ok);
   trouble_ = last_failure_ = trouble;
   code_ = code;
 }
@@ -103,6 +105,7 @@ bool GuardedDatabase::try_to_write(std::int64_t now_ms) {
   if (now_ms < next_try_ms_) return false;
   try_delay_ms_ = std::clamp(2 * try_delay_ms_, look_again_ms, slowest_try_ms);
   next_try_ms_ = now_ms + try_delay_ms_;
+  TF_CHECK(try_delay_ms_ >= look_again_ms && try_delay_ms_ <= slowest_try_ms);
   try {
     database_.try_to_write();
     return true;

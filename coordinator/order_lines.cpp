@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -70,6 +72,7 @@ std::vector<FileOrder> OrderLines::take(Moment now) {
       orders.push_back(std::move(line.waiting.front()));
       line.waiting.pop_front();
       ++line.under_way;
+      TF_CHECK(line.under_way <= limits_.under_way);
     }
   }
   return orders;

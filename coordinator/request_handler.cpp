@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
@@ -109,6 +110,7 @@ void RequestHandler::drop(const Sender& sender, const std::string& why, Moment n
 
 void RequestHandler::answer(const std::string& connection, wire::Envelope envelope,
                             bool needs_commit) {
+  TF_CHECK(envelope.body_case() != wire::Envelope::BODY_NOT_SET);
   replies_.push_back({connection, std::move(envelope), needs_commit});
 }
 
@@ -348,6 +350,7 @@ void RequestHandler::hello(const Sender& sender, const wire::Hello& hello, JobSt
                   ExitCode::out_of_resources);
   }
   const WorkerId worker = state.add_worker(info, task, attempt, now);
+  TF_CHECK(worker && !connections_.contains(worker));
   workers_[connection] = {worker, sender.key};
   connections_[worker] = connection;
   note_store(connection, worker, hello);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/file_system.h"
+#include "base/undo_unless_done.h"
 
 namespace tetfarm {
 namespace {
@@ -152,13 +153,14 @@ StoredArtifact SurfaceRoots::take(const fs::path& path, const ArtifactStore& sto
   if (!S_ISREG(about.st_mode)) throw UsageError("is not a file", path.string());
   if (static_cast<std::uint64_t>(about.st_size) > max_taken_bytes) throw too_large(path);
   const fs::path copy = store.scratch_path("surface");
-  try {
-    if (!copy_out_of(found, path, copy)) throw secret;
-    return store.publish_file(copy);
-  } catch (...) {
-    remove_file(copy);
-    throw;
-  }
+  UndoUnlessDone copying([&copy] {
+    std::error_code ignored;
+    fs::remove(copy, ignored);
+  });
+  if (!copy_out_of(found, path, copy)) throw secret;
+  StoredArtifact taken = store.publish_file(copy);
+  copying.done();
+  return taken;
 }
 
 }  // namespace tetfarm

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -16,6 +18,7 @@ std::uint64_t task_bytes(std::uint64_t job_bytes) {
 
 /// The batch system or a new worker failed: the next submission waits, longer each time.
 void PoolDecisions::trouble(std::int64_t now_ms) {
+  TF_CHECK(rules_.first_backoff_ms > 0);
   std::int64_t wait_ms = rules_.first_backoff_ms;
   for (int i = 0; i < troubles_ && wait_ms < rules_.longest_backoff_ms; ++i) wait_ms *= 2;
   ++troubles_;
@@ -24,6 +27,7 @@ void PoolDecisions::trouble(std::int64_t now_ms) {
 
 void PoolDecisions::submitted(const WorkerOrder& order, const std::vector<std::string>& ids,
                               std::int64_t now_ms) {
+  TF_CHECK(order.count > 0);
   for (const std::string& id : ids) {
     jobs_[id] = {.bytes = order.bytes, .submitted_ms = now_ms};
     submissions_ms_.push_back(now_ms);
@@ -32,6 +36,7 @@ void PoolDecisions::submitted(const WorkerOrder& order, const std::vector<std::s
 
 void PoolDecisions::submission_failed(const WorkerOrder& order, std::int64_t now_ms) {
   submissions_ms_.insert(submissions_ms_.end(), order.count, now_ms);
+  TF_CHECK(order.count > 0);
   trouble(now_ms);
 }
 
@@ -152,6 +157,7 @@ std::vector<std::uint64_t> PoolDecisions::match(
 std::uint64_t PoolDecisions::size_for(std::uint64_t need) const {
   std::uint64_t bytes = rules_.least_bytes;
   while (task_bytes(bytes) < need && bytes < rules_.most_bytes) bytes *= 2;
+  TF_CHECK(bytes > 0);
   return std::min(bytes, rules_.most_bytes);
 }
 
@@ -184,6 +190,7 @@ void PoolDecisions::order(const std::vector<std::uint64_t>& missing, std::int64_
       actions_.submit.push_back({std::min(count, rules_.most_at_once), bytes});
     }
   }
+  TF_CHECK(left <= rules_.jobs_a_minute);
 }
 
 /// Whether nobody has wanted it for a while, and the minimum can do without.

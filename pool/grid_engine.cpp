@@ -1,5 +1,6 @@
 #include "pool/grid_engine.h"
 
+#include "base/check.h"
 #include "pool/worker_job.h"
 
 namespace tetfarm {
@@ -7,6 +8,7 @@ namespace {
 
 /// -notify: SIGUSR2 comes before the end, by as much as the queue says (`notify`, 60 s).
 std::string script_of(const PoolSettings& settings, const WorkerOrder& order) {
+  TF_CHECK(order.count > 0);
   std::string text = "#!/bin/sh\n# Workers under Grid Engine: qsub FILE\n";
   const auto add = [&text](const std::string& option) { text += "#$ " + option + "\n"; };
   add("-N " + job_name_of(settings, order.bytes));

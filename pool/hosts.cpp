@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "pool/worker_job.h"
 
@@ -40,6 +41,7 @@ Hosts::Hosts(PoolSettings settings, std::size_t slots) : settings_(std::move(set
     hosts_.push_back({name, has_slots ? std::stoul(parts[1]) : 1, false});
   }
   if (hosts_.empty()) hosts_.push_back({here, slots, true});
+  TF_CHECK(!hosts_.empty());
 }
 
 /// What runs `script` on a host, as a part of a script for this machine. All hosts are asked at the

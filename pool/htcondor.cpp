@@ -1,5 +1,6 @@
 #include "pool/htcondor.h"
 
+#include "base/check.h"
 #include "pool/worker_job.h"
 
 namespace tetfarm {
@@ -16,6 +17,7 @@ std::string argument(const std::string& word) {
 }
 
 std::string description_of(const PoolSettings& settings, const WorkerOrder& order) {
+  TF_CHECK(order.count > 0);
   const std::string name = job_name_of(settings, order.bytes);
   std::string arguments;
   const std::vector<std::string> words = worker_words(settings, order.bytes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "pool/worker_job.h"
 
 namespace tetfarm {
@@ -11,6 +12,7 @@ std::int64_t minutes(std::int64_t seconds) { return (seconds + 59) / 60; }
 
 /// Units are written out: what a bare number means is each site's choice (LSF_UNIT_FOR_LIMITS).
 std::string script_of(const PoolSettings& settings, const WorkerOrder& order) {
+  TF_CHECK(order.count > 0);
   const std::string name = job_name_of(settings, order.bytes);
   const std::string memory = std::to_string(whole_mebibytes(order.bytes)) + "MB";
   const std::int64_t time = minutes(settings.walltime_s);

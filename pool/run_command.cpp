@@ -12,6 +12,7 @@
 #include <cstring>
 #include <thread>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/error.h"
 
@@ -57,6 +58,7 @@ class MemoryFile {
 
 /// In the child. A group of its own: a Ctrl-C at the terminal is for the pool.
 [[noreturn]] void become(const std::vector<char*>& words, int in, int out, int err) {
+  TF_CHECK(words.size() > 1 && words.back() == nullptr);
   ::setpgid(0, 0);
   ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
@@ -70,6 +72,7 @@ class MemoryFile {
 }  // namespace
 
 CommandOutcome run_command(const ShellCommand& command, std::int64_t timeout_ms) {
+  TF_CHECK(!command.words.empty());
   const MemoryFile in(command.input);
   const MemoryFile out;
   const MemoryFile err;

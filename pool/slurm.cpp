@@ -1,5 +1,6 @@
 #include "pool/slurm.h"
 
+#include "base/check.h"
 #include "pool/worker_job.h"
 
 namespace tetfarm {
@@ -9,6 +10,7 @@ constexpr std::int64_t slack_s = 30;
 
 /// Slurm looks once in half a minute: the warning has to be that much earlier.
 std::string script_of(const PoolSettings& settings, const WorkerOrder& order) {
+  TF_CHECK(order.count > 0);
   std::string text = "#!/bin/sh\n# Workers under Slurm: sbatch FILE\n";
   const auto add = [&text](const std::string& option) { text += "#SBATCH " + option + "\n"; };
   add("--job-name=" + job_name_of(settings, order.bytes));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::uint64_t whole_mebibytes(std::uint64_t bytes) { return bytes >> 20U; }
@@ -75,6 +77,7 @@ std::string script_end(const PoolSettings& settings, std::uint64_t bytes, const 
 }
 
 std::string hours_minutes_seconds(std::int64_t seconds) {
+  TF_CHECK(seconds >= 0);
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%02lld:%02lld:%02lld",
                 static_cast<long long>(seconds / 3600), static_cast<long long>(seconds / 60 % 60),
@@ -84,6 +87,7 @@ std::string hours_minutes_seconds(std::int64_t seconds) {
 
 std::vector<std::string> array_ids(const std::string& before, std::size_t count,
                                    const std::string& after) {
+  TF_CHECK(!before.empty());
   std::vector<std::string> ids;
   for (std::size_t i = 1; i <= count; ++i) ids.push_back(before + std::to_string(i) + after);
   return ids;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 
@@ -113,6 +114,7 @@ AuthorizedKeys read_authorized_keys(const fs::path& path) {
 }
 
 void authorize(const fs::path& path, const AuthorizedPeer& peer) {
+  TF_CHECK(peer.key.bytes.size() == 32);
   if (!is_key_name(peer.name)) throw UsageError("is not a valid name for a key", peer.name);
   const ListLock lock(path);
   const AuthorizedKeys list = read_authorized_keys(path);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -27,6 +29,7 @@ std::optional<WorkCount> work_count_of(const wire::Doing& doing) {
   count.pass = std::min(doing.pass(), largest_count);
   count.total = std::min(doing.total(), largest_count);
   count.done = std::min(doing.done(), count.total > 0 ? count.total : largest_count);
+  TF_CHECK(count.total == 0 || count.done <= count.total);
   return count;
 }
 

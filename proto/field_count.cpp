@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/check.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
@@ -25,6 +26,7 @@ class FieldCount {
                 static_cast<int>(bytes.size())) {}
 
   bool is_above_limit() {
+    TF_CHECK(count_ == 0);  // one count reads its bytes once
     add(wire::Envelope::descriptor());
     return count_ > max_fields;
   }
@@ -34,6 +36,7 @@ class FieldCount {
   /// end or make no sense, or there are enough. Messages hold each other only a few deep.
   bool add(const Descriptor* type) {
     while (const std::uint32_t tag = stream_.ReadTag()) {
+      TF_CHECK(type != nullptr);
       if (++count_ > max_fields || !pass(tag, type)) return false;
     }
     return true;

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdint>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hex_text.h"
@@ -73,6 +74,7 @@ class Descriptor {
 };
 
 void write_secret(const fs::path& path, const std::string& text) {
+  TF_CHECK(text.ends_with('\n'));
   const Descriptor file(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
   if (file.number() < 0 && errno == EEXIST) {
     throw UsageError("there is already a key; a new one would lock out everyone who uses it",
@@ -153,6 +155,7 @@ KeyPair write_new_key(const fs::path& folder, const std::string& name) {
   make_private_folder(folder);
   KeyPair pair = make_key_pair();
   write_secret(secret_key_path(folder, name), secret_mark + hex_of_bytes(pair.secret_bytes) + "\n");
+  TF_CHECK(pair.secret_bytes.size() == key_bytes);
   write_public_key(public_key_path(folder, name), pair.public_key);
   return pair;
 }
@@ -191,6 +194,7 @@ PublicKey read_public_key(const fs::path& path) {
 }
 
 void write_public_key(const fs::path& path, const PublicKey& key) {
+  TF_CHECK(key.bytes.size() == key_bytes);
   write_file_atomically(path, public_mark + hex_of(key) + "\n");
 }
 

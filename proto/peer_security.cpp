@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/ids.h"
@@ -39,6 +40,7 @@ std::optional<PeerKeys> read_peer_keys(const KeyFiles& files, const std::filesys
 
 void secure(zmq::socket_t& socket, const std::optional<PeerKeys>& keys) {
   if (!keys) return;
+  TF_CHECK(keys->own.secret_bytes.size() == 32 && !keys->coordinator.bytes.empty());
   const auto set = [&socket](int option, const std::string& bytes) {
     if (zmq_setsockopt(socket.handle(), option, bytes.data(), bytes.size()) != 0) {
       throw Error(ExitCode::failed,

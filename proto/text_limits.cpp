@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/utf8.h"
 
 namespace tetfarm {
@@ -96,6 +97,7 @@ class Known {
 };
 
 std::string cut(const std::string& text, const TextLimit& limit) {
+  TF_CHECK(text.size() > limit.most_bytes && limit.then != TooLong::refused);
   if (limit.then == TooLong::cut) return std::string(cut_utf8(text, limit.most_bytes));
   return text.substr(text.size() - limit.most_bytes);
 }
@@ -141,6 +143,7 @@ class Walk {
   std::string look_at_text(Message& message, const FieldDescriptor& field, int i) {
     const Reflection& reflection = *message.GetReflection();
     std::string copy;
+    TF_CHECK(field.is_repeated() == (i >= 0));
     const std::string& text =
         i < 0 ? reflection.GetStringReference(message, &field, &copy)
               : reflection.GetRepeatedStringReference(message, &field, i, &copy);

@@ -1,5 +1,6 @@
 #include "report/html_table.h"
 
+#include "base/check.h"
 #include "report/html_text.h"
 
 namespace tetfarm {
@@ -20,7 +21,10 @@ std::string html_table(const std::vector<std::string>& head,
   std::string html = "<table>\n";
   if (!head.empty()) html += "<thead>" + row_of(head, "th") + "</thead>\n";
   html += "<tbody>\n";
-  for (const auto& row : rows) html += row_of(row, "td");
+  for (const auto& row : rows) {
+    TF_CHECK(head.empty() || row.size() == head.size());
+    html += row_of(row, "td");
+  }
   return html + "</tbody></table>\n";
 }
 

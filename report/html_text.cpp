@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -32,6 +34,7 @@ std::string escaped(std::string_view text) {
     const std::size_t length = length_of_character(text);
     const std::string_view character = text.substr(0, length == 0 ? 1 : length);
     text.remove_prefix(character.size());
+    TF_CHECK(!character.empty());
     if (length == 0) continue;
     const char c = character[0];
     const bool is_control = (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7F;

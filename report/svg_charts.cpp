@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/check.h"
 #include "report/html_text.h"
 
 namespace tetfarm {
@@ -45,6 +46,7 @@ std::string box(double x, double y, double width, double height, const std::stri
 
 /// A step of 1, 2 or 5 times a power of ten that divides the range into at most so many.
 double round_step(double range, int most) {
+  TF_CHECK(range > 0 && most > 0);
   const double power = std::pow(10.0, std::floor(std::log10(range / most)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (range <= factor * power * most) return factor * power;
@@ -57,6 +59,7 @@ class Scale {
  public:
   Scale(double low, double high, double from, double to, bool is_logarithmic)
       : from_(from), to_(to), is_logarithmic_(is_logarithmic) {
+    TF_CHECK(!is_logarithmic || (low > 0 && high > 0));
     low_ = is_logarithmic ? std::floor(std::log10(low)) : low;
     high_ = is_logarithmic ? std::ceil(std::log10(high)) : high;
     if (!(high_ > low_)) high_ = low_ + 1;
@@ -134,6 +137,7 @@ std::string grid(const Scale& scale, double width) {
 /// The longest, in the order that they were in; true when some are left out.
 bool keep_longest(std::vector<Timeline::Span>& spans, std::size_t most) {
   if (spans.size() <= most) return false;
+  TF_CHECK(most > 0);
   std::vector<double> lengths;
   for (const Timeline::Span& span : spans) lengths.push_back(span.to_s - span.from_s);
   const auto middle = lengths.begin() + static_cast<long>(most);
@@ -161,6 +165,9 @@ std::string svg_of(const BarChart& chart) {
   const double width = chart.is_wide ? 1000 : 490;
   const double height = chart.is_wide ? 230 : 240;
   const Scale scale = scale_of(chart, height);
+  for (const BarChart::Series& series : chart.series) {
+    TF_CHECK(series.values.size() == chart.names.size());
+  }
   std::string svg = open(width, height, chart.title) + legend(chart, width) + grid(scale, width);
   const auto bins = static_cast<double>(std::max<std::size_t>(chart.names.size(), 1));
   const double slot = (width - left - right) / bins;
@@ -203,6 +210,7 @@ std::string svg_of(Timeline timeline) {
   }
   for (const Timeline::Span& span : timeline.spans) {
     const double x = scale.at(span.from_s);
+    TF_CHECK(span.row < timeline.rows.size());
     svg += box(x, top + (static_cast<double>(span.row) + 0.1) * row,
                std::max(scale.at(span.to_s) - x, 0.4), 0.8 * row, span.colour, span.what);
   }

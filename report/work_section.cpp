@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "base/check.h"
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/core/subdomain.h"
 #include "report/html_table.h"
@@ -151,6 +152,7 @@ Timeline timeline_of(const std::vector<wire::AttemptLine>& attempts) {
   const auto seconds = [&](std::int64_t ms) { return static_cast<double>(ms - begin_ms) / 1000; };
   for (const wire::AttemptLine& attempt : attempts) {
     if (attempt.ended_ms() == 0) continue;
+    TF_CHECK(timeline.rows.size() == worker2row.size());
     const bool is_good = attempt.state() == "done";
     timeline.spans.push_back(
         {worker2row.at({attempt.host(), attempt.process()}), seconds(attempt.started_ms()),

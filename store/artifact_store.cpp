@@ -100,6 +100,7 @@ void ArtifactStore::adopt_file(const fs::path& path, const StoredArtifact& annou
 }
 
 void ArtifactStore::adopt_checked_file(const fs::path& path, const std::string& hash) const {
+  TF_CHECK(is_hash(hash));
   const fs::path target = path_of(hash);
   make_folders(target.parent_path());
   try {

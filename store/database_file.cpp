@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "store/sqlite_statement.h"
 
@@ -42,6 +43,7 @@ void count_no_memory() {
 }
 
 SqlitePtr open_as(const std::string& name, int flags, const std::string& path) {
+  TF_CHECK(!name.empty());
   count_no_memory();
   sqlite3* opened = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
@@ -93,6 +95,7 @@ SqlitePtr open_database(const std::filesystem::path& path, DatabaseAccess access
 }
 
 void copy_database(sqlite3* from, sqlite3* to) {
+  TF_CHECK(from != nullptr && to != nullptr && from != to);
   sqlite3_backup* backup = sqlite3_backup_init(to, "main", from, "main");
   if (backup == nullptr) throw_sqlite_error(to, sqlite3_extended_errcode(to), "cannot copy");
   int code = SQLITE_OK;

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 
@@ -31,6 +32,7 @@ std::string this_host() {
 
 /// Who has the lock is only told to people: a note that cannot be written is no trouble.
 void write_note(int descriptor, const std::string& note) {
+  TF_CHECK(descriptor >= 0);
   if (::ftruncate(descriptor, 0) != 0) return;
   [[maybe_unused]] const auto written = ::pwrite(descriptor, note.data(), note.size(), 0);
 }

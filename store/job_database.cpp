@@ -9,7 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
+#include "base/undo_unless_done.h"
 #include "store/database_file.h"
 #include "store/network_file_system.h"
 #include "store/row_reader.h"
@@ -44,6 +46,7 @@ bool is_forbidden(int error_number) {
 }
 
 void roll_back(sqlite3* database) {
+  TF_CHECK(database != nullptr);
   // Some errors end the transaction by themselves; a second ROLLBACK would only hide the first.
   if (sqlite3_get_autocommit(database) != 0) return;
   sqlite3_exec(database, "ROLLBACK", nullptr, nullptr, nullptr);
@@ -96,7 +99,9 @@ JobDatabase::JobDatabase(const std::filesystem::path& path, const HistoryBounds&
   }
 }
 
-JobDatabase::JobDatabase(SqlitePtr database) : database_(std::move(database)) {}
+JobDatabase::JobDatabase(SqlitePtr database) : database_(std::move(database)) {
+  TF_CHECK(database_ != nullptr);
+}
 
 JobDatabase JobDatabase::open_to_read(const std::filesystem::path& path) {
   SqlitePtr database = open_database(path, DatabaseAccess::read);
@@ -115,16 +120,15 @@ JobDatabase::~JobDatabase() = default;
 void JobDatabase::apply(const ChangeSet& changes) {
   if (changes.empty()) return;
   execute(database_.get(), "BEGIN IMMEDIATE");
-  try {
-    if (!writing_) writing_ = std::make_unique<Writing>(database_.get());
-    writing_->rows.write(changes);
-    if (!changes.events.empty()) writing_->forget_the_oldest(bounds_);
-    execute(database_.get(), "COMMIT");
-  } catch (...) {
+  UndoUnlessDone transaction([this] {
     writing_.reset();
     roll_back(database_.get());
-    throw;
-  }
+  });
+  if (!writing_) writing_ = std::make_unique<Writing>(database_.get());
+  writing_->rows.write(changes);
+  if (!changes.events.empty()) writing_->forget_the_oldest(bounds_);
+  execute(database_.get(), "COMMIT");
+  transaction.done();
 }
 
 void JobDatabase::try_to_write() {
@@ -132,12 +136,9 @@ void JobDatabase::try_to_write() {
   const std::string sql =
       "BEGIN IMMEDIATE; PRAGMA user_version = " + std::to_string(schema_version(database_.get())) +
       "; COMMIT";
-  try {
-    execute(database_.get(), sql.c_str());
-  } catch (...) {
-    roll_back(database_.get());
-    throw;
-  }
+  UndoUnlessDone transaction([this] { roll_back(database_.get()); });
+  execute(database_.get(), sql.c_str());
+  transaction.done();
 }
 
 void JobDatabase::save_copy(const std::filesystem::path& file) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "store/job_history.h"
 #include "store/sqlite_statement.h"
@@ -106,6 +107,7 @@ void load_subdomains(sqlite3* database, const Part& part, DurableState& state) {
 
 void load_artifacts(sqlite3* database, const char* table, const Part& part, DurableState& state,
                     std::vector<ArtifactRef> TaskRow::*list) {
+  TF_CHECK(list == &TaskRow::inputs || list == &TaskRow::outputs);
   const std::string sql = std::string("SELECT task, name, hash, size FROM ") + table +
                           " JOIN artifacts USING (hash)" + part.of_task("task") +
                           " ORDER BY task, place";
@@ -165,6 +167,7 @@ void load_hosts(sqlite3* database, DurableState& state) {
 }
 
 std::uint64_t highest(sqlite3* database, const char* sql) {
+  TF_CHECK(database != nullptr);
   Statement row(database, sql);
   row.step();
   return row.unsigned_integer();

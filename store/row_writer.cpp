@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include "base/check.h"
 #include "store/sqlite_statement.h"
 
 namespace tetfarm {
@@ -82,6 +83,7 @@ RowWriter::RowWriter(sqlite3* database)
       event_(database, insert_event) {}
 
 void RowWriter::write(const ChangeSet& changes) {
+  TF_CHECK(sqlite3_get_autocommit(database_) == 0);  // within a transaction
   for (const JobRow& job : changes.jobs) write(job);
   for (const SubdomainRow& subdomain : changes.subdomains) write(subdomain);
   for (const TaskRow& task : changes.tasks) write(task);
@@ -92,12 +94,14 @@ void RowWriter::write(const ChangeSet& changes) {
 }
 
 void RowWriter::write(const JobRow& job) {
+  TF_CHECK(job.id);
   job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
   job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
   job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content).run();
 }
 
 void RowWriter::write(const SubdomainRow& row) {
+  TF_CHECK(row.job && row.path >= 1);
   artifact_.bind(row.hash).bind(row.size).run();
   subdomain_.bind(row.job.value).bind(row.path).bind(row.parts);
   subdomain_.bind(name_of(row.state)).bind(row.interdomain_nodes);
@@ -122,6 +126,7 @@ void RowWriter::write_texts(TaskId task, const char* sort,
 }
 
 Statement& RowWriter::bind_progress(Statement& statement, const TaskRow& task) {
+  TF_CHECK(task.id);
   statement.bind(task.id.value).bind(name_of(task.state)).bind(task.attempt.value);
   statement.bind(task.crashes).bind(task.losses).bind(task.exit_code).bind(task.message);
   statement.bind(task.seconds).bind(task.peak_rss_bytes);
@@ -131,10 +136,11 @@ Statement& RowWriter::bind_progress(Statement& statement, const TaskRow& task) {
 /// Of the files those that are not written over.
 void RowWriter::forget_old_result(const TaskRow& task) {
   const auto count = static_cast<std::uint64_t>(task.outputs.size());
-  result_find_.bind(task.id.value).bind(count).step();
+  const bool has_row = result_find_.bind(task.id.value).bind(count).step();
   const bool has_files = result_find_.integer() != 0;
   const bool has_values = result_find_.integer() != 0;
   result_find_.rewind();
+  TF_CHECK(has_row);
   if (has_files) output_forget_.bind(task.id.value).bind(count).run();
   if (has_values) result_forget_.bind(task.id.value).run();
 }
@@ -145,6 +151,7 @@ void RowWriter::write(const TaskRow& task) {
   const bool is_new = sqlite3_changes(database_) == 0;
   if (is_new) {
     bind_progress(task_insert_, task).bind(task.job.value);
+    TF_CHECK(task.job);
     task_insert_.bind(name_of(task.kind)).bind(task.path).run();
     write_files(input_, task.id, task.inputs);
     write_texts(task.id, "parameter", task.parameters);
@@ -159,12 +166,14 @@ void RowWriter::write(const TaskRow& task) {
 }
 
 void RowWriter::write(const WorkerRow& worker) {
+  TF_CHECK(worker.id);
   worker_.bind(worker.id.value).bind(worker.host).bind(worker.process).bind(worker.cores);
   worker_.bind(worker.memory_bytes).bind(worker.program_version).bind(worker.seen_ms);
   worker_.bind(worker.gone ? 1 : 0).run();
 }
 
 void RowWriter::write(const AttemptRow& attempt) {
+  TF_CHECK(attempt.id && attempt.task);
   attempt_.bind(attempt.id.value).bind(attempt.task.value).bind(attempt.worker.value);
   attempt_.bind(name_of(attempt.state)).bind(attempt.started_ms);
   attempt_.bind(attempt.ended_ms).bind(attempt.message).bind(attempt.nonce_hash);

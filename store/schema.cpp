@@ -298,6 +298,7 @@ void migrate(sqlite3* database) {
     throw CorruptFile(
         "was written by a newer tetfarm (database version " + std::to_string(version) + ")", path);
   }
+  if (version < 0) throw CorruptFile("has an impossible database version", path);
   if (version == database_version) return;
   std::string sql = "BEGIN IMMEDIATE;";
   for (auto next = static_cast<std::size_t>(version); next < migrations.size(); ++next) {

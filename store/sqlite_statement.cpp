@@ -2,6 +2,7 @@
 
 #include <cerrno>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -56,6 +57,7 @@ int errno_of(sqlite3* database, int code) {
 }  // namespace
 
 void throw_sqlite_error(sqlite3* database, int code, const std::string& what) {
+  TF_CHECK(code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE);
   const char* path = database != nullptr ? sqlite3_db_filename(database, "main") : nullptr;
   const std::string file = path != nullptr ? path : "database";
   const std::string message =
@@ -66,11 +68,13 @@ void throw_sqlite_error(sqlite3* database, int code, const std::string& what) {
 }
 
 void execute(sqlite3* database, const char* sql) {
+  TF_CHECK(database != nullptr);
   const int code = sqlite3_exec(database, sql, nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) throw_sqlite_error(database, sqlite3_extended_errcode(database), sql);
 }
 
 Statement::Statement(sqlite3* database, const char* sql) : database_(database) {
+  TF_CHECK(database != nullptr);
   check(sqlite3_prepare_v2(database, sql, -1, &statement_, nullptr));
 }
 
@@ -83,22 +87,26 @@ void Statement::check(int code) {
 }
 
 Statement& Statement::bind(std::int64_t value) {
+  TF_CHECK(next_parameter_ <= sqlite3_bind_parameter_count(statement_));
   check(sqlite3_bind_int64(statement_, next_parameter_++, value));
   return *this;
 }
 
 Statement& Statement::bind(double value) {
+  TF_CHECK(next_parameter_ <= sqlite3_bind_parameter_count(statement_));
   check(sqlite3_bind_double(statement_, next_parameter_++, value));
   return *this;
 }
 
 Statement& Statement::bind(std::string_view value) {
+  TF_CHECK(next_parameter_ <= sqlite3_bind_parameter_count(statement_));
   check(sqlite3_bind_text64(statement_, next_parameter_++, value.data(), value.size(),
                             SQLITE_TRANSIENT, SQLITE_UTF8));
   return *this;
 }
 
 Statement& Statement::bind_null() {
+  TF_CHECK(next_parameter_ <= sqlite3_bind_parameter_count(statement_));
   check(sqlite3_bind_null(statement_, next_parameter_++));
   return *this;
 }
@@ -122,11 +130,18 @@ void Statement::rewind() {
   next_parameter_ = 1;
 }
 
-std::int64_t Statement::integer() { return sqlite3_column_int64(statement_, next_column_++); }
+std::int64_t Statement::integer() {
+  TF_CHECK(next_column_ < sqlite3_data_count(statement_));
+  return sqlite3_column_int64(statement_, next_column_++);
+}
 
-double Statement::real() { return sqlite3_column_double(statement_, next_column_++); }
+double Statement::real() {
+  TF_CHECK(next_column_ < sqlite3_data_count(statement_));
+  return sqlite3_column_double(statement_, next_column_++);
+}
 
 std::string Statement::text() {
+  TF_CHECK(next_column_ < sqlite3_data_count(statement_));
   const int column = next_column_++;
   const unsigned char* bytes = sqlite3_column_text(statement_, column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -85,6 +86,7 @@ void TaskTimes::learn(TaskKind kind, const TaskSize& size, double cpu_seconds) {
     return;
   }
   const auto k = static_cast<std::size_t>(kind);
+  TF_CHECK(k < kinds_.size());
   kinds_[k].samples.push_back({usual_terms(kind, size), std::max(cpu_seconds, least_seconds)});
   if (kinds_[k].samples.size() > samples_kept) kinds_[k].samples.pop_front();
   is_stale_[k] = true;
@@ -92,6 +94,7 @@ void TaskTimes::learn(TaskKind kind, const TaskSize& size, double cpu_seconds) {
 
 void TaskTimes::fit(Kind& kind) {
   const Terms believed = kind.spreads;
+  TF_CHECK(!kind.samples.empty() && kind.samples.size() <= samples_kept);
   Matrix m{};
   Terms right{};
   for (std::size_t j = 0; j < terms; ++j) {
@@ -129,6 +132,7 @@ void TaskTimes::fit(Kind& kind) {
 
 SecondsRange TaskTimes::seconds(TaskKind kind, const TaskSize& size) const {
   const auto k = static_cast<std::size_t>(kind);
+  TF_CHECK(k < kinds_.size());
   if (kinds_[k].samples.empty()) return usual_seconds(kind, size);
   if (is_stale_[k]) {
     kinds_[k].spreads = traits_of(kind).seconds.spreads;

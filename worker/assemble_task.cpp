@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/job_name.h"
 #include "mesh/artifacts/artifact_file.h"
@@ -136,6 +137,7 @@ void report_shapes(TaskIo& io, const std::string& whose, const ShapeStatistics& 
 
 /// "region_1_elements", "region_1_name"…
 void report_regions(TaskIo& io, const MeshShapes& shapes, const std::vector<std::string>& names) {
+  TF_CHECK(names.size() >= shapes.regions.size());
   for (std::size_t i = 0; i < shapes.regions.size(); ++i) {
     const std::string whose = "region_" + std::to_string(i + 1) + "_";
     report_shapes(io, whose, shapes.regions[i].shapes);
@@ -147,6 +149,7 @@ void report_regions(TaskIo& io, const MeshShapes& shapes, const std::vector<std:
 /// Which tets of a .lb8.ugrid are of which region: the format has no place for it, but those of a
 /// region follow one another. A line each: number, first tet, last tet (from 1), name.
 std::string regions_text(const MeshShapes& shapes, const std::vector<std::string>& names) {
+  TF_CHECK(names.size() >= shapes.regions.size());
   std::string text;
   std::int64_t last = 0;
   for (std::size_t i = 0; i < shapes.regions.size(); ++i) {

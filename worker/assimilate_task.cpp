@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/assimilation/assimilation.h"
@@ -59,6 +60,7 @@ std::string text_of(const std::vector<DroppedNodes>& dropped) {
 
 /// The joined sub-domain of a group, sound. Its leaves are in memory meanwhile.
 Subdomain joined_group(const TaskIo& io, const std::vector<TreePath>& members) {
+  TF_CHECK(!members.empty());
   std::vector<Subdomain> leaves;
   for (const TreePath path : members) leaves.push_back(read_leaf(io, path));
   Subdomain group = join_subdomains(leaves);
@@ -77,6 +79,7 @@ struct GroupFigures {
 /// Publishes the groups and what became of the nodes of the cuts.
 GroupFigures join_groups(TaskIo& io, const std::vector<LeafLine>& leaves,
                          const std::vector<std::int32_t>& leaf2group, CutNodeMarks nodes) {
+  TF_CHECK(leaf2group.size() == leaves.size());
   std::vector<std::vector<TreePath>> groups;
   std::string text;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {

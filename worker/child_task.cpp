@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/check.h"
 #include "base/child_process.h"
 #include "base/error.h"
 #include "base/work_stage.h"
@@ -89,6 +90,7 @@ bool was_ended_from_outside(int status) {
 }
 
 pid_t start_program(const ChildTaskOptions& options, TaskFds fds) {
+  TF_CHECK(!options.command.empty());
   std::vector<std::string> words = options.command;
   if (!options.store.empty()) words.push_back(options.store);
   const std::vector<char*> arguments = exec_arguments(words);
@@ -111,6 +113,7 @@ pid_t start_process(const ChildTaskOptions& options, TaskFds fds) {
 }
 
 std::uint32_t frame_length(const std::string& bytes) {
+  TF_CHECK(bytes.size() >= 4);
   std::uint32_t length = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     length |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
@@ -122,6 +125,7 @@ std::uint32_t frame_length(const std::string& bytes) {
 
 std::string frame_of(const wire::Envelope& envelope) {
   const std::string body = envelope.SerializeAsString();
+  TF_CHECK(body.size() <= largest_frame);
   std::string frame;
   for (std::size_t i = 0; i < 4; ++i) frame += static_cast<char>(body.size() >> (8 * i) & 0xFF);
   return frame + body;
@@ -161,6 +165,7 @@ void ChildTask::kill() {
 }
 
 void ChildTask::end_overdue(std::int64_t limit_ms) {
+  TF_CHECK(limit_ms > 0);
   overdue_ms_ = limit_ms;
   kill();
 }
@@ -242,6 +247,7 @@ std::optional<wire::Envelope> ChildTask::poll(const Hear& hear) {
   if (ended == 0) return std::nullopt;
   read_last_words();
   read_frames(hear);
+  TF_CHECK(ended == process_ || ended < 0);
   process_ = -1;
   return outcome(status, usage);
 }
@@ -282,6 +288,7 @@ wire::Envelope ChildTask::outcome(int status, const rusage& usage) {
                              : was_ended ? FailureCause::killed
                                          : FailureCause::error));
   }
+  TF_CHECK(envelope.has_done() || envelope.has_failed());
   write_log(envelope.has_done()
                 ? "done, peak memory " + std::to_string(peak_rss_bytes >> 20U) + " MiB"
                 : "failed: " + envelope.failed().message());

@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "proto/address_family.h"
 #include "proto/reconnection.h"
@@ -35,6 +36,7 @@ void CoordinatorSocket::connect() {
 }
 
 void CoordinatorSocket::check_handshake() {
+  TF_CHECK(handshakes_.has_value());
   const HandshakeWatch::Outcome outcome = handshakes_->take();
   if (outcome == HandshakeWatch::Outcome::none) return;
   if (outcome != HandshakeWatch::Outcome::broken) {
@@ -46,11 +48,13 @@ void CoordinatorSocket::check_handshake() {
 }
 
 bool CoordinatorSocket::send(const wire::Envelope& envelope) {
+  TF_CHECK(socket_ != nullptr);
   const std::string bytes = encode(envelope);
   return socket_->send(zmq::buffer(bytes), zmq::send_flags::dontwait).has_value();
 }
 
 std::optional<wire::Envelope> CoordinatorSocket::receive() {
+  TF_CHECK(socket_ != nullptr);
   zmq::message_t message;
   while (socket_->recv(message, zmq::recv_flags::dontwait)) {
     Decoded decoded = decode(message.to_string_view());

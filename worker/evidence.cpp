@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/formats/off/write_off.h"
 
@@ -49,6 +50,7 @@ std::string defects_as_vtp(const TaskIo& io, const SurfaceMesh& surface,
 
 std::string describe_triangle(const Subdomain& subdomain, std::int32_t triangle) {
   const auto t = static_cast<std::size_t>(triangle);
+  TF_CHECK(t < subdomain.triangles.size());
   const Origin origin = subdomain.triangle_origin[t];
   Vec3 sum;
   for (const std::int32_t v : subdomain.triangles[t]) {

@@ -1,5 +1,6 @@
 #include "worker/extract_task.h"
 
+#include "base/check.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/artifacts/element_file.h"
 #include "mesh/cosmetics/element_extraction.h"
@@ -10,6 +11,7 @@ namespace tetfarm {
 void extract_task(TaskIo& io) {
   const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
   const TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
+  TF_CHECK(mesh.nodes.size() >= leaf.vertices.size());
   const SharedNodes shared = shared_nodes_from_bytes(io.read("shared"), "shared");
   report_cost(io, extract_cost(static_cast<double>(mesh.tets.size()),
                                static_cast<double>(leaf.triangles.size())));

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "store/disk_room.h"
 
@@ -41,6 +42,7 @@ void FileExchange::send_outputs(const wire::Envelope& outcome) {
 }
 
 std::vector<wire::Envelope> FileExchange::due(std::int64_t now_ms) {
+  TF_CHECK(!fetch_ || !upload_);
   if (is_fetching()) return fetch_->due(now_ms);
   if (is_sending()) return upload_->due(now_ms);
   return {};

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 
@@ -18,6 +19,7 @@ FileReceive::FileReceive(std::filesystem::path growing, StoredArtifact file)
 
 /// Who was killed while writing may have left a piece of a chunk.
 void FileReceive::go_on_from_what_is_there() {
+  TF_CHECK(there_ == 0);
   std::uint64_t size = size_of_file(growing_).value_or(0);
   if (size > file_.size) size = 0;
   if (size < file_.size) size -= size % chunk_bytes;
@@ -36,6 +38,7 @@ void FileReceive::go_on_from_what_is_there() {
 
 void FileReceive::finish_when_all_is_there() {
   if (there_ < file_.size) return;
+  TF_CHECK(there_ == file_.size);
   state_ = hasher_.finish().hex() == file_.hash ? State::whole : State::damaged;
 }
 

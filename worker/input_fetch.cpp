@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/file_system.h"
 
 namespace tetfarm {
@@ -30,6 +31,7 @@ InputFetch::~InputFetch() {
 }
 
 void InputFetch::begin_next_file() {
+  TF_CHECK(!receive_);
   while (!files_.empty() && damaged_.empty()) {
     receive_.emplace(cache_.store().scratch_path("fetch"), files_.back());
     if (receive_->state() == FileReceive::State::coming) return;
@@ -39,6 +41,7 @@ void InputFetch::begin_next_file() {
 
 /// A file that is whole but wrong is damaged where it came from.
 void InputFetch::finish_file() {
+  TF_CHECK(receive_ && !files_.empty());
   if (receive_->state() == FileReceive::State::whole) {
     cache_.store().adopt_checked_file(receive_->path(), files_.back().hash);
   } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/job_name.h"
 #include "mesh/artifacts/artifact_file.h"
@@ -32,6 +33,7 @@ constexpr double fewest_leaves = 4;
 constexpr double largest_leaf_elements = 2'000'000;
 
 double leaf_elements(double elements) {
+  TF_CHECK(elements >= 0);
   if (elements < uncut_elements) return uncut_elements;
   return std::min(elements / fewest_leaves, largest_leaf_elements);
 }
@@ -94,6 +96,7 @@ JobFile mesh_settings_of(const JobFile& job) {
 }
 
 std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regions) {
+  TF_CHECK(regions >= 1);
   if (job.subdomains > 0) return std::max<std::int64_t>(job.subdomains, regions);
   const double by_size = std::ceil(elements / target_elements(job, elements));
   const auto groups = static_cast<double>(job.groups);

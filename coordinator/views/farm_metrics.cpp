@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -89,7 +91,9 @@ void add_workers(std::string& text, const JobState& state) {
 
 void DurationHistogram::add(double value) {
   const auto* const bound = std::lower_bound(bounds.begin(), bounds.end(), value);
-  ++counts_[static_cast<std::size_t>(bound - bounds.begin())];
+  const auto bin = static_cast<std::size_t>(bound - bounds.begin());
+  TF_CHECK(bin < counts_.size());
+  ++counts_[bin];
   sum_ += value;
 }
 

@@ -9,6 +9,8 @@
 #include <map>
 #include <tuple>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -21,6 +23,7 @@ bool is_in_use(const HttpPlace& place, std::int64_t now_ms) {
 }
 
 std::string text_of(int family, const void* address) {
+  TF_CHECK(family == AF_INET || family == AF_INET6);
   std::array<char, INET6_ADDRSTRLEN> text{};
   ::inet_ntop(family, address, text.data(), text.size());
   return text.data();
@@ -72,6 +75,7 @@ std::string peer_of(const sockaddr_storage& address) {
   if (address.ss_family == AF_INET) {
     return peer_of_4(reinterpret_cast<const sockaddr_in&>(address).sin_addr);
   }
+  TF_CHECK(address.ss_family == AF_INET6);
   return peer_of_6(reinterpret_cast<const sockaddr_in6&>(address).sin6_addr);
 }
 

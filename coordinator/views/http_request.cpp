@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "base/check.h"
 #include "coordinator/views/http_server.h"
 
 namespace tetfarm {
@@ -23,6 +24,7 @@ std::string trimmed(const std::string& text) {
 
 /// Takes as long for a wrong text as for the right one.
 bool is_same(const std::string& said, const std::string& secret) {
+  TF_CHECK(!secret.empty());
   unsigned difference = said.size() == secret.size() ? 0 : 1;
   for (std::size_t i = 0; i < said.size(); ++i) {
     difference |=
@@ -92,6 +94,7 @@ std::optional<Fields> read_fields(std::istringstream& lines) {
 }
 
 HttpRequest refused(int status) {
+  TF_CHECK(status >= 400);
   HttpRequest request;
   request.refusal = status;
   return request;
@@ -124,6 +127,7 @@ HttpRequest parse_http_request(const std::string& head, const std::string& token
              !has_token(fields->authorization, token)) {
     request.refusal = 401;
   }
+  TF_CHECK(!request.path.empty() && request.path.front() == '/');
   return request;
 }
 

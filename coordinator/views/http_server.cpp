@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "proto/local_endpoint.h"
@@ -111,6 +112,7 @@ int listen_at(const std::string& address, const addrinfo& where) {
 }
 
 std::string worded(const HttpAnswer& answer, bool is_head) {
+  TF_CHECK(answer.status >= 200 && answer.status < 600);
   std::string text = "HTTP/1.1 " + std::to_string(answer.status) + " " + reason_of(answer.status) +
                      "\r\nContent-Type: " + answer.type +
                      "\r\nContent-Length: " + std::to_string(answer.body.size()) +
@@ -174,7 +176,8 @@ bool HttpServer::make_way(const std::vector<HttpPlace>& places, std::int64_t now
   const std::optional<int> fd = who_gives_way(places, now_ms);
   if (!fd) return false;
   ::close(*fd);
-  exchanges_.erase(*fd);
+  const std::size_t erased = exchanges_.erase(*fd);
+  TF_CHECK(erased == 1);
   return true;
 }
 
@@ -204,6 +207,7 @@ void HttpServer::accept_all(std::int64_t now_ms, const Pages& pages) {
     exchange.peer = peer_of(from);
     exchange.begun_ms = now_ms;
     exchange.ends_ms = now_ms + std::min(options_.request_ms, options_.exchange_ms);
+    TF_CHECK(!exchanges_.contains(fd));
     if (find_place(exchange, now_ms) && serve_one(fd, exchange, now_ms, pages)) {
       exchanges_[fd] = std::move(exchange);
     } else {
@@ -253,6 +257,7 @@ bool HttpServer::go_on(int fd, Exchange& exchange, std::int64_t now_ms, const Pa
                              exchange.answer.size() - exchange.sent, MSG_NOSIGNAL);
     if (n < 0) return would_block();
     exchange.sent += static_cast<std::size_t>(n);
+    TF_CHECK(exchange.sent <= exchange.answer.size());
     exchange.heard_ms = now_ms;
   }
   return !has_ended;

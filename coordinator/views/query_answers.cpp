@@ -67,6 +67,7 @@ class Answer {
         history_(context.history),
         now_(context.now),
         limit_(query.limit() == 0 ? most_rows : std::min<std::size_t>(query.limit(), most_rows)) {
+    TF_CHECK(limit_ > 0);
     if (query.job().empty()) return;
     job_ = parse_job_name(query.job());
     if (!rows_.jobs.contains(job_)) throw Error(ExitCode::not_found, "no job " + query.job());

@@ -88,6 +88,7 @@ CoreElements core_from(std::string_view bytes, const ElementFileHead::Section& e
 /// What the head says of a section, or of the core.
 void add_entry(ByteWriter& writer, const Sharers& sharers, const std::vector<std::uint64_t>& tets,
                const std::vector<std::uint64_t>& triangles, const std::string& body) {
+  TF_CHECK(tets.size() == sharers.size() && triangles.size() == sharers.size());
   writer.number<std::uint64_t>(sharers.size());
   writer.array(sharers);
   writer.array(tets);
@@ -106,6 +107,7 @@ std::string head_bytes(const ElementFileHead& head, const std::vector<ElementSec
   writer.origins(head.gone);
   writer.number<std::uint64_t>(bodies.size());
   auto body = bodies.begin();
+  TF_CHECK(bodies.size() == sections.size() + (core ? 1 : 0));
   if (core) add_entry(writer, {head.path.heap}, {core->tets}, {core->triangles}, *body++);
   for (const ElementSection& section : sections) {
     add_entry(writer, section.sharers, tets_by_sharer(section), triangles_by_sharer(section),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -35,6 +36,7 @@ std::uint64_t hash_of_face(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
 
 std::uint64_t face_sum_of(const NumberedPart& part) {
   std::uint64_t sum = 0;
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   std::vector<std::uint64_t> hashes(part.nodes.size());
   for (std::size_t v = 0; v < hashes.size(); ++v) {
     hashes[v] = hash_of_node(part.local2global[v], part.nodes[v]);

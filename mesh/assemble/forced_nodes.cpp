@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/core/triangle_angles.h"
@@ -33,6 +34,8 @@ constexpr std::int32_t not_here = -1;
 std::vector<std::int32_t> surface2local(const NumberedPart& part, const SurfaceMesh& surface,
                                         const Numbering& numbering) {
   std::vector<std::int32_t> rank2local(at(numbering.surface_nodes), not_here);
+  TF_CHECK(numbering.surface_nodes + std::ssize(numbering.unused_vertices) ==
+           std::ssize(surface.vertices));
   for (std::size_t v = 0; v < part.local2global.size(); ++v) {
     const std::int64_t number = part.local2global[v];
     if (number < numbering.surface_nodes) rank2local[at(number)] = static_cast<std::int32_t>(v);
@@ -60,7 +63,10 @@ std::vector<bool> forced_nodes_of(const NumberedPart& part, const SurfaceMesh& s
   const std::vector<bool> of_surface = forced_nodes(surface, part.region, is_here);
   std::vector<bool> is_forced(part.nodes.size(), false);
   for (std::size_t v = 0; v < of_surface.size(); ++v) {
-    if (of_surface[v]) is_forced[at(local[v])] = true;
+    if (of_surface[v]) {
+      TF_CHECK(local[v] != not_here);
+      is_forced[at(local[v])] = true;
+    }
   }
   return is_forced;
 }
@@ -69,6 +75,7 @@ std::vector<bool> forced_nodes_of(const NumberedPart& part, const SurfaceMesh& s
 
 std::vector<bool> forced_nodes(const SurfaceMesh& surface, std::int32_t region,
                                const std::vector<bool>& is_wanted) {
+  TF_CHECK(is_wanted.size() == surface.vertices.size());
   const std::vector<Triangle> triangles = triangles_that_count(surface, region, is_wanted);
   const auto place = [&surface](std::int32_t v) -> const Vec3& { return surface.vertices[at(v)]; };
   std::vector<bool> is_forced(surface.vertices.size(), false);
@@ -90,6 +97,7 @@ std::vector<bool> forced_nodes(const SurfaceMesh& surface, std::int32_t region,
 UnforcedTets unforced_tets(const Portion& portion, const SurfaceMesh& surface,
                            const Numbering& numbering) {
   const std::vector<bool> is_forced = forced_nodes_of(portion.part, surface, numbering);
+  TF_CHECK(std::ssize(portion.part.tets) == portion.tets);
   const ShapeStatistics& all = portion.shapes.all;
   if (std::find(is_forced.begin(), is_forced.end(), true) == is_forced.end()) {
     return {all.tets, all.min_dihedral_deg, all.worst_centroid};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/mesh_digest.h"
 
@@ -66,6 +67,7 @@ class Interfaces {
 void meet(const Portion& portion, const LeafNumbers& leaf, Interfaces& interfaces,
           MeshDigest& digest) {
   const NumberedPart& part = portion.part;
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   for (std::size_t v = 0; v < part.nodes.size(); ++v) {
     if (interfaces.meet_node(leaf, part.local2global[v])) {
       digest.add_node(part.local2global[v], part.nodes[v]);
@@ -77,6 +79,7 @@ void meet(const Portion& portion, const LeafNumbers& leaf, Interfaces& interface
 }
 
 void add_triangles(const NumberedPart& part, MeshDigest& digest) {
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     const auto& [a, b, c] = part.faces[i];
     const std::vector<std::int64_t>& global = part.local2global;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -196,6 +197,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 bool comes_before(TreePath a, TreePath b) {
   const int difference = a.depth() - b.depth();
+  TF_CHECK(a.heap > 0 && b.heap > 0);
   const std::uint64_t a_there = difference > 0 ? a.heap >> difference : a.heap;
   const std::uint64_t b_there = difference < 0 ? b.heap >> -difference : b.heap;
   return a_there != b_there ? a_there < b_there : difference < 0;

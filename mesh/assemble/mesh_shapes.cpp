@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/tet_layers.h"
 
 namespace tetfarm {
@@ -25,6 +26,7 @@ std::vector<bool> tets_near_cuts(std::span<const Tet> tets, const std::vector<bo
 void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int32_t region,
                 const std::vector<bool>& is_on_cut, MeshShapes& shapes) {
   const std::vector<bool> is_near = tets_near_cuts(tets, is_on_cut);
+  TF_CHECK(region >= 1 && is_on_cut.size() == nodes.size());
   shapes.regions.resize(std::max(shapes.regions.size(), at(region)));
   RegionShapes& here = shapes.regions[at(region - 1)];
   double volume = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -29,6 +31,7 @@ std::vector<Stretch> stretches_by_number(const std::vector<std::int64_t>& number
 void for_each_node_run(
     const NumberedPart& part,
     const std::function<void(std::int64_t first, const std::vector<Vec3>& nodes)>& visit) {
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   std::vector<Vec3> run;
   std::int64_t first = 0;
   for (const Stretch& stretch : stretches_by_number(part.local2global)) {

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -24,6 +25,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::int64_t offset, std::string_view bytes) {
+  TF_CHECK(descriptor_ >= 0 && offset >= 0);
   while (!bytes.empty()) {
     const ssize_t done = ::pwrite(descriptor_, bytes.data(), bytes.size(), offset);
     if (done < 0 && errno == EINTR) continue;
@@ -44,6 +46,7 @@ void OutputFile::begin_to_store(std::int64_t written) {
 }
 
 void OutputFile::finish() {
+  TF_CHECK(descriptor_ >= 0);
   if (::fsync(descriptor_) != 0) throw IoError("cannot write", path_.string(), errno);
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     throw IoError("cannot write", path_.string(), errno);

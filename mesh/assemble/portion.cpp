@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/face_balance.h"
 
@@ -48,6 +49,7 @@ std::vector<std::int64_t> local2global_of(const MeshPart& part, const Numbering&
   }
   const std::int64_t interior = std::ssize(part.mesh.nodes) - part.mesh.boundary_nodes;
   for (std::int64_t i = 0; i < interior; ++i) numbers.push_back(leaf.nodes.first_node + i);
+  TF_CHECK(numbers.size() == part.mesh.nodes.size());
   return numbers;
 }
 
@@ -93,6 +95,7 @@ void add_surface_triangles(const Subdomain& subdomain, const SurfaceMesh& surfac
 
 MeshDigest::Sum tet_digest_of(const NumberedPart& part, std::int64_t next) {
   MeshDigest digest;
+  TF_CHECK(next >= 0);
   const std::vector<std::int64_t>& global = part.local2global;
   for (const auto& [a, b, c, d] : part.tets) {
     digest.add_tet(next++, {global[at(a)], global[at(b)], global[at(c)], global[at(d)]});
@@ -155,6 +158,7 @@ Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering&
   add_surface_triangles(part.subdomain, surface, numbering, portion);
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
+  TF_CHECK(numbered.local2global.size() == numbered.nodes.size());
   part.is_on_cut.resize(numbered.nodes.size(), false);
   add_shapes(numbered.nodes, numbered.tets, numbered.region, part.is_on_cut, portion.shapes);
   portion.face_sum = face_sum_of(numbered);

@@ -1,5 +1,6 @@
 /// The bytes of a portion (portion.h).
 
+#include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/artifacts/checked_bytes.h"
 #include "mesh/assemble/portion.h"
@@ -95,6 +96,9 @@ PortionCounts portion_counts(const std::filesystem::path& path, const std::strin
 
 std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
+  TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.patch_of_face.size() == part.faces.size() &&
+           portion.surface_triangles.size() == part.faces.size());
   ByteWriter writer = begin_checked(magic, version);
   writer.number(part.number);
   writer.number(part.region);
@@ -152,6 +156,7 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
 
 std::string portion_tets_to_bytes(const Portion& portion) {
   ByteWriter writer = begin_checked(tets_magic, tets_version);
+  TF_CHECK(static_cast<std::int64_t>(portion.part.tets.size()) == portion.tets);
   writer.number(portion.part.number);
   writer.number<std::uint64_t>(portion.part.tets.size());
   writer.array(portion.part.tets);

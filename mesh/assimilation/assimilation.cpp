@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/assimilation/group_refinement.h"
 
@@ -61,6 +62,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
 class Joining {
  public:
   explicit Joining(std::span<const Subdomain> leaves) : leaves_(leaves) {
+    TF_CHECK(!leaves.empty());
     for (const Subdomain& leaf : leaves) {
       if (leaf.region != leaves.front().region) refuse(leaf, "it belongs to another region");
       vertex2first_.emplace_back(leaf.vertices.size());
@@ -90,6 +92,7 @@ class Joining {
         for (std::int32_t& v : triangle) {
           const Item& first = vertex2first_[leaf][at(v)];
           v = old2new[at(first.leaf)][at(first.index)];
+          TF_CHECK(v >= 0);  // it is used
         }
         joined.triangles.push_back(triangle);
         joined.triangle_origin.push_back(leaves_[leaf].triangle_origin[t]);
@@ -204,6 +207,8 @@ SubdomainGraph part_of(const SubdomainGraph& graph, const std::vector<std::int32
     std::vector<Neighbour>& neighbours = part.neighbours.emplace_back();
     for (const auto& [other, triangles] : graph.neighbours[at(leaf)]) {
       const auto place = std::lower_bound(leaves.begin(), leaves.end(), other) - leaves.begin();
+      TF_CHECK(at(static_cast<std::int32_t>(place)) < leaves.size() &&
+               leaves[static_cast<std::size_t>(place)] == other);
       neighbours.push_back({static_cast<std::int32_t>(place), triangles});
     }
   }
@@ -224,6 +229,7 @@ std::vector<std::int32_t> numbered_by_first_leaf(const std::vector<std::int32_t>
 
 std::vector<std::int32_t> assimilate(const SubdomainGraph& graph, std::int32_t groups,
                                      PartitionMethod method) {
+  TF_CHECK(groups >= 1);
   const std::vector<std::vector<std::int32_t>> pieces = connected_pieces(graph);
   const std::vector<std::int32_t> shares = shares_of_pieces(graph, pieces, groups);
   std::vector<std::int32_t> mixed(graph.size(), 0);
@@ -232,6 +238,7 @@ std::vector<std::int32_t> assimilate(const SubdomainGraph& graph, std::int32_t g
     const SubdomainGraph piece = part_of(graph, pieces[i]);
     const std::vector<std::int32_t> leaf2group =
         refine_groups(piece, partition_graph(piece, shares[i], method));
+    TF_CHECK(leaf2group.size() == pieces[i].size());
     for (std::size_t leaf = 0; leaf < pieces[i].size(); ++leaf) {
       mixed[at(pieces[i][leaf])] = next + leaf2group[leaf];
     }
@@ -281,6 +288,7 @@ Balance balance_of(std::span<const double> amounts) {
 std::vector<double> sums_of_groups(std::span<const double> amounts,
                                    std::span<const std::int32_t> leaf2group) {
   std::vector<double> sums;
+  TF_CHECK(amounts.size() == leaf2group.size());
   for (std::size_t leaf = 0; leaf < leaf2group.size(); ++leaf) {
     const std::size_t group = at(leaf2group[leaf]);
     if (sums.size() <= group) sums.resize(group + 1, 0);

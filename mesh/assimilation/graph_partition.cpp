@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/graph/metis_partition.h"
 
 namespace tetfarm {
@@ -28,6 +29,7 @@ WeightedGraph weighted_graph_of(const SubdomainGraph& graph) {
     weighted.first.push_back(static_cast<std::int32_t>(weighted.neighbour.size()));
     weighted.weight.push_back(1 + static_cast<std::int32_t>(std::floor(graph.work[leaf] * unit)));
   }
+  TF_CHECK(weighted.first.size() == graph.size() + 1);
   return weighted;
 }
 
@@ -47,6 +49,7 @@ MetisOptions::Method metis_method(PartitionMethod method) {
 
 std::vector<std::int32_t> partition_graph(const SubdomainGraph& graph, std::int32_t groups,
                                           PartitionMethod method) {
+  TF_CHECK(groups >= 1);
   MetisOptions options;
   options.method = metis_method(method);
   options.imbalance_in_thousandths = imbalance_in_thousandths;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -44,6 +45,7 @@ class Refinement {
  public:
   Refinement(const SubdomainGraph& graph, std::span<const std::int32_t> leaf2group)
       : graph_(graph), leaf2group_(leaf2group.size()) {
+    TF_CHECK(!leaf2group.empty() && leaf2group.size() == graph.size());
     const std::int32_t last = *std::max_element(leaf2group.begin(), leaf2group.end());
     members_.resize(at(last) + 1);
     works_.resize(members_.size(), 0);
@@ -116,6 +118,7 @@ class Refinement {
   }
 
   void move(std::int32_t leaf, std::size_t group) {
+    TF_CHECK(leaf2group_[at(leaf)] != group);
     leave(leaf);
     enter(leaf, group);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -14,6 +15,7 @@ constexpr std::int32_t both_known = -2;
 
 std::int32_t interface_nodes_of(const Subdomain& subdomain) {
   std::vector<bool> is_on_cut(subdomain.vertices.size(), false);
+  TF_CHECK(subdomain.triangle_origin.size() == subdomain.triangles.size());
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
     if (subdomain.triangle_origin[t].owner == 0) continue;
     for (const std::int32_t v : subdomain.triangles[t])

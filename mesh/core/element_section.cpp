@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
@@ -38,7 +39,10 @@ bool uses_every_node(const ElementSection& section) {
 std::vector<std::uint64_t> count_by_owner(const std::vector<std::uint8_t>& owners,
                                           std::size_t sharers) {
   std::vector<std::uint64_t> counts(sharers, 0);
-  for (const std::uint8_t owner : owners) ++counts[owner];
+  for (const std::uint8_t owner : owners) {
+    TF_CHECK(owner < sharers);
+    ++counts[owner];
+  }
   return counts;
 }
 

@@ -92,6 +92,7 @@ int TreePath::depth() const {
 std::string TreePath::text() const { return tree_path(heap); }
 
 Subdomain root_subdomain(const SurfaceMesh& surface) {
+  TF_CHECK(surface.vertices.size() <= std::numeric_limits<std::int32_t>::max());
   Subdomain whole;
   whole.vertices = surface.vertices;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {

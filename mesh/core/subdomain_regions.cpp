@@ -12,6 +12,7 @@ namespace {
 /// Takes the vertices that the part's triangles use, which still have the numbers of the whole.
 void take_used_vertices(const Subdomain& whole, Subdomain& part) {
   std::vector<std::int32_t> old2new(whole.vertices.size(), -1);
+  TF_CHECK(whole.node_origin.size() == whole.vertices.size());
   for (const Triangle& triangle : part.triangles) {
     for (const std::int32_t v : triangle) {
       TF_CHECK(v >= 0 && static_cast<std::size_t>(v) < old2new.size());
@@ -49,6 +50,7 @@ std::vector<std::int32_t> regions_of(const Subdomain& subdomain) {
 std::vector<Triangle> triangles_out_of(const Subdomain& subdomain, std::int32_t region) {
   if (subdomain.region > 0) return subdomain.triangles;
   std::vector<Triangle> triangles;
+  TF_CHECK(subdomain.sides.size() == subdomain.triangles.size());
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
     const auto& [a, b, c] = subdomain.triangles[t];
     if (subdomain.sides[t][0] == region) triangles.push_back({a, b, c});
@@ -63,6 +65,7 @@ RegionHalves halves_of(const std::vector<std::int32_t>& regions) {
 }
 
 std::int32_t region_of_leaf(TreePath path, std::int32_t regions) {
+  TF_CHECK(regions >= 1);
   std::vector<std::int32_t> here(static_cast<std::size_t>(regions));
   std::iota(here.begin(), here.end(), 1);
   for (int bit = path.depth() - 1; bit >= 0 && here.size() > 1; --bit) {
@@ -76,12 +79,14 @@ std::int32_t region_of_leaf(TreePath path, std::int32_t regions) {
 Subdomain part_of_regions(const Subdomain& whole, const std::vector<std::int32_t>& regions,
                           TreePath path) {
   TF_CHECK(whole.region == 0);
+  TF_CHECK(!regions.empty() && std::is_sorted(regions.begin(), regions.end()));
   Subdomain part;
   part.path = path;
   part.region = regions.size() == 1 ? regions.front() : 0;
   const auto kept = [&regions](std::int32_t region) {
     return std::binary_search(regions.begin(), regions.end(), region) ? region : 0;
   };
+  TF_CHECK(whole.sides.size() == whole.triangles.size());
   for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
     const Sides sides = {kept(whole.sides[t][0]), kept(whole.sides[t][1])};
     if (sides == Sides{0, 0}) continue;

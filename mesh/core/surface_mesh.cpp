@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::int64_t meshed_sides(const SurfaceMesh& surface) {
@@ -17,6 +19,7 @@ std::int32_t region_count(const SurfaceMesh& surface) {
 }
 
 double domain_volume(const SurfaceMesh& surface) {
+  TF_CHECK(surface.sides.empty() || surface.sides.size() == surface.triangles.size());
   std::vector<Triangle> boundary;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];

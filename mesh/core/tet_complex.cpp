@@ -132,6 +132,7 @@ std::int32_t TetComplex::new_tet() {
   if (!free_tets.empty()) {
     const std::int32_t tet = free_tets.back();
     free_tets.pop_back();
+    TF_CHECK(!is_live(tet));
     return tet;
   }
   TF_CHECK(nodes.size() < std::size_t{1} << 29);
@@ -169,6 +170,7 @@ TetComplex make_tet_complex(const TetMesh& mesh) {
   complex.node2tet.assign(mesh.nodes.size(), -1);
   for (std::size_t t = mesh.tets.size(); t-- > 0;) {
     for (const std::int32_t node : mesh.tets[t]) {
+      TF_CHECK(at(node) < mesh.nodes.size());
       complex.node2tet[at(node)] = static_cast<std::int32_t>(t);
     }
   }
@@ -189,6 +191,7 @@ TetComplex make_tet_complex(const TetMesh& mesh) {
 }
 
 TetMesh to_tet_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
+  TF_CHECK(boundary_nodes >= 0 && at(boundary_nodes) <= complex.points.size());
   TetMesh mesh;
   mesh.boundary_nodes = boundary_nodes;
   mesh.nodes = complex.points;
@@ -196,6 +199,7 @@ TetMesh to_tet_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
   for (const Tet& tet : complex.nodes) {
     if (tet[0] >= 0) mesh.tets.push_back(tet);
   }
+  TF_CHECK(mesh.tets.size() == complex.live_tets());
   return mesh;
 }
 

@@ -4,9 +4,11 @@
 #include <limits>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 TetBlocks::TetBlocks(std::span<const Tet> tets, std::size_t nodes) : tets_(tets), nodes_(nodes) {
+  TF_CHECK(tets.size() <= std::numeric_limits<std::uint32_t>::max());
   std::vector<std::size_t> block_of_page(pages(), std::numeric_limits<std::size_t>::max());
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const std::size_t block = t / tets_of_block;

@@ -26,7 +26,9 @@ struct OpenFace {
   bool is_turned;
 
   friend bool operator<(const OpenFace& a, const OpenFace& b) {
-    if (a.nodes != b.nodes) return a.nodes < b.nodes;
+    if (a.nodes[0] != b.nodes[0]) return a.nodes[0] < b.nodes[0];
+    if (a.nodes[1] != b.nodes[1]) return a.nodes[1] < b.nodes[1];
+    if (a.nodes[2] != b.nodes[2]) return a.nodes[2] < b.nodes[2];
     return a.is_outer != b.is_outer ? a.is_outer : a.handle < b.handle;
   }
 };

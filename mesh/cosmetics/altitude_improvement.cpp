@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/cosmetics/joint_climbing.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/small_polyhedron_reconnection.h"
@@ -43,6 +44,7 @@ double wanted2_at(const Vec3& p, const HeightOptions& options) {
   if (options.wanted_spacings > 0) {
     wanted = std::max(wanted, options.wanted_spacings * options.spacing(p));
   }
+  TF_CHECK(wanted > 0);
   return wanted * wanted;
 }
 

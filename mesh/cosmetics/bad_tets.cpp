@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smallest_angle.h"
 
@@ -12,6 +13,7 @@ namespace tetfarm::cosmetics {
 BadTetScan scan_for_bad_tets(const TetComplex& complex, const QualityLimits& limits,
                              const CosmeticOptions& options) {
   const RegularTets& regular = options.regular;
+  TF_CHECK(options.regular.first <= options.regular.last);
   constexpr double quality_of_regular = 0.75;
   const bool skips_regular = std::max(limits.wanted, limits.relaxed) < quality_of_regular;
   BadTetScan result;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/tet_replacement.h"
 #include "mesh/cosmetics/quality.h"
 
@@ -12,6 +13,7 @@ namespace tetfarm::cosmetics {
 namespace {
 
 void add_point(WorkMesh& work, const Vec3& point) {
+  TF_CHECK(work.node2change.size() == work.complex.points.size());
   work.complex.points.push_back(point);
   work.complex.node2tet.push_back(-1);
   work.node2change.push_back(0);
@@ -30,7 +32,9 @@ WorkMesh::WorkMesh(TetComplex& complex_, std::int32_t fixed_nodes_)
       fixed_nodes(fixed_nodes_),
       node2change(complex_.points.size(), 0),
       marks(complex_.nodes.size()),
-      tet2quality(complex_.nodes.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      tet2quality(complex_.nodes.size(), std::numeric_limits<double>::quiet_NaN()) {
+  TF_CHECK(fixed_nodes >= 0 && at(fixed_nodes) <= complex.points.size());
+}
 
 double WorkMesh::quality_of(std::int32_t t) const {
   double& known = tet2quality[at(t)];
@@ -45,6 +49,7 @@ double worst_of(const WorkMesh& work, const std::vector<std::int32_t>& tets) {
 }
 
 std::vector<std::int32_t> ball_of_node(WorkMesh& work, std::int32_t node) {
+  TF_CHECK(work.complex.node2tet[at(node)] >= 0);  // some tet holds it
   std::vector<std::int32_t> ball;
   ball.reserve(32);
   work.marks.clear();
@@ -82,6 +87,7 @@ bool is_inner(const WorkMesh& work, const std::vector<std::int32_t>& ball, std::
 
 std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i, int j,
                                      std::size_t most) {
+  TF_CHECK(i != j);
   // The other two nodes k, l such that (i, j, k, l) is an even permutation of the tet.
   static constexpr std::array<std::array<int, 4>, 4> third = {
       {{-1, 2, 3, 1}, {3, -1, 0, 2}, {1, 3, -1, 0}, {2, 0, 1, -1}}};
@@ -108,6 +114,7 @@ std::optional<EdgeRing> ring_of_edge(const WorkMesh& work, std::int32_t t, int i
 std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replacement) {
   TetComplex& complex = work.complex;
   const std::vector<Tet>& new_tets = replacement.new_tets;
+  TF_CHECK(!replacement.old_tets.empty() && !new_tets.empty());
   if (replacement.new_point) add_point(work, *replacement.new_point);
   const std::vector<OpenFace> faces =
       open_faces(complex, replacement.old_tets, new_tets, work.marks);
@@ -128,6 +135,7 @@ std::vector<std::int32_t> replace_tets(WorkMesh& work, const Replacement& replac
   for (const std::int32_t t : numbers) work.forget_quality_of(t);
   if (replacement.new_point) work.node2change.back() = work.changes;
   glue_pairs(complex, faces, numbers);
+  TF_CHECK(work.tet2quality.size() == complex.nodes.size());
   return numbers;
 }
 

@@ -1,8 +1,11 @@
 #include "mesh/cosmetics/climbing.h"
 
+#include "base/check.h"
+
 namespace tetfarm::cosmetics {
 
 Vec3 shortest_in_hull(std::span<const Vec3> vectors) {
+  TF_CHECK(!vectors.empty());
   Vec3 now = vectors[0];
   for (int i = 0; i < 24; ++i) {
     const Vec3* nearest = nullptr;

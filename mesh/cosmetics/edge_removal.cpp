@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -57,6 +58,7 @@ void collect(const Parts& parts, const EdgeRing& ring, std::size_t i, std::size_
              std::vector<Tet>& tets) {
   if (j - i < 2) return;
   const std::size_t k = parts[i][j].apex;
+  TF_CHECK(k > i && k < j);
   for (const Tet& tet : tets_over(ring, i, k, j)) tets.push_back(tet);
   collect(parts, ring, i, k, tets);
   collect(parts, ring, k, j, tets);
@@ -107,6 +109,7 @@ std::optional<Replacement> find_edge_removal(const WorkMesh& work, std::int32_t 
   if (after <= beat || !is_worth(before, after, work.gain)) return std::nullopt;
   Replacement replacement{std::move(ring->tets), {}, before, after, std::nullopt};
   collect(parts, *ring, 0, ring->nodes.size() - 1, replacement.new_tets);
+  TF_CHECK(replacement.new_tets.size() == 2 * (ring->nodes.size() - 2));
   return replacement;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -9,6 +10,7 @@ namespace tetfarm::cosmetics {
 std::optional<Replacement> find_collapse(const WorkMesh& work,
                                          const std::vector<std::int32_t>& ball, std::int32_t node,
                                          std::int32_t onto, double beat) {
+  TF_CHECK(onto != node && work.may_move(node));
   const double before = worst_of(work, ball);
   Replacement replacement{ball, {}, before, 1, std::nullopt};
   for (const std::int32_t t : ball) {
@@ -21,6 +23,7 @@ std::optional<Replacement> find_collapse(const WorkMesh& work,
     }
     replacement.new_tets.push_back(tet);
   }
+  TF_CHECK(replacement.new_tets.size() < ball.size());
   return replacement;
 }
 

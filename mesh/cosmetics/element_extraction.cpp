@@ -38,6 +38,7 @@ std::vector<SetRank> ranks_of_nodes(const Subdomain& leaf, std::size_t nodes,
         shared.nodes.begin(), shared.nodes.end(), origin,
         [](const SharedNodes::Node& node, const Origin& wanted) { return node.origin < wanted; });
     if (found == shared.nodes.end() || found->origin != origin) continue;
+    TF_CHECK(found->set < rank_of_set.size());
     ranks[v] = rank_of_set[found->set];
   }
   return ranks;
@@ -60,6 +61,7 @@ std::vector<Tet> without(const std::vector<std::uint32_t>& taken, std::vector<Te
       tets[kept++] = tets[t];
     }
   }
+  TF_CHECK(next == taken.end());
   tets.resize(kept);
   return tets;
 }
@@ -90,6 +92,7 @@ void take_nodes_by_origin(const Subdomain& leaf, const std::vector<Vec3>& nodes,
     section.nodes.push_back(nodes[at(v)]);
     section.node_origin.push_back(origin_of(leaf, at(v)));
   }
+  TF_CHECK(section.nodes.size() == order.size());
   for (Tet& tet : section.tets) {
     for (std::int32_t& v : tet) v = number[at(v)];
   }
@@ -106,6 +109,7 @@ JoinedElements taken_elements(const Subdomain& leaf, const TetMesh& mesh,
   std::vector<std::int32_t> number(mesh.nodes.size(), -1);
   std::vector<std::pair<Origin, std::int32_t>> nodes;
   for (const TakenTet& item : taken) {
+    TF_CHECK(item.tet < mesh.tets.size());
     joined.tets.push_back(mesh.tets[item.tet]);
     joined.tet_home.push_back(home_of_rank[item.rank]);
     for (const std::int32_t v : mesh.tets[item.tet]) {
@@ -152,6 +156,7 @@ void keep_faces_only(JoinedElements& joined) {
 ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
                                    const SharedNodes& shared, const ExtractionOptions& options) {
   TF_CHECK(shared.path == leaf.path);
+  TF_CHECK(mesh.boundary_nodes >= 0 && at(mesh.boundary_nodes) == leaf.vertices.size());
   const std::vector<std::uint32_t> preference = by_preference(shared.sets);
   std::vector<SetRank> ranks = ranks_of_nodes(leaf, mesh.nodes.size(), shared, preference);
   std::vector<Sharers> preferred;
@@ -182,6 +187,7 @@ ExtractedElements extract_elements(const Subdomain& leaf, const TetMesh& mesh,
   std::sort(core.taken_triangles.begin(), core.taken_triangles.end());
   const auto of_surface = std::count_if(leaf.triangle_origin.begin(), leaf.triangle_origin.end(),
                                         [](const Origin& origin) { return origin.owner == 0; });
+  TF_CHECK(static_cast<std::uint64_t>(of_surface) >= core.taken_triangles.size());
   core.triangles = static_cast<std::uint64_t>(of_surface) - core.taken_triangles.size();
   return extracted;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/predicates.h"
 
@@ -25,6 +26,7 @@ class OldTets {
   /// @pre `now` has at least as many places for tets as `before` has tets.
   OldTets(const TetMesh& before, const std::vector<ElementHome>& homes, const TetComplex& now)
       : mesh_(before), homes_(homes), now_(now), is_same_(before.tets.size(), false) {
+    TF_CHECK(homes.size() == before.tets.size() && now.nodes.size() >= before.tets.size());
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
       is_same_[t] = sorted_tet(mesh_.tets[t]) == sorted_tet(now_.nodes[t]);
       if (is_same_[t]) continue;
@@ -64,6 +66,7 @@ class OldTets {
         best_inside = inside;
       }
     });
+    TF_CHECK(best >= 0 || !changed_.empty());
     return homes_[at(best < 0 ? changed_.front() : best)];
   }
 
@@ -131,6 +134,7 @@ std::vector<ElementHome> find_homes(const TetMesh& before,
     const std::optional<ElementHome>& known = same[homes.size()];
     homes.push_back(known ? *known : old.home_at(centroid_of(now, tet)));
   }
+  TF_CHECK(homes.size() == now.live_tets());
   return homes;
 }
 

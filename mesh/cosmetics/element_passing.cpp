@@ -76,6 +76,7 @@ std::vector<std::int32_t> place_nodes(const ElementSection& section, std::vector
   auto found = origins.cbegin();
   for (std::size_t v = 0; v < section.nodes.size(); ++v) {
     found = first_not_before(found, origins.cend(), section.node_origin[v]);
+    TF_CHECK(found != origins.cend() && *found == section.node_origin[v]);
     const auto place = at(found - origins.cbegin());
     TF_CHECK(!is_placed[place] || joined.nodes[place] == section.nodes[v]);
     is_placed[place] = true;
@@ -89,6 +90,7 @@ std::vector<std::int32_t> place_nodes(const ElementSection& section, std::vector
 /// they lie in memory: it may be a whole leaf's core.
 void add_elements(std::uint32_t number, ElementSection section,
                   const std::vector<std::int32_t>& places, JoinedElements& joined) {
+  TF_CHECK(places.size() == section.nodes.size());
   for (Tet& tet : section.tets) {
     for (std::int32_t& v : tet) v = places[at(v)];
   }
@@ -139,10 +141,12 @@ std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<
 
 std::vector<ElementSection> share_out_elements(const JoinedElements& joined,
                                                std::span<const Sharers> sharers) {
+  TF_CHECK(joined.tet_home.size() == joined.tets.size());
   std::vector<ElementSection> sections(sharers.size());
   for (std::size_t s = 0; s < sharers.size(); ++s) sections[s].sharers = sharers[s];
   for (std::size_t t = 0; t < joined.tets.size(); ++t) {
     const ElementHome& home = joined.tet_home[t];
+    TF_CHECK(home.section < sections.size());
     sections[home.section].tets.push_back(joined.tets[t]);
     sections[home.section].tet_owner.push_back(home.owner);
   }
@@ -180,10 +184,12 @@ JoinedElements join_elements(std::vector<ElementSection> sections) {
     add_elements(s, std::move(section), places, joined);
     joined.tets.reserve(tets);
   }
+  TF_CHECK(joined.tets.size() == tets && joined.tet_home.size() == tets);
   return joined;
 }
 
 ElementSection join_pieces(std::vector<ElementSection> pieces) {
+  TF_CHECK(!pieces.empty());
   const Sharers sharers = pieces.front().sharers;
   JoinedElements joined = join_elements(std::move(pieces));
   for (ElementHome& home : joined.tet_home) home.section = 0;
@@ -191,6 +197,7 @@ ElementSection join_pieces(std::vector<ElementSection> pieces) {
 }
 
 ElementSection elements_of(const ElementSection& section, std::uint64_t owner) {
+  TF_CHECK(section.tet_owner.size() == section.tets.size());
   ElementSection part;
   part.sharers = section.sharers;
   std::vector<std::int32_t> number(section.nodes.size(), -1);
@@ -223,6 +230,7 @@ ElementSection elements_of(const ElementSection& section, std::uint64_t owner) {
 
 std::vector<int> layers_from(const JoinedElements& joined, std::span<const Sharers> sharers,
                              std::uint64_t self, int most) {
+  TF_CHECK(most >= 0 && joined.tet_home.size() == joined.tets.size());
   std::vector<int> layer_of(joined.tets.size(), most + 1);
   std::vector<bool> is_marked(joined.nodes.size(), false);
   for (std::size_t t = 0; t < joined.tets.size(); ++t) {

@@ -4,6 +4,7 @@
 #include <queue>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smoothing.h"
 
@@ -95,6 +96,7 @@ std::optional<Replacement> fill_with_star(WorkMesh& work, const std::vector<std:
                                           const Vec3& start, double beat,
                                           const SplitOptions& options) {
   const std::vector<CavityFace> faces = faces_of_cavity(work, cavity);
+  TF_CHECK(faces.size() >= 4);
   Star star;
   for (const CavityFace& face : faces) {
     star.push_back(
@@ -137,6 +139,7 @@ class GrowingCavity {
   };
   /// The first of those that p sees worst.
   const Seen& worst() {
+    TF_CHECK(!faces_.empty());  // a cavity has an outside
     while (faces_.top().beyond >= 0 && work_.marks.has(faces_.top().beyond)) faces_.pop();
     return faces_.top();
   }

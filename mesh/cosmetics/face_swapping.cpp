@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -100,6 +101,7 @@ std::optional<Replacement> find_face_removal(const WorkMesh& work, std::int32_t 
                                              tet[static_cast<std::size_t>(local[0])]};
   const Patch patch{work, tet[static_cast<std::size_t>(face)],
                     node_beside(work, tet_of(across), nodes[0], nodes[1], nodes[2])};
+  TF_CHECK(patch.below >= 0);
   Growth growth;
   growth.old_tets = {t, tet_of(across)};
   growth.old_worst = worst_of(work, growth.old_tets);

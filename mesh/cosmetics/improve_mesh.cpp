@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/bad_tets.h"
 #include "mesh/cosmetics/improver.h"
@@ -120,6 +121,7 @@ CosmeticReport improve_mesh(TetComplex& complex, std::int32_t fixed_nodes,
       .given_up = {},
       .node2settled = {},
       .attempts = most_attempts(complex.live_tets())};
+  TF_CHECK(before.tet2quality.size() == complex.nodes.size());
   improver.work.tet2quality = std::move(before.tet2quality);
   if (is_of_needles) cosmetics::improve_in_stages(improver);
   for (int pass = 0; pass < options.most_passes; ++pass) {

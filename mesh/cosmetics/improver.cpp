@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/cosmetics/edge_removal.h"
 #include "mesh/cosmetics/element_collapse.h"
 #include "mesh/cosmetics/element_splitting.h"
@@ -56,6 +57,7 @@ bool swap(Improver& improver, const BadTet& bad) {
   for (int face = 0; face < 4 && beat < improver.aims.enough; ++face) {
     take(find_face_removal(work, bad.tet, face, beat));
   }
+  TF_CHECK(!best || best->new_worst > bad.quality);
   if (!best || !apply(improver, *best)) return false;
   ++improver.report.swaps;
   return true;
@@ -112,6 +114,7 @@ bool collapse(Improver& improver, const BadTet& bad, double least) {
       best = std::move(found);
     }
   }
+  TF_CHECK(!best || best->new_worst > std::max(bad.quality, least));
   if (!best || !apply(improver, *best)) return false;
   ++improver.report.collapses;
   return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
 
@@ -134,6 +135,7 @@ TetPieces pieces_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 }
 
 std::vector<Vec3> direction_up(const std::vector<TetSlope>& slopes, std::size_t nodes) {
+  TF_CHECK(nodes > 0 || slopes.empty());
   if (slopes.empty()) return {};
   constexpr int most_iterations = 200;
   std::vector<Vec3> now = dense(slopes.front(), nodes);
@@ -177,6 +179,7 @@ double shortest_edge(const NodePatch& patch) {
 
 bool move_patch(WorkMesh& work, const NodePatch& patch) {
   std::vector<Vec3>& points = work.complex.points;
+  TF_CHECK(patch.points.size() >= patch.nodes.size());
   std::vector<Vec3> from;
   for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
     Vec3& p = points[at(patch.nodes[i])];

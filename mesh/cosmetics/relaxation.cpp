@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "mesh/cosmetics/smoothing.h"
 
 namespace tetfarm::cosmetics {
@@ -161,6 +162,7 @@ std::optional<Vec3> find_rounder_place(const WorkMesh& work, const std::vector<s
 
 std::int64_t relax_nodes(WorkMesh& work, const std::vector<bool>& chosen, double floor) {
   std::int64_t moves = 0;
+  TF_CHECK(chosen.size() <= work.complex.points.size());
   for (std::size_t v = 0; v < chosen.size(); ++v) {
     const auto node = static_cast<std::int32_t>(v);
     if (!chosen[v] || !work.may_move(node) || work.complex.node2tet[v] < 0) continue;

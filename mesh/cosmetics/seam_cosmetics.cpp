@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/cosmetics/element_homes.h"
 
@@ -74,6 +75,7 @@ void put_outer_nodes_first(Region& region) {
     for (std::int32_t& v : face) v = number[at(v)];
   }
   std::vector<std::int32_t> node2tet(is_outer.size());
+  TF_CHECK(next_inner == static_cast<std::int32_t>(is_outer.size()) && next_outer == outer_nodes);
   for (std::size_t v = 0; v < number.size(); ++v) {
     node2tet[at(number[v])] = region.complex.node2tet[v];
   }
@@ -135,6 +137,7 @@ std::vector<std::int32_t> return_nodes(const Region& region, const TetComplex& c
                                        SeamResult& result) {
   result.next_node = turn.next_node;
   std::vector<std::int32_t> region2joined = region.region2joined;
+  TF_CHECK(complex.points.size() >= region.region2joined.size());
   for (std::size_t v = 0; v < complex.points.size(); ++v) {
     const bool is_used = complex.node2tet[v] >= 0;
     if (v < region.region2joined.size()) {
@@ -156,6 +159,7 @@ std::vector<std::int32_t> return_nodes(const Region& region, const TetComplex& c
 void return_tets(const Region& region, const TetComplex& complex,
                  const std::vector<std::int32_t>& region2joined,
                  const std::vector<ElementHome>& homes, JoinedElements& joined) {
+  TF_CHECK(homes.size() == complex.live_tets());
   std::size_t kept = 0;
   for (std::size_t t = 0, next = 0; t < joined.tets.size(); ++t) {
     if (next < region.tets.size() && region.tets[next] == t) {
@@ -173,6 +177,7 @@ void return_tets(const Region& region, const TetComplex& complex,
     joined.tets.push_back(tet);
   }
   joined.tet_home.insert(joined.tet_home.end(), homes.begin(), homes.end());
+  TF_CHECK(joined.tet_home.size() == joined.tets.size());
 }
 
 }  // namespace

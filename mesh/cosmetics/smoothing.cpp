@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -21,6 +22,7 @@ struct TetQuality {
 /// The mean of the nodes of the star; each counts as often as it has faces.
 Vec3 mean_of(const Star& star) {
   Vec3 sum;
+  TF_CHECK(!star.empty());
   for (const StarFace& face : star) sum += face[0] + face[1] + face[2];
   return sum / (3.0 * static_cast<double>(star.size()));
 }

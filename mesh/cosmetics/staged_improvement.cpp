@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -60,6 +61,7 @@ std::vector<BadTet> take_aims(Improver& improver, const Aims& aims) {
 }
 
 std::int64_t attempts_until(const Improver& improver, double share) {
+  TF_CHECK(share > 0 && share <= 1);
   const std::int64_t all = more_attempts + attempts_of_boundary_node * improver.work.fixed_nodes;
   return static_cast<std::int64_t>(share * static_cast<double>(all)) - improver.report.attempts;
 }

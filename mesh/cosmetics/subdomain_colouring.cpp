@@ -114,6 +114,7 @@ CosmeticOrder colour_subdomains(std::vector<InterfaceNodes> leaves) {
   for_each_shared(nodes, [&](const Origin& origin, const std::vector<std::uint32_t>& sharers) {
     const auto set = static_cast<std::size_t>(std::lower_bound(sets.begin(), sets.end(), sharers) -
                                               sets.begin());
+    TF_CHECK(set < sets.size());
     for (const std::uint32_t leaf : sharers) {
       const auto& of_leaf = sets_of_leaf[leaf];
       const auto place = std::lower_bound(of_leaf.begin(), of_leaf.end(), set) - of_leaf.begin();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/tet_layers.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/quality.h"
@@ -117,6 +118,7 @@ class NearTets {
         sets_(preferred),
         blocks_(mesh.tets, of_node_.size()),
         layers_(blocks_) {
+    TF_CHECK(of_node_.size() == mesh.nodes.size());
     for (std::size_t v = 0; v < of_node_.size(); ++v) {
       if (of_node_[v] != no_rank) layers_.reach(static_cast<std::int32_t>(v));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/decompose/cut_check.h"
 #include "mesh/decompose/cut_lifting.h"
 #include "mesh/decompose/edge_path_smoothing.h"
@@ -13,6 +14,7 @@ namespace {
 
 /// Colours, path and loops (thesis 4.3.1.5 to 4.3.1.8).
 void find_loops(Candidate& candidate, const Parent& parent) {
+  TF_CHECK(candidate.stage == Stage::new_plane);
   const auto& [subdomain, spacing, topology] = parent;
   candidate.colours = colour_by_centroid(topology, candidate.place.plane);
   relax_path(candidate.colours, subdomain, topology, candidate.place.plane);
@@ -46,6 +48,7 @@ std::vector<Chord> find_harmful_chords(const Candidate& candidate, const Parent&
     if (is_too_near(contact)) add(contact.cut_triangle);
   }
   const auto cosines = cosines_at_rim(mesh, parent.subdomain, candidate.corners);
+  TF_CHECK(candidate.corners.size() == mesh.rim.size());
   for (std::size_t i = 0; i < cosines.size(); ++i) {
     if (cosines[i] > cosine_limit) add(mesh.rim2triangle[i]);
   }
@@ -69,6 +72,7 @@ InnerNodes lattice_nodes_of(const Candidate& candidate, const Parent& parent) {
 /// The inter-domain mesh, lifted and checked (thesis 4.3.1.9). Chords that do harm are split (fig.
 /// 63).
 void make_mesh(Candidate& candidate, const Parent& parent, double cosine_limit) {
+  TF_CHECK(candidate.stage == Stage::has_loops);
   constexpr int most_rounds = 3;
   const double worst_triangle = cosine_of_degrees(8);
   InnerNodes inner = lattice_nodes_of(candidate, parent);

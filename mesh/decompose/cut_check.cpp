@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -45,6 +46,7 @@ struct WholeShell {
 std::vector<WholeShell> shells_without_rim(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                            const FaceColours& colours,
                                            const std::vector<std::int32_t>& shell_of_triangle) {
+  TF_CHECK(shell_of_triangle.size() == subdomain.triangles.size());
   const std::int32_t count =
       1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -83,6 +85,7 @@ bool holds(const Box3& outer, const Box3& inner) {
 
 std::vector<double> cosines_at_rim(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                    const std::vector<RimCorner>& corners) {
+  TF_CHECK(corners.size() == mesh.rim.size());
   std::vector<double> cosines;
   cosines.reserve(mesh.rim.size());
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/check.h"
 #include "mesh/decompose/cut_check.h"
 #include "mesh/decompose/intersection_repair.h"
 #include "mesh/decompose/lift_heights.h"
@@ -40,6 +41,7 @@ std::vector<std::optional<double>> held_heights(const InterdomainMesh& mesh) {
   std::vector<std::optional<double>> held;
   if (mesh.lattice.empty()) return held;
   held.resize(mesh.planar.points.size());
+  TF_CHECK(mesh.rim_vertices.size() + mesh.lattice.size() <= held.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     if (mesh.lattice[i].is_held) {
       held[mesh.rim_vertices.size() + i] = mesh.plane.height(mesh.lattice[i].at);
@@ -62,6 +64,7 @@ std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain
   constexpr int most_vain_pushes = 2;
   constexpr double margin = 2;  // in triangle sizes; nodes are pushed by less
   const double reach = PushOptions{}.too_near;
+  TF_CHECK(colours.size() == subdomain.triangles.size());
   Lift state{std::vector<double>(mesh.rim.size(), usual_bisector_weight), held_heights(mesh)};
   lift(mesh, subdomain, corners, state);
   const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/work_estimate.h"
 
@@ -117,6 +118,7 @@ void plan(const Part& part, const DecideParts& decide, std::vector<PlannedSubdom
   const std::int64_t left_parts = here.parts / 2;
   const std::int64_t right_parts = here.parts - left_parts;
   const double share = static_cast<double>(left_parts) / static_cast<double>(here.parts);
+  TF_CHECK(left_parts >= 1 && right_parts >= 1);
   auto [left, right] = divided(part, smallest_plane(part.work, share * elements));
   if (left.work.empty() || right.work.empty()) {
     here.parts = 1;
@@ -149,6 +151,7 @@ std::vector<WorkSample> samples_of(const Subdomain& root, const SpacingField& sp
 
 std::vector<PlannedSubdomain> plan_decomposition(const Subdomain& root, const SpacingField& spacing,
                                                  std::int64_t parts, const DecideParts& decide) {
+  TF_CHECK(parts >= 1);
   Part whole;
   whole.parts = parts;
   whole.work = samples_of(root, spacing, parts);

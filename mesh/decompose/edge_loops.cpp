@@ -11,6 +11,7 @@ namespace {
 std::vector<RimEdge> edges_of_rim(const FaceColours& colours, const SurfaceTopology& topology,
                                   const std::vector<Triangle>& triangles) {
   std::vector<RimEdge> rim;
+  TF_CHECK(colours.size() == triangles.size());
   const auto half_edges = static_cast<HalfEdge>(topology.twin.size());
   for (HalfEdge h = 0; h < half_edges; ++h) {
     if (colours[at(triangle_of(h))] != Side::left) continue;

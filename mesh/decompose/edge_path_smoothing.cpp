@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -28,6 +29,7 @@ std::vector<Fan> fans_round(const FaceColours& colours, const std::vector<HalfEd
 }
 
 bool open_pinch(FaceColours& colours, const SurfaceTopology& topology, HalfEdge from_node) {
+  TF_CHECK(from_node >= 0);  // every vertex is used
   const std::vector<HalfEdge> round = half_edges_round_start(topology, from_node);
   bool has_changed = false;
   while (true) {
@@ -63,6 +65,7 @@ std::vector<std::int32_t> small_patch(const FaceColours& colours, const SurfaceT
 
 void smooth_edge_path(FaceColours& colours, const SurfaceTopology& topology) {
   std::vector<std::int32_t> queue;
+  TF_CHECK(topology.twin.size() == 3 * colours.size());
   const auto triangles = static_cast<std::int32_t>(colours.size());
   for (std::int32_t t = 0; t < triangles; ++t) {
     if (edges_between_colours(colours, topology, t) >= 2) queue.push_back(t);

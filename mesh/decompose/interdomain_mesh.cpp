@@ -35,6 +35,7 @@ PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain,
       region.edges.push_back(mesh.rim_nodes.back());
     }
   }
+  TF_CHECK(mesh.rim.size() == mesh.rim_vertices.size() && mesh.rim.size() == region.points.size());
   return region;
 }
 
@@ -88,6 +89,7 @@ void find_rim_triangles(InterdomainMesh& mesh) {
     TF_CHECK(it != edges.end() && (*it)[0] == from && (*it)[1] == to);
     mesh.rim2triangle.push_back((*it)[2]);
   }
+  TF_CHECK(mesh.rim2triangle.size() == mesh.rim_nodes.size());
 }
 
 double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -164,6 +166,7 @@ void drop_lattice_outside(InterdomainMesh& mesh) {
   }
   mesh.planar.points = std::move(points);
   mesh.lattice = std::move(lattice);
+  TF_CHECK(mesh.planar.points.size() >= mesh.rim_vertices.size());
 }
 
 }  // namespace
@@ -198,6 +201,7 @@ InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopo
     mesh.heights.push_back(is_on_rim ? plane.height(place) : 0);
     mesh.spacing.push_back(spacing.at(place));
   }
+  TF_CHECK(mesh.heights.size() == mesh.planar.points.size());
   return result;
 }
 
@@ -206,7 +210,8 @@ std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i) {
   for (const std::int32_t v : triangle) {
     if (v != mesh.rim_nodes[i][0] && v != mesh.rim_nodes[i][1]) return v;
   }
-  return triangle[0];
+  // A triangle has a third node.
+  check_failed("the rim's triangle has only its edge", __FILE__, __LINE__);
 }
 
 std::vector<Chord> chords_of_triangle(const InterdomainMesh& mesh, std::int32_t triangle) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -108,6 +109,7 @@ bool push_triangle_off_corners(const InterdomainMesh& mesh, const Subdomain& sub
 int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const FaceColours& colours,
                const std::vector<SurfaceContact>& contacts,
                std::vector<std::optional<double>>& pushed, const PushOptions& options) {
+  TF_CHECK(colours.size() == subdomain.triangles.size());
   Pushes pushes(mesh, options, pushed);
   int moved = 0;
   for (const SurfaceContact& contact : contacts) {

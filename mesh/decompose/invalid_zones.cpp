@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 
@@ -12,6 +13,7 @@ std::vector<double> area_in_invalid_zones(const Subdomain& subdomain,
   constexpr double cosine_squared = 0.75;  // 30 degrees; the thesis gives no value
   constexpr std::size_t enough = 20000;
   const std::size_t stride = 1 + subdomain.triangles.size() / enough;
+  TF_CHECK(topology.normal.size() == subdomain.triangles.size());
   std::vector<double> area(offsets.size(), 0.0);
   for (std::size_t t = stride / 2; t < subdomain.triangles.size(); t += stride) {
     if (subdomain.triangle_origin[t].owner != 0) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/decompose/surface_topology.h"
 
 namespace tetfarm {
@@ -48,6 +49,7 @@ double bisector_height(const InterdomainMesh& mesh, const RimCorner& corner, std
 Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
                    const std::vector<double>& bisector_weights, const LiftOptions& options) {
   const std::vector<Vec2>& points = mesh.planar.points;
+  TF_CHECK(corners.size() == mesh.rim.size() && bisector_weights.size() == mesh.rim.size());
   Quadratic q{{}, std::vector<double>(points.size(), 0.0), std::vector<double>(points.size(), 0.0)};
   for (const auto& t : mesh.planar.triangles) {
     const double twice_area = cross2(from_to(points[at(t[0])], points[at(t[1])]),
@@ -83,6 +85,7 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
 void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<double>& x) {
   const std::size_t n = x.size();
   std::vector<double> preconditioner = q.diagonal;
+  TF_CHECK(is_free.size() == n && q.diagonal.size() == n);
   for (const auto& link : q.links) {
     preconditioner[at(link.a)] += link.weight;
     preconditioner[at(link.b)] += link.weight;
@@ -134,6 +137,7 @@ void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<
 void lift_heights(InterdomainMesh& mesh, const std::vector<RimCorner>& corners,
                   const std::vector<double>& bisector_weights,
                   const std::vector<std::optional<double>>& pushed, const LiftOptions& options) {
+  TF_CHECK(mesh.heights.size() == mesh.planar.points.size());
   std::vector<bool> is_free(mesh.heights.size(), true);
   for (std::size_t i = 0; i < mesh.heights.size(); ++i) {
     if (i < mesh.rim_vertices.size()) is_free[i] = false;

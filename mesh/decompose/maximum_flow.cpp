@@ -3,14 +3,15 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
-namespace {}  // namespace
 
 FlowNetwork::FlowNetwork(std::int32_t nodes) : first_(at(nodes), -1), level_(at(nodes)) {}
 
 void FlowNetwork::add_edge(std::int32_t a, std::int32_t b, std::int64_t a_to_b,
                            std::int64_t b_to_a) {
+  TF_CHECK(a_to_b >= 0 && b_to_a >= 0 && a != b);
   arcs_.push_back({b, first_[at(a)], a_to_b});
   first_[at(a)] = static_cast<std::int32_t>(arcs_.size()) - 1;
   arcs_.push_back({a, first_[at(b)], b_to_a});
@@ -18,6 +19,7 @@ void FlowNetwork::add_edge(std::int32_t a, std::int32_t b, std::int64_t a_to_b,
 }
 
 bool FlowNetwork::find_levels(std::int32_t source, std::int32_t sink) {
+  TF_CHECK(source != sink);
   std::fill(level_.begin(), level_.end(), -1);
   level_[at(source)] = 0;
   std::vector<std::int32_t> queue = {source};
@@ -54,6 +56,7 @@ bool FlowNetwork::augment(std::int32_t source, std::int32_t sink) {
   }
   std::int64_t flow = arcs_[at(path.front())].capacity;
   for (const std::int32_t a : path) flow = std::min(flow, arcs_[at(a)].capacity);
+  TF_CHECK(flow > 0);
   for (const std::int32_t a : path) {
     arcs_[at(a)].capacity -= flow;
     arcs_[at(a ^ 1)].capacity += flow;

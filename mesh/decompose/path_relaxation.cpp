@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/decompose/maximum_flow.h"
 
 namespace tetfarm {
@@ -76,6 +77,7 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
     }
   }
   const std::vector<bool> is_left = network.source_side_of_minimum_cut(source, sink);
+  TF_CHECK(is_left[at(source)] && !is_left[at(sink)]);
   for (const std::int32_t t : band) {
     colours[at(t)] = is_left[at(triangle2node[at(t)])] ? Side::left : Side::right;
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/check.h"
 #include "mesh/decompose/cut_candidate.h"
 #include "mesh/decompose/planar_placement.h"
 #include "mesh/decompose/split_subdomain.h"
@@ -29,6 +30,7 @@ std::string refusals(const std::vector<Candidate>& candidates, const Candidate* 
 }
 
 Cut make_cut(const Candidate& candidate, const Parent& parent, double total_work) {
+  TF_CHECK(candidate.stage == Stage::has_mesh);
   Cut cut;
   cut.left = half_of(parent.subdomain, candidate.colours, candidate.mesh, Side::left);
   cut.right = half_of(parent.subdomain, candidate.colours, candidate.mesh, Side::right);
@@ -69,6 +71,7 @@ bool was_tried(const Candidate& candidate) { return candidate.stage != Stage::ne
 
 CutOutcome planar_cut(const Subdomain& subdomain, const SpacingField& spacing,
                       const CutOptions& options) {
+  TF_CHECK(options.left_share > 0 && options.left_share < 1);
   const Parent parent{subdomain, spacing, make_surface_topology(subdomain)};
   const WorkSamples work = sample_work(subdomain, spacing);
   std::vector<Candidate> candidates;

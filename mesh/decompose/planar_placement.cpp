@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/decompose/inertia_matrix.h"
 #include "mesh/decompose/invalid_zones.h"
 
@@ -57,6 +58,7 @@ std::vector<Direction> cutting_directions(const WorkSamples& work, CutPlanes pla
 class WorkProfile {
  public:
   WorkProfile(const WorkSamples& work, const Vec3& direction) : total_(work.total) {
+    TF_CHECK(!work.samples.empty() && work.total > 0);
     std::vector<Step> steps;
     steps.reserve(2 * work.samples.size());
     for (const WorkSample& s : work.samples) {
@@ -211,6 +213,7 @@ void add_zones(std::vector<Place>& places, const Vec3& normal, const Subdomain& 
   std::vector<double> offsets;
   for (const Place& place : places) offsets.push_back(place.candidate.plane.offset);
   const auto areas = area_in_invalid_zones(subdomain, topology, normal, offsets);
+  TF_CHECK(areas.size() == places.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i].zones = areas[i];
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 /// One each, and each of the rest to the region whose parts are the largest; ties to the first.
 std::vector<std::int64_t> shares_of(const std::vector<double>& work, std::int64_t parts) {
+  TF_CHECK(!work.empty());
   std::vector<std::int64_t> shares(work.size(), 1);
   for (std::int64_t rest = parts - std::ssize(work); rest > 0; --rest) {
     std::size_t largest = 0;
@@ -46,6 +47,7 @@ RegionSplit split_regions(const Subdomain& subdomain, const SpacingField& spacin
   split.left_parts =
       std::accumulate(shares.begin(), shares.begin() + std::ssize(left), std::int64_t{0});
   split.right_parts = parts - split.left_parts;
+  TF_CHECK(split.left_parts >= 1 && split.right_parts >= 1);
   return split;
 }
 

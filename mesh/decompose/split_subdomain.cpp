@@ -3,11 +3,13 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 
 Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
                   const InterdomainMesh& mesh, Side side) {
+  TF_CHECK(colours.size() == subdomain.triangles.size());
   Subdomain half;
   half.path = side == Side::left ? subdomain.path.left() : subdomain.path.right();
   half.region = subdomain.region;
@@ -43,6 +45,8 @@ Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
   for (std::size_t t = 0; t < mesh.planar.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.planar.triangles[t];
     Triangle triangle = {node2new(a), node2new(b), node2new(c)};
+    TF_CHECK(triangle[0] >= 0 && triangle[1] >= 0 &&
+             triangle[2] >= 0);  // the rim is of both halves
     if (side == Side::right) std::swap(triangle[1], triangle[2]);
     half.triangles.push_back(triangle);
     half.triangle_origin.push_back({subdomain.path.heap, static_cast<std::uint32_t>(t)});

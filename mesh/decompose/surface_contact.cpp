@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/triangle_intersection.h"
 
 namespace tetfarm {
@@ -144,8 +145,10 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                           const SurfaceTopology& topology,
                                           const NearbySurface& nearby, double reach) {
+  TF_CHECK(nearby.boxes.size() == nearby.triangles.size());
   const CombinedPoints combined = combine_points(mesh, subdomain);
   const auto& node2point = combined.node2point;
+  TF_CHECK(node2point.size() == mesh.planar.points.size());
   std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
   for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[at(v)] = true;
   const auto first_new = static_cast<std::int32_t>(subdomain.vertices.size());

@@ -101,10 +101,12 @@ SurfaceTopology make_surface_topology(const Subdomain& subdomain) {
 }
 
 std::vector<HalfEdge> half_edges_round_start(const SurfaceTopology& topology, HalfEdge h) {
+  TF_CHECK(h >= 0);
   std::vector<HalfEdge> round;
   HalfEdge g = h;
   do {
     round.push_back(g);
+    TF_CHECK(round.size() <= topology.twin.size());
     g = next_in_triangle(topology.twin[at(g)]);
   } while (g != h);
   return round;

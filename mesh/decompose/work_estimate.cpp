@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/decompose/shadow_grid.h"
@@ -191,6 +192,7 @@ double about_cube_root(double x) {
 
 void add_triangles(const Subdomain& subdomain, const SpacingField& spacing, std::size_t most,
                    WorkSamples& work) {
+  TF_CHECK(most > 0);
   const std::size_t count = subdomain.triangles.size();
   const std::size_t stride = std::max<std::size_t>(1, (count + most - 1) / most);
   const double each = elements_per_triangle * static_cast<double>(stride);

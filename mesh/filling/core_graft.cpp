@@ -64,6 +64,7 @@ std::vector<std::uint8_t> mark_inner_faces(const TetComplex& complex,
                                            const std::vector<std::uint8_t>& constrained,
                                            const HullFaces& hull, CoreSeat& seat) {
   std::vector<std::uint8_t> inner(complex.nodes.size(), 0);
+  TF_CHECK(constrained.size() == complex.nodes.size());
   for (std::size_t t = 0; t < complex.nodes.size(); ++t) {
     const Tet& tet = complex.nodes[t];
     if (tet[0] < 0) continue;
@@ -130,6 +131,7 @@ CoreSeat find_core_seat(const TetComplex& complex, const std::vector<std::uint8_
 void graft_core(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                 const LatticeCore& core, std::span<const std::int32_t> node_numbers,
                 const CoreSeat& seat) {
+  TF_CHECK(seat.outer.size() == core.hull().size() && seat.faces.size() == core.hull().size());
   TF_CHECK(seat.fits);
   for (const std::int32_t t : seat.filling) complex.kill_tet(t);
   const auto first = static_cast<std::int32_t>(complex.nodes.size());

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
 
@@ -185,6 +186,7 @@ std::vector<std::uint8_t> find_core_nodes(std::span<const LatticeNode> nodes,
   }
   std::vector<std::uint8_t> kinds(nodes.size(), not_core);
   Clearance clearance(nodes, grid, subdomain, tree, boundary);
+  TF_CHECK(boundary.is_lattice_face.size() == subdomain.triangles.size());
   const std::vector<std::uint8_t> is_near_vertex = slots_near_vertices(grid, boundary);
   const auto kind_of = [&](std::int32_t node, std::int32_t slot) {
     if (boundary.has_vertex_at(at(node)) || !clearance.is_clear(node)) return not_core;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -83,6 +84,7 @@ bool is_face_of_lattice(const LatticeNode& a, const LatticeNode& b, const Lattic
 
 LatticeBoundary find_lattice_boundary(std::span<const LatticeNode> nodes,
                                       const Subdomain& subdomain) {
+  TF_CHECK(subdomain.node_origin.size() == subdomain.vertices.size());
   LatticeBoundary boundary;
   boundary.is_lattice_face.assign(subdomain.triangles.size(), 0);
   const VerticesOfCuts vertices(subdomain);

@@ -32,7 +32,10 @@ class OutsideBoxes {
   OutsideBoxes(const TetComplex& complex, const std::vector<std::uint8_t>& inside,
                const BoxTree& boundary)
       : complex_(complex), inside_(inside), boundary_(boundary) {
-    while (!complex.is_live(last_)) ++last_;
+    while (!complex.is_live(last_)) {
+      ++last_;
+      TF_CHECK(at(last_) < complex.nodes.size());
+    }
   }
 
   bool holds(const Box3& box) {
@@ -120,6 +123,7 @@ PendingCore insert_shell(TetComplex& complex, std::vector<std::uint8_t>& constra
   pending.node_numbers = std::move(boundary.node2vertex);
   pending.node_numbers.resize(nodes.size(), -1);
   pending.core = LatticeCore(std::move(grid), std::move(is_core));
+  TF_CHECK(pending.node_numbers.size() == nodes.size());
   for (int round = 0;; ++round) {
     insert_listed(complex, constrained, boundary_nodes, nodes, listed, pending.node_numbers,
                   options);
@@ -144,8 +148,10 @@ GraftedCore graft_pending_core(TetComplex& complex, std::vector<std::uint8_t>& c
   }
   const CoreSeat seat = find_core_seat(complex, constrained, pending.core, pending.node_numbers);
   auto number = static_cast<std::int32_t>(complex.points.size());
+  TF_CHECK(seat.fits);  // it did, with the same hull
   for (const std::int32_t v : pending.core.core_nodes()) pending.node_numbers[at(v)] = number++;
   complex.points.insert(complex.points.end(), pending.places.begin(), pending.places.end());
+  TF_CHECK(at(number) == complex.points.size());
   complex.node2tet.resize(complex.points.size(), -1);
   graft_core(complex, constrained, pending.core, pending.node_numbers, seat);
   // Edges and faces of a lattice tet give it one height, the root of a half of the cell's edge.

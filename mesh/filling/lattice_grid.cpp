@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -67,6 +68,7 @@ CellOfNode cell_of(const LatticeNode& node) {
 
 LatticeGrid::LatticeGrid(std::span<const LatticeNode> nodes) {
   BlockTable table;
+  TF_CHECK(nodes.size() < (std::size_t{1} << 31U));
   std::vector<std::uint64_t> keys;
   std::int32_t last = none;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
@@ -50,6 +51,7 @@ std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
                                             const std::vector<std::uint8_t>& inside,
                                             const std::vector<LatticeNode>& nodes,
                                             const std::vector<std::uint8_t>& core_kinds) {
+  TF_CHECK(core_kinds.size() == nodes.size() && inside.size() == complex.nodes.size());
   std::vector<std::uint8_t> is_inside(nodes.size(), 0);
   std::int32_t last = 0;
   while (!complex.is_live(last)) ++last;
@@ -78,6 +80,7 @@ std::vector<std::uint8_t> find_inside_nodes(const TetComplex& complex,
 void insert_lattice(TetComplex& complex, std::vector<std::uint8_t>& constrained,
                     std::int32_t boundary_nodes, const std::vector<LatticeNode>& nodes,
                     const PointInsertionOptions& options) {
+  TF_CHECK(boundary_nodes >= 0 && at(boundary_nodes) <= complex.points.size());
   const auto first = static_cast<std::int32_t>(complex.points.size());
   for (const LatticeNode& node : nodes) complex.points.push_back(node.place());
   complex.node2tet.resize(complex.points.size(), -1);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/cavity_insertion.h"
 #include "mesh/geometry/hilbert_order.h"
 
@@ -30,6 +31,7 @@ class Sweeps {
         insertion_(complex, &constrained) {}
 
   SweepReport run(const std::vector<std::uint8_t>& inside) {
+    TF_CHECK(inside.size() == complex_.nodes.size());
     open_ = inside;
     SweepReport report;
     for (;;) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/sorted_face.h"
 
@@ -87,6 +88,7 @@ CellFaces cell_faces(const NumberedPart& part) {
     }
     i = end;
   }
+  TF_CHECK(2 * result.inner.size() + result.outer.size() == 4 * part.tets.size());
   if (on_boundary != boundary.size()) {
     throw InvalidInput("a boundary triangle is not an outer face of a tet", where);
   }

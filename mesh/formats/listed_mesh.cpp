@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/local_numbers.h"
 #include "mesh/formats/regions_of_faces.h"
@@ -157,6 +158,7 @@ class ListedSource : public MeshSource {
   }
 
   void make_pieces(std::int64_t most) {
+    TF_CHECK(most > 0);
     std::int64_t first = 0;
     for (const TetRun& run : mesh_.runs) {
       for (std::int64_t done = 0; done < run.tets; done += most) {
@@ -207,6 +209,7 @@ class ListedSource : public MeshSource {
 
   /// Gives each part its boundary faces, and the last one those that no cell has.
   void share_out() {
+    TF_CHECK(!parts_.empty());
     UnclaimedFaces<3> triangles(mesh_.triangles);
     UnclaimedFaces<4> quads(mesh_.quads);
     std::vector<bool> is_on_boundary(at(mesh_.nodes), false);
@@ -340,6 +343,7 @@ class ListedSource : public MeshSource {
     for (const TetRun& run : here.runs) {
       part.region_of_tet.insert(part.region_of_tet.end(), at(run.tets), run.region);
     }
+    TF_CHECK(part.region_of_tet.size() == at(here.tets));
   }
 
   static void renumber(NumberedPart& part, const std::vector<std::int32_t>& new_number) {

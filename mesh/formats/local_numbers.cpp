@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::size_t LocalNumbers::slot_of(std::int64_t global) const {
@@ -16,6 +18,7 @@ std::size_t LocalNumbers::slot_of(std::int64_t global) const {
 }
 
 std::int32_t LocalNumbers::of(std::int64_t global) {
+  TF_CHECK(!slots_.empty());  // not after sort()
   std::size_t slot = slot_of(global);
   if (slots_[slot] >= 0) return slots_[slot];
   if (2 * local2global_.size() >= slots_.size()) {

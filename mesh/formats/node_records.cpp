@@ -1,5 +1,7 @@
 #include "mesh/formats/node_records.h"
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 namespace {
@@ -17,6 +19,7 @@ std::vector<std::vector<std::size_t>> by_patch(const std::vector<std::int32_t>& 
 
 std::vector<std::vector<std::size_t>> faces_by_patch(const NumberedPart& part,
                                                      std::size_t patches) {
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   return by_patch(part.patch_of_face, patches);
 }
 

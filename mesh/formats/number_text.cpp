@@ -25,6 +25,7 @@ void append_raw(std::string& bytes, T value) {
 }  // namespace
 
 NumberText NumberText::text(std::int64_t largest) {
+  TF_CHECK(largest >= 0);
   std::array<char, 32> buffer;
   NumberText result;
   result.integer_width_ = static_cast<int>(digits_of(largest, buffer).size()) + 1;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -37,6 +38,7 @@ class WantedFaces {
 }  // namespace
 
 void set_regions_of_faces(NumberedPart& part) {
+  TF_CHECK(part.region_of_tet.size() == part.tets.size());
   WantedFaces<3> triangles;
   for (const Triangle& face : part.faces) triangles.add(face);
   triangles.sort();

@@ -27,6 +27,7 @@ constexpr std::size_t tets_per_point = 7;
 /// From the sorted points back to the given ones.
 void renumber(DelaunayTets& tets, const std::vector<std::int32_t>& order,
               std::span<const Vec3> points) {
+  TF_CHECK(order.size() == tets.complex.points.size());
   const auto old_number = [&order](std::int32_t v) { return order[static_cast<std::size_t>(v)]; };
   TetComplex& complex = tets.complex;
   std::copy(points.begin(), points.end(), complex.points.begin());
@@ -45,6 +46,7 @@ void renumber(DelaunayTets& tets, const std::vector<std::int32_t>& order,
 }  // namespace
 
 DelaunayTets bowyer_watson(std::span<const Vec3> points, const WorkProgress& progress) {
+  TF_CHECK(points.size() < (std::size_t{1} << 31U) - 4);
   DelaunayTets result;
   TetComplex& complex = result.complex;
   Box3 box;

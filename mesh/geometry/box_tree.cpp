@@ -17,6 +17,7 @@ int longest_axis(const Vec3& size) {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Box3> boxes) : items_(boxes.size()) {
+  TF_CHECK(boxes.size() <= std::numeric_limits<std::int32_t>::max());
   for (const Box3& box : boxes) {
     TF_CHECK(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
   }
@@ -28,6 +29,7 @@ BoxTree::BoxTree(std::span<const Box3> boxes) : items_(boxes.size()) {
 }
 
 void BoxTree::build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last) {
+  TF_CHECK(first < last);
   const auto box_of = [&boxes](std::int32_t i) -> const Box3& {
     return boxes[static_cast<std::size_t>(i)];
   };
@@ -65,7 +67,10 @@ std::vector<Box3> triangle_boxes(std::span<const Vec3> vertices,
                                  std::span<const Triangle> triangles) {
   std::vector<Box3> boxes(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::int32_t v : triangles[t]) boxes[t].add(vertices[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : triangles[t]) {
+      TF_CHECK(v >= 0 && static_cast<std::size_t>(v) < vertices.size());
+      boxes[t].add(vertices[static_cast<std::size_t>(v)]);
+    }
   }
   return boxes;
 }

@@ -21,7 +21,9 @@ constexpr std::size_t largest_edge_table = 1024;
 
 CavityInsertion::CavityInsertion(TetComplex& complex, std::vector<std::uint8_t>* constrained,
                                  std::span<const std::int32_t> ids)
-    : complex_(complex), constrained_(constrained), ids_(ids) {}
+    : complex_(complex), constrained_(constrained), ids_(ids) {
+  TF_CHECK(ids.empty() || ids.size() >= complex.points.size());
+}
 
 bool CavityInsertion::is_constrained(FaceHandle face) const {
   return constrained_ != nullptr && ((*constrained_)[at(tet_of(face))] >> face_of(face) & 1) != 0;
@@ -135,6 +137,7 @@ void CavityInsertion::rebuild_hull() {
 }
 
 bool CavityInsertion::find_cavity(std::int32_t node, std::int32_t tet) {
+  TF_CHECK(round_ < std::numeric_limits<std::int32_t>::max() && complex_.is_live(tet));
   ++round_;
   node_ = node;
   point_ = complex_.points[at(node)];
@@ -245,7 +248,9 @@ void CavityInsertion::glue_large_star() {
 
 std::int32_t CavityInsertion::fill() {
   gather_bases();
+  TF_CHECK(hull_.size() >= 4 && hull_nodes_.size() >= 4);
   take_tets();
+  TF_CHECK(mark_.size() == complex_.nodes.size());
   hull_tets_.resize(hull_nodes_.size());
   glue_star();
   if (constrained_ != nullptr) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -84,6 +85,7 @@ double orient3d(const FinePoint& a, const FinePoint& b, const FinePoint& c, cons
 }
 
 double orient2d_along(int axis, const FinePoint& a, const FinePoint& b, const FinePoint& c) {
+  TF_CHECK(axis >= 0 && axis < 3);
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto det = fine_difference(a[i], c[i]) * fine_difference(b[j], c[j]) -
                    fine_difference(a[j], c[j]) * fine_difference(b[i], c[i]);

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -110,9 +112,11 @@ std::vector<std::int32_t> hilbert_order(std::span<const Vec3> points) {
 }
 
 std::vector<std::int32_t> brio_order(std::span<const Vec3> points) {
+  TF_CHECK(points.size() <= std::numeric_limits<std::int32_t>::max());
   const Grid grid(box_of(points));
   int rounds = 0;
   for (std::size_t n = points.size(); n > 1000; n /= 8) ++rounds;
+  TF_CHECK(rounds < 16);  // four bits above those of the place on the curve
   std::vector<Key> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::uint64_t dice = mixed(i);

@@ -3,10 +3,12 @@
 #include <array>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 Location locate(const TetComplex& complex, const Vec3& point, std::int32_t start) {
+  TF_CHECK(complex.is_live(start));
   std::int32_t tet = start;
   FaceHandle entry = no_face;
   // A walk in a mesh that is not Delaunay may run in circles; turning the first face tried breaks

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -132,6 +133,7 @@ void swap_last(Straddling& t) {
 /// Both triangles cut the line where their planes meet in an interval; `crossing` when the open
 /// intervals overlap. @pre both straddle the plane of the other.
 TriangleContact contact_of_straddling(Straddling a, Straddling b) {
+  TF_CHECK(a.side[0] != 0 && b.side[0] != 0);
   // Orient each so that the other's apex is on its positive side; the side signs are not needed
   // beyond being 0 or not.
   if (a.side[0] < 0) swap_last(b);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -92,8 +93,10 @@ WeightedGraph contracted(const WeightedGraph& fine, const std::vector<std::int32
   const std::size_t nodes =
       coarse_of.empty() ? 0 : at(*std::max_element(coarse_of.begin(), coarse_of.end())) + 1;
   std::vector<std::array<std::int32_t, 2>> fine_of(nodes, {none, none});
+  TF_CHECK(coarse_of.size() == fine.size());
   for (std::size_t v = 0; v < fine.size(); ++v) {
     std::array<std::int32_t, 2>& here = fine_of[at(coarse_of[v])];
+    TF_CHECK(here[1] == none);  // a pair at most
     here[here[0] == none ? 0 : 1] = static_cast<std::int32_t>(v);
   }
   std::vector<std::int32_t> place(nodes, none);  // of the edge to that node, while in its row
@@ -127,6 +130,7 @@ WeightedGraph contracted(const WeightedGraph& fine, const std::vector<std::int32
 
 std::vector<GraphLevel> coarsen_graph(WeightedGraph graph, std::size_t movable,
                                       std::size_t wanted) {
+  TF_CHECK(movable <= graph.size());
   std::int64_t total = 0;
   for (std::size_t v = 0; v < movable; ++v) total += graph.weight[v];
   const std::int64_t heaviest =

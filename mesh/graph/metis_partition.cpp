@@ -7,6 +7,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -35,6 +36,8 @@ std::array<idx_t, METIS_NOPTIONS> metis_options(const MetisOptions& options) {
 
 std::vector<std::int32_t> metis_partition(const WeightedGraph& graph, std::int32_t parts,
                                           const MetisOptions& options) {
+  TF_CHECK(parts >= 1 && graph.first.size() == graph.size() + 1);
+  TF_CHECK(options.volume.empty() || options.volume.size() == graph.size());
   std::vector<std::int32_t> result(graph.size(), 0);
   if (parts == 1) return result;
   if (static_cast<std::size_t>(parts) >= graph.size()) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -33,6 +34,7 @@ class Refiner {
       if (to == part_[v] || !stays_whole_without(v)) continue;
       weights_[at(part_[v])] -= graph_.weight[v];
       weights_[at(to)] += graph_.weight[v];
+      TF_CHECK(weights_[at(part_[v])] > 0);  // none becomes empty
       part_[v] = to;
       ++moved;
     }
@@ -170,6 +172,7 @@ Strays find_strays(const WeightedGraph& graph, std::int32_t parts,
 
 void join_pieces(const WeightedGraph& graph, std::int32_t parts,
                  std::vector<std::int32_t>& part_of_node) {
+  TF_CHECK(parts > 0 && part_of_node.size() == graph.size());
   Strays strays = find_strays(graph, parts, part_of_node);
   std::vector<bool> is_settled(graph.size(), true);
   for (std::size_t piece = 0; piece < strays.is_stray.size(); ++piece) {
@@ -204,6 +207,7 @@ void join_pieces(const WeightedGraph& graph, std::int32_t parts,
 
 void refine_parts(const WeightedGraph& graph, std::size_t movable, const PartRefinement& options,
                   std::vector<std::int32_t>& part_of_node, std::vector<std::int64_t>& weights) {
+  TF_CHECK(movable <= graph.size() && part_of_node.size() == graph.size());
   Refiner refiner(graph, options, part_of_node, weights);
   std::int64_t price = 0;
   for (int pass = 0; pass < options.passes; ++pass) {

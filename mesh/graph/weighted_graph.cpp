@@ -1,9 +1,12 @@
 #include "mesh/graph/weighted_graph.h"
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::vector<std::int32_t> pieces_of_parts(const WeightedGraph& graph,
                                           const std::vector<std::int32_t>& part_of_node) {
+  TF_CHECK(part_of_node.size() == graph.size());
   std::vector<std::int32_t> piece_of_node(graph.size(), -1);
   std::int32_t pieces = 0;
   std::vector<std::size_t> open;
@@ -56,6 +59,7 @@ WeightedGraph tie_pieces(WeightedGraph graph) {
     if (piece + 1 < first_node.size() && node == last_node[piece]) add(first_node[piece + 1], 1);
     tied.first.push_back(static_cast<std::int32_t>(tied.neighbour.size()));
   }
+  TF_CHECK(tied.neighbour.size() == graph.neighbour.size() + 2 * (first_node.size() - 1));
   return tied;
 }
 
@@ -73,6 +77,7 @@ std::int64_t edge_cut(const WeightedGraph& graph, const std::vector<std::int32_t
 std::vector<std::int64_t> weights_of_parts(const WeightedGraph& graph,
                                            const std::vector<std::int32_t>& part_of_node,
                                            std::int32_t parts) {
+  TF_CHECK(part_of_node.size() == graph.size());
   std::vector<std::int64_t> weights(static_cast<std::size_t>(parts));
   for (std::size_t v = 0; v < graph.size(); ++v) {
     weights.at(static_cast<std::size_t>(part_of_node[v])) += graph.weight[v];

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
 
 std::string triangle_text(const SurfaceMesh& surface, std::int32_t triangle) {
+  TF_CHECK(triangle >= 0 && static_cast<std::size_t>(triangle) < surface.triangles.size());
   std::string text = "triangle " + std::to_string(triangle);
   for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(triangle)]) {
     text += " " + text_of(surface.vertices[static_cast<std::size_t>(v)]);
@@ -16,6 +18,7 @@ std::string triangle_text(const SurfaceMesh& surface, std::int32_t triangle) {
 
 std::string with_places(const std::string& what, const std::vector<std::string>& places,
                         std::size_t count) {
+  TF_CHECK(places.size() <= count);
   std::string text = what;
   const std::size_t named = std::min(places.size(), places_named);
   for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? ": " : "; ") + places[i];
@@ -26,6 +29,7 @@ std::string with_places(const std::string& what, const std::vector<std::string>&
 SurfaceDefect defect_of_triangles(const SurfaceMesh& surface, const std::string& kind,
                                   const std::string& what,
                                   const std::vector<std::int32_t>& triangles) {
+  TF_CHECK(std::is_sorted(triangles.begin(), triangles.end()));
   std::vector<std::string> places;
   for (std::size_t i = 0; i < std::min(triangles.size(), places_named); ++i) {
     places.push_back(triangle_text(surface, triangles[i]));

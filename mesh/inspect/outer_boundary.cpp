@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/shapes/box_and_sphere.h"
@@ -147,6 +148,7 @@ SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& out
   result.patch_of_triangle.resize(result.triangles.size(),
                                   static_cast<std::int32_t>(result.patch_names.size()));
   result.patch_names.emplace_back(is_box ? "outer_box" : "outer_sphere");
+  TF_CHECK(result.patch_of_triangle.size() == result.triangles.size());
   return result;
 }
 

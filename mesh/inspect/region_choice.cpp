@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/counted.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
@@ -76,6 +77,7 @@ std::vector<std::int32_t> number_regions(const RegionMap& map, const std::vector
     if (region > 0) figures.volume = map.volume(static_cast<std::int32_t>(region));
     report.regions.push_back(figures);
   }
+  TF_CHECK(at(last) == surface.region_names.size());
   return old2new;
 }
 
@@ -86,6 +88,7 @@ void set_sides(const RegionMap& map, const std::vector<std::int32_t>& old2new, S
   std::size_t left_out = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto [behind, front] = map.sides_of(t);
+    TF_CHECK(at(behind) < old2new.size() && at(front) < old2new.size());
     Sides sides = {old2new[at(behind)], old2new[at(front)]};
     const bool points_in = sides[0] == 0 && sides[1] > 0;
     if (points_in || (sides[1] > 0 && sides[1] < sides[0])) {

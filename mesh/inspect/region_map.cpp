@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/inspect/shifted_ray.h"
 
 namespace tetfarm {
@@ -30,6 +31,8 @@ RegionMap::RegionMap(const SurfaceMesh& surface, SurfaceSides sides)
       sides_(std::move(sides)),
       tree_(triangle_boxes(surface.vertices, surface.triangles)) {
   measure_sheets();
+  TF_CHECK(sides_.side2sheet.size() == 2 * surface.triangles.size());
+  TF_CHECK(sides_.triangle2part.size() == surface.triangles.size());
   gather_parts();
   if (unclear_part_) return;
   place_parts();
@@ -89,6 +92,7 @@ void RegionMap::gather_parts() {
 
 /// A vertex of no other part; without one, the centre of a triangle, exact only up to rounding.
 Vec3 RegionMap::start_of_ray(std::int32_t part) const {
+  TF_CHECK(!parts_[at(part)].triangles.empty());
   for (const std::int32_t t : parts_[at(part)].triangles) {
     for (const std::int32_t v : surface_.triangles[at(t)]) {
       if (vertex2part_[at(v)] == part) return surface_.vertices[at(v)];
@@ -151,6 +155,7 @@ void RegionMap::number_regions() {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     for (const std::int32_t sheet : sheets_round_part_[i]) {
       if (sheet2part_[at(sheet)] != parts_[i].parent) continue;
+      TF_CHECK(part2outside_[i] >= 0);
       sheet2region_[at(part2outside_[i])] = sheet2region_[at(sheet)];
     }
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_intersection.h"
@@ -14,6 +15,7 @@ namespace tetfarm {
 std::optional<SurfaceDefect> check_self_intersection(const SurfaceMesh& surface,
                                                      const std::vector<char>& sieve) {
   std::vector<Triangle> triangles;
+  TF_CHECK(sieve.size() == surface.triangles.size());
   std::vector<std::int32_t> numbers;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (sieve[t] == 0) continue;

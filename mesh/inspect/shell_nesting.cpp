@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/shifted_ray.h"
 
@@ -27,6 +28,7 @@ std::vector<std::int32_t> owners_of_vertices(const SurfaceMesh& surface,
 
 Vec3 start_of_ray(const SurfaceMesh& surface, const std::vector<std::int32_t>& shell,
                   std::int32_t number, const std::vector<std::int32_t>& owner) {
+  TF_CHECK(!shell.empty());
   for (const std::int32_t t : shell) {
     for (const std::int32_t v : surface.triangles[static_cast<std::size_t>(t)]) {
       const auto i = static_cast<std::size_t>(v);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/inspect/defect_text.h"
 
@@ -39,6 +40,7 @@ std::vector<std::array<Neighbour, 3>> neighbours_of(std::size_t triangles,
 ShellOrientation orient_shells(const SurfaceMesh& surface, std::span<const EdgeUse> uses,
                                const std::vector<char>& sieve) {
   const std::size_t n = surface.triangles.size();
+  TF_CHECK(sieve.size() == n);
   const auto neighbours = neighbours_of(n, uses);
   ShellOrientation result;
   result.triangle2shell.assign(n, -1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/inspect/defect_text.h"
@@ -89,8 +90,10 @@ void remark_on_fans(const SurfaceMesh& surface, const std::vector<std::int32_t>&
 
 /// @pre there are no defects.
 void nest_and_orient(const ShellOrientation& orientation, CheckedSurface& checked) {
+  TF_CHECK(checked.report.defects.empty());
   SurfaceReport& report = checked.report;
   const std::vector<ShellPlace> places = nest_shells(checked.surface, orientation.shells);
+  TF_CHECK(places.size() == report.shells.size());
   for (std::size_t s = 0; s < report.shells.size(); ++s) {
     Shell& shell = report.shells[s];
     shell.parent = places[s].parent;
@@ -109,6 +112,7 @@ void nest_and_orient(const ShellOrientation& orientation, CheckedSurface& checke
 /// @pre there are no defects.
 void divide_into_regions(std::span<const EdgeUse> uses, const RegionRules& rules,
                          bool has_interfaces, CheckedSurface& checked) {
+  TF_CHECK(checked.report.defects.empty());
   checked.report.shells.clear();
   // The map looks at the triangles as they were; they may be turned while it is still used.
   const SurfaceMesh given = checked.surface;

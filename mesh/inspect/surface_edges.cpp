@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/geometry/box_tree.h"
@@ -78,6 +79,7 @@ CloseVertices close_vertices(const SurfaceMesh& surface, std::span<const EdgeUse
 std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles,
                                const std::vector<char>& sieve) {
   std::vector<EdgeUse> uses;
+  TF_CHECK(sieve.size() == triangles.size());
   uses.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (sieve[t] == 0) continue;

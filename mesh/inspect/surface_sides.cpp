@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -25,6 +26,7 @@ class DisjointSets {
   /// A number for each set, in the order of their first items; returns how many.
   std::int32_t number(std::vector<std::int32_t>& item2set) {
     std::vector<std::int32_t> root2set(parent_.size(), -1);
+    TF_CHECK(item2set.empty());
     std::int32_t sets = 0;
     for (std::size_t item = 0; item < parent_.size(); ++item) {
       std::int32_t& set = root2set[root(item)];
@@ -67,6 +69,7 @@ Leaf leaf_of(const SurfaceMesh& surface, const EdgeUse& use) {
 
 /// Sorts the triangles at the edge pq by angle, anticlockwise from the first.
 void sort_by_angle(std::vector<Leaf>& leaves, const Vec3& p, const Vec3& q) {
+  TF_CHECK(leaves.size() > 2);
   const Vec3 first = leaves.front().apex;
   for (std::size_t i = 1; i < leaves.size(); ++i) {
     const double turn = orient3d(p, q, first, leaves[i].apex);
@@ -86,6 +89,7 @@ SurfaceSides join_sides(const SurfaceMesh& surface, std::span<const EdgeUse> use
   std::vector<Leaf> leaves;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     leaves.clear();
+    TF_CHECK(edge.size() > 1);  // no edge is open
     for (const EdgeUse& use : edge) leaves.push_back(leaf_of(surface, use));
     if (leaves.size() > 2) {
       sort_by_angle(leaves, surface.vertices[static_cast<std::size_t>(edge[0].low)],

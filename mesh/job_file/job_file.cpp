@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/check.h"
 #include "base/job_name.h"
 #include "mesh/job_file/job_formats.h"
 #include "mesh/job_file/job_section.h"
@@ -100,6 +101,7 @@ JobSource parse_source(const JobSection& top, const toml::node& node) {
       source.corners.push_back(parse_corner(section.item(corner, "corner", corner_keys)));
     }
   }
+  TF_CHECK(source.corners.size() >= 1 && source.corners.size() <= 3);
   return source;
 }
 
@@ -246,6 +248,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
   parse_quality(top.table("quality", quality_keys), job);
   parse_output(top.table("output", output_keys), job);
+  TF_CHECK(!job.formats.empty());
   return job;
 }
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 
+#include "base/check.h"
 #include "mesh/job_file/job_file.h"
 
 namespace tetfarm {
@@ -40,6 +41,7 @@ std::string corner_keys_of(const JobSource::Corner& corner, std::string_view bet
 }
 
 std::string source_to_toml(const JobSource& source) {
+  TF_CHECK(!source.corners.empty() && source.corners.size() <= 3);
   std::string text = "\n[[source]]\n";
   const auto inline_corner = [&](std::size_t i) {
     return "{ " + corner_keys_of(source.corners.at(i), ", ") + " }";

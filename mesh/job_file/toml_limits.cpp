@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -19,6 +20,7 @@ class Scan {
 
  private:
   void step() {
+    TF_CHECK(depth_ >= 0 && dots_ >= 0);
     switch (text_[at_]) {
       case '"':
       case '\'':
@@ -60,6 +62,7 @@ class Scan {
 
   void skip_string() {
     const char quote = text_[at_];
+    TF_CHECK(quote == '"' || quote == '\'');
     const bool has_lines = is_triple(quote);
     at_ += has_lines ? 3 : 1;
     for (; at_ < text_.size(); ++at_) {

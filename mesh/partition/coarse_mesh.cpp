@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/graph/graph_coarsening.h"
@@ -51,9 +52,11 @@ class Coarsening {
   explicit Coarsening(const std::filesystem::path& folder) : open_(folder), mesh_(folder) {}
 
   void add(const NumberedPart& part, std::int32_t subdomain, std::int32_t wanted) {
+    TF_CHECK(wanted >= 1);
     const CellFaces cells = cell_faces(part);
     const std::vector<GraphLevel> levels =
         coarsen_graph(dual_graph(cells, part.tets.size()), part.tets.size(), at(wanted));
+    TF_CHECK(!levels.empty());
     const auto first = static_cast<std::int32_t>(mesh_.graph.weight.size());
     mesh_.first_cluster.push_back(first);
     mesh_.wanted_clusters.push_back(wanted);
@@ -118,6 +121,7 @@ class Coarsening {
 
 CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
                    const std::filesystem::path& folder) {
+  TF_CHECK(clusters >= 1);
   Coarsening coarsening(folder);
   const auto subdomains = static_cast<std::int64_t>(source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -56,6 +57,7 @@ class CuthillMcKee {
       for (const std::int32_t node : piece) is_placed_[at(node)] = true;
       order.insert(order.end(), piece.rbegin(), piece.rend());
     }
+    TF_CHECK(order.size() == is_placed_.size());  // each node once
     return order;
   }
 

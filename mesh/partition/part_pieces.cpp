@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/node_records.h"
 
@@ -114,6 +115,7 @@ void read_numbers(const ScratchFile& file, std::int64_t& place, std::size_t coun
 /// The values in another order.
 template <class T>
 void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
+  TF_CHECK(order.size() == values.size());
   std::vector<T> reordered;
   reordered.reserve(values.size());
   for (const std::size_t i : order) reordered.push_back(values[i]);
@@ -147,6 +149,7 @@ void settle_regions(NumberedPart& part) {
 }  // namespace
 
 void PartPieces::add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_tet) {
+  TF_CHECK(part_of_tet.size() == subdomain.tets.size());
   std::vector<std::int32_t> part_of_face;
   for (const std::int32_t tet : tets_of_boundary(subdomain)) {
     part_of_face.push_back(part_of_tet[at(tet)]);

@@ -141,7 +141,9 @@ std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
   for (const auto& [a, b] : edges) {
     const std::int32_t from = boxed.node_of[at(a)];
     const EdgeHandle edge = complex.find_edge(from, boxed.node_of[at(b)]);
+    TF_CHECK(edge != no_edge);
     const EdgeHandle other = complex.neighbour(triangle_of(edge), edge_of(edge));
+    TF_CHECK(other != no_edge);  // the border of the box is not of the region
     claim(triangle_of(edge), Side::inside, from);
     claim(triangle_of(other), Side::outside, from);
     while (!front.empty()) {
@@ -162,6 +164,7 @@ std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
 /// The inside triangles, with the region's numbers.
 TriangleComplex keep_inside(const Boxed& boxed, const std::vector<Side>& sides,
                             const std::vector<Vec2>& points) {
+  TF_CHECK(sides.size() == boxed.complex.triangles.size());
   std::vector<TriangleComplex::Nodes> triangles;
   for (std::int32_t t = 0; t < boxed.complex.size(); ++t) {
     if (sides[at(t)] != Side::inside) continue;
@@ -182,6 +185,7 @@ ConstrainedDelaunay constrained_delaunay(const PlanarRegion& region) {
   Boxed boxed = triangulate_points(region.points, complaints);
   if (complaints.failure) return {{}, std::move(complaints.failure)};
   for (const auto& [a, b] : edges) {
+    TF_CHECK(boxed.node_of[at(a)] >= 0 && boxed.node_of[at(b)] >= 0);
     const auto failure = recover_edge(boxed.complex, boxed.node_of[at(a)], boxed.node_of[at(b)]);
     if (failure) complaints.add(failure->reason, failure->where[0]);
   }

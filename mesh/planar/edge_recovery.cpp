@@ -106,6 +106,7 @@ std::optional<PlanarFailure> recover_edge(TriangleComplex& complex, std::int32_t
       const auto [from, to] = queue.front();
       queue.pop_front();
       const EdgeHandle handle = complex.find_edge(from, to);
+      TF_CHECK(handle != no_edge);
       const std::int32_t t = triangle_of(handle);
       const EdgeHandle other = complex.neighbour(t, edge_of(handle));
       const std::int32_t p = complex.node(t, edge_of(handle));

@@ -76,6 +76,7 @@ std::optional<PlanarFailure> check_spacing(const PlanarRegion& region,
 }
 
 void improve(TriangleComplex& complex, std::int32_t first_free) {
+  TF_CHECK(first_free >= 0);
   constexpr int sweeps = 4;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const std::size_t moved = smooth(complex, first_free);
@@ -103,6 +104,7 @@ PlanarResult mesh_region(const PlanarRegion& region, const PlanarSpacing& spacin
   split_chords(complex, chords);
   improve(complex, boundary_points);
   split_chords(complex, chords);
+  TF_CHECK(complex.points.size() >= region.points.size());
   return {{std::move(complex.points), std::move(complex.triangles)}, std::nullopt};
 }
 

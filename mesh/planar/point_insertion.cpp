@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/planar/restricted_cavity.h"
 
 namespace tetfarm {
@@ -217,6 +218,7 @@ class PointInsertion {
     for (const std::int32_t v : complex_.nodes(t)) clear = std::min(clear, spacing_at_[at(v)]);
     if (!has_room(p, clear)) return false;
     fill_cavity(complex_, p, cavity_);
+    TF_CHECK(spacing_at_.size() + 1 == complex_.points.size());
     spacing_at_.push_back(h);
     state_.resize(complex_.triangles.size(), State::large);
     for (const std::int32_t fresh : cavity_.triangles) state_[at(fresh)] = judge(fresh);

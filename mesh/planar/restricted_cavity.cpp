@@ -1,5 +1,7 @@
 #include "mesh/planar/restricted_cavity.h"
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::optional<std::int32_t> locate(const TriangleComplex& complex, std::int32_t start,
@@ -65,6 +67,8 @@ bool find_cavity(const TriangleComplex& complex, std::int32_t holder, const Vec2
 }
 
 std::int32_t fill_cavity(TriangleComplex& complex, const Vec2& p, Cavity& cavity) {
+  // A polygon of triangles without nodes inside.
+  TF_CHECK(cavity.rim.size() == cavity.triangles.size() + 2);
   const std::int32_t v = complex.add_point(p);
   while (cavity.triangles.size() < cavity.rim.size())
     cavity.triangles.push_back(complex.add_triangle());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -15,6 +17,7 @@ void collect_ball(const TriangleComplex& complex, std::int32_t v, std::vector<st
   do {
     from.push_back(complex.node(t, next(local)));
     const EdgeHandle onward = complex.neighbour(t, next(local));
+    TF_CHECK(onward != no_edge);  // the node lies inside
     t = triangle_of(onward);
     local = next(edge_of(onward));
   } while (t != first);
@@ -54,6 +57,7 @@ double triangle_quality(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 std::size_t smooth(TriangleComplex& complex, std::int32_t first_free) {
+  TF_CHECK(first_free >= 0);
   std::size_t moved = 0;
   std::vector<std::int32_t> ring;
   const auto n = static_cast<std::int32_t>(complex.points.size());

@@ -6,7 +6,6 @@
 #include "base/check.h"
 
 namespace tetfarm {
-namespace {}  // namespace
 
 std::int32_t TriangleComplex::add_point(const Vec2& p) {
   points.push_back(p);
@@ -30,6 +29,7 @@ void TriangleComplex::set_triangle(std::int32_t t, const Nodes& nodes) {
 }
 
 void TriangleComplex::glue(EdgeHandle a, EdgeHandle b) {
+  TF_CHECK(a != no_edge);
   neighbours[at(triangle_of(a))][at(edge_of(a))] = b;
   if (b != no_edge) neighbours[at(triangle_of(b))][at(edge_of(b))] = a;
 }
@@ -76,6 +76,7 @@ void TriangleComplex::flip(EdgeHandle edge) {
   const std::int32_t t = triangle_of(edge);
   const int i = edge_of(edge);
   const EdgeHandle other = neighbour(t, i);
+  TF_CHECK(other != no_edge && !is_constrained(t, i));
   const std::int32_t u = triangle_of(other);
   const int j = edge_of(other);
   const std::int32_t p = node(t, i);
@@ -110,6 +111,7 @@ void TriangleComplex::flip(EdgeHandle edge) {
 
 TriangleComplex make_triangle_complex(std::vector<Vec2> points,
                                       std::vector<TriangleComplex::Nodes> triangles) {
+  TF_CHECK(triangles.size() < (1U << 29U));
   TriangleComplex complex;
   complex.points = std::move(points);
   complex.node2triangle.assign(complex.points.size(), -1);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -69,6 +71,7 @@ CutNodes::CutNodes(const MeshSource& source) {
 }
 
 std::vector<bool> CutNodes::of(const NumberedPart& part, std::int32_t region) const {
+  TF_CHECK(region >= 1);
   std::vector<bool> is_on_cut;
   is_on_cut.reserve(part.local2global.size());
   for (const std::int64_t node : part.local2global) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/counted.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/element_block.h"
@@ -114,6 +115,7 @@ class FaceBuckets {
     for (std::size_t bucket = 0; bucket < end_.size(); ++bucket) {
       std::sort(keys_.begin() + static_cast<std::ptrdiff_t>(i),
                 keys_.begin() + static_cast<std::ptrdiff_t>(end_[bucket]));
+      TF_CHECK(end_[bucket] >= i);  // buckets follow one another
       while (i < end_[bucket]) {
         const std::uint64_t nodes = keys_[i] >> last_shift;
         FaceUse use;
@@ -291,6 +293,7 @@ void FaceCheck::add_triangles(const NumberedPart& part) {
     }
     FaceBuckets faces(part, std::span(counts).subspan(first, last - first),
                       static_cast<std::int32_t>(first));
+    TF_CHECK(last > first);
     faces.for_each([&](const Triangle& nodes, const FaceUse& use) {
       if (is_matched_inside(use)) return;
       OpenFace open{{-1, -1, -1, -1}, use};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/element_block.h"
 #include "mesh/core/signed_volume.h"
 
@@ -53,6 +54,7 @@ void MeshCheck::add(const NumberedPart& part) {
 }
 
 void MeshCheck::add_tets(const NumberedPart& part) {
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   std::vector<bool> is_used(part.nodes.size(), false);
   for (const Tet& tet : part.tets) {
     const auto p = [&](std::size_t i) -> const Vec3& { return part.nodes[at(tet[i])]; };
@@ -111,6 +113,8 @@ void MeshCheck::complain_of_unused(const NumberedPart& part, const std::vector<b
 
 void MeshCheck::add_faces(const NumberedPart& part) {
   if (!origin_ && !part.nodes.empty()) origin_ = part.nodes.front();
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
+  TF_CHECK(origin_ || part.faces.empty());
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     const Triangle& face = part.faces[i];
     digest_.add_boundary_triangle(global_nodes(face, part), part.patch_of_face[i]);

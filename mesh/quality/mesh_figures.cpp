@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/element_block.h"
 #include "mesh/quality/cut_nodes.h"
 
@@ -74,11 +75,13 @@ class Figures {
   }
 
   void add_tets(const NumberedPart& part, const TetRange& range, SubdomainFigures& here) {
+    TF_CHECK(range.region >= 1 && range.last <= part.tets.size());
     figures_.regions.resize(std::max(figures_.regions.size(), at(range.region)));
     RegionShapes& region = figures_.regions[at(range.region - 1)];
     const std::span<const Tet> tets(part.tets.begin() + static_cast<long>(range.first),
                                     part.tets.begin() + static_cast<long>(range.last));
     const std::vector<bool> is_near = tets_near_cuts(tets, cut_nodes_.of(part, range.region));
+    TF_CHECK(is_near.size() == tets.size());
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const auto node = [&](std::size_t i) -> const Vec3& { return part.nodes[at(tets[t][i])]; };
       const TetShape shape = tet_shape(node(0), node(1), node(2), node(3));

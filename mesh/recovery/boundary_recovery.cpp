@@ -142,6 +142,7 @@ Missing recover_by_flips(LocalRemeshing& mesh, const RecoverySurface& wanted,
                          const SplitSurface& surface, std::uint64_t seed,
                          const WorkProgress& progress, PointsBeside& beside) {
   Missing missing;
+  TF_CHECK(surface.source.size() == surface.triangles.size());
   EdgeRemoval removal(mesh, wanted);
   missing.edges = missing_edges(mesh.complex(), wanted);
   missing.edges_at_first = static_cast<std::int64_t>(missing.edges.size());
@@ -227,6 +228,7 @@ bool split_missing(LocalRemeshing& mesh, const Missing& missing, SplitSurface& s
   }
   for (const std::int32_t number : missing.faces) {
     progress.add();
+    TF_CHECK(at(number) < surface.triangles.size());
     const Triangle face = surface.triangles[at(number)];
     if (!is_pierced(mesh, face)) continue;
     const std::int32_t node = insert_on_face(mesh, parts.get(), face);
@@ -295,6 +297,7 @@ void make_whole(LocalRemeshing& mesh, const std::vector<Triangle>& triangles, Sp
   }
   const SettledPoints settled = settle_steiner_points(mesh, points, progress);
   result.steiner_points = static_cast<std::int64_t>(settled.kept.size());
+  TF_CHECK(settled.kept.size() + settled.unsettled.size() <= points.size());
   for (const auto* points_of : {&std::as_const(surface.splits), &beside}) {
     for (const SteinerSplit& split : *points_of) {
       const auto& unsettled = settled.unsettled;
@@ -367,6 +370,7 @@ RecoveredBoundary recover_boundary(TetComplex& complex, std::vector<std::uint8_t
   if (result.lost.empty()) make_whole(mesh, triangles, surface, beside, progress, result);
   std::sort(result.lost.begin(), result.lost.end());
   result.lost.erase(std::unique(result.lost.begin(), result.lost.end()), result.lost.end());
+  TF_CHECK(result.lost.empty() || at(result.lost.back()) < triangles.size());
   return result;
 }
 

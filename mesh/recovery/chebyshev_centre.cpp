@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -124,6 +126,7 @@ std::array<Number, 4> solve_for_depth(const std::vector<HalfSpace>& planes,
 }  // namespace
 
 Vec3 chebyshev_centre(const std::vector<HalfSpace>& planes, double reach) {
+  TF_CHECK(reach > 0);
   const auto x = solve_for_depth<double>(planes, [reach](const HalfSpace& plane) {
     const Vec3 n = plane.normal.rounded();
     return Constraint<4, double>{-n.x, -n.y, -n.z, 1, plane.offset.high / reach};
@@ -132,6 +135,7 @@ Vec3 chebyshev_centre(const std::vector<HalfSpace>& planes, double reach) {
 }
 
 FineVec3 fine_chebyshev_centre(const std::vector<HalfSpace>& planes, double reach) {
+  TF_CHECK(reach > 0);
   const DoubleDouble unit{reach, 0};
   const auto x = solve_for_depth<DoubleDouble>(planes, [&unit](const HalfSpace& plane) {
     const auto& n = plane.normal;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -85,6 +86,7 @@ Crossing next_crossing(const LocalRemeshing& mesh, FaceHandle beyond, std::int32
 }  // namespace
 
 SegmentWalk walk_segment(const LocalRemeshing& mesh, std::int32_t a, std::int32_t b) {
+  TF_CHECK(a != b);
   SegmentWalk walk;
   Crossing crossing = first_crossing(mesh, a, b, walk);
   constexpr std::size_t most_crossings = 100000;
@@ -148,6 +150,7 @@ bool clear_one(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::
 
 bool recover_edge(LocalRemeshing& mesh, EdgeRemoval& removal, std::int32_t a, std::int32_t b,
                   int depth) {
+  TF_CHECK(depth >= 0);
   const RecoveryGuard guard = RecoveryGuard::of_edge(mesh, a, b);
   bool is_nearer = true;
   while (is_nearer) {

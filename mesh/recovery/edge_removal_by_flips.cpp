@@ -42,6 +42,7 @@ int crossings_inside(const EdgeRing& ring, std::int32_t a, std::int32_t b,
 void EdgeRemoval::hold(std::int32_t tet, int by) {
   if (held_.size() <= at(tet)) held_.resize(mesh_.complex().nodes.size(), 0);
   held_[at(tet)] += by;
+  TF_CHECK(held_[at(tet)] >= 0);
 }
 
 bool EdgeRemoval::is_held(std::int32_t tet) const {
@@ -73,6 +74,7 @@ bool EdgeRemoval::flip_ring(const EdgeRing& ring, const Target& target,
 /// The apex has left the ring by the last flip, which put one tet in the place of two.
 void EdgeRemoval::drop_apex(EdgeRing& ring, std::size_t i, const Target& target) {
   const std::size_t n = ring.apexes.size();
+  TF_CHECK(n > 3 && ring.tets.size() == n);
   const std::size_t before = (i + n - 1) % n;
   const Apex apex = apex_at(ring, i);
   const TetComplex& complex = mesh_.complex();

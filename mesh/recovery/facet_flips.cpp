@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include "base/check.h"
 #include "mesh/recovery/edge_recovery.h"
 #include "mesh/recovery/kernel_point.h"
 #include "mesh/recovery/recovery_guard.h"
@@ -85,6 +86,7 @@ class FacetFlips {
   /// The apexes from the i-th on to the j-th: what lies on one side of the plane.
   static EdgeRing part(const EdgeRing& ring, std::size_t i, std::size_t j) {
     EdgeRing side;
+    TF_CHECK(i < ring.apexes.size() && j < ring.apexes.size());
     for (std::size_t k = i;; k = (k + 1) % ring.apexes.size()) {
       side.apexes.push_back(ring.apexes[k]);
       if (k == j) return side;
@@ -222,6 +224,7 @@ bool recover_edge_in_facet(LocalRemeshing& mesh, const RecoverySurface& surface,
     if (facet.cross(other, edge)) crossed.push_back(other);
   }
   mesh.roll_back(mark);
+  TF_CHECK(points <= inside.size());
   inside.resize(points);
   return false;
 }

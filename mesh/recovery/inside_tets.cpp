@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -68,6 +69,8 @@ std::vector<std::uint8_t> inside_tets(const LocalRemeshing& mesh, const Recovery
 InsideComplex keep_inside(const TetComplex& complex, const std::vector<std::uint8_t>& constrained,
                           const std::vector<std::uint8_t>& inside, std::int32_t boundary_nodes,
                           std::int32_t dropped) {
+  TF_CHECK(inside.size() == complex.nodes.size() && constrained.size() == complex.nodes.size());
+  TF_CHECK(at(boundary_nodes + dropped) <= complex.points.size());
   InsideComplex kept;
   kept.complex.points = complex.points;
   const auto first = kept.complex.points.begin() + boundary_nodes;
@@ -85,6 +88,7 @@ InsideComplex keep_inside(const TetComplex& complex, const std::vector<std::uint
     if (inside[t] == 0) continue;
     Tet nodes = complex.nodes[t];
     for (std::int32_t& v : nodes) {
+      TF_CHECK(v < boundary_nodes || v >= boundary_nodes + dropped);
       if (v >= boundary_nodes) v -= dropped;
       kept.complex.node2tet[at(v)] = new_number[t];
     }
@@ -98,6 +102,7 @@ InsideComplex keep_inside(const TetComplex& complex, const std::vector<std::uint
     kept.complex.neighbours.push_back(neighbours);
     kept.constrained.push_back(constrained[t]);
   }
+  TF_CHECK(kept.complex.nodes.size() == at(count));
   return kept;
 }
 

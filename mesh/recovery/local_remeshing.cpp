@@ -32,18 +32,21 @@ std::int32_t LocalRemeshing::add_point(const FinePoint& point) {
 
 std::int32_t LocalRemeshing::add_point_on(std::span<const std::int32_t> corners,
                                           const FinePoint& point) {
+  TF_CHECK(corners.size() == 2 || corners.size() == 3);
   const std::int32_t v = add_point(point);
   flats_.add(v, corners);
   return v;
 }
 
 void LocalRemeshing::move_point(std::int32_t v, const FinePoint& to) {
+  TF_CHECK(v >= first_fine_);
   flats_.remove(v);
   complex_.points[at(v)] = to.high;
   low_[at(v - first_fine_)] = to.low;
 }
 
 void LocalRemeshing::roll_back(std::size_t mark) {
+  TF_CHECK(mark <= journal_.size());
   const auto point_nodes_here = [this](std::int32_t tet) {
     for (const std::int32_t v : complex_.nodes[at(tet)]) complex_.node2tet[at(v)] = tet;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 RecoverySurface::RecoverySurface(std::span<const Triangle> triangles, std::int32_t nodes)
@@ -10,6 +11,7 @@ RecoverySurface::RecoverySurface(std::span<const Triangle> triangles, std::int32
   std::vector<std::array<std::int32_t, 2>> edges;
   edges.reserve(3 * triangles.size());
   for (const Triangle& t : triangles) {
+    TF_CHECK(std::min({t[0], t[1], t[2]}) >= 0 && std::max({t[0], t[1], t[2]}) < nodes);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
       edges.push_back({low, high});

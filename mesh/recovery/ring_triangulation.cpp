@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -117,6 +119,7 @@ std::optional<RingTriangulation> ring_triangulation(const LocalRemeshing& mesh,
     for (const auto& [i, k, j] : rest)
       result.triangles.push_back({position[i], position[k], position[j]});
   }
+  TF_CHECK(result.triangles.size() == n - 2);
   return result;
 }
 

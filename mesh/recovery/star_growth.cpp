@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/recovery/kernel_point.h"
 
 namespace tetfarm {
@@ -119,6 +120,7 @@ std::optional<Cavity> grown(const LocalRemeshing& mesh, const Cavity& cavity, st
 }
 
 void fill(LocalRemeshing& mesh, const Cavity& cavity, std::int32_t node) {
+  TF_CHECK(cavity.hull.size() >= 4);
   std::vector<Tet> tets;
   for (const FaceHandle face : cavity.hull) {
     const auto [a, b, c] = face_nodes(mesh, face);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/recovery/face_recovery.h"
 
 namespace tetfarm {
@@ -143,6 +144,7 @@ std::int32_t insert_between_crossings(LocalRemeshing& mesh, const Edge& edge,
     const FaceHandle face = walk.crossings[i].face;
     if (face == no_face) continue;
     const FaceHandle beyond = mesh.complex().neighbours[at(tet_of(face))][at(face_of(face))];
+    TF_CHECK(beyond != no_face);  // the segment is inside
     const DoubleDouble end = i + 1 < shares.size() ? shares[i + 1] : DoubleDouble{1, 0};
     const DoubleDouble start = i > 0 ? shares[i - 1] : DoubleDouble{0, 0};
     for (const auto& [tet, other_end] : {std::pair{tet_of(beyond), end}, {tet_of(face), start}}) {
@@ -159,6 +161,7 @@ std::int32_t insert_between_crossings(LocalRemeshing& mesh, const Edge& edge,
 std::int32_t insert_on_edge(LocalRemeshing& mesh, const RecoverySurface& surface, const Edge& edge,
                             const SegmentWalk& walk) {
   const std::size_t n = walk.crossings.size();
+  TF_CHECK(n > 0);
   std::vector<DoubleDouble> shares(n);
   std::vector<std::size_t> order(n);
   for (std::size_t k = 0; k < n; ++k) {

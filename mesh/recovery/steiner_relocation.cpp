@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/recovery/kernel_point.h"
 #include "mesh/recovery/surface_fans.h"
 
@@ -88,6 +89,7 @@ std::vector<Side> sides_of(const LocalRemeshing& mesh, const std::vector<Surface
           continue;
         }
         const std::size_t beyond = place(tet_of(mesh.complex().neighbours[at(t)][at(f)]));
+        TF_CHECK(beyond < star.size());
         if (is_taken[beyond] != 0) continue;
         is_taken[beyond] = 1;
         side.tets.push_back(star[beyond]);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/recovery/edge_removal_by_flips.h"
 #include "mesh/recovery/kernel_point.h"
 #include "mesh/recovery/recovery_guard.h"
@@ -32,6 +33,7 @@ bool merge_four(LocalRemeshing& mesh, std::int32_t node, const std::vector<std::
   const auto other = std::find_if(neighbours.begin(), neighbours.end(), [&](std::int32_t v) {
     return mesh.complex().local_node(star[0], v) < 0;
   });
+  TF_CHECK(other != neighbours.end());
   std::replace(whole.begin(), whole.end(), node, *other);
   if (mesh.orient(whole[0], whole[1], whole[2], whole[3]) <= 0) return false;
   mesh.replace(star, std::span(&whole, 1));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/array_index.h"
+#include "base/check.h"
 
 namespace tetfarm {
 namespace {
@@ -37,6 +38,7 @@ class PlaneView {
 
 /// The fan's corners in turn; from one end to the other when the node lies on an edge.
 std::vector<std::int32_t> polygon_of(const SurfaceFan& fan) {
+  TF_CHECK(!fan.edges.empty());
   const auto starts_an_edge = [&fan](std::int32_t v) {
     return std::find_if(fan.edges.begin(), fan.edges.end(),
                         [v](const auto& edge) { return edge.first == v; });

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -97,6 +98,7 @@ std::int32_t SurfaceFlats::line_through(std::int32_t a, std::int32_t b) {
 }
 
 void SurfaceFlats::add(std::int32_t node, std::span<const std::int32_t> corners) {
+  TF_CHECK(corners.size() >= 2);
   make_room(node);
   Ids shared = planes(corners[0]);
   for (const std::int32_t v : corners.subspan(1)) shared = common(shared, planes(v));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -46,11 +48,13 @@ void split_edge(SplitSurface& surface, std::int32_t a, std::int32_t b, std::int3
     surface.triangles.push_back(with(whole, a, node));
     surface.source.push_back(surface.source[i]);
   }
+  TF_CHECK(!split.sources.empty());
   surface.splits.push_back(std::move(split));
 }
 
 void split_face(SplitSurface& surface, std::int32_t triangle, std::int32_t node) {
   const auto i = static_cast<std::size_t>(triangle);
+  TF_CHECK(i < surface.triangles.size());
   const auto [a, b, c] = surface.triangles[i];
   surface.splits.push_back({node, {surface.source[i]}});
   surface.triangles[i] = {a, b, node};
@@ -79,6 +83,7 @@ std::optional<std::array<std::int32_t, 2>> opposite_corners(const SplitSurface& 
 
 void swap_edge(SplitSurface& surface, std::int32_t a, std::int32_t b) {
   const auto found = triangles_on(surface, a, b);
+  TF_CHECK(found.size() == 2);
   Triangle& first = surface.triangles[found[0].triangle];
   Triangle& second = surface.triangles[found[1].triangle];
   // In each, one end of the edge gives way to the other triangle's corner.
@@ -96,6 +101,7 @@ void replace_fan(SplitSurface& surface, std::int32_t node, const std::vector<Sur
   }
   surface.triangles.resize(kept);
   surface.source.resize(kept);
+  TF_CHECK(surface.source.size() == surface.triangles.size());
   for (const auto& [triangle, source] : parts) {
     surface.triangles.push_back(triangle);
     surface.source.push_back(source);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -35,6 +37,7 @@ ViewAxes view_axes(const CameraOptions& options) {
 Camera::Camera(const Box3& all, std::span<const Vec3> focus, const CameraOptions& options,
                int width, int height)
     : axes_(view_axes(options)) {
+  TF_CHECK(!focus.empty() && width > 0 && height > 0);
   Box3 box;
   for (const Vec3& p : focus) box.add(p);
   const Vec3 centre = box.centre();

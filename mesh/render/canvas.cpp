@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -110,6 +112,7 @@ bool Canvas::is_on_outline(int x, int y, double outline_depth) const {
 }
 
 Picture Canvas::picture(double outline_depth) const {
+  TF_CHECK(options_.width > 0 && options_.height > 0 && options_.samples > 0);
   Picture picture{options_.width, options_.height, {}};
   const auto weight = 1.0F / static_cast<float>(options_.samples * options_.samples);
   for (int y = 0; y < options_.height; ++y) {

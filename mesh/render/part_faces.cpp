@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
@@ -26,6 +27,7 @@ void for_each_half(std::span<const std::int32_t> face, const Visit& visit) {
 }  // namespace
 
 std::vector<ShownFace> surface_faces(const NumberedPart& part) {
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   std::vector<ShownFace> faces;
   for (std::size_t i = 0; i < part.faces.size(); ++i) {
     faces.push_back({part.faces[i], part.patch_of_face[i], part.region_of_boundary(i)});
@@ -38,6 +40,7 @@ std::vector<ShownFace> surface_faces(const NumberedPart& part) {
 }
 
 std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<bool>& is_kept) {
+  TF_CHECK(is_kept.size() >= part.tets.size());
   std::vector<std::pair<Triangle, std::size_t>> all;  // with their cells
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
     if (!is_kept[t]) continue;
@@ -50,11 +53,13 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
   for_each_block_cell(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
                                        std::int32_t) {
     const std::size_t here = cell++;
+    TF_CHECK(here < is_kept.size());
     if (!is_kept[here]) return;
     for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int32_t> face) {
       for_each_half(face, [&](const Triangle& half) { all.emplace_back(sorted_face(half), here); });
     });
   });
+  TF_CHECK(cell == is_kept.size());
   const std::vector<std::int32_t> regions = regions_of_cells(part);
   std::sort(all.begin(), all.end());
   std::vector<ShownFace> surface = surface_faces(part);

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -52,6 +54,7 @@ std::string deflated(const std::string& plain) {
 std::string png_of(const Picture& picture) {
   constexpr char bits_per_channel = 8;
   constexpr char truecolour = 2;
+  TF_CHECK(picture.width > 0 && picture.height > 0);
   std::string header = big_endian(static_cast<std::uint32_t>(picture.width)) +
                        big_endian(static_cast<std::uint32_t>(picture.height));
   header += {bits_per_channel, truecolour, 0, 0, 0};

@@ -9,6 +9,7 @@ constexpr double eighth_turn = 0x1.921fb54442d18p-1;
 
 /// @pre 0 <= x <= pi/4.
 CirclePoint by_series(double x) {
+  TF_CHECK(x >= 0 && x <= eighth_turn);
   const double x2 = x * x;
   double cosine = 1;
   double sine = 1;

@@ -18,6 +18,8 @@ std::int32_t PatchedSurface::add_vertex(const Vec3& p) {
 }
 
 void PatchedSurface::add_triangle(std::int32_t a, std::int32_t b, std::int32_t c) {
+  TF_CHECK(std::min({a, b, c}) >= 0 &&
+           static_cast<std::size_t>(std::max({a, b, c})) < mesh_.vertices.size());
   TF_CHECK(!mesh_.patch_names.empty());
   mesh_.triangles.push_back({a, b, c});
   mesh_.patch_of_triangle.push_back(static_cast<std::int32_t>(mesh_.patch_names.size() - 1));
@@ -32,6 +34,7 @@ void PatchedSurface::add_surface(const SurfaceMesh& surface, bool turned) {
 }
 
 void PatchedSurface::zip(const VertexRow& left, const VertexRow& right) {
+  TF_CHECK(!left.empty() && !right.empty());
   std::size_t i = 0;
   std::size_t j = 0;
   while (i + 1 < left.size() || j + 1 < right.size()) {
@@ -60,6 +63,7 @@ void PatchedSurface::zip_rings(VertexRow left, VertexRow right) {
 }
 
 int parts_of_length(double length, double spacing, int least) {
+  TF_CHECK(least > 0);
   constexpr double most = 20'000;
   const double parts = std::floor(length / spacing + 0.5);
   if (!(spacing > 0) || !(parts <= most)) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/shapes/circle_point.h"
@@ -101,6 +102,7 @@ void add_far_field(PatchedSurface& surface, VertexRow rim) {
 
 /// The flat end, in columns from the lower to the upper side.
 void add_tip(PatchedSurface& surface, const HalfRing& tip, double spacing) {
+  TF_CHECK(tip.upper.size() == tip.lower.size());
   VertexRow behind = {tip.upper.front()};
   for (std::size_t i = 1; i < tip.upper.size(); ++i) {
     VertexRow column = {tip.lower[i]};

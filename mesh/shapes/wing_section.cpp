@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/check.h"
 #include "mesh/shapes/circle_point.h"
 
 namespace tetfarm {
@@ -57,6 +58,7 @@ double length_of(const std::vector<Vec3>& line) {
 }
 
 std::vector<Vec3> even_points(const std::vector<Vec3>& line, int parts) {
+  TF_CHECK(!line.empty() && parts > 0);
   const double step = length_of(line) / parts;
   std::vector<Vec3> points = {line.front()};
   double passed = 0;

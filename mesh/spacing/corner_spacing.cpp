@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -45,6 +47,7 @@ std::uint32_t CornerSpacing::find_or_add(const GridPoint& p,
   for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
     if (is_same(corners_[table_[slot] - 1].at, p)) return table_[slot] - 1;
   }
+  TF_CHECK(corners_.size() < unknown);
   corners_.push_back({p, spacing(p), 0, -1, 8, false});
   table_[slot] = static_cast<std::uint32_t>(corners_.size());
   return table_[slot] - 1;
@@ -52,6 +55,7 @@ std::uint32_t CornerSpacing::find_or_add(const GridPoint& p,
 
 void CornerSpacing::add_leaf(const LatticeCell& leaf, bool is_block, Numbers& numbers,
                              const std::function<double(const GridPoint&)>& spacing) {
+  TF_CHECK(leaf.level >= 0 && leaf.level <= octree_max_level);
   for (std::size_t k = 0; k < 8; ++k) {
     if (numbers[k] == unknown) {
       numbers[k] = find_or_add(corner_of(leaf.low, size_at_level(leaf.level), k), spacing);
@@ -71,6 +75,7 @@ void CornerSpacing::add_leaf(const LatticeCell& leaf, bool is_block, Numbers& nu
 }
 
 void CornerSpacing::limit_growth(double growth, double unit) {
+  TF_CHECK(growth > 0 && unit > 0);
   constexpr int most_passes = 100;
   bool changed = true;
   for (int pass = 0; pass < most_passes && changed; ++pass) {
@@ -95,6 +100,7 @@ void CornerSpacing::limit_growth(double growth, double unit) {
 
 double CornerSpacing::interpolated(std::int32_t leaf, const GridPoint& p) const {
   const auto l = static_cast<std::size_t>(leaf);
+  TF_CHECK(l < leaves_.size());
   const double size = size_at_level(leaves_[l].level);
   double sum = 0;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -148,6 +154,7 @@ void CornerSpacing::settle_owners(const SpacingOctree& octree) {
   for (Corner& corner : corners_) {
     if (corner.touching_leaves == 8 && !corner.touches_block) continue;
     const LatticeCell owner = owner_of(octree, corner.at);
+    TF_CHECK(owner.level >= 0);
     corner.owner_level = static_cast<std::int8_t>(owner.level);
     const GridPoint& at = corner.at;
     corner.owner_corner =
@@ -158,6 +165,7 @@ void CornerSpacing::settle_owners(const SpacingOctree& octree) {
 }
 
 std::vector<std::uint8_t> CornerSpacing::owned_corners(const SpacingOctree& octree) {
+  TF_CHECK(octree.lattice_level.size() == leaves_.size());
   if (has_blocks_) settle_owners(octree);
   std::vector<std::uint8_t> owned(leaves_.size(), 0);
   for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {

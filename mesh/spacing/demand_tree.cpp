@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -42,6 +44,8 @@ int widest_axis(const Box3& box) {
 
 DemandTree::DemandTree(std::vector<PointDemand> demands, double growth)
     : demands_(std::move(demands)), growth_(growth), shares_of_growth_(1 / growth) {
+  TF_CHECK(growth > 0);
+  TF_CHECK(demands_.size() <= std::numeric_limits<std::uint32_t>::max());
   if (demands_.empty()) return;
   last_winner_ = demands_.front();
   Node root;
@@ -120,6 +124,7 @@ void DemandTree::lower_below(std::uint32_t root, const Vec3& point, double radiu
         now = {node.children, distance2_to(nodes_[node.children].box, point)};
         Pending far{node.children + 1, distance2_to(nodes_[node.children + 1].box, point)};
         if (far.distance2 < now.distance2) std::swap(now, far);
+        TF_CHECK(depth < stack.size());
         stack[depth++] = far;
         continue;
       }
@@ -141,6 +146,7 @@ void DemandsInCell::enter(const Vec3& centre, double radius, double limit) {
 
 void DemandsInCell::leave() {
   if (unlisted_) return unlisted_.reset();
+  TF_CHECK(lists_.size() > 1);  // every cell that is left was entered
   demands_.resize(lists_.back().demand);
   nodes_.resize(lists_.back().node);
   lists_.pop_back();

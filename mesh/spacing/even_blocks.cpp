@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -77,7 +79,10 @@ class EvenBlocks {
     const std::optional<GridBox> box = box_round(block);
     if (!box) return false;
     auto whole = around_.rbegin();
-    while (!holds(whole->cell, *box)) ++whole;
+    while (!holds(whole->cell, *box)) {
+      ++whole;
+      TF_CHECK(whole != around_.rend());  // the octree's root holds every box inside
+    }
     return has_one_level(octree_, whole->node, whole->cell, *box, lattice_level);
   }
 

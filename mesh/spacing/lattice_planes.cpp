@@ -28,6 +28,7 @@ Vec3 normal_of(const Direction& d) {
 /// The multiple of the largest power of two in [low, high].
 /// @pre low <= high, and the two are far from the limits of the type.
 std::int64_t coarsest_between(std::int64_t low, std::int64_t high) {
+  TF_CHECK(low <= high);
   std::int64_t step = 1;
   const auto largest_multiple = [high](std::int64_t of) {
     return high >= 0 ? high - high % of : high - (of + high % of) % of;
@@ -47,6 +48,7 @@ std::array<Vec3, 6> lattice_plane_normals() {
 std::optional<LatticePlane> coarsest_lattice_plane(const GridFrame& frame, std::size_t direction,
                                                    double least_offset, double largest_offset) {
   TF_CHECK(direction < directions.size());
+  TF_CHECK(frame.unit > 0);
   const Direction& d = directions[direction];
   // The sum of the two coordinates, in half-units, of the grid's low corner.
   const std::int64_t origin = frame.low[d.axis] + d.sign * frame.low[d.other_axis];

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
 #include "mesh/spacing/even_blocks.h"
 #include "mesh/spacing/level_shift.h"
 #include "mesh/spacing/spacing_octree.h"
@@ -50,8 +51,12 @@ class LatticeWalk {
   /// meet, which one that collects and drops again does not.
   LatticeSample sample(std::size_t most) {
     walk(Purpose::count);
-    choice_ = systematic_sample(seen_, most);
+    const std::size_t nodes = seen_;
+    choice_ = systematic_sample(nodes, most);
     walk(Purpose::choice);
+    // Both walks saw the same.
+    TF_CHECK(seen_ == nodes && next_found_ == found_.size());
+    TF_CHECK(nodes_.size() == choice_.numbers.size());
     return {std::move(nodes_), static_cast<double>(choice_.stride)};
   }
 

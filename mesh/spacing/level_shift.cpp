@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -19,6 +21,7 @@ int lattice_level_at(const SpacingOctree& octree, const GridPoint& p) {
 
 std::array<std::int8_t, 3> shift_to_coarser(const SpacingOctree& octree, const GridPoint& corner,
                                             int level) {
+  TF_CHECK(level >= 0 && level <= octree_max_level);
   GridPoint towards{};
   std::size_t odd_axes = 0;
   for (const std::int32_t i : corner) {

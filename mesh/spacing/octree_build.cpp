@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/spacing/corner_spacing.h"
 #include "mesh/spacing/even_blocks.h"
@@ -85,6 +86,7 @@ class Layout {
 }  // namespace
 
 double ideal_cell(double spacing) {
+  TF_CHECK(spacing > 0);
   int exponent = 0;
   const double mantissa = std::frexp(spacing / lattice_ratio, &exponent);
   return std::ldexp(std::floor(std::ldexp(mantissa, 20)), exponent - 20);
@@ -120,6 +122,8 @@ SpacingOctree build_octree(const SpacingDemand& demand, const GridFrame& frame,
   octree.values = layout.corners_.leaf_values();
   octree.owned_corners = layout.corners_.owned_corners(octree);
   mark_even_blocks(octree);
+  TF_CHECK(octree.values.size() == octree.lattice_level.size() &&
+           octree.owned_corners.size() == octree.lattice_level.size());
   return octree;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/spacing/octree_build.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 /// Returns the first of the 8 new children.
 std::size_t split(RefinedTree& tree, std::size_t node, int level) {
+  TF_CHECK(level < octree_max_level && tree.child_of[node] == 0);
   const std::size_t first = tree.child_of.size();
   if (first > std::size_t{most_leaves} / 7 * 8) {
     throw InvalidInput("the spacing asks for more than " + std::to_string(most_leaves) +
@@ -170,6 +172,7 @@ class Balance {
   }
 
   void refine_to(int level, const GridPoint& p) {
+    TF_CHECK(level <= octree_max_level);
     std::size_t node = 0;
     for (int at = 0; at < level; ++at) {
       if (tree_.child_of[node] == 0) {

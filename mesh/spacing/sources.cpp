@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/spacing/exp_fixed.h"
 
@@ -78,6 +79,7 @@ void check_sources(const std::vector<Source>& sources) {
 }
 
 SourceDemand source_demand(const Source& source, double growth) {
+  TF_CHECK(!source.corners.empty());
   SourceDemand demand;
   demand.source = source;
   for (SourceCorner& corner : demand.source.corners) {
@@ -102,6 +104,7 @@ SourceDemand source_demand(const Source& source, double growth) {
 NearestOnSource nearest_on_source(const Source& source, const Vec3& point) {
   if (source.corners.size() == 1) return at_weights(source, point, {1, 0, 0});
   if (source.corners.size() == 2) return nearest_on_edge(source, point, 0, 1);
+  TF_CHECK(source.corners.size() == 3);
   return nearest_on_triangle(source, point);
 }
 

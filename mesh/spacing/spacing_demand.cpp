@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -55,6 +57,7 @@ void CellDemand::enter(const Cell& cell) {
 }
 
 void CellDemand::leave() {
+  TF_CHECK(starts_.size() > 1);
   points_.leave();
   sources_.resize(starts_.back());
   starts_.pop_back();
@@ -63,6 +66,7 @@ void CellDemand::leave() {
 
 CellDemand::Bounds CellDemand::bounds(double enough) const {
   note_look();
+  TF_CHECK(!cells_.empty());
   const Cell& cell = cells_.back();
   const double at_centre = at(cell.centre);
   if (!grows_too_fast_ && at_centre < demand_.ceiling) {

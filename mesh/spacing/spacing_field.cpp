@@ -147,6 +147,7 @@ std::optional<LatticePlane> SpacingField::coarsest_lattice_plane(std::size_t dir
 }
 
 std::string SpacingField::to_bytes() const {
+  TF_CHECK(octree_->values.size() == octree_->lattice_level.size());
   BytesHeader header;
   header.node_count = octree_->child_of.size();
   header.leaf_count = octree_->lattice_level.size();

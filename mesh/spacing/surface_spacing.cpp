@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "base/check.h"
+
 namespace tetfarm {
 
 std::vector<PointDemand> surface_spacing(const SurfaceMesh& surface) {
@@ -11,6 +13,7 @@ std::vector<PointDemand> surface_spacing(const SurfaceMesh& surface) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto a = static_cast<std::size_t>(triangle[k]);
       const auto b = static_cast<std::size_t>(triangle[(k + 1) % 3]);
+      TF_CHECK(a < length_sum.size() && b < length_sum.size());
       const double length = distance(surface.vertices[a], surface.vertices[b]);
       length_sum[a] += length;
       length_sum[b] += length;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "mesh/core/complaints.h"
 #include "mesh/core/tet_complex.h"
 #include "mesh/cosmetics/improve_mesh.h"
@@ -73,6 +74,7 @@ TetMesh compact_mesh(const TetComplex& complex, std::int32_t boundary_nodes) {
     new_number[v] = count;
     mesh.nodes[at(count++)] = mesh.nodes[v];
   }
+  TF_CHECK(count >= boundary_nodes && at(count) <= mesh.nodes.size());
   mesh.nodes.resize(at(count));
   for (Tet& tet : mesh.tets) {
     for (std::int32_t& v : tet) v = new_number[at(v)];
@@ -103,6 +105,7 @@ VolumeOutcome mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   const auto sides = [&] { return inside_tets(LocalRemeshing(complex, constrained), surface); };
   std::vector<std::uint8_t> inside = sides();
   if (inside.empty()) return not_recovered(subdomain, {});
+  TF_CHECK(inside.size() == complex.nodes.size());
   PendingCore core;
   if (options.fill) {
     options.progress.begin(WorkStage::points);
@@ -121,6 +124,7 @@ VolumeOutcome mesh_once(const Subdomain& subdomain, const SpacingField& spacing,
   }
   InsideComplex kept = keep_inside(complex, constrained, inside, boundary_nodes, enclosing_nodes);
   complex = TetComplex{};
+  TF_CHECK(kept.complex.nodes.size() == kept.constrained.size());
   const GraftedCore grafted = graft_pending_core(kept.complex, kept.constrained, std::move(core),
                                                  boundary_nodes, enclosing_nodes);
   if (options.fill && options.cosmetics) {

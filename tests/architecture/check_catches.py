@@ -56,14 +56,6 @@ PLACES = {
         "proto/authorized_keys.cpp": 1,
         "proto/wire.cpp": 1,
     },
-    "what was begun is undone, and the exception goes on": {
-        "cli/converted_meshes.cpp": 1,
-        "cli/local_farm.cpp": 1,
-        "coordinator/surface_roots.cpp": 1,
-        "mesh/formats/registry/export_mesh.cpp": 1,
-        "store/database_backup.cpp": 2,
-        "store/job_database.cpp": 2,
-    },
 }
 
 

@@ -17,7 +17,7 @@ ROOMS = {
     "mesh/graph": ["base"],
     "mesh/geometry": ["base", "mesh/core"],
     "mesh/spacing": ["base", "mesh/core"],
-    "mesh/formats/list": [],
+    "mesh/formats/list": ["base"],
     "mesh/job_file": ["base", "mesh/core", "mesh/formats/list"],
     "mesh/artifacts": ["base", "mesh/core"],
     "mesh/shapes": ["base", "mesh/core"],

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/check.h"
 #include "mesh/assemble/node_blocks.h"
 #include "mesh/core/element_block.h"
 #include "mesh/formats/cgns/cgns_tree.h"
@@ -76,6 +77,7 @@ void add_patch(CgnsTree& tree, const std::string& name, std::int64_t first, std:
 /// Sections and boundary conditions, behind `last` elements.
 void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, Places& places) {
   const std::vector<std::string> names = names_of_patches(outline);
+  TF_CHECK(names.size() <= outline.faces_of_patch.size());
   SectionNames more_names(names);
   tree.node(zone, "ZoneBC", "ZoneBC_t");
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -197,6 +199,7 @@ void write_blocks(OutputFile& file, const Places& places, const NumberedPart& pa
 
 void write_cgns(const MeshSource& source, const MeshOutline& outline,
                 const std::filesystem::path& path) {
+  TF_CHECK(outline.parts.size() == source.size());
   const Places places = write_frame(path, outline);
   OutputFile file(path, OutputFile::Start::as_it_is);
   const NumberText raw = NumberText::raw();

@@ -1,3 +1,4 @@
+#include "base/check.h"
 #include "mesh/artifacts/byte_stream.h"
 #include "mesh/formats/communication/communication_table.h"
 
@@ -9,6 +10,7 @@ constexpr std::uint64_t magic = 0x314d4d4f434654;  // "TFCOMM1" and a zero
 }  // namespace
 
 std::string communication_to_bytes(const CommunicationTable& table) {
+  TF_CHECK(table.owner.size() == table.local2global.size());
   ByteWriter writer;
   writer.number(magic);
   for (const std::int64_t number :
@@ -21,6 +23,7 @@ std::string communication_to_bytes(const CommunicationTable& table) {
   writer.array(table.local2global);
   writer.array(table.owner);
   for (const NeighbourNodes& neighbour : table.neighbours) {
+    TF_CHECK(neighbour.local.size() == neighbour.remote.size());
     writer.number(std::int64_t{neighbour.neighbour});
     writer.number(static_cast<std::int64_t>(neighbour.local.size()));
     writer.array(neighbour.local);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/formats/cell_faces.h"
 #include "mesh/formats/external_sort.h"
@@ -121,6 +122,7 @@ void mention_ghosts(const NumberedPart& part, const std::vector<SharedNode>& sha
 
 void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table) {
   for (const SharedNode& node : shared) {
+    TF_CHECK(node.part == table.part && node.neighbour != table.part);
     table.owner[static_cast<std::size_t>(node.local)] = node.owner;
     if (table.neighbours.empty() || table.neighbours.back().neighbour != node.neighbour) {
       table.neighbours.push_back({node.neighbour, {}, {}});
@@ -146,6 +148,7 @@ void for_each_part_with_ghosts(
     const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
     const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
   require_tets_alone(outline, "Communication tables are made of");
+  TF_CHECK(outline.parts.size() == source.size());
   ExternalSort<SharedNode> shared(folder);
   find_shared_nodes(source, folder, shared);
   // The list is gone through twice: for the ghosts of others, then for the tables.

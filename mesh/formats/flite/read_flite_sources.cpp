@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 
 namespace tetfarm {
@@ -65,6 +66,7 @@ class FliteReader {
   }
 
   void read_source(std::size_t corners) {
+    TF_CHECK(corners >= 1 && corners <= 3);
     line();
     JobSource source;
     for (std::size_t i = 0; i < corners; ++i) {

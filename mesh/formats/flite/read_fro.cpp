@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/patch_names.h"
 #include "mesh/formats/used_vertices.h"
@@ -57,6 +58,7 @@ SurfaceMesh read_fro(std::string_view bytes, const std::string& name) {
         patches.number_of("surface " + std::to_string(scanner.integer("a surface number"))));
     scanner.rest_of_line();
   }
+  TF_CHECK(surface.patch_of_triangle.size() == surface.triangles.size());
   surface.patch_names = patches.take();
   keep_used_vertices(surface);
   return surface;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/hdf5/hdf5_soundness.h"
 
@@ -136,6 +137,7 @@ void Hdf5Output::add_texts(const std::string& name, const std::vector<std::strin
 
 void Hdf5Output::add_array(const std::string& name, hid_t type, const void* numbers,
                            std::size_t count) {
+  TF_CHECK(numbers != nullptr || count == 0);
   const Hdf5Handle size = space({count});
   const Hdf5Handle properties = of_no_time();
   const Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type, size.get(), H5P_DEFAULT,
@@ -148,6 +150,7 @@ void Hdf5Output::add_array(const std::string& name, hid_t type, const void* numb
 
 std::int64_t Hdf5Output::room_for(const std::string& name, hid_t type, std::int64_t rows,
                                   int columns) {
+  TF_CHECK(rows >= 0 && columns >= 1);
   std::vector<hsize_t> size = {static_cast<hsize_t>(rows)};
   if (columns > 1) size.push_back(static_cast<hsize_t>(columns));
   const Hdf5Handle here = space(size);
@@ -166,6 +169,7 @@ std::int64_t Hdf5Output::room_for(const std::string& name, hid_t type, std::int6
 }
 
 void Hdf5Output::close() {
+  TF_CHECK(file_.is_open());  // closed once
   errno = 0;
   checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL));
   checked(H5Fclose(file_.release()));
@@ -258,6 +262,7 @@ Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name, int columns)
       name_(std::move(name)),
       rows_(static_cast<std::int64_t>(file.rows_of(name_, columns))),
       columns_(columns) {
+  TF_CHECK(columns >= 1);
   dataset_ = open_uncached(file.file_.get(), name_);
   if (!dataset_.is_open()) file.fail("no array " + name_);
 }

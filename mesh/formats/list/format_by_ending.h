@@ -9,7 +9,7 @@
 namespace tetfarm {
 
 /// Of those that are wanted the one with the longest ending that `name` ends with; null without
-/// any. Cost: O(formats).
+/// any. @pre `is_wanted` is not null. Cost: O(formats).
 const Format* format_by_ending(std::span<const Format> formats, std::string_view name,
                                bool (*is_wanted)(const Format& format));
 

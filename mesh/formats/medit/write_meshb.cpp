@@ -1,5 +1,6 @@
 #include "mesh/formats/medit/write_meshb.h"
 
+#include "base/check.h"
 #include "mesh/formats/medit/medit_file.h"
 #include "mesh/formats/node_records.h"
 
@@ -12,6 +13,7 @@ constexpr std::int32_t version = 4;
 /// Writes the head of a list, and returns where its records begin; `place` moves behind them.
 std::int64_t begin_list(OutputFile& file, std::int64_t& place, medit::Keyword keyword,
                         std::int64_t count, std::int64_t bytes_each) {
+  TF_CHECK(count >= 0 && bytes_each > 0);
   constexpr std::int64_t head_bytes = 4 + 8 + 8;
   NumberText head = NumberText::raw();
   const std::int64_t first = place + head_bytes;
@@ -27,6 +29,7 @@ std::int64_t begin_list(OutputFile& file, std::int64_t& place, medit::Keyword ke
 
 void write_meshb(const MeshSource& source, const MeshOutline& outline,
                  const std::filesystem::path& path) {
+  TF_CHECK(outline.parts.size() == source.size());
   OutputFile file(path);
   const NumberText raw = NumberText::raw();
   NumberText head = raw;

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/formats/count_limit.h"
 #include "mesh/formats/msh/msh41_sections.h"
 #include "mesh/formats/node_records.h"
@@ -26,6 +27,7 @@ struct Places {
 Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberText& style) {
   Places places;
   std::string head = msh_head(outline, style);
+  TF_CHECK(head.find("4.1") != std::string::npos);
   head.replace(head.find("4.1"), 3, "2.2");
   head += "$Nodes\n" + std::to_string(outline.nodes) + "\n";
   file.write(0, head);
@@ -144,6 +146,7 @@ void write_msh22(const MeshSource& source, const MeshOutline& outline,
   require_32_bits(outline.nodes, "nodes", "Gmsh's format 2.2", larger);
   require_32_bits(outline.cells() + outline.boundary_faces(), "elements", "Gmsh's format 2.2",
                   larger);
+  TF_CHECK(outline.parts.size() == source.size());
   OutputFile file(path);
   const NumberText style = msh_style(outline, true);
   const Places places = write_frame(file, outline, style);

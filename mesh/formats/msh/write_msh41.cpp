@@ -1,5 +1,6 @@
 #include "mesh/formats/msh/write_msh41.h"
 
+#include "base/check.h"
 #include "mesh/formats/msh/msh41_sections.h"
 #include "mesh/formats/node_records.h"
 
@@ -170,6 +171,8 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
   const Places places = write_frame(file, outline, style);
   const MshNumbers first = first_msh_numbers(outline);
   const std::vector<RegionRun> runs = region_runs(outline);
+  TF_CHECK(outline.parts.size() == source.size());
+  TF_CHECK(places.tets.size() == runs.size());
   std::size_t run = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
@@ -181,6 +184,7 @@ void write_msh41(const MeshSource& source, const MeshOutline& outline,
       write_run(file, part, runs[run], run, first, places, style, next_tet, next);
     }
   }
+  TF_CHECK(run == runs.size());
   file.finish();
 }
 

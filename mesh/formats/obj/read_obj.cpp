@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/patch_names.h"
 
@@ -47,6 +48,7 @@ class ObjReader {
           return std::pair(a.patches.size(), !a.current.empty()) <
                  std::pair(b.patches.size(), !b.current.empty());
         });
+    TF_CHECK(best->patch_of_triangle.size() == surface_.triangles.size());
     surface_.patch_names = best->patches.take();
     surface_.patch_of_triangle = std::move(best->patch_of_triangle);
     return std::move(surface_);

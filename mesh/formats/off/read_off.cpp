@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 
 namespace tetfarm {
@@ -30,6 +31,7 @@ void read_faces(InputScanner& scanner, std::size_t faces, SurfaceMesh& surface) 
     }
     scanner.rest_of_line();
   }
+  TF_CHECK(surface.triangles.size() >= faces);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/error.h"
 
 namespace tetfarm {
@@ -15,6 +16,7 @@ std::vector<ProcessorNumbers::Ids> ProcessorNumbers::ids_of(const Processor& pro
                                                             const ProcessorPatch& patch) const {
   const auto id_of = [&](std::int32_t node) {
     const auto found = std::lower_bound(processor.shared.begin(), processor.shared.end(), node);
+    TF_CHECK(found != processor.shared.end() && *found == node);
     return processor.first_id + static_cast<std::size_t>(found - processor.shared.begin());
   };
   std::vector<Ids> ids;
@@ -106,6 +108,7 @@ void ProcessorNumbers::number(Processor& processor, std::int64_t& next) {
 }
 
 std::vector<std::int64_t> ProcessorNumbers::local2global(std::size_t index) const {
+  TF_CHECK(number_.size() == parent_.size());  // finish() came before
   const Processor& processor = processors_.at(index);
   std::vector<std::int64_t> numbers(static_cast<std::size_t>(processor.nodes), -1);
   for (std::size_t i = 0; i < processor.shared.size(); ++i) {

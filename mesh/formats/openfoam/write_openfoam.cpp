@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/formats/count_limit.h"
 #include "mesh/formats/node_records.h"
@@ -139,6 +140,7 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                           "use openfoam-decomposed");
   const std::filesystem::path mesh = folder / "constant" / "polyMesh";
   make_folders(mesh);
+  TF_CHECK(outline.parts.size() == source.size());
   SeamFaces seams(source, outline, mesh);
   const std::vector<std::string> names = plain_names(outline.patch_names, longest_name);
   std::vector<FoamPatch> patches;
@@ -183,6 +185,9 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
       lists.write(next_of_patch[patch], outside[patch]);
       next_of_patch[patch] += std::ssize(outside[patch]);
     }
+  }
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    TF_CHECK(next_of_patch[i] == patches[i].first_face + patches[i].faces);
   }
   points.finish();
   lists.finish();

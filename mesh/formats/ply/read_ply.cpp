@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "base/check.h"
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/used_vertices.h"
 
@@ -130,6 +131,7 @@ class PlyReader {
     if (kind.is_real) return scanner_.finite(kind.bytes == 4 ? raw<float>() : raw<double>());
     if (kind.bytes == 1) return kind.is_signed ? raw<std::int8_t>() : raw<std::uint8_t>();
     if (kind.bytes == 2) return kind.is_signed ? raw<std::int16_t>() : raw<std::uint16_t>();
+    TF_CHECK(kind.bytes == 4);
     return kind.is_signed ? raw<std::int32_t>() : raw<std::uint32_t>();
   }
 

@@ -80,6 +80,8 @@ std::int64_t connected_nodes(const NumberedPart& part) {
 }
 
 void write_arrays(const NumberedPart& part, AppendedData data) {
+  TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   const auto cells_of_part = static_cast<std::size_t>(cells_of(part));
   const std::size_t count = cells_of_part + static_cast<std::size_t>(boundary_faces_of(part));
   std::vector<std::int64_t> numbers;

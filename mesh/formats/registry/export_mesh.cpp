@@ -4,10 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <iterator>
+#include <system_error>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
+#include "base/undo_unless_done.h"
 #include "mesh/formats/list/all_formats.h"
 #include "mesh/formats/list/format_by_ending.h"
 
@@ -22,13 +25,13 @@ void write_single_file(const MeshSource& source, const MeshOutline& outline, con
                        const fs::path& output) {
   const fs::path growing = output.parent_path() / (unique_temp_name(output.filename().string()) +
                                                    std::string(format.written_ending()));
-  try {
-    format.write_mesh(source, outline, growing);
-    publish_by_rename(growing, output);
-  } catch (...) {
-    remove_file(growing);
-    throw;
-  }
+  UndoUnlessDone writing([&growing] {
+    std::error_code ignored;
+    fs::remove(growing, ignored);
+  });
+  format.write_mesh(source, outline, growing);
+  publish_by_rename(growing, output);
+  writing.done();
 }
 
 std::string all_names() {
@@ -75,7 +78,9 @@ const Format& find_mesh_format(std::string_view name, const fs::path& output) {
 }
 
 ExportCounts export_mesh(const MeshSource& source, const Format& format, const fs::path& output) {
+  TF_CHECK(is_written(format));
   const MeshOutline outline = outline_of(source);
+  TF_CHECK(outline.parts.size() == source.size());
   if (format.layout == FormatLayout::one_file) {
     write_single_file(source, outline, format, output);
   } else {

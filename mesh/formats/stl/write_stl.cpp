@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "base/check.h"
 #include "mesh/formats/coordinate_text.h"
 #include "mesh/formats/patch_names.h"
 
@@ -25,6 +26,7 @@ std::string write_stl(const SurfaceMesh& surface) {
   const auto at = [&](std::int32_t v) { return surface.vertices[static_cast<std::size_t>(v)]; };
   const bool has_patches = !surface.patch_of_triangle.empty();
   const std::size_t patches = has_patches ? surface.patch_names.size() : 1;
+  TF_CHECK(!has_patches || surface.patch_of_triangle.size() == surface.triangles.size());
   std::string text;
   for (std::size_t patch = 0; patch < patches; ++patch) {
     const std::string name = has_patches ? surface.patch_names[patch] : std::string(unnamed_patch);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
 #include "mesh/formats/su2/su2_walker.h"
@@ -137,6 +138,8 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
   const NumberText style = NumberText::text(
       std::max<std::int64_t>({outline.nodes, outline.cells(), code_of(vtk, ElementType::tet)}));
   const Places places = write_frame(file, outline, style);
+  TF_CHECK(outline.parts.size() == source.size());
+  TF_CHECK(places.face_of_patch.size() == outline.patch_names.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
     const PartOutline& here = outline.parts[i];

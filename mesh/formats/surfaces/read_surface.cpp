@@ -1,5 +1,6 @@
 #include "mesh/formats/surfaces/read_surface.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/patch_names.h"
@@ -21,6 +22,7 @@ SurfaceMesh read_surface_bytes(std::string_view bytes, const std::string& name) 
     surface.patch_names = {std::string(unnamed_patch)};
     surface.patch_of_triangle.assign(surface.triangles.size(), 0);
   }
+  TF_CHECK(surface.patch_of_triangle.size() == surface.triangles.size());
   return surface;
 }
 

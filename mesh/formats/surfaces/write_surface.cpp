@@ -1,5 +1,6 @@
 #include "mesh/formats/surfaces/write_surface.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
 #include "mesh/formats/list/format_by_ending.h"
@@ -14,6 +15,8 @@ void write_surface(const SurfaceMesh& surface, const std::string& path) {
     throw UsageError(
         "unsupported type of surface file; surfaces are written as " + writable_surfaces(), path);
   }
+  TF_CHECK(surface.patch_of_triangle.empty() ||
+           surface.patch_of_triangle.size() == surface.triangles.size());
   write_file_atomically(path, format->write_surface(surface));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "mesh/formats/count_limit.h"
 #include "mesh/formats/node_records.h"
 
@@ -16,6 +17,7 @@ class ListFile {
     file_.write(0, first_line);
   }
   void write(std::int64_t record, std::string_view bytes) {
+    TF_CHECK(record >= 0);
     file_.write(first_ + record * record_bytes_, bytes);
   }
   OutputFile& file() { return file_; }
@@ -32,6 +34,7 @@ class ListFile {
 void write_tetgen(const MeshSource& source, const MeshOutline& outline,
                   const std::filesystem::path& file) {
   require_tets_alone(outline, "TetGen files hold");
+  TF_CHECK(outline.parts.size() == source.size());
   const std::string larger = "use meshb or msh41, which count with 64 bits";
   require_32_bits(outline.nodes, "nodes", "TetGen's files", larger);
   require_32_bits(outline.tets, "tets", "TetGen's files", larger);

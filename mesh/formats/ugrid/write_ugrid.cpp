@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/node_blocks.h"
 #include "mesh/assemble/node_runs.h"
@@ -64,6 +65,8 @@ class UgridFile : public UgridWriter {
     for_each_node_run(part, [&](std::int64_t first, const std::vector<Vec3>& nodes) {
       write<double>(header_bytes + first * 24, nodes);
     });
+    TF_CHECK(part.patch_of_face.size() == part.faces.size());
+    TF_CHECK(part.local2global.size() == part.nodes.size());
     const auto number = [&](std::int32_t local) { return global_number(part, local); };
     std::vector<Integer> triangles;
     for (const auto& [a, b, c] : part.faces) {
@@ -96,6 +99,7 @@ class UgridFile : public UgridWriter {
   void add_quads(const UgridCounts& before, const NumberedPart& part) {
     const ElementBlock& block = part.blocks[ElementType::quad];
     if (block.empty()) return;
+    TF_CHECK(block.patches.size() == block.size());
     std::vector<Integer> quads;
     std::vector<Integer> patches;
     for (std::size_t i = 0; i < block.size(); ++i) {

@@ -131,6 +131,7 @@ std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const Vtkh
   subdomains.add(cells + faces, part.number);
   written.push_back(subdomains.finish());
   written.push_back(write_regions(here.regions, part, file));
+  TF_CHECK(part.patch_of_face.size() == part.faces.size());
   Row<std::int32_t> patches(file, here.patches);
   patches.add(cells, no_patch);
   for (const std::int32_t patch : part.patch_of_face) patches.add(patch);
@@ -145,6 +146,7 @@ void write_vtkhdf_points(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                          const NumberedPart& part, OutputFile& file) {
   constexpr std::int64_t bytes_of_point = 24;
   static_assert(sizeof(Vec3) == bytes_of_point);
+  TF_CHECK(part.local2global.size() == part.nodes.size());
   file.write(places.points + before.points * bytes_of_point, part.nodes);
   file.write(places.node_numbers + before.points * 8, part.local2global);
 }
