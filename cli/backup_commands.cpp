@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
-#include "cli/job_report.h"
+#include "json/job_json.h"
 #include "store/artifact_store.h"
 #include "store/database_backup.h"
 #include "store/folder_lock.h"

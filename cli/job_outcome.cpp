@@ -5,8 +5,9 @@
 #include "base/check.h"
 #include "base/printable_text.h"
 #include "cli/coloured_text.h"
-#include "cli/job_report.h"
-#include "cli/quality_gates.h"
+#include "cli/job_text.h"
+#include "json/job_json.h"
+#include "json/quality_gates.h"
 
 namespace tetfarm {
 namespace {

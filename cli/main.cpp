@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/error_help.h"
-#include "cli/job_report.h"
 #include "cli/terminal.h"
+#include "json/job_json.h"
 
 namespace tetfarm {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "base/file_system.h"
 #include "cli/commands.h"
-#include "cli/job_report.h"
 #include "cli/mesh_input.h"
 #include "cli/run_folder.h"
+#include "json/job_json.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/render/render_mesh.h"
 #include "report/report_page.h"

@@ -7,8 +7,10 @@
 #include "cli/chrome_trace.h"
 #include "cli/commands.h"
 #include "cli/farm_view.h"
-#include "cli/job_report.h"
-#include "cli/query_report.h"
+#include "cli/job_text.h"
+#include "cli/query_text.h"
+#include "json/job_json.h"
+#include "json/query_json.h"
 
 namespace tetfarm {
 namespace {

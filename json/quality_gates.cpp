@@ -1,18 +1,14 @@
-#include "cli/quality_gates.h"
+#include "json/quality_gates.h"
 
 #include "base/angle_text.h"
 #include "base/check.h"
+#include "json/reply_values.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr const char* unforced_key = "min_unforced_dihedral";
-
-double number_of(const wire::JobStatus& status, const std::string& name) {
-  const auto found = status.numbers().find(name);
-  return found == status.numbers().end() ? 0 : found->second;
-}
 
 QualityGate gate_of(const wire::JobStatus& status, const std::string& key,
                     const std::string& whose) {

@@ -1,4 +1,4 @@
-#include "cli/query_report.h"
+#include "cli/query_text.h"
 
 #include <gmock/gmock.h>
 
@@ -22,28 +22,27 @@ wire::Explanation waiting_task() {
   return explanation;
 }
 
-TEST(QueryReport, of_a_task_whose_memory_is_not_known_tells_its_time_alone) {
+TEST(QueryText, of_a_task_whose_memory_is_not_known_tells_its_time_alone) {
   EXPECT_THAT(explanation_text(waiting_task()),
               HasSubstr("  expected to take 0.2 s; it is stopped after 3600.0 s\n"));
 }
 
-TEST(QueryReport, tells_what_a_task_is_expected_to_take) {
+TEST(QueryText, tells_what_a_task_is_expected_to_take) {
   wire::Explanation explanation = waiting_task();
   explanation.set_room_bytes(std::uint64_t{30} << 20U);
   EXPECT_THAT(explanation_text(explanation),
               HasSubstr("expected to take 0.2 s and 30 MiB; it is stopped after"));
 }
 
-TEST(QueryReport, says_to_people_that_a_task_runs_and_keeps_the_word_of_programs) {
+TEST(QueryText, says_that_a_task_runs_where_programs_read_that_it_is_leased) {
   wire::TaskLine task;
   task.set_task(3);
   task.set_state("leased");
   EXPECT_THAT(tasks_text({task}), HasSubstr("running"));
   EXPECT_THAT(tasks_text({task}), Not(HasSubstr("leased")));
-  EXPECT_THAT(task_json(task), HasSubstr("\"state\":\"leased\""));
 }
 
-TEST(QueryReport, tells_what_a_task_that_runs_does) {
+TEST(QueryText, tells_what_a_task_that_runs_does) {
   wire::Explanation explanation = waiting_task();
   wire::TaskLine& task = *explanation.mutable_task();
   task.set_state("leased");
@@ -51,17 +50,14 @@ TEST(QueryReport, tells_what_a_task_that_runs_does) {
   task.set_share(0.2);
   EXPECT_THAT(explanation_text(explanation),
               HasSubstr("  doing: recovery pass 3: 312 of 1,204 edges, about 20 % of the task\n"));
-  EXPECT_THAT(explanation_json(explanation), HasSubstr("\"doing_stage\":\"edges\""));
   EXPECT_THAT(tasks_text({task}), HasSubstr("recovery pass 3: 312 of 1,204 edges"));
-  EXPECT_THAT(task_json(task), HasSubstr("\"doing_done\":312"));
 }
 
-TEST(QueryReport, counts_the_failed_attempts_of_a_worker) {
+TEST(QueryText, counts_the_failed_attempts_of_a_worker) {
   wire::WorkerLine worker;
   worker.set_worker(1);
   worker.set_not_done(2);
   EXPECT_THAT(workers_table({worker}), HasSubstr("FAILED ATTEMPTS"));
-  EXPECT_THAT(worker_json(worker), HasSubstr("\"attempts_not_done\":2"));
 }
 
 }  // namespace

@@ -1,30 +1,17 @@
-#include "cli/query_report.h"
+#include "cli/query_text.h"
 
 #include <array>
 #include <cstdio>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
-#include "base/clock.h"
-#include "cli/json_line.h"
 #include "cli/printable_reply.h"
 #include "cli/progress_display.h"
-#include "cli/running_report.h"
+#include "cli/running_text.h"
 #include "cli/text_table.h"
-#include "mesh/core/subdomain.h"
+#include "json/reply_values.h"
 
 namespace tetfarm {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string line_of(const Json& json) { return json_line(json); }
-
-std::string worker_name(std::uint64_t worker) {
-  return worker == 0 ? "" : "worker-" + std::to_string(worker);
-}
-
-std::string place_text(std::uint64_t path) { return path == 0 ? "" : TreePath{path}.text(); }
 
 std::string seconds_text(double seconds) {
   std::array<char, 40> text;
@@ -55,59 +42,6 @@ std::string tries_text(const wire::TaskLine& task) {
   return text;
 }
 
-double seconds_of(const wire::AttemptLine& attempt) {
-  const std::int64_t end = attempt.ended_ms() == 0 ? wall_ms() : attempt.ended_ms();
-  return static_cast<double>(end - attempt.started_ms()) / 1000;
-}
-
-Json json_of(const wire::TaskLine& task) {
-  Json json = {{"type", "task"},
-               {"task", task.task()},
-               {"job", task.job()},
-               {"kind", task.kind()},
-               {"path", task.path()},
-               {"place", place_text(task.path())},
-               {"state", task.state()},
-               {"attempt", task.attempt()},
-               {"worker", worker_name(task.worker())},
-               {"host", task.host()},
-               {"errors", task.crashes()},
-               {"losses", task.losses()},
-               {"out_of_memory", task.oom_count()},
-               {"seconds", task.seconds()},
-               {"peak_rss_bytes", task.peak_rss_bytes()},
-               {"memory_bytes", task.memory_bytes()},
-               {"expected_seconds", task.expected_seconds()},
-               {"cpu_seconds", task.cpu_seconds()},
-               {"expected_bytes", task.expected_bytes()},
-               {"expected_elements", task.expected_elements()},
-               {"elements", task.elements()},
-               {"exit_code", task.exit_code()},
-               {"message", task.message()}};
-  add_doing(task, json);
-  return json;
-}
-
-Json json_of(const wire::AttemptLine& attempt) {
-  return {{"type", "attempt"},
-          {"attempt", attempt.attempt()},
-          {"job", attempt.job()},
-          {"task", attempt.task()},
-          {"kind", attempt.kind()},
-          {"path", attempt.path()},
-          {"worker", worker_name(attempt.worker())},
-          {"host", attempt.host()},
-          {"process", attempt.process()},
-          {"state", attempt.state()},
-          {"races", attempt.races()},
-          {"started_ms", attempt.started_ms()},
-          {"ended_ms", attempt.ended_ms()},
-          {"seconds", seconds_of(attempt)},
-          {"memory_bytes", attempt.memory_bytes()},
-          {"peak_rss_bytes", attempt.peak_rss_bytes()},
-          {"message", attempt.message()}};
-}
-
 }  // namespace
 
 std::string time_text(std::int64_t since_1970_ms) {
@@ -118,88 +52,6 @@ std::string time_text(std::int64_t since_1970_ms) {
   std::array<char, 32> text;
   std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
   return text.data();
-}
-
-std::string job_json(const wire::JobStatus& job) {
-  return line_of({{"type", "job"},
-                  {"job", job.job()},
-                  {"name", job.name()},
-                  {"state", job.state()},
-                  {"stage", job.stage()},
-                  {"subdomains", job.leaves_made()},
-                  {"subdomains_meshed", job.leaves_meshed()},
-                  {"elements", job.elements()},
-                  {"estimated_elements", job.estimated_elements()},
-                  {"tasks_done", job.tasks_done()},
-                  {"tasks_ready", job.tasks_ready()},
-                  {"tasks_running", job.tasks_running()},
-                  {"tasks_in_quarantine", job.quarantine_size()},
-                  {"created_ms", job.created_ms()},
-                  {"finished_ms", job.finished_ms()},
-                  {"seconds", job.seconds()},
-                  {"message", job.message()},
-                  {"exit_code", job.exit_code()}});
-}
-
-std::string task_json(const wire::TaskLine& task) { return line_of(json_of(task)); }
-
-std::string worker_json(const wire::WorkerLine& worker) {
-  return line_of({{"type", "worker"},
-                  {"worker", worker_name(worker.worker())},
-                  {"host", worker.host()},
-                  {"process", worker.process()},
-                  {"state", worker.state()},
-                  {"task", worker.task()},
-                  {"cores", worker.cores()},
-                  {"memory_bytes", worker.memory_bytes()},
-                  {"version", worker.program_version()},
-                  {"since_ms", worker.seen_ms()},
-                  {"attempts_done", worker.done()},
-                  {"attempts_not_done", worker.not_done()},
-                  {"busy_seconds", worker.busy_seconds()},
-                  {"host_in_quarantine", worker.host_in_quarantine()}});
-}
-
-std::string event_json(const wire::EventLine& event) {
-  return line_of({{"type", "event"},
-                  {"event", event.event()},
-                  {"wall_ms", event.wall_ms()},
-                  {"job", event.job()},
-                  {"task", event.task()},
-                  {"attempt", event.attempt()},
-                  {"worker", worker_name(event.worker())},
-                  {"what", event.what()},
-                  {"message", event.message()}});
-}
-
-std::string attempt_json(const wire::AttemptLine& attempt, bool with_log) {
-  Json json = json_of(attempt);
-  if (with_log) json["log"] = attempt.log();
-  return line_of(json);
-}
-
-std::string explanation_json(const wire::Explanation& explanation) {
-  Json json = json_of(explanation.task());
-  json["type"] = "explanation";
-  json["subdomain"] = explanation.subdomain_state();
-  json["reasons"] = Json::array();
-  for (const std::string& reason : explanation.reasons()) json["reasons"].push_back(reason);
-  json["expected_seconds"] = explanation.expected_seconds();
-  json["limit_seconds"] = explanation.limit_seconds();
-  json["room_bytes"] = explanation.room_bytes();
-  json["attempts"] = Json::array();
-  for (const wire::AttemptLine& attempt : explanation.attempts()) {
-    json["attempts"].push_back(json_of(attempt));
-  }
-  json["inputs"] = Json::array();
-  for (const wire::InputLine& input : explanation.inputs()) {
-    json["inputs"].push_back({{"name", input.name()},
-                              {"hash", input.hash()},
-                              {"size", input.size()},
-                              {"is_there", input.is_there()},
-                              {"made_by_task", input.made_by()}});
-  }
-  return line_of(json);
 }
 
 std::string jobs_text(const std::vector<wire::JobStatus>& jobs) {
@@ -226,7 +78,7 @@ std::string tasks_text(const std::vector<wire::TaskLine>& tasks) {
     const std::string where = worker_name(task.worker());
     const std::string doing = doing_with_share(task);
     rows.push_back(
-        {std::to_string(task.task()), task.job(), task.kind(), place_text(task.path()),
+        {std::to_string(task.task()), task.job(), task.kind(), subdomain_name(task.path()),
          state_text(task.state()), task.seconds() > 0 ? seconds_text(task.seconds()) : "",
          mebibytes(task.peak_rss_bytes()), tries_text(task),
          where.empty() ? "" : where + " " + task.host(), doing.empty() ? task.message() : doing});
@@ -267,7 +119,7 @@ std::string event_text(const wire::EventLine& said) {
 std::string log_text(const wire::AttemptLine& said) {
   const wire::AttemptLine attempt = printable_reply(said);
   std::string text = attempt.job() + " task " + std::to_string(attempt.task()) + ", " +
-                     attempt.kind() + " " + place_text(attempt.path()) + ": attempt " +
+                     attempt.kind() + " " + subdomain_name(attempt.path()) + ": attempt " +
                      std::to_string(attempt.attempt()) + " on " + worker_name(attempt.worker()) +
                      " " + attempt.host() + ", " + attempt.state() + "\n";
   text = harmless(text, 1000);
@@ -288,12 +140,14 @@ std::string explanation_text(const wire::Explanation& said) {
   std::string text =
       "task " + std::to_string(task.task()) + " of " + task.job() + ": " + task.kind();
   if (task.path() != 0) {
-    text += " of sub-domain " + place_text(task.path()) + " (" + std::to_string(task.path()) + ")";
+    text +=
+        " of sub-domain " + subdomain_name(task.path()) + " (" + std::to_string(task.path()) + ")";
   }
   text += ", " + state_text(task.state()) + "\n";
   if (task.path() > 1) {
-    text += "  in the tree: below " + place_text(task.path() / 2) + ", beside " +
-            place_text(task.path() ^ 1U) + "; sub-domain " + explanation.subdomain_state() + "\n";
+    text += "  in the tree: below " + subdomain_name(task.path() / 2) + ", beside " +
+            subdomain_name(task.path() ^ 1U) + "; sub-domain " + explanation.subdomain_state() +
+            "\n";
   }
   for (const std::string& reason : explanation.reasons()) {
     text += "  why: " + harmless(reason, 1000) + "\n";

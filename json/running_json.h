@@ -1,8 +1,7 @@
-/// What tasks that run do, in JSON for programs and in lines for people.
+/// What tasks that run do, as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "proto/messages.pb.h"
 
@@ -15,11 +14,5 @@ void add_doing(const Task& task, nlohmann::ordered_json& json);
 
 /// Of a job's tasks that run, the longest running first.
 nlohmann::ordered_json running_json(const wire::JobStatus& status);
-
-/// A line for each of the few that run longest and of which something is known.
-std::string running_tasks_text(const wire::JobStatus& status);
-
-/// "recovery pass 3: 312 of 1,204 edges, about 21 % of the task"; "" when nothing is known.
-std::string doing_with_share(const wire::TaskLine& task);
 
 }  // namespace tetfarm

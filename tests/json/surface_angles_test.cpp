@@ -1,4 +1,4 @@
-#include "cli/surface_angles.h"
+#include "json/surface_angles.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "cli/quality_gates.h"
+#include "json/quality_gates.h"
 
 #include <gmock/gmock.h>
 

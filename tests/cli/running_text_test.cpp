@@ -1,4 +1,4 @@
-#include "cli/running_report.h"
+#include "cli/running_text.h"
 
 #include <gmock/gmock.h>
 
@@ -23,32 +23,19 @@ wire::JobStatus job_with(int tasks) {
   return status;
 }
 
-TEST(RunningReport, has_a_line_for_each_of_the_few_tasks_that_run_longest) {
+TEST(RunningText, has_a_line_for_each_of_the_few_tasks_that_run_longest) {
   const std::string text = running_tasks_text(job_with(30));
   EXPECT_THAT(text, HasSubstr("task 11, mesh LR, 01:12: recovery pass 3: 312 of 1,204 edges\n"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
 }
 
-TEST(RunningReport, has_no_line_for_a_task_of_which_nothing_is_known) {
+TEST(RunningText, has_no_line_for_a_task_of_which_nothing_is_known) {
   wire::JobStatus status;
   status.add_running()->set_kind("mesh");
   EXPECT_EQ(running_tasks_text(status), "");
-  EXPECT_EQ(running_json(status)[0]["doing"], "");
 }
 
-TEST(RunningReport, tells_programs_stage_and_counts) {
-  const nlohmann::ordered_json json = running_json(job_with(2));
-  ASSERT_EQ(json.size(), 2U);
-  EXPECT_EQ(json[1]["task"], 12);
-  EXPECT_EQ(json[1]["doing"], "recovery pass 3: 312 of 1,204 edges");
-  EXPECT_EQ(json[1]["doing_stage"], "edges");
-  EXPECT_EQ(json[1]["doing_pass"], 3);
-  EXPECT_EQ(json[1]["doing_done"], 312);
-  EXPECT_EQ(json[1]["doing_total"], 1204);
-  EXPECT_EQ(json[1]["share"], 0.21);
-}
-
-TEST(RunningReport, of_a_task_says_how_much_of_it_is_done_where_that_is_known) {
+TEST(RunningText, of_a_task_says_how_much_of_it_is_done_where_that_is_known) {
   wire::TaskLine task;
   EXPECT_EQ(doing_with_share(task), "");
   *task.mutable_doing() = doing_message({WorkStage::assemble, 0, 3, 16});

@@ -1,4 +1,4 @@
-#include "cli/job_report.h"
+#include "cli/job_text.h"
 
 #include <gmock/gmock.h>
 
@@ -18,25 +18,20 @@ wire::JobStatus status_of_leaf_left_whole() {
   return status;
 }
 
-TEST(JobReport, says_which_subdomain_could_not_be_cut_and_why) {
+TEST(JobText, says_which_subdomain_could_not_be_cut_and_why) {
   const std::string text = result_text(status_of_leaf_left_whole(), 1, {});
   EXPECT_THAT(text, HasSubstr("sub-domain LR is larger than planned"));
   EXPECT_THAT(text, HasSubstr("36 candidates refused: angle 30, intersection 6"));
-  EXPECT_THAT(result_json(status_of_leaf_left_whole(), 1, {}),
-              HasSubstr(R"("uncut_subdomains":{"LR":"36 candidates refused)"));
 }
 
-TEST(JobReport, says_which_subdomain_was_cut_further_and_why) {
+TEST(JobText, says_which_subdomain_was_cut_further_and_why) {
   wire::JobStatus status;
   (*status.mutable_texts())["cut_further:5"] = "mesh of sub-domain 5 ran out of memory";
   EXPECT_THAT(result_text(status, 1, {}),
               HasSubstr("sub-domain LR was cut further than planned: mesh of sub-domain 5 ran"));
-  const std::string json = R"("cut_further":{"LR":"mesh of sub-domain 5 ran out of memory"})";
-  EXPECT_THAT(result_json(status, 1, {}), HasSubstr(json));
-  EXPECT_THAT(status_json(status), HasSubstr(json));
 }
 
-TEST(JobReport, of_many_subdomains_that_could_not_be_cut_names_a_few) {
+TEST(JobText, of_many_subdomains_that_could_not_be_cut_names_a_few) {
   wire::JobStatus status;
   for (int heap = 512; heap < 930; ++heap) {
     (*status.mutable_texts())["uncut:" + std::to_string(heap)] = "too few elements";
@@ -46,7 +41,7 @@ TEST(JobReport, of_many_subdomains_that_could_not_be_cut_names_a_few) {
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 12);
 }
 
-TEST(JobReport, says_where_in_the_tree_a_task_in_quarantine_is) {
+TEST(JobText, says_where_in_the_tree_a_task_in_quarantine_is) {
   wire::StatusReply reply;
   reply.set_workers(1);
   wire::JobStatus& job = *reply.add_jobs();
@@ -60,7 +55,7 @@ TEST(JobReport, says_where_in_the_tree_a_task_in_quarantine_is) {
   EXPECT_THAT(status_text(reply), HasSubstr("1 worker, 1 job, "));
 }
 
-TEST(JobReport, counts_one_subdomain_as_one) {
+TEST(JobText, counts_one_subdomain_as_one) {
   wire::JobStatus status;
   (*status.mutable_numbers())["subdomains"] = 1;
   EXPECT_THAT(result_text(status, 1, {}), HasSubstr(" 1 sub-domain, "));
@@ -73,13 +68,13 @@ wire::JobStatus status_of_angles(double smallest, double largest) {
   return status;
 }
 
-TEST(JobReport, tells_a_small_angle_from_none) {
+TEST(JobText, tells_a_small_angle_from_none) {
   const std::string text = result_text(status_of_angles(0.00213, 179.995), 1, {});
   EXPECT_THAT(text, HasSubstr("dihedral 0.0021 to 179.9950 deg"));
   EXPECT_THAT(text, HasSubstr("worst 0.0021 deg at "));
 }
 
-TEST(JobReport, names_flat_tets_in_red_where_there_are_colours) {
+TEST(JobText, names_flat_tets_in_red_where_there_are_colours) {
   const std::string red = "\033[31mdihedral ";
   EXPECT_THAT(result_text(status_of_angles(0.2, 150), 1, {}, true),
               HasSubstr(red + "0.20 to 150.00 deg\033[0m"));
@@ -88,23 +83,20 @@ TEST(JobReport, names_flat_tets_in_red_where_there_are_colours) {
   EXPECT_THAT(result_text(status_of_angles(0.2, 150), 1, {}), Not(HasSubstr("\033")));
 }
 
-TEST(JobReport, says_how_good_the_mesh_is_where_the_surface_forces_nothing) {
+TEST(JobText, says_how_good_the_mesh_is_where_the_surface_forces_nothing) {
   wire::JobStatus status = status_of_angles(0.0002, 170);
-  EXPECT_THAT(result_json(status, 1, {}), HasSubstr("\"unforced\":null"));
   auto& numbers = *status.mutable_numbers();
   numbers["unforced_elements"] = 1000;
   numbers["unforced_min_dihedral_deg"] = 14.3;
   EXPECT_THAT(result_text(status, 1, {}),
               HasSubstr("where the surface forces no small angles: smallest dihedral 14.30 deg"));
-  EXPECT_THAT(result_json(status, 1, {}),
-              HasSubstr("\"unforced\":{\"elements\":1000,\"min_dihedral_deg\":14.3"));
 }
 
-TEST(JobReport, is_silent_when_all_were_cut) {
+TEST(JobText, is_silent_when_all_were_cut) {
   EXPECT_THAT(result_text(wire::JobStatus(), 1, {}), Not(HasSubstr("larger than planned")));
 }
 
-TEST(JobReport, is_not_forged_by_the_names_and_words_of_others) {
+TEST(JobText, is_not_forged_by_the_names_and_words_of_others) {
   const std::string forged = "x\njob-9    wing     done\x1b[2J\xff";
   const std::string shown = "x\\njob-9    wing     done\\u001b[2J\\xff";
   wire::StatusReply reply;
@@ -122,9 +114,6 @@ TEST(JobReport, is_not_forged_by_the_names_and_words_of_others) {
   for (const std::string& text :
        {status_text(reply), workers_text(reply), result_text(job, 1, {forged})}) {
     EXPECT_THAT(text, AllOf(HasSubstr(shown), Not(HasSubstr("\njob-9")), Not(HasSubstr("\x1b"))));
-  }
-  for (const std::string& json : {status_json(job), farm_events_json(reply, true)}) {
-    EXPECT_THAT(json, AllOf(HasSubstr("\\u001b[2J\ufffd"), Not(HasSubstr("\x1b"))));
   }
 }
 

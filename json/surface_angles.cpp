@@ -1,8 +1,10 @@
-#include "cli/surface_angles.h"
+#include "json/surface_angles.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "base/angle_text.h"
+#include "json/reply_values.h"
 #include "mesh/core/complaints.h"
 
 namespace tetfarm {
@@ -11,14 +13,9 @@ namespace {
 /// A dihedral angle that the surface forces is worth a remark below this.
 constexpr double worth_saying_deg = 20;
 
-double number_of(const wire::JobStatus& status, const std::string& name) {
-  const auto found = status.numbers().find(name);
-  return found == status.numbers().end() ? 0 : found->second;
-}
-
-Vec3 place_of(const wire::JobStatus& status, const std::string& what) {
-  return {number_of(status, what + "_x"), number_of(status, what + "_y"),
-          number_of(status, what + "_z")};
+Vec3 point_of(const wire::JobStatus& status, const std::string& what) {
+  const std::array<double, 3> place = place_of(status, what);
+  return {place[0], place[1], place[2]};
 }
 
 std::string patch_text(const std::string& patch) {
@@ -37,7 +34,7 @@ SurfaceAngles surface_angles_of(const wire::JobStatus& status) {
   const auto count = [&status](const char* name) {
     return static_cast<std::int64_t>(number_of(status, name));
   };
-  angles.forced = {number_of(status, "forced_dihedral_deg"), place_of(status, "forced")};
+  angles.forced = {number_of(status, "forced_dihedral_deg"), point_of(status, "forced")};
   SmallAngles& triangles = angles.triangles;
   triangles.triangles = count("surface_triangles");
   triangles.smallest_deg = number_of(status, "surface_smallest_angle_deg");
@@ -48,7 +45,7 @@ SurfaceAngles surface_angles_of(const wire::JobStatus& status) {
     if (!status.numbers().contains(which + "_triangle")) break;
     const auto patch = status.texts().find(which + "_patch");
     triangles.worst.push_back({static_cast<std::int64_t>(number_of(status, which + "_triangle")),
-                               number_of(status, which + "_angle_deg"), place_of(status, which),
+                               number_of(status, which + "_angle_deg"), point_of(status, which),
                                patch == status.texts().end() ? "" : patch->second});
   }
   return angles;
