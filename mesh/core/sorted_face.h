@@ -3,7 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
+
+#include "base/array_index.h"
+#include "mesh/core/tet_mesh.h"
 
 namespace tetfarm {
 
@@ -20,6 +24,18 @@ bool sort_face(std::array<Node, 3>& nodes) {
   sort_two(1, 2);
   sort_two(0, 1);
   return is_turned;
+}
+
+template <class Node>
+std::array<Node, 3> sorted_face(std::array<Node, 3> nodes) {
+  sort_face(nodes);
+  return nodes;
+}
+
+/// The nodes of the tet's face opposite to its node `face`. @pre 0 <= face < 4
+inline std::array<std::int32_t, 3> sorted_face(const Tet& tet, int face) {
+  const auto& local = tet_face_nodes[at(face)];
+  return sorted_face(std::array{tet[at(local[0])], tet[at(local[1])], tet[at(local[2])]});
 }
 
 }  // namespace tetfarm

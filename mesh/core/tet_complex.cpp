@@ -4,21 +4,13 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 
 namespace {
 
 constexpr std::size_t most_messages = 20;
-
-std::array<std::int32_t, 3> sorted_face(const Tet& tet, int face) {
-  const auto& local = tet_face_nodes[at(face)];
-  std::array<std::int32_t, 3> nodes = {tet[at(local[0])], tet[at(local[1])], tet[at(local[2])]};
-  if (nodes[0] > nodes[1]) std::swap(nodes[0], nodes[1]);
-  if (nodes[1] > nodes[2]) std::swap(nodes[1], nodes[2]);
-  if (nodes[0] > nodes[1]) std::swap(nodes[0], nodes[1]);
-  return nodes;
-}
 
 /// A face in the bucket of its smallest node.
 struct BucketedFace {

@@ -1,13 +1,13 @@
 /// The mesh as cosmetics changes it: some tets go, others that fill the same cavity come.
 ///
-/// Every change of topology is a Replacement. New tets of exactly positive volume with the same
-/// outer faces as the old ones tile the same region, so no operation needs a proof of its own.
+/// Every change of topology is a Replacement, done by mesh/core/tet_replacement.h.
 #pragma once
 
 #include <limits>
 #include <optional>
 
 #include "mesh/core/tet_complex.h"
+#include "mesh/core/tet_marks.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -19,9 +19,8 @@ struct WorkMesh {
   /// Number of the change that last touched the tets of a node; 0: none yet.
   std::vector<std::int64_t> node2change;
   std::int64_t changes = 0;
-  /// Tets with the present mark are in the set that is being gathered.
-  std::vector<std::uint32_t> tet2mark;
-  std::uint32_t mark = 0;
+  /// The set of tets that is being gathered.
+  TetMarks marks;
   /// Not a number: not known.
   mutable std::vector<double> tet2quality;
   /// The factor that makes a change worth it, see is_worth.
@@ -54,10 +53,6 @@ struct WorkMesh {
   }
   /// Computed when first asked for, and kept until the tet changes.
   double quality_of(std::int32_t t) const;
-  /// Forgets the gathered set.
-  void clear_marks() { ++mark; }
-  bool is_marked(std::int32_t t) const { return tet2mark[static_cast<std::size_t>(t)] == mark; }
-  void set_mark(std::int32_t t) { tet2mark[static_cast<std::size_t>(t)] = mark; }
 };
 
 /// Tets to be replaced by new ones. `new_point`: a node that the new tets name as points.size().

@@ -5,17 +5,10 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
-
-using SortedFace = std::array<std::int32_t, 3>;
-
-SortedFace sorted_face(std::int32_t a, std::int32_t b, std::int32_t c) {
-  SortedFace face = {a, b, c};
-  std::sort(face.begin(), face.end());
-  return face;
-}
 
 /// Gives the section the nodes of its tets, and its elements the numbers there. `local` is scratch:
 /// -1 for every node, before and after.
@@ -121,12 +114,11 @@ void add_elements(std::uint32_t number, ElementSection section,
 
 std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<Tet>& tets,
                                            const std::vector<Triangle>& triangles) {
-  std::vector<std::pair<SortedFace, std::size_t>> faces;
+  std::vector<std::pair<Triangle, std::size_t>> faces;
   std::vector<bool> has_triangle(nodes, false);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    faces.emplace_back(sorted_face(t[0], t[1], t[2]), i);
-    for (const std::int32_t v : t) has_triangle[at(v)] = true;
+    faces.emplace_back(sorted_face(triangles[i]), i);
+    for (const std::int32_t v : triangles[i]) has_triangle[at(v)] = true;
   }
   std::sort(faces.begin(), faces.end());
   std::vector<std::size_t> tet_of(triangles.size(), tets.size());
@@ -137,10 +129,10 @@ std::vector<std::size_t> tets_of_triangles(std::size_t nodes, const std::vector<
           !has_triangle[at(tet[at(k)])]) {
         continue;
       }
-      const SortedFace face = sorted_face(tet[at(i)], tet[at(j)], tet[at(k)]);
+      const Triangle face = sorted_face(std::array{tet[at(i)], tet[at(j)], tet[at(k)]});
       const auto found = std::lower_bound(
           faces.begin(), faces.end(), face,
-          [](const auto& item, const SortedFace& wanted) { return item.first < wanted; });
+          [](const auto& item, const Triangle& wanted) { return item.first < wanted; });
       if (found != faces.end() && found->first == face) tet_of[found->second] = t;
     }
   }

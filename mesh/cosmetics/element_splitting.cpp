@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smoothing.h"
@@ -15,8 +16,6 @@ constexpr std::size_t most_cavity = 24;
 /// Layers of flat tets are larger.
 constexpr std::size_t most_cavity_of_flat = 160;
 constexpr std::size_t most_ring = 12;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// An outer face of a cavity as its inside sees it, and the tet beyond (-1: none).
 struct CavityFace {
@@ -31,15 +30,15 @@ void visit_outer_faces(const WorkMesh& work, std::int32_t t, Visitor&& visit) {
   for (int face = 0; face < 4; ++face) {
     const FaceHandle across = work.across(t, face);
     const std::int32_t beyond = across == no_face ? -1 : tet_of(across);
-    if (beyond >= 0 && work.is_marked(beyond)) continue;
+    if (beyond >= 0 && work.marks.has(beyond)) continue;
     const auto& local = tet_face_nodes[at(face)];
     visit(CavityFace{{tet[at(local[2])], tet[at(local[1])], tet[at(local[0])]}, beyond});
   }
 }
 
 std::vector<CavityFace> faces_of_cavity(WorkMesh& work, const std::vector<std::int32_t>& cavity) {
-  work.clear_marks();
-  for (const std::int32_t t : cavity) work.set_mark(t);
+  work.marks.clear();
+  for (const std::int32_t t : cavity) work.marks.add(t);
   std::vector<CavityFace> faces;
   for (const std::int32_t t : cavity) {
     visit_outer_faces(work, t, [&](const CavityFace& face) { faces.push_back(face); });
@@ -125,7 +124,7 @@ std::optional<Replacement> fill_with_star(WorkMesh& work, const std::vector<std:
 class GrowingCavity {
  public:
   GrowingCavity(WorkMesh& work, std::int32_t t, const Vec3& p) : work_(work), p_(p) {
-    work_.clear_marks();
+    work_.marks.clear();
     add(t);
   }
   const std::vector<std::int32_t>& tets() const { return tets_; }
@@ -141,13 +140,13 @@ class GrowingCavity {
   /// The first of those that p sees worst.
   const Seen& worst() {
     TF_CHECK(!faces_.empty());  // a cavity has an outside
-    while (faces_.top().beyond >= 0 && work_.is_marked(faces_.top().beyond)) faces_.pop();
+    while (faces_.top().beyond >= 0 && work_.marks.has(faces_.top().beyond)) faces_.pop();
     return faces_.top();
   }
 
   void add(std::int32_t t) {
     tets_.push_back(t);
-    work_.set_mark(t);
+    work_.marks.add(t);
     visit_outer_faces(work_, t, [this](const CavityFace& face) {
       faces_.push({quality_over(work_, face, p_), count_++, face.beyond});
     });

@@ -9,6 +9,7 @@
 #include <queue>
 #include <vector>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/bad_tets.h"
 #include "mesh/cosmetics/cavity.h"
 #include "mesh/cosmetics/improve_mesh.h"
@@ -72,7 +73,6 @@ struct Improver {
   }
 
  private:
-  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 };
 
 /// Tells that a pass begins.

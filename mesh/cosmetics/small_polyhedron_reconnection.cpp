@@ -5,6 +5,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 #include "mesh/cosmetics/quality.h"
 
 namespace tetfarm::cosmetics {
@@ -27,21 +28,13 @@ std::size_t number_of_triple(std::size_t a, std::size_t b, std::size_t c) {
 }
 
 /// A face by its nodes in rising order, and whether that takes an odd permutation.
-struct SortedFace {
+struct NumberedFace {
   std::size_t number;
   bool odd;
 };
-SortedFace sorted_face(Face f) {
-  bool odd = false;
-  const auto order = [&](Node& a, Node& b) {
-    if (a < b) return;
-    std::swap(a, b);
-    odd = !odd;
-  };
-  order(f[0], f[1]);
-  order(f[1], f[2]);
-  order(f[0], f[1]);
-  return {number_of_triple(f[0], f[1], f[2]), odd};
+NumberedFace numbered(Face face) {
+  const bool odd = sort_face(face);
+  return {number_of_triple(face[0], face[1], face[2]), odd};
 }
 
 /// The tets and nodes of a cavity.
@@ -56,7 +49,7 @@ struct Cavity {
 
 void take_tet(WorkMesh& work, Cavity& cavity, std::int32_t t) {
   cavity.tets.push_back(t);
-  work.set_mark(t);
+  work.marks.add(t);
   for (const std::int32_t v : work.tet(t)) {
     if (!cavity.has(v)) cavity.nodes.push_back(v);
   }
@@ -73,7 +66,7 @@ double measure_of(const WorkMesh& work, std::int32_t t, const ReconnectionOption
 Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& options) {
   Cavity cavity;
   const double least = measure_of(work, t, options);
-  work.clear_marks();
+  work.marks.clear();
   take_tet(work, cavity, t);
   while (cavity.tets.size() < options.most_tets) {
     std::int32_t best = -1;
@@ -81,7 +74,7 @@ Cavity grown_cavity(WorkMesh& work, std::int32_t t, const ReconnectionOptions& o
     for (const std::int32_t inside : cavity.tets) {
       for (int face = 0; face < 4; ++face) {
         const FaceHandle across = work.across(inside, face);
-        if (across == no_face || work.is_marked(tet_of(across))) continue;
+        if (across == no_face || work.marks.has(tet_of(across))) continue;
         const double across_measure = measure_of(work, tet_of(across), options);
         if (across_measure < least) continue;
         const bool is_new = !cavity.has(work.tet(tet_of(across))[at(face_of(across))]);
@@ -109,7 +102,7 @@ struct Front {
 
   static State open_state(bool odd) { return odd ? open_odd : open_even; }
   bool add_open(const Face& face) {
-    const SortedFace sorted = sorted_face(face);
+    const NumberedFace sorted = numbered(face);
     if (count == most_open || state[sorted.number] != unused) return false;
     state[sorted.number] = open_state(sorted.odd);
     open[count++] = face;
@@ -118,7 +111,7 @@ struct Front {
   void close(std::size_t number) {
     state[number] = closed;
     for (std::size_t i = 0; i < count; ++i) {
-      if (sorted_face(open[i]).number != number) continue;
+      if (numbered(open[i]).number != number) continue;
       open[i] = open[--count];
       return;
     }
@@ -126,9 +119,9 @@ struct Front {
   /// Puts a tet on an open face; false when one of its other faces has its two tets already.
   bool place(const Face& base, Node apex) {
     const auto [x, y, z] = base;
-    close(sorted_face(base).number);
+    close(numbered(base).number);
     for (const Face& beyond : {Face{x, y, apex}, Face{y, z, apex}, Face{z, x, apex}}) {
-      const SortedFace sorted = sorted_face(beyond);
+      const NumberedFace sorted = numbered(beyond);
       const State now = state[sorted.number];
       if (now == unused) {
         if (!add_open(beyond)) return false;
@@ -207,7 +200,7 @@ class Search {
 
   /// The nodes that make a tet with the face better than what is to be beaten (when first asked).
   std::uint16_t apexes_of(const Face& face) {
-    const SortedFace sorted = sorted_face(face);
+    const NumberedFace sorted = numbered(face);
     Apexes& apexes = apexes_[2 * sorted.number + (sorted.odd ? 1 : 0)];
     if (apexes.known) return apexes.nodes;
     apexes.known = true;
@@ -280,7 +273,7 @@ std::optional<Front> outer_front(const WorkMesh& work, const Cavity& cavity) {
   for (const std::int32_t t : cavity.tets) {
     for (int face = 0; face < 4; ++face) {
       const FaceHandle across = work.across(t, face);
-      if (across != no_face && work.is_marked(tet_of(across))) continue;
+      if (across != no_face && work.marks.has(tet_of(across))) continue;
       const auto& local = tet_face_nodes[at(face)];
       Face seen;
       for (std::size_t i = 0; i < 3; ++i) {

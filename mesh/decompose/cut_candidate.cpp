@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/decompose/cut_check.h"
 #include "mesh/decompose/cut_lifting.h"
@@ -62,7 +63,7 @@ InnerNodes lattice_nodes_of(const Candidate& candidate, const Parent& parent) {
   if (!candidate.place.lattice) return inner;
   Box3 box;
   for (const auto& loop : candidate.loops.loops) {
-    for (const RimEdge& edge : loop) box.add(parent.subdomain.vertices[idx(edge.from)]);
+    for (const RimEdge& edge : loop) box.add(parent.subdomain.vertices[at(edge.from)]);
   }
   inner.lattice = parent.spacing.lattice_nodes_in_plane(box, *candidate.place.lattice);
   return inner;

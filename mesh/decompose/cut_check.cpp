@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -19,17 +20,16 @@ double cosine_at(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// The height of the cut above its plane at p, when p lies in its region.
 std::optional<double> height_of_cut(const InterdomainMesh& mesh, const Vec2& p) {
   for (const auto& [i, j, k] : mesh.planar.triangles) {
-    const Vec2& a = mesh.planar.points[idx(i)];
-    const Vec2& b = mesh.planar.points[idx(j)];
-    const Vec2& c = mesh.planar.points[idx(k)];
+    const Vec2& a = mesh.planar.points[at(i)];
+    const Vec2& b = mesh.planar.points[at(j)];
+    const Vec2& c = mesh.planar.points[at(k)];
     const double at_a = (b.x - p.x) * (c.y - p.y) - (b.y - p.y) * (c.x - p.x);
     const double at_b = (c.x - p.x) * (a.y - p.y) - (c.y - p.y) * (a.x - p.x);
     const double at_c = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x);
     if (at_a < 0 || at_b < 0 || at_c < 0) continue;
     const double sum = at_a + at_b + at_c;
     if (sum <= 0) continue;
-    return (at_a * mesh.heights[idx(i)] + at_b * mesh.heights[idx(j)] +
-            at_c * mesh.heights[idx(k)]) /
+    return (at_a * mesh.heights[at(i)] + at_b * mesh.heights[at(j)] + at_c * mesh.heights[at(k)]) /
            sum;
   }
   return std::nullopt;
@@ -50,24 +50,24 @@ std::vector<WholeShell> shells_without_rim(const InterdomainMesh& mesh, const Su
   const std::int32_t count =
       1 + *std::max_element(shell_of_triangle.begin(), shell_of_triangle.end());
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<bool> has_rim(idx(count), false);
+  std::vector<bool> has_rim(at(count), false);
   for (const RimEdge& edge : mesh.rim) {
-    has_rim[idx(shell_of_triangle[idx(edge.left_triangle)])] = true;
+    has_rim[at(shell_of_triangle[at(edge.left_triangle)])] = true;
   }
-  std::vector<std::size_t> place(idx(count), none);
+  std::vector<std::size_t> place(at(count), none);
   std::vector<WholeShell> shells;
   for (std::size_t t = 0; t < shell_of_triangle.size(); ++t) {
-    const std::size_t shell = idx(shell_of_triangle[t]);
+    const std::size_t shell = at(shell_of_triangle[t]);
     if (has_rim[shell]) continue;
     if (place[shell] == none) {
       place[shell] = shells.size();
       shells.push_back({t, colours[t], 0, {}});
     }
     WholeShell& whole = shells[place[shell]];
-    const Vec3& base = subdomain.vertices[idx(subdomain.triangles[whole.triangle][0])];
+    const Vec3& base = subdomain.vertices[at(subdomain.triangles[whole.triangle][0])];
     const auto& [a, b, c] = subdomain.triangles[t];
-    const Vec3 &p = subdomain.vertices[idx(a)], &q = subdomain.vertices[idx(b)],
-               &r = subdomain.vertices[idx(c)];
+    const Vec3 &p = subdomain.vertices[at(a)], &q = subdomain.vertices[at(b)],
+               &r = subdomain.vertices[at(c)];
     whole.volume += dot(p - base, cross(q - base, r - base)) / 6;
     for (const Vec3* v : {&p, &q, &r}) whole.box.add(*v);
   }
@@ -90,8 +90,8 @@ std::vector<double> cosines_at_rim(const InterdomainMesh& mesh, const Subdomain&
   cosines.reserve(mesh.rim.size());
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
     const std::int32_t apex = apex_of_rim_triangle(mesh, i);
-    const Vec3 into_cut = direction_into(subdomain.vertices[idx(mesh.rim[i].from)],
-                                         subdomain.vertices[idx(mesh.rim[i].to)],
+    const Vec3 into_cut = direction_into(subdomain.vertices[at(mesh.rim[i].from)],
+                                         subdomain.vertices[at(mesh.rim[i].to)],
                                          node_position(mesh, subdomain, apex));
     cosines.push_back(cosine_to_sides(corners[i], into_cut));
   }
@@ -115,7 +115,7 @@ bool shells_are_on_their_sides(const InterdomainMesh& mesh, const Subdomain& sub
   const std::vector<WholeShell> shells =
       shells_without_rim(mesh, subdomain, colours, shell_of_triangle);
   for (const WholeShell& shell : shells) {
-    const Vec3& p = subdomain.vertices[idx(subdomain.triangles[shell.triangle][0])];
+    const Vec3& p = subdomain.vertices[at(subdomain.triangles[shell.triangle][0])];
     const auto cut_height = height_of_cut(mesh, mesh.plane.project(p));
     if (!cut_height) continue;
     const Side side = mesh.plane.height(p) < *cut_height ? Side::left : Side::right;

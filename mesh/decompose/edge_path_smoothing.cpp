@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -15,7 +16,7 @@ struct Fan {
 
 std::vector<Fan> fans_round(const FaceColours& colours, const std::vector<HalfEdge>& round) {
   const std::size_t n = round.size();
-  const auto colour = [&](std::size_t i) { return colours[idx(triangle_of(round[i % n]))]; };
+  const auto colour = [&](std::size_t i) { return colours[at(triangle_of(round[i % n]))]; };
   std::vector<Fan> fans;
   for (std::size_t i = 0; i < n; ++i) {
     if (colour(i) != colour(i + n - 1)) fans.push_back({i, 0});
@@ -37,7 +38,7 @@ bool open_pinch(FaceColours& colours, const SurfaceTopology& topology, HalfEdge 
     const Fan smallest = *std::min_element(
         fans.begin(), fans.end(), [](const Fan& a, const Fan& b) { return a.length < b.length; });
     for (std::size_t i = smallest.first; i < smallest.first + smallest.length; ++i) {
-      Side& side = colours[idx(triangle_of(round[i % round.size()]))];
+      Side& side = colours[at(triangle_of(round[i % round.size()]))];
       side = other(side);
     }
     has_changed = true;
@@ -50,8 +51,8 @@ std::vector<std::int32_t> small_patch(const FaceColours& colours, const SurfaceT
   std::vector<std::int32_t> patch = {seed};
   for (std::size_t i = 0; i < patch.size(); ++i) {
     for (int e = 0; e < 3; ++e) {
-      const std::int32_t neighbour = triangle_of(topology.twin[idx(half_edge(patch[i], e))]);
-      if (colours[idx(neighbour)] != colours[idx(seed)]) continue;
+      const std::int32_t neighbour = triangle_of(topology.twin[at(half_edge(patch[i], e))]);
+      if (colours[at(neighbour)] != colours[at(seed)]) continue;
       if (std::find(patch.begin(), patch.end(), neighbour) != patch.end()) continue;
       patch.push_back(neighbour);
       if (patch.size() > most) return {};
@@ -73,8 +74,8 @@ void smooth_edge_path(FaceColours& colours, const SurfaceTopology& topology) {
     const std::int32_t t = queue.back();
     queue.pop_back();
     if (edges_between_colours(colours, topology, t) < 2) continue;
-    colours[idx(t)] = other(colours[idx(t)]);
-    for (int e = 0; e < 3; ++e) queue.push_back(triangle_of(topology.twin[idx(half_edge(t, e))]));
+    colours[at(t)] = other(colours[at(t)]);
+    for (int e = 0; e < 3; ++e) queue.push_back(triangle_of(topology.twin[at(half_edge(t, e))]));
   }
 }
 
@@ -83,11 +84,11 @@ int open_pinches(FaceColours& colours, const SurfaceTopology& topology,
   int opened = 0;
   const auto half_edges = static_cast<HalfEdge>(topology.twin.size());
   for (HalfEdge h = 0; h < half_edges; ++h) {
-    const HalfEdge twin = topology.twin[idx(h)];
-    const bool is_on_path = colours[idx(triangle_of(h))] == Side::left &&
-                            colours[idx(triangle_of(twin))] == Side::right;
+    const HalfEdge twin = topology.twin[at(h)];
+    const bool is_on_path =
+        colours[at(triangle_of(h))] == Side::left && colours[at(triangle_of(twin))] == Side::right;
     if (!is_on_path) continue;
-    const HalfEdge first = topology.vertex2half_edge[idx(start_of(triangles, h))];
+    const HalfEdge first = topology.vertex2half_edge[at(start_of(triangles, h))];
     if (open_pinch(colours, topology, first)) ++opened;
   }
   return opened;
@@ -100,7 +101,7 @@ int drop_crumbs(FaceColours& colours, const SurfaceTopology& topology) {
   for (std::int32_t t = 0; t < triangles; ++t) {
     if (edges_between_colours(colours, topology, t) == 0) continue;
     const auto patch = small_patch(colours, topology, t, largest_crumb);
-    for (const std::int32_t member : patch) colours[idx(member)] = other(colours[idx(member)]);
+    for (const std::int32_t member : patch) colours[at(member)] = other(colours[at(member)]);
     if (!patch.empty()) ++dropped;
   }
   return dropped;

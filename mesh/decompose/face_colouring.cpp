@@ -1,5 +1,7 @@
 #include "mesh/decompose/face_colouring.h"
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 
 FaceColours colour_by_centroid(const SurfaceTopology& topology, const CutPlane& plane) {
@@ -15,8 +17,8 @@ int edges_between_colours(const FaceColours& colours, const SurfaceTopology& top
                           std::int32_t triangle) {
   int count = 0;
   for (int e = 0; e < 3; ++e) {
-    const std::int32_t neighbour = triangle_of(topology.twin[idx(half_edge(triangle, e))]);
-    if (colours[idx(neighbour)] != colours[idx(triangle)]) ++count;
+    const std::int32_t neighbour = triangle_of(topology.twin[at(half_edge(triangle, e))]);
+    if (colours[at(neighbour)] != colours[at(triangle)]) ++count;
   }
   return count;
 }

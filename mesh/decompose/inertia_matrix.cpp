@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/array_index.h"
 #include "mesh/decompose/surface_topology.h"
 
 namespace tetfarm {
@@ -17,9 +18,9 @@ Vec3 centre_of_gravity(const WorkSamples& work) {
 
 /// Turns rows and columns p and q so that the element (p, q) vanishes; `axes` turn along.
 void rotate(std::array<Vec3, 3>& m, std::array<Vec3, 3>& axes, int p, int q) {
-  const double off_diagonal = m[idx(p)][q];
+  const double off_diagonal = m[at(p)][q];
   if (off_diagonal == 0) return;
-  const double ratio = (m[idx(q)][q] - m[idx(p)][p]) / (2 * off_diagonal);
+  const double ratio = (m[at(q)][q] - m[at(p)][p]) / (2 * off_diagonal);
   const double tangent = (ratio >= 0 ? 1 : -1) / (std::fabs(ratio) + std::sqrt(ratio * ratio + 1));
   const double c = 1 / std::sqrt(tangent * tangent + 1);
   const double s = tangent * c;
@@ -28,12 +29,12 @@ void rotate(std::array<Vec3, 3>& m, std::array<Vec3, 3>& axes, int p, int q) {
     row[p] = c * at_p - s * row[q];
     row[q] = s * at_p + c * row[q];
   }
-  const Vec3 row_p = m[idx(p)];
-  m[idx(p)] = c * row_p - s * m[idx(q)];
-  m[idx(q)] = s * row_p + c * m[idx(q)];
-  const Vec3 axis_p = axes[idx(p)];
-  axes[idx(p)] = c * axis_p - s * axes[idx(q)];
-  axes[idx(q)] = s * axis_p + c * axes[idx(q)];
+  const Vec3 row_p = m[at(p)];
+  m[at(p)] = c * row_p - s * m[at(q)];
+  m[at(q)] = s * row_p + c * m[at(q)];
+  const Vec3 axis_p = axes[at(p)];
+  axes[at(p)] = c * axis_p - s * axes[at(q)];
+  axes[at(q)] = s * axis_p + c * axes[at(q)];
 }
 
 Vec3 with_positive_largest_component(const Vec3& a) {
@@ -76,10 +77,10 @@ std::array<Vec3, 3> principal_axes(const InertiaMatrix& inertia) {
   }
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
-                   [&m](int i, int j) { return m[idx(i)][i] < m[idx(j)][j]; });
+                   [&m](int i, int j) { return m[at(i)][i] < m[at(j)][j]; });
   std::array<Vec3, 3> sorted;
   for (int i = 0; i < 3; ++i) {
-    sorted[idx(i)] = with_positive_largest_component(normalized(axes[idx(order[idx(i)])]));
+    sorted[at(i)] = with_positive_largest_component(normalized(axes[at(order[at(i)])]));
   }
   return sorted;
 }

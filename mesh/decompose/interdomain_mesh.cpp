@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/spacing/octree_build.h"
@@ -12,8 +13,8 @@ namespace {
 double twice_signed_area(const PlanarRegion& region) {
   double area = 0;
   for (const auto& [i, j] : region.edges) {
-    const Vec2& a = region.points[idx(i)];
-    const Vec2& b = region.points[idx(j)];
+    const Vec2& a = region.points[at(i)];
+    const Vec2& b = region.points[at(j)];
     area += a.x * b.y - a.y * b.x;
   }
   return area;
@@ -26,11 +27,11 @@ PlanarRegion project_loops(const EdgeLoops& loops, const Subdomain& subdomain,
     const auto first = static_cast<std::int32_t>(region.points.size());
     const auto size = static_cast<std::int32_t>(loop.size());
     for (std::int32_t i = 0; i < size; ++i) {
-      const RimEdge& edge = loop[idx(i)];
+      const RimEdge& edge = loop[at(i)];
       mesh.rim.push_back(edge);
       mesh.rim_vertices.push_back(edge.from);
       mesh.rim_nodes.push_back({first + i, first + (i + 1) % size});
-      region.points.push_back(mesh.plane.project(subdomain.vertices[idx(edge.from)]));
+      region.points.push_back(mesh.plane.project(subdomain.vertices[at(edge.from)]));
       region.edges.push_back(mesh.rim_nodes.back());
     }
   }
@@ -44,15 +45,15 @@ std::vector<Chord> chords_of_surface(const InterdomainMesh& mesh, const Subdomai
                                      const SurfaceTopology& topology) {
   std::vector<std::int32_t> vertex2node(subdomain.vertices.size(), -1);
   for (std::size_t i = 0; i < mesh.rim_vertices.size(); ++i) {
-    vertex2node[idx(mesh.rim_vertices[i])] = static_cast<std::int32_t>(i);
+    vertex2node[at(mesh.rim_vertices[i])] = static_cast<std::int32_t>(i);
   }
   std::vector<Chord> chords;
   for (const std::int32_t vertex : mesh.rim_vertices) {
     for (const HalfEdge h :
-         half_edges_round_start(topology, topology.vertex2half_edge[idx(vertex)])) {
+         half_edges_round_start(topology, topology.vertex2half_edge[at(vertex)])) {
       const std::int32_t end = end_of(subdomain.triangles, h);
-      if (end > vertex && vertex2node[idx(end)] >= 0) {
-        const auto [a, b] = std::minmax(vertex2node[idx(vertex)], vertex2node[idx(end)]);
+      if (end > vertex && vertex2node[at(end)] >= 0) {
+        const auto [a, b] = std::minmax(vertex2node[at(vertex)], vertex2node[at(end)]);
         chords.push_back({a, b});
       }
     }
@@ -110,8 +111,8 @@ std::vector<LatticeNodeOfCut> nodes_clear_of_rim(const std::vector<LatticeNode>&
   std::vector<Box3> boxes;
   for (const auto& [i, j] : region.edges) {
     Box3 box;
-    box.add(Vec3{region.points[idx(i)].x, region.points[idx(i)].y, 0});
-    box.add(Vec3{region.points[idx(j)].x, region.points[idx(j)].y, 0});
+    box.add(Vec3{region.points[at(i)].x, region.points[at(i)].y, 0});
+    box.add(Vec3{region.points[at(j)].x, region.points[at(j)].y, 0});
     boxes.push_back(box);
   }
   const BoxTree tree(boxes);
@@ -122,9 +123,9 @@ std::vector<LatticeNodeOfCut> nodes_clear_of_rim(const std::vector<LatticeNode>&
     const double reach = held_from * h;
     double nearest2 = reach * reach;
     tree.query({{p.x - reach, p.y - reach, 0}, {p.x + reach, p.y + reach, 0}}, [&](std::int32_t e) {
-      const auto& [i, j] = region.edges[idx(e)];
+      const auto& [i, j] = region.edges[at(e)];
       nearest2 =
-          std::min(nearest2, squared_distance(p, region.points[idx(i)], region.points[idx(j)]));
+          std::min(nearest2, squared_distance(p, region.points[at(i)], region.points[at(j)]));
     });
     if (nearest2 < least_distance * least_distance * h * h) continue;
     clear.push_back({node.place(), nearest2 >= reach * reach});
@@ -146,7 +147,7 @@ void drop_lattice_outside(InterdomainMesh& mesh) {
   if (mesh.lattice.empty()) return;
   std::vector<std::int32_t> old2new(mesh.planar.points.size(), -1);
   for (const auto& triangle : mesh.planar.triangles) {
-    for (const std::int32_t v : triangle) old2new[idx(v)] = 0;
+    for (const std::int32_t v : triangle) old2new[at(v)] = 0;
   }
   std::vector<Vec2> points;
   std::vector<LatticeNodeOfCut> lattice;
@@ -161,7 +162,7 @@ void drop_lattice_outside(InterdomainMesh& mesh) {
     points.push_back(mesh.planar.points[i]);
   }
   for (auto& triangle : mesh.planar.triangles) {
-    for (std::int32_t& v : triangle) v = old2new[idx(v)];
+    for (std::int32_t& v : triangle) v = old2new[at(v)];
   }
   mesh.planar.points = std::move(points);
   mesh.lattice = std::move(lattice);
@@ -195,17 +196,17 @@ InterdomainResult mesh_interdomain(const Subdomain& subdomain, const SurfaceTopo
   }
   for (std::size_t i = 0; i < mesh.planar.points.size(); ++i) {
     const bool is_on_rim = i < mesh.rim_vertices.size();
-    const Vec3 at = is_on_rim ? subdomain.vertices[idx(mesh.rim_vertices[i])]
-                              : plane.lift(mesh.planar.points[i], 0);
-    mesh.heights.push_back(is_on_rim ? plane.height(at) : 0);
-    mesh.spacing.push_back(spacing.at(at));
+    const Vec3 place = is_on_rim ? subdomain.vertices[at(mesh.rim_vertices[i])]
+                                 : plane.lift(mesh.planar.points[i], 0);
+    mesh.heights.push_back(is_on_rim ? plane.height(place) : 0);
+    mesh.spacing.push_back(spacing.at(place));
   }
   TF_CHECK(mesh.heights.size() == mesh.planar.points.size());
   return result;
 }
 
 std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i) {
-  const auto& triangle = mesh.planar.triangles[idx(mesh.rim2triangle[i])];
+  const auto& triangle = mesh.planar.triangles[at(mesh.rim2triangle[i])];
   for (const std::int32_t v : triangle) {
     if (v != mesh.rim_nodes[i][0] && v != mesh.rim_nodes[i][1]) return v;
   }
@@ -215,26 +216,26 @@ std::int32_t apex_of_rim_triangle(const InterdomainMesh& mesh, std::size_t i) {
 
 std::vector<Chord> chords_of_triangle(const InterdomainMesh& mesh, std::int32_t triangle) {
   std::vector<Chord> chords;
-  const auto& nodes = mesh.planar.triangles[idx(triangle)];
+  const auto& nodes = mesh.planar.triangles[at(triangle)];
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int32_t a = nodes[k];
     const std::int32_t b = nodes[(k + 1) % 3];
     if (!mesh.is_rim_node(a) || !mesh.is_rim_node(b)) continue;
     // Loops are numbered one after the other, so that the rim edge from a is number a.
-    if (mesh.rim_nodes[idx(a)][1] == b) continue;
+    if (mesh.rim_nodes[at(a)][1] == b) continue;
     chords.push_back({std::min(a, b), std::max(a, b)});
   }
   return chords;
 }
 
 Vec3 node_position(const InterdomainMesh& mesh, const Subdomain& subdomain, std::int32_t node) {
-  if (mesh.is_rim_node(node)) return subdomain.vertices[idx(mesh.rim_vertices[idx(node)])];
-  const std::size_t number = idx(node) - mesh.rim_vertices.size();
+  if (mesh.is_rim_node(node)) return subdomain.vertices[at(mesh.rim_vertices[at(node)])];
+  const std::size_t number = at(node) - mesh.rim_vertices.size();
   if (number < mesh.lattice.size()) {
-    const Vec3& at = mesh.lattice[number].at;
-    if (mesh.heights[idx(node)] == mesh.plane.height(at)) return at;
+    const Vec3& place = mesh.lattice[number].at;
+    if (mesh.heights[at(node)] == mesh.plane.height(place)) return place;
   }
-  return mesh.plane.lift(mesh.planar.points[idx(node)], mesh.heights[idx(node)]);
+  return mesh.plane.lift(mesh.planar.points[at(node)], mesh.heights[at(node)]);
 }
 
 }  // namespace tetfarm

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -19,10 +20,10 @@ class Pushes {
   }
 
   bool push(std::int32_t node, double wanted, bool upward) {
-    const double height = mesh_.heights[idx(node)];
+    const double height = mesh_.heights[at(node)];
     if (upward ? height >= wanted : height <= wanted) return false;
-    if (std::fabs(wanted - height) > options_.farthest * mesh_.spacing[idx(node)]) return false;
-    std::optional<double>& target = targets_[idx(node)];
+    if (std::fabs(wanted - height) > options_.farthest * mesh_.spacing[at(node)]) return false;
+    std::optional<double>& target = targets_[at(node)];
     if (target) wanted = upward ? std::max(*target, wanted) : std::min(*target, wanted);
     if (target == wanted) return false;
     target = wanted;
@@ -39,16 +40,16 @@ class Pushes {
 bool push_nodes_off_surface(const InterdomainMesh& mesh, const Subdomain& subdomain,
                             const SurfaceContact& contact, bool upward, const PushOptions& options,
                             Pushes& pushes) {
-  const auto& [a, b, c] = subdomain.triangles[idx(contact.surface_triangle)];
+  const auto& [a, b, c] = subdomain.triangles[at(contact.surface_triangle)];
   bool has_moved = false;
-  for (const std::int32_t node : mesh.planar.triangles[idx(contact.cut_triangle)]) {
+  for (const std::int32_t node : mesh.planar.triangles[at(contact.cut_triangle)]) {
     if (mesh.is_rim_node(node)) continue;
     const Closest closest =
-        closest_in_triangle(node_position(mesh, subdomain, node), subdomain.vertices[idx(a)],
-                            subdomain.vertices[idx(b)], subdomain.vertices[idx(c)]);
-    const double far = options.to * mesh.spacing[idx(node)];
+        closest_in_triangle(node_position(mesh, subdomain, node), subdomain.vertices[at(a)],
+                            subdomain.vertices[at(b)], subdomain.vertices[at(c)]);
+    const double far = options.to * mesh.spacing[at(node)];
     const double surface_height = mesh.plane.height(closest.point);
-    const double above = mesh.heights[idx(node)] - surface_height;
+    const double above = mesh.heights[at(node)] - surface_height;
     const double aside2 = std::max(0.0, closest.distance2 - above * above);
     if (aside2 >= far * far) continue;
     const double clear = std::sqrt(far * far - aside2);
@@ -77,18 +78,18 @@ bool push_triangle_off_corners(const InterdomainMesh& mesh, const Subdomain& sub
                                const SurfaceContact& contact, bool upward, double clear,
                                Pushes& pushes) {
   constexpr double least_hold = 0.1;  // of the new nodes on the height at that corner
-  const auto& nodes = mesh.planar.triangles[idx(contact.cut_triangle)];
+  const auto& nodes = mesh.planar.triangles[at(contact.cut_triangle)];
   bool has_moved = false;
-  for (const std::int32_t v : subdomain.triangles[idx(contact.surface_triangle)]) {
-    const Vec3& corner = subdomain.vertices[idx(v)];
+  for (const std::int32_t v : subdomain.triangles[at(contact.surface_triangle)]) {
+    const Vec3& corner = subdomain.vertices[at(v)];
     const auto weights =
-        weights_in_triangle(mesh.plane.project(corner), mesh.planar.points[idx(nodes[0])],
-                            mesh.planar.points[idx(nodes[1])], mesh.planar.points[idx(nodes[2])]);
+        weights_in_triangle(mesh.plane.project(corner), mesh.planar.points[at(nodes[0])],
+                            mesh.planar.points[at(nodes[1])], mesh.planar.points[at(nodes[2])]);
     if (!weights) continue;
     double height = 0;
     double hold = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      height += (*weights)[k] * mesh.heights[idx(nodes[k])];
+      height += (*weights)[k] * mesh.heights[at(nodes[k])];
       if (!mesh.is_rim_node(nodes[k])) hold += (*weights)[k] * (*weights)[k];
     }
     const double surface_height = mesh.plane.height(corner);
@@ -97,7 +98,7 @@ bool push_triangle_off_corners(const InterdomainMesh& mesh, const Subdomain& sub
     for (std::size_t k = 0; k < 3; ++k) {
       if (mesh.is_rim_node(nodes[k])) continue;
       const double shift = missing * (*weights)[k] / hold;
-      has_moved |= pushes.push(nodes[k], mesh.heights[idx(nodes[k])] + shift, upward);
+      has_moved |= pushes.push(nodes[k], mesh.heights[at(nodes[k])] + shift, upward);
     }
   }
   return has_moved;
@@ -113,7 +114,7 @@ int push_nodes(const InterdomainMesh& mesh, const Subdomain& subdomain, const Fa
   int moved = 0;
   for (const SurfaceContact& contact : contacts) {
     if (!contact.meets && (contact.is_at_rim || contact.distance >= options.too_near)) continue;
-    const bool upward = colours[idx(contact.surface_triangle)] == Side::left;
+    const bool upward = colours[at(contact.surface_triangle)] == Side::left;
     const double clear = options.corners_to * contact.unit;
     bool has_moved = push_nodes_off_surface(mesh, subdomain, contact, upward, options, pushes);
     has_moved |= push_triangle_off_corners(mesh, subdomain, contact, upward, clear, pushes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -20,9 +21,9 @@ std::vector<double> area_in_invalid_zones(const Subdomain& subdomain,
     const double length2 = norm2(topology.normal[t]);
     if (along * along <= cosine_squared * length2) continue;
     const auto& [a, b, c] = subdomain.triangles[t];
-    const double at_a = dot(subdomain.vertices[idx(a)], unit_normal);
-    const double at_b = dot(subdomain.vertices[idx(b)], unit_normal);
-    const double at_c = dot(subdomain.vertices[idx(c)], unit_normal);
+    const double at_a = dot(subdomain.vertices[at(a)], unit_normal);
+    const double at_b = dot(subdomain.vertices[at(b)], unit_normal);
+    const double at_c = dot(subdomain.vertices[at(c)], unit_normal);
     const double low = std::min({at_a, at_b, at_c}) - topology.size[t];
     const double high = std::max({at_a, at_b, at_c}) + topology.size[t];
     for (std::size_t i = 0; i < offsets.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/decompose/surface_topology.h"
 
@@ -28,20 +29,20 @@ struct Quadratic {
 /// The height that puts the apex of a rim triangle on the bisector, its slope capped.
 double bisector_height(const InterdomainMesh& mesh, const RimCorner& corner, std::int32_t from,
                        std::int32_t to, std::int32_t apex, double steepest_slope) {
-  const Vec2& a = mesh.planar.points[idx(from)];
-  const Vec2 edge = from_to(a, mesh.planar.points[idx(to)]);
+  const Vec2& a = mesh.planar.points[at(from)];
+  const Vec2 edge = from_to(a, mesh.planar.points[at(to)]);
   const double length = std::sqrt(dot2(edge, edge));
   const Vec2 along{edge.x / length, edge.y / length};
   const Vec2 inward{-along.y, along.x};
   const Vec3 towards = bisector(corner);
   const Vec2 towards2 = {dot(towards, mesh.plane.u), dot(towards, mesh.plane.v)};
-  const double slope_along = (mesh.heights[idx(to)] - mesh.heights[idx(from)]) / length;
+  const double slope_along = (mesh.heights[at(to)] - mesh.heights[at(from)]) / length;
   const double rise = dot(towards, mesh.plane.normal) - slope_along * dot2(towards2, along);
   const double run = dot2(towards2, inward);
   const double slope =
       std::fabs(rise) < steepest_slope * run ? rise / run : std::copysign(steepest_slope, rise);
-  const Vec2 to_apex = from_to(a, mesh.planar.points[idx(apex)]);
-  return mesh.heights[idx(from)] + slope_along * dot2(to_apex, along) +
+  const Vec2 to_apex = from_to(a, mesh.planar.points[at(apex)]);
+  return mesh.heights[at(from)] + slope_along * dot2(to_apex, along) +
          slope * dot2(to_apex, inward);
 }
 
@@ -51,20 +52,20 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
   TF_CHECK(corners.size() == mesh.rim.size() && bisector_weights.size() == mesh.rim.size());
   Quadratic q{{}, std::vector<double>(points.size(), 0.0), std::vector<double>(points.size(), 0.0)};
   for (const auto& t : mesh.planar.triangles) {
-    const double twice_area = cross2(from_to(points[idx(t[0])], points[idx(t[1])]),
-                                     from_to(points[idx(t[0])], points[idx(t[2])]));
+    const double twice_area = cross2(from_to(points[at(t[0])], points[at(t[1])]),
+                                     from_to(points[at(t[0])], points[at(t[2])]));
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t i = t[k];
       const std::int32_t j = t[(k + 1) % 3];
       const std::int32_t opposite = t[(k + 2) % 3];
-      const double cotangent = dot2(from_to(points[idx(opposite)], points[idx(i)]),
-                                    from_to(points[idx(opposite)], points[idx(j)])) /
+      const double cotangent = dot2(from_to(points[at(opposite)], points[at(i)]),
+                                    from_to(points[at(opposite)], points[at(j)])) /
                                twice_area;
       constexpr double least = 0.05;  // keeps the system positive where angles are obtuse
       constexpr double most = 10;
       q.links.push_back({i, j, 0.5 * std::clamp(cotangent, least, most)});
-      const double reach = options.decay * mesh.spacing[idx(i)];
-      q.diagonal[idx(i)] += twice_area / 6 / (reach * reach);
+      const double reach = options.decay * mesh.spacing[at(i)];
+      q.diagonal[at(i)] += twice_area / 6 / (reach * reach);
     }
   }
   for (std::size_t i = 0; i < mesh.rim.size(); ++i) {
@@ -73,8 +74,8 @@ Quadratic assemble(const InterdomainMesh& mesh, const std::vector<RimCorner>& co
     const std::int32_t apex = apex_of_rim_triangle(mesh, i);
     if (mesh.is_rim_node(apex)) continue;
     const double target = bisector_height(mesh, corners[i], from, to, apex, options.steepest_slope);
-    q.diagonal[idx(apex)] += bisector_weights[i];
-    q.right_side[idx(apex)] += bisector_weights[i] * target;
+    q.diagonal[at(apex)] += bisector_weights[i];
+    q.right_side[at(apex)] += bisector_weights[i] * target;
   }
   return q;
 }
@@ -86,15 +87,15 @@ void minimise(const Quadratic& q, const std::vector<bool>& is_free, std::vector<
   std::vector<double> preconditioner = q.diagonal;
   TF_CHECK(is_free.size() == n && q.diagonal.size() == n);
   for (const auto& link : q.links) {
-    preconditioner[idx(link.a)] += link.weight;
-    preconditioner[idx(link.b)] += link.weight;
+    preconditioner[at(link.a)] += link.weight;
+    preconditioner[at(link.b)] += link.weight;
   }
   const auto apply = [&](const std::vector<double>& v, std::vector<double>& out) {
     for (std::size_t i = 0; i < n; ++i) out[i] = q.diagonal[i] * v[i];
     for (const auto& [a, b, weight] : q.links) {
-      const double flow = weight * (v[idx(a)] - v[idx(b)]);
-      out[idx(a)] += flow;
-      out[idx(b)] -= flow;
+      const double flow = weight * (v[at(a)] - v[at(b)]);
+      out[at(a)] += flow;
+      out[at(b)] -= flow;
     }
   };
   std::vector<double> product(n);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/decompose/maximum_flow.h"
 
@@ -13,11 +14,11 @@ constexpr double band_in_sizes = 0.75;
 /// Along a sharp corner of the material no cut can meet both sides at good angles.
 double sharpness(const SurfaceTopology& topology, HalfEdge h) {
   const std::int32_t t = triangle_of(h);
-  const std::int32_t neighbour = triangle_of(topology.twin[idx(h)]);
-  const Vec3& normal = topology.normal[idx(t)];
-  const Vec3& other_normal = topology.normal[idx(neighbour)];
+  const std::int32_t neighbour = triangle_of(topology.twin[at(h)]);
+  const Vec3& normal = topology.normal[at(t)];
+  const Vec3& other_normal = topology.normal[at(neighbour)];
   const bool is_convex =
-      dot(normal, topology.centroid[idx(neighbour)] - topology.centroid[idx(t)]) < 0;
+      dot(normal, topology.centroid[at(neighbour)] - topology.centroid[at(t)]) < 0;
   const double cosine = dot(normal, other_normal) / std::sqrt(norm2(normal) * norm2(other_normal));
   constexpr double of_85_degrees = -0.087;
   constexpr double of_110_degrees = 0.342;
@@ -57,18 +58,18 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
   for (const std::int32_t t : band) {
     for (int e = 0; e < 3; ++e) {
       const HalfEdge h = half_edge(t, e);
-      const std::int32_t neighbour = triangle_of(topology.twin[idx(h)]);
-      const std::int32_t other_node = triangle2node[idx(neighbour)];
+      const std::int32_t neighbour = triangle_of(topology.twin[at(h)]);
+      const std::int32_t other_node = triangle2node[at(neighbour)];
       if (other_node >= 0 && neighbour < t) continue;
-      const double size = 0.5 * (topology.size[idx(t)] + topology.size[idx(neighbour)]);
+      const double size = 0.5 * (topology.size[at(t)] + topology.size[at(neighbour)]);
       const std::int64_t capacity = to_capacity(
           sharpness(topology, h) *
-          path_cost(subdomain.vertices[idx(start_of(subdomain.triangles, h))],
-                    subdomain.vertices[idx(end_of(subdomain.triangles, h))], size, plane));
-      const std::int32_t node = triangle2node[idx(t)];
+          path_cost(subdomain.vertices[at(start_of(subdomain.triangles, h))],
+                    subdomain.vertices[at(end_of(subdomain.triangles, h))], size, plane));
+      const std::int32_t node = triangle2node[at(t)];
       if (other_node >= 0) {
         network.add_edge(node, other_node, capacity, capacity);
-      } else if (colours[idx(neighbour)] == Side::left) {
+      } else if (colours[at(neighbour)] == Side::left) {
         network.add_edge(source, node, capacity, 0);
       } else {
         network.add_edge(node, sink, capacity, 0);
@@ -76,9 +77,9 @@ void relax_path(FaceColours& colours, const Subdomain& subdomain, const SurfaceT
     }
   }
   const std::vector<bool> is_left = network.source_side_of_minimum_cut(source, sink);
-  TF_CHECK(is_left[idx(source)] && !is_left[idx(sink)]);
+  TF_CHECK(is_left[at(source)] && !is_left[at(sink)]);
   for (const std::int32_t t : band) {
-    colours[idx(t)] = is_left[idx(triangle2node[idx(t)])] ? Side::left : Side::right;
+    colours[at(t)] = is_left[at(triangle2node[at(t)])] ? Side::left : Side::right;
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
 
@@ -23,18 +25,18 @@ Vec3 direction_into(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 RimCorner rim_corner(const Subdomain& subdomain, const SurfaceTopology& topology,
                      const RimEdge& edge) {
-  const auto point = [&](std::int32_t v) { return subdomain.vertices[idx(v)]; };
+  const auto point = [&](std::int32_t v) { return subdomain.vertices[at(v)]; };
   const Vec3 a = point(edge.from);
   const Vec3 b = point(edge.to);
   const auto opposite = [&](std::int32_t triangle) {
-    return point(node_opposite(subdomain.triangles[idx(triangle)], edge));
+    return point(node_opposite(subdomain.triangles[at(triangle)], edge));
   };
   RimCorner corner;
   corner.along = normalized(b - a);
   corner.into_left = direction_into(a, b, opposite(edge.left_triangle));
   corner.into_right = direction_into(a, b, opposite(edge.right_triangle));
-  corner.left_inward = -normalized(topology.normal[idx(edge.left_triangle)]);
-  corner.right_inward = -normalized(topology.normal[idx(edge.right_triangle)]);
+  corner.left_inward = -normalized(topology.normal[at(edge.left_triangle)]);
+  corner.right_inward = -normalized(topology.normal[at(edge.right_triangle)]);
   corner.is_convex = dot(corner.left_inward, corner.into_right) > 0;
   return corner;
 }

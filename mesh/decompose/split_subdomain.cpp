@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -16,7 +17,7 @@ Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
   constexpr std::int32_t is_used = 0;
   for (std::size_t t = 0; t < colours.size(); ++t) {
     if (colours[t] != side) continue;
-    for (const std::int32_t v : subdomain.triangles[t]) old2new[idx(v)] = is_used;
+    for (const std::int32_t v : subdomain.triangles[t]) old2new[at(v)] = is_used;
   }
   for (std::size_t v = 0; v < old2new.size(); ++v) {
     if (old2new[v] < 0) continue;
@@ -27,13 +28,13 @@ Subdomain half_of(const Subdomain& subdomain, const FaceColours& colours,
   for (std::size_t t = 0; t < colours.size(); ++t) {
     if (colours[t] != side) continue;
     const auto& [a, b, c] = subdomain.triangles[t];
-    half.triangles.push_back({old2new[idx(a)], old2new[idx(b)], old2new[idx(c)]});
+    half.triangles.push_back({old2new[at(a)], old2new[at(b)], old2new[at(c)]});
     half.triangle_origin.push_back(subdomain.triangle_origin[t]);
   }
   const auto rim_nodes = static_cast<std::int32_t>(mesh.rim_vertices.size());
   const auto first_new = static_cast<std::int32_t>(half.vertices.size());
   const auto node2new = [&](std::int32_t node) {
-    return node < rim_nodes ? old2new[idx(mesh.rim_vertices[idx(node)])]
+    return node < rim_nodes ? old2new[at(mesh.rim_vertices[at(node)])]
                             : first_new + node - rim_nodes;
   };
   const auto nodes = static_cast<std::int32_t>(mesh.planar.points.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/triangle_intersection.h"
 
@@ -28,7 +29,7 @@ CombinedPoints combine_points(const InterdomainMesh& mesh, const Subdomain& subd
   const auto nodes = static_cast<std::int32_t>(mesh.planar.points.size());
   for (std::int32_t i = 0; i < nodes; ++i) {
     if (mesh.is_rim_node(i)) {
-      combined.node2point.push_back(mesh.rim_vertices[idx(i)]);
+      combined.node2point.push_back(mesh.rim_vertices[at(i)]);
     } else {
       combined.node2point.push_back(static_cast<std::int32_t>(combined.points.size()));
       combined.points.push_back(node_position(mesh, subdomain, i));
@@ -75,23 +76,24 @@ class NearTriangle {
 double squared_distance(const std::vector<Vec3>& points, const Triangle& cut,
                         const Triangle& surface, std::int32_t first_new, bool is_at_rim,
                         double within) {
-  const auto at = [&points](std::int32_t v) { return points[idx(v)]; };
+  const auto place_of = [&points](std::int32_t v) { return points[at(v)]; };
   double distance2 = HUGE_VAL;
-  const NearTriangle near_surface(at(surface[0]), at(surface[1]), at(surface[2]), within);
+  const NearTriangle near_surface(place_of(surface[0]), place_of(surface[1]), place_of(surface[2]),
+                                  within);
   for (const std::int32_t v : cut) {
-    if (v >= first_new) distance2 = std::min(distance2, near_surface.distance2(at(v)));
+    if (v >= first_new) distance2 = std::min(distance2, near_surface.distance2(place_of(v)));
   }
   if (is_at_rim) return distance2;
-  const NearTriangle near_cut(at(cut[0]), at(cut[1]), at(cut[2]), within);
+  const NearTriangle near_cut(place_of(cut[0]), place_of(cut[1]), place_of(cut[2]), within);
   for (const std::int32_t v : surface) {
-    distance2 = std::min(distance2, near_cut.distance2(at(v)));
+    distance2 = std::min(distance2, near_cut.distance2(place_of(v)));
   }
   return distance2;
 }
 
 double largest_spacing(const InterdomainMesh& mesh, const std::array<std::int32_t, 3>& triangle) {
-  return std::max({mesh.spacing[idx(triangle[0])], mesh.spacing[idx(triangle[1])],
-                   mesh.spacing[idx(triangle[2])]});
+  return std::max({mesh.spacing[at(triangle[0])], mesh.spacing[at(triangle[1])],
+                   mesh.spacing[at(triangle[2])]});
 }
 
 Box3 box_of(const InterdomainMesh& mesh, const Subdomain& subdomain,
@@ -130,7 +132,7 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
   NearbySurface nearby;
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
     Box3 box;
-    for (const std::int32_t v : subdomain.triangles[t]) box.add(subdomain.vertices[idx(v)]);
+    for (const std::int32_t v : subdomain.triangles[t]) box.add(subdomain.vertices[at(v)]);
     const Box3 neighbourhood = grown(box, margin * topology.size[t]);
     if (!cut_tree.any(neighbourhood, [](std::int32_t) { return true; })) continue;
     nearby.triangles.push_back(static_cast<std::int32_t>(t));
@@ -148,22 +150,22 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
   const auto& node2point = combined.node2point;
   TF_CHECK(node2point.size() == mesh.planar.points.size());
   std::vector<bool> is_rim_vertex(subdomain.vertices.size(), false);
-  for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[idx(v)] = true;
+  for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[at(v)] = true;
   const auto first_new = static_cast<std::int32_t>(subdomain.vertices.size());
   std::vector<SurfaceContact> contacts;
   for (std::size_t i = 0; i < mesh.planar.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.planar.triangles[i];
-    const Triangle cut = {node2point[idx(a)], node2point[idx(b)], node2point[idx(c)]};
+    const Triangle cut = {node2point[at(a)], node2point[at(b)], node2point[at(c)]};
     const double h = largest_spacing(mesh, mesh.planar.triangles[i]);
     const Box3 box = box_of(mesh, subdomain, mesh.planar.triangles[i]);
     nearby.tree.query(grown(box, reach * h), [&](std::int32_t near) {
-      const std::int32_t s = nearby.triangles[idx(near)];
-      const Triangle& surface = subdomain.triangles[idx(s)];
-      const double unit = std::min(h, topology.size[idx(s)]);
-      if (!grown(box, reach * unit).overlaps(nearby.boxes[idx(near)])) return;
+      const std::int32_t s = nearby.triangles[at(near)];
+      const Triangle& surface = subdomain.triangles[at(s)];
+      const double unit = std::min(h, topology.size[at(s)]);
+      if (!grown(box, reach * unit).overlaps(nearby.boxes[at(near)])) return;
       SurfaceContact contact{static_cast<std::int32_t>(i), s, false, false, HUGE_VAL, unit};
       contact.is_at_rim = std::any_of(surface.begin(), surface.end(),
-                                      [&](std::int32_t v) { return is_rim_vertex[idx(v)]; });
+                                      [&](std::int32_t v) { return is_rim_vertex[at(v)]; });
       contact.meets = triangles_meet_beyond_shared(combined.points, cut, surface);
       if (contact.meets) {
         contact.distance = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
@@ -17,15 +18,15 @@ struct HalfEdgesOfNode {
 HalfEdgesOfNode sort_by_smaller_node(const std::vector<Triangle>& triangles, std::size_t nodes) {
   const auto half_edges = static_cast<HalfEdge>(3 * triangles.size());
   HalfEdgesOfNode sorted{std::vector<std::int32_t>(nodes + 1, 0),
-                         std::vector<HalfEdge>(idx(half_edges))};
+                         std::vector<HalfEdge>(at(half_edges))};
   const auto smaller_node = [&](HalfEdge h) {
-    return idx(std::min(start_of(triangles, h), end_of(triangles, h)));
+    return at(std::min(start_of(triangles, h), end_of(triangles, h)));
   };
   for (HalfEdge h = 0; h < half_edges; ++h) ++sorted.first[smaller_node(h) + 1];
   for (std::size_t v = 0; v < nodes; ++v) sorted.first[v + 1] += sorted.first[v];
   std::vector<std::int32_t> next(sorted.first.begin(), sorted.first.end() - 1);
   for (HalfEdge h = 0; h < half_edges; ++h) {
-    sorted.list[idx(next[smaller_node(h)]++)] = h;
+    sorted.list[at(next[smaller_node(h)]++)] = h;
   }
   return sorted;
 }
@@ -35,16 +36,16 @@ std::vector<HalfEdge> find_twins(const std::vector<Triangle>& triangles, std::si
   const HalfEdgesOfNode sorted = sort_by_smaller_node(triangles, nodes);
   for (std::size_t v = 0; v < nodes; ++v) {
     for (std::int32_t i = sorted.first[v]; i < sorted.first[v + 1]; ++i) {
-      const HalfEdge h = sorted.list[idx(i)];
-      for (std::int32_t j = i + 1; j < sorted.first[v + 1] && twin[idx(h)] < 0; ++j) {
-        const HalfEdge g = sorted.list[idx(j)];
-        if (twin[idx(g)] < 0 && start_of(triangles, g) == end_of(triangles, h) &&
+      const HalfEdge h = sorted.list[at(i)];
+      for (std::int32_t j = i + 1; j < sorted.first[v + 1] && twin[at(h)] < 0; ++j) {
+        const HalfEdge g = sorted.list[at(j)];
+        if (twin[at(g)] < 0 && start_of(triangles, g) == end_of(triangles, h) &&
             end_of(triangles, g) == start_of(triangles, h)) {
-          twin[idx(h)] = g;
-          twin[idx(g)] = h;
+          twin[at(h)] = g;
+          twin[at(g)] = h;
         }
       }
-      TF_CHECK(twin[idx(h)] >= 0);
+      TF_CHECK(twin[at(h)] >= 0);
     }
   }
   return twin;
@@ -61,9 +62,9 @@ std::vector<std::int32_t> find_shells(const std::vector<HalfEdge>& twin) {
       const std::int32_t t = stack.back();
       stack.pop_back();
       for (int e = 0; e < 3; ++e) {
-        const std::int32_t neighbour = triangle_of(twin[idx(half_edge(t, e))]);
-        if (triangle2shell[idx(neighbour)] >= 0) continue;
-        triangle2shell[idx(neighbour)] = shells;
+        const std::int32_t neighbour = triangle_of(twin[at(half_edge(t, e))]);
+        if (triangle2shell[at(neighbour)] >= 0) continue;
+        triangle2shell[at(neighbour)] = shells;
         stack.push_back(neighbour);
       }
     }
@@ -85,14 +86,14 @@ SurfaceTopology make_surface_topology(const Subdomain& subdomain) {
   topology.normal.reserve(triangles.size());
   topology.size.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Vec3& a = vertices[idx(triangles[t][0])];
-    const Vec3& b = vertices[idx(triangles[t][1])];
-    const Vec3& c = vertices[idx(triangles[t][2])];
+    const Vec3& a = vertices[at(triangles[t][0])];
+    const Vec3& b = vertices[at(triangles[t][1])];
+    const Vec3& c = vertices[at(triangles[t][2])];
     topology.centroid.push_back((a + b + c) / 3.0);
     topology.normal.push_back(cross(b - a, c - a));
     topology.size.push_back((distance(a, b) + distance(b, c) + distance(c, a)) / 3.0);
     for (int e = 0; e < 3; ++e) {
-      HalfEdge& h = topology.vertex2half_edge[idx(triangles[t][idx(e)])];
+      HalfEdge& h = topology.vertex2half_edge[at(triangles[t][at(e)])];
       if (h < 0) h = half_edge(static_cast<std::int32_t>(t), e);
     }
   }
@@ -106,7 +107,7 @@ std::vector<HalfEdge> half_edges_round_start(const SurfaceTopology& topology, Ha
   do {
     round.push_back(g);
     TF_CHECK(round.size() <= topology.twin.size());
-    g = next_in_triangle(topology.twin[idx(g)]);
+    g = next_in_triangle(topology.twin[at(g)]);
   } while (g != h);
   return round;
 }

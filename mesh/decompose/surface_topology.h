@@ -10,11 +10,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/array_index.h"
 #include "mesh/core/subdomain.h"
 
 namespace tetfarm {
-
-constexpr std::size_t idx(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Edge e of triangle t, as 3 t + e.
 using HalfEdge = std::int32_t;
@@ -37,7 +36,7 @@ struct SurfaceTopology {
 SurfaceTopology make_surface_topology(const Subdomain& subdomain);
 
 inline std::int32_t start_of(const std::vector<Triangle>& triangles, HalfEdge h) {
-  return triangles[idx(triangle_of(h))][idx(edge_of(h))];
+  return triangles[at(triangle_of(h))][at(edge_of(h))];
 }
 inline std::int32_t end_of(const std::vector<Triangle>& triangles, HalfEdge h) {
   return start_of(triangles, next_in_triangle(h));

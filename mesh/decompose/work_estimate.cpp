@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/decompose/planar_cut.h"
@@ -149,13 +150,12 @@ void judge(const Subdomain& subdomain, const std::vector<Row>& rows, std::vector
   }
   const ShadowGrid grid(shadows);
   for (const Triangle& triangle : subdomain.triangles) {
-    const Corners corners{subdomain.vertices[idx(triangle[0])],
-                          subdomain.vertices[idx(triangle[1])],
-                          subdomain.vertices[idx(triangle[2])]};
+    const Corners corners{subdomain.vertices[at(triangle[0])], subdomain.vertices[at(triangle[1])],
+                          subdomain.vertices[at(triangle[2])]};
     Box3 box;
     for (const Vec3* v : {&corners.a, &corners.b, &corners.c}) box.add(*v);
     grid.query(box, [&](std::int32_t r) {
-      const Row& row = rows[idx(r)];
+      const Row& row = rows[at(r)];
       const int turns = turns_through(corners, box, row.y, row.z);
       if (turns != 0) {
         const std::size_t i = first_beyond(probes, row, crossing_of(corners, row.y, row.z));
@@ -199,7 +199,7 @@ void add_triangles(const Subdomain& subdomain, const SpacingField& spacing, std:
   for (std::size_t t = stride / 2; t < count; t += stride) {
     const auto& [a, b, c] = subdomain.triangles[t];
     const Vec3 centre =
-        (subdomain.vertices[idx(a)] + subdomain.vertices[idx(b)] + subdomain.vertices[idx(c)]) / 3;
+        (subdomain.vertices[at(a)] + subdomain.vertices[at(b)] + subdomain.vertices[at(c)]) / 3;
     const double h = spacing.at(centre);
     work.samples.push_back({centre, each, h, h});
     work.total += each;

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
@@ -15,11 +16,6 @@ struct TetFace {
   Triangle nodes;
 };
 
-Triangle ascending(Triangle nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
 /// All faces of all tets, by their nodes.
 std::vector<TetFace> faces_by_nodes(const NumberedPart& part) {
   std::vector<TetFace> faces;
@@ -30,7 +26,7 @@ std::vector<TetFace> faces_by_nodes(const NumberedPart& part) {
       for (std::size_t k = 0; k < 3; ++k) {
         face.nodes[k] = part.tets[t][static_cast<std::size_t>(corners[k])];
       }
-      face.sorted = ascending(face.nodes);
+      face.sorted = sorted_face(face.nodes);
       face.tet = static_cast<std::int32_t>(t);
       faces.push_back(face);
     }
@@ -46,7 +42,7 @@ class BoundaryFaces {
  public:
   explicit BoundaryFaces(const NumberedPart& part) {
     for (std::size_t i = 0; i < part.faces.size(); ++i) {
-      faces_.emplace_back(ascending(part.faces[i]), static_cast<std::int32_t>(i));
+      faces_.emplace_back(sorted_face(part.faces[i]), static_cast<std::int32_t>(i));
     }
     std::sort(faces_.begin(), faces_.end());
   }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/array_index.h"
 #include "mesh/core/surface_mesh.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/surface_sides.h"
@@ -45,7 +46,6 @@ class RegionMap {
   std::optional<std::int32_t> region_at(const Vec3& p) const;
 
  private:
-  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
   void measure_sheets();
   void gather_parts();
   void place_parts();

@@ -1,12 +1,12 @@
 #include "mesh/partition/dual_graph.h"
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 
 WeightedGraph dual_graph(const CellFaces& cells, std::size_t tets,
                          const std::vector<std::int32_t>& beyond) {
-  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
   for (const std::int32_t tet : beyond) TF_CHECK(tet >= 0 && at(tet) < tets);
   WeightedGraph graph;
   graph.weight.assign(tets + beyond.size(), 1);

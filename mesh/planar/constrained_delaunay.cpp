@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/hilbert_order.h"
 #include "mesh/planar/edge_flips.h"
@@ -13,8 +14,6 @@ namespace tetfarm {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;
-
-std::size_t as_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The complaints so far; each kind keeps at most as many places as a reader can use.
 struct Complaints {
@@ -41,17 +40,16 @@ Complaints check_edges(const PlanarRegion& region, const std::vector<Edge>& sort
 
   std::vector<std::int32_t> surplus(region.points.size(), 0);
   for (const auto& [a, b] : sorted) {
-    if (a == b)
-      complaints.add("an edge begins and ends at the same point", region.points[as_index(a)]);
-    ++surplus[as_index(a)];
-    --surplus[as_index(b)];
+    if (a == b) complaints.add("an edge begins and ends at the same point", region.points[at(a)]);
+    ++surplus[at(a)];
+    --surplus[at(b)];
   }
   for (std::size_t v = 0; v < surplus.size(); ++v)
     if (surplus[v] != 0) complaints.add("a loop does not close", region.points[v]);
   for (std::size_t e = 0; e < sorted.size(); ++e) {
     const Edge back = {sorted[e][1], sorted[e][0]};
     if ((e > 0 && sorted[e] == sorted[e - 1]) || std::ranges::binary_search(sorted, back))
-      complaints.add("an edge is used twice", region.points[as_index(sorted[e][0])]);
+      complaints.add("an edge is used twice", region.points[at(sorted[e][0])]);
   }
   return complaints;
 }
@@ -109,14 +107,14 @@ Boxed triangulate_points(const std::vector<Vec2>& points, Complaints& complaints
   Cavity cavity;
   std::int32_t last = 0;
   for (const std::int32_t v : insertion_order(points)) {
-    const Vec2& p = points[as_index(v)];
+    const Vec2& p = points[at(v)];
     const std::optional<std::int32_t> holder = locate(complex, last, p);
     TF_CHECK(holder);
     if (!find_cavity(complex, *holder, p, cavity)) {
       complaints.add("two points coincide", p);
       continue;
     }
-    boxed.node_of[as_index(v)] = fill_cavity(complex, p, cavity);
+    boxed.node_of[at(v)] = fill_cavity(complex, p, cavity);
     boxed.point_of.push_back(v);
     last = cavity.triangles[0];
   }
@@ -132,7 +130,7 @@ std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
   std::vector<Side> sides(complex.triangles.size(), Side::unknown);
   std::vector<std::int32_t> front;
   const auto claim = [&](std::int32_t t, Side side, std::int32_t a) {
-    Side& mine = sides[as_index(t)];
+    Side& mine = sides[at(t)];
     if (mine == Side::unknown) {
       mine = side;
       front.push_back(t);
@@ -141,8 +139,8 @@ std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
     }
   };
   for (const auto& [a, b] : edges) {
-    const std::int32_t from = boxed.node_of[as_index(a)];
-    const EdgeHandle edge = complex.find_edge(from, boxed.node_of[as_index(b)]);
+    const std::int32_t from = boxed.node_of[at(a)];
+    const EdgeHandle edge = complex.find_edge(from, boxed.node_of[at(b)]);
     TF_CHECK(edge != no_edge);
     const EdgeHandle other = complex.neighbour(triangle_of(edge), edge_of(edge));
     TF_CHECK(other != no_edge);  // the border of the box is not of the region
@@ -153,12 +151,12 @@ std::vector<Side> classify(const Boxed& boxed, const std::vector<Edge>& edges,
       front.pop_back();
       for (int i = 0; i < 3; ++i)
         if (!complex.is_constrained(t, i))
-          claim(triangle_of(complex.neighbour(t, i)), sides[as_index(t)], from);
+          claim(triangle_of(complex.neighbour(t, i)), sides[at(t)], from);
     }
   }
   for (std::int32_t t = 0; t < complex.size(); ++t)
     for (const std::int32_t v : complex.nodes(t))
-      if (v < corners && sides[as_index(t)] == Side::inside && !complaints.failure)
+      if (v < corners && sides[at(t)] == Side::inside && !complaints.failure)
         complaints.add("the outermost loop runs clockwise", complex.point(complex.node(t, 0)));
   return sides;
 }
@@ -169,10 +167,9 @@ TriangleComplex keep_inside(const Boxed& boxed, const std::vector<Side>& sides,
   TF_CHECK(sides.size() == boxed.complex.triangles.size());
   std::vector<TriangleComplex::Nodes> triangles;
   for (std::int32_t t = 0; t < boxed.complex.size(); ++t) {
-    if (sides[as_index(t)] != Side::inside) continue;
+    if (sides[at(t)] != Side::inside) continue;
     const auto& [a, b, c] = boxed.complex.nodes(t);
-    triangles.push_back(
-        {boxed.point_of[as_index(a)], boxed.point_of[as_index(b)], boxed.point_of[as_index(c)]});
+    triangles.push_back({boxed.point_of[at(a)], boxed.point_of[at(b)], boxed.point_of[at(c)]});
   }
   return make_triangle_complex(points, std::move(triangles));
 }
@@ -188,9 +185,8 @@ ConstrainedDelaunay constrained_delaunay(const PlanarRegion& region) {
   Boxed boxed = triangulate_points(region.points, complaints);
   if (complaints.failure) return {{}, std::move(complaints.failure)};
   for (const auto& [a, b] : edges) {
-    TF_CHECK(boxed.node_of[as_index(a)] >= 0 && boxed.node_of[as_index(b)] >= 0);
-    const auto failure =
-        recover_edge(boxed.complex, boxed.node_of[as_index(a)], boxed.node_of[as_index(b)]);
+    TF_CHECK(boxed.node_of[at(a)] >= 0 && boxed.node_of[at(b)] >= 0);
+    const auto failure = recover_edge(boxed.complex, boxed.node_of[at(a)], boxed.node_of[at(b)]);
     if (failure) complaints.add(failure->reason, failure->where[0]);
   }
   if (complaints.failure) return {{}, std::move(complaints.failure)};

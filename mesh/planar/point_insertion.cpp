@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/planar/restricted_cavity.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t as_index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double distance2(const Vec2& a, const Vec2& b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
@@ -50,13 +49,13 @@ class PointInsertion {
 
   bool run(std::int64_t max_triangles) {
     state_.resize(complex_.triangles.size());
-    for (std::int32_t t = 0; t < complex_.size(); ++t) state_[as_index(t)] = judge(t);
+    for (std::int32_t t = 0; t < complex_.size(); ++t) state_[at(t)] = judge(t);
     for (std::int32_t t = 0; t < complex_.size(); ++t)
-      if (state_[as_index(t)] == State::large && is_at_front(t)) enqueue(t);
+      if (state_[at(t)] == State::large && is_at_front(t)) enqueue(t);
     for (std::size_t head = 0; head < queue_.size(); ++head) {
       const Waiting w = queue_[head];
       const bool is_stale =
-          complex_.nodes(w.triangle) != w.nodes || state_[as_index(w.triangle)] != State::large;
+          complex_.nodes(w.triangle) != w.nodes || state_[at(w.triangle)] != State::large;
       if (!is_stale) advance(w.triangle);
       if (complex_.size() > max_triangles) return false;
       drop_done_entries(head);
@@ -81,8 +80,8 @@ class PointInsertion {
         const std::int32_t b = complex_.node(t, previous(i));
         const double edge = std::sqrt(distance2(complex_.point(a), complex_.point(b)));
         for (const std::int32_t v : {a, b}) {
-          length[as_index(v)] += edge;
-          ++count[as_index(v)];
+          length[at(v)] += edge;
+          ++count[at(v)];
         }
       }
     }
@@ -99,8 +98,7 @@ class PointInsertion {
     const double area2 = cross(pa, pb, pc);
     const double radius2 =
         distance2(pa, pb) * distance2(pb, pc) * distance2(pc, pa) / (4 * area2 * area2);
-    const double mean =
-        (spacing_at_[as_index(a)] + spacing_at_[as_index(b)] + spacing_at_[as_index(c)]) / 3;
+    const double mean = (spacing_at_[at(a)] + spacing_at_[at(b)] + spacing_at_[at(c)]) / 3;
     const auto is_small = [&](double h) {
       return radius2 <= largest_radius * largest_radius * h * h;
     };
@@ -111,7 +109,7 @@ class PointInsertion {
 
   bool is_front_edge(std::int32_t t, int i) const {
     return complex_.is_constrained(t, i) ||
-           state_[as_index(triangle_of(complex_.neighbour(t, i)))] != State::large;
+           state_[at(triangle_of(complex_.neighbour(t, i)))] != State::large;
   }
   bool is_at_front(std::int32_t t) const {
     return is_front_edge(t, 0) || is_front_edge(t, 1) || is_front_edge(t, 2);
@@ -140,13 +138,13 @@ class PointInsertion {
     for (int k = 0; k < count; ++k) {
       const int i = edges[static_cast<std::size_t>(k)].second;
       const std::optional<Vec2> p = candidate(t, i);
-      const double near = (spacing_at_[as_index(complex_.node(t, next(i)))] +
-                           spacing_at_[as_index(complex_.node(t, previous(i)))]) /
+      const double near = (spacing_at_[at(complex_.node(t, next(i)))] +
+                           spacing_at_[at(complex_.node(t, previous(i)))]) /
                           2;
       if (p && insert(t, *p, near)) return;
     }
     if (insert_on_longest_edge(t)) return;
-    state_[as_index(t)] = State::full;
+    state_[at(t)] = State::full;
     wake_neighbours(t, false);
   }
 
@@ -160,8 +158,7 @@ class PointInsertion {
     const Vec2& pc = complex_.point(complex_.node(t, i));
     const double length = std::sqrt(distance2(pa, pb));
     const double half = length / 2;
-    const double h =
-        std::min((spacing_at_[as_index(a)] + spacing_at_[as_index(b)]) / 2, growth * length);
+    const double h = std::min((spacing_at_[at(a)] + spacing_at_[at(b)]) / 2, growth * length);
     const double radius = std::max(h * inverse_sqrt3, half);
     const double wanted = radius + std::sqrt(std::max(0.0, radius * radius - half * half));
     const double dot = (pa.x - pc.x) * (pb.x - pc.x) + (pa.y - pc.y) * (pb.y - pc.y);
@@ -204,7 +201,7 @@ class PointInsertion {
     if (edge < 0) return false;
     const std::int32_t a = complex_.node(t, next(edge));
     const std::int32_t b = complex_.node(t, previous(edge));
-    const double near = (spacing_at_[as_index(a)] + spacing_at_[as_index(b)]) / 2;
+    const double near = (spacing_at_[at(a)] + spacing_at_[at(b)]) / 2;
     if (longest2 < 4 * node_clearance * node_clearance * near * near) return false;
     const Vec2& pa = complex_.point(a);
     const Vec2& pb = complex_.point(b);
@@ -218,16 +215,15 @@ class PointInsertion {
     const double h = std::min(spacing_(p), layer_growth * near);
     if (!(h > 0)) return false;
     double clear = h;
-    for (const std::int32_t v : complex_.nodes(t))
-      clear = std::min(clear, spacing_at_[as_index(v)]);
+    for (const std::int32_t v : complex_.nodes(t)) clear = std::min(clear, spacing_at_[at(v)]);
     if (!has_room(p, clear)) return false;
     fill_cavity(complex_, p, cavity_);
     TF_CHECK(spacing_at_.size() + 1 == complex_.points.size());
     spacing_at_.push_back(h);
     state_.resize(complex_.triangles.size(), State::large);
-    for (const std::int32_t fresh : cavity_.triangles) state_[as_index(fresh)] = judge(fresh);
+    for (const std::int32_t fresh : cavity_.triangles) state_[at(fresh)] = judge(fresh);
     for (const std::int32_t fresh : cavity_.triangles) {
-      if (state_[as_index(fresh)] == State::fitting) {
+      if (state_[at(fresh)] == State::fitting) {
         wake_neighbours(fresh, true);
       } else if (is_at_front(fresh)) {
         enqueue(fresh);
@@ -241,7 +237,7 @@ class PointInsertion {
     for (int i = 0; i < 3; ++i) {
       if (complex_.is_constrained(t, i)) continue;
       const std::int32_t u = triangle_of(complex_.neighbour(t, i));
-      State& state = state_[as_index(u)];
+      State& state = state_[at(u)];
       if (again && state == State::full) state = State::large;
       if (state == State::large) enqueue(u);
     }

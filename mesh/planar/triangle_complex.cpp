@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t as_index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 std::int32_t TriangleComplex::add_point(const Vec2& p) {
   points.push_back(p);
@@ -26,21 +22,21 @@ std::int32_t TriangleComplex::add_triangle() {
 }
 
 void TriangleComplex::set_triangle(std::int32_t t, const Nodes& nodes) {
-  triangles[as_index(t)] = nodes;
-  neighbours[as_index(t)] = {no_edge, no_edge, no_edge};
-  constrained[as_index(t)] = 0;
-  for (const std::int32_t v : nodes) node2triangle[as_index(v)] = t;
+  triangles[at(t)] = nodes;
+  neighbours[at(t)] = {no_edge, no_edge, no_edge};
+  constrained[at(t)] = 0;
+  for (const std::int32_t v : nodes) node2triangle[at(v)] = t;
 }
 
 void TriangleComplex::glue(EdgeHandle a, EdgeHandle b) {
   TF_CHECK(a != no_edge);
-  neighbours[as_index(triangle_of(a))][as_index(edge_of(a))] = b;
-  if (b != no_edge) neighbours[as_index(triangle_of(b))][as_index(edge_of(b))] = a;
+  neighbours[at(triangle_of(a))][at(edge_of(a))] = b;
+  if (b != no_edge) neighbours[at(triangle_of(b))][at(edge_of(b))] = a;
 }
 
 void TriangleComplex::constrain(EdgeHandle edge, bool on) {
   const auto mark = [&](EdgeHandle side) {
-    std::uint8_t& flags = constrained[as_index(triangle_of(side))];
+    std::uint8_t& flags = constrained[at(triangle_of(side))];
     const int bit = 1 << edge_of(side);
     flags = static_cast<std::uint8_t>(on ? flags | bit : flags & ~bit);
   };
@@ -50,7 +46,7 @@ void TriangleComplex::constrain(EdgeHandle edge, bool on) {
 }
 
 EdgeHandle TriangleComplex::find_edge(std::int32_t a, std::int32_t b) const {
-  const std::int32_t first = node2triangle[as_index(a)];
+  const std::int32_t first = node2triangle[at(a)];
   if (first < 0) return no_edge;
   std::int32_t t = first;
   int local = local_node(t, a);
@@ -135,7 +131,7 @@ TriangleComplex make_triangle_complex(std::vector<Vec2> points,
       const std::int32_t a = complex.node(t, next(i));
       const std::int32_t b = complex.node(t, previous(i));
       sides.push_back({std::min(a, b), std::max(a, b), edge_handle(t, i)});
-      complex.node2triangle[as_index(complex.node(t, i))] = t;
+      complex.node2triangle[at(complex.node(t, i))] = t;
     }
   }
   std::ranges::sort(sides);
@@ -157,9 +153,7 @@ std::vector<std::string> validate(const TriangleComplex& complex) {
   const auto report = [&](std::int32_t t, const std::string& what) {
     if (wrong.size() < 20) wrong.push_back("triangle " + std::to_string(t) + ": " + what);
   };
-  const auto is_node = [&](std::int32_t v) {
-    return v >= 0 && as_index(v) < complex.points.size();
-  };
+  const auto is_node = [&](std::int32_t v) { return v >= 0 && at(v) < complex.points.size(); };
   for (std::int32_t t = 0; t < complex.size(); ++t) {
     const auto& [a, b, c] = complex.nodes(t);
     if (!is_node(a) || !is_node(b) || !is_node(c)) {

@@ -4,28 +4,10 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
+#include "mesh/core/tet_replacement.h"
 
 namespace tetfarm {
-namespace {
-
-/// A face by its nodes in increasing order, with where it is.
-struct KeyedFace {
-  std::array<std::int32_t, 3> key;
-  std::int32_t tet;  // an index into the caller's list
-  int face;
-  friend bool operator<(const KeyedFace& a, const KeyedFace& b) { return a.key < b.key; }
-};
-
-std::array<std::int32_t, 3> sorted_face(const Tet& t, int face) {
-  const auto& f = tet_face_nodes[at(face)];
-  std::array<std::int32_t, 3> key = {t[at(f[0])], t[at(f[1])], t[at(f[2])]};
-  if (key[0] > key[1]) std::swap(key[0], key[1]);
-  if (key[1] > key[2]) std::swap(key[1], key[2]);
-  if (key[0] > key[1]) std::swap(key[0], key[1]);
-  return key;
-}
-
-}  // namespace
 
 LocalRemeshing::LocalRemeshing(TetComplex& complex, std::vector<std::uint8_t>& constrained)
     : complex_(complex),
@@ -37,20 +19,6 @@ LocalRemeshing::LocalRemeshing(TetComplex& complex, std::vector<std::uint8_t>& c
 void LocalRemeshing::save(std::int32_t tet) {
   journal_.push_back({Entry::Kind::contents, constrained_[at(tet)], tet, complex_.nodes[at(tet)],
                       complex_.neighbours[at(tet)]});
-}
-
-std::int32_t LocalRemeshing::new_tet() {
-  const bool is_reused = !complex_.free_tets.empty();
-  const std::int32_t tet = complex_.new_tet();
-  constrained_.resize(complex_.nodes.size(), 0);
-  journal_.push_back({is_reused ? Entry::Kind::reused : Entry::Kind::appended, 0, tet, {}, {}});
-  return tet;
-}
-
-void LocalRemeshing::kill(std::int32_t tet) {
-  save(tet);
-  journal_.back().kind = Entry::Kind::killed;
-  complex_.kill_tet(tet);
 }
 
 std::int32_t LocalRemeshing::add_point(const FinePoint& point) {
@@ -114,68 +82,49 @@ void LocalRemeshing::roll_back(std::size_t mark) {
   }
 }
 
+void LocalRemeshing::save_old(std::int32_t tet) {
+  save(tet);
+  journal_.back().kind = Entry::Kind::killed;
+}
+
 std::vector<std::int32_t> LocalRemeshing::replace(std::span<const std::int32_t> old_tets,
                                                   std::span<const Tet> new_tets) {
-  struct Outside {
-    FaceHandle beyond;
-    bool constrained;
-  };
-  std::vector<KeyedFace> hull;
-  for (std::size_t i = 0; i < old_tets.size(); ++i) {
-    for (int f = 0; f < 4; ++f) {
-      hull.push_back({sorted_face(complex_.nodes[at(old_tets[i])], f), old_tets[i], f});
-    }
-  }
-  std::sort(hull.begin(), hull.end());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (i + 1 < hull.size() && hull[i].key == hull[i + 1].key) {
-      ++i;
-    } else {
-      hull[kept++] = hull[i];
-    }
-  }
-  hull.resize(kept);
-  std::vector<Outside> outside(hull.size());
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const FaceHandle here = face_handle(hull[i].tet, hull[i].face);
-    outside[i] = {complex_.neighbours[at(hull[i].tet)][at(hull[i].face)], is_constrained(here)};
-  }
+  marks_.make_room(complex_.nodes.size());
+  const std::vector<OpenFace> faces = open_faces(complex_, old_tets, new_tets, marks_);
+  TF_CHECK(are_pairs(faces));
+  // Constraints are known from beyond the cavity, but for faces on the outside of the complex.
+  std::vector<std::array<std::int32_t, 3>> constrained_outside;
   for (const std::int32_t t : old_tets) {
-    // Nodes that no new tet holds are out of the complex.
-    for (const std::int32_t v : complex_.nodes[at(t)]) complex_.node2tet[at(v)] = -1;
-    kill(t);
-  }
-
-  std::vector<std::int32_t> tets(new_tets.size());
-  std::vector<KeyedFace> faces;
-  for (std::size_t i = 0; i < new_tets.size(); ++i) {
-    tets[i] = new_tet();
-    complex_.nodes[at(tets[i])] = new_tets[i];
-    complex_.neighbours[at(tets[i])] = {no_face, no_face, no_face, no_face};
-    constrained_[at(tets[i])] = 0;
-    for (const std::int32_t v : new_tets[i]) complex_.node2tet[at(v)] = tets[i];
-    for (int f = 0; f < 4; ++f) faces.push_back({sorted_face(new_tets[i], f), tets[i], f});
-  }
-  std::sort(faces.begin(), faces.end());
-  std::size_t on_hull = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const FaceHandle here = face_handle(faces[i].tet, faces[i].face);
-    if (i + 1 < faces.size() && faces[i].key == faces[i + 1].key) {
-      ++i;
-      complex_.glue(here, face_handle(faces[i].tet, faces[i].face));
-      continue;
+    for (int face = 0; face < 4; ++face) {
+      if (complex_.neighbours[at(t)][at(face)] != no_face) continue;
+      if (!is_constrained(face_handle(t, face))) continue;
+      constrained_outside.push_back(sorted_face(complex_.nodes[at(t)], face));
     }
-    TF_CHECK(on_hull < hull.size() && hull[on_hull].key == faces[i].key);
-    const Outside& out = outside[on_hull++];
-    if (out.beyond != no_face) save(tet_of(out.beyond));
-    complex_.glue(here, out.beyond);
-    if (out.constrained) {
-      constrained_[at(faces[i].tet)] =
-          static_cast<std::uint8_t>(constrained_[at(faces[i].tet)] | 1 << faces[i].face);
-    }
+    save_old(t);
   }
-  TF_CHECK(on_hull == hull.size());
+  const auto was_constrained = [&](const OpenFace& face) {
+    if (face.handle != no_face) return is_constrained(face.handle);
+    return std::find(constrained_outside.begin(), constrained_outside.end(), face.nodes) !=
+           constrained_outside.end();
+  };
+  const std::size_t size = complex_.nodes.size();
+  std::vector<std::int32_t> tets = exchange_tets(complex_, old_tets, new_tets);
+  constrained_.resize(complex_.nodes.size(), 0);
+  for (const std::int32_t t : tets) {
+    constrained_[at(t)] = 0;
+    const auto kind = at(t) < size ? Entry::Kind::reused : Entry::Kind::appended;
+    journal_.push_back({kind, 0, t, {}, {}});
+  }
+  for (const OpenFace& face : faces) {
+    if (face.is_outer && face.handle != no_face) save(tet_of(face.handle));
+  }
+  glue_pairs(complex_, faces, tets);
+  for (std::size_t i = 0; i < faces.size(); i += 2) {
+    if (!faces[i].is_outer || !was_constrained(faces[i])) continue;
+    const FaceHandle here = face_in_complex(faces[i + 1], tets);
+    std::uint8_t& bits = constrained_[at(tet_of(here))];
+    bits = static_cast<std::uint8_t>(bits | 1 << face_of(here));
+  }
   return tets;
 }
 
@@ -183,17 +132,17 @@ std::vector<std::int32_t> LocalRemeshing::star(std::int32_t node) const {
   std::vector<std::int32_t> tets;
   const std::int32_t first = complex_.node2tet[at(node)];
   if (first < 0) return tets;
-  seen_.resize(std::max(seen_.size(), complex_.nodes.size()), 0);
-  ++walk_;
+  marks_.make_room(complex_.nodes.size());
+  marks_.clear();
   tets.push_back(first);
-  seen_[at(first)] = walk_;
+  marks_.add(first);
   for (std::size_t head = 0; head < tets.size(); ++head) {
     const std::int32_t t = tets[head];
     const int own = complex_.local_node(t, node);
     for (int i = 0; i < 4; ++i) {
       const FaceHandle other = complex_.neighbours[at(t)][at(i)];
-      if (i == own || other == no_face || seen_[at(tet_of(other))] == walk_) continue;
-      seen_[at(tet_of(other))] = walk_;
+      if (i == own || other == no_face || marks_.has(tet_of(other))) continue;
+      marks_.add(tet_of(other));
       tets.push_back(tet_of(other));
     }
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "mesh/core/tet_complex.h"
+#include "mesh/core/tet_marks.h"
 #include "mesh/geometry/fine_point.h"
 #include "mesh/geometry/predicates.h"
 #include "mesh/recovery/surface_flats.h"
@@ -45,8 +46,9 @@ class LocalRemeshing {
     return orient3d(fine_point(a), fine_point(b), fine_point(c), fine_point(d));
   }
 
-  /// Replaces `old_tets` by `new_tets`. @pre both fill the same space, the new ones are positive,
-  /// and no constrained face lies between two old ones. Returns the numbers of the new tets.
+  /// Replaces `old_tets` by `new_tets` (mesh/core/tet_replacement.h). @pre both fill the same
+  /// space, the new ones are positive, and no constrained face lies between two old ones.
+  /// Returns the numbers of the new tets.
   std::vector<std::int32_t> replace(std::span<const std::int32_t> old_tets,
                                     std::span<const Tet> new_tets);
 
@@ -105,8 +107,7 @@ class LocalRemeshing {
     return v < first_fine_ ? Vec3{} : low_[static_cast<std::size_t>(v - first_fine_)];
   }
   void save(std::int32_t tet);
-  std::int32_t new_tet();
-  void kill(std::int32_t tet);
+  void save_old(std::int32_t tet);
 
   TetComplex& complex_;
   std::vector<std::uint8_t>& constrained_;
@@ -114,8 +115,7 @@ class LocalRemeshing {
   std::vector<Vec3> low_;    // of them: what rounding has taken off
   SurfaceFlats flats_;
   std::vector<Entry> journal_;
-  mutable std::vector<std::int32_t> seen_;  // of a tet: the walk that saw it last
-  mutable std::int32_t walk_ = 0;
+  mutable TetMarks marks_;
 };
 
 }  // namespace tetfarm

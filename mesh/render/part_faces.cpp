@@ -4,14 +4,10 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm {
 namespace {
-
-Triangle sorted(Triangle nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
 
 /// Calls visit(triangle) for a triangle, or for the halves of a quad, which are the same ones from
 /// either side.
@@ -50,24 +46,24 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
     if (!is_kept[t]) continue;
     for (const auto& [i, j, k] : tet_face_nodes) {
       const auto node = [&](int n) { return part.tets[t][static_cast<std::size_t>(n)]; };
-      all.emplace_back(sorted({node(i), node(j), node(k)}), t);
+      all.emplace_back(sorted_face(Triangle{node(i), node(j), node(k)}), t);
     }
   }
   std::size_t cell = part.tets.size();
-  for_each_block_cell(
-      part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
-        const std::size_t here = cell++;
-        TF_CHECK(here < is_kept.size());
-        if (!is_kept[here]) return;
-        for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int32_t> face) {
-          for_each_half(face, [&](const Triangle& half) { all.emplace_back(sorted(half), here); });
-        });
-      });
+  for_each_block_cell(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
+                                       std::int32_t) {
+    const std::size_t here = cell++;
+    TF_CHECK(here < is_kept.size());
+    if (!is_kept[here]) return;
+    for_each_face_of(type, nodes, [&](ElementType, std::span<const std::int32_t> face) {
+      for_each_half(face, [&](const Triangle& half) { all.emplace_back(sorted_face(half), here); });
+    });
+  });
   TF_CHECK(cell == is_kept.size());
   const std::vector<std::int32_t> regions = regions_of_cells(part);
   std::sort(all.begin(), all.end());
   std::vector<ShownFace> surface = surface_faces(part);
-  for (ShownFace& face : surface) face.nodes = sorted(face.nodes);
+  for (ShownFace& face : surface) sort_face(face.nodes);
   const auto before = [](const ShownFace& a, const ShownFace& b) { return a.nodes < b.nodes; };
   std::sort(surface.begin(), surface.end(), before);
   std::vector<ShownFace> faces;

@@ -5,14 +5,13 @@
 #include <numeric>
 #include <set>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm::shapes {
 namespace {
 
 using Number = std::int32_t;
-
-std::size_t at(Number i) { return static_cast<std::size_t>(i); }
 
 std::int64_t squared_distance(GridPoint a, GridPoint b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);

@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/array_index.h"
 #include "tests/support/chance.h"
 #include "tests/support/surface_parts.h"
 
 namespace tetfarm::shapes {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The skin of the cells of an n x m x l grid that are in; diagonals by chance.
 SurfaceMesh skin(const std::array<int, 3>& n, const std::vector<bool>& is_in, Chance& chance) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/array_index.h"
 #include "tests/support/chance.h"
 #include "tests/support/generated_skins.h"
 #include "tests/support/shapes.h"
@@ -13,8 +14,6 @@ namespace tetfarm::shapes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A prism of n sides whose top is turned; the sides' diagonals run inside.
 SurfaceMesh prism(int n, double twist, double height, double top_radius) {

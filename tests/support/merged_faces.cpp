@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "tests/support/surface_parts.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 using Whole = std::array<std::int64_t, 3>;
 using Edge = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Whole whole(const Vec3& p) {
   return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y),

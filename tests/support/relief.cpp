@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "tests/support/surface_parts.h"
 
@@ -11,8 +12,6 @@ namespace tetfarm::shapes {
 namespace {
 
 constexpr std::int64_t scale = 64;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The points of an outline at one height: of each side its start and the points within it.
 struct Rim {

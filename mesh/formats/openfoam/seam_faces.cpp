@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "mesh/core/sorted_face.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {
@@ -28,8 +29,7 @@ OpenFace open_face(const NumberedPart& part, const OuterFace& outer, std::int64_
   for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = global_node(part, outer.nodes[k]);
   std::rotate(open.nodes.begin(), std::min_element(open.nodes.begin(), open.nodes.end()),
               open.nodes.end());
-  open.sorted_nodes = open.nodes;
-  std::sort(open.sorted_nodes.begin(), open.sorted_nodes.end());
+  open.sorted_nodes = sorted_face(open.nodes);
   open.part = part.number;
   open.face = outer.face;
   if (outer.face >= 0) open.patch = part.patch_of_face[static_cast<std::size_t>(outer.face)];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/vtkhdf/vtkhdf_cells.h"
@@ -12,8 +13,6 @@ namespace {
 
 /// More than any real mesh has: a wrong number must not fill the memory.
 constexpr std::int32_t most_regions = 1'000'000;
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 std::vector<VtkhdfPartition> partitions_of(const Hdf5Input& file) {
   const auto points = file.list<std::int64_t>("VTKHDF/NumberOfPoints");

@@ -8,7 +8,9 @@
 #include <set>
 #include <string>
 
+#include "base/array_index.h"
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/core/sorted_face.h"
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 
 namespace tetfarm {
@@ -53,8 +55,6 @@ class CutGridBuilder {
 
  private:
   using Face = std::array<std::int32_t, 3>;
-  static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
   std::int32_t node(const std::array<int, 3>& p) const {
     return static_cast<std::int32_t>((p[0] * (n_ + 1) + p[1]) * (n_ + 1) + p[2]);
   }
@@ -83,7 +83,7 @@ class CutGridBuilder {
       } while (std::next_permutation(axes.begin(), axes.end()));
     }
     for (std::size_t t = 0; t < tets_.size(); ++t) {
-      for (const Face& face : faces(t)) face2tets_[sorted(face)].push_back(t);
+      for (const Face& face : faces(t)) face2tets_[sorted_face(face)].push_back(t);
     }
   }
   std::array<Face, 4> faces(std::size_t t) const {
@@ -93,10 +93,6 @@ class CutGridBuilder {
     }
     return result;
   }
-  static Face sorted(Face face) {
-    std::sort(face.begin(), face.end());
-    return face;
-  }
 
   /// Vertex 1 is used by no triangle.
   void make_surface() {
@@ -105,7 +101,7 @@ class CutGridBuilder {
     surface.patch_names = {"low x", "elsewhere"};
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       for (const Face& face : faces(t)) {
-        if (face2tets_[sorted(face)].size() == 2) continue;
+        if (face2tets_[sorted_face(face)].size() == 2) continue;
         Triangle triangle;
         bool is_low = true;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -115,7 +111,7 @@ class CutGridBuilder {
           triangle[i] = it->second;
           is_low = is_low && place(face[i]).x == 0;
         }
-        face_origin_[sorted(face)] = {0, static_cast<std::uint32_t>(surface.triangles.size())};
+        face_origin_[sorted_face(face)] = {0, static_cast<std::uint32_t>(surface.triangles.size())};
         surface.triangles.push_back(triangle);
         surface.patch_of_triangle.push_back(is_low ? 0 : 1);
       }
@@ -161,7 +157,7 @@ class CutGridBuilder {
     for (std::size_t t = 0; t < tets_.size(); ++t) {
       if (leaf_of_[t] != leaf) continue;
       for (const Face& face : faces(t)) {
-        const auto origin = face_origin_.find(sorted(face));
+        const auto origin = face_origin_.find(sorted_face(face));
         if (origin == face_origin_.end()) continue;
         subdomain.triangles.push_back({local(face[0]), local(face[1]), local(face[2])});
         subdomain.triangle_origin.push_back(origin->second);

@@ -8,7 +8,9 @@
 #include <set>
 #include <vector>
 
+#include "base/array_index.h"
 #include "mesh/core/element_section.h"
+#include "mesh/core/sorted_face.h"
 
 namespace tetfarm::trial {
 
@@ -58,7 +60,6 @@ class CutBar {
       }
     }
   }
-  static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
   std::int32_t node(const Cell& p) const {
     return (p[0] * (cubes_[1] + 1) + p[1]) * (cubes_[2] + 1) + p[2];
   }
@@ -84,14 +85,10 @@ class CutBar {
     for (std::size_t i = 0; i < 3; ++i) face[i] = tets_[t][at(tet_face_nodes[f][i])];
     return face;
   }
-  static Face sorted(Face face) {
-    std::sort(face.begin(), face.end());
-    return face;
-  }
 
   void find_faces() {
     for (std::size_t t = 0; t < tets_.size(); ++t) {
-      for (std::size_t f = 0; f < 4; ++f) face2tets_[sorted(face_of(t, f))].push_back(t);
+      for (std::size_t f = 0; f < 4; ++f) face2tets_[sorted_face(face_of(t, f))].push_back(t);
     }
     std::set<std::int32_t> on_surface;
     std::set<std::int32_t> on_cut;
@@ -128,7 +125,7 @@ class CutBar {
       if (leaf_of_[t] != heap) continue;
       for (std::size_t f = 0; f < 4; ++f) {
         const Face face = face_of(t, f);
-        const auto origin = face_origin_.find(sorted(face));
+        const auto origin = face_origin_.find(sorted_face(face));
         if (origin == face_origin_.end()) continue;
         part.leaf.triangles.push_back({local(face[0]), local(face[1]), local(face[2])});
         part.leaf.triangle_origin.push_back(origin->second);

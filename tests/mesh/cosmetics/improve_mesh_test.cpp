@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/array_index.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
@@ -12,8 +13,6 @@ namespace tetfarm {
 namespace {
 
 using testing::IsEmpty;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The boundary faces, each turned so that its smallest node comes first.
 std::multiset<std::array<std::int32_t, 3>> boundary_faces(const TetComplex& complex) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/improve_mesh.h"
 #include "mesh/cosmetics/quality.h"
@@ -11,8 +12,6 @@ namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The tets by their nodes in rising order: what a mesh is, whatever the places of its tets.
 std::vector<Tet> tets_of(const TetComplex& complex) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/array_index.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/cosmetics/quality.h"
 #include "mesh/cosmetics/smoothing.h"
@@ -11,8 +12,6 @@ namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 double mean_ratio(const TetComplex& complex) {
   double sum = 0;

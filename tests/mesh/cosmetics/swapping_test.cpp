@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/edge_removal.h"
 #include "mesh/cosmetics/face_swapping.h"
 #include "mesh/cosmetics/quality.h"
@@ -9,8 +10,6 @@ namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Nodes 0 and 1 far apart on the z axis, n ring nodes round it: n tets on the edge 0-1.
 TetMesh spindle(int n, double half_height) {

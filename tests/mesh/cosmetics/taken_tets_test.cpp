@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/cosmetics/quality.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
@@ -13,8 +14,6 @@ namespace {
 using testing::IsEmpty;
 
 const std::vector<Sharers> two_sets = {{8, 9, 10}, {8, 9}};
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Only angles count.
 ExtractionOptions angles_only() {

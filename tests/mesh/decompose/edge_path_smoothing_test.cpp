@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/decompose/edge_loops.h"
 #include "mesh/decompose/path_relaxation.h"
 #include "tests/support/shapes.h"
@@ -20,7 +21,7 @@ struct ColouredSphere {
   std::size_t path_length() const {
     std::size_t edges = 0;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(colours.size()); ++t) {
-      if (colours[idx(t)] == Side::left) {
+      if (colours[at(t)] == Side::left) {
         edges += static_cast<std::size_t>(edges_between_colours(colours, topology, t));
       }
     }
@@ -70,7 +71,7 @@ TEST(EdgePathSmoothing, opens_a_pinch) {
   std::fill(colours.begin(), colours.end(), Side::left);
   const auto round = half_edges_round_start(sphere.topology, sphere.topology.vertex2half_edge[100]);
   ASSERT_EQ(round.size(), 6U);
-  for (const std::size_t i : {0U, 2U, 3U}) colours[idx(triangle_of(round[i]))] = Side::right;
+  for (const std::size_t i : {0U, 2U, 3U}) colours[at(triangle_of(round[i]))] = Side::right;
   EXPECT_FALSE(
       find_edge_loops(colours, sphere.topology, sphere.subdomain.triangles).pinched_nodes.empty());
   EXPECT_GE(open_pinches(colours, sphere.topology, sphere.subdomain.triangles), 1);
@@ -114,8 +115,8 @@ TEST(EdgeLoops, run_with_the_cut_on_their_left) {
   const auto& loop = loops.loops.front();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     EXPECT_EQ(loop[i].to, loop[(i + 1) % loop.size()].from);
-    const Vec2 a = sphere.plane.project(sphere.subdomain.vertices[idx(loop[i].from)]);
-    const Vec2 b = sphere.plane.project(sphere.subdomain.vertices[idx(loop[i].to)]);
+    const Vec2 a = sphere.plane.project(sphere.subdomain.vertices[at(loop[i].from)]);
+    const Vec2 b = sphere.plane.project(sphere.subdomain.vertices[at(loop[i].to)]);
     area += 0.5 * (a.x * b.y - a.y * b.x);
   }
   EXPECT_NEAR(area, 3.1, 0.2);  // of a disc of radius near 1, anticlockwise

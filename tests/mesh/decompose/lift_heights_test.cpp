@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/array_index.h"
 #include "mesh/decompose/cut_check.h"
 #include "mesh/decompose/edge_path_smoothing.h"
 #include "mesh/decompose/intersection_repair.h"
@@ -54,11 +55,11 @@ TEST(RimAngles, bisector_halves_the_corner_of_a_cube) {
   const SurfaceTopology topology = make_surface_topology(cube);
   for (HalfEdge h = 0; h < static_cast<HalfEdge>(topology.twin.size()); ++h) {
     const RimEdge edge{end_of(cube.triangles, h), start_of(cube.triangles, h), triangle_of(h),
-                       triangle_of(topology.twin[idx(h)])};
+                       triangle_of(topology.twin[at(h)])};
     const RimCorner corner = rim_corner(cube, topology, edge);
     const bool is_flat = norm(corner.left_inward - corner.right_inward) < 1e-12;
     EXPECT_NEAR(cosine_at_bisector(corner), is_flat ? 0 : std::sqrt(0.5), 1e-12);
-    const Vec3 middle = 0.5 * (cube.vertices[idx(edge.from)] + cube.vertices[idx(edge.to)]);
+    const Vec3 middle = 0.5 * (cube.vertices[at(edge.from)] + cube.vertices[at(edge.to)]);
     EXPECT_GT(dot(bisector(corner), Vec3{0.5, 0.5, 0.5} - middle), 0);
     EXPECT_EQ(cosine_to_sides(corner, -bisector(corner)), 1);
   }
@@ -72,9 +73,9 @@ TEST(RimAngles, bisector_of_a_notch_points_into_the_material) {
   const SurfaceTopology topology = make_surface_topology(box);
   for (HalfEdge h = 36; h < 72; ++h) {
     const RimEdge edge{end_of(box.triangles, h), start_of(box.triangles, h), triangle_of(h),
-                       triangle_of(topology.twin[idx(h)])};
+                       triangle_of(topology.twin[at(h)])};
     const RimCorner corner = rim_corner(box, topology, edge);
-    const Vec3 middle = 0.5 * (box.vertices[idx(edge.from)] + box.vertices[idx(edge.to)]);
+    const Vec3 middle = 0.5 * (box.vertices[at(edge.from)] + box.vertices[at(edge.to)]);
     EXPECT_LT(dot(bisector(corner), Vec3{0.5, 0.5, 0.5} - middle), 0);
     EXPECT_LT(cosine_at_bisector(corner), 1e-12);
   }
@@ -91,15 +92,15 @@ TEST(InterdomainMesh, keeps_the_rim_and_fills_the_region) {
   const FlatCut cut = cap_of_sphere();
   double area = 0;
   for (const auto& [i, j, k] : cut.mesh.planar.triangles) {
-    const Vec2& a = cut.mesh.planar.points[idx(i)];
-    const Vec2& b = cut.mesh.planar.points[idx(j)];
-    const Vec2& c = cut.mesh.planar.points[idx(k)];
+    const Vec2& a = cut.mesh.planar.points[at(i)];
+    const Vec2& b = cut.mesh.planar.points[at(j)];
+    const Vec2& c = cut.mesh.planar.points[at(k)];
     area += 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   }
   EXPECT_NEAR(area, 3.14 * (1 - 0.49), 0.15);
   for (std::size_t i = 0; i < cut.mesh.rim.size(); ++i) {
     EXPECT_EQ(node_position(cut.mesh, cut.subdomain, static_cast<std::int32_t>(i)),
-              cut.subdomain.vertices[idx(cut.mesh.rim[i].from)]);
+              cut.subdomain.vertices[at(cut.mesh.rim[i].from)]);
   }
 }
 
@@ -117,7 +118,7 @@ TEST(InterdomainMesh, has_no_chord_that_is_an_edge_of_the_surface) {
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cut.mesh.planar.triangles.size()); ++t) {
     for (const auto& [a, b] : chords_of_triangle(cut.mesh, t)) {
       ++chords;
-      const auto [v, w] = std::minmax(cut.mesh.rim_vertices[idx(a)], cut.mesh.rim_vertices[idx(b)]);
+      const auto [v, w] = std::minmax(cut.mesh.rim_vertices[at(a)], cut.mesh.rim_vertices[at(b)]);
       EXPECT_FALSE(surface.contains({v, w}));
     }
   }

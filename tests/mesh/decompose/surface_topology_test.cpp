@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/array_index.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -9,8 +10,8 @@ namespace {
 
 void expect_twins_match(const Subdomain& subdomain, const SurfaceTopology& topology) {
   for (HalfEdge h = 0; h < static_cast<HalfEdge>(topology.twin.size()); ++h) {
-    const HalfEdge twin = topology.twin[idx(h)];
-    EXPECT_EQ(topology.twin[idx(twin)], h);
+    const HalfEdge twin = topology.twin[at(h)];
+    EXPECT_EQ(topology.twin[at(twin)], h);
     EXPECT_EQ(start_of(subdomain.triangles, h), end_of(subdomain.triangles, twin));
     EXPECT_EQ(end_of(subdomain.triangles, h), start_of(subdomain.triangles, twin));
   }

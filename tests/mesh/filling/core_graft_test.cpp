@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/geometry/bowyer_watson.h"
 #include "tests/mesh/filling/lattice_cases.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The Delaunay tets of a sphere and of the lattice round it but for the core, whose place is
 /// hollow: tets there have nodes of its hull only. Nothing is constrained.

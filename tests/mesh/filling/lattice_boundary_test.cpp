@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "base/array_index.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/filling/lattice_core.h"
 #include "mesh/volume/volume_mesh.h"
@@ -16,8 +17,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A rhombic dodecahedron of lattice tets: all its faces lie in planes of the lattice, as cuts do.
 struct LatticeBlock {

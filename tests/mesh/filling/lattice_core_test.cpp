@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/array_index.h"
 #include "mesh/filling/core_nodes.h"
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/predicates.h"
@@ -13,8 +14,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A lattice in a sphere, and its core as a complex with the lattice's numbers.
 struct Case {

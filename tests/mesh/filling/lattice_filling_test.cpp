@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/array_index.h"
 #include "mesh/core/tet_quality.h"
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/improve_mesh.h"
@@ -14,8 +15,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int32_t enclosing_nodes = 4;
 

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "base/array_index.h"
 #include "tests/mesh/filling/lattice_cases.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 using Grid3 = std::array<std::int32_t, 3>;
 

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/predicates.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 bool holds(const TetComplex& complex, std::int32_t tet, const Vec3& p) {
   const Tet& n = complex.nodes[at(tet)];

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/array_index.h"
 #include "base/error.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
@@ -17,8 +18,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 GridSource grid() { return GridSource(cut_grid(4)); }
 

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "mesh/core/sorted_face.h"
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/recovery/edge_removal_by_flips.h"
 
@@ -114,13 +115,7 @@ TEST_F(LocalRemeshingOfRandomPoints, finds_faces_that_are_there_and_no_others) {
   std::set<std::array<std::int32_t, 3>> there;
   for (const Tet& t : complex_.nodes) {
     if (t[0] < 0) continue;
-    for (const auto& [i, j, k] : tet_face_nodes) {
-      std::array<std::int32_t, 3> face = {t[static_cast<std::size_t>(i)],
-                                          t[static_cast<std::size_t>(j)],
-                                          t[static_cast<std::size_t>(k)]};
-      std::sort(face.begin(), face.end());
-      there.insert(face);
-    }
+    for (int face = 0; face < 4; ++face) there.insert(sorted_face(t, face));
   }
   std::size_t found = 0;
   for (std::int32_t a = 0; a < 60; ++a) {
