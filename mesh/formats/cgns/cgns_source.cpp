@@ -204,6 +204,7 @@ std::unique_ptr<MeshSource> open_cgns(const std::filesystem::path& path,
   };
   mesh.read_tets = [file](std::int64_t first, std::span<ListedMesh::Nodes> into) {
     static_assert(sizeof(ListedMesh::Nodes) == 4 * sizeof(std::int64_t));
+    if (into.empty()) return;
     file->read_cells(ElementType::tet, first, {into.data()->data(), 4 * into.size()});
   };
   mesh.runs = file->runs(ElementType::tet);
