@@ -43,7 +43,7 @@ TEST(CellFaces, refuses_a_face_of_three_tets) {
   EXPECT_EQ(cell_faces(part).inner.size(), 1U);
   part.tets.push_back({0, 1, 2, 5});
   EXPECT_THAT([&] { cell_faces(part); },
-              ThrowsMessage<InvalidInput>(HasSubstr("a face has more than two tets")));
+              ThrowsMessage<InvalidInput>(HasSubstr("a face has more than two cells")));
 }
 
 TEST(SeamFaces, both_sides_have_the_same_faces_in_the_same_order_turned_round) {
