@@ -21,10 +21,8 @@ void for_each_cell(const NumberedPart& part, const Visit& visit) {
   for (const Tet& tet : part.tets) {
     visit(cell++, ElementType::tet, std::span<const std::int32_t>(tet));
   }
-  for_each_block_cell(part.blocks,
-                      [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
-                        visit(cell++, type, nodes);
-                      });
+  for_each_block_cell(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
+                                       std::int32_t) { visit(cell++, type, nodes); });
 }
 
 /// Calls visit(cell, face) for each face of each cell, the normal outwards.
@@ -57,10 +55,8 @@ void for_each_boundary_face(const NumberedPart& part, const Visit& visit) {
 /// Of each boundary face.
 inline std::vector<std::int32_t> patches_of_boundary(const NumberedPart& part) {
   std::vector<std::int32_t> patches;
-  for_each_boundary_face(part,
-                         [&](std::int32_t, const FaceNodes<std::int32_t>&, std::int32_t patch) {
-                           patches.push_back(patch);
-                         });
+  for_each_boundary_face(part, [&](std::int32_t, const FaceNodes<std::int32_t>&,
+                                   std::int32_t patch) { patches.push_back(patch); });
   return patches;
 }
 

@@ -1,5 +1,5 @@
-/// The faces of a part's cells: which two of them share one, and which have none. Cells and boundary
-/// faces are counted as in part_cells.h.
+/// The faces of a part's cells: which two of them share one, and which have none. Cells and
+/// boundary faces are counted as in part_cells.h.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tetfarm {
 
-/// A face between two cells of a part. It may be a face between two regions, which the part then has
-/// among its boundary faces once for each.
+/// A face between two cells of a part. It may be a face between two regions, which the part then
+/// has among its boundary faces once for each.
 struct InnerFace {
   std::int32_t owner = 0;         ///< the lower cell
   std::int32_t neighbour = 0;     ///< the higher one

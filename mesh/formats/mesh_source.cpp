@@ -110,8 +110,8 @@ ElementCounts with_blocks(std::int64_t tets, std::int64_t triangles,
   ElementCounts counts;
   counts[ElementType::tet] = tets;
   counts[ElementType::triangle] = triangles;
-  for_each_block(
-      blocks, [&](ElementType type, const BlockOutline& block) { counts[type] = block.count; });
+  for_each_block(blocks,
+                 [&](ElementType type, const BlockOutline& block) { counts[type] = block.count; });
   return counts;
 }
 

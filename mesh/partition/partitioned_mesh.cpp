@@ -119,9 +119,8 @@ class FinePartition {
     std::vector<std::int32_t> beyond;
     for (const InterfaceSide& side : sides) beyond.push_back(side.cell);
     const auto cells = static_cast<std::size_t>(cells_of(subdomain));
-    std::vector<GraphLevel> levels =
-        coarsen_graph(dual_graph(cell_faces(subdomain), cells, beyond), cells,
-                      at(coarse_.wanted_clusters[at(next_)]));
+    std::vector<GraphLevel> levels = coarsen_graph(dual_graph(cell_faces(subdomain), cells, beyond),
+                                                   cells, at(coarse_.wanted_clusters[at(next_)]));
     std::vector<std::int32_t> part_of_node = parts_of_clusters(levels.back().movable);
     for (const InterfaceSide& side : sides) part_of_node.push_back(part_of_side_[other(side)]);
     while (true) {

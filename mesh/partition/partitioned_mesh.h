@@ -34,7 +34,8 @@ struct PartitionFigures {
 class PartitionedMesh : public MeshSource {
  public:
   /// Reads each sub-domain twice; `source` need not live longer. `folder` is for files that are
-  /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell. The same mesh gives the same parts.
+  /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell. The same mesh
+  /// gives the same parts.
   /// @throws UsageError when there are fewer cells than parts; InvalidInput, IoError.
   /// Cost: some microseconds a cell. Memory: one sub-domain, the clusters and their neighbours (20
   /// bytes each of about 12), 16 bytes for each face between sub-domains. `part` takes that of a

@@ -14,10 +14,10 @@ namespace {
 
 std::vector<bool> nodes_on_surface(const NumberedPart& part) {
   std::vector<bool> is_on_surface(part.nodes.size(), false);
-  for_each_boundary_face(
-      part, [&](std::int32_t, const FaceNodes<std::int32_t>& face, std::int32_t) {
-        for (const std::int32_t v : face) is_on_surface[at(v)] = true;
-      });
+  for_each_boundary_face(part,
+                         [&](std::int32_t, const FaceNodes<std::int32_t>& face, std::int32_t) {
+                           for (const std::int32_t v : face) is_on_surface[at(v)] = true;
+                         });
   return is_on_surface;
 }
 

@@ -99,27 +99,27 @@ void mention_ghosts(const NumberedPart& part, const std::vector<SharedNode>& sha
   for (const SharedNode& node : shared) neighbour_of_node.emplace_back(node.local, node.neighbour);
   std::sort(neighbour_of_node.begin(), neighbour_of_node.end());
   std::vector<std::int32_t> neighbours;
-  for_each_cell(part, [&](std::int32_t cell, ElementType type,
-                          std::span<const std::int32_t> nodes) {
-    neighbours.clear();
-    for (const std::int32_t v : nodes) {
-      auto it = std::lower_bound(neighbour_of_node.begin(), neighbour_of_node.end(),
-                                 std::pair(v, std::int32_t{0}));
-      for (; it != neighbour_of_node.end() && it->first == v; ++it) {
-        neighbours.push_back(it->second);
-      }
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    for (const std::int32_t neighbour : neighbours) {
-      GhostMention mention{neighbour, {part.number, cell, type, {}}, {}};
-      for (std::size_t k = 0; k < nodes.size(); ++k) {
-        mention.ghost.nodes[k] = global_node(part, nodes[k]);
-        mention.corners[k] = part.nodes[static_cast<std::size_t>(nodes[k])];
-      }
-      ghosts.push(mention);
-    }
-  });
+  for_each_cell(
+      part, [&](std::int32_t cell, ElementType type, std::span<const std::int32_t> nodes) {
+        neighbours.clear();
+        for (const std::int32_t v : nodes) {
+          auto it = std::lower_bound(neighbour_of_node.begin(), neighbour_of_node.end(),
+                                     std::pair(v, std::int32_t{0}));
+          for (; it != neighbour_of_node.end() && it->first == v; ++it) {
+            neighbours.push_back(it->second);
+          }
+        }
+        std::sort(neighbours.begin(), neighbours.end());
+        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        for (const std::int32_t neighbour : neighbours) {
+          GhostMention mention{neighbour, {part.number, cell, type, {}}, {}};
+          for (std::size_t k = 0; k < nodes.size(); ++k) {
+            mention.ghost.nodes[k] = global_node(part, nodes[k]);
+            mention.corners[k] = part.nodes[static_cast<std::size_t>(nodes[k])];
+          }
+          ghosts.push(mention);
+        }
+      });
 }
 
 void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table) {

@@ -174,8 +174,7 @@ void put_ghosts(NumberText& numbers, const Ghosts& ghosts, const MeshOutline& ou
   const ElementCounts counts = counts_of(ghosts);
   for (const ElementType type : all_element_types) {
     if (counts[type] == 0) continue;
-    put_msh_block(numbers,
-                  {3, ghost_volume_of(outline, partition), msh_code(type), counts[type]});
+    put_msh_block(numbers, {3, ghost_volume_of(outline, partition), msh_code(type), counts[type]});
     const auto& order = node_order(ElementCodes::msh, type);
     for (const GhostCell& ghost : ghosts.cells) {
       if (ghost.type != type) continue;

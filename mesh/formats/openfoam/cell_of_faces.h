@@ -1,8 +1,8 @@
 /// Which element a polyhedron is, told from its faces alone, and which of its nodes is which.
 ///
-/// One face of the type is laid upon a face of the polyhedron; the edges that the two have then tell
-/// where the next faces lie, and so on round the element. What does not fit anywhere is no such
-/// element.
+/// One face of the type is laid upon a face of the polyhedron; the edges that the two have then
+/// tell where the next faces lie, and so on round the element. What does not fit anywhere is no
+/// such element.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ struct CellOfFaces {
 /// many faces.
 std::optional<CellOfFaces> cell_of_faces(std::span<const FaceNodes<std::int32_t>> faces);
 
-/// Whether a type has as many triangles and quads: if so, and it is no such cell, they do not close.
+/// Whether a type has as many triangles and quads: if so, and it is no such cell, they do not
+/// close.
 bool has_faces_of_a_cell(std::span<const FaceNodes<std::int32_t>> faces);
 
 /// "tet, pyramid, prism or hex": what it may be.

@@ -58,8 +58,7 @@ void put_foam_face(NumberText& text, const FaceNodes<std::int64_t>& nodes,
   text.words(std::to_string(nodes.size()) + "(");
   for (const std::int64_t v : nodes) text.integer(v);
   text.words(")");
-  const auto blanks =
-      foam_face_bytes(text, most_corners) - foam_face_bytes(text, nodes.size());
+  const auto blanks = foam_face_bytes(text, most_corners) - foam_face_bytes(text, nodes.size());
   text.words(std::string(static_cast<std::size_t>(blanks), ' '));
   text.end_record();
 }

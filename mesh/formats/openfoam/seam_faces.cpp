@@ -27,8 +27,8 @@ struct OpenFace {
 OpenFace open_face(const NumberedPart& part, const OuterFace& outer,
                    const std::vector<std::int32_t>& patches, std::int64_t first_cell) {
   OpenFace open;
-  open.nodes = outer.nodes.renumbered([&](std::int32_t v) { return global_node(part, v); })
-                   .smallest_first();
+  open.nodes =
+      outer.nodes.renumbered([&](std::int32_t v) { return global_node(part, v); }).smallest_first();
   open.sorted_nodes = open.nodes.sorted();
   open.part = part.number;
   open.face = outer.face;

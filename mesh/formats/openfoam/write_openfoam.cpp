@@ -128,8 +128,8 @@ std::vector<FoamFace> inner_faces(const CellFaces& cells, std::int64_t first_cel
   std::vector<FoamFace> faces;
   faces.reserve(cells.inner.size());
   for (const InnerFace& face : cells.inner) {
-    faces.push_back({face.nodes.renumbered(node), first_cell + face.owner,
-                     first_cell + face.neighbour});
+    faces.push_back(
+        {face.nodes.renumbered(node), first_cell + face.owner, first_cell + face.neighbour});
   }
   return faces;
 }

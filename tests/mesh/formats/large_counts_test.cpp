@@ -222,7 +222,7 @@ TEST_P(LargeCounts, tables_and_seams_of_such_nodes_are_those_of_small_numbers) {
         CommunicationTable near = communication_from_bytes(communication_to_bytes(table), "here");
         for (std::int64_t& node : near.local2global) node -= before;
         for (GhostCell& ghost : near.ghosts) {
-          for (std::int64_t& node : ghost.nodes) node -= before;
+          for (std::size_t k = 0; k < nodes_of(ghost.type); ++k) ghost.nodes[k] -= before;
         }
         EXPECT_EQ(near, tables.at(static_cast<std::size_t>(near.part)));
       });
