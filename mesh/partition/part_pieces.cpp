@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/part_cells.h"
+#include "mesh/core/element_block.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {

@@ -226,16 +226,20 @@ TEST(OpenfoamSource, cells_of_no_known_type_are_refused_with_their_number) {
               HasSubstr("cell 1 is no tet, pyramid, prism or hex: it has 3 triangles and 1 quad"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 1 1 0)";
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 0 is no tet, pyramid, prism or hex: it has 5 triangles and 0 quads"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 0 is no tet, pyramid, prism or hex: it has 5 triangles and 0 quads"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(0 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(1 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(2 0 3)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 2 2 2)";
   mesh.neighbour = "1(2)";
