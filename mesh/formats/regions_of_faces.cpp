@@ -35,4 +35,18 @@ void set_regions_of_faces(NumberedPart& part) {
   }
 }
 
+void set_regions_from_cells(NumberedPart& part) {
+  const std::vector<std::int32_t> regions = regions_of_cells(part);
+  if (!regions.empty()) part.region = regions.front();
+  if (std::any_of(regions.begin(), regions.end(), [&](auto r) { return r != part.region; })) {
+    set_regions_of_faces(part);
+    return;
+  }
+  part.region_of_tet.clear();
+  for (const ElementType type : face_block_types) {
+    std::vector<std::int32_t>& of_faces = part.blocks[type].regions;
+    std::fill(of_faces.begin(), of_faces.end(), part.region);
+  }
+}
+
 }  // namespace tetfarm

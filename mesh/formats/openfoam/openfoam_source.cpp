@@ -1,7 +1,5 @@
 #include "mesh/formats/openfoam/openfoam_source.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "mesh/formats/openfoam/poly_mesh_reader.h"
 #include "mesh/formats/openfoam/processor_numbers.h"
@@ -109,17 +107,7 @@ void read_cells(PolyMeshReader& file, NumberedPart& part) {
       block.regions.push_back(next->region);
     }
   }
-  const std::vector<std::int32_t> regions = regions_of_cells(part);
-  if (!regions.empty()) part.region = regions.front();
-  if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part.region; })) {
-    part.region_of_tet.clear();
-    for (const ElementType type : face_block_types) {
-      std::vector<std::int32_t>& of_faces = part.blocks[type].regions;
-      std::fill(of_faces.begin(), of_faces.end(), part.region);
-    }
-  } else {
-    set_regions_of_faces(part);
-  }
+  set_regions_from_cells(part);
 }
 
 ProcessorMesh read_processor(const fs::path& folder, const fs::path& scratch_folder) {
