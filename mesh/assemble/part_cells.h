@@ -52,6 +52,23 @@ void for_each_boundary_face(const NumberedPart& part, const Visit& visit) {
   });
 }
 
+/// The cells of a block of that type in another order: first the one that order[0] is the number
+/// of.
+/// @pre `order` has each number once.
+inline ElementBlock reordered(ElementType type, const ElementBlock& cells,
+                              const std::vector<std::size_t>& order) {
+  TF_CHECK(order.size() == cells.size());
+  ElementBlock result;
+  result.nodes.reserve(cells.nodes.size());
+  result.regions.reserve(order.size());
+  for (const std::size_t i : order) {
+    const std::span<const std::int32_t> nodes = cells.element(type, i);
+    result.nodes.insert(result.nodes.end(), nodes.begin(), nodes.end());
+    result.regions.push_back(cells.regions[i]);
+  }
+  return result;
+}
+
 /// Of each boundary face.
 inline std::vector<std::int32_t> patches_of_boundary(const NumberedPart& part) {
   std::vector<std::int32_t> patches;

@@ -182,18 +182,6 @@ std::vector<std::size_t> order_of(const std::vector<std::int32_t>& regions) {
   return order;
 }
 
-void sort_by_regions(ElementType type, ElementBlock& cells) {
-  const std::vector<std::size_t> order = order_of(cells.regions);
-  std::vector<std::int32_t> nodes;
-  nodes.reserve(cells.nodes.size());
-  for (const std::size_t i : order) {
-    const std::span<const std::int32_t> cell = cells.element(type, i);
-    nodes.insert(nodes.end(), cell.begin(), cell.end());
-  }
-  cells.nodes = std::move(nodes);
-  reorder(cells.regions, order);
-}
-
 /// Cells of a type by regions; one region is said once.
 void settle_regions(NumberedPart& part) {
   const std::vector<std::int32_t> regions = regions_of_cells(part);
@@ -208,7 +196,10 @@ void settle_regions(NumberedPart& part) {
   const std::vector<std::size_t> tets = order_of(part.region_of_tet);
   reorder(part.tets, tets);
   reorder(part.region_of_tet, tets);
-  for (const ElementType type : cell_block_types) sort_by_regions(type, part.blocks[type]);
+  for (const ElementType type : cell_block_types) {
+    ElementBlock& cells = part.blocks[type];
+    cells = reordered(type, cells, order_of(cells.regions));
+  }
 }
 
 }  // namespace

@@ -64,14 +64,9 @@ void sort_tets(NumberedPart& part) {
 }
 
 void sort_block(ElementType type, ElementBlock& cells) {
-  ElementBlock sorted;
-  for (const std::size_t c :
-       order_of_cells(cells.regions, [&](std::size_t i) { return cells.element(type, i); })) {
-    const std::span<const std::int32_t> nodes = cells.element(type, c);
-    sorted.nodes.insert(sorted.nodes.end(), nodes.begin(), nodes.end());
-    sorted.regions.push_back(cells.regions[c]);
-  }
-  cells = std::move(sorted);
+  const std::vector<std::size_t> order =
+      order_of_cells(cells.regions, [&](std::size_t i) { return cells.element(type, i); });
+  cells = reordered(type, cells, order);
 }
 
 /// The nodes by rising new number; elements follow.

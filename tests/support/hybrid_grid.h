@@ -33,13 +33,7 @@ class HybridGrid : public MeshSource {
         }
       }
     }
-    for (const auto& slab : cells) {
-      for (const ListedCell& cell : slab) {
-        for_each_face_of(
-            cell.type, std::span<const std::int64_t>(cell.nodes),
-            [this](ElementType, std::span<const std::int64_t> face) { ++uses_[face_key(face)]; });
-      }
-    }
+    for (const auto& slab : cells) count_face_uses(slab, uses_);
     for (const auto& slab : cells) {
       const auto patch_of = [this](ElementType type, std::span<const std::int64_t> face) {
         std::optional<std::int32_t> patch;

@@ -25,7 +25,7 @@ class HybridMesh : public MeshSource {
                               Cell{ElementType::pyramid, {1, 2, 6, 5, 8}},
                               Cell{ElementType::pyramid, {0, 4, 7, 3, 16}},
                               Cell{ElementType::tet, {1, 2, 8, 9}}};
-    count_faces(cells);
+    count_face_uses(cells, uses_);
     for (const std::size_t first : {0U, 3U}) {
       add_part({cells.begin() + first, cells.begin() + first + 3});
     }
@@ -49,15 +49,6 @@ class HybridMesh : public MeshSource {
     return {{0, 0, 0},  {1, 0, 0},  {1, 1, 0},     {0, 1, 0},      {0, 0, 1},     {1, 0, 1},
             {1, 1, 1},  {0, 1, 1},  {2, 0.5, 0.5}, {1.5, 0.5, -1}, {0, 0.5, 2},   {1, 0.5, 2},
             {0, 0, -1}, {1, 0, -1}, {1, 1, -1},    {0, 1, -1},     {-1, 0.5, 0.5}};
-  }
-
-  template <class Cells>
-  void count_faces(const Cells& cells) {
-    for (const Cell& cell : cells) {
-      for_each_face_of(
-          cell.type, std::span<const std::int64_t>(cell.nodes),
-          [this](ElementType, std::span<const std::int64_t> face) { ++uses_[face_key(face)]; });
-    }
   }
 
   /// The body is all of the first part but its floor: quads, and the gables of the roof.

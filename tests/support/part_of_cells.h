@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,16 @@ inline FaceKey face_key(std::span<const std::int64_t> face) {
   FaceKey nodes(face.begin(), face.end());
   std::sort(nodes.begin(), nodes.end());
   return nodes;
+}
+
+/// Of each face of the cells, how many of them have it; added to `uses`.
+template <class Cells>
+void count_face_uses(const Cells& cells, std::map<FaceKey, int>& uses) {
+  for (const ListedCell& cell : cells) {
+    for_each_face_of(
+        cell.type, std::span<const std::int64_t>(cell.nodes),
+        [&](ElementType, std::span<const std::int64_t> face) { ++uses[face_key(face)]; });
+  }
 }
 
 inline std::int32_t local_number(std::int64_t node, const NumberedPart& part) {
