@@ -37,7 +37,7 @@ class HybridGrid : public MeshSource {
     for (const auto& slab : cells) {
       const auto patch_of = [this](ElementType type, std::span<const std::int64_t> face) {
         std::optional<std::int32_t> patch;
-        if (uses_.at(face_key(face)) == 1) patch = type == ElementType::quad ? 0 : 1;
+        if (uses_.at(face_key(face)) == 1) patch = type == ElementType::quad ? 1 : 0;
         return patch;
       };
       parts.push_back(
@@ -47,7 +47,7 @@ class HybridGrid : public MeshSource {
 
   std::size_t size() const override { return parts.size(); }
   NumberedPart part(std::size_t i) const override { return parts.at(i); }
-  std::vector<std::string> patch_names() const override { return {"quads", "triangles"}; }
+  std::vector<std::string> patch_names() const override { return {"triangles", "quads"}; }
   std::vector<std::string> region_names() const override { return {"domain"}; }
   double volume() const { return static_cast<double>(n_) * n_ * n_; }
 

@@ -11,10 +11,12 @@
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/partition/dual_graph.h"
+#include "mesh/partition/renumbered_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 #include "tests/support/hybrid_grid.h"
+#include "tests/support/hybrid_mesh.h"
 
 namespace tetfarm {
 namespace {
@@ -187,6 +189,9 @@ TEST(PartitionedMesh, parts_of_all_types_of_cells_are_the_mesh_each_of_one_piece
       EXPECT_EQ(outline_of(mesh).elements()[type], outline.elements()[type])
           << element(type).plural;
     }
+    for (std::size_t patch = 0; patch < 2; ++patch) {
+      EXPECT_EQ(outline_of(mesh).boundary_faces_of(patch), outline.boundary_faces_of(patch));
+    }
     for (std::size_t i = 0; i < mesh.size(); ++i) {
       EXPECT_EQ(cells_of(mesh.part(i)), mesh.figures().cells[i]);
     }
@@ -194,6 +199,20 @@ TEST(PartitionedMesh, parts_of_all_types_of_cells_are_the_mesh_each_of_one_piece
     EXPECT_EQ(found.cut_faces, mesh.figures().cut_faces);
     EXPECT_THAT(found.pieces_of_part, testing::Each(1));
     EXPECT_LT(mesh.figures().largest_over_mean(), 1.25);
+  }
+}
+
+TEST(PartitionedMesh, cells_of_every_type_keep_their_regions_in_parts_and_with_other_numbers) {
+  const HybridMesh mesh(2);
+  const MeshOutline wanted = outline_of(mesh);
+  const TempFolder folder;
+  auto parts = std::make_unique<PartitionedMesh>(mesh, options_for(1), folder.path());
+  const RenumberedMesh renumbered(std::move(parts), NodeNumbering::hilbert);
+  EXPECT_THAT(check_mesh(renumbered).complaints, IsEmpty());
+  const MeshOutline found = outline_of(renumbered);
+  EXPECT_EQ(found.tets_of_region, wanted.tets_of_region);
+  for (const ElementType type : cell_block_types) {
+    EXPECT_EQ(found.blocks[type].of_group, wanted.blocks[type].of_group) << element(type).plural;
   }
 }
 
