@@ -18,7 +18,9 @@ namespace tetfarm {
 
 class HybridGrid : public MeshSource {
  public:
-  HybridGrid(int n, int slabs, std::uint32_t seed = 1) : n_(n), random_(seed) {
+  /// With a region for each slab the faces between slabs are boundary faces, once for each.
+  HybridGrid(int n, int slabs, bool has_regions = false, std::uint32_t seed = 1)
+      : n_(n), has_regions_(has_regions), random_(seed) {
     for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
       places_.push_back({static_cast<double>(i % (n + 1)),
                          static_cast<double>(i / (n + 1) % (n + 1)),
@@ -33,22 +35,34 @@ class HybridGrid : public MeshSource {
         }
       }
     }
-    for (const auto& slab : cells) count_face_uses(slab, uses_);
+    std::map<FaceKey, int> uses;
+    for (const auto& slab : cells) count_face_uses(slab, uses);
     for (const auto& slab : cells) {
-      const auto patch_of = [this](ElementType type, std::span<const std::int64_t> face) {
+      if (has_regions_) {
+        uses.clear();
+        count_face_uses(slab, uses);
+      }
+      const auto patch_of = [&uses](ElementType type, std::span<const std::int64_t> face) {
         std::optional<std::int32_t> patch;
-        if (uses_.at(face_key(face)) == 1) patch = type == ElementType::quad ? 1 : 0;
+        if (uses.at(face_key(face)) == 1) patch = type == ElementType::quad ? 1 : 0;
         return patch;
       };
+      const auto number = static_cast<std::int32_t>(parts.size());
       parts.push_back(
-          part_of_cells(slab, places_, static_cast<std::int32_t>(parts.size()), 1, patch_of));
+          part_of_cells(slab, places_, number, has_regions_ ? number + 1 : 1, patch_of));
     }
   }
 
   std::size_t size() const override { return parts.size(); }
   NumberedPart part(std::size_t i) const override { return parts.at(i); }
   std::vector<std::string> patch_names() const override { return {"triangles", "quads"}; }
-  std::vector<std::string> region_names() const override { return {"domain"}; }
+  std::vector<std::string> region_names() const override {
+    std::vector<std::string> names = {"domain"};
+    for (std::size_t i = 1; has_regions_ && i < size(); ++i) {
+      names.push_back("domain " + std::to_string(i + 1));
+    }
+    return names;
+  }
   double volume() const { return static_cast<double>(n_) * n_ * n_; }
 
   std::vector<NumberedPart> parts;
@@ -103,10 +117,10 @@ class HybridGrid : public MeshSource {
   }
 
   int n_;
+  bool has_regions_;
   std::mt19937 random_;
   bool is_cut_ = false;
   std::vector<Vec3> places_;
-  std::map<FaceKey, int> uses_;
 };
 
 }  // namespace tetfarm

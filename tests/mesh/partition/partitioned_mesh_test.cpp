@@ -16,7 +16,6 @@
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 #include "tests/support/hybrid_grid.h"
-#include "tests/support/hybrid_mesh.h"
 
 namespace tetfarm {
 namespace {
@@ -203,7 +202,8 @@ TEST(PartitionedMesh, parts_of_all_types_of_cells_are_the_mesh_each_of_one_piece
 }
 
 TEST(PartitionedMesh, cells_of_every_type_keep_their_regions_in_parts_and_with_other_numbers) {
-  const HybridMesh mesh(2);
+  const HybridGrid mesh(5, 3, true);
+  ASSERT_THAT(check_mesh(mesh).complaints, IsEmpty());
   const MeshOutline wanted = outline_of(mesh);
   const TempFolder folder;
   auto parts = std::make_unique<PartitionedMesh>(mesh, options_for(1), folder.path());
