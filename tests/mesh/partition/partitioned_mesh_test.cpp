@@ -91,6 +91,14 @@ TEST(PartitionedMesh, parts_are_even_of_one_piece_and_together_the_mesh) {
   }
 }
 
+TEST(PartitionedMesh, has_even_parts_rather_than_a_shorter_cut) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  // Of the ways to divide 384 tets there is one with a shorter cut and a part of 25.
+  EXPECT_THAT(PartitionedMesh(grid, options_for(16), folder.path()).figures().cells,
+              testing::Each(24));
+}
+
 TEST(PartitionedMesh, is_the_same_every_time) {
   const TempFolder folder;
   const GridSource grid(cut_grid(8));
