@@ -150,6 +150,27 @@ TEST(FaceCheck, tells_the_first_and_no_more_than_asked_for) {
   EXPECT_THAT(wrong_faces(grid.parts, much_memory, 0), IsEmpty());
 }
 
+/// The grid without the first boundary triangles of its first part.
+GridSource grid_without(std::size_t triangles) {
+  GridSource source(cut_grid(4));
+  NumberedPart& part = source.parts[0];
+  part.faces.erase(part.faces.begin(), part.faces.begin() + static_cast<long>(triangles));
+  part.patch_of_face.erase(part.patch_of_face.begin(),
+                           part.patch_of_face.begin() + static_cast<long>(triangles));
+  return source;
+}
+
+std::size_t wrong_faces_without(std::size_t triangles, std::size_t most) {
+  return wrong_faces(grid_without(triangles).parts, much_memory, most).size();
+}
+
+TEST(FaceCheck, names_as_many_faces_as_it_is_asked_for_and_no_more) {
+  EXPECT_EQ(wrong_faces_without(0, 5), 0U);
+  EXPECT_EQ(wrong_faces_without(3, 5), 3U);
+  EXPECT_EQ(wrong_faces_without(5, 5), 5U);
+  EXPECT_EQ(wrong_faces_without(8, 5), 5U);
+}
+
 TEST(FaceCheck, describes_a_face_by_place_use_and_elements) {
   GridSource grid(cut_grid(4));
   NumberedPart& part = grid.parts[1];

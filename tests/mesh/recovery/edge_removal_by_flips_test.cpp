@@ -53,6 +53,39 @@ TEST(EdgeRemoval, in_the_way_of_nothing_takes_the_edge_out_or_leaves_all_as_it_w
   EXPECT_GT(removed[1], 20);
 }
 
+/// Of the inner edges those that are removed, each from the same tets.
+int removed_edges(const TetComplex& tets, int depth) {
+  int removed = 0;
+  for (std::int32_t a = 0; a < 30; ++a) {
+    for (std::int32_t b = a + 1; b < 30; ++b) {
+      TetComplex complex = tets;
+      std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
+      LocalRemeshing mesh(complex, constrained);
+      if (!mesh.ring(a, b)) continue;
+      const RecoverySurface no_surface({}, 30);
+      EdgeRemoval removal(mesh, no_surface);
+      removal.set_budget(1'000);
+      const bool is_gone = removal.remove(a, b, RecoveryGuard::of_nothing(mesh), depth);
+      EXPECT_EQ(is_gone, mesh.find_edge(a, b) < 0);
+      EXPECT_TRUE(validate(complex).empty());
+      removed += is_gone ? 1 : 0;
+    }
+  }
+  return removed;
+}
+
+TEST(EdgeRemoval, goes_into_what_hides_an_apex_as_deep_as_it_is_told_to) {
+  int shallow = 0;
+  int deep = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const TetComplex tets = RandomTets(30, seed).complex;
+    shallow += removed_edges(tets, 0);
+    deep += removed_edges(tets, 2);
+  }
+  EXPECT_GT(shallow, 100);
+  EXPECT_GT(deep, shallow);
+}
+
 TEST(EdgeRemoval, without_a_budget_tries_nothing) {
   RandomTets tets(points, 9);
   const RecoverySurface no_surface({}, points);
