@@ -231,32 +231,44 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   }
   numbering.surface_nodes =
       static_cast<std::int64_t>(is_used.size() - numbering.unused_vertices.size());
-  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = meshed_sides(surface);
+  add_surface_figures(surface, numbering);
+  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = numbering.faces;
   give_numbers(numbering);
   return numbering;
 }
 
+void add_surface_figures(const SurfaceMesh& surface, Numbering& numbering) {
+  numbering.faces = meshed_sides(surface);
+  numbering.regions = region_count(surface);
+  numbering.forced = forced_nodes(surface);
+}
+
+bool counts_faces(const Numbering& numbering) {
+  return numbering.leaves.back().faces && numbering.leaves.back().first_face;
+}
+
 std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
-  const auto refuse = [&] {
-    throw Error(
-        ExitCode::failed,
-        "no node " + std::to_string(origin.index) + " of " +
-            (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
-            " in the numbering");
-  };
   if (origin.owner == 0) {
     const auto& unused = numbering.unused_vertices;
     const std::int64_t index = origin.index;
     const auto after = std::lower_bound(unused.begin(), unused.end(), index);
     const std::int64_t rank = index - (after - unused.begin());
-    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse();
+    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse_node(origin);
     return rank;
   }
   const OwnedNodes* nodes = find_nodes(numbering, TreePath{origin.owner});
-  if (nodes == nullptr || origin.index >= nodes->made) refuse();
+  if (nodes == nullptr || origin.index >= nodes->made) refuse_node(origin);
   const std::int64_t rank = rank_among_kept(*nodes, origin.index);
-  if (rank < 0) refuse();
+  if (rank < 0) refuse_node(origin);
   return nodes->first_node + rank;
+}
+
+void refuse_node(const Origin& origin) {
+  throw Error(
+      ExitCode::failed,
+      "no node " + std::to_string(origin.index) + " of " +
+          (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
+          " in the numbering");
 }
 
 std::string numbering_to_text(const Numbering& numbering) {
