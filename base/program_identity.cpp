@@ -40,7 +40,7 @@ int take_build_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
 }  // namespace
 
 std::string build_id_among(std::span<const char> notes) {
-  constexpr std::string_view owner("GNU", 4);  // with its zero
+  constexpr std::string_view owner("GNU\0", 4);
   ElfW(Nhdr) header;
   while (notes.size() >= sizeof header) {
     std::memcpy(&header, notes.data(), sizeof header);

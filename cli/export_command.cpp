@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "base/counted.h"
 #include "base/error_with_help.h"
@@ -10,6 +11,7 @@
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
 #include "json/json_line.h"
+#include "mesh/core/element_block.h"
 #include "mesh/formats/list/format.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
@@ -63,16 +65,39 @@ nlohmann::ordered_json spans_json(const NumberSpans& spans) {
   return {{"bandwidth", spans.bandwidth}, {"mean_difference", spans.mean()}};
 }
 
+/// "12 tets, 8 prisms, 30 nodes, 20 boundary triangles, 4 boundary quads": other types than tets
+/// and triangles where there are any.
+std::string text_of(const ExportCounts& counts) {
+  std::string text = std::to_string(counts.elements[ElementType::tet]) + " tets, ";
+  for (const ElementType type : cell_block_types) {
+    const std::int64_t count = counts.elements[type];
+    if (count > 0) text += text_of_count(count, type) + ", ";
+  }
+  text += std::to_string(counts.nodes) + " nodes, " +
+          std::to_string(counts.elements[ElementType::triangle]) + " boundary triangles";
+  const std::int64_t quads = counts.elements[ElementType::quad];
+  if (quads > 0) text += ", " + std::to_string(quads) + " boundary quads";
+  return text;
+}
+
 nlohmann::ordered_json json_of(const ExportCommand& command, const Format& format,
                                const ExportCounts& counts, const PartitionFigures& figures,
                                const std::optional<NumberingFigures>& numbering) {
-  nlohmann::ordered_json result = {
-      {"type", "export"},          {"file", command.output},
-      {"format", format.name},     {"nodes", counts.nodes},
-      {"elements", counts.tets},   {"boundary_triangles", counts.boundary_triangles},
-      {"subdomains", counts.parts}};
-  if (!figures.tets.empty()) {
-    result["partitions"] = {{"elements", figures.tets},
+  nlohmann::ordered_json result = {{"type", "export"},
+                                   {"file", command.output},
+                                   {"format", format.name},
+                                   {"nodes", counts.nodes},
+                                   {"elements", counts.elements[ElementType::tet]},
+                                   {"boundary_triangles", counts.elements[ElementType::triangle]},
+                                   {"subdomains", counts.parts}};
+  for (const ElementType type : cell_block_types) {
+    if (counts.elements[type] > 0)
+      result[std::string(element(type).plural)] = counts.elements[type];
+  }
+  const std::int64_t quads = counts.elements[ElementType::quad];
+  if (quads > 0) result["boundary_quads"] = quads;
+  if (!figures.cells.empty()) {
+    result["partitions"] = {{"elements", figures.cells},
                             {"largest_over_mean", figures.largest_over_mean()},
                             {"cut_faces", figures.cut_faces}};
   }
@@ -108,13 +133,11 @@ ExitCode export_command(const ExportCommand& command) {
     std::printf("%s\n", json_line(json_of(command, format, counts, figures, numbering)).c_str());
     return ExitCode::ok;
   }
-  std::printf("%s: %s; %lld tets, %lld nodes, %lld boundary triangles\n", command.output.c_str(),
-              std::string(format.what).c_str(), static_cast<long long>(counts.tets),
-              static_cast<long long>(counts.nodes),
-              static_cast<long long>(counts.boundary_triangles));
-  if (!figures.tets.empty()) {
+  std::printf("%s: %s; %s\n", command.output.c_str(), std::string(format.what).c_str(),
+              text_of(counts).c_str());
+  if (!figures.cells.empty()) {
     std::printf("%s: largest/mean %.3f, %lld faces between them\n",
-                counted(figures.tets.size(), "part").c_str(), figures.largest_over_mean(),
+                counted(figures.cells.size(), "part").c_str(), figures.largest_over_mean(),
                 static_cast<long long>(figures.cut_faces));
   }
   if (numbering) {

@@ -37,9 +37,9 @@ function(room_target room out)
   set(${out} ${target} PARENT_SCOPE)
 endfunction()
 
-# Twelve files of a room of the mesh (but for the formats) read their headers once where this is on. The preset
-# `dev` compiles each file by itself.
+# So many files of a room read their headers once where this is on. The preset `dev` compiles each file by itself.
 option(TETFARM_ROOMS_IN_BATCHES "Compile the files of a room together" OFF)
+set(TETFARM_FILES_IN_BATCH 12 CACHE STRING "How many of them at once")
 
 function(add_room room)
   room_target(${room} target)
@@ -50,8 +50,10 @@ function(add_room room)
     set(sources ${PROJECT_BINARY_DIR}/empty_${target}.cpp)
   endif()
   add_library(${target} STATIC ${sources})
-  if(room MATCHES "^(base|mesh/[a-z_]+|store|pool)$" AND NOT room STREQUAL "mesh/formats")
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES} UNITY_BUILD_BATCH_SIZE 12)
+  # What protoc makes is no file of a room.
+  if(NOT room STREQUAL "proto")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${TETFARM_ROOMS_IN_BATCHES}
+                          UNITY_BUILD_BATCH_SIZE ${TETFARM_FILES_IN_BATCH})
   endif()
   if(NOT room MATCHES ${rooms_that_work})
     target_compile_options(${target} PRIVATE ${TETFARM_OUTER_FLAGS})

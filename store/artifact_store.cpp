@@ -58,7 +58,7 @@ fs::path probe_path(const ArtifactStore& store, const std::string& name) {
 ArtifactStore::ArtifactStore(fs::path folder, std::string probe)
     : folder_(std::move(folder)), probe_(std::move(probe)) {}
 
-ArtifactStore::ArtifactStore(fs::path folder) : ArtifactStore(folder, make_id(folder)) {
+ArtifactStore::ArtifactStore(const fs::path& folder) : ArtifactStore(folder, make_id(folder)) {
   make_folders(scratch_folder());
   make_folders(folder_ / "artifacts");
 }

@@ -35,7 +35,7 @@ class ArtifactStore {
  public:
   /// Opens the store in `folder`, and makes its folders and its id file when they are missing.
   /// @throws IoError.
-  explicit ArtifactStore(std::filesystem::path folder);
+  explicit ArtifactStore(const std::filesystem::path& folder);
 
   /// Opens a store that must already be there; for workers, whose coordinator may be on another
   /// host.

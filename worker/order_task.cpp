@@ -16,7 +16,7 @@ namespace {
 
 /// Of each region by itself: the interfaces between regions are of the input and stay, so that
 /// leaves of different regions have nothing to pass to each other, though cuts may meet there.
-CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves) {
+CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>>&& region2leaves) {
   CosmeticOrder all;
   for (auto& [region, leaves] : region2leaves) {
     CosmeticOrder order = colour_subdomains(std::move(leaves));

@@ -37,6 +37,17 @@ struct ElementBlock {
 using ElementBlocks = ByType<ElementBlock>;
 using ElementCounts = ByType<std::int64_t>;
 
+inline std::int64_t count_cells(const ElementCounts& counts) {
+  std::int64_t sum = 0;
+  for (const ElementType type : all_element_types) sum += is_cell(type) ? counts[type] : 0;
+  return sum;
+}
+inline std::int64_t count_faces(const ElementCounts& counts) {
+  std::int64_t sum = 0;
+  for (const ElementType type : all_element_types) sum += is_cell(type) ? 0 : counts[type];
+  return sum;
+}
+
 /// Calls visit(type, block) for each block, of cells and then of faces, also for empty ones.
 template <class Blocks, class Visit>
 void for_each_block(Blocks& blocks, const Visit& visit) {

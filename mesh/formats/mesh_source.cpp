@@ -105,6 +105,16 @@ void add_up_block(BlockOutline& here, BlockOutline& sum) {
   add_counts(here.of_group, sum.of_group);
 }
 
+ElementCounts with_blocks(std::int64_t tets, std::int64_t triangles,
+                          const ByType<BlockOutline>& blocks) {
+  ElementCounts counts;
+  counts[ElementType::tet] = tets;
+  counts[ElementType::triangle] = triangles;
+  for_each_block(blocks,
+                 [&](ElementType type, const BlockOutline& block) { counts[type] = block.count; });
+  return counts;
+}
+
 void name_the_rest(std::vector<std::string>& names, std::size_t count, const std::string& kind) {
   while (names.size() < count) names.push_back(kind + " " + std::to_string(names.size() + 1));
 }
@@ -170,6 +180,7 @@ void add_up(MeshOutline& outline) {
   for (PartOutline& part : outline.parts) {
     part.faces_of_patch.resize(outline.patch_names.size());
     part.tets_of_region.resize(outline.region_names.size());
+    part.first_cell = outline.cells();
     part.first_tet = outline.tets;
     part.first_face = outline.boundary_triangles;
     part.first_face_of_patch = outline.faces_of_patch;
@@ -184,16 +195,15 @@ void add_up(MeshOutline& outline) {
   }
 }
 
-std::int64_t MeshOutline::cells() const {
-  std::int64_t sum = tets;
-  for (const ElementType type : cell_block_types) sum += blocks[type].count;
-  return sum;
+ElementCounts PartOutline::elements() const { return with_blocks(tets, faces, blocks); }
+ElementCounts MeshOutline::elements() const {
+  return with_blocks(tets, boundary_triangles, blocks);
 }
+std::int64_t MeshOutline::cells() const { return count_cells(elements()); }
+std::int64_t MeshOutline::boundary_faces() const { return count_faces(elements()); }
 
-std::int64_t MeshOutline::boundary_faces() const {
-  std::int64_t sum = boundary_triangles;
-  for (const ElementType type : face_block_types) sum += blocks[type].count;
-  return sum;
+bool MeshOutline::has_tets_alone() const {
+  return cells() == tets && boundary_faces() == boundary_triangles;
 }
 
 std::int64_t MeshOutline::boundary_faces_of(std::size_t patch) const {
@@ -203,24 +213,14 @@ std::int64_t MeshOutline::boundary_faces_of(std::size_t patch) const {
 }
 
 void require_tets_alone(const MeshOutline& outline, const std::string& what) {
+  if (outline.has_tets_alone()) return;
   std::string others;
   for_each_block(outline.blocks, [&](ElementType type, const BlockOutline& block) {
     if (block.count == 0) return;
     others += (others.empty() ? "" : ", ") + text_of_count(block.count, type);
   });
-  if (others.empty()) return;
-  throw Error(ExitCode::failed, what + " tetrahedra only; this mesh has " + others);
-}
-
-void require_tets_alone(const MeshSource& source, const std::string& what) {
-  MeshOutline sums;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const CountedPart counted = source.counted_part(i);
-    for_each_block(counted.part.blocks, [&](ElementType type, const ElementBlock& block) {
-      sums.blocks[type].count += std::ssize(block.regions);
-    });
-  }
-  require_tets_alone(sums, what);
+  throw Error(ExitCode::failed, what + " tetrahedra only; this mesh has " + others +
+                                    ": choose a format that holds them, vtkhdf for instance");
 }
 
 std::int64_t RegionRun::cells() const {

@@ -50,7 +50,10 @@ struct PartOutline {
   std::int64_t first_face = 0;                    ///< faces are counted part after part too
   std::vector<std::int64_t> first_face_of_patch;  ///< of each patch: what the parts before have
   ByType<BlockOutline> blocks;                    ///< cells of a type are in the order of regions
+  std::int64_t first_cell = 0;                    ///< cells of all types, part after part
   Box3 box;
+
+  ElementCounts elements() const;  ///< of each type
 };
 
 struct MeshOutline {
@@ -64,17 +67,18 @@ struct MeshOutline {
   std::vector<std::string> patch_names;      ///< all have one: "patch 3" without
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
 
+  ElementCounts elements() const;  ///< of each type
   std::int64_t cells() const;
   std::int64_t boundary_faces() const;
   /// Of a patch, triangles and others.
   std::int64_t boundary_faces_of(std::size_t patch) const;
+  /// Whether cells are tets and boundary faces triangles.
+  bool has_tets_alone() const;
 };
 
 /// For formats that hold nothing else: `what` is "TetGen files hold". @throws Error with a sentence
-/// that says what the mesh has besides tets and triangles.
+/// that says what the mesh has besides tets and triangles, and what to do.
 void require_tets_alone(const MeshOutline& outline, const std::string& what);
-/// The same without an outline. Reads every part.
-void require_tets_alone(const MeshSource& source, const std::string& what);
 
 /// From what each part has: where in the whole mesh it begins, and the sums. All parts get as many
 /// patches and regions as there are names. @pre each has a name.

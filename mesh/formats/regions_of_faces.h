@@ -11,4 +11,8 @@ namespace tetfarm {
 /// O(n log n).
 void set_regions_of_faces(NumberedPart& part);
 
+/// Of a part whose cells have been read, each with its region: if that is one for all, it is the
+/// part's, and is said once; else boundary faces get theirs as above. Cost: as above.
+void set_regions_from_cells(NumberedPart& part);
+
 }  // namespace tetfarm

@@ -13,7 +13,7 @@ std::string quoted_toml(std::string_view text) {
     if (c == '"' || c == '\\') result += '\\';
     if (c >= '\0' && (c < ' ' || c == '\x7f')) {
       constexpr std::string_view digits = "0123456789ABCDEF";
-      const auto code = static_cast<std::size_t>(c);
+      const auto code = static_cast<unsigned char>(c);
       result += {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]};
     } else {
       result += c;

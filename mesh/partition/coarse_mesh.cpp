@@ -1,7 +1,6 @@
 #include "mesh/partition/coarse_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "base/array_index.h"
@@ -14,11 +13,11 @@
 namespace tetfarm {
 namespace {
 
-/// A face that only one tet of its sub-domain has.
+/// A face that only one cell of its sub-domain has.
 struct OpenFace {
-  std::array<std::int64_t, 3> nodes{};  ///< in the whole mesh, ascending
+  FaceNodes<std::int64_t> nodes;  ///< in the whole mesh, ascending
   std::int32_t subdomain = 0;
-  std::int32_t tet = 0;
+  std::int32_t cell = 0;
   std::int32_t cluster = 0;
   bool operator<(const OpenFace& other) const {
     return nodes != other.nodes ? nodes < other.nodes : subdomain < other.subdomain;
@@ -53,21 +52,21 @@ class Coarsening {
 
   void add(const NumberedPart& part, std::int32_t subdomain, std::int32_t wanted) {
     TF_CHECK(wanted >= 1);
-    const CellFaces cells = cell_faces(part);
+    const CellFaces faces = cell_faces(part);
+    const auto cells = static_cast<std::size_t>(cells_of(part));
     const std::vector<GraphLevel> levels =
-        coarsen_graph(dual_graph(cells, part.tets.size()), part.tets.size(), at(wanted));
+        coarsen_graph(dual_graph(faces, cells), cells, at(wanted));
     TF_CHECK(!levels.empty());
     const auto first = static_cast<std::int32_t>(mesh_.graph.weight.size());
     mesh_.first_cluster.push_back(first);
     mesh_.wanted_clusters.push_back(wanted);
     add_clusters(levels.back().graph, first);
-    for (const OuterFace& face : cells.outer) {
+    for (const OuterFace& face : faces.outer) {
       std::int32_t cluster = face.owner;
       for (std::size_t i = 1; i < levels.size(); ++i) cluster = levels[i].coarse_of[at(cluster)];
-      OpenFace open{{}, subdomain, face.owner, first + cluster};
-      for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = global_node(part, face.nodes[k]);
-      std::sort(open.nodes.begin(), open.nodes.end());
-      open_.push(open);
+      const auto nodes =
+          face.nodes.renumbered([&](std::int32_t v) { return global_node(part, v); });
+      open_.push({nodes.sorted(), subdomain, face.owner, first + cluster});
     }
   }
 
@@ -104,11 +103,11 @@ class Coarsening {
       bonds_.push_back(
           {std::min(last.cluster, here.cluster), std::max(last.cluster, here.cluster)});
       for (const OpenFace& face : {last, here}) {
-        mesh_.sides.push({face.subdomain, face.tet, std::ssize(mesh_.cluster_of_side)});
+        mesh_.sides.push({face.subdomain, face.cell, std::ssize(mesh_.cluster_of_side)});
         mesh_.cluster_of_side.push_back(face.cluster);
       }
       has_last = open_.next(last);
-      if (has_last && last.nodes == here.nodes) throw InvalidInput("a face has three tets", "");
+      if (has_last && last.nodes == here.nodes) throw InvalidInput("a face has three cells", "");
     }
   }
 
@@ -126,7 +125,7 @@ CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
   const auto subdomains = static_cast<std::int64_t>(source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
-    const std::int64_t wanted = std::min(std::ssize(part.tets), clusters / subdomains);
+    const std::int64_t wanted = std::min(cells_of(part), clusters / subdomains);
     coarsening.add(part, static_cast<std::int32_t>(i),
                    static_cast<std::int32_t>(std::max<std::int64_t>(1, wanted)));
   }

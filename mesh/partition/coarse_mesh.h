@@ -1,4 +1,4 @@
-/// The graph of a whole mesh in clusters of tets, made sub-domain by sub-domain, and the faces by
+/// The graph of a whole mesh in clusters of cells, made sub-domain by sub-domain, and the faces by
 /// which the sub-domains hang together.
 #pragma once
 
@@ -15,14 +15,14 @@ namespace tetfarm {
 /// One side of a face between two sub-domains. Sides 2i and 2i + 1 are those of one face.
 struct InterfaceSide {
   std::int32_t subdomain = 0;
-  std::int32_t tet = 0;  ///< there
+  std::int32_t cell = 0;  ///< there
   std::int64_t side = 0;
   bool operator<(const InterfaceSide& other) const {
     return subdomain != other.subdomain ? subdomain < other.subdomain : side < other.side;
   }
 };
 
-/// A node of `graph` is a cluster, weighted by its tets; edges are weighted by shared faces.
+/// A node of `graph` is a cluster, weighted by its cells; edges are weighted by shared faces.
 struct CoarseMesh {
   explicit CoarseMesh(const std::filesystem::path& folder) : sides(folder) {}
 
@@ -35,8 +35,8 @@ struct CoarseMesh {
 
 /// At most about `clusters` of them, at least one a sub-domain; each is of one piece.
 /// Reads each sub-domain once. `folder` is for files that are gone afterwards.
-/// @throws InvalidInput when a face has three tets; IoError. Memory: one sub-domain, the clusters
-/// and their neighbours, 8 bytes for each face between sub-domains. Cost: about 2 µs a tet.
+/// @throws InvalidInput when a face has three cells; IoError. Memory: one sub-domain, the clusters
+/// and their neighbours, 8 bytes for each face between sub-domains. Cost: about 2 µs a cell.
 CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
                    const std::filesystem::path& folder);
 

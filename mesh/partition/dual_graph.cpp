@@ -5,14 +5,14 @@
 
 namespace tetfarm {
 
-WeightedGraph dual_graph(const CellFaces& cells, std::size_t tets,
+WeightedGraph dual_graph(const CellFaces& faces, std::size_t cells,
                          const std::vector<std::int32_t>& beyond) {
-  for (const std::int32_t tet : beyond) TF_CHECK(tet >= 0 && at(tet) < tets);
+  for (const std::int32_t cell : beyond) TF_CHECK(cell >= 0 && at(cell) < cells);
   WeightedGraph graph;
-  graph.weight.assign(tets + beyond.size(), 1);
+  graph.weight.assign(cells + beyond.size(), 1);
   make_rows(graph, [&](const auto& visit) {
-    for (const InnerFace& face : cells.inner) visit(at(face.owner), at(face.neighbour), 1);
-    for (std::size_t i = 0; i < beyond.size(); ++i) visit(at(beyond[i]), tets + i, 1);
+    for (const InnerFace& face : faces.inner) visit(at(face.owner), at(face.neighbour), 1);
+    for (std::size_t i = 0; i < beyond.size(); ++i) visit(at(beyond[i]), cells + i, 1);
   });
   return graph;
 }

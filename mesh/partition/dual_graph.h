@@ -1,4 +1,4 @@
-/// The graph of a part's tets: two are neighbours that share a face.
+/// The graph of a part's cells: two are neighbours that share a face.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace tetfarm {
 
-/// Tets are nodes 0 … tets - 1. Behind them are as many more as `beyond` has entries, each with one
-/// edge: node tets + i to the tet beyond[i]. All weights are 1. Cost: O(n).
-WeightedGraph dual_graph(const CellFaces& cells, std::size_t tets,
+/// Cells are nodes 0 … cells - 1. Behind them are as many more as `beyond` has entries, each with
+/// one edge: node cells + i to the cell beyond[i]. All weights are 1. Cost: O(n).
+WeightedGraph dual_graph(const CellFaces& faces, std::size_t cells,
                          const std::vector<std::int32_t>& beyond = {});
 
 }  // namespace tetfarm

@@ -5,25 +5,12 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/assemble/part_edges.h"
 
 namespace tetfarm {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;
-
-std::vector<Edge> edges_of(std::span<const Tet> tets) {
-  std::vector<Edge> edges;
-  edges.reserve(6 * tets.size());
-  for (const Tet& tet : tets) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) edges.push_back({tet[i], tet[j]});
-    }
-  }
-  for (Edge& edge : edges) edge = {std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
 
 class CuthillMcKee {
  public:
@@ -119,8 +106,8 @@ class CuthillMcKee {
 
 }  // namespace
 
-std::vector<std::int32_t> reverse_cuthill_mckee(std::span<const Tet> tets, std::size_t nodes) {
-  return CuthillMcKee(edges_of(tets), nodes).order();
+std::vector<std::int32_t> reverse_cuthill_mckee(const NumberedPart& part) {
+  return CuthillMcKee(edges_of(part), part.nodes.size()).order();
 }
 
 void NumberSpans::add(const NumberSpans& other) {
@@ -129,9 +116,9 @@ void NumberSpans::add(const NumberSpans& other) {
   sum += other.sum;
 }
 
-NumberSpans number_spans(std::span<const Tet> tets) {
+NumberSpans number_spans(const NumberedPart& part) {
   NumberSpans spans;
-  for (const auto& [a, b] : edges_of(tets)) {
+  for (const auto& [a, b] : edges_of(part)) {
     ++spans.edges;
     spans.bandwidth = std::max<std::int64_t>(spans.bandwidth, b - a);
     spans.sum += b - a;

@@ -6,16 +6,16 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "mesh/core/tet_mesh.h"
+#include "mesh/assemble/portion.h"
 
 namespace tetfarm {
 
-/// All nodes 0 … nodes - 1 of tets, piece after piece of the mesh, each in reverse Cuthill-McKee
-/// order; ties by degree, then by number. Cost: O(n log n).
-std::vector<std::int32_t> reverse_cuthill_mckee(std::span<const Tet> tets, std::size_t nodes);
+/// All nodes of a part, piece after piece of the mesh, each in reverse Cuthill-McKee order; ties by
+/// degree, then by number. Neighbours are joined by an edge of a cell: not across a quad.
+/// Cost: O(n log n).
+std::vector<std::int32_t> reverse_cuthill_mckee(const NumberedPart& part);
 
 /// How far apart the numbers of neighbours are: what caches and band solvers feel.
 struct NumberSpans {
@@ -26,7 +26,7 @@ struct NumberSpans {
   void add(const NumberSpans& other);
 };
 
-/// Over the edges of the tets, each once. Cost: O(n log n).
-NumberSpans number_spans(std::span<const Tet> tets);
+/// Over the edges of the cells, each once. Cost: O(n log n).
+NumberSpans number_spans(const NumberedPart& part);
 
 }  // namespace tetfarm

@@ -2,48 +2,43 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/assemble/part_cells.h"
+#include "mesh/core/element_block.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {
 namespace {
 
-/// Of each boundary triangle the tet that has it, on the side that its normal points away from.
-std::vector<std::int32_t> tets_of_boundary(const NumberedPart& part) {
-  std::vector<std::pair<Triangle, std::size_t>> wanted;
+using Face = FaceNodes<std::int32_t>;
+
+/// Of each boundary face the cell that has it, on the side that its normal points away from.
+std::vector<std::int32_t> cells_of_boundary(const NumberedPart& part) {
+  std::vector<std::pair<Face, std::int32_t>> wanted;
   std::vector<bool> is_on_boundary(part.nodes.size(), false);
-  for (std::size_t f = 0; f < part.faces.size(); ++f) {
-    Triangle face = part.faces[f];
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    wanted.emplace_back(face, f);
+  for_each_boundary_face(part, [&](std::int32_t number, const Face& face, std::int32_t) {
+    wanted.emplace_back(face.smallest_first(), number);
     for (const std::int32_t v : face) is_on_boundary[at(v)] = true;
-  }
+  });
   std::sort(wanted.begin(), wanted.end());
-  std::vector<std::int32_t> tet_of_face(part.faces.size(), -1);
-  for (std::size_t t = 0; t < part.tets.size(); ++t) {
-    for (const auto& corners : tet_face_nodes) {
-      Triangle face;
-      for (std::size_t k = 0; k < 3; ++k) face[k] = part.tets[t][at(corners[k])];
-      if (!is_on_boundary[at(face[0])] || !is_on_boundary[at(face[1])] ||
-          !is_on_boundary[at(face[2])]) {
-        continue;
-      }
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-      const auto found =
-          std::lower_bound(wanted.begin(), wanted.end(), std::pair(face, std::size_t{0}));
-      if (found != wanted.end() && found->first == face) {
-        tet_of_face[found->second] = static_cast<std::int32_t>(t);
-      }
-    }
-  }
-  if (std::count(tet_of_face.begin(), tet_of_face.end(), -1) > 0) {
-    throw InvalidInput("a boundary triangle is not an outer face of a tet",
+  std::vector<std::int32_t> cell_of_face(wanted.size(), -1);
+  for_each_face_of_cells(part, [&](std::int32_t cell, const Face& nodes) {
+    const auto is_inside = [&](std::int32_t v) { return !is_on_boundary[at(v)]; };
+    if (std::any_of(nodes.begin(), nodes.end(), is_inside)) return;
+    const Face face = nodes.smallest_first();
+    const auto found =
+        std::lower_bound(wanted.begin(), wanted.end(), std::pair(face, std::int32_t{0}));
+    if (found != wanted.end() && found->first == face) cell_of_face[at(found->second)] = cell;
+  });
+  if (std::count(cell_of_face.begin(), cell_of_face.end(), -1) > 0) {
+    throw InvalidInput("a boundary face is not an outer face of a cell",
                        "sub-domain " + std::to_string(part.number));
   }
-  return tet_of_face;
+  return cell_of_face;
 }
 
 /// The elements of one part, with their nodes numbered anew as they are met.
@@ -52,14 +47,23 @@ class PieceOfPart {
   PieceOfPart(const NumberedPart& from, std::vector<std::int32_t>& new_number)
       : from_(from), new_number_(new_number) {}
 
-  void add_tet(std::size_t t) {
-    piece_.region_of_tet.push_back(from_.region_of(t));
-    piece_.tets.push_back(renumbered(from_.tets[t]));
+  /// Counted as in part_cells.h, ascending.
+  void add_cells(std::span<const std::size_t> cells) {
+    std::size_t first = add_run(cells, 0, from_.tets.size(), [this](std::size_t t) {
+      piece_.region_of_tet.push_back(from_.region_of(t));
+      piece_.tets.push_back(renumbered(from_.tets[t]));
+    });
+    for (const ElementType type : cell_block_types) first = add_of_block(cells, first, type);
+    TF_CHECK(cells.empty() || cells.back() < first);
   }
-  void add_face(std::size_t f) {
-    piece_.region_of_face.push_back(from_.region_of_boundary(f));
-    piece_.faces.push_back(renumbered(from_.faces[f]));
-    piece_.patch_of_face.push_back(from_.patch_of_face[f]);
+  void add_faces(std::span<const std::size_t> faces) {
+    std::size_t first = add_run(faces, 0, from_.faces.size(), [this](std::size_t f) {
+      piece_.region_of_face.push_back(from_.region_of_boundary(f));
+      piece_.faces.push_back(renumbered(from_.faces[f]));
+      piece_.patch_of_face.push_back(from_.patch_of_face[f]);
+    });
+    for (const ElementType type : face_block_types) first = add_of_block(faces, first, type);
+    TF_CHECK(faces.empty() || faces.back() < first);
   }
   /// The numbers are forgotten, for the next piece.
   NumberedPart take() {
@@ -68,19 +72,40 @@ class PieceOfPart {
   }
 
  private:
+  /// Calls add(i) for those of `elements` that are first + i with i < count; @return first + count.
+  template <class Add>
+  static std::size_t add_run(std::span<const std::size_t> elements, std::size_t first,
+                             std::size_t count, const Add& add) {
+    auto next = std::lower_bound(elements.begin(), elements.end(), first);
+    for (; next != elements.end() && *next < first + count; ++next) add(*next - first);
+    return first + count;
+  }
+
+  std::size_t add_of_block(std::span<const std::size_t> elements, std::size_t first,
+                           ElementType type) {
+    const ElementBlock& from = from_.blocks[type];
+    ElementBlock& to = piece_.blocks[type];
+    return add_run(elements, first, from.size(), [&](std::size_t i) {
+      for (const std::int32_t v : from.element(type, i)) to.nodes.push_back(renumbered(v));
+      to.regions.push_back(from.regions[i]);
+      if (!is_cell(type)) to.patches.push_back(from.patches[i]);
+    });
+  }
+
   template <class Element>
   Element renumbered(Element element) {
-    for (std::int32_t& v : element) {
-      std::int32_t& number = new_number_[at(v)];
-      if (number < 0) {
-        number = static_cast<std::int32_t>(old_number_.size());
-        old_number_.push_back(v);
-        piece_.nodes.push_back(from_.nodes[at(v)]);
-        piece_.local2global.push_back(global_node(from_, v));
-      }
-      v = number;
-    }
+    for (std::int32_t& v : element) v = renumbered(v);
     return element;
+  }
+  std::int32_t renumbered(std::int32_t v) {
+    std::int32_t& number = new_number_[at(v)];
+    if (number < 0) {
+      number = static_cast<std::int32_t>(old_number_.size());
+      old_number_.push_back(v);
+      piece_.nodes.push_back(from_.nodes[at(v)]);
+      piece_.local2global.push_back(global_node(from_, v));
+    }
+    return number;
   }
 
   const NumberedPart& from_;
@@ -122,6 +147,33 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
   values = std::move(reordered);
 }
 
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Those of a piece, whose node v is `local[v]` in the whole.
+void append_elements(const NumberedPart& piece, const std::vector<std::int32_t>& local,
+                     NumberedPart& whole) {
+  for (Tet tet : piece.tets) {
+    for (std::int32_t& v : tet) v = local[at(v)];
+    whole.tets.push_back(tet);
+  }
+  for (Triangle face : piece.faces) {
+    for (std::int32_t& v : face) v = local[at(v)];
+    whole.faces.push_back(face);
+  }
+  append(whole.region_of_tet, piece.region_of_tet);
+  append(whole.region_of_face, piece.region_of_face);
+  append(whole.patch_of_face, piece.patch_of_face);
+  for_each_block(piece.blocks, [&](ElementType type, const ElementBlock& from) {
+    ElementBlock& to = whole.blocks[type];
+    for (const std::int32_t v : from.nodes) to.nodes.push_back(local[at(v)]);
+    append(to.regions, from.regions);
+    append(to.patches, from.patches);
+  });
+}
+
 std::vector<std::size_t> order_of(const std::vector<std::int32_t>& regions) {
   std::vector<std::size_t> order(regions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -130,11 +182,11 @@ std::vector<std::size_t> order_of(const std::vector<std::int32_t>& regions) {
   return order;
 }
 
-/// Tets by regions; one region is said once.
+/// Cells of a type by regions; one region is said once.
 void settle_regions(NumberedPart& part) {
-  if (part.region_of_tet.empty()) return;
-  const auto [least, most] =
-      std::minmax_element(part.region_of_tet.begin(), part.region_of_tet.end());
+  const std::vector<std::int32_t> regions = regions_of_cells(part);
+  if (regions.empty()) return;
+  const auto [least, most] = std::minmax_element(regions.begin(), regions.end());
   if (*least == *most) {
     part.region = *least;
     part.region_of_tet.clear();
@@ -144,31 +196,35 @@ void settle_regions(NumberedPart& part) {
   const std::vector<std::size_t> tets = order_of(part.region_of_tet);
   reorder(part.tets, tets);
   reorder(part.region_of_tet, tets);
+  for (const ElementType type : cell_block_types) {
+    ElementBlock& cells = part.blocks[type];
+    cells = reordered(type, cells, order_of(cells.regions));
+  }
 }
 
 }  // namespace
 
-void PartPieces::add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_tet) {
-  TF_CHECK(part_of_tet.size() == subdomain.tets.size());
+void PartPieces::add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_cell) {
+  TF_CHECK(std::ssize(part_of_cell) == cells_of(subdomain));
   std::vector<std::int32_t> part_of_face;
-  for (const std::int32_t tet : tets_of_boundary(subdomain)) {
-    part_of_face.push_back(part_of_tet[at(tet)]);
+  for (const std::int32_t cell : cells_of_boundary(subdomain)) {
+    part_of_face.push_back(part_of_cell[at(cell)]);
   }
-  const auto tets = by_part(part_of_tet, pieces_.size());
+  const auto cells = by_part(part_of_cell, pieces_.size());
   const auto faces = by_part(part_of_face, pieces_.size());
   std::vector<std::int32_t> new_number(subdomain.nodes.size(), -1);
   for (std::size_t part = 0; part < pieces_.size(); ++part) {
-    if (tets[part].empty()) continue;
+    if (cells[part].empty()) continue;
     PieceOfPart piece(subdomain, new_number);
-    for (const std::size_t t : tets[part]) piece.add_tet(t);
-    for (const std::size_t f : faces[part]) piece.add_face(f);
+    piece.add_cells(cells[part]);
+    piece.add_faces(faces[part]);
     lay_down(piece.take(), part);
   }
 }
 
 void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
-  pieces_[part].push_back(
-      {file_.size(), piece.nodes.size(), piece.tets.size(), piece.faces.size()});
+  Piece& entry = pieces_[part].emplace_back();
+  entry = {file_.size(), piece.nodes.size(), piece.tets.size(), piece.faces.size(), {}};
   append_numbers(file_, piece.nodes);
   append_numbers(file_, piece.local2global);
   append_numbers(file_, piece.tets);
@@ -176,6 +232,12 @@ void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
   append_numbers(file_, piece.faces);
   append_numbers(file_, piece.patch_of_face);
   append_numbers(file_, piece.region_of_face);
+  for_each_block(piece.blocks, [&](ElementType type, const ElementBlock& block) {
+    entry.others[type] = block.size();
+    append_numbers(file_, block.nodes);
+    append_numbers(file_, block.regions);
+    append_numbers(file_, block.patches);
+  });
 }
 
 NumberedPart PartPieces::read(const Piece& piece) const {
@@ -188,21 +250,34 @@ NumberedPart PartPieces::read(const Piece& piece) const {
   read_numbers(file_, place, piece.faces, part.faces);
   read_numbers(file_, place, piece.faces, part.patch_of_face);
   read_numbers(file_, place, piece.faces, part.region_of_face);
+  for_each_block(part.blocks, [&](ElementType type, ElementBlock& block) {
+    const std::size_t count = piece.others[type];
+    read_numbers(file_, place, count * nodes_of(type), block.nodes);
+    read_numbers(file_, place, count, block.regions);
+    read_numbers(file_, place, is_cell(type) ? 0 : count, block.patches);
+  });
   return part;
 }
 
-NumberedPart PartPieces::part(std::size_t i) const {
-  NumberedPart whole;
-  whole.number = static_cast<std::int32_t>(i);
+/// The numbers of the nodes of part i in the whole mesh, ascending.
+std::vector<std::int64_t> PartPieces::numbers_of(std::size_t i) const {
   std::vector<std::int64_t> numbers;
   for (const Piece& piece : pieces_.at(i)) {
     std::vector<std::int64_t> here;
     std::int64_t place = piece.place + static_cast<std::int64_t>(piece.nodes * sizeof(Vec3));
     read_numbers(file_, place, piece.nodes, here);
-    numbers.insert(numbers.end(), here.begin(), here.end());
+    append(numbers, here);
   }
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+NumberedPart PartPieces::part(std::size_t i) const {
+  NumberedPart whole;
+  whole.number = static_cast<std::int32_t>(i);
+  whole.local2global = numbers_of(i);
+  const std::vector<std::int64_t>& numbers = whole.local2global;
   whole.nodes.resize(numbers.size());
   for (const Piece& entry : pieces_.at(i)) {
     const NumberedPart piece = read(entry);
@@ -213,22 +288,8 @@ NumberedPart PartPieces::part(std::size_t i) const {
       local.push_back(static_cast<std::int32_t>(found - numbers.begin()));
       whole.nodes[at(local.back())] = piece.nodes[v];
     }
-    for (Tet tet : piece.tets) {
-      for (std::int32_t& v : tet) v = local[at(v)];
-      whole.tets.push_back(tet);
-    }
-    for (Triangle face : piece.faces) {
-      for (std::int32_t& v : face) v = local[at(v)];
-      whole.faces.push_back(face);
-    }
-    const auto append = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(whole.region_of_tet, piece.region_of_tet);
-    append(whole.region_of_face, piece.region_of_face);
-    append(whole.patch_of_face, piece.patch_of_face);
+    append_elements(piece, local, whole);
   }
-  whole.local2global = std::move(numbers);
   settle_regions(whole);
   return whole;
 }

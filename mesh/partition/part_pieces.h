@@ -1,4 +1,4 @@
-/// The tets of a mesh put together anew: laid down piece by piece on disk, each piece what one
+/// The elements of a mesh put together anew: laid down piece by piece on disk, each piece what one
 /// sub-domain has of one part, and taken part by part.
 #pragma once
 
@@ -16,12 +16,13 @@ class PartPieces {
   PartPieces(std::int32_t parts, const std::filesystem::path& folder)
       : file_(folder), pieces_(static_cast<std::size_t>(parts)) {}
 
-  /// A boundary triangle goes with the tet that it is a face of. @throws IoError, InvalidInput.
-  void add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_tet);
+  /// Cells are counted as in part_cells.h. A boundary face goes with the cell that it is a face of.
+  /// @throws IoError, InvalidInput.
+  void add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_cell);
 
   std::size_t size() const { return pieces_.size(); }
-  /// Nodes ascend by their numbers in the whole mesh; tets are in the order of the sub-domains, by
-  /// regions first. @throws IoError. Cost: O(n log n).
+  /// Nodes ascend by their numbers in the whole mesh; cells of a type are in the order of the
+  /// sub-domains, by regions first. @throws IoError. Cost: O(n log n).
   NumberedPart part(std::size_t i) const;
 
  private:
@@ -30,9 +31,11 @@ class PartPieces {
     std::size_t nodes = 0;
     std::size_t tets = 0;
     std::size_t faces = 0;
+    ByType<std::size_t> others;  ///< in blocks
   };
   void lay_down(const NumberedPart& piece, std::size_t part);
   NumberedPart read(const Piece& piece) const;
+  std::vector<std::int64_t> numbers_of(std::size_t i) const;
 
   ScratchFile file_;
   std::vector<std::vector<Piece>> pieces_;

@@ -15,7 +15,7 @@
 namespace tetfarm {
 namespace {
 
-/// METIS is to stay well below what is promised (1.03), so that tets near borders can move.
+/// METIS is to stay well below what is promised (1.03), so that cells near borders can move.
 constexpr std::int32_t imbalance_in_thousandths = 25;
 constexpr double most_over_mean = 1.028;
 constexpr std::int64_t least_clusters_of_part = 64;
@@ -27,15 +27,15 @@ constexpr std::int64_t most_weight = std::int64_t{1} << 30;
 constexpr int coarse_passes = 30;
 constexpr int fine_passes = 8;
 
-std::int64_t heaviest_part(std::int64_t tets, std::int32_t parts) {
-  const std::int64_t mean_or_more = (tets + parts - 1) / parts;
+std::int64_t heaviest_part(std::int64_t cells, std::int32_t parts) {
+  const std::int64_t mean_or_more = (cells + parts - 1) / parts;
   return std::max(mean_or_more,
-                  static_cast<std::int64_t>(most_over_mean * static_cast<double>(tets) / parts));
+                  static_cast<std::int64_t>(most_over_mean * static_cast<double>(cells) / parts));
 }
 
 /// METIS adds up weights in 32 bits.
-WeightedGraph with_small_weights(WeightedGraph graph, std::int64_t tets) {
-  const auto unit = static_cast<std::int32_t>(1 + tets / most_weight);
+WeightedGraph with_small_weights(WeightedGraph graph, std::int64_t cells) {
+  const auto unit = static_cast<std::int32_t>(1 + cells / most_weight);
   if (unit == 1) return graph;
   for (std::int32_t& weight : graph.weight) weight = (weight + unit - 1) / unit;
   return graph;
@@ -43,12 +43,12 @@ WeightedGraph with_small_weights(WeightedGraph graph, std::int64_t tets) {
 
 /// METIS's answer, mended.
 std::vector<std::int32_t> partition_by(const MetisOptions& options, const WeightedGraph& graph,
-                                       std::int32_t parts, std::int64_t tets) {
+                                       std::int32_t parts, std::int64_t cells) {
   std::vector<std::int32_t> part_of_cluster =
-      metis_partition(with_small_weights(graph, tets), parts, options);
+      metis_partition(with_small_weights(graph, cells), parts, options);
   join_pieces(graph, parts, part_of_cluster);
   std::vector<std::int64_t> weights = weights_of_parts(graph, part_of_cluster, parts);
-  refine_parts(graph, graph.size(), {heaviest_part(tets, parts), coarse_passes}, part_of_cluster,
+  refine_parts(graph, graph.size(), {heaviest_part(cells, parts), coarse_passes}, part_of_cluster,
                weights);
   return part_of_cluster;
 }
@@ -75,14 +75,14 @@ std::vector<MetisOptions> ways_to_try(std::int32_t parts) {
 
 /// The shortest cut of those that are even, if one is.
 std::vector<std::int32_t> partition_clusters(const WeightedGraph& graph, std::int32_t parts,
-                                             std::int64_t tets) {
+                                             std::int64_t cells) {
   std::vector<std::int32_t> best;
   std::pair<std::int64_t, std::int64_t> least;  // how much too heavy, how many faces
   for (const MetisOptions& options : ways_to_try(parts)) {
-    std::vector<std::int32_t> found = partition_by(options, graph, parts, tets);
+    std::vector<std::int32_t> found = partition_by(options, graph, parts, cells);
     const std::vector<std::int64_t> weights = weights_of_parts(graph, found, parts);
     const std::int64_t heaviest = *std::max_element(weights.begin(), weights.end());
-    const std::pair score(std::max<std::int64_t>(0, heaviest - heaviest_part(tets, parts)),
+    const std::pair score(std::max<std::int64_t>(0, heaviest - heaviest_part(cells, parts)),
                           edge_cut(graph, found));
     if (!best.empty() && least <= score) continue;
     best = std::move(found);
@@ -91,36 +91,36 @@ std::vector<std::int32_t> partition_clusters(const WeightedGraph& graph, std::in
   return best;
 }
 
-/// Takes the clusters apart again: one sub-domain after the other, with the parts of the tets on
+/// Takes the clusters apart again: one sub-domain after the other, with the parts of the cells on
 /// the other side of its cuts as they are at that time.
 class FinePartition {
  public:
   FinePartition(CoarseMesh coarse, std::int32_t parts)
       : coarse_(std::move(coarse)), weights_(at(parts)) {
     const std::vector<std::int32_t>& sizes = coarse_.graph.weight;
-    const std::int64_t tets = std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0});
-    if (tets < parts) {
-      throw UsageError("the mesh has only " + std::to_string(tets) + " tets",
+    const std::int64_t cells = std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0});
+    if (cells < parts) {
+      throw UsageError("the mesh has only " + std::to_string(cells) + " elements",
                        "--partitions " + std::to_string(parts));
     }
-    heaviest_ = heaviest_part(tets, parts);
+    heaviest_ = heaviest_part(cells, parts);
     coarse_.graph = tie_pieces(std::move(coarse_.graph));
-    part_of_cluster_ = partition_clusters(coarse_.graph, parts, tets);
+    part_of_cluster_ = partition_clusters(coarse_.graph, parts, cells);
     weights_ = weights_of_parts(coarse_.graph, part_of_cluster_, parts);
     for (const std::int32_t cluster : coarse_.cluster_of_side) {
       part_of_side_.push_back(part_of_cluster_[at(cluster)]);
     }
   }
 
-  /// The parts of the tets of the next sub-domain.
+  /// The parts of the cells of the next sub-domain.
   std::vector<std::int32_t> next_subdomain(const NumberedPart& subdomain) {
     const std::vector<InterfaceSide> sides = coarse_.sides.take_while(
         [this](const InterfaceSide& side) { return side.subdomain == next_; });
     std::vector<std::int32_t> beyond;
-    for (const InterfaceSide& side : sides) beyond.push_back(side.tet);
-    std::vector<GraphLevel> levels =
-        coarsen_graph(dual_graph(cell_faces(subdomain), subdomain.tets.size(), beyond),
-                      subdomain.tets.size(), at(coarse_.wanted_clusters[at(next_)]));
+    for (const InterfaceSide& side : sides) beyond.push_back(side.cell);
+    const auto cells = static_cast<std::size_t>(cells_of(subdomain));
+    std::vector<GraphLevel> levels = coarsen_graph(dual_graph(cell_faces(subdomain), cells, beyond),
+                                                   cells, at(coarse_.wanted_clusters[at(next_)]));
     std::vector<std::int32_t> part_of_node = parts_of_clusters(levels.back().movable);
     for (const InterfaceSide& side : sides) part_of_node.push_back(part_of_side_[other(side)]);
     while (true) {
@@ -157,15 +157,15 @@ class FinePartition {
   }
 
   /// Tells the neighbours; faces between sub-domains are counted when all is done.
-  void settle(const std::vector<InterfaceSide>& sides, const GraphLevel& tets,
+  void settle(const std::vector<InterfaceSide>& sides, const GraphLevel& cells,
               std::vector<std::int32_t>& part_of_node) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      const std::int32_t part = part_of_node[at(sides[i].tet)];
+      const std::int32_t part = part_of_node[at(sides[i].cell)];
       part_of_side_[static_cast<std::size_t>(sides[i].side)] = part;
-      part_of_node[tets.movable + i] = part;
+      part_of_node[cells.movable + i] = part;
     }
-    cut_faces_ += edge_cut(tets.graph, part_of_node);
-    part_of_node.resize(tets.movable);
+    cut_faces_ += edge_cut(cells.graph, part_of_node);
+    part_of_node.resize(cells.movable);
   }
 
   CoarseMesh coarse_;
@@ -180,10 +180,10 @@ class FinePartition {
 }  // namespace
 
 double PartitionFigures::largest_over_mean() const {
-  const std::int64_t sum = std::accumulate(tets.begin(), tets.end(), std::int64_t{0});
+  const std::int64_t sum = std::accumulate(cells.begin(), cells.end(), std::int64_t{0});
   return sum == 0 ? 1
-                  : static_cast<double>(*std::max_element(tets.begin(), tets.end())) *
-                        static_cast<double>(tets.size()) / static_cast<double>(sum);
+                  : static_cast<double>(*std::max_element(cells.begin(), cells.end())) *
+                        static_cast<double>(cells.size()) / static_cast<double>(sum);
 }
 
 PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOptions& options,
@@ -191,7 +191,6 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
     : pieces_(options.parts, folder),
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
-  require_tets_alone(source, "Parts for solvers are made of");
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);
   FinePartition fine(coarsen(source, clusters, folder), options.parts);
   for (std::size_t i = 0; i < source.size(); ++i) {

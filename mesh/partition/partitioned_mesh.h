@@ -2,8 +2,8 @@
 /// sub-domains that it was meshed in.
 ///
 /// Source: thesis 4.3.2.1 (METIS) and 4.3.4.2.1 (what solvers need), joined; there the sub-domains
-/// are the parts. The whole mesh is never in memory: the tets of each sub-domain are joined in
-/// pairs to clusters, METIS divides the graph of all clusters, and clusters and tets near the
+/// are the parts. The whole mesh is never in memory: the cells of each sub-domain are joined in
+/// pairs to clusters, METIS divides the graph of all clusters, and clusters and cells near the
 /// borders between parts move one by one, sub-domain after sub-domain.
 #pragma once
 
@@ -19,13 +19,13 @@ namespace tetfarm {
 
 struct PartitionOptions {
   std::int32_t parts = 1;
-  /// In memory at once: as many as there are tets, or these. 64 for each part if that is more.
+  /// In memory at once: as many as there are cells, or these. 64 for each part if that is more.
   std::int64_t clusters = std::int64_t{1} << 19;
 };
 
 struct PartitionFigures {
-  std::vector<std::int64_t> tets;  ///< of each part
-  std::int64_t cut_faces = 0;      ///< between tets of two parts
+  std::vector<std::int64_t> cells;  ///< of each part, of any type
+  std::int64_t cut_faces = 0;       ///< between cells of two parts
   double largest_over_mean() const;
 };
 
@@ -34,9 +34,10 @@ struct PartitionFigures {
 class PartitionedMesh : public MeshSource {
  public:
   /// Reads each sub-domain twice; `source` need not live longer. `folder` is for files that are
-  /// gone afterwards, about 30 bytes a tet. The same mesh gives the same parts.
-  /// @throws UsageError when there are fewer tets than parts; InvalidInput, IoError.
-  /// Cost: some microseconds a tet. Memory: one sub-domain, the clusters and their neighbours (20
+  /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell. The same mesh
+  /// gives the same parts.
+  /// @throws UsageError when there are fewer cells than parts; InvalidInput, IoError.
+  /// Cost: some microseconds a cell. Memory: one sub-domain, the clusters and their neighbours (20
   /// bytes each of about 12), 16 bytes for each face between sub-domains. `part` takes that of a
   /// part.
   PartitionedMesh(const MeshSource& source, const PartitionOptions& options,

@@ -1,9 +1,12 @@
 #include "mesh/partition/renumbered_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <span>
 
 #include "base/array_index.h"
+#include "mesh/assemble/part_cells.h"
 #include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
@@ -11,31 +14,48 @@ namespace {
 
 std::vector<bool> nodes_on_surface(const NumberedPart& part) {
   std::vector<bool> is_on_surface(part.nodes.size(), false);
-  for (const Triangle& face : part.faces) {
-    for (const std::int32_t v : face) is_on_surface[at(v)] = true;
-  }
+  for_each_boundary_face(part,
+                         [&](std::int32_t, const FaceNodes<std::int32_t>& face, std::int32_t) {
+                           for (const std::int32_t v : face) is_on_surface[at(v)] = true;
+                         });
   return is_on_surface;
 }
 
-/// By region first, as parts have to be, then by their nodes, the lowest first.
-std::vector<std::size_t> order_of_tets(const NumberedPart& part) {
-  std::vector<Tet> sorted = part.tets;
-  for (Tet& tet : sorted) std::sort(tet.begin(), tet.end());
-  std::vector<std::size_t> order(part.tets.size());
+/// The nodes of a cell, ascending; behind them as many -1 as make the length the same for all.
+using SortedNodes = std::array<std::int32_t, most_element_nodes>;
+
+SortedNodes sorted_nodes(std::span<const std::int32_t> cell) {
+  SortedNodes nodes;
+  nodes.fill(-1);
+  std::copy(cell.begin(), cell.end(), nodes.begin());
+  std::sort(nodes.begin(), nodes.begin() + std::ssize(cell));
+  return nodes;
+}
+
+/// By region first, as parts have to be, then by their nodes, the lowest first. `nodes(i)` are
+/// those of the i-th.
+template <class Nodes>
+std::vector<std::size_t> order_of_cells(const std::vector<std::int32_t>& regions,
+                                        const Nodes& nodes) {
+  std::vector<SortedNodes> sorted;
+  sorted.reserve(regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) sorted.push_back(sorted_nodes(nodes(i)));
+  std::vector<std::size_t> order(regions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const std::int32_t region_a = part.region_of(a);
-    const std::int32_t region_b = part.region_of(b);
-    if (region_a != region_b) return region_a < region_b;
+    if (regions[a] != regions[b]) return regions[a] < regions[b];
     return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b;
   });
   return order;
 }
 
 void sort_tets(NumberedPart& part) {
+  std::vector<std::int32_t> region_of_tet = part.region_of_tet;
+  region_of_tet.resize(part.tets.size(), part.region);
   std::vector<Tet> tets;
   std::vector<std::int32_t> regions;
-  for (const std::size_t t : order_of_tets(part)) {
+  for (const std::size_t t :
+       order_of_cells(region_of_tet, [&](std::size_t i) { return std::span(part.tets[i]); })) {
     tets.push_back(part.tets[t]);
     if (!part.region_of_tet.empty()) regions.push_back(part.region_of_tet[t]);
   }
@@ -43,7 +63,13 @@ void sort_tets(NumberedPart& part) {
   part.region_of_tet = std::move(regions);
 }
 
-/// The nodes by rising new number; tets and faces follow.
+void sort_block(ElementType type, ElementBlock& cells) {
+  const std::vector<std::size_t> order =
+      order_of_cells(cells.regions, [&](std::size_t i) { return cells.element(type, i); });
+  cells = reordered(type, cells, order);
+}
+
+/// The nodes by rising new number; elements follow.
 void put_in_order(NumberedPart& part) {
   std::vector<std::int32_t> order(part.nodes.size());
   std::iota(order.begin(), order.end(), 0);
@@ -63,13 +89,15 @@ void put_in_order(NumberedPart& part) {
   for (Triangle& face : part.faces) {
     for (std::int32_t& v : face) v = old2new[at(v)];
   }
+  for_each_block(part.blocks, [&](ElementType, ElementBlock& block) {
+    for (std::int32_t& v : block.nodes) v = old2new[at(v)];
+  });
 }
 
 }  // namespace
 
 RenumberedMesh::RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering numbering)
     : source_(std::move(source)), numbering_(numbering) {
-  require_tets_alone(*source_, "Nodes get other numbers in meshes of");
   find_shared_nodes();
   number_nodes();
 }
@@ -143,7 +171,7 @@ std::optional<std::size_t> RenumberedMesh::shared(std::int64_t old_number) const
 
 std::vector<std::int32_t> RenumberedMesh::order_of(const NumberedPart& part) const {
   if (numbering_ == NodeNumbering::hilbert) return hilbert_order(part.nodes);
-  return reverse_cuthill_mckee(part.tets, part.nodes.size());
+  return reverse_cuthill_mckee(part);
 }
 
 RenumberedMesh::OwnNodes RenumberedMesh::own_nodes(const NumberedPart& part,
@@ -174,12 +202,13 @@ NumberedPart RenumberedMesh::part(std::size_t i) const {
   part.local2global = std::move(numbers);
   put_in_order(part);
   sort_tets(part);
+  for (const ElementType type : cell_block_types) sort_block(type, part.blocks[type]);
   return part;
 }
 
 NumberSpans spans_of(const MeshSource& source) {
   NumberSpans spans;
-  for (std::size_t i = 0; i < source.size(); ++i) spans.add(number_spans(source.part(i).tets));
+  for (std::size_t i = 0; i < source.size(); ++i) spans.add(number_spans(source.part(i)));
   return spans;
 }
 

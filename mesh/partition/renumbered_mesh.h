@@ -1,4 +1,4 @@
-/// A finished mesh with other numbers of its nodes and another order of its tets, for solvers.
+/// A finished mesh with other numbers of its nodes and another order of its cells, for solvers.
 ///
 /// Source: thesis 4.3.4.1.1: surface, then interfaces, then the inside, sub-domain by sub-domain,
 /// so that pockets of the mesh have consecutive numbers. Within a sub-domain the thesis leaves the
@@ -21,8 +21,8 @@ enum class NodeNumbering {
   reverse_cuthill_mckee,  ///< part after part, all nodes that the part is the first to have
 };
 
-/// The parts of `source`, each with its nodes by rising new number, and its tets region by region
-/// by the lowest of their nodes, then the next.
+/// The parts of `source`, each with its nodes by rising new number, and its cells of each type
+/// region by region by the lowest of their nodes, then the next.
 class RenumberedMesh : public MeshSource {
  public:
   /// Reads each part three times. The same mesh gets the same numbers.

@@ -33,7 +33,7 @@ bool sort_quad(std::array<Node, 4>& nodes) {
 }
 
 /// The same of either kind of face.
-bool sort_nodes(FaceNodes& nodes) {
+bool sort_nodes(FaceCorners& nodes) {
   if (nodes[3] >= 0) return sort_quad(nodes);
   std::array<std::int64_t, 3> triangle = {nodes[0], nodes[1], nodes[2]};
   const bool is_turned = sort_face(triangle);
@@ -174,7 +174,7 @@ std::vector<std::string> owners_of_blocks(const NumberedPart& part, const PartPl
 class FaceFinder {
  public:
   FaceFinder(const NumberedPart& part, const PartPlace& place, bool knows_subdomains,
-             std::map<FaceNodes, FaceFinding>& findings)
+             std::map<FaceCorners, FaceFinding>& findings)
       : part_(part),
         place_(place),
         where_(knows_subdomains ? " of sub-domain " + to_string(place.part) : ""),
@@ -212,7 +212,7 @@ class FaceFinder {
 
   template <class Owner>
   void look(std::span<const std::int32_t> local, std::uint64_t bits, const Owner& owner) {
-    FaceNodes nodes = {-1, -1, -1, -1};
+    FaceCorners nodes = {-1, -1, -1, -1};
     for (std::size_t k = 0; k < local.size(); ++k) nodes[k] = part_.local2global[at(local[k])];
     const std::size_t side = sort_nodes(nodes) ? 1 : 0;
     const auto found = findings_.find(nodes);
@@ -230,7 +230,7 @@ class FaceFinder {
   const NumberedPart& part_;
   const PartPlace& place_;
   std::string where_;
-  std::map<FaceNodes, FaceFinding>& findings_;
+  std::map<FaceCorners, FaceFinding>& findings_;
 };
 
 bool is_matched_inside(const FaceUse& use) {
@@ -325,8 +325,8 @@ void FaceCheck::add_quads(const NumberedPart& part) {
   }
 }
 
-std::vector<FaceNodes> FaceCheck::finish(std::size_t most) {
-  std::vector<FaceNodes> bad;
+std::vector<FaceCorners> FaceCheck::finish(std::size_t most) {
+  std::vector<FaceCorners> bad;
   OpenFace next;
   bool has_next = open_.next(next);
   while (has_next && bad.size() < most) {
@@ -338,9 +338,9 @@ std::vector<FaceNodes> FaceCheck::finish(std::size_t most) {
 }
 
 std::vector<std::string> describe_faces(const MeshSource& source,
-                                        const std::vector<FaceNodes>& faces) {
-  std::map<FaceNodes, FaceFinding> findings;
-  for (const FaceNodes& face : faces) findings[face];
+                                        const std::vector<FaceCorners>& faces) {
+  std::map<FaceCorners, FaceFinding> findings;
+  for (const FaceCorners& face : faces) findings[face];
   PartPlace place;
   for (; place.part < source.size() && !faces.empty(); ++place.part) {
     const NumberedPart part = source.part(place.part);

@@ -33,7 +33,7 @@ struct FaceUse {
 
 /// Its nodes in the whole mesh, ascending; of a quad the lowest, the lower of its neighbours, the
 /// opposite one and the other neighbour. The fourth of a triangle is -1.
-using FaceNodes = std::array<std::int64_t, 4>;
+using FaceCorners = std::array<std::int64_t, 4>;
 
 class FaceCheck {
  public:
@@ -45,11 +45,11 @@ class FaceCheck {
   void add(const NumberedPart& part);
   /// Those that are not right, the first by their nodes, at most `most`. Called once, after the
   /// last part.
-  std::vector<FaceNodes> finish(std::size_t most);
+  std::vector<FaceCorners> finish(std::size_t most);
 
  private:
   struct OpenFace {
-    FaceNodes nodes{};
+    FaceCorners nodes{};
     FaceUse use;
     bool operator<(const OpenFace& other) const { return nodes < other.nodes; }
   };
@@ -66,6 +66,6 @@ class FaceCheck {
 /// Tets and triangles are counted part after part, from 0. Reads every part once.
 /// @pre at most some dozens of faces.
 std::vector<std::string> describe_faces(const MeshSource& source,
-                                        const std::vector<FaceNodes>& faces);
+                                        const std::vector<FaceCorners>& faces);
 
 }  // namespace tetfarm

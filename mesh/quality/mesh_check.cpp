@@ -145,7 +145,7 @@ MeshCheckResult MeshCheck::finish() {
   for (std::string& line : source_.complaints()) complaints_.add(std::move(line));
   for (std::string& line : nodes_.finish(Complaints::limit)) complaints_.add(std::move(line));
   if (faces_) {
-    const std::vector<FaceNodes> bad = faces_->finish(Complaints::limit);
+    const std::vector<FaceCorners> bad = faces_->finish(Complaints::limit);
     if (!bad.empty()) {
       for (std::string& line : describe_faces(source_, bad)) complaints_.add(std::move(line));
     }

@@ -8,6 +8,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/assemble/part_edges.h"
 #include "mesh/core/element_block.h"
 #include "mesh/quality/cut_nodes.h"
 
@@ -18,22 +19,6 @@ double degrees_of(double cosine) { return std::acos(cosine) * 180 / std::numbers
 
 bool is_worse(const WorstTet& a, const WorstTet& b) {
   return std::tie(a.min_dihedral_deg, a.tet) < std::tie(b.min_dihedral_deg, b.tet);
-}
-
-/// Each edge of the tets once, in the order of its nodes.
-std::vector<std::array<std::int32_t, 2>> edges_of(std::span<const Tet> tets) {
-  std::vector<std::array<std::int32_t, 2>> edges;
-  edges.reserve(6 * tets.size());
-  for (const Tet& tet : tets) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        edges.push_back({std::min(tet[i], tet[j]), std::max(tet[i], tet[j])});
-      }
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
 }
 
 class Figures {
@@ -139,7 +124,7 @@ class Figures {
 
   void add_edges(const NumberedPart& part) {
     EdgeFigures& figures = figures_.edges;
-    for (const auto& [a, b] : edges_of(part.tets)) {
+    for (const auto& [a, b] : edges_of(part)) {
       const Vec3& from = part.nodes[at(a)];
       const Vec3& to = part.nodes[at(b)];
       const double ratio = distance(from, to) / spacing_(0.5 * (from + to));

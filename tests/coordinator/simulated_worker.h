@@ -3,6 +3,8 @@
 // child that does its task, the files that go over the connection when it does not see the store.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -304,18 +304,35 @@ def mixed_with_preprocessor(export, name):
     return found
 
 
+def mixed_counts(said, *more):
+    """What checkMesh says of each type of cell."""
+    numbers = {"hexes": r"\n\s+hexahedra:\s+(\d+)", "prisms": r"\n\s+prisms:\s+(\d+)",
+               "pyramids": r"\n\s+pyramids:\s+(\d+)", "tets": r"\n\s+tetrahedra:\s+(\d+)",
+               "nodes": r"\n\s+points:\s+(\d+)", "volume": r"Total volume = ([\d.e+-]+?)\.? "}
+    return {what: number(pattern, said) for what, pattern in numbers.items() if what != "nodes" or "nodes" in more}
+
+
 def mixed_with_gmsh_to_foam(export, name):
     case = export.folder / "converted"
     case.mkdir()
     make_case(export, "converted", [])
     run(["gmshToFoam", "../" + name], case)
-    said = run(["checkMesh"], case)
-    found = {"nodes": number(r"\n\s+points:\s+(\d+)", said),
-             "hexes": number(r"\n\s+hexahedra:\s+(\d+)", said),
-             "prisms": number(r"\n\s+prisms:\s+(\d+)", said),
-             "pyramids": number(r"\n\s+pyramids:\s+(\d+)", said),
-             "tets": number(r"\n\s+tetrahedra:\s+(\d+)", said),
-             "volume": number(r"Total volume = ([\d.e+-]+?)\.? ", said)}
+    found = mixed_counts(run(["checkMesh"], case), "nodes")
+    export.compare(found)
+    return found
+
+
+def mixed_with_check_mesh(export, name):
+    make_case(export, name, [])
+    found = mixed_counts(check_mesh(export, name)[1], "nodes")
+    export.compare(found)
+    return found
+
+
+def mixed_with_check_mesh_parallel(export, name):
+    make_case(export, name, [])
+    mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", export.parts]
+    found = mixed_counts(check_mesh(export, name, mpi + ["checkMesh", "-parallel"])[1])
     export.compare(found)
     return found
 
@@ -338,6 +355,8 @@ MIXED_CHECKS = [
     ("msh22", "m22.msh", "OpenFOAM gmshToFoam, checkMesh", mixed_with_gmsh_to_foam),
     ("su2", "m.su2", "meshio", mixed("meshio-mixed", "volume")),  # it takes wedges for Gmsh's
     ("meshb", "m.meshb", "meshio", mixed("meshio-mixed")),
+    ("openfoam", "whole", "OpenFOAM checkMesh", mixed_with_check_mesh),
+    ("openfoam-decomposed", "parts", "OpenFOAM checkMesh, parallel", mixed_with_check_mesh_parallel),
 ]
 
 

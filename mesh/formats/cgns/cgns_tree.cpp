@@ -28,7 +28,7 @@ std::string cgns_section(ElementType type) {
   return name;
 }
 
-CgnsTree::CgnsTree(std::filesystem::path path) : path_(path.string()) {
+CgnsTree::CgnsTree(const std::filesystem::path& path) : path_(path.string()) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   errno = 0;
   const Hdf5Handle properties = keeping_order(H5P_FILE_CREATE);

@@ -20,7 +20,7 @@ std::string cgns_section(ElementType type);
 class CgnsTree {
  public:
   /// Truncates. Every failure throws IoError.
-  explicit CgnsTree(std::filesystem::path path);
+  explicit CgnsTree(const std::filesystem::path& path);
 
   /// A node without data; `path` is "Base/Zone1", "" for the root.
   void node(const std::string& parent, const std::string& name, const std::string& label);

@@ -12,13 +12,11 @@ inline constexpr std::array communication_formats = {
     Format{{.name = "comm",
             .what = "communication tables",
             .layout = FormatLayout::folder,
-            .cells = FormatCells::tets,
             .holds_parts = true},
            {.write_mesh = write_communication}},
     Format{{.name = "comm-text",
             .what = "communication tables, text",
             .layout = FormatLayout::folder,
-            .cells = FormatCells::tets,
             .holds_parts = true},
            {.write_mesh = write_communication_text}}};
 

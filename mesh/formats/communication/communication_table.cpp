@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/file_system.h"
+#include "mesh/assemble/part_cells.h"
 #include "mesh/formats/cell_faces.h"
 #include "mesh/formats/external_sort.h"
 #include "mesh/formats/node_records.h"
@@ -38,12 +39,12 @@ struct SharedNode {
 /// A ghost of `of`.
 struct GhostMention {
   std::int32_t of = 0;
-  GhostTet ghost;
-  std::array<Vec3, 4> corners{};
+  GhostCell ghost;
+  std::array<Vec3, most_element_nodes> corners{};
   bool operator<(const GhostMention& other) const {
     if (of != other.of) return of < other.of;
     return ghost.part != other.ghost.part ? ghost.part < other.ghost.part
-                                          : ghost.tet < other.ghost.tet;
+                                          : ghost.cell < other.ghost.cell;
   }
 };
 
@@ -91,33 +92,34 @@ void find_shared_nodes(const MeshSource& source, const std::filesystem::path& fo
   share(same, shared);
 }
 
-/// The part's tets that have a node of a neighbour, for each neighbour.
+/// The part's cells that have a node of a neighbour, for each neighbour.
 void mention_ghosts(const NumberedPart& part, const std::vector<SharedNode>& shared,
                     ExternalSort<GhostMention>& ghosts) {
   std::vector<std::pair<std::int32_t, std::int32_t>> neighbour_of_node;
   for (const SharedNode& node : shared) neighbour_of_node.emplace_back(node.local, node.neighbour);
   std::sort(neighbour_of_node.begin(), neighbour_of_node.end());
-  for (std::size_t t = 0; t < part.tets.size(); ++t) {
-    std::vector<std::int32_t> neighbours;
-    for (const std::int32_t v : part.tets[t]) {
-      auto it = std::lower_bound(neighbour_of_node.begin(), neighbour_of_node.end(),
-                                 std::pair(v, std::int32_t{0}));
-      for (; it != neighbour_of_node.end() && it->first == v; ++it) {
-        neighbours.push_back(it->second);
-      }
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    for (const std::int32_t neighbour : neighbours) {
-      GhostMention mention{neighbour, {part.number, static_cast<std::int32_t>(t), {}}, {}};
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::int32_t v = part.tets[t][k];
-        mention.ghost.nodes[k] = global_node(part, v);
-        mention.corners[k] = part.nodes[static_cast<std::size_t>(v)];
-      }
-      ghosts.push(mention);
-    }
-  }
+  std::vector<std::int32_t> neighbours;
+  for_each_cell(
+      part, [&](std::int32_t cell, ElementType type, std::span<const std::int32_t> nodes) {
+        neighbours.clear();
+        for (const std::int32_t v : nodes) {
+          auto it = std::lower_bound(neighbour_of_node.begin(), neighbour_of_node.end(),
+                                     std::pair(v, std::int32_t{0}));
+          for (; it != neighbour_of_node.end() && it->first == v; ++it) {
+            neighbours.push_back(it->second);
+          }
+        }
+        std::sort(neighbours.begin(), neighbours.end());
+        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        for (const std::int32_t neighbour : neighbours) {
+          GhostMention mention{neighbour, {part.number, cell, type, {}}, {}};
+          for (std::size_t k = 0; k < nodes.size(); ++k) {
+            mention.ghost.nodes[k] = global_node(part, nodes[k]);
+            mention.corners[k] = part.nodes[static_cast<std::size_t>(nodes[k])];
+          }
+          ghosts.push(mention);
+        }
+      });
 }
 
 void add_shared(const std::vector<SharedNode>& shared, CommunicationTable& table) {
@@ -147,13 +149,14 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
 void for_each_part_with_ghosts(
     const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
     const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit) {
-  require_tets_alone(outline, "Communication tables are made of");
   TF_CHECK(outline.parts.size() == source.size());
   ExternalSort<SharedNode> shared(folder);
   find_shared_nodes(source, folder, shared);
   // The list is gone through twice: for the ghosts of others, then for the tables.
   ExternalSort<SharedNode> shared_again(folder);
-  ExternalSort<GhostMention> ghosts(folder);
+  // A record is some 300 bytes.
+  constexpr std::size_t ghosts_in_memory = std::size_t{1} << 19;
+  ExternalSort<GhostMention> ghosts(folder, ghosts_in_memory);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const std::vector<SharedNode> here = shared.take_while(
         [i](const SharedNode& node) { return node.part == static_cast<std::int32_t>(i); });
@@ -166,7 +169,11 @@ void for_each_part_with_ghosts(
     table.part = number;
     table.parts = static_cast<std::int32_t>(source.size());
     table.nodes_of_mesh = outline.nodes;
-    table.tets = outline.parts[i].tets;
+    table.is_of_tets_alone = outline.has_tets_alone();
+    const ElementCounts elements = outline.parts[i].elements();
+    for (const ElementType type : all_element_types) {
+      if (is_cell(type)) table.cells[type] = elements[type];
+    }
     table.local2global = source.part(i).local2global;
     table.owner.assign(table.local2global.size(), number);
     add_shared(

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,23 +27,27 @@ struct NeighbourNodes {
   friend bool operator==(const NeighbourNodes&, const NeighbourNodes&) = default;
 };
 
-/// A tet of another part that has a node of this one.
-struct GhostTet {
-  std::int32_t part = 0;                ///< whose it is
-  std::int32_t tet = 0;                 ///< there
-  std::array<std::int64_t, 4> nodes{};  ///< in the whole mesh
-  friend bool operator==(const GhostTet&, const GhostTet&) = default;
+/// A cell of another part that has a node of this one.
+struct GhostCell {
+  std::int32_t part = 0;  ///< whose it is
+  std::int32_t cell = 0;  ///< there, counted as in part_cells.h
+  ElementType type = ElementType::tet;
+  std::array<std::int64_t, most_element_nodes> nodes{};  ///< in the whole mesh, in our order
+
+  std::span<const std::int64_t> all_nodes() const { return {nodes.data(), nodes_of(type)}; }
+  friend bool operator==(const GhostCell&, const GhostCell&) = default;
 };
 
 struct CommunicationTable {
   std::int32_t part = 0;
   std::int32_t parts = 0;
   std::int64_t nodes_of_mesh = 0;
-  std::int64_t tets = 0;
+  bool is_of_tets_alone = true;  ///< the whole mesh
+  ElementCounts cells;           ///< of the part, by type; no faces
   std::vector<std::int64_t> local2global;
   std::vector<std::int32_t> owner;         ///< of each node: the lowest part that has it
   std::vector<NeighbourNodes> neighbours;  ///< ascending
-  std::vector<GhostTet> ghosts;            ///< by part and number
+  std::vector<GhostCell> ghosts;           ///< by part and number
   friend bool operator==(const CommunicationTable&, const CommunicationTable&) = default;
 };
 
@@ -53,13 +58,14 @@ void for_each_communication_table(const MeshSource& source, const MeshOutline& o
                                   const std::function<void(const CommunicationTable&)>& visit);
 
 /// Where the nodes of each ghost are.
-using GhostCorners = std::vector<std::array<Vec3, 4>>;
+using GhostCorners = std::vector<std::array<Vec3, most_element_nodes>>;
 
 /// The same, for who writes ghosts as elements.
 void for_each_part_with_ghosts(
     const MeshSource& source, const MeshOutline& outline, const std::filesystem::path& folder,
     const std::function<void(const CommunicationTable&, const GhostCorners&)>& visit);
 
+/// In the first version of the layout if the mesh has tets alone, else in the second.
 std::string communication_to_bytes(const CommunicationTable& table);
 /// @throws CorruptFile naming `name`.
 CommunicationTable communication_from_bytes(std::string_view bytes, const std::string& name);

@@ -176,17 +176,7 @@ class PartitionOfMesh : public GroupedContent {
   NumberedPart take() {
     part_.local2global = numbers_.take();
     if (file().walker.has_ghosts()) keep_own_nodes();
-    const std::vector<std::int32_t> regions = regions_of_cells(part_);
-    if (!regions.empty()) part_.region = regions.front();
-    if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part_.region; })) {
-      part_.region_of_tet.clear();
-      for (const ElementType type : face_block_types) {
-        std::vector<std::int32_t>& of_faces = part_.blocks[type].regions;
-        std::fill(of_faces.begin(), of_faces.end(), part_.region);
-      }
-    } else {
-      set_regions_of_faces(part_);
-    }
+    set_regions_from_cells(part_);
     return std::move(part_);
   }
 

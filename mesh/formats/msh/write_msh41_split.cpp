@@ -56,20 +56,21 @@ std::int32_t ghost_volume_of(const MeshOutline& outline, std::int32_t partition)
   return volume_of(outline, partitions + 1, 0) - 1 + partition;
 }
 
-/// The tets of other partitions that have a node of this one, and their nodes that it has not.
+/// The cells of other partitions that have a node of this one, and their nodes that it has not.
 struct Ghosts {
-  std::vector<GhostTet> tets;
+  std::vector<GhostCell> cells;
   std::vector<std::pair<std::int64_t, Vec3>> nodes;  ///< by number
 };
 
 Ghosts ghosts_of(const CommunicationTable& table, const GhostCorners& corners) {
   Ghosts ghosts;
-  ghosts.tets = table.ghosts;
+  ghosts.cells = table.ghosts;
   std::vector<std::int64_t> own = table.local2global;
   std::sort(own.begin(), own.end());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::int64_t number = table.ghosts[i].nodes[k];
+    const std::span<const std::int64_t> nodes = table.ghosts[i].all_nodes();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const std::int64_t number = nodes[k];
       if (!std::binary_search(own.begin(), own.end(), number)) {
         ghosts.nodes.emplace_back(number, corners[i][k]);
       }
@@ -148,31 +149,50 @@ std::string nodes_of_partition(const NumberedPart& part, std::int32_t volume,
   return numbers.take();
 }
 
-std::int64_t number_of_ghost(const GhostTet& ghost, const MeshOutline& outline) {
-  return 1 + outline.boundary_triangles +
-         outline.parts[static_cast<std::size_t>(ghost.part)].first_tet + ghost.tet;
+/// The number that the cell has in the whole mesh.
+std::int64_t number_of_ghost(const GhostCell& ghost, const MeshOutline& outline) {
+  const PartOutline& owner = outline.parts[static_cast<std::size_t>(ghost.part)];
+  const MshNumbers first = first_msh_numbers(outline);
+  if (ghost.type == ElementType::tet) return first.tet + owner.first_tet + ghost.cell;
+  std::int64_t before = owner.tets;  // of the owner's cells those of the types before
+  for (const ElementType type : cell_block_types) {
+    if (type == ghost.type) break;
+    before += owner.blocks[type].count;
+  }
+  return first.block[ghost.type] + owner.blocks[ghost.type].first + ghost.cell - before;
 }
 
-/// The block of the ghosts in $Elements.
+ElementCounts counts_of(const Ghosts& ghosts) {
+  ElementCounts counts;
+  for (const GhostCell& ghost : ghosts.cells) ++counts[ghost.type];
+  return counts;
+}
+
+/// The blocks of the ghosts in $Elements: one for each type that there is.
 void put_ghosts(NumberText& numbers, const Ghosts& ghosts, const MeshOutline& outline,
                 std::int32_t partition) {
-  if (ghosts.tets.empty()) return;
-  put_msh_block(numbers,
-                {3, ghost_volume_of(outline, partition), msh_tet_type, std::ssize(ghosts.tets)});
-  for (const GhostTet& ghost : ghosts.tets) {
-    numbers.integer(number_of_ghost(ghost, outline));
-    for (const std::int64_t node : ghost.nodes) numbers.integer(node + 1);
+  const ElementCounts counts = counts_of(ghosts);
+  for (const ElementType type : all_element_types) {
+    if (counts[type] == 0) continue;
+    put_msh_block(numbers, {3, ghost_volume_of(outline, partition), msh_code(type), counts[type]});
+    const auto& order = node_order(ElementCodes::msh, type);
+    for (const GhostCell& ghost : ghosts.cells) {
+      if (ghost.type != type) continue;
+      numbers.integer(number_of_ghost(ghost, outline));
+      const std::span<const std::int64_t> nodes = ghost.all_nodes();
+      for (std::size_t k = 0; k < nodes.size(); ++k) numbers.integer(nodes[order[k]] + 1);
+    }
   }
 }
 
 /// $GhostElements: whose each is, and that it is a ghost here.
 std::string ghost_elements(const Ghosts& ghosts, const MeshOutline& outline,
                            std::int32_t partition) {
-  if (ghosts.tets.empty()) return {};
+  if (ghosts.cells.empty()) return {};
   NumberText numbers = NumberText::raw();
   numbers.words("$GhostElements\n");
-  numbers.integer(std::ssize(ghosts.tets));
-  for (const GhostTet& ghost : ghosts.tets) {
+  numbers.integer(std::ssize(ghosts.cells));
+  for (const GhostCell& ghost : ghosts.cells) {
     numbers.integer(number_of_ghost(ghost, outline));
     numbers.small(ghost.part + 1);
     numbers.integer(1);
@@ -229,10 +249,12 @@ std::string elements_of_partition(const NumberedPart& part, const MeshOutline& o
   const auto patches = static_cast<std::int32_t>(outline.patch_names.size());
   const auto faces = faces_by_patch(part, outline.patch_names.size());
   const PartOutline& here = outline.parts[static_cast<std::size_t>(part.number)];
-  std::int64_t blocks = ghosts.tets.empty() ? 0 : 1;
+  std::int64_t blocks = 0;
+  const ElementCounts of_ghosts = counts_of(ghosts);
+  for (const ElementType type : all_element_types) blocks += of_ghosts[type] > 0 ? 1 : 0;
   for (const std::int64_t tets : here.tets_of_region) blocks += tets > 0 ? 1 : 0;
   for (const auto& of_patch : faces) blocks += of_patch.empty() ? 0 : 1;
-  std::int64_t elements = std::ssize(part.tets) + std::ssize(part.faces) + std::ssize(ghosts.tets);
+  std::int64_t elements = std::ssize(part.tets) + std::ssize(part.faces) + std::ssize(ghosts.cells);
   for_each_block(here.blocks, [&](ElementType, const BlockOutline& block) {
     for (const std::int64_t count : block.of_group) blocks += count > 0 ? 1 : 0;
     elements += block.count;
@@ -286,7 +308,7 @@ WritePartition partition_writer(const MeshSource& source, const MeshOutline& out
         path.stem().string() + "_" + std::to_string(i + 1) + path.extension().string();
     OutputFile file(path.parent_path() / name);
     GrowingEnd end(file);
-    end.write(head + partitioned_entities(outline, i, !ghosts.tets.empty()));
+    end.write(head + partitioned_entities(outline, i, !ghosts.cells.empty()));
     end.write(nodes_of_partition(part, first_volume(outline, i), ghosts));
     end.write(elements_of_partition(part, outline, first_triangle, ghosts));
     end.write(ghost_elements(ghosts, outline, part.number + 1));
@@ -304,7 +326,6 @@ void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
 
 void write_msh41_ghosts(const MeshSource& source, const MeshOutline& outline,
                         const std::filesystem::path& path) {
-  require_tets_alone(outline, "Files with ghosts are written of");
   const WritePartition write = partition_writer(source, outline, path);
   for_each_part_with_ghosts(source, outline, std::filesystem::absolute(path).parent_path(),
                             [&](const CommunicationTable& table, const GhostCorners& corners) {

@@ -17,7 +17,7 @@ namespace tetfarm {
 void write_msh41_split(const MeshSource& source, const MeshOutline& outline,
                        const std::filesystem::path& file);
 
-/// The same, and as ghosts the tets of other partitions that have a node of this one, as an entity
+/// The same, and as ghosts the cells of other partitions that have a node of this one, as an entity
 /// of their own ($GhostElements). Gmsh 4.8 merges files without ghosts into one mesh, but ends when
 /// it merges files with them, its own too.
 /// @throws as above. Reads each part four times; memory of one part and its ghosts.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/file_system.h"
 
 namespace tetfarm {
@@ -39,13 +40,26 @@ void FoamList::finish() {
 }
 
 std::int64_t foam_point_bytes(const NumberText& style) { return style.record_bytes(0, 3) + 2; }
-std::int64_t foam_face_bytes(const NumberText& style) { return style.record_bytes(3, 0) + 3; }
+std::int64_t foam_face_bytes(const NumberText& style, std::size_t most_corners) {
+  return style.record_bytes(static_cast<int>(most_corners), 0) + 3;
+}
 std::int64_t foam_label_bytes(const NumberText& style) { return style.record_bytes(1, 0); }
 
 void put_foam_point(NumberText& text, const Vec3& p) {
   text.words("(");
   for (const double x : {p.x, p.y, p.z}) text.real(x);
   text.words(")");
+  text.end_record();
+}
+
+void put_foam_face(NumberText& text, const FaceNodes<std::int64_t>& nodes,
+                   std::size_t most_corners) {
+  TF_CHECK(nodes.size() <= most_corners);
+  text.words(std::to_string(nodes.size()) + "(");
+  for (const std::int64_t v : nodes) text.integer(v);
+  text.words(")");
+  const auto blanks = foam_face_bytes(text, most_corners) - foam_face_bytes(text, nodes.size());
+  text.words(std::string(static_cast<std::size_t>(blanks), ' '));
   text.end_record();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/assemble/output_file.h"
+#include "mesh/core/face_nodes.h"
 #include "mesh/core/vec3.h"
 #include "mesh/formats/number_text.h"
 
@@ -41,16 +42,13 @@ class FoamList {
 };
 
 std::int64_t foam_point_bytes(const NumberText& style);
-std::int64_t foam_face_bytes(const NumberText& style);
+/// Of a face with so many corners, or with fewer and blanks behind it.
+std::int64_t foam_face_bytes(const NumberText& style, std::size_t most_corners);
 std::int64_t foam_label_bytes(const NumberText& style);
 void put_foam_point(NumberText& text, const Vec3& p);
-template <class Nodes>
-void put_foam_face(NumberText& text, const Nodes& nodes) {
-  text.words("3(");
-  for (const auto v : nodes) text.integer(v);
-  text.words(")");
-  text.end_record();
-}
+/// @pre at most `most_corners` nodes.
+void put_foam_face(NumberText& text, const FaceNodes<std::int64_t>& nodes,
+                   std::size_t most_corners);
 void put_foam_label(NumberText& text, std::int64_t label);
 
 struct FoamPatch {

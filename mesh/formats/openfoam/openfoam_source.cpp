@@ -1,7 +1,5 @@
 #include "mesh/formats/openfoam/openfoam_source.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "mesh/formats/openfoam/poly_mesh_reader.h"
 #include "mesh/formats/openfoam/processor_numbers.h"
@@ -19,11 +17,13 @@ fs::path processor_of(const fs::path& folder, std::size_t i) {
   return folder / ("processor" + std::to_string(i));
 }
 
-template <class To, std::size_t N>
-std::array<To, N> widened(const std::array<std::int32_t, N>& nodes) {
-  std::array<To, N> result;
-  std::copy(nodes.begin(), nodes.end(), result.begin());
-  return result;
+template <class Nodes>
+std::vector<std::int64_t> widened(const Nodes& nodes) {
+  return {nodes.begin(), nodes.end()};
+}
+
+ElementType type_of(const FaceNodes<std::int32_t>& face) {
+  return face.size() == nodes_of(ElementType::triangle) ? ElementType::triangle : ElementType::quad;
 }
 
 std::unique_ptr<MeshSource> open_whole(const fs::path& folder, const fs::path& scratch_folder) {
@@ -39,12 +39,12 @@ std::unique_ptr<MeshSource> open_whole(const fs::path& folder, const fs::path& s
     mesh.mesh().patch_names.push_back(patch.name);
   }
   while (const auto node = file.next_node()) mesh.add_node(*node);
-  while (const auto triangle = file.next_triangle()) {
-    mesh.add_triangle(widened<std::int64_t>(triangle->nodes),
-                      static_cast<std::int32_t>(triangle->patch));
+  while (const auto face = file.next_face()) {
+    mesh.add_face(type_of(face->nodes), widened(face->nodes),
+                  static_cast<std::int32_t>(face->patch));
   }
-  while (const auto tet = file.next_tet()) {
-    mesh.add_tet(widened<std::int64_t>(tet->nodes), tet->region);
+  while (const auto next = file.next_cell()) {
+    mesh.add_cell(next->cell.type, widened(next->cell.all_nodes()), next->region);
   }
   return open_listed(mesh.take());
 }
@@ -57,7 +57,21 @@ struct ProcessorMesh {
   std::vector<ProcessorPatch> between;
 };
 
-void read_triangles(PolyMeshReader& file, ProcessorMesh& mesh) {
+/// Which region it bounds is known when the cells are.
+void add_boundary_face(const FaceNodes<std::int32_t>& face, std::int32_t patch,
+                       NumberedPart& part) {
+  if (type_of(face) == ElementType::triangle) {
+    part.faces.push_back({face[0], face[1], face[2]});
+    part.patch_of_face.push_back(patch);
+    return;
+  }
+  ElementBlock& block = part.blocks[type_of(face)];
+  block.nodes.insert(block.nodes.end(), face.begin(), face.end());
+  block.regions.push_back(part.region);
+  block.patches.push_back(patch);
+}
+
+void read_faces(PolyMeshReader& file, ProcessorMesh& mesh) {
   constexpr std::size_t is_between = -1;
   std::vector<std::size_t> number_of_patch;
   std::vector<std::size_t> between_of_patch;
@@ -71,29 +85,29 @@ void read_triangles(PolyMeshReader& file, ProcessorMesh& mesh) {
       mesh.between.push_back({patch.neighbour, {}});
     }
   }
-  while (const auto triangle = file.next_triangle()) {
-    const std::size_t patch = number_of_patch[triangle->patch];
+  while (const auto face = file.next_face()) {
+    const std::size_t patch = number_of_patch[face->patch];
     if (patch == is_between) {
-      mesh.between[between_of_patch[triangle->patch]].faces.push_back(triangle->nodes);
+      mesh.between[between_of_patch[face->patch]].faces.push_back(face->nodes);
       continue;
     }
-    mesh.part.faces.push_back(triangle->nodes);
-    mesh.part.patch_of_face.push_back(static_cast<std::int32_t>(patch));
+    add_boundary_face(face->nodes, static_cast<std::int32_t>(patch), mesh.part);
   }
 }
 
-void read_tets(PolyMeshReader& file, NumberedPart& part) {
-  while (const auto tet = file.next_tet()) {
-    part.tets.push_back(tet->nodes);
-    part.region_of_tet.push_back(tet->region);
+void read_cells(PolyMeshReader& file, NumberedPart& part) {
+  while (const auto next = file.next_cell()) {
+    const std::span<const std::int32_t> nodes = next->cell.all_nodes();
+    if (next->cell.type == ElementType::tet) {
+      part.tets.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+      part.region_of_tet.push_back(next->region);
+    } else {
+      ElementBlock& block = part.blocks[next->cell.type];
+      block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
+      block.regions.push_back(next->region);
+    }
   }
-  const auto& regions = part.region_of_tet;
-  if (!regions.empty()) part.region = regions.front();
-  if (std::all_of(regions.begin(), regions.end(), [&](auto r) { return r == part.region; })) {
-    part.region_of_tet.clear();
-  } else {
-    set_regions_of_faces(part);
-  }
+  set_regions_from_cells(part);
 }
 
 ProcessorMesh read_processor(const fs::path& folder, const fs::path& scratch_folder) {
@@ -101,8 +115,8 @@ ProcessorMesh read_processor(const fs::path& folder, const fs::path& scratch_fol
   ProcessorMesh mesh;
   mesh.region_names = file.region_names();
   while (const auto node = file.next_node()) mesh.part.nodes.push_back(*node);
-  read_triangles(file, mesh);
-  read_tets(file, mesh.part);
+  read_faces(file, mesh);
+  read_cells(file, mesh.part);
   return mesh;
 }
 

@@ -141,17 +141,19 @@ std::optional<Vec3> PolyMeshReader::next_node() {
 
 /// The next one, and whose it is.
 PolyMeshReader::Face PolyMeshReader::read_face() {
-  ++next_face_;
+  ++faces_read_;
   owner_of_face_ = owner_.label(most_of_32_bits);
   owner_.pass();
   const std::int64_t corners = faces_.integer();
-  if (corners != 3) {
-    faces_.fail("cell " + std::to_string(owner_of_face_) + " is not a tetrahedron: a face has " +
-                std::to_string(corners) + " corners");
+  if (corners < 3 || corners > std::int64_t{most_face_nodes}) {
+    faces_.fail("cell " + std::to_string(owner_of_face_) + " is no " + names_of_cells() +
+                ": a face has " + std::to_string(corners) + " corners");
   }
   Face face;
   faces_.expect("(");
-  for (std::int32_t& node : face) node = faces_.label(nodes_);
+  for (std::int64_t k = 0; k < corners; ++k) {
+    face.set(static_cast<std::size_t>(k), faces_.label(nodes_));
+  }
   faces_.expect(")");
   faces_.pass();
   sides_.push({owner_of_face_, face});
@@ -159,24 +161,24 @@ PolyMeshReader::Face PolyMeshReader::read_face() {
 }
 
 void PolyMeshReader::read_inner_faces() {
-  while (next_face_ < inner_faces_) {
+  while (faces_read_ < inner_faces_) {
     const Face face = read_face();
-    sides_.push({neighbour_.label(most_of_32_bits), {face[0], face[2], face[1]}});
+    sides_.push({neighbour_.label(most_of_32_bits), face.turned()});
     neighbour_.pass();
   }
 }
 
-std::optional<PolyMeshTriangle> PolyMeshReader::next_triangle() {
+std::optional<PolyMeshFace> PolyMeshReader::next_face() {
   read_inner_faces();
-  if (next_face_ == all_faces_) {
+  if (faces_read_ == all_faces_) {
     for (FoamText* list : {&faces_, &owner_, &neighbour_}) list->end_list();
     return {};
   }
   const auto ends = [this] {
     return patches_[next_patch_].first_face + patches_[next_patch_].faces;
   };
-  while (ends() <= next_face_) ++next_patch_;
-  return PolyMeshTriangle{next_patch_, read_face()};
+  while (ends() <= faces_read_) ++next_patch_;
+  return PolyMeshFace{next_patch_, read_face()};
 }
 
 void PolyMeshReader::refuse(std::int32_t cell, const std::string& what) const {
@@ -194,34 +196,22 @@ std::int32_t PolyMeshReader::region_of(std::int32_t cell) {
   return static_cast<std::int32_t>(run.zone) + 1;
 }
 
-/// The three faces at the fourth node have each an edge of the first, turned round.
-std::array<std::int32_t, 4> PolyMeshReader::tet_of(std::int32_t cell,
-                                                   const std::vector<Side>& sides) const {
-  if (sides.size() != 4) {
-    refuse(cell, "is not a tetrahedron: it has " + std::to_string(sides.size()) + " faces");
+CellOfFaces PolyMeshReader::cell_of(std::int32_t cell, const std::vector<Side>& sides) const {
+  std::vector<Face> faces;
+  for (const Side& side : sides) faces.push_back(side.nodes);
+  if (const std::optional<CellOfFaces> found = cell_of_faces(faces)) return *found;
+  std::string why = "its faces do not close";
+  if (!has_faces_of_a_cell(faces)) {
+    const auto triangles = std::count_if(faces.begin(), faces.end(),
+                                         [](const Face& face) { return face.size() == 3; });
+    why = "it has " + text_of_count(triangles, ElementType::triangle) + " and " +
+          text_of_count(std::ssize(faces) - triangles, ElementType::quad);
   }
-  const Face& first = sides[0].nodes;
-  const auto is_apex = [&](std::int32_t v) {
-    return std::find(first.begin(), first.end(), v) == first.end();
-  };
-  const std::int32_t apex =
-      *std::find_if(sides[1].nodes.begin(), sides[1].nodes.end() - 1, is_apex);
-  std::array<bool, 3> has_edge{};
-  for (std::size_t i = 1; i < 4; ++i) {
-    Face side = sides[i].nodes;
-    std::rotate(side.begin(), std::find(side.begin(), side.end() - 1, apex), side.end());
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (side == Face{apex, first[(k + 1) % 3], first[k]}) has_edge[k] = true;
-    }
-  }
-  if (!is_apex(apex) || !(has_edge[0] && has_edge[1] && has_edge[2])) {
-    refuse(cell, "is not a tetrahedron: its faces do not close");
-  }
-  return {apex, first[0], first[1], first[2]};
+  refuse(cell, "is no " + names_of_cells() + ": " + why);
 }
 
-std::optional<PolyMeshTet> PolyMeshReader::next_tet() {
-  const std::int32_t cell = next_cell_;
+std::optional<PolyMeshCell> PolyMeshReader::next_cell() {
+  const std::int32_t cell = cells_read_;
   const std::vector<Side> sides =
       sides_.take_while([cell](const Side& side) { return side.cell == cell; });
   if (sides.empty()) {
@@ -234,8 +224,8 @@ std::optional<PolyMeshTet> PolyMeshReader::next_tet() {
     }
     return {};
   }
-  ++next_cell_;
-  return PolyMeshTet{tet_of(cell, sides), region_of(cell)};
+  ++cells_read_;
+  return PolyMeshCell{cell_of(cell, sides), region_of(cell)};
 }
 
 }  // namespace tetfarm

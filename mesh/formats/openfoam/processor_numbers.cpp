@@ -17,11 +17,11 @@ std::vector<ProcessorNumbers::Ids> ProcessorNumbers::ids_of(const Processor& pro
   const auto id_of = [&](std::int32_t node) {
     const auto found = std::lower_bound(processor.shared.begin(), processor.shared.end(), node);
     TF_CHECK(found != processor.shared.end() && *found == node);
-    return processor.first_id + static_cast<std::size_t>(found - processor.shared.begin());
+    return static_cast<std::int64_t>(processor.first_id) + (found - processor.shared.begin());
   };
   std::vector<Ids> ids;
   ids.reserve(patch.faces.size());
-  for (const auto& [a, b, c] : patch.faces) ids.push_back({id_of(a), id_of(b), id_of(c)});
+  for (const FaceNodes<std::int32_t>& face : patch.faces) ids.push_back(face.renumbered(id_of));
   return ids;
 }
 
@@ -59,7 +59,14 @@ void ProcessorNumbers::join(std::int32_t lower, std::int32_t higher, const std::
                " faces between them");
   }
   for (std::size_t i = 0; i < here.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) unite(there->second[i][k], here[i][(3 - k) % 3]);
+    const Ids& theirs = there->second[i];
+    const Ids ours = here[i].turned();
+    if (theirs.size() != ours.size()) {
+      refuse(lower, higher, "have a triangle and a quad in the same place between them");
+    }
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+      unite(static_cast<std::size_t>(theirs[k]), static_cast<std::size_t>(ours[k]));
+    }
   }
   waiting_.erase(there);
 }

@@ -2,11 +2,12 @@
 /// two processors are one where the faces between them say so.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "mesh/core/face_nodes.h"
 
 namespace tetfarm {
 
@@ -14,7 +15,7 @@ namespace tetfarm {
 /// with the same node.
 struct ProcessorPatch {
   std::int32_t neighbour = 0;
-  std::vector<std::array<std::int32_t, 3>> faces;
+  std::vector<FaceNodes<std::int32_t>> faces;
 };
 
 /// Numbers go by processor, then by the node's number there; a node has that of the first processor
@@ -40,7 +41,7 @@ class ProcessorNumbers {
     std::vector<std::int32_t> shared;  ///< ascending
     std::size_t first_id = 0;
   };
-  using Ids = std::array<std::size_t, 3>;
+  using Ids = FaceNodes<std::int64_t>;  ///< of the nodes of a face
 
   std::vector<Ids> ids_of(const Processor& processor, const ProcessorPatch& patch) const;
   std::size_t root_of(std::size_t id);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "mesh/core/sorted_face.h"
+#include "mesh/assemble/part_cells.h"
 #include "mesh/formats/node_records.h"
 
 namespace tetfarm {
@@ -11,12 +11,12 @@ namespace {
 
 /// An outer face of a part, found by its nodes.
 struct OpenFace {
-  std::array<std::int64_t, 3> sorted_nodes{};
-  std::array<std::int64_t, 3> nodes{};
+  FaceNodes<std::int64_t> sorted_nodes;
+  FaceNodes<std::int64_t> nodes;
   std::int32_t part = 0;
   std::int32_t face = -1;
   std::int32_t patch = -1;
-  std::int64_t tet = 0;
+  std::int64_t cell = 0;
 
   bool operator<(const OpenFace& other) const {
     return sorted_nodes != other.sorted_nodes ? sorted_nodes < other.sorted_nodes
@@ -24,21 +24,21 @@ struct OpenFace {
   }
 };
 
-OpenFace open_face(const NumberedPart& part, const OuterFace& outer, std::int64_t first_tet) {
+OpenFace open_face(const NumberedPart& part, const OuterFace& outer,
+                   const std::vector<std::int32_t>& patches, std::int64_t first_cell) {
   OpenFace open;
-  for (std::size_t k = 0; k < 3; ++k) open.nodes[k] = global_node(part, outer.nodes[k]);
-  std::rotate(open.nodes.begin(), std::min_element(open.nodes.begin(), open.nodes.end()),
-              open.nodes.end());
-  open.sorted_nodes = sorted_face(open.nodes);
+  open.nodes =
+      outer.nodes.renumbered([&](std::int32_t v) { return global_node(part, v); }).smallest_first();
+  open.sorted_nodes = open.nodes.sorted();
   open.part = part.number;
   open.face = outer.face;
-  if (outer.face >= 0) open.patch = part.patch_of_face[static_cast<std::size_t>(outer.face)];
-  open.tet = first_tet + outer.owner;
+  if (outer.face >= 0) open.patch = patches[static_cast<std::size_t>(outer.face)];
+  open.cell = first_cell + outer.owner;
   return open;
 }
 
 SeamFace seam_face(const OpenFace& here, const OpenFace& there) {
-  return {here.part, there.part, here.sorted_nodes, here.nodes, here.tet, there.tet, here.face};
+  return {here.part, there.part, here.sorted_nodes, here.nodes, here.cell, there.cell, here.face};
 }
 
 }  // namespace
@@ -54,8 +54,9 @@ void SeamFaces::match(const MeshOutline& outline, const std::filesystem::path& f
   ExternalSort<OpenFace> open(folder);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);
+    const std::vector<std::int32_t> patches = patches_of_boundary(part);
     for (const OuterFace& outer : cell_faces(part).outer) {
-      open.push(open_face(part, outer, outline.parts[i].first_tet));
+      open.push(open_face(part, outer, patches, outline.parts[i].first_cell));
     }
   }
   faces_of_patch_.assign(outline.parts.size(),

@@ -1,10 +1,9 @@
 /// The faces that two parts share, each found from both sides, in the same order on both.
 ///
-/// They are on cuts, or are triangles between two regions. Whole lists are sorted on disk: memory
+/// They are on cuts, or lie between two regions. Whole lists are sorted on disk: memory
 /// is that of one part.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -15,15 +14,16 @@
 
 namespace tetfarm {
 
-/// A face of `part` that `neighbour` has too.
+/// A face of `part` that `neighbour` has too. Cells and boundary faces are counted as in
+/// part_cells.h, cells part after part.
 struct SeamFace {
   std::int32_t part = 0;
   std::int32_t neighbour = 0;
-  std::array<std::int64_t, 3> sorted_nodes{};  ///< numbers in the whole mesh, ascending
-  std::array<std::int64_t, 3> nodes{};         ///< the lowest first, the normal out of the part
-  std::int64_t tet = 0;                        ///< in the whole mesh, of this part
-  std::int64_t neighbour_tet = 0;              ///< in the whole mesh
-  std::int32_t face = -1;                      ///< of this part's faces; -1: on a cut
+  FaceNodes<std::int64_t> sorted_nodes;  ///< numbers in the whole mesh, ascending
+  FaceNodes<std::int64_t> nodes;         ///< the lowest first, the normal out of the part
+  std::int64_t cell = 0;                 ///< in the whole mesh, of this part
+  std::int64_t neighbour_cell = 0;       ///< in the whole mesh
+  std::int32_t face = -1;                ///< of this part's boundary faces; -1: on a cut
 
   bool operator<(const SeamFace& other) const {
     if (part != other.part) return part < other.part;
@@ -41,9 +41,9 @@ class SeamFaces {
 
   /// Those of part 0, then of part 1, …: by neighbour, then nodes.
   std::vector<SeamFace> next_part();
-  /// Boundary triangles that two regions share: they count twice.
+  /// Boundary faces that two regions share: they count twice.
   std::int64_t between_regions() const { return between_regions_; }
-  /// Of each part and patch, the triangles that no other region has.
+  /// Of each part and patch, the boundary faces that no other region has.
   const std::vector<std::vector<std::int64_t>>& faces_of_patch() const { return faces_of_patch_; }
 
  private:

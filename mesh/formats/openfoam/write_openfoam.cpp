@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/file_system.h"
+#include "mesh/assemble/part_cells.h"
 #include "mesh/formats/count_limit.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/openfoam/foam_files.h"
@@ -16,27 +17,64 @@ namespace {
 
 /// A face with the cell or cells that have it; nodes turn round the way out of the owner.
 struct FoamFace {
-  std::array<std::int64_t, 3> nodes{};
+  FaceNodes<std::int64_t> nodes;
   std::int64_t owner = 0;
   std::int64_t neighbour = -1;
+};
+
+/// Of all cells: those that two of them share count twice.
+std::int64_t faces_of(const ElementCounts& elements) {
+  std::int64_t faces = 0;
+  for (const ElementType type : all_element_types) {
+    faces += elements[type] * std::ssize(element(type).faces);
+  }
+  return faces;
+}
+
+/// Of the face that has most.
+std::size_t most_corners_of(const ElementCounts& elements) {
+  std::size_t most = nodes_of(ElementType::triangle);
+  for (const ElementType type : all_element_types) {
+    if (elements[type] == 0) continue;
+    for (const ElementFace& face : element(type).faces) most = std::max(most, nodes_of(face.type));
+  }
+  return most;
+}
+
+/// How many there are, and what numbers and records have to have room for.
+struct FoamCounts {
+  std::int64_t points = 0;
+  std::int64_t cells = 0;
+  std::int64_t faces = 0;
+  std::int64_t inner = 0;
+  std::size_t most_corners = 3;
+
+  NumberText style() const { return NumberText::text(std::max(points, cells)); }
+  std::string note() const {
+    return "nPoints: " + std::to_string(points) + " nCells: " + std::to_string(cells) +
+           " nFaces: " + std::to_string(faces) + " nInternalFaces: " + std::to_string(inner);
+  }
 };
 
 /// The lists of faces, in the making.
 class FaceLists {
  public:
-  FaceLists(const std::filesystem::path& folder, const NumberText& style, std::int64_t faces,
-            std::int64_t inner, const std::string& note)
-      : style_(style),
-        faces_(folder, {"faces", "faceList", foam_face_bytes(style), ""}, faces),
-        owner_(folder, {"owner", "labelList", foam_label_bytes(style), note}, faces),
-        neighbour_(folder, {"neighbour", "labelList", foam_label_bytes(style), note}, inner) {}
+  FaceLists(const std::filesystem::path& folder, const FoamCounts& counts)
+      : style_(counts.style()),
+        most_corners_(counts.most_corners),
+        faces_(folder, {"faces", "faceList", foam_face_bytes(style_, most_corners_), ""},
+               counts.faces),
+        owner_(folder, {"owner", "labelList", foam_label_bytes(style_), counts.note()},
+               counts.faces),
+        neighbour_(folder, {"neighbour", "labelList", foam_label_bytes(style_), counts.note()},
+                   counts.inner) {}
 
   void write(std::int64_t first, const std::vector<FoamFace>& faces) {
     NumberText nodes = style_;
     NumberText owners = style_;
     NumberText neighbours = style_;
     for (const FoamFace& face : faces) {
-      put_foam_face(nodes, face.nodes);
+      put_foam_face(nodes, face.nodes, most_corners_);
       put_foam_label(owners, face.owner);
       if (face.neighbour >= 0) put_foam_label(neighbours, face.neighbour);
     }
@@ -50,16 +88,11 @@ class FaceLists {
 
  private:
   NumberText style_;
+  std::size_t most_corners_;
   FoamList faces_;
   FoamList owner_;
   FoamList neighbour_;
 };
-
-std::string note_of(std::int64_t points, std::int64_t cells, std::int64_t faces,
-                    std::int64_t inner) {
-  return "nPoints: " + std::to_string(points) + " nCells: " + std::to_string(cells) +
-         " nFaces: " + std::to_string(faces) + " nInternalFaces: " + std::to_string(inner);
-}
 
 void sort_upper_triangular(std::vector<FoamFace>& faces) {
   std::sort(faces.begin(), faces.end(), [](const FoamFace& a, const FoamFace& b) {
@@ -74,18 +107,17 @@ std::vector<std::vector<FoamFace>> patch_faces(const NumberedPart& part, const C
                                                const std::vector<SeamFace>& seams,
                                                std::size_t patches, std::int64_t first_cell,
                                                const Node& node) {
-  std::vector<bool> is_shared(part.faces.size(), false);
+  const std::vector<std::int32_t> patch_of_face = patches_of_boundary(part);
+  std::vector<bool> is_shared(patch_of_face.size(), false);
   for (const SeamFace& seam : seams) {
     if (seam.face >= 0) is_shared[static_cast<std::size_t>(seam.face)] = true;
   }
   std::vector<std::vector<FoamFace>> faces(patches);
   for (const OuterFace& outer : cells.outer) {
     if (outer.face < 0 || is_shared[static_cast<std::size_t>(outer.face)]) continue;
-    const auto patch = part.patch_of_face[static_cast<std::size_t>(outer.face)];
+    const auto patch = patch_of_face[static_cast<std::size_t>(outer.face)];
     faces[static_cast<std::size_t>(patch)].push_back(
-        {{node(outer.nodes[0]), node(outer.nodes[1]), node(outer.nodes[2])},
-         first_cell + outer.owner,
-         -1});
+        {outer.nodes.renumbered(node), first_cell + outer.owner, -1});
   }
   return faces;
 }
@@ -96,9 +128,8 @@ std::vector<FoamFace> inner_faces(const CellFaces& cells, std::int64_t first_cel
   std::vector<FoamFace> faces;
   faces.reserve(cells.inner.size());
   for (const InnerFace& face : cells.inner) {
-    faces.push_back({{node(face.nodes[0]), node(face.nodes[1]), node(face.nodes[2])},
-                     first_cell + face.owner,
-                     first_cell + face.neighbour});
+    faces.push_back(
+        {face.nodes.renumbered(node), first_cell + face.owner, first_cell + face.neighbour});
   }
   return faces;
 }
@@ -111,33 +142,39 @@ void write_zones(const std::filesystem::path& folder, const MeshOutline& outline
                  const IsHere& is_here) {
   if (names.size() < 2) return;
   std::vector<FoamZoneRun> zones;
-  for (const RegionRun& run : region_runs(outline)) {
-    if (!is_here(run.part)) continue;
-    zones.push_back(
-        {static_cast<std::size_t>(run.region - 1), run.first_tet - first_cell, run.tets});
+  for (std::size_t i = 0; i < outline.parts.size(); ++i) {
+    if (!is_here(i)) continue;
+    const PartOutline& part = outline.parts[i];
+    std::int64_t next = part.first_cell - first_cell;
+    const auto add = [&](const std::vector<std::int64_t>& cells_of_region) {
+      for (std::size_t region = 0; region < cells_of_region.size(); ++region) {
+        zones.push_back({region, next, cells_of_region[region]});
+        next += cells_of_region[region];
+      }
+    };
+    add(part.tets_of_region);
+    for (const ElementType type : cell_block_types) add(part.blocks[type].of_group);
   }
   write_foam_zones(folder, names, zones);
 }
 
 constexpr std::size_t longest_name = 200;
 
-/// Labels of OpenFOAM have 32 bits unless it was built with more, and number faces too. `outer` are
-/// faces of one tet, triangles between two regions among them.
-void refuse_more_than_labels(std::int64_t nodes, std::int64_t tets, std::int64_t outer,
+/// Labels of OpenFOAM have 32 bits unless it was built with more, and number faces too. Boundary
+/// faces are of one cell, also those between two regions.
+void refuse_more_than_labels(std::int64_t nodes, const ElementCounts& elements,
                              const std::string& instead) {
   const std::string format = "OpenFOAM's labels";
   require_32_bits(nodes, "points", format, instead);
-  require_32_bits(tets, "cells", format, instead);
-  require_32_bits(2 * tets + (outer + 1) / 2, "faces", format, instead);
+  require_32_bits(count_cells(elements), "cells", format, instead);
+  require_32_bits((faces_of(elements) + count_faces(elements) + 1) / 2, "faces", format, instead);
 }
 
 }  // namespace
 
 void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                     const std::filesystem::path& folder) {
-  require_tets_alone(outline, "OpenFOAM cases are written of");
-  refuse_more_than_labels(outline.nodes, outline.tets, outline.boundary_triangles,
-                          "use openfoam-decomposed");
+  refuse_more_than_labels(outline.nodes, outline.elements(), "use openfoam-decomposed");
   const std::filesystem::path mesh = folder / "constant" / "polyMesh";
   make_folders(mesh);
   TF_CHECK(outline.parts.size() == source.size());
@@ -150,15 +187,17 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
     for (std::size_t i = 0; i < patches.size(); ++i) patches[i].faces += of_part[i];
   }
   for (const FoamPatch& patch : patches) on_patches += patch.faces;
-  const std::int64_t inner = (4 * outline.tets - on_patches) / 2;
-  std::int64_t faces = inner;
+  const ElementCounts elements = outline.elements();
+  FoamCounts counts{outline.nodes, outline.cells(), 0, (faces_of(elements) - on_patches) / 2,
+                    most_corners_of(elements)};
+  counts.faces = counts.inner;
   for (FoamPatch& patch : patches) {
-    patch.first_face = faces;
-    faces += patch.faces;
+    patch.first_face = counts.faces;
+    counts.faces += patch.faces;
   }
-  const NumberText style = NumberText::text(std::max(outline.nodes, outline.tets));
+  const NumberText style = counts.style();
   FoamList points(mesh, {"points", "vectorField", foam_point_bytes(style), ""}, outline.nodes);
-  FaceLists lists(mesh, style, faces, inner, note_of(outline.nodes, outline.tets, faces, inner));
+  FaceLists lists(mesh, counts);
   std::vector<std::int64_t> next_of_patch;
   for (const FoamPatch& patch : patches) next_of_patch.push_back(patch.first_face);
   std::int64_t next_inner = 0;
@@ -166,7 +205,7 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
     const NumberedPart part = source.part(i);
     const std::vector<SeamFace> here = seams.next_part();
     const CellFaces cells = cell_faces(part);
-    const std::int64_t first_cell = outline.parts[i].first_tet;
+    const std::int64_t first_cell = outline.parts[i].first_cell;
     const auto node = [&](std::int32_t v) { return global_node(part, v); };
     write_node_records(
         points.file(), points.first_place(), foam_point_bytes(style), part, style,
@@ -174,7 +213,7 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
     std::vector<FoamFace> inside = inner_faces(cells, first_cell, node);
     for (const SeamFace& seam : here) {
       if (seam.neighbour > seam.part) {
-        inside.push_back({seam.nodes, seam.tet, seam.neighbour_tet});
+        inside.push_back({seam.nodes, seam.cell, seam.neighbour_cell});
       }
     }
     sort_upper_triangular(inside);
@@ -220,9 +259,7 @@ std::vector<FoamFace> processor_faces(const NumberedPart& part, const std::vecto
            first_face + std::ssize(faces), seam.part, seam.neighbour});
     }
     ++patches.back().faces;
-    faces.push_back({{local(seam.nodes[0]), local(seam.nodes[1]), local(seam.nodes[2])},
-                     seam.tet - first_cell,
-                     -1});
+    faces.push_back({seam.nodes.renumbered(local), seam.cell - first_cell, -1});
   }
   return faces;
 }
@@ -238,29 +275,27 @@ void write_points(const std::filesystem::path& mesh, const NumberedPart& part,
 }
 
 void write_processor(const std::filesystem::path& mesh, const NumberedPart& part,
-                     const std::vector<SeamFace>& seams, std::int64_t first_cell,
+                     const PartOutline& outline, const std::vector<SeamFace>& seams,
                      const std::vector<std::string>& names) {
   make_folders(mesh);
-  const NumberText style =
-      NumberText::text(static_cast<std::int64_t>(std::max(part.nodes.size(), part.tets.size())));
   const CellFaces cells = cell_faces(part);
   const auto node = [](std::int32_t v) -> std::int64_t { return v; };
   const std::vector<FoamFace> inside = inner_faces(cells, 0, node);
   const auto outside = patch_faces(part, cells, seams, names.size(), 0, node);
   std::vector<FoamPatch> patches;
-  std::int64_t faces = std::ssize(inside);
+  FoamCounts counts{outline.nodes, count_cells(outline.elements()), std::ssize(inside),
+                    std::ssize(inside), most_corners_of(outline.elements())};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    patches.push_back({names[i], std::ssize(outside[i]), faces});
-    faces += std::ssize(outside[i]);
+    patches.push_back({names[i], std::ssize(outside[i]), counts.faces});
+    counts.faces += std::ssize(outside[i]);
   }
-  const std::vector<FoamFace> between = processor_faces(part, seams, first_cell, faces, patches);
-  const std::int64_t first_between = faces;
-  faces += std::ssize(between);
-  require_32_bits(faces, "faces", "OpenFOAM's labels", "make more, smaller parts");
-  write_points(mesh, part, style);
-  FaceLists lists(
-      mesh, style, faces, std::ssize(inside),
-      note_of(std::ssize(part.nodes), std::ssize(part.tets), faces, std::ssize(inside)));
+  const std::int64_t first_between = counts.faces;
+  const std::vector<FoamFace> between =
+      processor_faces(part, seams, outline.first_cell, first_between, patches);
+  counts.faces += std::ssize(between);
+  require_32_bits(counts.faces, "faces", "OpenFOAM's labels", "make more, smaller parts");
+  write_points(mesh, part, counts.style());
+  FaceLists lists(mesh, counts);
   lists.write(0, inside);
   for (std::size_t i = 0; i < outside.size(); ++i) lists.write(patches[i].first_face, outside[i]);
   lists.write(first_between, between);
@@ -272,9 +307,8 @@ void write_processor(const std::filesystem::path& mesh, const NumberedPart& part
 
 void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outline,
                                const std::filesystem::path& folder) {
-  require_tets_alone(outline, "OpenFOAM cases are written of");
   for (const PartOutline& part : outline.parts) {
-    refuse_more_than_labels(part.nodes, part.tets, part.faces, "make more, smaller parts");
+    refuse_more_than_labels(part.nodes, part.elements(), "make more, smaller parts");
   }
   make_folders(folder);
   SeamFaces seams(source, outline, folder);
@@ -284,8 +318,8 @@ void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outl
     const std::filesystem::path mesh =
         folder / ("processor" + std::to_string(i)) / "constant" / "polyMesh";
     const NumberedPart part = source.part(i);
-    write_processor(mesh, part, seams.next_part(), outline.parts[i].first_tet, names);
-    write_zones(mesh, outline, regions, outline.parts[i].first_tet,
+    write_processor(mesh, part, outline.parts[i], seams.next_part(), names);
+    write_zones(mesh, outline, regions, outline.parts[i].first_cell,
                 [i](std::size_t run_of) { return run_of == i; });
   }
 }

@@ -87,7 +87,7 @@ ExportCounts export_mesh(const MeshSource& source, const Format& format, const f
     format.write_mesh(source, outline, output);
   }
   if (format.write_beside != nullptr) format.write_beside(outline, output);
-  return {outline.nodes, outline.tets, outline.boundary_triangles, outline.parts.size()};
+  return {outline.nodes, outline.elements(), outline.parts.size()};
 }
 
 }  // namespace tetfarm

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/core/element_block.h"
 #include "mesh/formats/list/format.h"
 #include "mesh/formats/mesh_source.h"
 
@@ -16,8 +17,7 @@ namespace tetfarm {
 
 struct ExportCounts {
   std::int64_t nodes = 0;
-  std::int64_t tets = 0;
-  std::int64_t boundary_triangles = 0;
+  ElementCounts elements{};  ///< of each type
   std::size_t parts = 0;
 };
 

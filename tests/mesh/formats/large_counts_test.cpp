@@ -213,7 +213,7 @@ TEST_P(LargeCounts, tables_and_seams_of_such_nodes_are_those_of_small_numbers) {
     for (std::int64_t& number : part.local2global) number += before;
   }
   MeshOutline far_outline = outline;
-  for (PartOutline& part : far_outline.parts) part.first_tet += before;
+  for (PartOutline& part : far_outline.parts) part.first_cell += before;
   std::vector<CommunicationTable> tables;
   for_each_communication_table(grid, outline, folder.path(),
                                [&](const CommunicationTable& table) { tables.push_back(table); });
@@ -221,8 +221,8 @@ TEST_P(LargeCounts, tables_and_seams_of_such_nodes_are_those_of_small_numbers) {
       far, far_outline, folder.path(), [&](const CommunicationTable& table) {
         CommunicationTable near = communication_from_bytes(communication_to_bytes(table), "here");
         for (std::int64_t& node : near.local2global) node -= before;
-        for (GhostTet& ghost : near.ghosts) {
-          for (std::int64_t& node : ghost.nodes) node -= before;
+        for (GhostCell& ghost : near.ghosts) {
+          for (std::size_t k = 0; k < nodes_of(ghost.type); ++k) ghost.nodes[k] -= before;
         }
         EXPECT_EQ(near, tables.at(static_cast<std::size_t>(near.part)));
       });
@@ -232,8 +232,8 @@ TEST_P(LargeCounts, tables_and_seams_of_such_nodes_are_those_of_small_numbers) {
   const std::vector<SeamFace> there = far_seams.next_part();
   ASSERT_EQ(here.size(), there.size());
   for (std::size_t i = 0; i < here.size(); ++i) {
-    EXPECT_EQ(there[i].tet, here[i].tet + before);
-    EXPECT_EQ(there[i].neighbour_tet, here[i].neighbour_tet + before);
+    EXPECT_EQ(there[i].cell, here[i].cell + before);
+    EXPECT_EQ(there[i].neighbour_cell, here[i].neighbour_cell + before);
     EXPECT_EQ(there[i].nodes[2], here[i].nodes[2] + before);
   }
 }

@@ -49,6 +49,7 @@ class LastOfLargeMesh : public MeshSource {
     for (std::int64_t& of_patch : outline_.faces_of_patch) of_patch += faces;
     outline_.tets_of_region[0] += before.tets;
     outline_.parts[0].first_tet = before.tets;
+    outline_.parts[0].first_cell = before.tets;
     outline_.parts[0].first_face = 2 * faces;
     outline_.parts[0].first_face_of_patch = {faces, faces};
   }

@@ -11,8 +11,11 @@
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/partition/dual_graph.h"
+#include "mesh/partition/renumbered_mesh.h"
+#include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
 namespace {
@@ -56,9 +59,10 @@ Found found_in(const MeshSource& mesh) {
   SeamFaces seams(mesh, outline_of(mesh), folder.path());
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     const NumberedPart part = mesh.part(i);
-    const WeightedGraph graph = dual_graph(cell_faces(part), part.tets.size());
-    const std::vector<std::int32_t> pieces =
-        pieces_of_parts(graph, std::vector<std::int32_t>(part.tets.size(), 0));
+    const WeightedGraph graph =
+        dual_graph(cell_faces(part), static_cast<std::size_t>(cells_of(part)));
+    const std::vector<std::int32_t> pieces = pieces_of_parts(
+        graph, std::vector<std::int32_t>(static_cast<std::size_t>(cells_of(part)), 0));
     found.pieces_of_part.push_back(*std::max_element(pieces.begin(), pieces.end()) + 1);
     for (const SeamFace& seam : seams.next_part()) found.cut_faces += seam.neighbour > seam.part;
   }
@@ -79,8 +83,8 @@ TEST(PartitionedMesh, parts_are_even_of_one_piece_and_together_the_mesh) {
     EXPECT_EQ(found.cut_faces, mesh.figures().cut_faces);
     std::int64_t tets = 0;
     for (std::size_t i = 0; i < mesh.size(); ++i) {
-      EXPECT_EQ(std::ssize(mesh.part(i).tets), mesh.figures().tets[i]);
-      tets += mesh.figures().tets[i];
+      EXPECT_EQ(std::ssize(mesh.part(i).tets), mesh.figures().cells[i]);
+      tets += mesh.figures().cells[i];
     }
     EXPECT_EQ(tets, outline_of(grid).tets);
   }
@@ -163,6 +167,52 @@ TEST(PartitionedMesh, every_format_takes_parts_of_several_regions) {
     SCOPED_TRACE(format.name);
     const std::string name = "of-" + std::string(format.name) + std::string(format.endings[0]);
     EXPECT_EQ(export_mesh(mesh, format, folder.path() / name).parts, 3u);
+  }
+}
+
+TEST(PartitionedMesh, parts_of_all_types_of_cells_are_the_mesh_each_of_one_piece) {
+  const HybridGrid grid(7, 3);
+  const MeshCheckResult wanted = check_mesh(grid);
+  ASSERT_THAT(wanted.complaints, IsEmpty());
+  const MeshOutline outline = outline_of(grid);
+  for (const std::int32_t parts : {1, 2, 3, 5, 17}) {
+    SCOPED_TRACE(parts);
+    const TempFolder folder;
+    const PartitionedMesh mesh(grid, options_for(parts), folder.path());
+    ASSERT_EQ(mesh.size(), static_cast<std::size_t>(parts));
+    const MeshCheckResult check = check_mesh(mesh);
+    EXPECT_THAT(check.complaints, IsEmpty());
+    EXPECT_EQ(check.nodes, wanted.nodes);
+    EXPECT_NEAR(check.volume, grid.volume(), 1e-9);
+    for (const ElementType type : all_element_types) {
+      EXPECT_EQ(outline_of(mesh).elements()[type], outline.elements()[type])
+          << element(type).plural;
+    }
+    for (std::size_t patch = 0; patch < 2; ++patch) {
+      EXPECT_EQ(outline_of(mesh).boundary_faces_of(patch), outline.boundary_faces_of(patch));
+    }
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      EXPECT_EQ(cells_of(mesh.part(i)), mesh.figures().cells[i]);
+    }
+    const Found found = found_in(mesh);
+    EXPECT_EQ(found.cut_faces, mesh.figures().cut_faces);
+    EXPECT_THAT(found.pieces_of_part, testing::Each(1));
+    EXPECT_LT(mesh.figures().largest_over_mean(), 1.25);
+  }
+}
+
+TEST(PartitionedMesh, cells_of_every_type_keep_their_regions_in_parts_and_with_other_numbers) {
+  const HybridGrid mesh(5, 3, true);
+  ASSERT_THAT(check_mesh(mesh).complaints, IsEmpty());
+  const MeshOutline wanted = outline_of(mesh);
+  const TempFolder folder;
+  auto parts = std::make_unique<PartitionedMesh>(mesh, options_for(1), folder.path());
+  const RenumberedMesh renumbered(std::move(parts), NodeNumbering::hilbert);
+  EXPECT_THAT(check_mesh(renumbered).complaints, IsEmpty());
+  const MeshOutline found = outline_of(renumbered);
+  EXPECT_EQ(found.tets_of_region, wanted.tets_of_region);
+  for (const ElementType type : cell_block_types) {
+    EXPECT_EQ(found.blocks[type].of_group, wanted.blocks[type].of_group) << element(type).plural;
   }
 }
 

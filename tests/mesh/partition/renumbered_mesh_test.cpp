@@ -9,8 +9,10 @@
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
+#include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
 namespace {
@@ -127,6 +129,21 @@ TEST(RenumberedMesh, has_communication_tables_that_fit_to_each_other) {
   }
 }
 
+TEST(RenumberedMesh, of_all_types_of_cells_is_the_same_mesh) {
+  const HybridGrid grid(5, 3);
+  const MeshCheckResult wanted = check_mesh(grid);
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<HybridGrid>(5, 3), numbering);
+    const MeshCheckResult check = check_mesh(mesh);
+    EXPECT_THAT(check.complaints, testing::IsEmpty());
+    EXPECT_EQ(check.nodes, wanted.nodes);
+    EXPECT_NEAR(check.volume, grid.volume(), 1e-9);
+    for (const ElementType type : all_element_types) {
+      EXPECT_EQ(outline_of(mesh).elements()[type], outline_of(grid).elements()[type]);
+    }
+  }
+}
+
 TEST(NodeOrder, reverse_cuthill_mckee_narrows_the_band_of_a_shuffled_mesh) {
   const GridSource grid(cut_grid(8));
   NumberedPart part = grid.part(0);
@@ -138,31 +155,35 @@ TEST(NodeOrder, reverse_cuthill_mckee_narrows_the_band_of_a_shuffled_mesh) {
   for (Tet& tet : part.tets) {
     for (std::int32_t& v : tet) v = shuffled(v);
   }
-  const std::vector<std::int32_t> order = reverse_cuthill_mckee(part.tets, part.nodes.size());
+  const std::vector<std::int32_t> order = reverse_cuthill_mckee(part);
   std::vector<std::int32_t> old2new(order.size(), -1);
   for (std::size_t v = 0; v < order.size(); ++v) {
     old2new[static_cast<std::size_t>(order[v])] = static_cast<std::int32_t>(v);
   }
   EXPECT_THAT(old2new, testing::Each(testing::Ge(0))) << "every node once";
-  const NumberSpans before = number_spans(part.tets);
+  const NumberSpans before = number_spans(part);
   for (Tet& tet : part.tets) {
     for (std::int32_t& v : tet) v = old2new[static_cast<std::size_t>(v)];
   }
-  const NumberSpans after = number_spans(part.tets);
+  const NumberSpans after = number_spans(part);
   EXPECT_EQ(after.edges, before.edges);
   EXPECT_LT(3 * after.bandwidth, before.bandwidth);
 }
 
 TEST(NodeOrder, of_pieces_and_single_nodes_has_all_of_them) {
-  const std::vector<Tet> tets = {{0, 1, 2, 3}, {5, 6, 7, 8}};
-  std::vector<std::int32_t> order = reverse_cuthill_mckee(tets, 9);
+  NumberedPart part;
+  part.nodes.resize(9);
+  part.tets = {{0, 1, 2, 3}, {5, 6, 7, 8}};
+  std::vector<std::int32_t> order = reverse_cuthill_mckee(part);
   std::sort(order.begin(), order.end());
   EXPECT_THAT(order, testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
 }
 
 TEST(NodeOrder, spans_are_of_each_edge_once) {
-  const std::vector<Tet> tets = {{0, 1, 2, 3}, {1, 2, 3, 10}};
-  const NumberSpans spans = number_spans(tets);
+  NumberedPart part;
+  part.nodes.resize(11);
+  part.tets = {{0, 1, 2, 3}, {1, 2, 3, 10}};
+  const NumberSpans spans = number_spans(part);
   EXPECT_EQ(spans.edges, 9);
   EXPECT_EQ(spans.bandwidth, 9);
   EXPECT_EQ(spans.sum, (1 + 2 + 3 + 1 + 2 + 1) + (9 + 8 + 7));

@@ -11,6 +11,7 @@
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/hybrid_grid.h"
 #include "tests/support/hybrid_mesh.h"
 
 namespace tetfarm {
@@ -110,20 +111,53 @@ INSTANTIATE_TEST_SUITE_P(, HybridMeshInFormats, testing::ValuesIn(forms()), [](c
   return name;
 });
 
-TEST(HybridMesh, formats_of_tets_refuse_it_with_a_sentence_that_counts) {
+TEST(HybridMesh, a_format_of_tets_refuses_it_with_a_sentence_that_counts) {
   const TempFolder folder;
+  const std::filesystem::path file = folder.path() / "m.node";
+  EXPECT_THAT([&] { export_mesh(HybridMesh(), find_mesh_format("tetgen", file), file); },
+              testing::ThrowsMessage<Error>(
+                  HasSubstr("tetrahedra only; this mesh has 2 pyramids, 1 prism, 2 hexes, ")));
+}
+
+/// Cells, nodes, boundary faces and the volume of what a mesh was written as.
+void expect_same_mesh(const MeshSource& wanted, const MeshSource& found) {
+  const MeshCheckResult check = check_mesh(found);
+  EXPECT_THAT(check.complaints, IsEmpty());
+  const MeshOutline wanted_outline = outline_of(wanted);
+  const MeshOutline outline = outline_of(found);
+  for (const ElementType type : all_element_types) {
+    EXPECT_EQ(outline.elements()[type], wanted_outline.elements()[type]) << element(type).plural;
+  }
+  EXPECT_EQ(outline.nodes, wanted_outline.nodes);
+  EXPECT_EQ(outline.faces_of_patch.size(), wanted_outline.faces_of_patch.size());
+  EXPECT_NEAR(check.volume, check_mesh(wanted).volume, 1e-9);
+}
+
+TEST(HybridMesh, openfoam_cases_have_all_cells_whole_and_decomposed) {
   for (const auto& [format, name] :
-       {std::pair("tetgen", "m.node"), std::pair("openfoam", "case"), std::pair("comm", "tables"),
-        std::pair("openfoam-decomposed", "parts"), std::pair("msh41-ghosts", "ghosts.msh")}) {
-    const std::filesystem::path file = folder.path() / name;
-    try {
-      export_mesh(HybridMesh(), find_mesh_format(format, file), file);
-      FAIL() << format;
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), HasSubstr("tetrahedra only; this mesh has 2 pyramids, 1 prism, "
-                                          "2 hexes, "))
-          << format;
-    }
+       {std::pair("openfoam", "case"), std::pair("openfoam-decomposed", "parts")}) {
+    SCOPED_TRACE(format);
+    const TempFolder folder;
+    export_mesh(HybridMesh(), find_mesh_format(format, name), folder.path() / name);
+    expect_same_mesh(HybridMesh(), *open_mesh(folder.path() / name, folder.path()));
+    const HybridGrid grid(5, 3);
+    export_mesh(grid, find_mesh_format(format, name), folder.path() / "grid");
+    expect_same_mesh(grid, *open_mesh(folder.path() / "grid", folder.path()));
+  }
+}
+
+TEST(HybridMesh, every_format_has_the_grid_of_all_types_as_it_was) {
+  const HybridGrid grid(4, 3);
+  const MeshCheckResult wanted = check_mesh(grid);
+  ASSERT_THAT(wanted.complaints, IsEmpty());
+  EXPECT_NEAR(wanted.volume, grid.volume(), 1e-9);
+  for (const Form& form : forms()) {
+    SCOPED_TRACE(form.format);
+    const TempFolder folder;
+    export_mesh(grid, find_mesh_format(form.format, form.name), folder.path() / form.name);
+    const std::unique_ptr<MeshSource> read = open_mesh(folder.path() / form.opened, folder.path());
+    expect_same_mesh(grid, *read);
+    EXPECT_EQ(check_mesh(*read).digest, wanted.digest);
   }
 }
 

@@ -47,11 +47,11 @@ TEST(CommunicationTable, ghosts_are_all_tets_of_others_with_a_node_of_the_part) 
   const GridSource grid(cut_grid(4));
   for (const CommunicationTable& table : tables_of(grid)) {
     const std::set<std::int64_t> mine(table.local2global.begin(), table.local2global.end());
-    std::vector<GhostTet> expected;
+    std::vector<GhostCell> expected;
     for (const NumberedPart& part : grid.parts) {
       if (part.number == table.part) continue;
       for (std::size_t t = 0; t < part.tets.size(); ++t) {
-        GhostTet ghost{part.number, static_cast<std::int32_t>(t), {}};
+        GhostCell ghost{part.number, static_cast<std::int32_t>(t), ElementType::tet, {}};
         bool is_near = false;
         for (std::size_t k = 0; k < 4; ++k) {
           ghost.nodes[k] = part.local2global[static_cast<std::size_t>(part.tets[t][k])];

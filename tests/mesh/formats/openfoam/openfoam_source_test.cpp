@@ -218,24 +218,28 @@ struct TwoTets {
   }
 };
 
-TEST(OpenfoamSource, cells_that_are_no_tets_are_refused_with_their_number) {
+TEST(OpenfoamSource, cells_of_no_known_type_are_refused_with_their_number) {
   EXPECT_EQ(TwoTets().refusal(), "");
   TwoTets mesh;
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "4(2 0 4 1)");
   EXPECT_THAT(mesh.refusal(),
-              HasSubstr("faces:9: cell 1 is not a tetrahedron: a face has 4 corners"));
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: it has 3 triangles and 1 quad"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 1 1 0)";
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 0 is not a tetrahedron: it has 5 faces"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 0 is no tet, pyramid, prism or hex: it has 5 triangles and 0 quads"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(0 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(1 2 4)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.faces = changed(mesh.faces, "3(2 0 4)", "3(2 0 3)");
-  EXPECT_THAT(mesh.refusal(), HasSubstr("cell 1 is not a tetrahedron: its faces do not close"));
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("cell 1 is no tet, pyramid, prism or hex: its faces do not close"));
   mesh = {};
   mesh.owner = "7(0 0 0 0 2 2 2)";
   mesh.neighbour = "1(2)";

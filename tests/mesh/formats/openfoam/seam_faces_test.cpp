@@ -32,7 +32,7 @@ TEST(CellFaces, every_face_of_a_tet_is_inner_twice_or_outer_once) {
 TEST(CellFaces, refuses_a_boundary_triangle_inside) {
   GridSource grid(cut_grid(4));
   NumberedPart& part = grid.parts[0];
-  part.faces[0] = cell_faces(part).inner[0].nodes;
+  std::ranges::copy(cell_faces(part).inner[0].nodes, part.faces[0].begin());
   EXPECT_THROW(cell_faces(part), InvalidInput);
 }
 
@@ -43,7 +43,7 @@ TEST(CellFaces, refuses_a_face_of_three_tets) {
   EXPECT_EQ(cell_faces(part).inner.size(), 1U);
   part.tets.push_back({0, 1, 2, 5});
   EXPECT_THAT([&] { cell_faces(part); },
-              ThrowsMessage<InvalidInput>(HasSubstr("a face has more than two tets")));
+              ThrowsMessage<InvalidInput>(HasSubstr("a face has more than two cells")));
 }
 
 TEST(SeamFaces, both_sides_have_the_same_faces_in_the_same_order_turned_round) {
@@ -64,8 +64,8 @@ TEST(SeamFaces, both_sides_have_the_same_faces_in_the_same_order_turned_round) {
     ASSERT_EQ(list.size(), back.size());
     faces += list.size();
     for (std::size_t i = 0; i < list.size(); ++i) {
-      EXPECT_EQ(list[i].nodes, (std::array{back[i].nodes[0], back[i].nodes[2], back[i].nodes[1]}));
-      EXPECT_EQ(list[i].tet, back[i].neighbour_tet);
+      EXPECT_EQ(list[i].nodes, back[i].nodes.turned());
+      EXPECT_EQ(list[i].cell, back[i].neighbour_cell);
     }
   }
   // A cut through all 4 x 4 cubes, and one through 4 x 2.
