@@ -74,8 +74,8 @@ std::vector<Sides> read_sides(const SurfaceCounts& counts, ByteReader& reader) {
 }
 
 [[noreturn]] void refuse_piece(const char* what, std::uint32_t number) {
-  throw Error(ExitCode::failed, "the surface has no " + std::string(what) + ' ' +
-                                    std::to_string(number));
+  throw Error(ExitCode::failed,
+              "the surface has no " + std::string(what) + ' ' + std::to_string(number));
 }
 
 void check_piece(const char* what, std::uint32_t number, std::uint64_t count) {
@@ -87,9 +87,8 @@ template <class Read>
 void in_order(const std::vector<std::uint32_t>& numbers, const Read& read) {
   std::vector<std::size_t> places(numbers.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  std::sort(places.begin(), places.end(), [&numbers](std::size_t a, std::size_t b) {
-    return numbers[a] < numbers[b];
-  });
+  std::sort(places.begin(), places.end(),
+            [&numbers](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
   for (const std::size_t place : places) read(place);
 }
 
@@ -117,9 +116,9 @@ std::string surface_to_bytes(const SurfaceMesh& surface) {
   TF_CHECK(surface.patch_of_triangle.empty() ||
            surface.patch_of_triangle.size() == surface.triangles.size());
   TF_CHECK(surface.sides.empty() || surface.sides.size() == surface.triangles.size());
-  const SurfaceCounts counts = {surface.vertices.size(),          surface.triangles.size(),
-                         surface.patch_of_triangle.size(), surface.patch_names.size(),
-                         surface.sides.size(),             surface.region_names.size()};
+  const SurfaceCounts counts = {
+      surface.vertices.size(),    surface.triangles.size(), surface.patch_of_triangle.size(),
+      surface.patch_names.size(), surface.sides.size(),     surface.region_names.size()};
   ByteWriter writer;
   // Names and checksums take less, so that nothing is copied while it grows.
   writer.reserve(counts.names_at() + counts.names_at() / 128 + block_size);
@@ -143,9 +142,8 @@ SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) 
   const bool has_blocks = !is_surface_without_blocks(bytes);
   // Another kind of file is called that before its checksums are found wrong.
   if (has_blocks) read_begun(bytes, magic, version, name);
-  ByteReader reader = has_blocks
-                          ? read_begun(content_of_blocks(bytes, name), magic, version, name)
-                          : read_checked(bytes, magic, version_without_blocks, name);
+  ByteReader reader = has_blocks ? read_begun(content_of_blocks(bytes, name), magic, version, name)
+                                 : read_checked(bytes, magic, version_without_blocks, name);
   const SurfaceCounts counts = read_counts(reader);
   SurfaceMesh surface;
   surface.vertices = reader.array<Vec3>(counts.vertices);
@@ -183,9 +181,9 @@ SurfacePieces pieces_of(const SurfaceMesh& surface, const WantedPieces& wanted) 
   return pieces;
 }
 
-SurfaceFile::SurfaceFile(const std::filesystem::path& path, std::string name)
-    : file_(path, name) {
-  const std::string begin = file_.read(0, std::min(file_.size(), counts_at + sizeof(SurfaceCounts)));
+SurfaceFile::SurfaceFile(const std::filesystem::path& path, std::string name) : file_(path, name) {
+  const std::string begin =
+      file_.read(0, std::min(file_.size(), counts_at + sizeof(SurfaceCounts)));
   ByteReader reader = read_begun(begin, magic, version, name);
   counts_ = read_counts(reader);
   const std::uint64_t names_at = counts_.names_at();

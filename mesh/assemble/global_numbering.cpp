@@ -12,8 +12,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int64_t most_nodes = std::int64_t{1} << 60;
-
 struct Line {
   std::string_view kind;
   std::vector<std::uint64_t> numbers;
@@ -45,7 +43,7 @@ using Dropped = std::vector<std::uint64_t>;
 bool add_line(const Line& line, Numbering& numbering, std::vector<Dropped>& dropped) {
   const std::vector<std::uint64_t>& n = line.numbers;
   for (const std::uint64_t number : std::span(n).subspan(std::min<std::size_t>(1, n.size()))) {
-    if (number > static_cast<std::uint64_t>(most_nodes)) return false;
+    if (number > static_cast<std::uint64_t>(most_in_numbering)) return false;
   }
   if (line.kind == "cut" && n.size() == 2 && is_heap_number(n[0])) {
     numbering.cuts.push_back({{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}});
@@ -253,7 +251,8 @@ std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
     const std::int64_t index = origin.index;
     const auto after = std::lower_bound(unused.begin(), unused.end(), index);
     const std::int64_t rank = index - (after - unused.begin());
-    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse_node(origin);
+    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index))
+      refuse_node(origin);
     return rank;
   }
   const OwnedNodes* nodes = find_nodes(numbering, TreePath{origin.owner});

@@ -19,6 +19,9 @@
 
 namespace tetfarm {
 
+/// What any count of a cut or leaf is at most.
+inline constexpr std::int64_t most_in_numbering = std::int64_t{1} << 60;
+
 /// Consecutive nodes that are in no tet of the final mesh: cosmetics removed them, or they were on
 /// a cut both sides of which were joined (thesis 4.3.2.2).
 struct DroppedRange {
@@ -73,8 +76,8 @@ struct Numbering {
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
   // Of the surface, for those who see no more of it than their leaf:
-  std::int64_t faces = 0;           ///< sides of its triangles that are meshed
-  std::int32_t regions = 1;         ///< that it bounds
+  std::int64_t faces = 0;          ///< sides of its triangles that are meshed
+  std::int32_t regions = 1;        ///< that it bounds
   std::vector<ForcedNode> forced;  ///< ascending
 };
 

@@ -8,9 +8,9 @@ namespace tetfarm {
 
 LeafNumbering leaf_numbering(const Numbering& numbering, const LeafQuestion& question) {
   const std::vector<LeafNumbers>& leaves = numbering.leaves;
-  const auto leaf = std::lower_bound(
-      leaves.begin(), leaves.end(), question.leaf,
-      [](const LeafNumbers& a, TreePath b) { return comes_before(a.path, b); });
+  const auto leaf =
+      std::lower_bound(leaves.begin(), leaves.end(), question.leaf,
+                       [](const LeafNumbers& a, TreePath b) { return comes_before(a.path, b); });
   if (leaf == leaves.end() || leaf->path != question.leaf) refuse_leaf(question.leaf);
   LeafNumbering result;
   result.number = static_cast<std::int32_t>(leaf - leaves.begin());
@@ -22,9 +22,9 @@ LeafNumbering leaf_numbering(const Numbering& numbering, const LeafQuestion& que
   for (const Origin& origin : question.nodes) {
     result.node_numbers.push_back(global_number(numbering, origin));
     const ForcedNode node = {static_cast<std::int32_t>(origin.index), question.region};
-    result.is_forced.push_back(origin.owner == 0 &&
-                               std::binary_search(numbering.forced.begin(), numbering.forced.end(),
-                                                  node));
+    result.is_forced.push_back(
+        origin.owner == 0 &&
+        std::binary_search(numbering.forced.begin(), numbering.forced.end(), node));
   }
   result.whole = {std::ssize(leaves), numbering.tets, numbering.faces, numbering.regions};
   return result;

@@ -26,11 +26,11 @@ struct MeshTotals {
 };
 
 struct LeafNumbering {
-  std::int32_t number = 0;        ///< of the leaf, from 0 in tree order
-  std::int64_t first_node = 0;    ///< global number of its first interior node
-  std::int64_t kept_nodes = 0;    ///< interior nodes that are in the mesh
-  std::int64_t tets = 0;          ///< of the leaf
-  std::int64_t first_tet = 0;     ///< tets of the leaves before
+  std::int32_t number = 0;      ///< of the leaf, from 0 in tree order
+  std::int64_t first_node = 0;  ///< global number of its first interior node
+  std::int64_t kept_nodes = 0;  ///< interior nodes that are in the mesh
+  std::int64_t tets = 0;        ///< of the leaf
+  std::int64_t first_tet = 0;   ///< tets of the leaves before
   /// Triangles of the input surface in the leaves before; nothing where not all leaves' were
   /// counted.
   std::optional<std::int64_t> first_face;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/artifacts/checked_bytes.h"
 
@@ -40,6 +41,9 @@ constexpr std::uint64_t leaf_size = owner_size + 3 * 8;
 constexpr std::uint64_t head_size = magic.size() + sizeof version + 5 * 8 + 5 * 8;
 
 static_assert(sizeof(DroppedRange) == 24 && sizeof(ForcedNode) == 8);
+
+/// Whether it can be a count or a number of nodes or elements.
+bool is_possible(std::int64_t count) { return count >= 0 && count <= most_in_numbering; }
 
 void write_head(const Numbering& numbering, ByteWriter& writer) {
   std::uint64_t dropped = 0;
@@ -87,6 +91,15 @@ void write_tables(const Numbering& numbering, ByteWriter& writer) {
   for (const LeafNumbers& leaf : numbering.leaves) writer.array(leaf.nodes.dropped);
 }
 
+std::string content_of(const Numbering& numbering) {
+  TF_CHECK(!numbering.leaves.empty());
+  ByteWriter writer;
+  write_head(numbering, writer);
+  write_tables(numbering, writer);
+  writer.text(numbering_to_text(numbering));
+  return writer.take();
+}
+
 struct Head {
   MeshTotals whole;
   std::int64_t surface_nodes = 0;
@@ -100,6 +113,10 @@ Head read_head(std::string_view begin, const std::string& name) {
   head.surface_nodes = reader.number<std::int64_t>();
   head.whole.tets = reader.number<std::int64_t>();
   head.whole.faces = reader.number<std::int64_t>();
+  if (!is_possible(head.surface_nodes) || !is_possible(head.whole.tets) ||
+      !is_possible(head.whole.faces)) {
+    reader.fail("has impossible counts");
+  }
   head.whole.regions = static_cast<std::int32_t>(reader.count());
   head.counts_faces = reader.count() != 0;
   head.tables.unused = reader.count();
@@ -122,13 +139,12 @@ std::uint64_t first_place(std::uint64_t count, const IsBehind& is_behind) {
   return found == places.end() ? count : *found;
 }
 
-/// The entry of that path in a table in tree order. `entry` reads one, `path_of` tells whose it is.
-template <class Entry, class PathOf>
-std::optional<std::uint64_t> place_of(TreePath path, std::uint64_t count, const Entry& entry,
-                                      const PathOf& path_of) {
-  const std::uint64_t place = first_place(
-      count, [&](std::uint64_t i) { return !comes_before(path_of(entry(i)), path); });
-  if (place == count || path_of(entry(place)) != path) return std::nullopt;
+/// Where that path is in a table in tree order; `path_at` tells whose an entry is.
+template <class PathAt>
+std::optional<std::uint64_t> place_of(TreePath path, std::uint64_t count, const PathAt& path_at) {
+  const std::uint64_t place =
+      first_place(count, [&](std::uint64_t i) { return !comes_before(path_at(i), path); });
+  if (place == count || path_at(place) != path) return std::nullopt;
   return place;
 }
 
@@ -151,11 +167,7 @@ std::uint64_t NumberingTables::text_at() const {
 }
 
 std::string numbering_to_bytes(const Numbering& numbering) {
-  ByteWriter writer;
-  write_head(numbering, writer);
-  write_tables(numbering, writer);
-  writer.text(numbering_to_text(numbering));
-  return with_block_checksums(writer.take());
+  return with_block_checksums(content_of(numbering));
 }
 
 Numbering numbering_from_bytes(std::string_view bytes, const std::string& name) {
@@ -163,9 +175,18 @@ Numbering numbering_from_bytes(std::string_view bytes, const std::string& name) 
   // Another kind of file is called that before its checksums are found wrong.
   read_begun(bytes, magic, version, name);
   const std::string_view content = content_of_blocks(bytes, name);
-  const std::uint64_t text_at = read_head(content, name).tables.text_at();
-  if (text_at > content.size()) throw CorruptFile("is cut short", name);
-  return numbering_from_text(content.substr(text_at), name);
+  const Head head = read_head(content, name);
+  if (head.tables.text_at() > content.size()) throw CorruptFile("is cut short", name);
+  Numbering numbering = numbering_from_text(content.substr(head.tables.text_at()), name);
+  numbering.faces = head.whole.faces;
+  numbering.regions = head.whole.regions;
+  numbering.forced = ByteReader(content.substr(head.tables.forced_at()), name)
+                         .array<ForcedNode>(head.tables.forced);
+  if (!std::is_sorted(numbering.forced.begin(), numbering.forced.end()) ||
+      content_of(numbering) != content) {
+    throw CorruptFile("has tables that are not those of its text", name);
+  }
+  return numbering;
 }
 
 bool is_numbering_text(std::string_view begin) { return begin.starts_with(text_magic); }
@@ -181,11 +202,10 @@ NumberingFile::NumberingFile(const std::filesystem::path& path, std::string name
 }
 
 LeafNumbering NumberingFile::leaf(const LeafQuestion& question) {
-  const auto entry = [this](std::uint64_t i) { return file_.item<Leaf>(tables_.leaves_at(), i); };
-  const auto place = place_of(question.leaf, tables_.leaves, entry,
-                              [](const Leaf& leaf) { return TreePath{leaf.nodes.heap}; });
+  const auto place = place_of(question.leaf, tables_.leaves,
+                              [this](std::uint64_t i) { return TreePath{leaf_at(i).nodes.heap}; });
   if (!place) refuse_leaf(question.leaf);
-  const Leaf leaf = entry(*place);
+  const Leaf leaf = leaf_at(*place);
   LeafNumbering result;
   result.number = static_cast<std::int32_t>(*place);
   result.first_node = leaf.nodes.first_node;
@@ -227,21 +247,50 @@ void NumberingFile::add_nodes(const LeafQuestion& question, LeafNumbering& resul
 
 NumberingFile::Owner NumberingFile::find_owner(const Origin& origin) {
   const TreePath path{origin.owner};
-  const auto path_of = [](const Owner& owner) { return TreePath{owner.heap}; };
-  const auto cut = [this](std::uint64_t i) { return file_.item<Owner>(tables_.cuts_at(), i); };
-  const auto leaf = [this](std::uint64_t i) {
-    return file_.item<Leaf>(tables_.leaves_at(), i).nodes;
-  };
-  if (const auto place = place_of(path, tables_.cuts, cut, path_of)) return cut(*place);
-  if (const auto place = place_of(path, tables_.leaves, leaf, path_of)) return leaf(*place);
+  if (const auto cut = place_of(path, tables_.cuts,
+                                [this](std::uint64_t i) { return TreePath{cut_at(i).heap}; })) {
+    return cut_at(*cut);
+  }
+  if (const auto leaf = place_of(path, tables_.leaves, [this](std::uint64_t i) {
+        return TreePath{leaf_at(i).nodes.heap};
+      })) {
+    return leaf_at(*leaf).nodes;
+  }
   refuse_node(origin);
 }
 
+NumberingFile::Owner NumberingFile::cut_at(std::uint64_t i) {
+  static_assert(sizeof(Owner) == owner_size);
+  return checked(file_.item<Owner>(tables_.cuts_at(), i));
+}
+
+NumberingFile::Leaf NumberingFile::leaf_at(std::uint64_t i) {
+  static_assert(sizeof(Leaf) == leaf_size);
+  const Leaf leaf = file_.item<Leaf>(tables_.leaves_at(), i);
+  if (!is_possible(leaf.tets) || !is_possible(leaf.first_tet) || !is_possible(leaf.first_face)) {
+    file_.fail("has impossible counts");
+  }
+  checked(leaf.nodes);
+  return leaf;
+}
+
+const NumberingFile::Owner& NumberingFile::checked(const Owner& owner) const {
+  if (owner.heap == 0 || !is_possible(owner.made) || !is_possible(owner.first_node) ||
+      owner.first_dropped > tables_.dropped ||
+      owner.dropped > tables_.dropped - owner.first_dropped) {
+    file_.fail("has impossible counts");
+  }
+  return owner;
+}
+
 DroppedRange NumberingFile::dropped_range(const Owner& owner, std::uint64_t i) {
-  if (owner.first_dropped > tables_.dropped || i >= tables_.dropped - owner.first_dropped) {
+  TF_CHECK(i < owner.dropped);
+  const auto range = file_.item<DroppedRange>(tables_.dropped_at(), owner.first_dropped + i);
+  if (!is_possible(range.first) || !is_possible(range.count) || range.before < 0 ||
+      range.before > range.first || range.first + range.count > owner.made) {
     file_.fail("drops nodes that do not exist");
   }
-  return file_.item<DroppedRange>(tables_.dropped_at(), owner.first_dropped + i);
+  return range;
 }
 
 std::int64_t NumberingFile::number_of(const Owner& owner, const Origin& origin) {

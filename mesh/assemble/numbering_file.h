@@ -17,8 +17,9 @@ namespace tetfarm {
 
 std::string numbering_to_bytes(const Numbering& numbering);
 
-/// All but the figures of the surface (add_surface_figures), which only leaves need. Also of a text
-/// alone, for jobs that were begun by an older version. @throws CorruptFile naming `name`.
+/// Also of a text alone, for jobs that were begun by an older version: that does not have the
+/// figures of the surface (add_surface_figures). @throws CorruptFile naming `name`, also where the
+/// tables say anything else than the text. Cost: O(n log n).
 Numbering numbering_from_bytes(std::string_view bytes, const std::string& name);
 
 /// Whether a file that begins like this is such a text: it has no tables for leaves.
@@ -49,8 +50,8 @@ class NumberingFile {
   const MeshTotals& whole() const { return whole_; }
   /// The same as leaf_numbering of the whole. @throws Error as that does.
   /// Cost: O(n log m) for n nodes that are asked for and m entries in the tables, in memory of the
-  /// nodes; the blocks of the file that are read are fewer where the nodes' numbers are near to each
-  /// other.
+  /// nodes; the blocks of the file that are read are fewer where the nodes' numbers are near to
+  /// each other.
   LeafNumbering leaf(const LeafQuestion& question);
   std::uint64_t bytes_read() const { return file_.bytes_read(); }
 
@@ -59,6 +60,9 @@ class NumberingFile {
   struct Leaf;
   void add_nodes(const LeafQuestion& question, LeafNumbering& result);
   Owner find_owner(const Origin& origin);
+  Owner cut_at(std::uint64_t i);
+  Leaf leaf_at(std::uint64_t i);
+  const Owner& checked(const Owner& owner) const;
   DroppedRange dropped_range(const Owner& owner, std::uint64_t i);
   std::int64_t number_of(const Owner& owner, const Origin& origin);
   std::int64_t number_on_surface(const Origin& origin);

@@ -35,9 +35,8 @@ void check_counts(const MeshPart& part, const LeafNumbering& numbering) {
 
 std::vector<std::int64_t> local2global_of(const MeshPart& part, const LeafNumbering& numbering) {
   TF_CHECK(numbering.node_numbers.size() == part.subdomain.node_origin.size());
-  std::vector<std::int64_t> numbers;
+  std::vector<std::int64_t> numbers = numbering.node_numbers;
   numbers.reserve(part.mesh.nodes.size());
-  numbers = numbering.node_numbers;
   const std::int64_t interior = std::ssize(part.mesh.nodes) - part.mesh.boundary_nodes;
   for (std::int64_t i = 0; i < interior; ++i) numbers.push_back(numbering.first_node + i);
   TF_CHECK(numbers.size() == part.mesh.nodes.size());

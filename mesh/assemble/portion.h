@@ -94,8 +94,8 @@ WantedPieces surface_pieces(const Subdomain& subdomain);
 /// them, and its triangles of the surface have the nodes that they have there.
 /// @pre `surface` is what the surface has as the part's surface_pieces, and `numbering` the answer
 /// for its node_origin.
-/// @throws Error when the part does not fit to them. Cost: O(n) for n elements and nodes of the part;
-/// memory of the part twice.
+/// @throws Error when the part does not fit to them. Cost: O(n) for n elements and nodes of the
+/// part; memory of the part twice.
 Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumbering& numbering);
 
 /// What a portion has, as its first bytes tell.
