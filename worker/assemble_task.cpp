@@ -7,9 +7,10 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/job_name.h"
-#include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/numbering_file.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/inspect/small_angles.h"
 #include "mesh/job_file/job_file.h"
@@ -84,7 +85,7 @@ class ResultFiles {
   void start(const std::string& format) {
     if (format == "vtkhdf") {
       vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_mesh_file(io_), counts_of(io_, numbering_),
-                                               surface_, [this](std::size_t i) {
+                                               VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
                                                  const LeafNumbers& leaf = numbering_.leaves.at(i);
                                                  Portion portion = read_portion(io_, leaf);
                                                  read_tets(io_, leaf, portion);
@@ -208,7 +209,7 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
 void assemble_task(TaskIo& io) {
   const JobFile job = parse_job_file(io.read("job"), "job.toml");
   const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
-  const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
+  const Numbering numbering = numbering_from_bytes(io.read("numbering"), "numbering");
   report_cost(io, cost_of(surface, numbering));
   ResultFiles files(io, job, surface, numbering);
   io.progress().begin(WorkStage::assemble, numbering.leaves.size());

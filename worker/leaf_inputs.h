@@ -23,13 +23,13 @@ class SurfaceInput {
   SurfacePieces pieces(const WantedPieces& wanted);
   const std::vector<std::string>& patch_names() const;
   const std::vector<std::string>& region_names() const;
-  /// All of it, for who needs more than pieces. @throws DamagedInput. Cost: O(surface).
-  SurfaceMesh whole() const;
+  /// Adds the figures of the surface. @throws DamagedInput. Cost: O(n log n) for the whole surface.
+  void add_figures(Numbering& numbering) const;
 
  private:
   const TaskIo& io_;
-  std::optional<SurfaceMesh> whole_;  ///< of a file without blocks
   std::optional<SurfaceFile> file_;
+  std::optional<SurfaceMesh> whole_;  ///< where there are no blocks
 };
 
 /// The numbering of the job, as far as one leaf goes. Damage is that of the task's input.
@@ -38,14 +38,15 @@ class NumberingInput {
   /// Of the input "numbering". @throws DamagedInput.
   NumberingInput(const TaskIo& io, const SurfaceInput& surface);
 
+  /// Of the whole surface.
   std::int32_t regions() const;
   /// As leaf_numbering. @throws DamagedInput; Error when there is no such leaf or node.
   LeafNumbering leaf(const LeafQuestion& question);
 
  private:
   const TaskIo& io_;
-  std::optional<Numbering> whole_;  ///< of a text
   std::optional<NumberingFile> file_;
+  std::optional<Numbering> whole_;  ///< where there is a text alone
 };
 
 }  // namespace tetfarm

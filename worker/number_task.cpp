@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "mesh/artifacts/artifact_file.h"
-#include "mesh/assemble/global_numbering.h"
+#include "mesh/artifacts/surface_file.h"
+#include "mesh/assemble/numbering_file.h"
 #include "worker/element_input.h"
 #include "worker/task_cost.h"
 
@@ -98,7 +98,7 @@ void number_task(TaskIo& io) {
   if (io.has_parameter("order")) table = cuts_of(table) + leaves_after_cosmetics(io, gone);
   std::sort(gone.begin(), gone.end());
   table += dropped_lines(gone);
-  io.publish("numbering", numbering_to_text(number_globally(surface, table)));
+  io.publish("numbering", numbering_to_bytes(number_globally(surface, table)));
 }
 
 }  // namespace tetfarm

@@ -10,6 +10,7 @@
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "tests/base/temp_folder.h"
+#include "tests/mesh/artifacts/surface_without_blocks.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -231,6 +232,7 @@ TEST_F(SurfaceFiles, without_blocks_are_read_whole) {
   EXPECT_THAT(surface.patch_names, testing::ElementsAre("outer", "inner"));
   EXPECT_EQ(meshed_sides(surface), 144);
   EXPECT_NEAR(domain_volume(surface), 27, 1e-12);
+  EXPECT_EQ(surface_without_blocks(surface), bytes) << "what other tests take for such a file";
   const std::string again = surface_to_bytes(surface);
   EXPECT_FALSE(is_surface_without_blocks(again));
   expect_same_surface(surface_from_bytes(again, "new"), surface);

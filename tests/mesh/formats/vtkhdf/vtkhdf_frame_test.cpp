@@ -40,18 +40,18 @@ std::vector<VtkhdfCounts> some_parts(std::size_t count, std::int64_t tets) {
 }
 
 TEST_F(PlacesOfCells, are_those_of_the_frame_whatever_the_number_of_parts) {
-  for (std::size_t count = 1; count < 600; ++count) {
+  for (std::size_t count = 1; count < 3000; count += 1 + count / 20) {
     expect_those_of_the_frame(some_parts(count, 10), {{"wall"}, {}});
   }
-  for (const std::size_t count : {1000U, 4095U, 4096U, 4097U, 100'000U}) {
+  for (const std::size_t count : {4096U, 100'000U}) {
     expect_those_of_the_frame(some_parts(count, 1'000'000), {{"wall"}, {}});
   }
 }
 
 TEST_F(PlacesOfCells, are_those_of_the_frame_whatever_the_names) {
   std::vector<std::string> patches;
-  for (int i = 0; i < 300; ++i) {
-    patches.push_back(std::string(static_cast<std::size_t>(i % 50), 'p') + std::to_string(i));
+  for (int i = 0; i < 40; ++i) {
+    patches.push_back(std::string(static_cast<std::size_t>(3 * i), 'p') + std::to_string(i));
     expect_those_of_the_frame(some_parts(37, 5), {patches, {"steel", "air"}});
   }
 }
