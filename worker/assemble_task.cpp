@@ -84,13 +84,14 @@ class ResultFiles {
  private:
   void start(const std::string& format) {
     if (format == "vtkhdf") {
-      vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_mesh_file(io_), counts_of(io_, numbering_),
-                                               VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
-                                                 const LeafNumbers& leaf = numbering_.leaves.at(i);
-                                                 Portion portion = read_portion(io_, leaf);
-                                                 read_tets(io_, leaf, portion);
-                                                 return std::move(portion.part);
-                                               });
+      vtkhdf_ = std::make_unique<SharedVtkhdf>(
+          shared_mesh_file(io_), counts_of(io_, numbering_),
+          VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
+            const LeafNumbers& leaf = numbering_.leaves.at(i);
+            Portion portion = read_portion(io_, leaf);
+            read_tets(io_, leaf, portion);
+            return std::move(portion.part);
+          });
     } else {
       ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));

@@ -43,8 +43,8 @@ void place(const TaskIo& io, const SurfaceInput& surface, const LeafNumbering& n
   if (!is_wanted || !numbering.first_face) return;
   SharedFile file = shared_mesh_file(io);
   if (io.is_apart()) file.path.clear();
-  portion.placed = place_cells(file, portion.part, numbering,
-                               {surface.patch_names(), surface.region_names()});
+  portion.placed =
+      place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
 }
 
 /// What the job's gate on unforced angles is judged by, all leaves together.

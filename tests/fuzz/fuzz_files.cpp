@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "mesh/artifacts/artifact_file.h"
-#include "mesh/artifacts/surface_file.h"
 #include "mesh/artifacts/element_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/assemble/numbering_file.h"
 #include "mesh/formats/flite/read_flite_sources.h"
 #include "mesh/formats/gzip.h"
@@ -98,8 +98,8 @@ void read_tets(const std::string& bytes) {
   tet_mesh_from_bytes(bytes, subdomain, "mesh");
 }
 
-/// What is read must be written as it was read, and pieces of it must be what the whole has there. Of
-/// one block the checksum is that of a surface without blocks, too.
+/// What is read must be written as it was read, and pieces of it must be what the whole has there.
+/// Of one block the checksum is that of a surface without blocks, too.
 void read_surface_artifact(const std::string& bytes) {
   const SurfaceMesh surface = surface_from_bytes(bytes, "surface");
   const std::string again = surface_to_bytes(surface);
