@@ -11,7 +11,8 @@
 namespace tetfarm {
 namespace {
 
-/// A cut box with needles, as far as its nodes are numbered.
+/// A cut box with needles, as far as its nodes are numbered. Surface and numbering have two blocks, as
+/// there are many vertices that no triangle uses.
 class LeafInputs : public test::TaskChain {
  protected:
   void SetUp() override {
@@ -20,6 +21,7 @@ class LeafInputs : public test::TaskChain {
     for (Vec3& v : box.vertices) {
       if (v == Vec3{2, 2, 4}) v.x = 2.999;
     }
+    box.vertices.resize(1200, Vec3{5, 5, 5});
     const wire::Envelope inspected = inspect(job, box);
     files_ = {{"job", publish(to_toml(job))}, {"surface", output(inspected, "surface")}};
     std::string table;
@@ -83,9 +85,13 @@ TEST_F(LeafInputs, of_earlier_versions_give_the_same_portions) {
 }
 
 TEST_F(LeafInputs, that_are_damaged_are_told_apart) {
-  for (const char* name : {"surface", "numbering"}) {
+  const std::uint64_t triangles = SurfaceCounts{1200}.triangles_at() + 100;
+  ASSERT_GT(bytes(files_["numbering"]).size(), 5000U);
+  using Place = std::pair<const char*, std::uint64_t>;
+  for (const auto& [name, place] : {Place{"surface", 20}, Place{"surface", triangles},
+                                    Place{"numbering", 20}, Place{"numbering", 4900}}) {
     const std::string whole = bytes(files_[name]);
-    damage(files_[name], 20);
+    damage(files_[name], place);
     for (const auto& [heap, result] : write_all(files_["surface"], files_["numbering"])) {
       ASSERT_TRUE(result.has_failed()) << name;
       ASSERT_EQ(result.failed().damaged_inputs_size(), 1) << name;

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "mesh/assemble/leaf_numbering.h"
 #include "tests/support/shapes.h"
 
@@ -39,6 +41,7 @@ class RandomNumbering {
     grow({1}, leaves);
     numbering_ = number_globally(surface, table_);
     vertices_ = static_cast<std::uint32_t>(surface.vertices.size());
+    force_some_nodes();
   }
 
   const Numbering& numbering() const { return numbering_; }
@@ -77,6 +80,16 @@ class RandomNumbering {
   std::uint32_t pick(std::size_t below) { return static_cast<std::uint32_t>(random_() % below); }
 
  private:
+  /// In one region, or the other, or both, whatever the surface is like.
+  void force_some_nodes() {
+    std::set<ForcedNode> forced;
+    for (std::uint32_t i = pick(300); i > 0; --i) {
+      forced.insert({static_cast<std::int32_t>(pick(vertices_)),
+                     static_cast<std::int32_t>(1 + pick(2))});
+    }
+    numbering_.forced.assign(forced.begin(), forced.end());
+  }
+
   template <class Owner>
   Origin some_node_of(const Owner& owner) {
     return {owner.path.heap, pick(static_cast<std::size_t>(owner.nodes.made) + 2)};
