@@ -16,8 +16,8 @@ namespace tetfarm {
 /// The surface of the job, in pieces. Damage is that of the task's input.
 class SurfaceInput {
  public:
-  /// Of the input "surface". @throws DamagedInput.
-  explicit SurfaceInput(const TaskIo& io);
+  /// @throws DamagedInput.
+  SurfaceInput(const TaskIo& io, TaskFile surface);
 
   /// As pieces_of. @throws DamagedInput; Error when there is no such piece.
   SurfacePieces pieces(const WantedPieces& wanted);
@@ -28,6 +28,7 @@ class SurfaceInput {
 
  private:
   const TaskIo& io_;
+  TaskFile input_;
   std::optional<SurfaceFile> file_;
   std::optional<SurfaceMesh> whole_;  ///< where there are no blocks
 };
@@ -35,8 +36,8 @@ class SurfaceInput {
 /// The numbering of the job, as far as one leaf goes. Damage is that of the task's input.
 class NumberingInput {
  public:
-  /// Of the input "numbering". @throws DamagedInput.
-  NumberingInput(const TaskIo& io, const SurfaceInput& surface);
+  /// `surface` is that of the same job. @throws DamagedInput.
+  NumberingInput(const TaskIo& io, TaskFile numbering, const SurfaceInput& surface);
 
   /// Of the whole surface.
   std::int32_t regions() const;
@@ -45,6 +46,7 @@ class NumberingInput {
 
  private:
   const TaskIo& io_;
+  TaskFile input_;
   std::optional<NumberingFile> file_;
   std::optional<Numbering> whole_;  ///< where there is a text alone
 };

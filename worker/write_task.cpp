@@ -9,6 +9,7 @@
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
+#include "tasks/write_contract.h"
 #include "worker/leaf_inputs.h"
 #include "worker/part_after_cosmetics.h"
 #include "worker/shared_mesh_file.h"
@@ -17,31 +18,33 @@
 namespace tetfarm {
 namespace {
 
-MeshPart part_as_meshed(const TaskIo& io) {
+MeshPart part_as_meshed(const TaskIo& io, const WriteGiven& given) {
   MeshPart part;
-  part.subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  part.mesh = tet_mesh_from_bytes(io.read("mesh"), part.subdomain, "mesh");
+  part.subdomain = io.read(given.subdomain, subdomain_from_bytes);
+  part.mesh = io.read(given.mesh, [&part](const std::string& bytes, const std::string& name) {
+    return tet_mesh_from_bytes(bytes, part.subdomain, name);
+  });
   part.is_on_cut = nodes_on_cuts(part.subdomain);
   return part;
 }
 
-MeshPart read_part(const TaskIo& io, std::int32_t regions) {
-  if (!io.has_parameter("colours")) return part_as_meshed(io);
+MeshPart read_part(const TaskIo& io, const WriteGiven& given, std::int32_t regions) {
+  if (!given.colours) return part_as_meshed(io, given);
   const TreePath leaf{io.assign().path()};
-  MeshPart part = part_after_cosmetics(io, leaf, colours_of(io.parameter("colours")));
+  MeshPart part = part_after_cosmetics(io, given, leaf, colours_of(*given.colours));
   part.subdomain.region = region_of_leaf(leaf, regions);
   return part;
 }
 
 /// Where it may, it writes into the file of all. The portion says the same if it may not: the same
 /// inputs give the same bytes, wherever the task runs.
-void place(const TaskIo& io, const SurfaceInput& surface, const LeafNumbering& numbering,
-           Portion& portion) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
+void place(const TaskIo& io, const WriteGiven& given, const SurfaceInput& surface,
+           const LeafNumbering& numbering, Portion& portion) {
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const std::vector<std::string> formats = formats_of_tasks(job.formats);
   const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
   if (!is_wanted || !numbering.first_face) return;
-  SharedFile file = shared_mesh_file(io);
+  SharedFile file = shared_mesh_file(io, given.surface, given.numbering);
   if (io.is_apart()) file.path.clear();
   portion.placed =
       place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
@@ -60,21 +63,24 @@ void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
 }  // namespace
 
 void write_task(TaskIo& io) {
-  SurfaceInput surface(io);
-  NumberingInput numbering(io, surface);
+  const auto given = io.given<WriteGiven>();
+  SurfaceInput surface(io, given.surface);
+  NumberingInput numbering(io, given.numbering, surface);
   io.progress().begin(WorkStage::write);
-  MeshPart part = read_part(io, numbering.regions());
+  MeshPart part = read_part(io, given, numbering.regions());
   const auto tets = static_cast<double>(part.mesh.tets.size());
   report_cost(io, write_cost(tets));
   const Subdomain& leaf = part.subdomain;
   const LeafNumbering numbers = numbering.leaf({leaf.path, leaf.region, leaf.node_origin});
   const SurfacePieces pieces = surface.pieces(surface_pieces(leaf));
   Portion portion = make_portion(std::move(part), pieces, numbers);
-  place(io, surface, numbers, portion);
+  place(io, given, surface, numbers, portion);
   io.number("tets", tets);
   report_unforced(io, unforced_tets(portion, numbers.is_forced));
-  io.publish("portion", portion_to_bytes(portion));
-  io.publish("tets", portion_tets_to_bytes(portion));
+  WriteMade made;
+  made.portion = io.publish(portion_to_bytes(portion));
+  made.tets = io.publish(portion_tets_to_bytes(portion));
+  io.made(made);
 }
 
 }  // namespace tetfarm

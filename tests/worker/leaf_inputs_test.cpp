@@ -11,8 +11,8 @@
 namespace tetfarm {
 namespace {
 
-/// A cut box with needles, as far as its nodes are numbered. Surface and numbering have two blocks, as
-/// there are many vertices that no triangle uses.
+/// A cut box with needles, as far as its nodes are numbered. Surface and numbering have two blocks,
+/// as there are many vertices that no triangle uses.
 class LeafInputs : public test::TaskChain {
  protected:
   void SetUp() override {

@@ -84,8 +84,8 @@ class RandomNumbering {
   void force_some_nodes() {
     std::set<ForcedNode> forced;
     for (std::uint32_t i = pick(300); i > 0; --i) {
-      forced.insert({static_cast<std::int32_t>(pick(vertices_)),
-                     static_cast<std::int32_t>(1 + pick(2))});
+      forced.insert(
+          {static_cast<std::int32_t>(pick(vertices_)), static_cast<std::int32_t>(1 + pick(2))});
     }
     numbering_.forced.assign(forced.begin(), forced.end());
   }
