@@ -79,6 +79,18 @@ TEST(Portion, its_counts_are_told_by_its_first_bytes) {
   EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
 }
 
+TEST(Portion, a_node_of_the_surface_elsewhere_along_any_axis_is_refused) {
+  for (int axis = 0; axis < 3; ++axis) {
+    CutGrid grid = cut_grid(2);
+    MeshPart& part = grid.parts.at(7);
+    const std::vector<Origin>& origins = part.subdomain.node_origin;
+    std::size_t v = 0;
+    while (origins.at(v).owner != 0) ++v;
+    part.mesh.nodes[v][axis] = std::nextafter(part.mesh.nodes[v][axis], 9);
+    EXPECT_THROW(portion_of(grid, 7), Error) << axis;
+  }
+}
+
 TEST(Portion, an_element_of_no_node_is_refused) {
   for (const std::int32_t wrong : {-1, std::numeric_limits<std::int32_t>::max()}) {
     Portion portion = portion_of(cut_grid(2), 7);
