@@ -69,6 +69,7 @@ TEST(TaskGraph, heap_numbers_do_not_overflow) {
   deep.path = deepest_cut / 2 + 1;
   TaskRow cut;
   cut.job = JobId{1};
+  cut.kind = TaskKind::decompose;
   cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 4}, {"right_parts", 4}};
   const GraphStep step = after_decompose(inspect, cut, deep, false);
@@ -80,7 +81,7 @@ TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
   SubdomainRow left{JobId{1}, 2, 1, SubdomainState::leaf, 0, 5, 40, true, "h", 1};
   SubdomainRow right{JobId{1}, 3, 1, SubdomainState::leaf, 0, 6, 50, true, "h", 1};
   const std::vector<SubdomainRow> tree = {cut, left, right};
-  EXPECT_EQ(number_task(inspected(2), nullptr, tree).parameters.at("table"),
+  EXPECT_EQ(given_to_number(inspected(2), nullptr, tree).table,
             "cut 1 9\nleaf 2 5 40\nleaf 3 6 50\n");
 }
 
