@@ -85,6 +85,21 @@ TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
             "cut 1 9\nleaf 2 5 40\nleaf 3 6 50\n");
 }
 
+TEST(TaskGraph, a_leaf_is_written_from_its_own_mesh_and_what_all_leaves_share) {
+  const TaskRow inspect = inspected(1);
+  TaskRow mesh = after_inspect(inspect).tasks.at(0);
+  mesh.outputs = {fake_file("mesh", "m")};
+  TaskRow number;
+  number.kind = TaskKind::number;
+  number.outputs = {fake_file("numbering", "n")};
+  WriteGiven given = given_to_write(inspect, number);
+  add_mesh(mesh, given);
+  EXPECT_THAT(
+      new_task(JobId{1}, 1, given).inputs,
+      ElementsAre(fake_file("job", "j"), fake_file("surface", "s"), fake_file("numbering", "n"),
+                  fake_file("subdomain", "r"), fake_file("mesh", "m")));
+}
+
 TEST(TaskGraph, results_without_their_files_are_unusable) {
   TaskRow cut;
   cut.kind = TaskKind::decompose;
