@@ -117,9 +117,11 @@ TEST(TaskGraph, results_without_their_files_are_unusable) {
 }
 
 TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) {
-  const TaskRow inspect = inspected(4);
+  TaskRow inspect = inspected(4);
+  inspect.numbers["most_bytes"] = 5e8;
   const GraphStep first = after_inspect(inspect);
   TaskRow cut = first.tasks[0];
+  EXPECT_EQ(cut.parameters.at("most_bytes"), "500000000");
   cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
