@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
@@ -76,6 +77,18 @@ TEST(Portion, its_counts_are_told_by_its_first_bytes) {
   EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
   write_file_atomically(path, "something else, and long enough to have had counts in it");
   EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
+}
+
+TEST(Portion, a_node_of_the_surface_elsewhere_along_any_axis_is_refused) {
+  for (int axis = 0; axis < 3; ++axis) {
+    CutGrid grid = cut_grid(2);
+    MeshPart& part = grid.parts.at(7);
+    const std::vector<Origin>& origins = part.subdomain.node_origin;
+    std::size_t v = 0;
+    while (origins.at(v).owner != 0) ++v;
+    part.mesh.nodes[v][axis] = std::nextafter(part.mesh.nodes[v][axis], 9);
+    EXPECT_THROW(portion_of(grid, 7), Error) << axis;
+  }
 }
 
 TEST(Portion, an_element_of_no_node_is_refused) {
