@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
-#include "tests/support/shapes.h"
+#include "tests/mesh/decompose/flat_cut.h"
 
 namespace tetfarm {
 namespace {
@@ -88,6 +90,126 @@ TEST(SurfaceContacts, near_a_cut_are_looked_for_among_the_surface_near_it) {
   }
   EXPECT_EQ(find_nearby_surface(cut_at(0.9), box, topology, 9).triangles.size(),
             box.triangles.size());
+}
+
+TEST(ClosestInTriangle, is_that_of_faces_edges_and_corners) {
+  const Vec3 a{0, 0, 0};
+  const Vec3 b{2, 0, 0};
+  const Vec3 c{0, 2, 0};
+  EXPECT_EQ(closest_in_triangle({0.5, 0.5, 3}, a, b, c).point, (Vec3{0.5, 0.5, 0}));
+  EXPECT_EQ(closest_in_triangle({1, -2, 0}, a, b, c).point, (Vec3{1, 0, 0}));
+  EXPECT_EQ(closest_in_triangle({-1, -1, 0}, a, b, c).point, a);
+  EXPECT_EQ(closest_in_triangle({3, 0, 4}, a, b, c).distance2, 17);
+}
+
+TEST(ClosestInTriangle, of_a_triangle_without_area_is_on_its_longest_edge) {
+  const Vec3 a{0, 0, 0}, b{3, 0, 0}, c{1, 0, 0};
+  EXPECT_EQ(closest_in_triangle({2, 1, 0}, a, b, c).point, (Vec3{2, 0, 0}));
+  EXPECT_EQ(closest_in_triangle({2, 1, 0}, c, a, b).distance2, 1);
+  EXPECT_EQ(closest_in_triangle({2, 1, 0}, a, a, a).distance2, 5);
+}
+
+NearbySurface whole_surface(const Subdomain& subdomain) {
+  NearbySurface all;
+  all.triangles.resize(subdomain.triangles.size());
+  std::iota(all.triangles.begin(), all.triangles.end(), 0);
+  for (const Triangle& triangle : subdomain.triangles) {
+    Box3 box;
+    for (const std::int32_t v : triangle) box.add(subdomain.vertices[at(v)]);
+    all.boxes.push_back(box);
+  }
+  all.tree = BoxTree(all.boxes);
+  return all;
+}
+
+using Pair = std::array<std::int32_t, 2>;
+
+std::vector<Pair> pairs_of(const std::vector<SurfaceContact>& contacts) {
+  std::vector<Pair> pairs;
+  for (const SurfaceContact& contact : contacts) {
+    pairs.push_back({contact.cut_triangle, contact.surface_triangle});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// The vertices of a cut triangle as the sub-domain numbers them; -1: a new node.
+std::array<std::int32_t, 3> vertices_of(const InterdomainMesh& mesh, std::int32_t triangle) {
+  std::array<std::int32_t, 3> vertices = mesh.planar.triangles[at(triangle)];
+  for (std::int32_t& v : vertices) v = mesh.is_rim_node(v) ? mesh.rim_vertices[at(v)] : -1;
+  return vertices;
+}
+
+TEST(SurfaceContacts, of_a_plate_that_the_cut_nearly_touches_are_all_pairs_within_reach) {
+  const FlatCut cut = cut_at_plate(0.51, 0.6);
+  constexpr double reach = 0.4;
+  const auto contacts =
+      find_contacts(cut.mesh, cut.subdomain, cut.topology, whole_surface(cut.subdomain), reach);
+  std::vector<Pair> expected;
+  for (std::int32_t i = 0; i < std::ssize(cut.mesh.planar.triangles); ++i) {
+    const auto& nodes = cut.mesh.planar.triangles[at(i)];
+    const std::array<std::int32_t, 3> vertices = vertices_of(cut.mesh, i);
+    const auto place = [&](std::size_t k) {
+      return node_position(cut.mesh, cut.subdomain, nodes[k]);
+    };
+    for (std::int32_t s = 0; s < std::ssize(cut.subdomain.triangles); ++s) {
+      const Triangle& surface = cut.subdomain.triangles[at(s)];
+      const auto vertex = [&](std::size_t k) { return cut.subdomain.vertices[at(surface[k])]; };
+      if (std::find_first_of(surface.begin(), surface.end(), vertices.begin(), vertices.end()) !=
+          surface.end()) {
+        continue;
+      }
+      const bool is_at_rim = std::any_of(surface.begin(), surface.end(), [&](std::int32_t v) {
+        return std::count(cut.mesh.rim_vertices.begin(), cut.mesh.rim_vertices.end(), v) > 0;
+      });
+      double least2 = HUGE_VAL;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (vertices[k] < 0) {
+          least2 = std::min(
+              least2, closest_in_triangle(place(k), vertex(0), vertex(1), vertex(2)).distance2);
+        }
+        if (!is_at_rim) {
+          least2 = std::min(least2,
+                            closest_in_triangle(vertex(k), place(0), place(1), place(2)).distance2);
+        }
+      }
+      double h = 0;
+      for (const std::int32_t v : nodes) h = std::max(h, cut.mesh.spacing[at(v)]);
+      const double unit = std::min(h, cut.topology.size[at(s)]);
+      if (std::sqrt(least2) < reach * unit) expected.push_back({i, s});
+    }
+  }
+  EXPECT_GT(expected.size(), 20U);
+  EXPECT_EQ(pairs_of(contacts), expected);
+  for (const SurfaceContact& contact : contacts) EXPECT_FALSE(contact.meets);
+}
+
+TEST(SurfaceContacts, are_found_in_what_is_nearby_as_in_the_whole_surface) {
+  for (const double low : {0.45, 0.51}) {
+    const FlatCut cut = cut_at_plate(low, 0.6);
+    const NearbySurface nearby = find_nearby_surface(cut.mesh, cut.subdomain, cut.topology, 2);
+    EXPECT_LT(2 * nearby.triangles.size(), cut.subdomain.triangles.size());
+    EXPECT_TRUE(std::is_sorted(nearby.triangles.begin(), nearby.triangles.end()));
+    EXPECT_EQ(pairs_of(find_contacts(cut.mesh, cut.subdomain, cut.topology, nearby, 0.4)),
+              pairs_of(find_contacts(cut.mesh, cut.subdomain, cut.topology,
+                                     whole_surface(cut.subdomain), 0.4)));
+  }
+}
+
+TEST(SurfaceContacts, of_a_plate_in_the_way_meet_and_have_no_distance) {
+  FlatCut cut = cut_at_plate(0.51, 0.6);
+  for (std::size_t i = cut.mesh.rim_vertices.size(); i < cut.mesh.heights.size(); ++i) {
+    cut.mesh.heights[i] = 0.05;
+  }
+  const auto contacts =
+      find_contacts(cut.mesh, cut.subdomain, cut.topology, whole_surface(cut.subdomain), 0.4);
+  EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(),
+                          [](const SurfaceContact& contact) { return contact.meets; }));
+  for (const SurfaceContact& contact : contacts) {
+    if (!contact.meets) continue;
+    EXPECT_EQ(contact.distance, 0);
+    EXPECT_FALSE(contact.is_at_rim);
+  }
 }
 
 }  // namespace

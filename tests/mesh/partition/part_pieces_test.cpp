@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <random>
 #include <set>
+#include <tuple>
 
+#include "base/error.h"
+#include "mesh/assemble/part_cells.h"
+#include "mesh/formats/node_records.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
 namespace {
@@ -78,6 +84,127 @@ TEST(PartPieces, have_each_of_their_nodes_once_ascending_and_no_others) {
     std::set<std::int32_t> used;
     for (const Tet& tet : part.tets) used.insert(tet.begin(), tet.end());
     EXPECT_EQ(used.size(), part.nodes.size());
+  }
+}
+
+using GlobalFace = FaceNodes<std::int64_t>;
+
+GlobalFace global_face(const NumberedPart& part, const FaceNodes<std::int32_t>& face) {
+  return face.renumbered([&](std::int32_t v) { return global_node(part, v); });
+}
+
+/// Cells by type, nodes in the whole mesh and region, sorted.
+using Cells = std::vector<std::tuple<ElementType, std::vector<std::int64_t>, std::int32_t>>;
+
+void add_cells(const NumberedPart& part, Cells& cells) {
+  const std::vector<std::int32_t> regions = regions_of_cells(part);
+  for_each_cell(part,
+                [&](std::int32_t cell, ElementType type, std::span<const std::int32_t> nodes) {
+                  std::vector<std::int64_t> global;
+                  for (const std::int32_t v : nodes) global.push_back(global_node(part, v));
+                  cells.emplace_back(type, global, regions[at(cell)]);
+                });
+}
+
+/// Boundary faces by nodes in the whole mesh, patch and region.
+using Boundary = std::multiset<std::tuple<GlobalFace, std::int32_t, std::int32_t>>;
+
+void add_boundary(const NumberedPart& part, Boundary& boundary) {
+  const std::vector<std::int32_t> regions = regions_of_boundary(part);
+  for_each_boundary_face(
+      part, [&](std::int32_t number, const FaceNodes<std::int32_t>& face, std::int32_t patch) {
+        boundary.emplace(global_face(part, face), patch, regions[at(number)]);
+      });
+}
+
+/// All types of cells in three sub-domains, whose cells go to parts by chance.
+class PartPiecesOfGrid : public testing::Test {
+ protected:
+  static constexpr std::int32_t part_count = 4;
+
+  PartPiecesOfGrid() {
+    std::mt19937 random(11);
+    for (const NumberedPart& subdomain : grid_.parts) {
+      std::vector<std::int32_t>& part_of_cell = part_of_cell_.emplace_back();
+      for (std::int64_t i = 0; i < cells_of(subdomain); ++i) {
+        part_of_cell.push_back(static_cast<std::int32_t>(random() % part_count));
+      }
+      pieces_.add(subdomain, part_of_cell);
+    }
+    for (std::size_t i = 0; i < part_count; ++i) parts_.push_back(pieces_.part(i));
+  }
+
+  TempFolder folder_;
+  HybridGrid grid_{4, 3, true};
+  std::vector<std::vector<std::int32_t>> part_of_cell_;
+  PartPieces pieces_{part_count, folder_.path()};
+  std::vector<NumberedPart> parts_;
+};
+
+TEST_F(PartPiecesOfGrid, have_the_cells_that_were_given_to_their_part_and_no_others) {
+  std::vector<Cells> expected(part_count);
+  for (std::size_t i = 0; i < grid_.size(); ++i) {
+    Cells cells;
+    add_cells(grid_.parts[i], cells);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      expected[at(part_of_cell_[i][k])].push_back(cells[k]);
+    }
+  }
+  ASSERT_EQ(pieces_.size(), expected.size());
+  for (std::size_t i = 0; i < part_count; ++i) {
+    Cells cells;
+    add_cells(parts_[i], cells);
+    std::sort(cells.begin(), cells.end());
+    std::sort(expected[i].begin(), expected[i].end());
+    EXPECT_EQ(cells, expected[i]);
+    EXPECT_EQ(parts_[i].number, static_cast<std::int32_t>(i));
+  }
+}
+
+TEST_F(PartPiecesOfGrid, keep_the_boundary_beside_the_cells_that_have_it) {
+  Boundary before;
+  Boundary after;
+  for (const NumberedPart& subdomain : grid_.parts) add_boundary(subdomain, before);
+  for (const NumberedPart& part : parts_) {
+    add_boundary(part, after);
+    std::set<FaceNodes<std::int32_t>> of_cells;
+    for_each_face_of_cells(part, [&](std::int32_t, const FaceNodes<std::int32_t>& face) {
+      of_cells.insert(face.smallest_first());
+    });
+    for_each_boundary_face(part,
+                           [&](std::int32_t, const FaceNodes<std::int32_t>& face, std::int32_t) {
+                             EXPECT_TRUE(of_cells.contains(face.smallest_first()));
+                           });
+  }
+  EXPECT_EQ(after, before);
+}
+
+/// Two tets with a face in common.
+NumberedPart two_tets(std::int32_t number, std::int32_t region) {
+  NumberedPart part;
+  part.number = number;
+  part.region = region;
+  part.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  part.tets = {{0, 1, 2, 3}, {3, 1, 2, 4}};
+  part.local2global = {0, 1, 2, 3, 4};
+  for (std::int64_t& v : part.local2global) v += std::int64_t{10} * number;
+  part.faces = {{0, 2, 1}};
+  part.patch_of_face = {5};
+  return part;
+}
+
+TEST(PartPieces, refuse_a_boundary_face_that_no_cell_has_or_that_is_turned) {
+  const TempFolder folder;
+  for (const Triangle& face : {Triangle{0, 1, 2}, Triangle{0, 4, 1}}) {
+    PartPieces pieces(1, folder.path());
+    NumberedPart part = two_tets(7, 1);
+    part.faces = {face};
+    try {
+      pieces.add(part, {0, 0});
+      ADD_FAILURE() << "taken";
+    } catch (const InvalidInput& e) {
+      EXPECT_THAT(e.what(), testing::HasSubstr("sub-domain 7"));
+    }
   }
 }
 
