@@ -95,6 +95,7 @@ class FarmMetricsTest : public testing::Test {
   void work() {
     Submission submission;
     submission.name = "a \"name\"\nof two lines";
+    submission.given.job = {std::string(32, 'a'), 1};
     state_.submit(submission, now_);
     WorkerInfo info;
     info.nonce = "n";
@@ -144,6 +145,14 @@ TEST_F(FarmMetricsTest, count_tasks_attempts_workers_and_times) {
   EXPECT_EQ(figures.value("tetfarm_refusals_total{reason=\"garbage\"}"), 1);
   EXPECT_EQ(figures.value("tetfarm_store_free_bytes"), 1000);
   EXPECT_EQ(figures.value("tetfarm_stuck"), 0);
+}
+
+TEST_F(FarmMetricsTest, count_no_task_of_a_job_that_is_over_as_waiting) {
+  work();
+  state_.cancel(JobId{1}, now_);
+  const Exposition figures(text());
+  EXPECT_EQ(figures.value("tetfarm_queue_tasks"), 0) << text();
+  EXPECT_EQ(figures.value("tetfarm_jobs{state=\"cancelled\"}"), 1);
 }
 
 TEST(ExpositionCheck, finds_what_is_wrong) {
