@@ -29,9 +29,9 @@ Portion read_portion(const TaskIo& io, const LeafNumbers& leaf) {
   return portion_from_bytes(io.read(name), name);
 }
 
-void read_tets(const TaskIo& io, const LeafNumbers& leaf, Portion& portion) {
+void read_cells(const TaskIo& io, const LeafNumbers& leaf, Portion& portion) {
   const std::string name = "tets:" + std::to_string(leaf.path.heap);
-  add_portion_tets(io.read(name), name, portion);
+  add_portion_cells(io.read(name), name, portion);
 }
 
 std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering) {
@@ -40,7 +40,7 @@ std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering
     const std::string name = portion_of(leaf);
     const PortionCounts portion = io.look_into(
         name, [&name](const std::filesystem::path& path) { return portion_counts(path, name); });
-    counts.push_back({portion.nodes, portion.tets, portion.faces});
+    counts.push_back({portion.nodes, portion.tets, portion.faces, portion.others});
   }
   return counts;
 }
@@ -61,13 +61,13 @@ class ResultFiles {
     return all;
   }
 
-  /// With its tets where a file still needs them.
+  /// With its cells where a file still needs them.
   Portion read(const LeafNumbers& leaf) {
     Portion portion = read_portion(io_, leaf);
     const bool is_placed =
         vtkhdf_ && !io_.is_apart() &&
         vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
-    if (!is_placed || ugrid_) read_tets(io_, leaf, portion);
+    if (!is_placed || ugrid_) read_cells(io_, leaf, portion);
     return portion;
   }
 
@@ -87,7 +87,7 @@ class ResultFiles {
                                                surface_, [this](std::size_t i) {
                                                  const LeafNumbers& leaf = numbering_.leaves.at(i);
                                                  Portion portion = read_portion(io_, leaf);
-                                                 read_tets(io_, leaf, portion);
+                                                 read_cells(io_, leaf, portion);
                                                  return std::move(portion.part);
                                                });
     } else {

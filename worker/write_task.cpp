@@ -69,7 +69,7 @@ void write_task(TaskIo& io) {
   io.number("tets", tets);
   report_unforced(io, unforced_tets(portion, surface, numbering));
   io.publish("portion", portion_to_bytes(portion));
-  io.publish("tets", portion_tets_to_bytes(portion));
+  io.publish("tets", portion_cells_to_bytes(portion));
 }
 
 }  // namespace tetfarm
