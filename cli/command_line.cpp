@@ -15,6 +15,7 @@
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/formats/surfaces/surface_formats.h"
+#include "mesh/job_file/job_file.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
@@ -45,10 +46,10 @@ void add_job(CLI::App& app, RunOptions& job) {
                  "A closed surface (" + readable_surfaces() + "; also .gz) or a job file (.toml)")
       ->required();
   app.add_option("--subdomains", job.subdomains, "Number of sub-domains (default: chosen by size)")
-      ->check(whole_number(1, std::int64_t{1} << 40))
+      ->check(whole_number(1, most_subdomains))
       ->option_text("N");
   app.add_option("--groups", job.groups, "Join the sub-domains into this many groups of even work")
-      ->check(whole_number(1, std::int64_t{1} << 30))
+      ->check(whole_number(1, most_subdomains))
       ->option_text("N");
   app.add_option("--max-memory", job.max_memory, "Split until each task fits in this much memory")
       ->option_text("2GiB")

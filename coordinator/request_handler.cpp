@@ -258,9 +258,6 @@ void RequestHandler::handle_worker(const std::string& connection, const wire::En
     if (const auto count = work_count_of(beat.doing())) {
       state.note_work(worker, task, attempt, *count);
     }
-  } else if (envelope.has_progress()) {
-    const wire::Progress& progress = envelope.progress();
-    state.heartbeat(worker, TaskId{progress.task()}, AttemptId{progress.attempt()}, now);
   } else if (envelope.has_done()) {
     const wire::Done& done = envelope.done();
     state.done(worker, TaskId{done.task()}, AttemptId{done.attempt()}, result_of(done), now);

@@ -14,11 +14,10 @@ struct Permission {
   bool viewer;
 };
 
-constexpr std::array<Permission, 16> permissions = {{
+constexpr std::array<Permission, 15> permissions = {{
     // kind                 worker submitter viewer
     {Kind::kHello, true, false, false},
     {Kind::kReady, true, false, false},
-    {Kind::kProgress, true, false, false},
     {Kind::kDone, true, false, false},
     {Kind::kFailed, true, false, false},
     {Kind::kHeartbeat, true, false, false},

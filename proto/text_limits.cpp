@@ -20,7 +20,7 @@ constexpr std::size_t longest_message = 4096;
 constexpr std::size_t longest_log = 8192;
 constexpr int most_files = 1 << 16;  // a few for each sub-domain
 
-constexpr std::array<TextLimit, 20> texts = {{
+constexpr std::array<TextLimit, 19> texts = {{
     {"Artifact.name", 300},  // of a result: the job's name and an ending
     {"Hello.program_version", 64, TooLong::cut},
     {"Hello.host", 255},
@@ -28,7 +28,6 @@ constexpr std::array<TextLimit, 20> texts = {{
     {"Hello.probe_text", 256},
     {"Hello.nonce", 128},
     {"Hello.tag", 200},
-    {"Progress.stage", 64, TooLong::cut},
     {"Doing.stage", 64, TooLong::cut},
     {"Done.numbers.key", 255},
     {"Done.texts.key", 255},

@@ -21,8 +21,7 @@ void AssembleGiven::describe(ContractFields& fields) {
   fields.file("job", job);
   fields.file("surface", surface);
   fields.file("numbering", numbering);
-  fields.files("portion:", portions);
-  fields.files("tets:", tets);
+  fields.files_by_leaf({{"portion:", &portions}, {"tets:", &tets}});
 }
 
 void AssembleMade::describe(ContractFields& /*fields*/) {}

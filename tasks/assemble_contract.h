@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -12,12 +13,14 @@ struct AssembleGiven {
   LeafFiles portions;  ///< of every leaf
   LeafFiles tets;      ///< of every leaf
 
+  static constexpr TaskKind kind = TaskKind::assemble;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
 
 /// The files that the job asks for, and figures of the mesh: both for people.
 struct AssembleMade {
+  static constexpr TaskKind kind = TaskKind::assemble;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

@@ -25,7 +25,7 @@ void AssimilateGiven::describe(ContractFields& fields) {
 }
 
 void AssimilateMade::describe(ContractFields& fields) {
-  fields.files("group:", group_files);
+  fields.files_by_leaf({{"group:", &group_files}}, {.of_tree = true});
   fields.file("dropped", dropped);
   fields.text("groups", groups);
 }

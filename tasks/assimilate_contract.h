@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -12,6 +13,7 @@ struct AssimilateGiven {
   LeafFiles subdomains;  ///< every leaf
   std::string table;     ///< "HEAP WORK", a line for each leaf
 
+  static constexpr TaskKind kind = TaskKind::assimilate;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -21,6 +23,7 @@ struct AssimilateMade {
   TaskFile dropped;       ///< nodes of cuts that are inside a group now
   std::string groups;     ///< "HEAP GROUP", a line for each leaf
 
+  static constexpr TaskKind kind = TaskKind::assimilate;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

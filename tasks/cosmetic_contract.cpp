@@ -23,8 +23,7 @@ constinit const KindContracts cosmetic_contracts = contracts_between<CosmeticGiv
 void CosmeticGiven::describe(ContractFields& fields) {
   fields.file("spacing", spacing);
   fields.file("own", own);
-  fields.files("waits:", waiting);
-  fields.files("had_turn:", had_turn);
+  fields.files_by_leaf({{"waits:", &waiting}, {"had_turn:", &had_turn}});
   fields.text("colours", colours);
 }
 

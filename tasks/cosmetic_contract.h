@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -14,6 +15,7 @@ struct CosmeticGiven {
   LeafFiles had_turn;   ///< neighbours that had it
   std::string colours;  ///< "HEAP COLOUR", of the leaf and its neighbours
 
+  static constexpr TaskKind kind = TaskKind::cosmetic;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -21,6 +23,7 @@ struct CosmeticGiven {
 struct CosmeticMade {
   TaskFile elements;
 
+  static constexpr TaskKind kind = TaskKind::cosmetic;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

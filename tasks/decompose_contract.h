@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -19,6 +20,7 @@ struct DecomposeGiven {
   std::optional<std::uint64_t> most_bytes;  ///< where memory decides
   std::optional<std::uint64_t> needles;     ///< if it has any
 
+  static constexpr TaskKind kind = TaskKind::decompose;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -39,6 +41,7 @@ struct DecomposeMade {
   std::optional<Halves> halves;
   std::optional<std::string> reason;
 
+  static constexpr TaskKind kind = TaskKind::decompose;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -10,6 +11,7 @@ struct ExtractGiven {
   TaskFile mesh;
   TaskFile shared;
 
+  static constexpr TaskKind kind = TaskKind::extract;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -17,6 +19,7 @@ struct ExtractGiven {
 struct ExtractMade {
   TaskFile elements;
 
+  static constexpr TaskKind kind = TaskKind::extract;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

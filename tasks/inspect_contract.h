@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -14,6 +15,7 @@ struct InspectGiven {
   std::optional<std::uint64_t>
       free_bytes;  ///< of the disk for this job, told with the assignment; never kept
 
+  static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -30,6 +32,7 @@ struct InspectMade {
   std::uint64_t needles = 0;     ///< triangles with a small angle
   bool across_cuts = false;      ///< whether there are turns of cosmetics
 
+  static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -15,6 +16,7 @@ struct MeshGiven {
   std::uint64_t work = 0;                ///< estimated elements
   std::optional<std::uint64_t> needles;  ///< if it has any
 
+  static constexpr TaskKind kind = TaskKind::mesh;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -24,6 +26,7 @@ struct MeshMade {
   std::uint64_t interior_nodes = 0;
   std::uint64_t tets = 0;
 
+  static constexpr TaskKind kind = TaskKind::mesh;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

@@ -20,8 +20,7 @@ constinit const KindContracts number_contracts = contracts_between<NumberGiven, 
 void NumberGiven::describe(ContractFields& fields) {
   fields.file("surface", surface);
   fields.file("dropped", dropped);
-  fields.files("core:", cores);
-  fields.files("elements:", elements);
+  fields.files_by_leaf({{"core:", &cores}, {"elements:", &elements}});
   fields.text("table", table);
   fields.text("order", order);
 }

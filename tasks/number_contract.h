@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -16,6 +17,7 @@ struct NumberGiven {
   std::string table;                 ///< a line for each sub-domain: proto/protocol.md
   std::optional<std::string> order;  ///< after cosmetics
 
+  static constexpr TaskKind kind = TaskKind::number;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -23,6 +25,7 @@ struct NumberGiven {
 struct NumberMade {
   TaskFile numbering;
 
+  static constexpr TaskKind kind = TaskKind::number;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
 struct OrderGiven {
   LeafFiles subdomains;  ///< every leaf
 
+  static constexpr TaskKind kind = TaskKind::order;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -18,6 +20,7 @@ struct OrderMade {
   LeafFiles shared;   ///< for every leaf
   std::string order;  ///< "HEAP COLOUR NEIGHBOUR…", a line for each leaf
 
+  static constexpr TaskKind kind = TaskKind::order;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

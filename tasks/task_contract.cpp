@@ -1,6 +1,8 @@
 #include "tasks/task_contract.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -14,6 +16,26 @@ namespace {
 /// Heap numbers of sub-domains have 63 bits.
 constexpr std::uint64_t heap_limit = std::uint64_t{1} << 63U;
 
+/// Depth first, a node before its children, left before right.
+bool comes_before_in_tree(std::uint64_t a, std::uint64_t b) {
+  const std::uint64_t way_to_a = a << static_cast<unsigned>(std::countl_zero(a));
+  const std::uint64_t way_to_b = b << static_cast<unsigned>(std::countl_zero(b));
+  return way_to_a == way_to_b ? a < b : way_to_a < way_to_b;
+}
+
+std::vector<std::uint64_t> leaves_of(const std::vector<LeafFilesField>& fields, LeafOrder order) {
+  std::vector<std::uint64_t> leaves;
+  for (const LeafFilesField& field : fields) {
+    for (const auto& [heap, file] : *field.files) leaves.push_back(heap);
+  }
+  std::sort(leaves.begin(), leaves.end(), [order](std::uint64_t a, std::uint64_t b) {
+    if ((a == order.first) != (b == order.first)) return a == order.first;
+    return order.of_tree ? comes_before_in_tree(a, b) : a < b;
+  });
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  return leaves;
+}
+
 class WordsWriter final : public ContractFields {
  public:
   explicit WordsWriter(ContractSide side) : side_(side) {}
@@ -22,9 +44,13 @@ class WordsWriter final : public ContractFields {
   void file(const char* name, std::optional<TaskFile>& file) override {
     if (file) words_.files.emplace_back(name, *file);
   }
-  void files(const char* prefix, LeafFiles& files) override {
-    for (const auto& [heap, file] : files) {
-      words_.files.emplace_back(prefix + std::to_string(heap), file);
+  void files_by_leaf(std::vector<LeafFilesField> fields, LeafOrder order) override {
+    for (const std::uint64_t heap : leaves_of(fields, order)) {
+      for (const LeafFilesField& field : fields) {
+        const auto file = field.files->find(heap);
+        if (file == field.files->end()) continue;
+        words_.files.emplace_back(field.prefix + std::to_string(heap), file->second);
+      }
     }
   }
   void count(const char* name, std::uint64_t& value, std::uint64_t most) override {
@@ -80,14 +106,16 @@ class WordsReader final : public ContractFields {
   void file(const char* name, std::optional<TaskFile>& file) override {
     if (const TaskFile* found = find_file(name)) file = *found;
   }
-  void files(const char* prefix, LeafFiles& files) override {
-    const std::string_view start = prefix;
-    TF_CHECK(start.ends_with(':'));
-    for (auto next = files_.lower_bound(start); next != files_.end(); ++next) {
-      const std::string& name = next->first;
-      if (!name.starts_with(start)) break;
-      if (const auto heap = heap_of(name, start)) files.emplace(*heap, *next->second);
-      used_.insert(name);
+  void files_by_leaf(std::vector<LeafFilesField> fields, LeafOrder /*order*/) override {
+    for (const LeafFilesField& field : fields) {
+      const std::string_view start = field.prefix;
+      TF_CHECK(start.ends_with(':'));
+      for (auto next = files_.lower_bound(start); next != files_.end(); ++next) {
+        const std::string& name = next->first;
+        if (!name.starts_with(start)) break;
+        if (const auto heap = heap_of(name, start)) field.files->emplace(*heap, *next->second);
+        used_.insert(name);
+      }
     }
   }
   void count(const char* name, std::uint64_t& value, std::uint64_t most) override {
@@ -179,11 +207,16 @@ class WordsReader final : public ContractFields {
   }
 
   std::uint64_t whole(const char* name, std::uint64_t most) {
-    const double value = number(name);
-    if (value != std::floor(value) || value > static_cast<double>(most)) {
-      return static_cast<std::uint64_t>(refuse_number(name, std::to_string(value)));
+    if (side_ == ContractSide::given) {
+      const std::string& text = words_.texts.at(name);
+      const auto count = whole_count(text, most);
+      if (!count) refuse_number(name, "'" + text + "'");
+      return count.value_or(0);
     }
-    return static_cast<std::uint64_t>(value);
+    const double value = words_.numbers.at(name);
+    const auto count = whole_count(value, most);
+    if (!count) refuse_number(name, std::to_string(value));
+    return count.value_or(0);
   }
 
   double refuse_number(const char* name, const std::string& value) {
@@ -196,6 +229,39 @@ class WordsReader final : public ContractFields {
   std::map<std::string, const TaskFile*, std::less<>> files_;
   std::set<std::string, std::less<>> used_;
   std::string breach_;
+};
+
+/// Finds the name of the field that lies at an address.
+class FieldNamer final : public ContractFields {
+ public:
+  explicit FieldNamer(const void* field) : field_(field) {}
+
+  void file(const char* name, TaskFile& file) override { look(name, &file); }
+  void file(const char* name, std::optional<TaskFile>& file) override { look(name, &file); }
+  void files_by_leaf(std::vector<LeafFilesField> fields, LeafOrder /*order*/) override {
+    for (const LeafFilesField& field : fields) look(field.prefix, field.files);
+  }
+  void count(const char* name, std::uint64_t& value, std::uint64_t /*most*/) override {
+    look(name, &value);
+  }
+  void count(const char* name, std::optional<std::uint64_t>& value,
+             std::uint64_t /*most*/) override {
+    look(name, &value);
+  }
+  void amount(const char* name, double& value) override { look(name, &value); }
+  void flag(const char* name, bool& value) override { look(name, &value); }
+  void text(const char* name, std::string& text) override { look(name, &text); }
+  void text(const char* name, std::optional<std::string>& text) override { look(name, &text); }
+
+  const char* name() const { return name_; }
+
+ private:
+  void look(const char* name, const void* field) {
+    if (field == field_) name_ = name;
+  }
+
+  const void* field_;
+  const char* name_ = nullptr;
 };
 
 }  // namespace
@@ -212,6 +278,29 @@ std::string read_contract(const TaskWords& words, void* contract, DescribeContra
   describe(contract, reader);
   reader.require_nothing_else();
   return reader.breach();
+}
+
+const char* name_of_field(void* contract, DescribeContract describe, const void* field) {
+  FieldNamer namer(field);
+  describe(contract, namer);
+  TF_CHECK(namer.name() != nullptr);
+  return namer.name();
+}
+
+std::optional<std::uint64_t> whole_count(double value, std::uint64_t most) {
+  TF_CHECK(most <= most_of_a_count);
+  if (!(value >= 0 && value <= static_cast<double>(most)) || value != std::floor(value)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+std::optional<std::uint64_t> whole_count(const std::string& text, std::uint64_t most) {
+  std::uint64_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, count);
+  const bool is_whole = error == std::errc{} && stop == end && count <= most;
+  return is_whole ? std::optional(count) : std::nullopt;
 }
 
 }  // namespace tetfarm

@@ -29,6 +29,17 @@ struct TaskFile {
 /// A file of each leaf, or of some, by heap number: "mesh:5".
 using LeafFiles = std::map<std::uint64_t, TaskFile>;
 
+struct LeafFilesField {
+  const char* prefix = "";  ///< ends in ':'
+  LeafFiles* files = nullptr;
+};
+
+/// In which order the leaves are named.
+struct LeafOrder {
+  bool of_tree = false;     ///< depth first; otherwise by rising heap number
+  std::uint64_t first = 0;  ///< this one before all others; 0: none
+};
+
 struct TaskWords {
   std::vector<std::pair<std::string, TaskFile>> files;  ///< in the order of the contract
   std::map<std::string, std::string> texts;             ///< of what is given also the numbers
@@ -53,8 +64,9 @@ class ContractFields {
 
   virtual void file(const char* name, TaskFile& file) = 0;
   virtual void file(const char* name, std::optional<TaskFile>& file) = 0;
-  /// `prefix` ends in ':'. None at all is allowed.
-  virtual void files(const char* prefix, LeafFiles& files) = 0;
+  /// Leaf by leaf, of each leaf in the order of the fields: "core:4", "elements:4", "core:5" … None
+  /// at all is allowed.
+  virtual void files_by_leaf(std::vector<LeafFilesField> fields, LeafOrder order) = 0;
   /// A whole number from 0 to `most`.
   virtual void count(const char* name, std::uint64_t& value, std::uint64_t most) = 0;
   virtual void count(const char* name, std::optional<std::uint64_t>& value, std::uint64_t most) = 0;
@@ -64,6 +76,8 @@ class ContractFields {
   virtual void text(const char* name, std::string& text) = 0;
   virtual void text(const char* name, std::optional<std::string>& text) = 0;
 
+  void files(const char* prefix, LeafFiles& files) { files_by_leaf({{prefix, &files}}, {}); }
+  void files_by_leaf(std::vector<LeafFilesField> fields) { files_by_leaf(std::move(fields), {}); }
   void count(const char* name, std::uint64_t& value) { count(name, value, most_of_a_count); }
   void count(const char* name, std::optional<std::uint64_t>& value) {
     count(name, value, most_of_a_count);
@@ -82,6 +96,8 @@ using DescribeContract = void (*)(void* contract, ContractFields& fields);
 TaskWords words_of(void* contract, DescribeContract describe, ContractSide side);
 std::string read_contract(const TaskWords& words, void* contract, DescribeContract describe,
                           ContractSide side);
+
+const char* name_of_field(void* contract, DescribeContract describe, const void* field);
 
 template <class Contract>
 void describe_contract(void* contract, ContractFields& fields) {
@@ -109,5 +125,19 @@ ContractReading<Contract> from_words(const TaskWords& words) {
       read_contract(words, &reading.contract, &describe_contract<Contract>, Contract::side);
   return reading;
 }
+
+/// The name under which a field of the contract travels, of files of leaves the prefix: for who
+/// wants one field of many. @pre `describe` names it, whatever else is there. Cost: O(fields).
+template <class Contract, class Field>
+const char* field_name(Field Contract::*field) {
+  Contract contract;
+  return name_of_field(&contract, &describe_contract<Contract>, &(contract.*field));
+}
+
+/// A whole number from 0 to `most` out of the text or number that travelled; nothing where it is
+/// none. Cost: O(digits).
+std::optional<std::uint64_t> whole_count(double value, std::uint64_t most = most_of_a_count);
+std::optional<std::uint64_t> whole_count(const std::string& text,
+                                         std::uint64_t most = most_of_a_count);
 
 }  // namespace tetfarm

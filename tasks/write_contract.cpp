@@ -23,8 +23,9 @@ void WriteGiven::describe(ContractFields& fields) {
   fields.file("numbering", numbering);
   fields.file("subdomain", subdomain);
   fields.file("mesh", mesh);
-  fields.files("core:", cores);
-  fields.files("elements:", elements);
+  // The leaf itself comes before its neighbours.
+  const std::uint64_t own = cores.empty() ? 0 : cores.begin()->first;
+  fields.files_by_leaf({{"core:", &cores}, {"elements:", &elements}}, {.first = own});
   fields.text("colours", colours);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -18,6 +19,7 @@ struct WriteGiven {
   LeafFiles elements;                  ///< after cosmetics, of it and its neighbours
   std::optional<std::string> colours;  ///< after cosmetics
 
+  static constexpr TaskKind kind = TaskKind::write;
   static constexpr ContractSide side = ContractSide::given;
   void describe(ContractFields& fields);
 };
@@ -26,6 +28,7 @@ struct WriteMade {
   TaskFile portion;
   TaskFile tets;
 
+  static constexpr TaskKind kind = TaskKind::write;
   static constexpr ContractSide side = ContractSide::made;
   void describe(ContractFields& fields);
 };

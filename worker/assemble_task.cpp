@@ -14,32 +14,31 @@
 #include "mesh/inspect/small_angles.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
+#include "tasks/assemble_contract.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
 
-std::string portion_of(const LeafNumbers& leaf) {
-  return "portion:" + std::to_string(leaf.path.heap);
+Portion read_portion(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf) {
+  return io.read(file_of_leaf(given.portions, leaf.path.heap), portion_from_bytes);
 }
 
-Portion read_portion(const TaskIo& io, const LeafNumbers& leaf) {
-  const std::string name = portion_of(leaf);
-  return portion_from_bytes(io.read(name), name);
+void read_cells(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf,
+               Portion& portion) {
+  const TaskFile& cells = file_of_leaf(given.tets, leaf.path.heap);
+  add_portion_cells(io.read(cells), io.name_of(cells), portion);
 }
 
-void read_cells(const TaskIo& io, const LeafNumbers& leaf, Portion& portion) {
-  const std::string name = "tets:" + std::to_string(leaf.path.heap);
-  add_portion_cells(io.read(name), name, portion);
-}
-
-std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering) {
+std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const AssembleGiven& given,
+                                    const Numbering& numbering) {
   std::vector<VtkhdfCounts> counts;
   for (const LeafNumbers& leaf : numbering.leaves) {
-    const std::string name = portion_of(leaf);
-    const PortionCounts portion = io.look_into(
-        name, [&name](const std::filesystem::path& path) { return portion_counts(path, name); });
+    const TaskFile& file = file_of_leaf(given.portions, leaf.path.heap);
+    const PortionCounts portion = io.look_into(file, [&](const std::filesystem::path& path) {
+      return portion_counts(path, io.name_of(file));
+    });
     counts.push_back({portion.nodes, portion.tets, portion.faces, portion.others});
   }
   return counts;
@@ -48,9 +47,9 @@ std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const Numbering& numbering
 /// The files of the result in the making.
 class ResultFiles {
  public:
-  ResultFiles(TaskIo& io, const JobFile& job, const SurfaceMesh& surface,
-              const Numbering& numbering)
-      : io_(io), job_(job), surface_(surface), numbering_(numbering) {
+  ResultFiles(TaskIo& io, const AssembleGiven& given, const JobFile& job,
+              const SurfaceMesh& surface, const Numbering& numbering)
+      : io_(io), given_(given), job_(job), surface_(surface), numbering_(numbering) {
     for (const std::string& format : formats_of_tasks(job.formats)) start(format);
   }
 
@@ -63,31 +62,33 @@ class ResultFiles {
 
   /// With its cells where a file still needs them.
   Portion read(const LeafNumbers& leaf) {
-    Portion portion = read_portion(io_, leaf);
+    Portion portion = read_portion(io_, given_, leaf);
     const bool is_placed =
         vtkhdf_ && !io_.is_apart() &&
         vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
-    if (!is_placed || ugrid_) read_cells(io_, leaf, portion);
+    if (!is_placed || ugrid_) read_cells(io_, given_, leaf, portion);
     return portion;
   }
 
   void publish() {
     if (vtkhdf_) {
       const ReadThrough& finished = vtkhdf_->finished();
-      io_.publish_checked_file(file_name_of_job(job_.name, ".vtkhdf"), shared_mesh_file(io_).path,
+      io_.publish_checked_file(file_name_of_job(job_.name, ".vtkhdf"), shared_file().path,
                                {finished.hash.hex(), static_cast<std::uint64_t>(finished.size)});
     }
     if (ugrid_) io_.publish_file(file_name_of_job(job_.name, ".lb8.ugrid"), ugrid_path_);
   }
 
  private:
+  SharedFile shared_file() const { return shared_mesh_file(io_, given_.surface, given_.numbering); }
+
   void start(const std::string& format) {
     if (format == "vtkhdf") {
-      vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_mesh_file(io_), counts_of(io_, numbering_),
+      vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_file(), counts_of(io_, given_, numbering_),
                                                surface_, [this](std::size_t i) {
                                                  const LeafNumbers& leaf = numbering_.leaves.at(i);
-                                                 Portion portion = read_portion(io_, leaf);
-                                                 read_cells(io_, leaf, portion);
+                                                 Portion portion = read_portion(io_, given_, leaf);
+                                                 read_cells(io_, given_, leaf, portion);
                                                  return std::move(portion.part);
                                                });
     } else {
@@ -98,6 +99,7 @@ class ResultFiles {
   }
 
   TaskIo& io_;
+  const AssembleGiven& given_;
   const JobFile& job_;
   const SurfaceMesh& surface_;
   const Numbering& numbering_;
@@ -206,11 +208,12 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
 }  // namespace
 
 void assemble_task(TaskIo& io) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
-  const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
+  const auto given = io.given<AssembleGiven>();
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
+  const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
+  const Numbering numbering = io.read(given.numbering, numbering_from_text);
   report_cost(io, cost_of(surface, numbering));
-  ResultFiles files(io, job, surface, numbering);
+  ResultFiles files(io, given, job, surface, numbering);
   io.progress().begin(WorkStage::assemble, numbering.leaves.size());
   const auto read = [&](const LeafNumbers& leaf) {
     io.progress().add();

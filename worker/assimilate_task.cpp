@@ -9,6 +9,7 @@
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/assimilation/assimilation.h"
 #include "mesh/job_file/job_file.h"
+#include "tasks/assimilate_contract.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -31,9 +32,8 @@ std::vector<LeafLine> leaves_of(const std::string& table) {
   return leaves;
 }
 
-Subdomain read_leaf(const TaskIo& io, TreePath path) {
-  const std::string name = "subdomain:" + std::to_string(path.heap);
-  return subdomain_from_bytes(io.read(name), name);
+Subdomain read_leaf(const TaskIo& io, const AssimilateGiven& given, TreePath path) {
+  return io.read(file_of_leaf(given.subdomains, path.heap), subdomain_from_bytes);
 }
 
 PartitionMethod method_of(const JobFile& job) {
@@ -59,10 +59,11 @@ std::string text_of(const std::vector<DroppedNodes>& dropped) {
 }
 
 /// The joined sub-domain of a group, sound. Its leaves are in memory meanwhile.
-Subdomain joined_group(const TaskIo& io, const std::vector<TreePath>& members) {
+Subdomain joined_group(const TaskIo& io, const AssimilateGiven& given,
+                       const std::vector<TreePath>& members) {
   TF_CHECK(!members.empty());
   std::vector<Subdomain> leaves;
-  for (const TreePath path : members) leaves.push_back(read_leaf(io, path));
+  for (const TreePath path : members) leaves.push_back(read_leaf(io, given, path));
   Subdomain group = join_subdomains(leaves);
   const std::vector<std::string> complaints = validate(group);
   if (complaints.empty()) return group;
@@ -77,53 +78,55 @@ struct GroupFigures {
 };
 
 /// Publishes the groups and what became of the nodes of the cuts.
-GroupFigures join_groups(TaskIo& io, const std::vector<LeafLine>& leaves,
+GroupFigures join_groups(TaskIo& io, const AssimilateGiven& given,
+                         const std::vector<LeafLine>& leaves,
                          const std::vector<std::int32_t>& leaf2group, CutNodeMarks nodes) {
   TF_CHECK(leaf2group.size() == leaves.size());
   std::vector<std::vector<TreePath>> groups;
-  std::string text;
+  AssimilateMade made;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     const auto group = static_cast<std::size_t>(leaf2group[leaf]);
     groups.resize(std::max(groups.size(), group + 1));
     groups[group].push_back(leaves[leaf].path);
-    text += std::to_string(leaves[leaf].path.heap) + " " +
-            std::to_string(groups[group].front().heap) + "\n";
+    made.groups += std::to_string(leaves[leaf].path.heap) + " " +
+                   std::to_string(groups[group].front().heap) + "\n";
   }
   GroupFigures figures;
   io.progress().begin(WorkStage::join, groups.size());
   for (const std::vector<TreePath>& members : groups) {
     io.progress().add();
-    const Subdomain group = joined_group(io, members);
+    const Subdomain group = joined_group(io, given, members);
     nodes.add_joined(group);
     figures.faces.push_back(static_cast<double>(group.triangles.size()));
     const double communication = interface_nodes_of(group);
     figures.communication_nodes += communication;
     figures.most_communication_nodes = std::max(figures.most_communication_nodes, communication);
-    io.publish("group:" + std::to_string(group.path.heap), subdomain_to_bytes(group));
+    made.group_files[group.path.heap] = io.publish(subdomain_to_bytes(group));
   }
-  io.publish("dropped", text_of(nodes.dropped()));
-  io.text("groups", text);
+  made.dropped = io.publish(text_of(nodes.dropped()));
+  io.made(made);
   return figures;
 }
 
 }  // namespace
 
 void assimilate_task(TaskIo& io) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  const std::vector<LeafLine> leaves = leaves_of(io.parameter("table"));
+  const auto given = io.given<AssimilateGiven>();
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
+  const std::vector<LeafLine> leaves = leaves_of(given.table);
   SubdomainGraphBuilder builder;
   CutNodeMarks nodes;
   io.progress().begin(WorkStage::graph, leaves.size());
   for (const auto& [path, work] : leaves) {
     io.progress().add();
-    const Subdomain leaf = read_leaf(io, path);
+    const Subdomain leaf = read_leaf(io, given, path);
     builder.add(leaf, work);
     nodes.add_leaf(leaf);
   }
   const SubdomainGraph graph = std::move(builder).finish();
   const std::vector<std::int32_t> leaf2group =
       assimilate(graph, static_cast<std::int32_t>(job.groups), method_of(job));
-  const GroupFigures figures = join_groups(io, leaves, leaf2group, std::move(nodes));
+  const GroupFigures figures = join_groups(io, given, leaves, leaf2group, std::move(nodes));
   const std::vector<double> leaf_faces(graph.faces.begin(), graph.faces.end());
   report_balance(io, "leaf_faces", leaf_faces);
   report_balance(io, "leaf_estimated", graph.work);

@@ -8,14 +8,12 @@
 #include "mesh/cosmetics/element_passing.h"
 #include "mesh/cosmetics/seam_cosmetics.h"
 #include "mesh/spacing/spacing_field.h"
+#include "tasks/cosmetic_contract.h"
 #include "worker/element_input.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
 namespace {
-
-constexpr std::string_view waits_prefix = "waits:";
-constexpr std::string_view had_turn_prefix = "had_turn:";
 
 /// The files that the turn builds upon, by leaf. That of the leaf itself is in `waiting`.
 struct Surroundings {
@@ -25,19 +23,16 @@ struct Surroundings {
   Colours colours;
 };
 
-Surroundings open_inputs(const TaskIo& io) {
+Surroundings open_inputs(const TaskIo& io, const CosmeticGiven& given) {
   Surroundings inputs;
   inputs.self = io.assign().path();
-  inputs.colours = colours_of(io.parameter("colours"));
-  inputs.waiting.emplace(inputs.self, ElementInput(io, "own"));
-  for (const wire::Artifact& input : io.assign().inputs()) {
-    const std::string& name = input.name();
-    for (const std::string_view prefix : {waits_prefix, had_turn_prefix}) {
-      if (!name.starts_with(prefix)) continue;
-      const std::uint64_t heap = std::stoull(name.substr(prefix.size()));
-      auto& files = prefix == waits_prefix ? inputs.waiting : inputs.had_turn;
-      files.emplace(heap, ElementInput(io, name));
-    }
+  inputs.colours = colours_of(given.colours);
+  inputs.waiting.emplace(inputs.self, ElementInput(io, given.own));
+  for (const auto& [heap, file] : given.waiting) {
+    inputs.waiting.emplace(heap, ElementInput(io, file));
+  }
+  for (const auto& [heap, file] : given.had_turn) {
+    inputs.had_turn.emplace(heap, ElementInput(io, file));
   }
   return inputs;
 }
@@ -76,7 +71,8 @@ ElementSection latest(const Sharers& sharers, Surroundings& inputs) {
   return join_pieces(std::move(pieces));
 }
 
-void report(TaskIo& io, const SeamResult& result, const Surroundings& inputs) {
+void report(TaskIo& io, const SeamResult& result, const CosmeticGiven& given,
+            const Surroundings& inputs) {
   io.number("tets", static_cast<double>(result.tets));
   io.number("swaps", static_cast<double>(result.report.swaps));
   io.number("moves", static_cast<double>(result.report.moves));
@@ -87,10 +83,9 @@ void report(TaskIo& io, const SeamResult& result, const Surroundings& inputs) {
   for (const auto* files : {&inputs.waiting, &inputs.had_turn}) {
     for (const auto& [heap, file] : *files) bytes += file.bytes_read();
   }
-  std::uint64_t whole = 0;
-  for (const wire::Artifact& input : io.assign().inputs()) {
-    if (input.name() == "spacing") continue;
-    whole += input.size();
+  std::uint64_t whole = given.own.size;
+  for (const auto* files : {&given.waiting, &given.had_turn}) {
+    for (const auto& [heap, file] : *files) whole += file.size;
   }
   io.number("bytes_read", static_cast<double>(bytes));
   io.number("bytes_of_files", static_cast<double>(whole));
@@ -99,8 +94,9 @@ void report(TaskIo& io, const SeamResult& result, const Surroundings& inputs) {
 }  // namespace
 
 void cosmetic_task(TaskIo& io) {
-  const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
-  Surroundings inputs = open_inputs(io);
+  const auto given = io.given<CosmeticGiven>();
+  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  Surroundings inputs = open_inputs(io, given);
   io.progress().begin(WorkStage::read);
   std::vector<ElementSection> sections;
   for (const Sharers& sharers : shared_sections(inputs)) {
@@ -108,7 +104,7 @@ void cosmetic_task(TaskIo& io) {
   }
   double tets = 0;
   for (const ElementSection& section : sections) tets += static_cast<double>(section.tets.size());
-  report_cost(io, cosmetic_cost(tets, static_cast<double>(io.input_size("spacing"))));
+  report_cost(io, cosmetic_cost(tets, static_cast<double>(given.spacing.size)));
   SeamTurn turn{inputs.self, {}, inputs.waiting.at(inputs.self).head().next_node};
   for (const auto& [heap, file] : inputs.had_turn) turn.had_turn.push_back(heap);
   SeamOptions options;
@@ -116,9 +112,9 @@ void cosmetic_task(TaskIo& io) {
   options.cosmetics.smallest_spacing = spacing.smallest();
   options.cosmetics.progress = io.progress();
   const SeamResult result = improve_seams(std::move(sections), turn, options);
-  report(io, result, inputs);
-  io.publish("elements", elements_to_bytes({{inputs.self}, result.next_node, result.gone, {}},
-                                           result.sections));
+  report(io, result, given, inputs);
+  io.made(CosmeticMade{io.publish(
+      elements_to_bytes({{inputs.self}, result.next_node, result.gone, {}}, result.sections))});
 }
 
 }  // namespace tetfarm

@@ -1,12 +1,16 @@
 #include "worker/decompose_task.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/region_split.h"
+#include "tasks/decompose_contract.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -40,11 +44,11 @@ Works works_of(const Cut& cut, bool left_is_counted, bool right_is_counted,
 /// How many leaves the halves are to become: as was told, or as many as the memory asks for.
 class Wanted {
  public:
-  explicit Wanted(const TaskIo& io)
-      : io_(io),
-        left_(io.whole_parameter("left_parts")),
-        right_(io.whole_parameter("right_parts")),
-        most_bytes_(io.number_parameter("most_bytes", 0)) {}
+  explicit Wanted(const DecomposeGiven& given)
+      : spacing_(given.spacing),
+        left_(static_cast<std::int64_t>(given.left_parts)),
+        right_(static_cast<std::int64_t>(given.right_parts)),
+        most_bytes_(static_cast<double>(given.most_bytes.value_or(0))) {}
 
   double left_share() const {
     return static_cast<double>(left_) / static_cast<double>(left_ + right_);
@@ -64,12 +68,12 @@ class Wanted {
  private:
   std::int64_t parts(const Subdomain& half, double work, std::int64_t told) const {
     if (!depends_on_memory()) return told;
-    const SubdomainSize size = size_of(io_, half, work);
+    const SubdomainSize size = size_of(half, work, spacing_);
     return std::max<std::int64_t>(std::ssize(regions_of(half)),
                                   parts_for_memory(size, most_bytes_));
   }
 
-  const TaskIo& io_;
+  TaskFile spacing_;
   std::int64_t left_;
   std::int64_t right_;
   double most_bytes_;
@@ -87,36 +91,43 @@ void require_sound(const Subdomain& half) {
               "the cut made an invalid sub-domain " + half.path.text() + ": " + complaints.front());
 }
 
+DecomposeMade::Half published_half(TaskIo& io, const Subdomain& half, double work) {
+  return {.file = io.publish(subdomain_to_bytes(half)),
+          .work = work,
+          .parts = std::nullopt,
+          .needles = static_cast<std::uint64_t>(needle_count(half.vertices, half.triangles))};
+}
+
 /// Publishes the two halves, which are checked first.
-void publish_halves(TaskIo& io, const Works& works, const Subdomain& left, const Subdomain& right) {
+DecomposeMade::Halves published_halves(TaskIo& io, const Works& works, const Subdomain& left,
+                                       const Subdomain& right) {
   require_sound(left);
   require_sound(right);
-  io.number("left_work", works.left);
-  io.number("right_work", works.right);
-  io.number("left_needles", static_cast<double>(needle_count(left.vertices, left.triangles)));
-  io.number("right_needles", static_cast<double>(needle_count(right.vertices, right.triangles)));
-  io.publish("left", subdomain_to_bytes(left));
-  io.publish("right", subdomain_to_bytes(right));
+  return {.left = published_half(io, left, works.left),
+          .right = published_half(io, right, works.right),
+          .interdomain_nodes = 0};
 }
 
 /// Where the coordinator cannot know them: by memory, or by regions.
-void tell_parts(TaskIo& io, std::int64_t left_parts, std::int64_t right_parts) {
-  io.number("left_parts", static_cast<double>(left_parts));
-  io.number("right_parts", static_cast<double>(right_parts));
+void tell_parts(DecomposeMade::Halves& halves, std::int64_t left_parts, std::int64_t right_parts) {
+  TF_CHECK(left_parts > 0 && right_parts > 0);
+  halves.left.parts = static_cast<std::uint64_t>(left_parts);
+  halves.right.parts = static_cast<std::uint64_t>(right_parts);
 }
 
 /// Several regions: by them, not by a plane.
-void divide_regions(TaskIo& io, const Subdomain& subdomain, const SpacingField& spacing,
-                    const Wanted& wanted) {
+DecomposeMade::Halves divided_regions(TaskIo& io, const Subdomain& subdomain,
+                                      const SpacingField& spacing, const Wanted& wanted) {
   const RegionSplit split = split_regions(subdomain, spacing, wanted.parts());
   const Works works = works_of(split.left, split.right, spacing);
-  io.number("interdomain_nodes", 0);
+  DecomposeMade::Halves halves = published_halves(io, works, split.left, split.right);
   if (wanted.depends_on_memory()) {
-    tell_parts(io, wanted.left_parts(split.left, works), wanted.right_parts(split.right, works));
+    tell_parts(halves, wanted.left_parts(split.left, works),
+               wanted.right_parts(split.right, works));
   } else {
-    tell_parts(io, split.left_parts, split.right_parts);
+    tell_parts(halves, split.left_parts, split.right_parts);
   }
-  publish_halves(io, works, split.left, split.right);
+  return halves;
 }
 
 }  // namespace
@@ -128,30 +139,36 @@ CutPlanes cut_planes_of(const JobFile& job) {
 }
 
 void decompose_task(TaskIo& io) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  const Subdomain subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
-  report_cost(io, decompose_cost(size_of(io, subdomain, io.number_parameter("work", 0))));
-  const Wanted wanted(io);
+  const auto given = io.given<DecomposeGiven>();
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
+  const Subdomain subdomain = io.read(given.subdomain, subdomain_from_bytes);
+  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  report_cost(io,
+              decompose_cost(size_of(subdomain, static_cast<double>(given.work), given.spacing)));
+  const Wanted wanted(given);
   io.progress().begin(WorkStage::cut);
-  if (subdomain.region == 0) return divide_regions(io, subdomain, spacing, wanted);
+  if (subdomain.region == 0) {
+    io.made(DecomposeMade{divided_regions(io, subdomain, spacing, wanted), std::nullopt});
+    return;
+  }
   CutOptions options;
   options.planes = cut_planes_of(job);
   options.left_share = wanted.left_share();
   options.progress = io.progress();
   const CutOutcome outcome = planar_cut(subdomain, spacing, options);
   if (!outcome.cut) {
-    io.text("reason", outcome.reason);
+    io.made(DecomposeMade{std::nullopt, outcome.reason});
     return;
   }
   const Cut& cut = *outcome.cut;
   const Works works = works_of(cut, wanted.left_counts(), wanted.right_counts(), spacing);
+  DecomposeMade::Halves halves = published_halves(io, works, cut.left, cut.right);
   if (wanted.depends_on_memory()) {
-    tell_parts(io, wanted.left_parts(cut.left, works), wanted.right_parts(cut.right, works));
+    tell_parts(halves, wanted.left_parts(cut.left, works), wanted.right_parts(cut.right, works));
   }
-  io.number("interdomain_nodes", static_cast<double>(nodes_of_cut(cut.left, subdomain.path)));
+  halves.interdomain_nodes = static_cast<std::uint64_t>(nodes_of_cut(cut.left, subdomain.path));
   io.number("candidates_tried", cut.candidates_tried);
-  publish_halves(io, works, cut.left, cut.right);
+  io.made(DecomposeMade{std::move(halves), std::nullopt});
 }
 
 }  // namespace tetfarm

@@ -6,17 +6,17 @@
 
 namespace tetfarm {
 
-ElementInput::ElementInput(const TaskIo& io, std::string name)
-    : io_(io),
-      name_(std::move(name)),
-      file_(io.look_into(name_, [this](const auto& path) { return ElementFile(path, name_); })) {}
+ElementInput::ElementInput(const TaskIo& io, TaskFile input)
+    : io_(io), input_(std::move(input)), file_(io.look_into(input_, [this](const auto& path) {
+        return ElementFile(path, io_.name_of(input_));
+      })) {}
 
 ElementSection ElementInput::read(std::size_t section) {
-  return io_.look_into(name_, [&](const auto&) { return file_.read(section); });
+  return io_.look_into(input_, [&](const auto&) { return file_.read(section); });
 }
 
 CoreElements ElementInput::read_core() {
-  return io_.look_into(name_, [&](const auto&) { return file_.read_core(); });
+  return io_.look_into(input_, [&](const auto&) { return file_.read_core(); });
 }
 
 Colours colours_of(const std::string& order) {

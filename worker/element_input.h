@@ -13,7 +13,7 @@ namespace tetfarm {
 /// An ElementFile whose damage is that of the task's input.
 class ElementInput {
  public:
-  ElementInput(const TaskIo& io, std::string name);
+  ElementInput(const TaskIo& io, TaskFile input);
 
   const ElementFileHead& head() const { return file_.head(); }
   ElementSection read(std::size_t section);
@@ -22,7 +22,7 @@ class ElementInput {
 
  private:
   const TaskIo& io_;
-  std::string name_;
+  TaskFile input_;
   ElementFile file_;
 };
 

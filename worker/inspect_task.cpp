@@ -13,13 +13,12 @@
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
+#include "tasks/inspect_contract.h"
 #include "worker/evidence.h"
 
 namespace tetfarm {
 namespace {
 
-/// Above this the decomposition tree would be deeper than its heap numbers reach.
-constexpr double most_parts = 1e6;
 /// Leaves to be assimilated, when their number is left to us: as many to a group as the thesis has
 /// (128 to 8), but none of a few hundred elements.
 constexpr double leaves_in_group = 16;
@@ -60,9 +59,19 @@ void report_forecast(TaskIo& io, const JobForecast& forecast) {
   io.number("forecast_seconds", forecast.seconds);
 }
 
+static_assert(most_subdomains == most_parts);
+
+/// Each is a sub-domain of its own, if not several.
+void require_few(std::int32_t regions) {
+  if (regions <= most_subdomains) return;
+  throw UsageError("it has " + std::to_string(regions) + " regions, and a job has at most " +
+                       std::to_string(most_subdomains) + " sub-domains",
+                   "the surface");
+}
+
 /// A file that the coordinator took as it was may be packed.
-std::string unpacked(std::string bytes) {
-  return is_gzip(bytes) ? unpack_gzip(bytes, "input_surface") : std::move(bytes);
+std::string unpacked(std::string bytes, const std::string& name) {
+  return is_gzip(bytes) ? unpack_gzip(bytes, name) : std::move(bytes);
 }
 
 }  // namespace
@@ -103,7 +112,8 @@ std::int64_t wanted_parts(const JobFile& job, double elements, std::int32_t regi
   const double to_assimilate =
       std::min(leaves_in_group * groups, std::max(groups, elements / least_leaf_elements));
   const double wanted = std::max(by_size, to_assimilate);
-  return static_cast<std::int64_t>(std::clamp(wanted, static_cast<double>(regions), most_parts));
+  return static_cast<std::int64_t>(
+      std::clamp(wanted, static_cast<double>(regions), static_cast<double>(most_parts)));
 }
 
 std::int64_t parts_of_job(const JobFile& job, const SubdomainSize& root, std::int32_t regions) {
@@ -143,9 +153,11 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const std::string
 }  // namespace
 
 void inspect_task(TaskIo& io) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
+  const auto given = io.given<InspectGiven>();
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
+  if (!given.input_surface) throw OwnDefect("the job has no surface", {});
   io.progress().begin(WorkStage::read);
-  const std::string input = unpacked(io.read("input_surface"));
+  const std::string input = io.read(*given.input_surface, unpacked);
   const auto input_bytes = static_cast<double>(input.size());
   const CheckedSurface checked = checked_surface(io, job, input);
   io.progress().begin(WorkStage::spacing);
@@ -158,23 +170,26 @@ void inspect_task(TaskIo& io) {
   require_room(job, input_bytes, size);
   report_cost(io, inspect_cost(input_bytes, size));
   report_numbers(io, domain.surface, checked.report);
-  io.number("total_work", domain.elements);
-  io.number("needles", size.needles);
   const std::int32_t regions = region_count(domain.surface);
+  require_few(regions);
   const std::int64_t parts = parts_of_job(job, size, regions);
-  io.number("parts", static_cast<double>(parts));
-  io.number("most_bytes", static_cast<double>(job.max_memory_bytes));
-  io.number("groups", static_cast<double>(job.groups));
-  io.number("across_cuts", job.across_cuts ? 1 : 0);
   const JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
   require_disk(job, forecast,
                limits_of_job(job, checked.surface, domain_volume(domain.surface),
-                             io.number_parameter("free_bytes", 0)));
+                             static_cast<double>(given.free_bytes.value_or(0))));
   report_forecast(io, forecast);
-  io.publish("surface", surface_to_bytes(domain.surface));
-  io.publish("spacing", spacing_bytes);
-  io.publish("root", subdomain_to_bytes(domain.root));
-  io.publish("settings", to_toml(mesh_settings_of(job)));
+  InspectMade made;
+  made.surface = io.publish(surface_to_bytes(domain.surface));
+  made.spacing = io.publish(spacing_bytes);
+  made.root = io.publish(subdomain_to_bytes(domain.root));
+  made.settings = io.publish(to_toml(mesh_settings_of(job)));
+  made.parts = static_cast<std::uint64_t>(parts);
+  made.total_work = domain.elements;
+  made.groups = static_cast<std::uint64_t>(job.groups);
+  made.most_bytes = static_cast<std::uint64_t>(job.max_memory_bytes);
+  made.needles = static_cast<std::uint64_t>(size.needles);
+  made.across_cuts = job.across_cuts;
+  io.made(made);
 }
 
 }  // namespace tetfarm

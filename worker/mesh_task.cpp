@@ -11,6 +11,7 @@
 #include "mesh/core/validate.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/library/leaf_mesh.h"
+#include "tasks/mesh_contract.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
 #include "worker/task_cost.h"
@@ -59,10 +60,11 @@ double smallest_dihedral_deg(const TetMesh& mesh) {
 }  // namespace
 
 void mesh_task(TaskIo& io) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
-  const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  const SpacingField spacing = SpacingField::from_bytes(io.read("spacing"), "spacing");
-  report_cost(io, mesh_cost(size_of(io, leaf, io.number_parameter("work", 0))));
+  const auto given = io.given<MeshGiven>();
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
+  const Subdomain leaf = io.read(given.subdomain, subdomain_from_bytes);
+  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  report_cost(io, mesh_cost(size_of(leaf, static_cast<double>(given.work), given.spacing)));
   const TetMesh mesh = mesh_or_refuse(io, job, leaf, spacing);
   io.progress().begin(WorkStage::validate);
   const std::vector<std::string> complaints = validate(mesh, leaf.triangles);
@@ -70,11 +72,12 @@ void mesh_task(TaskIo& io) {
     throw Error(ExitCode::failed, "sub-domain " + leaf.path.text() +
                                       ": the mesh is not valid: " + complaints.front());
   }
-  io.number("tets", static_cast<double>(mesh.tets.size()));
-  io.number("interior_nodes",
-            static_cast<double>(mesh.nodes.size() - static_cast<std::size_t>(mesh.boundary_nodes)));
   io.number("min_dihedral_deg", smallest_dihedral_deg(mesh));
-  io.publish("mesh", tet_mesh_to_bytes(mesh));
+  MeshMade made;
+  made.mesh = io.publish(tet_mesh_to_bytes(mesh));
+  made.interior_nodes = mesh.nodes.size() - static_cast<std::size_t>(mesh.boundary_nodes);
+  made.tets = mesh.tets.size();
+  io.made(made);
 }
 
 }  // namespace tetfarm

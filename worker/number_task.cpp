@@ -6,6 +6,7 @@
 
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/global_numbering.h"
+#include "tasks/number_contract.h"
 #include "worker/element_input.h"
 #include "worker/task_cost.h"
 
@@ -46,27 +47,27 @@ struct LeafCounts {
 };
 
 /// Nodes of cuts that are on no boundary any more, as sub-domains on both sides were joined.
-std::vector<Origin> dropped_by_assimilation(const TaskIo& io) {
+std::vector<Origin> dropped_by_assimilation(const TaskIo& io, const TaskFile& file) {
   std::vector<Origin> dropped;
-  if (!io.has_input("dropped")) return dropped;
-  std::istringstream lines(io.read("dropped"));
+  std::istringstream lines(io.read(file));
   std::string word;
   Origin first;
   std::uint32_t count = 0;
   while (lines >> word >> first.owner >> first.index >> count) {
     for (std::uint32_t i = 0; i < count; ++i) dropped.push_back({first.owner, first.index + i});
   }
-  if (!lines.eof()) throw CorruptFile("has an invalid line", "dropped");
+  if (!lines.eof()) throw CorruptFile("has an invalid line", io.name_of(file));
   return dropped;
 }
 
 /// A line for each leaf, from the heads of all files. What cosmetics removed is added to `gone`.
-std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) {
-  const Colours colours = colours_of(io.parameter("order"));
+std::string leaves_after_cosmetics(const TaskIo& io, const NumberGiven& given,
+                                   const std::string& order, std::vector<Origin>& gone) {
+  const Colours colours = colours_of(order);
   std::map<std::uint64_t, LeafCounts> counts;
   for (const auto& [heap, colour] : colours) {
-    const ElementInput core(io, "core:" + std::to_string(heap));
-    const ElementInput turn(io, "elements:" + std::to_string(heap));
+    const ElementInput core(io, file_of_leaf(given.cores, heap));
+    const ElementInput turn(io, file_of_leaf(given.elements, heap));
     counts[heap].nodes = turn.head().next_node;
     counts[heap].tets += core.head().sections.at(0).tets.at(0);
     counts[heap].triangles += core.head().sections.at(0).triangles.at(0);
@@ -90,15 +91,19 @@ std::string leaves_after_cosmetics(const TaskIo& io, std::vector<Origin>& gone) 
 }  // namespace
 
 void number_task(TaskIo& io) {
-  const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
+  const auto given = io.given<NumberGiven>();
+  const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
   io.progress().begin(WorkStage::number);
   report_cost(io, number_cost(static_cast<double>(surface.triangles.size())));
-  std::string table = io.parameter("table");
-  std::vector<Origin> gone = dropped_by_assimilation(io);
-  if (io.has_parameter("order")) table = cuts_of(table) + leaves_after_cosmetics(io, gone);
+  std::string table = given.table;
+  std::vector<Origin> gone;
+  if (given.dropped) gone = dropped_by_assimilation(io, *given.dropped);
+  if (given.order) {
+    table = cuts_of(table) + leaves_after_cosmetics(io, given, *given.order, gone);
+  }
   std::sort(gone.begin(), gone.end());
   table += dropped_lines(gone);
-  io.publish("numbering", numbering_to_text(number_globally(surface, table)));
+  io.made(NumberMade{io.publish(numbering_to_text(number_globally(surface, table)))});
 }
 
 }  // namespace tetfarm

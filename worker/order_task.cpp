@@ -8,6 +8,7 @@
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/artifacts/element_file.h"
 #include "mesh/cosmetics/subdomain_colouring.h"
+#include "tasks/order_contract.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -34,16 +35,18 @@ CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>
 void order_task(TaskIo& io) {
   std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves;
   double triangles = 0;
-  io.progress().begin(WorkStage::order, static_cast<std::size_t>(io.assign().inputs_size()));
-  for (const wire::Artifact& input : io.assign().inputs()) {
+  const auto given = io.given<OrderGiven>();
+  io.progress().begin(WorkStage::order, given.subdomains.size());
+  for (const auto& [heap, file] : given.subdomains) {
     io.progress().add();
-    const Subdomain leaf = subdomain_from_bytes(io.read(input.name()), input.name());
+    const Subdomain leaf = io.read(file, subdomain_from_bytes);
     triangles += static_cast<double>(leaf.triangles.size());
     region2leaves[leaf.region].push_back(interface_nodes(leaf));
   }
   report_cost(io, order_cost(triangles));
   const CosmeticOrder order = order_by_region(std::move(region2leaves));
-  std::string text;
+  OrderMade made;
+  std::string& text = made.order;
   std::int32_t colours = 0;
   for (const ColouredLeaf& leaf : order.leaves) {
     text += std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.colour);
@@ -52,9 +55,9 @@ void order_task(TaskIo& io) {
     colours = std::max(colours, leaf.colour + 1);
   }
   for (const SharedNodes& shared : order.shared) {
-    io.publish("shared:" + std::to_string(shared.path.heap), shared_nodes_to_bytes(shared));
+    made.shared[shared.path.heap] = io.publish(shared_nodes_to_bytes(shared));
   }
-  io.text("order", text);
+  io.made(made);
   io.number("colours", colours);
 }
 

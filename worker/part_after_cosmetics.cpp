@@ -23,25 +23,28 @@ void add_nodes_of_others(const ElementSection& section, TreePath leaf, std::vect
   }
 }
 
-ElementSection core_as_meshed(const TaskIo& io, const std::string& extracted) {
-  const Subdomain leaf = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  TetMesh mesh = tet_mesh_from_bytes(io.read("mesh"), leaf, "mesh");
-  return core_section(leaf, std::move(mesh), ElementInput(io, extracted).read_core());
+ElementSection core_as_meshed(const TaskIo& io, const WriteGiven& given, TreePath path) {
+  const Subdomain leaf = io.read(given.subdomain, subdomain_from_bytes);
+  TetMesh mesh = io.read(given.mesh, [&leaf](const std::string& bytes, const std::string& name) {
+    return tet_mesh_from_bytes(bytes, leaf, name);
+  });
+  ElementInput extracted(io, file_of_leaf(given.cores, path.heap));
+  return core_section(leaf, std::move(mesh), extracted.read_core());
 }
 
 /// The sections that the leaf shares, as the last turns left them, and its core; what is not its
 /// own is left out, but for the origins of nodes there.
-std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, const Colours& colours,
+std::vector<ElementSection> final_sections(const TaskIo& io, const WriteGiven& given, TreePath leaf,
+                                           const Colours& colours,
                                            std::vector<Origin>& nodes_of_others) {
-  const std::string heap = std::to_string(leaf.heap);
-  std::vector<ElementSection> sections = {core_as_meshed(io, "core:" + heap)};
-  const ElementInput own(io, "elements:" + heap);
+  std::vector<ElementSection> sections = {core_as_meshed(io, given, leaf)};
+  const ElementInput own(io, file_of_leaf(given.elements, leaf.heap));
   std::map<std::uint64_t, std::vector<Sharers>> wanted;
   for (const ElementFileHead::Section& section : own.head().sections) {
     wanted[last_turn(section.sharers, colours)].push_back(section.sharers);
   }
   for (const auto& [last, list] : wanted) {
-    ElementInput file(io, "elements:" + std::to_string(last));
+    ElementInput file(io, file_of_leaf(given.elements, last));
     for (const Sharers& sharers : list) {
       const auto place = file.head().find(sharers);
       if (!place) throw Error(ExitCode::failed, "a turn left out a section that it shares");
@@ -55,9 +58,10 @@ std::vector<ElementSection> final_sections(const TaskIo& io, TreePath leaf, cons
 
 }  // namespace
 
-MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours) {
+MeshPart part_after_cosmetics(const TaskIo& io, const WriteGiven& given, TreePath leaf,
+                              const Colours& colours) {
   std::vector<Origin> nodes_of_others;
-  JoinedElements joined = join_elements(final_sections(io, leaf, colours, nodes_of_others));
+  JoinedElements joined = join_elements(final_sections(io, given, leaf, colours, nodes_of_others));
   MeshPart part;
   std::sort(nodes_of_others.begin(), nodes_of_others.end());
   // Both ascend.

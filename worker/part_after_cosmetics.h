@@ -3,12 +3,14 @@
 #pragma once
 
 #include "mesh/assemble/global_mesh.h"
+#include "tasks/write_contract.h"
 #include "worker/element_input.h"
 
 namespace tetfarm {
 
-/// Reads "subdomain" and "mesh", what "core:HEAP" leaves of them, and the sections that it shares
-/// in the "elements:HEAP" of it and its neighbours. @throws DamagedInput.
-MeshPart part_after_cosmetics(const TaskIo& io, TreePath leaf, const Colours& colours);
+/// Reads the sub-domain and its mesh, what its core leaves of them, and the sections that it shares
+/// in the elements of it and its neighbours. @throws DamagedInput.
+MeshPart part_after_cosmetics(const TaskIo& io, const WriteGiven& given, TreePath leaf,
+                              const Colours& colours);
 
 }  // namespace tetfarm

@@ -20,8 +20,6 @@ constexpr double elements_in_estimate = 1.15;
 constexpr double turn_elements_of_leaf = 2.5;
 constexpr double turn_elements_per_triangle = 23;
 
-constexpr double most_parts = 1e6;
-
 double bytes_of(TaskKind kind, const MemorySize& size) {
   const TaskMemory& of = traits_of(kind).memory;
   return process_bytes + of.fixed + of.of_spacing_byte * size.spacing_bytes +
@@ -97,9 +95,9 @@ TaskCost assemble_cost(double surface_triangles, double elements, const Subdomai
                  {elements, surface_triangles, 0});
 }
 
-SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements) {
+SubdomainSize size_of(const Subdomain& subdomain, double elements, const TaskFile& spacing) {
   return {elements, static_cast<double>(subdomain.triangles.size()),
-          static_cast<double>(io.input_size("spacing")),
+          static_cast<double>(spacing.size),
           static_cast<double>(needle_count(subdomain.vertices, subdomain.triangles))};
 }
 
@@ -117,7 +115,7 @@ std::int64_t parts_for_memory(const SubdomainSize& size, double most_bytes) {
   const double room = most_bytes - fixed;
   if (room <= 0) return static_cast<std::int64_t>(most_parts);
   const double parts = std::ceil((leaf_bytes(size) - fixed) / room);
-  return static_cast<std::int64_t>(std::clamp(parts, 2.0, most_parts));
+  return static_cast<std::int64_t>(std::clamp(parts, 2.0, static_cast<double>(most_parts)));
 }
 
 double least_memory(double input_bytes, const SubdomainSize& root) {

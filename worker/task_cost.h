@@ -62,8 +62,8 @@ TaskCost write_cost(double surface_triangles, double elements);
 /// `largest` is the largest sub-domain, `elements` all of them.
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest);
 
-/// The size of the task's sub-domain; `elements` are estimated. Cost: O(triangles).
-SubdomainSize size_of(const TaskIo& io, const Subdomain& subdomain, double elements);
+/// The size of a task's sub-domain; `elements` are estimated. Cost: O(triangles).
+SubdomainSize size_of(const Subdomain& subdomain, double elements, const TaskFile& spacing);
 
 /// As numbers of the task's result: expected_bytes and expected_seconds for the job's report, and
 /// size_elements, size_triangles, size_needles, from which later expectations are learnt.

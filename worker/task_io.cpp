@@ -1,8 +1,8 @@
 #include "worker/task_io.h"
 
-#include <charconv>
 #include <system_error>
 
+#include "base/check.h"
 #include "proto/doing.h"
 #include "store/attempt_scratch.h"
 
@@ -10,13 +10,6 @@ namespace tetfarm {
 namespace {
 
 constexpr std::chrono::milliseconds between_progress{250};
-
-const wire::Artifact* find_input(const wire::Assign& assign, const std::string& name) {
-  for (const wire::Artifact& input : assign.inputs()) {
-    if (input.name() == name) return &input;
-  }
-  return nullptr;
-}
 
 void add_output(wire::Done& done, const std::string& name, const StoredArtifact& stored) {
   wire::Artifact& output = *done.add_outputs();
@@ -27,67 +20,64 @@ void add_output(wire::Done& done, const std::string& name, const StoredArtifact&
 
 }  // namespace
 
+const TaskFile& file_of_leaf(const LeafFiles& files, std::uint64_t heap) {
+  const auto found = files.find(heap);
+  if (found == files.end()) {
+    throw Error(ExitCode::failed, "a file of sub-domain " + std::to_string(heap) + " is missing");
+  }
+  return found->second;
+}
+
+TaskWords given_words(const wire::Assign& assign) {
+  TaskWords words;
+  for (const wire::Artifact& file : assign.inputs()) {
+    words.files.push_back({file.name(), {file.hash(), file.size()}});
+  }
+  words.texts = {assign.parameters().begin(), assign.parameters().end()};
+  return words;
+}
+
 TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart)
     : store_(store),
       assign_(assign),
       say_(std::move(say)),
       progress_([this](const WorkCount& count) { pass_on(count); }),
-      is_apart_(is_apart) {}
-
-bool TaskIo::has_input(const std::string& name) const {
-  return find_input(assign_, name) != nullptr;
+      is_apart_(is_apart) {
+  for (const wire::Artifact& input : assign.inputs()) hash2input_[input.hash()] = &input;
 }
 
-const wire::Artifact& TaskIo::input(const std::string& name) const {
-  const wire::Artifact* found = find_input(assign_, name);
-  if (found == nullptr) throw Error(ExitCode::failed, "the task has no input \"" + name + "\"");
-  return *found;
+void TaskIo::require_no_breach(TaskKind kind, const std::string& breach) {
+  if (breach.empty()) return;
+  throw OwnDefect(
+      "the task to " + std::string(tetfarm::name_of(kind)) + " cannot be done: " + breach, {});
 }
 
-std::string TaskIo::read(const std::string& name) const {
-  const wire::Artifact& artifact = input(name);
-  return checked_input(artifact, [&] { return store_.read(artifact.hash(), artifact.size()); });
+std::string TaskIo::read(const TaskFile& file) const {
+  return checked_input(file, [&] { return store_.read(file.hash, file.size); });
 }
 
-std::filesystem::path TaskIo::path(const std::string& name) const {
-  const wire::Artifact& artifact = input(name);
-  return checked_input(artifact, [&] {
-    store_.verify(artifact.hash(), artifact.size());
-    return store_.path_of(artifact.hash());
+std::string TaskIo::name_of(const TaskFile& file) const {
+  const auto found = hash2input_.find(file.hash);
+  TF_CHECK(found != hash2input_.end());
+  return found->second->name();
+}
+
+std::filesystem::path TaskIo::path(const TaskFile& file) const {
+  return checked_input(file, [&] {
+    store_.verify(file.hash, file.size);
+    return store_.path_of(file.hash);
   });
 }
 
-bool TaskIo::has_parameter(const std::string& name) const {
-  return assign_.parameters().contains(name);
+TaskFile TaskIo::publish(std::string_view bytes) {
+  const StoredArtifact stored = store_.publish(bytes);
+  return {stored.hash, stored.size};
 }
 
-std::string TaskIo::parameter(const std::string& name) const {
-  const auto found = assign_.parameters().find(name);
-  if (found == assign_.parameters().end()) {
-    throw Error(ExitCode::failed, "the task has no parameter \"" + name + "\"");
-  }
-  return found->second;
-}
-
-std::uint64_t TaskIo::input_size(const std::string& name) const {
-  const wire::Artifact* found = find_input(assign_, name);
-  return found == nullptr ? 0 : found->size();
-}
-
-double TaskIo::number_parameter(const std::string& name, double otherwise) const {
-  return assign_.parameters().contains(name) ? static_cast<double>(whole_parameter(name))
-                                             : otherwise;
-}
-
-std::int64_t TaskIo::whole_parameter(const std::string& name) const {
-  const std::string text = parameter(name);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error(ExitCode::failed,
-                "the task's parameter " + name + " = \"" + text + "\" is not a whole number");
-  }
-  return value;
+void TaskIo::add(const TaskWords& made) {
+  for (const auto& [name, file] : made.files) add_output(done_, name, {file.hash, file.size});
+  for (const auto& [name, value] : made.numbers) number(name, value);
+  for (const auto& [name, value] : made.texts) text(name, value);
 }
 
 void TaskIo::publish(const std::string& name, std::string_view bytes) {

@@ -1,7 +1,9 @@
-/// What a running task sees of the world: its inputs, its parameters, a place for its outputs.
+/// What a running task sees of the world: what it was given, and a place for what it makes.
 ///
-/// Inputs are checked against their checksums when read; outputs are published at once, under the
-/// checksum of their bytes, so that a task that fails later leaves nothing but unused files.
+/// Both are the contracts of its kind (tasks/KIND_contract.h): given() is the one, and made() takes
+/// the other; beside it there may be figures for people. Files are checked against their checksums
+/// when read; outputs are published at once, under the checksum of their bytes, so that a task that
+/// fails later leaves nothing but unused files.
 #pragma once
 
 #include <bitset>
@@ -9,14 +11,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/work_progress.h"
 #include "proto/messages.pb.h"
 #include "store/artifact_store.h"
+#include "tasks/task_contract.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 
@@ -60,18 +66,24 @@ class DamagedInput : public Error {
   std::string hash_;
 };
 
-/// What `look` returns; damage and absence of the artifact become DamagedInput.
+/// What `look` returns; damage and absence of the file become DamagedInput.
 template <class Look>
-auto checked_input(const wire::Artifact& artifact, const Look& look) {
+auto checked_input(const TaskFile& file, const Look& look) {
   try {
     return look();
   } catch (const CorruptFile& error) {
-    throw DamagedInput(error.what(), artifact.hash());
+    throw DamagedInput(error.what(), file.hash);
   } catch (const IoError& error) {
     if (error.code() != ExitCode::not_found) throw;
-    throw DamagedInput(error.what(), artifact.hash());
+    throw DamagedInput(error.what(), file.hash);
   }
 }
+
+/// That of the leaf. @throws Error when it has none.
+const TaskFile& file_of_leaf(const LeafFiles& files, std::uint64_t heap);
+
+/// What a task is given, as it travels.
+TaskWords given_words(const wire::Assign& assign);
 
 class TaskIo {
  public:
@@ -81,30 +93,44 @@ class TaskIo {
   TaskIo(const TaskIo&) = delete;
   TaskIo& operator=(const TaskIo&) = delete;
 
-  /// The checked bytes of the input of that name. @throws DamagedInput; Error when the task has no
-  /// such input.
-  std::string read(const std::string& name) const;
-  bool has_input(const std::string& name) const;
-  /// The checksum that names it. @throws Error when the task has no such input.
-  std::string input_hash(const std::string& name) const { return input(name).hash(); }
-  /// 0 when the task has no such input.
-  std::uint64_t input_size(const std::string& name) const;
-  /// Where the checked file of that input lies, for readers of their own. @throws as read does.
-  std::filesystem::path path(const std::string& name) const;
-  /// What `look` returns, called with the path of that input, for readers that read a part of a
+  /// What the task was given. @throws OwnDefect where that is not its contract.
+  template <class Given>
+  Given given() const {
+    ContractReading<Given> reading = from_words<Given>(given_words(assign_));
+    require_no_breach(Given::kind, reading.breach);
+    return std::move(reading.contract);
+  }
+  /// What it has made; once. Its files are published.
+  template <class Made>
+  void made(const Made& made) {
+    add(to_words(made));
+  }
+
+  /// The checked bytes of an input. @throws DamagedInput.
+  std::string read(const TaskFile& file) const;
+  /// What `parse` makes of them and of the input's name. @throws DamagedInput; what `parse` throws.
+  template <class Parse>
+  auto read(const TaskFile& file, const Parse& parse) const {
+    return parse(read(file), name_of(file));
+  }
+  /// The name of an input, for messages; of files of the same bytes the last one's.
+  std::string name_of(const TaskFile& file) const;
+  /// Where the checked file of an input lies, for readers of their own. @throws DamagedInput.
+  std::filesystem::path path(const TaskFile& file) const;
+  /// What `look` returns, called with the path of the input, for readers that read a part of a
   /// file and check what they read. Damage and absence become DamagedInput. @throws what `look`
   /// throws.
   template <class Look>
-  auto look_into(const std::string& name, const Look& look) const;
+  auto look_into(const TaskFile& file, const Look& look) const {
+    return checked_input(file, [&] { return look(store_.path_of(file.hash)); });
+  }
   const wire::Assign& assign() const { return assign_; }
   /// Whether no other task sees this store.
   bool is_apart() const { return is_apart_; }
 
-  bool has_parameter(const std::string& name) const;
-  /// @throws Error when the parameter is missing.
-  std::string parameter(const std::string& name) const;
-  std::int64_t whole_parameter(const std::string& name) const;
+  TaskFile publish(std::string_view bytes);
 
+  // For people, beside the contract.
   void publish(const std::string& name, std::string_view bytes);
   /// As publish, of a finished file in the store's scratch folder, which is moved.
   void publish_file(const std::string& name, const std::filesystem::path& path);
@@ -113,8 +139,6 @@ class TaskIo {
                             const StoredArtifact& known);
   void number(const std::string& name, double value);
   void text(const std::string& name, const std::string& value);
-  /// A number among the parameters; `otherwise` when it is not there.
-  double number_parameter(const std::string& name, double otherwise) const;
 
   /// What the task counts its work on; each new stage is passed on, and otherwise a few counts a
   /// second.
@@ -129,11 +153,13 @@ class TaskIo {
   const wire::Done& done() const { return done_; }
 
  private:
-  const wire::Artifact& input(const std::string& name) const;
+  static void require_no_breach(TaskKind kind, const std::string& breach);
+  void add(const TaskWords& made);
   void pass_on(const WorkCount& count);
 
   const ArtifactStore& store_;
   const wire::Assign& assign_;
+  std::map<std::string_view, const wire::Artifact*> hash2input_;
   Say say_;
   wire::Done done_;
   WorkProgress progress_;
@@ -141,11 +167,5 @@ class TaskIo {
   std::chrono::steady_clock::time_point last_said_;
   bool is_apart_;
 };
-
-template <class Look>
-auto TaskIo::look_into(const std::string& name, const Look& look) const {
-  const wire::Artifact& artifact = input(name);
-  return checked_input(artifact, [&] { return look(store_.path_of(artifact.hash())); });
-}
 
 }  // namespace tetfarm

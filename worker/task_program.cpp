@@ -10,7 +10,6 @@
 
 #include "base/error.h"
 #include "base/large_blocks.h"
-#include "tasks/task_contracts.h"
 #include "tasks/task_kind.h"
 #include "worker/child_task.h"
 #include "worker/run_task.h"
@@ -29,28 +28,10 @@ const std::array<void (*)(TaskIo&), all_task_kinds.size()> bodies = {
     TETFARM_TASK_KINDS(TETFARM_BODY)};
 #undef TETFARM_BODY
 
-TaskWords words_of(const wire::Assign& assign) {
-  TaskWords words;
-  for (const wire::Artifact& file : assign.inputs()) {
-    words.files.push_back({file.name(), {file.hash(), file.size()}});
-  }
-  words.texts = {assign.parameters().begin(), assign.parameters().end()};
-  return words;
-}
-
-/// What the kind's contract refuses is not begun. Kinds that this program does not know have no
-/// body.
+/// Kinds that this program does not know have no body.
 TaskBody body_of(const wire::Assign& assign) {
   const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
-  if (!kind) return nullptr;
-  return [kind = *kind](TaskIo& io) {
-    const std::string breach = breach_of_given(kind, words_of(io.assign()));
-    if (!breach.empty()) {
-      throw OwnDefect("the task to " + std::string(name_of(kind)) + " cannot be done: " + breach,
-                      {});
-    }
-    bodies.at(static_cast<std::size_t>(kind))(io);
-  };
+  return kind ? TaskBody(bodies.at(static_cast<std::size_t>(*kind))) : nullptr;
 }
 
 std::string read_all(int fd) {

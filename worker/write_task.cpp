@@ -9,6 +9,7 @@
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
+#include "tasks/write_contract.h"
 #include "worker/part_after_cosmetics.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
@@ -16,31 +17,33 @@
 namespace tetfarm {
 namespace {
 
-MeshPart part_as_meshed(const TaskIo& io) {
+MeshPart part_as_meshed(const TaskIo& io, const WriteGiven& given) {
   MeshPart part;
-  part.subdomain = subdomain_from_bytes(io.read("subdomain"), "subdomain");
-  part.mesh = tet_mesh_from_bytes(io.read("mesh"), part.subdomain, "mesh");
+  part.subdomain = io.read(given.subdomain, subdomain_from_bytes);
+  part.mesh = io.read(given.mesh, [&part](const std::string& bytes, const std::string& name) {
+    return tet_mesh_from_bytes(bytes, part.subdomain, name);
+  });
   part.is_on_cut = nodes_on_cuts(part.subdomain);
   return part;
 }
 
-MeshPart read_part(const TaskIo& io, const SurfaceMesh& surface) {
-  if (!io.has_parameter("colours")) return part_as_meshed(io);
+MeshPart read_part(const TaskIo& io, const WriteGiven& given, const SurfaceMesh& surface) {
+  if (!given.colours) return part_as_meshed(io, given);
   const TreePath leaf{io.assign().path()};
-  MeshPart part = part_after_cosmetics(io, leaf, colours_of(io.parameter("colours")));
+  MeshPart part = part_after_cosmetics(io, given, leaf, colours_of(*given.colours));
   part.subdomain.region = region_of_leaf(leaf, region_count(surface));
   return part;
 }
 
 /// Where it may, it writes into the file of all. The portion says the same if it may not: the same
 /// inputs give the same bytes, wherever the task runs.
-void place(const TaskIo& io, const SurfaceMesh& surface, const Numbering& numbering,
-           Portion& portion) {
-  const JobFile job = parse_job_file(io.read("job"), "job.toml");
+void place(const TaskIo& io, const WriteGiven& given, const SurfaceMesh& surface,
+           const Numbering& numbering, Portion& portion) {
+  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const std::vector<std::string> formats = formats_of_tasks(job.formats);
   const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
   if (!is_wanted || !knows_places(numbering)) return;
-  SharedFile file = shared_mesh_file(io);
+  SharedFile file = shared_mesh_file(io, given.surface, given.numbering);
   if (io.is_apart()) file.path.clear();
   portion.placed = place_cells(file, portion.part, numbering, surface);
 }
@@ -58,18 +61,21 @@ void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
 }  // namespace
 
 void write_task(TaskIo& io) {
-  const SurfaceMesh surface = surface_from_bytes(io.read("surface"), "surface");
-  const Numbering numbering = numbering_from_text(io.read("numbering"), "numbering");
+  const auto given = io.given<WriteGiven>();
+  const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
+  const Numbering numbering = io.read(given.numbering, numbering_from_text);
   io.progress().begin(WorkStage::write);
-  MeshPart part = read_part(io, surface);
+  MeshPart part = read_part(io, given, surface);
   const auto tets = static_cast<double>(part.mesh.tets.size());
   report_cost(io, write_cost(static_cast<double>(surface.triangles.size()), tets));
   Portion portion = make_portion(std::move(part), surface, numbering);
-  place(io, surface, numbering, portion);
+  place(io, given, surface, numbering, portion);
   io.number("tets", tets);
   report_unforced(io, unforced_tets(portion, surface, numbering));
-  io.publish("portion", portion_to_bytes(portion));
-  io.publish("tets", portion_cells_to_bytes(portion));
+  WriteMade made;
+  made.portion = io.publish(portion_to_bytes(portion));
+  made.tets = io.publish(portion_cells_to_bytes(portion));
+  io.made(made);
 }
 
 }  // namespace tetfarm

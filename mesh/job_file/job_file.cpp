@@ -137,7 +137,7 @@ void parse_spacing(const JobSection& section, JobFile& job) {
 }
 
 void parse_decompose(const JobSection& section, JobFile& job) {
-  if (section.has("subdomains")) job.subdomains = section.integer("subdomains", 0);
+  if (section.has("subdomains")) job.subdomains = section.integer("subdomains", 0, most_subdomains);
   if (section.has("target_elements")) {
     job.target_elements = section.integer("target_elements", 0);
     if (job.target_elements > 0 && job.target_elements < least_target_elements) {
@@ -156,7 +156,7 @@ void parse_decompose(const JobSection& section, JobFile& job) {
   }
   if (!section.has("assimilate")) return;
   const JobSection assimilate = section.table("assimilate", assimilate_keys);
-  job.groups = assimilate.integer("groups", 1);
+  job.groups = assimilate.integer("groups", 1, most_subdomains);
   if (assimilate.has("method")) {
     job.assimilate_method = assimilate.one_of("method", assimilate_methods);
   }

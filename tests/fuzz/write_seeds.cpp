@@ -113,10 +113,6 @@ void write_messages(const fs::path& folder) {
   write(folder / "failed", framed({submit, hello, ready, failed, ready, goodbye}));
   write(folder / "cancelled", framed({submit, hello, ready, cancel, beat, done, status}));
   write(folder / "path", framed({path, status}));
-  write(folder / "progress", framed({submit, hello, ready, with([](wire::Envelope& e) {
-                                       e.mutable_progress()->set_task(1);
-                                       e.mutable_progress()->set_attempt(1);
-                                     })}));
 }
 
 void write_job_files(const fs::path& folder) {

@@ -24,6 +24,7 @@
 namespace tetfarm {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// One side of a kind with all that it may have, and what of that may be missing.
@@ -88,7 +89,14 @@ std::vector<Side> all_sides() {
               of_number),
       side_of("number made", NumberMade{file("n")}),
       side_of("write given",
-              WriteGiven{file("j"), file("s"), file("n"), file("d"), file("m"), two, two, "4 0\n"},
+              WriteGiven{file("j"),
+                         file("s"),
+                         file("n"),
+                         file("d"),
+                         file("m"),
+                         {{4, file("four")}},
+                         two,
+                         "4 0\n"},
               of_write),
       side_of("write made", WriteMade{file("p"), file("t")}),
       side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two}, portions),
@@ -201,6 +209,52 @@ TEST(TaskContracts, ask_for_the_outputs_that_the_table_names) {
       EXPECT_THAT(breach_of_made(kind, {}), HasSubstr("is missing")) << output;
     }
   }
+}
+
+std::vector<std::string> names_in(const TaskWords& words) {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : words.files) names.push_back(name);
+  return names;
+}
+
+/// Rows of older versions have these orders, and a task that is run again has to make the same.
+TEST(TaskContracts, name_files_of_leaves_leaf_by_leaf_in_the_order_that_they_always_had) {
+  const LeafFiles three = {{4, file("a")}, {5, file("b")}, {6, file("c")}};
+  EXPECT_THAT(names_in(to_words(NumberGiven{file("s"), {}, three, three, "", {}})),
+              ElementsAre("surface", "core:4", "elements:4", "core:5", "elements:5", "core:6",
+                          "elements:6"));
+  EXPECT_THAT(names_in(to_words(CosmeticGiven{
+                  file("p"), file("o"), {{6, file("c")}}, {{4, file("a")}, {7, file("d")}}, ""})),
+              ElementsAre("spacing", "own", "had_turn:4", "waits:6", "had_turn:7"));
+  EXPECT_THAT(
+      names_in(to_words(WriteGiven{
+          file("j"), file("s"), file("n"), file("d"), file("m"), {{5, file("b")}}, three, {}})),
+      ElementsAre("job", "surface", "numbering", "subdomain", "mesh", "core:5", "elements:5",
+                  "elements:4", "elements:6"))
+      << "the leaf itself first";
+  EXPECT_THAT(names_in(to_words(AssimilateMade{
+                  {{3, file("r")}, {4, file("ll")}, {10, file("lrl")}}, file("d"), ""})),
+              ElementsAre("group:4", "group:10", "group:3", "dropped"))
+      << "as they come in the tree";
+}
+
+TEST(TaskContracts, tell_the_name_under_which_a_field_travels) {
+  EXPECT_STREQ(field_name(&MeshGiven::work), "work");
+  EXPECT_STREQ(field_name(&InspectGiven::free_bytes), "free_bytes");
+  EXPECT_STREQ(field_name(&WriteGiven::elements), "elements:");
+  EXPECT_STREQ(field_name(&InspectMade::across_cuts), "across_cuts");
+  EXPECT_DEATH(field_name(&DecomposeMade::halves), "");
+}
+
+TEST(TaskContracts, take_whole_numbers_up_to_their_bound_and_nothing_else) {
+  EXPECT_EQ(whole_count(std::string("9007199254740992")), most_of_a_count);
+  EXPECT_EQ(whole_count(std::string("9007199254740993")), std::nullopt);
+  EXPECT_EQ(whole_count(9007199254740992.0), most_of_a_count);
+  EXPECT_EQ(whole_count(9007199254740994.0), std::nullopt);
+  EXPECT_EQ(whole_count(7.0, 7), 7U);
+  EXPECT_EQ(whole_count(8.0, 7), std::nullopt);
+  EXPECT_EQ(whole_count(0.5), std::nullopt);
+  EXPECT_EQ(whole_count(-1.0), std::nullopt);
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ class CosmeticTasks : public ::testing::Test {
       const wire::Done done = run(decompose_task, heap,
                                   {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}},
                                   {{"left_parts", std::to_string(parts / 2)},
-                                   {"right_parts", std::to_string(parts - parts / 2)}});
+                                   {"right_parts", std::to_string(parts - parts / 2)},
+                                   {"work", "1000"}});
       table_ += "cut " + std::to_string(heap) + " " +
                 std::to_string(std::int64_t(done.numbers().at("interdomain_nodes"))) + "\n";
       cut(2 * heap, parts / 2, output(done, "left"));
@@ -123,7 +124,8 @@ class CosmeticTasks : public ::testing::Test {
     }
     leaves_[heap] = subdomain;
     const wire::Done done =
-        run(mesh_task, heap, {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}});
+        run(mesh_task, heap, {{"job", job_}, {"subdomain", subdomain}, {"spacing", spacing_}},
+            {{"work", "1000"}});
     meshes_[heap] = output(done, "mesh");
     table_ += "leaf " + std::to_string(heap) + " " +
               std::to_string(std::int64_t(done.numbers().at("interior_nodes"))) + " " +

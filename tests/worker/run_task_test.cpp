@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -10,7 +11,9 @@
 
 #include "base/error.h"
 #include "mesh/formats/surfaces/read_surface.h"
+#include "tasks/extract_contract.h"
 #include "tasks/failure_cause.h"
+#include "tasks/mesh_contract.h"
 #include "worker/evidence.h"
 
 namespace tetfarm {
@@ -18,6 +21,8 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
 
 class RunTask : public ::testing::Test {
  protected:
@@ -33,12 +38,13 @@ class RunTask : public ::testing::Test {
                     [this](const wire::Doing& progress) { said_.push_back(progress.stage()); });
   }
 
-  void give(const std::string& name, const std::string& bytes) {
+  TaskFile give(const std::string& name, const std::string& bytes) {
     const StoredArtifact stored = store_.publish(bytes);
     wire::Artifact& input = *assign_.add_inputs();
     input.set_name(name);
     input.set_hash(stored.hash);
     input.set_size(stored.size);
+    return {stored.hash, stored.size};
   }
 
   std::string folder_ = new_folder();
@@ -64,9 +70,9 @@ TEST_F(RunTask, what_an_attempt_has_in_the_making_goes_with_it_however_it_ends) 
 }
 
 TEST_F(RunTask, outputs_lie_in_the_store_under_their_names) {
-  give("word", "tet");
-  const wire::Envelope result = run([](TaskIo& io) {
-    io.publish("farm", io.read("word") + "farm");
+  const TaskFile word = give("word", "tet");
+  const wire::Envelope result = run([&word](TaskIo& io) {
+    io.publish("farm", io.read(word) + "farm");
     io.number("tets", 7);
     io.text("reason", "none");
   });
@@ -77,6 +83,34 @@ TEST_F(RunTask, outputs_lie_in_the_store_under_their_names) {
   EXPECT_EQ(store_.read(output.hash(), output.size()), "tetfarm");
   EXPECT_EQ(result.done().numbers().at("tets"), 7);
   EXPECT_EQ(result.done().texts().at("reason"), "none");
+}
+
+TEST_F(RunTask, what_breaks_its_contract_is_a_defect_of_ours_that_names_the_field) {
+  give("subdomain", "a leaf");
+  const auto body = [](TaskIo& io) { io.given<ExtractGiven>(); };
+  const wire::Envelope lacks = run(body);
+  EXPECT_EQ(lacks.failed().cause(), on_wire(FailureCause::for_good));
+  EXPECT_EQ(lacks.failed().exit_code(), 1);
+  EXPECT_EQ(lacks.failed().message(),
+            "the task to extract cannot be done: the file 'mesh' is missing");
+  give("mesh", "its tets");
+  give("shared", "its neighbours");
+  EXPECT_TRUE(run(body).has_done());
+  give("spare", "what nobody asked for");
+  EXPECT_THAT(run(body).failed().message(), HasSubstr("the file 'spare' is unknown"));
+}
+
+TEST_F(RunTask, what_a_task_makes_has_the_names_of_its_contract_beside_figures_for_people) {
+  const wire::Envelope result = run([](TaskIo& io) {
+    io.number("min_dihedral_deg", 9);
+    io.made(MeshMade{io.publish("tets"), 3, 4});
+  });
+  const wire::Done& done = result.done();
+  ASSERT_EQ(done.outputs_size(), 1);
+  EXPECT_EQ(done.outputs(0).name(), "mesh");
+  EXPECT_EQ(store_.read(done.outputs(0).hash(), done.outputs(0).size()), "tets");
+  EXPECT_THAT(done.numbers(), UnorderedElementsAre(Pair("interior_nodes", 3), Pair("tets", 4),
+                                                   Pair("min_dihedral_deg", 9)));
 }
 
 TEST_F(RunTask, bad_input_ends_the_job_with_its_exit_code_and_evidence) {
@@ -141,19 +175,17 @@ TEST_F(RunTask, any_other_exception_is_worth_another_try) {
 }
 
 TEST_F(RunTask, missing_and_damaged_inputs_are_named) {
-  give("missing", "one");
-  give("damaged", "two");
+  const std::array<TaskFile, 2> inputs = {give("missing", "one"), give("damaged", "two")};
   std::filesystem::remove(store_.path_of(assign_.inputs(0).hash()));
   const std::filesystem::path damaged = store_.path_of(assign_.inputs(1).hash());
   std::filesystem::permissions(damaged, std::filesystem::perms::owner_all);
   std::ofstream(damaged) << "tow";
-  for (const int which : {0, 1}) {
-    const wire::Artifact& input = assign_.inputs(which);
-    for (const TaskBody& look : {TaskBody([&](TaskIo& io) { io.read(input.name()); }),
-                                 TaskBody([&](TaskIo& io) { io.path(input.name()); })}) {
+  for (const TaskFile& input : inputs) {
+    for (const TaskBody& look : {TaskBody([&](TaskIo& io) { io.read(input); }),
+                                 TaskBody([&](TaskIo& io) { io.path(input); })}) {
       const wire::Envelope result = run(look);
       EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::damaged_input));
-      EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash()));
+      EXPECT_THAT(result.failed().damaged_inputs(), ElementsAre(input.hash));
     }
   }
 }

@@ -93,7 +93,8 @@ class TaskChain : public ::testing::Test {
     if (parts > 1) {
       last_ = run(decompose_task, inputs,
                   {{"left_parts", std::to_string(parts / 2)},
-                   {"right_parts", std::to_string(parts - parts / 2)}});
+                   {"right_parts", std::to_string(parts - parts / 2)},
+                   {"work", "1000"}});
       if (!last_.has_done()) return false;
       if (last_.done().outputs_size() > 0) {
         const wire::Envelope cut = last_;
@@ -109,8 +110,7 @@ class TaskChain : public ::testing::Test {
                settle(output(cut, "right"), 2 * heap + 1, right, spacing, table, files);
       }
     }
-    last_ =
-        run(mesh_task, {{"job", files.at("job")}, {"subdomain", subdomain}, {"spacing", spacing}});
+    last_ = run(mesh_task, inputs, {{"work", "1000"}});
     if (!last_.has_done()) return false;
     const auto& numbers = last_.done().numbers();
     std::ostringstream line;

@@ -190,9 +190,11 @@ TEST_F(Tasks, the_job_says_where_the_points_inside_come_from) {
     JobFile job = job_of(1);
     job.points = points;
     const wire::Envelope inspected = inspect(job, shapes::sphere({0, 0, 0}, 1, 2));
-    const wire::Envelope meshed = run(mesh_task, {{"job", publish(to_toml(job))},
-                                                  {"subdomain", output(inspected, "root")},
-                                                  {"spacing", output(inspected, "spacing")}});
+    const wire::Envelope meshed = run(mesh_task,
+                                      {{"job", publish(to_toml(job))},
+                                       {"subdomain", output(inspected, "root")},
+                                       {"spacing", output(inspected, "spacing")}},
+                                      {{"work", "1000"}});
     return output(meshed, "mesh").hash();
   };
   EXPECT_NE(mesh_hash("lattice"), mesh_hash("sweeps"));
@@ -240,7 +242,7 @@ TEST_F(Tasks, the_job_says_which_planes_cut) {
                       {{"job", publish(to_toml(job))},
                        {"subdomain", output(inspected, "root")},
                        {"spacing", output(inspected, "spacing")}},
-                      {{"left_parts", "1"}, {"right_parts", "1"}}),
+                      {{"left_parts", "1"}, {"right_parts", "1"}, {"work", "1000"}}),
                   "left")
         .hash();
   };
@@ -290,11 +292,12 @@ TEST_F(Tasks, assimilated_leaves_are_meshed_and_assembled_as_one) {
   std::ostringstream table;
   for (const int parent : {1, 2, 3}) {
     const std::string parts = parent == 1 ? "2" : "1";
-    const wire::Envelope cut = run(decompose_task,
-                                   {{"job", output(inspected, "settings")},
-                                    {"subdomain", leaves.at(std::to_string(parent))},
-                                    {"spacing", spacing}},
-                                   {{"left_parts", parts}, {"right_parts", parts}});
+    const wire::Envelope cut =
+        run(decompose_task,
+            {{"job", output(inspected, "settings")},
+             {"subdomain", leaves.at(std::to_string(parent))},
+             {"spacing", spacing}},
+            {{"left_parts", parts}, {"right_parts", parts}, {"work", "1000"}});
     leaves.erase(std::to_string(parent));
     leaves[std::to_string(2 * parent)] = output(cut, "left");
     leaves[std::to_string(2 * parent + 1)] = output(cut, "right");
@@ -324,9 +327,11 @@ TEST_F(Tasks, assimilated_leaves_are_meshed_and_assembled_as_one) {
       continue;
     }
     files["subdomain:" + heap] = output(assimilated, "group:" + heap);
-    const wire::Envelope meshed = run(mesh_task, {{"job", output(inspected, "settings")},
-                                                  {"subdomain", files.at("subdomain:" + heap)},
-                                                  {"spacing", spacing}});
+    const wire::Envelope meshed = run(mesh_task,
+                                      {{"job", output(inspected, "settings")},
+                                       {"subdomain", files.at("subdomain:" + heap)},
+                                       {"spacing", spacing}},
+                                      {{"work", "1000"}});
     ASSERT_TRUE(meshed.has_done()) << meshed.failed().message();
     files["mesh:" + heap] = output(meshed, "mesh");
     table << "leaf " << heap << " " << meshed.done().numbers().at("interior_nodes") << " "
@@ -352,7 +357,7 @@ TEST_F(Tasks, a_subdomain_that_no_plane_cuts_stays_whole_with_a_reason) {
           {{"job", publish(to_toml(job_of(2)))},
            {"subdomain", publish(subdomain_to_bytes(root_subdomain(tetrahedron)))},
            {"spacing", publish(SpacingField(1.0).to_bytes())}},
-          {{"left_parts", "1"}, {"right_parts", "1"}});
+          {{"left_parts", "1"}, {"right_parts", "1"}, {"work", "1000"}});
   ASSERT_TRUE(result.has_done()) << result.failed().message();
   EXPECT_EQ(result.done().outputs_size(), 0);
   EXPECT_FALSE(result.done().texts().at("reason").empty());
@@ -364,9 +369,9 @@ TEST_F(Tasks, the_same_inputs_give_the_same_bytes) {
                         {"subdomain", output(inspected, "root")},
                         {"spacing", output(inspected, "spacing")}};
   const wire::Envelope once =
-      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}});
+      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}, {"work", "1000"}});
   const wire::Envelope again =
-      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}});
+      run(decompose_task, inputs, {{"left_parts", "1"}, {"right_parts", "1"}, {"work", "1000"}});
   EXPECT_EQ(once.done().SerializeAsString().size(), again.done().SerializeAsString().size());
   EXPECT_EQ(output(once, "left").hash(), output(again, "left").hash());
   EXPECT_EQ(output(once, "right").hash(), output(again, "right").hash());

@@ -227,6 +227,8 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {geometry + "[domain]\nouter = \"box\"\nfactor = 1.0", "`factor` must be more than 1"},
       {geometry + "[domain]\nfactor = 3", "job.toml:4:10: `factor` needs `outer`"},
       {geometry + "[decompose]\nsubdomains = -1", "`subdomains` must be at least 0"},
+      {geometry + "[decompose]\nsubdomains = 1000001", "`subdomains` must be at most 1000000"},
+      {geometry + "[decompose.assimilate]\ngroups = 1000001", "`groups` must be at most 1000000"},
       {geometry + "[decompose]\nsubdomains = 2.5", "must be an integer, not a number"},
       {geometry + "[decompose]\ntarget_elements = 10", "at least 1000"},
       {geometry + "[decompose]\ntarget_elements = -1", "at least 0"},
@@ -333,7 +335,7 @@ TEST(ParseMemory, knows_decimal_and_binary_units) {
   EXPECT_EQ(parse_memory("77"), 77);
   EXPECT_EQ(parse_memory("77B"), 77);
   for (const char* wrong :
-       {"", "GB", "-1GB", "0", "1 GB ", "1  GB", "1GBit", "nan", "inf", "1e30"}) {
+       {"", "GB", "-1GB", "0", "1 GB ", "1  GB", "1GBit", "nan", "inf", "1e30", "8193TiB"}) {
     EXPECT_EQ(parse_memory(wrong), std::nullopt) << wrong;
   }
 }
