@@ -153,7 +153,7 @@ void add_leaves(const Plan& plan, const std::vector<SubdomainSize>& leaves, Cost
       std::max(0.0, all_triangles - plan.root.triangles) / static_cast<double>(leaves.size());
   for (const SubdomainSize& leaf : leaves) {
     costs.add(mesh_cost(leaf));
-    costs.add(write_cost(plan.root.triangles, leaf.elements));
+    costs.add(write_cost(leaf.elements));
     if (!has_turns) continue;
     costs.add(extract_cost(leaf.elements, leaf.triangles));
     costs.add(turn_cost(leaf, cut_triangles));

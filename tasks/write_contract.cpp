@@ -11,8 +11,8 @@ constinit const TaskKindTraits write_traits = {
     .colour = "#e7a8c9",
     .trace_colour = "rail_load",
     .outputs = {"portion", "tets"},
-    .seconds = {.of = {0.006, 0.3e-6, 0.15e-6, 0}},
-    .memory = {.fixed = 4e6, .of_element = 150, .of_triangle = 250},
+    .seconds = {.of = {0.006, 0.3e-6, 0, 0}},
+    .memory = {.fixed = 4e6, .of_element = 150},
 };
 
 constinit const KindContracts write_contracts = contracts_between<WriteGiven, WriteMade>;

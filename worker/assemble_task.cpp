@@ -7,9 +7,10 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/job_name.h"
-#include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/numbering_file.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/inspect/small_angles.h"
 #include "mesh/job_file/job_file.h"
@@ -26,7 +27,7 @@ Portion read_portion(const TaskIo& io, const AssembleGiven& given, const LeafNum
 }
 
 void read_cells(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf,
-               Portion& portion) {
+                Portion& portion) {
   const TaskFile& cells = file_of_leaf(given.tets, leaf.path.heap);
   add_portion_cells(io.read(cells), io.name_of(cells), portion);
 }
@@ -84,13 +85,14 @@ class ResultFiles {
 
   void start(const std::string& format) {
     if (format == "vtkhdf") {
-      vtkhdf_ = std::make_unique<SharedVtkhdf>(shared_file(), counts_of(io_, given_, numbering_),
-                                               surface_, [this](std::size_t i) {
-                                                 const LeafNumbers& leaf = numbering_.leaves.at(i);
-                                                 Portion portion = read_portion(io_, given_, leaf);
-                                                 read_cells(io_, given_, leaf, portion);
-                                                 return std::move(portion.part);
-                                               });
+      vtkhdf_ = std::make_unique<SharedVtkhdf>(
+          shared_file(), counts_of(io_, given_, numbering_),
+          VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
+            const LeafNumbers& leaf = numbering_.leaves.at(i);
+            Portion portion = read_portion(io_, given_, leaf);
+            read_cells(io_, given_, leaf, portion);
+            return std::move(portion.part);
+          });
     } else {
       ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
@@ -211,7 +213,7 @@ void assemble_task(TaskIo& io) {
   const auto given = io.given<AssembleGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
-  const Numbering numbering = io.read(given.numbering, numbering_from_text);
+  const Numbering numbering = io.read(given.numbering, numbering_from_bytes);
   report_cost(io, cost_of(surface, numbering));
   ResultFiles files(io, given, job, surface, numbering);
   io.progress().begin(WorkStage::assemble, numbering.leaves.size());

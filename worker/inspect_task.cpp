@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/job_name.h"
 #include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/formats/gzip.h"

@@ -88,9 +88,8 @@ JobForecast forecast_of(const JobFile& job, double input_bytes, const SubdomainS
   forecast.elements = root.elements;
   forecast.subdomains = subdomains;
   forecast.task_bytes = std::max({inspect.bytes, assemble.bytes, mesh_cost(leaf).bytes});
-  forecast.seconds =
-      inspect.seconds + seconds_of_cuts(root, subdomains) + assemble.seconds +
-      subdomains * (mesh_cost(leaf).seconds + write_cost(root.triangles, leaf.elements).seconds);
+  forecast.seconds = inspect.seconds + seconds_of_cuts(root, subdomains) + assemble.seconds +
+                     subdomains * (mesh_cost(leaf).seconds + write_cost(leaf.elements).seconds);
   if (subdomains > 1) {
     forecast.task_bytes = std::max(forecast.task_bytes, decompose_cost(root).bytes);
     if (job.across_cuts) {

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "mesh/artifacts/artifact_file.h"
-#include "mesh/assemble/global_numbering.h"
+#include "mesh/artifacts/surface_file.h"
+#include "mesh/assemble/numbering_file.h"
 #include "tasks/number_contract.h"
 #include "worker/element_input.h"
 #include "worker/task_cost.h"
@@ -103,7 +103,7 @@ void number_task(TaskIo& io) {
   }
   std::sort(gone.begin(), gone.end());
   table += dropped_lines(gone);
-  io.made(NumberMade{io.publish(numbering_to_text(number_globally(surface, table)))});
+  io.made(NumberMade{io.publish(numbering_to_bytes(number_globally(surface, table)))});
 }
 
 }  // namespace tetfarm

@@ -86,9 +86,7 @@ TaskCost number_cost(double surface_triangles) {
   return cost_of(TaskKind::number, {0, surface_triangles}, {0, surface_triangles, 0});
 }
 
-TaskCost write_cost(double surface_triangles, double elements) {
-  return cost_of(TaskKind::write, {elements, surface_triangles}, {elements, surface_triangles, 0});
-}
+TaskCost write_cost(double elements) { return cost_of(TaskKind::write, {elements}, {elements}); }
 
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
   return cost_of(TaskKind::assemble, {elements_in_estimate * largest.elements, surface_triangles},

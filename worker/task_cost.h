@@ -58,7 +58,7 @@ TaskCost extract_cost(double elements, double triangles);
 TaskCost cosmetic_cost(double elements, double spacing_bytes);
 TaskCost number_cost(double surface_triangles);
 /// `elements` counted, of the leaf.
-TaskCost write_cost(double surface_triangles, double elements);
+TaskCost write_cost(double elements);
 /// `largest` is the largest sub-domain, `elements` all of them.
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest);
 

@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "mesh/artifacts/artifact_file.h"
-#include "mesh/assemble/forced_nodes.h"
 #include "mesh/assemble/portion.h"
+#include "mesh/assemble/unforced_tets.h"
 #include "mesh/core/subdomain_regions.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
 #include "tasks/write_contract.h"
+#include "worker/leaf_inputs.h"
 #include "worker/part_after_cosmetics.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
@@ -27,25 +28,26 @@ MeshPart part_as_meshed(const TaskIo& io, const WriteGiven& given) {
   return part;
 }
 
-MeshPart read_part(const TaskIo& io, const WriteGiven& given, const SurfaceMesh& surface) {
+MeshPart read_part(const TaskIo& io, const WriteGiven& given, std::int32_t regions) {
   if (!given.colours) return part_as_meshed(io, given);
   const TreePath leaf{io.assign().path()};
   MeshPart part = part_after_cosmetics(io, given, leaf, colours_of(*given.colours));
-  part.subdomain.region = region_of_leaf(leaf, region_count(surface));
+  part.subdomain.region = region_of_leaf(leaf, regions);
   return part;
 }
 
 /// Where it may, it writes into the file of all. The portion says the same if it may not: the same
 /// inputs give the same bytes, wherever the task runs.
-void place(const TaskIo& io, const WriteGiven& given, const SurfaceMesh& surface,
-           const Numbering& numbering, Portion& portion) {
+void place(const TaskIo& io, const WriteGiven& given, const SurfaceInput& surface,
+           const LeafNumbering& numbering, Portion& portion) {
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const std::vector<std::string> formats = formats_of_tasks(job.formats);
   const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
-  if (!is_wanted || !knows_places(numbering)) return;
+  if (!is_wanted || !numbering.first_face) return;
   SharedFile file = shared_mesh_file(io, given.surface, given.numbering);
   if (io.is_apart()) file.path.clear();
-  portion.placed = place_cells(file, portion.part, numbering, surface);
+  portion.placed =
+      place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
 }
 
 /// What the job's gate on unforced angles is judged by, all leaves together.
@@ -62,16 +64,19 @@ void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
 
 void write_task(TaskIo& io) {
   const auto given = io.given<WriteGiven>();
-  const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
-  const Numbering numbering = io.read(given.numbering, numbering_from_text);
+  SurfaceInput surface(io, given.surface);
+  NumberingInput numbering(io, given.numbering, surface);
   io.progress().begin(WorkStage::write);
-  MeshPart part = read_part(io, given, surface);
+  MeshPart part = read_part(io, given, numbering.regions());
   const auto tets = static_cast<double>(part.mesh.tets.size());
-  report_cost(io, write_cost(static_cast<double>(surface.triangles.size()), tets));
-  Portion portion = make_portion(std::move(part), surface, numbering);
-  place(io, given, surface, numbering, portion);
+  report_cost(io, write_cost(tets));
+  const Subdomain& leaf = part.subdomain;
+  const LeafNumbering numbers = numbering.leaf({leaf.path, leaf.region, leaf.node_origin});
+  const SurfacePieces pieces = surface.pieces(surface_pieces(leaf));
+  Portion portion = make_portion(std::move(part), pieces, numbers);
+  place(io, given, surface, numbers, portion);
   io.number("tets", tets);
-  report_unforced(io, unforced_tets(portion, surface, numbering));
+  report_unforced(io, unforced_tets(portion, numbers.is_forced));
   WriteMade made;
   made.portion = io.publish(portion_to_bytes(portion));
   made.tets = io.publish(portion_cells_to_bytes(portion));

@@ -13,18 +13,10 @@ namespace {
 
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
 
-constexpr std::string_view surface_magic = "TFSURF\r\n";
 constexpr std::string_view subdomain_magic = "TFSUBD\r\n";
 constexpr std::string_view tet_mesh_magic = "TFTETM\r\n";
 constexpr std::uint32_t version = 2;
 constexpr std::uint64_t max_count = std::numeric_limits<std::int32_t>::max();
-
-void write_name(const std::string& name, ByteWriter& writer) {
-  writer.number(static_cast<std::uint32_t>(name.size()));
-  writer.text(name);
-}
-
-std::string read_name(ByteReader& reader) { return reader.text(reader.number<std::uint32_t>()); }
 
 void check_index(std::int32_t index, std::size_t count, const ByteReader& reader) {
   if (index < 0 || at(index) >= count) {
@@ -47,58 +39,6 @@ std::vector<std::array<std::int32_t, N>> read_elements(std::size_t count, std::s
 }
 
 }  // namespace
-
-std::string surface_to_bytes(const SurfaceMesh& surface) {
-  TF_CHECK(surface.patch_of_triangle.empty() ||
-           surface.patch_of_triangle.size() == surface.triangles.size());
-  TF_CHECK(surface.sides.empty() || surface.sides.size() == surface.triangles.size());
-  std::size_t size = 6 * sizeof(std::uint64_t) + surface.vertices.size() * sizeof(Vec3) +
-                     surface.triangles.size() * sizeof(Triangle) +
-                     surface.patch_of_triangle.size() * sizeof(std::int32_t) +
-                     surface.sides.size() * sizeof(Sides);
-  for (const std::string& name : surface.patch_names) size += sizeof(std::uint32_t) + name.size();
-  for (const std::string& name : surface.region_names) size += sizeof(std::uint32_t) + name.size();
-  ByteWriter writer = begin_checked(surface_magic, version, size);
-  writer.number<std::uint64_t>(surface.vertices.size());
-  writer.number<std::uint64_t>(surface.triangles.size());
-  writer.number<std::uint64_t>(surface.patch_of_triangle.size());
-  writer.number<std::uint64_t>(surface.patch_names.size());
-  writer.number<std::uint64_t>(surface.sides.size());
-  writer.number<std::uint64_t>(surface.region_names.size());
-  writer.array(surface.vertices);
-  writer.array(surface.triangles);
-  writer.array(surface.patch_of_triangle);
-  for (const std::string& name : surface.patch_names) write_name(name, writer);
-  writer.array(surface.sides);
-  for (const std::string& name : surface.region_names) write_name(name, writer);
-  return finish_checked(std::move(writer));
-}
-
-SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader = read_checked(bytes, surface_magic, version, name);
-  const std::size_t vertices = reader.count();
-  const std::size_t triangles = reader.count();
-  const std::size_t patched_triangles = reader.count();
-  const std::size_t patches = reader.count();
-  const std::size_t sided_triangles = reader.count();
-  const std::size_t regions = reader.count();
-  if (patched_triangles != 0 && patched_triangles != triangles) {
-    reader.fail("gives patches to only some triangles");
-  }
-  if (sided_triangles != 0 && sided_triangles != triangles) {
-    reader.fail("gives sides to only some triangles");
-  }
-  SurfaceMesh surface;
-  surface.vertices = reader.array<Vec3>(vertices);
-  surface.triangles = read_elements<3>(triangles, vertices, reader);
-  surface.patch_of_triangle = reader.array<std::int32_t>(patched_triangles);
-  for (const std::int32_t patch : surface.patch_of_triangle) check_index(patch, patches, reader);
-  for (std::size_t i = 0; i < patches; ++i) surface.patch_names.push_back(read_name(reader));
-  surface.sides = read_elements<2>(sided_triangles, regions + 1, reader);
-  for (std::size_t i = 0; i < regions; ++i) surface.region_names.push_back(read_name(reader));
-  reader.expect_end();
-  return surface;
-}
 
 std::string subdomain_to_bytes(const Subdomain& subdomain) {
   TF_CHECK(subdomain.node_origin.size() == subdomain.vertices.size());

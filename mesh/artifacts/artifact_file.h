@@ -1,5 +1,5 @@
-/// The bytes of the artifacts that tasks exchange: surface, sub-domain, tet mesh. Little endian, a
-/// magic and a version first, an XXH3-128 of all before it last; the grammar is in
+/// The bytes of artifacts that tasks exchange and read whole: sub-domain and tet mesh. Little
+/// endian, a magic and a version first, an XXH3-128 of all before it last; the grammar is in
 /// store/formats.md.
 ///
 /// from_bytes functions validate lengths, indices and checksum, and throw CorruptFile naming
@@ -13,9 +13,6 @@
 #include "mesh/core/tet_mesh.h"
 
 namespace tetfarm {
-
-std::string surface_to_bytes(const SurfaceMesh& surface);
-SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name);
 
 std::string subdomain_to_bytes(const Subdomain& subdomain);
 Subdomain subdomain_from_bytes(std::string_view bytes, const std::string& name);

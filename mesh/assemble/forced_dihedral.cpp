@@ -56,6 +56,8 @@ double material_angle_deg(const Vec3& u, const Vec3& v, const Vec3& left, const 
 double forced_dihedral_at_edge(const Vec3& u, const Vec3& v, const Vec3& left, const Vec3& right) {
   const double angle = material_angle_deg(u, v, left, right);
   const double of_two = angle / 2;
+  // Most edges of a surface are nearly flat: what one tet would have does not matter there.
+  if (of_two >= ForcedDihedral{}.at_most_deg) return ForcedDihedral{}.at_most_deg;
   // Inverted or flat, when there is no such tet: 0.
   const double of_one = dihedral_range(u, left, v, right).min_deg;
   return std::min(ForcedDihedral{}.at_most_deg, std::max(of_one, of_two));

@@ -12,8 +12,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int64_t most_nodes = std::int64_t{1} << 60;
-
 struct Line {
   std::string_view kind;
   std::vector<std::uint64_t> numbers;
@@ -45,7 +43,7 @@ using Dropped = std::vector<std::uint64_t>;
 bool add_line(const Line& line, Numbering& numbering, std::vector<Dropped>& dropped) {
   const std::vector<std::uint64_t>& n = line.numbers;
   for (const std::uint64_t number : std::span(n).subspan(std::min<std::size_t>(1, n.size()))) {
-    if (number > static_cast<std::uint64_t>(most_nodes)) return false;
+    if (number > static_cast<std::uint64_t>(most_in_numbering)) return false;
   }
   if (line.kind == "cut" && n.size() == 2 && is_heap_number(n[0])) {
     numbering.cuts.push_back({{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}});
@@ -231,32 +229,45 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   }
   numbering.surface_nodes =
       static_cast<std::int64_t>(is_used.size() - numbering.unused_vertices.size());
-  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = meshed_sides(surface);
+  add_surface_figures(surface, numbering);
+  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = numbering.faces;
   give_numbers(numbering);
   return numbering;
 }
 
+void add_surface_figures(const SurfaceMesh& surface, Numbering& numbering) {
+  numbering.faces = meshed_sides(surface);
+  numbering.regions = region_count(surface);
+  numbering.forced = forced_nodes(surface);
+}
+
+bool counts_faces(const Numbering& numbering) {
+  return numbering.leaves.back().faces && numbering.leaves.back().first_face;
+}
+
 std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
-  const auto refuse = [&] {
-    throw Error(
-        ExitCode::failed,
-        "no node " + std::to_string(origin.index) + " of " +
-            (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
-            " in the numbering");
-  };
   if (origin.owner == 0) {
     const auto& unused = numbering.unused_vertices;
     const std::int64_t index = origin.index;
     const auto after = std::lower_bound(unused.begin(), unused.end(), index);
     const std::int64_t rank = index - (after - unused.begin());
-    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index)) refuse();
+    if (rank >= numbering.surface_nodes || (after != unused.end() && *after == index))
+      refuse_node(origin);
     return rank;
   }
   const OwnedNodes* nodes = find_nodes(numbering, TreePath{origin.owner});
-  if (nodes == nullptr || origin.index >= nodes->made) refuse();
+  if (nodes == nullptr || origin.index >= nodes->made) refuse_node(origin);
   const std::int64_t rank = rank_among_kept(*nodes, origin.index);
-  if (rank < 0) refuse();
+  if (rank < 0) refuse_node(origin);
   return nodes->first_node + rank;
+}
+
+void refuse_node(const Origin& origin) {
+  throw Error(
+      ExitCode::failed,
+      "no node " + std::to_string(origin.index) + " of " +
+          (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
+          " in the numbering");
 }
 
 std::string numbering_to_text(const Numbering& numbering) {

@@ -13,10 +13,14 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/assemble/forced_nodes.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
 
 namespace tetfarm {
+
+/// What any count of a cut or leaf is at most.
+inline constexpr std::int64_t most_in_numbering = std::int64_t{1} << 60;
 
 /// Consecutive nodes that are in no tet of the final mesh: cosmetics removed them, or they were on
 /// a cut both sides of which were joined (thesis 4.3.2.2).
@@ -71,6 +75,10 @@ struct Numbering {
   std::vector<JoinedLeaf> joined;  ///< in tree order
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
+  // Of the surface, for those who see no more of it than their leaf:
+  std::int64_t faces = 0;          ///< sides of its triangles that are meshed
+  std::int32_t regions = 1;        ///< that it bounds
+  std::vector<ForcedNode> forced;  ///< ascending
 };
 
 /// Whether a comes before b in tree order.
@@ -81,14 +89,21 @@ bool comes_before(TreePath a, TreePath b);
 /// leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT" (nodes of that cut or
 /// leaf, ascending).
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
-/// Cost: O(n log n) for n lines, O(vertices) for the surface.
+/// Cost: O(n log n) for n lines, and for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);
+
+/// The figures of the surface, which the text of a numbering does not have. Cost: as forced_nodes.
+void add_surface_figures(const SurfaceMesh& surface, Numbering& numbering);
+
+/// Whether the triangles of the input surface were counted in every leaf.
+bool counts_faces(const Numbering& numbering);
 
 /// The global number of a node by its origin. @throws Error when there is no such node.
 /// Cost: O(log n).
 std::int64_t global_number(const Numbering& numbering, const Origin& origin);
+[[noreturn]] void refuse_node(const Origin& origin);
 
-/// Text, a line for each count: see store/formats.md.
+/// Text, a line for each count, without the figures of the surface: see store/formats.md.
 std::string numbering_to_text(const Numbering& numbering);
 /// @throws CorruptFile naming `name`.
 Numbering numbering_from_text(std::string_view text, const std::string& name);

@@ -25,75 +25,64 @@ bool same_bits(const Vec3& a, const Vec3& b) {
   return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
-std::size_t number_of(const Subdomain& subdomain, const Numbering& numbering) {
-  for (std::size_t i = 0; i < numbering.leaves.size(); ++i) {
-    if (numbering.leaves[i].path == subdomain.path) return i;
-  }
-  refuse(subdomain, "is not a leaf of the numbering");
-}
-
-void check_counts(const MeshPart& part, const LeafNumbers& leaf) {
+void check_counts(const MeshPart& part, const LeafNumbering& numbering) {
   const Subdomain& subdomain = part.subdomain;
   const TetMesh& mesh = part.mesh;
   if (at(mesh.boundary_nodes) != subdomain.vertices.size() ||
       subdomain.node_origin.size() != subdomain.vertices.size() ||
-      std::ssize(mesh.nodes) - mesh.boundary_nodes > leaf.nodes.kept() ||
-      std::ssize(mesh.tets) != leaf.tets) {
+      std::ssize(mesh.nodes) - mesh.boundary_nodes > numbering.kept_nodes ||
+      std::ssize(mesh.tets) != numbering.tets) {
     refuse(subdomain, "different counts from the numbering");
   }
 }
 
-std::vector<std::int64_t> local2global_of(const MeshPart& part, const Numbering& numbering,
-                                          const LeafNumbers& leaf) {
-  std::vector<std::int64_t> numbers;
+std::vector<std::int64_t> local2global_of(const MeshPart& part, const LeafNumbering& numbering) {
+  TF_CHECK(numbering.node_numbers.size() == part.subdomain.node_origin.size());
+  std::vector<std::int64_t> numbers = numbering.node_numbers;
   numbers.reserve(part.mesh.nodes.size());
-  for (const Origin& origin : part.subdomain.node_origin) {
-    numbers.push_back(global_number(numbering, origin));
-  }
   const std::int64_t interior = std::ssize(part.mesh.nodes) - part.mesh.boundary_nodes;
-  for (std::int64_t i = 0; i < interior; ++i) numbers.push_back(leaf.nodes.first_node + i);
+  for (std::int64_t i = 0; i < interior; ++i) numbers.push_back(numbering.first_node + i);
   TF_CHECK(numbers.size() == part.mesh.nodes.size());
   return numbers;
 }
 
-void check_surface_nodes(const MeshPart& part, const SurfaceMesh& surface) {
+void check_surface_nodes(const MeshPart& part, const SurfacePieces& surface) {
   const Subdomain& subdomain = part.subdomain;
+  std::size_t next = 0;
   for (std::size_t v = 0; v < subdomain.node_origin.size(); ++v) {
-    const Origin& origin = subdomain.node_origin[v];
-    if (origin.owner != 0) continue;
-    if (!same_bits(part.mesh.nodes[v], surface.vertices[origin.index])) {
+    if (subdomain.node_origin[v].owner != 0) continue;
+    if (!same_bits(part.mesh.nodes[v], surface.vertices.at(next++))) {
       refuse(subdomain, "a node is not where the input surface has it");
     }
   }
+  TF_CHECK(next == surface.vertices.size());
 }
 
 /// The triangle has the nodes that it has in the surface, turned to point out of the region.
-void check_surface_triangle(const Subdomain& subdomain, std::size_t t, const SurfaceMesh& surface,
-                            const Numbering& numbering,
-                            const std::vector<std::int64_t>& local2global) {
-  const std::uint32_t index = subdomain.triangle_origin[t].index;
-  if (index >= surface.triangles.size()) refuse(subdomain, "unknown triangle of the surface");
-  Triangle nodes = surface.triangles[index];
-  if (sides_of(surface, index)[0] != subdomain.region) std::swap(nodes[1], nodes[2]);
+void check_surface_triangle(const Subdomain& subdomain, std::size_t t, Triangle nodes,
+                            const Sides& sides) {
+  if (sides[0] != subdomain.region) std::swap(nodes[1], nodes[2]);
   for (std::size_t i = 0; i < 3; ++i) {
+    const auto local = at(subdomain.triangles[t][i]);
     const Origin vertex{0, static_cast<std::uint32_t>(nodes[i])};
-    if (global_number(numbering, vertex) != local2global[at(subdomain.triangles[t][i])]) {
+    if (local >= subdomain.node_origin.size() || subdomain.node_origin[local] != vertex) {
       refuse(subdomain, "a surface triangle has other nodes than in the input");
     }
   }
 }
 
-void add_surface_triangles(const Subdomain& subdomain, const SurfaceMesh& surface,
-                           const Numbering& numbering, Portion& portion) {
-  const auto& patches = surface.patch_of_triangle;
+void add_surface_triangles(const Subdomain& subdomain, const SurfacePieces& surface,
+                           Portion& portion) {
+  std::size_t next = 0;
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
     if (subdomain.triangle_origin[t].owner != 0) continue;
-    check_surface_triangle(subdomain, t, surface, numbering, portion.part.local2global);
-    const std::uint32_t index = subdomain.triangle_origin[t].index;
+    check_surface_triangle(subdomain, t, surface.triangles.at(next), surface.sides.at(next));
     portion.part.faces.push_back(subdomain.triangles[t]);
-    portion.part.patch_of_face.push_back(patches.empty() ? 0 : patches[index]);
-    portion.surface_triangles.push_back(index);
+    portion.part.patch_of_face.push_back(surface.patches.at(next));
+    portion.surface_triangles.push_back(subdomain.triangle_origin[t].index);
+    ++next;
   }
+  TF_CHECK(next == surface.triangles.size());
 }
 
 /// Of the cells of a portion, and of its boundary faces of other types than triangles.
@@ -176,21 +165,32 @@ std::vector<bool> nodes_on_cuts(const Subdomain& subdomain) {
   return is_on_cut;
 }
 
-Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering& numbering) {
-  const std::size_t number = number_of(part.subdomain, numbering);
-  check_counts(part, numbering.leaves[number]);
+WantedPieces surface_pieces(const Subdomain& subdomain) {
+  WantedPieces wanted;
+  for (const auto& [origins, numbers] :
+       {std::pair{&subdomain.node_origin, &wanted.vertices},
+        std::pair{&subdomain.triangle_origin, &wanted.triangles}}) {
+    for (const Origin& origin : *origins) {
+      if (origin.owner == 0) numbers->push_back(origin.index);
+    }
+  }
+  return wanted;
+}
+
+Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumbering& numbering) {
+  check_counts(part, numbering);
   check_surface_nodes(part, surface);
   Portion portion;
   NumberedPart& numbered = portion.part;
-  numbered.number = static_cast<std::int32_t>(number);
+  numbered.number = numbering.number;
   numbered.region = part.subdomain.region;
-  numbered.local2global = local2global_of(part, numbering, numbering.leaves[number]);
-  add_surface_triangles(part.subdomain, surface, numbering, portion);
+  numbered.local2global = local2global_of(part, numbering);
+  add_surface_triangles(part.subdomain, surface, portion);
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
   part.is_on_cut.resize(numbered.nodes.size(), false);
   ElementCounts first{};
-  first[ElementType::tet] = numbering.leaves[number].first_tet;
+  first[ElementType::tet] = numbering.first_tet;
   take_figures(part.is_on_cut, first, portion);
   return portion;
 }

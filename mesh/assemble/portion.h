@@ -11,8 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/assemble/file_range.h"
-#include "mesh/assemble/global_numbering.h"
+#include "mesh/assemble/leaf_numbering.h"
 #include "mesh/assemble/mesh_digest.h"
 #include "mesh/assemble/mesh_shapes.h"
 #include "mesh/core/element_block.h"
@@ -88,11 +89,16 @@ struct Portion {
   std::vector<FileRange> placed;
 };
 
+/// Vertices and triangles of the surface that the part has, in the order of its own.
+WantedPieces surface_pieces(const Subdomain& subdomain);
+
 /// Numbers the leaf, and takes its figures. Its nodes of the surface lie where the surface has
 /// them, and its triangles of the surface have the nodes that they have there.
-/// @pre `surface` and `numbering` belong together.
-/// @throws Error when the part does not fit to them. Cost: O(n log n); memory of the part twice.
-Portion make_portion(MeshPart part, const SurfaceMesh& surface, const Numbering& numbering);
+/// @pre `surface` is what the surface has as the part's surface_pieces, and `numbering` the answer
+/// for its node_origin.
+/// @throws Error when the part does not fit to them. Cost: O(n) for n elements and nodes of the
+/// part; memory of the part twice.
+Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumbering& numbering);
 
 /// Counts the elements of a portion that is whole but for its figures and sums, and takes those.
 /// `first` is the number of its first cell of each type; `is_on_cut` tells it of each node, for the

@@ -26,5 +26,10 @@ TEST(NearestWord, finds_a_typing_error_and_leaves_other_words_alone) {
   EXPECT_EQ(nearest_word(std::string(100000, 'x'), words), "");
 }
 
+TEST(NearestWord, is_the_first_of_those_that_are_equally_near) {
+  constexpr std::array<std::string_view, 3> words = {"surface", "mesh", "mess"};
+  EXPECT_EQ(nearest_word("mest", words), "mesh");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/surface_check.h"

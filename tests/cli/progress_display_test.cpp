@@ -128,6 +128,8 @@ TEST(ShortCount, keeps_a_number_short) {
 
 TEST(ClockText, shows_hours_only_when_there_are_any) {
   EXPECT_EQ(clock_text(72), "01:12");
+  EXPECT_EQ(clock_text(3599), "59:59");
+  EXPECT_EQ(clock_text(3600), "1:00:00");
   EXPECT_EQ(clock_text(3723), "1:02:03");
 }
 

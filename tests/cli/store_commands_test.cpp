@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "store/artifact_store.h"
+#include "store/folder_lock.h"
 #include "store/job_database.h"
 #include "tests/base/temp_folder.h"
 
@@ -62,6 +63,15 @@ class StoreCommands : public ::testing::Test {
   StoredArtifact result_ = store_.publish("a mesh");
   StoredArtifact garbage_ = store_.publish("of nobody");
 };
+
+TEST_F(StoreCommands, nothing_is_removed_from_a_store_that_a_coordinator_has) {
+  // Locks are of open files: one of this process keeps out the command as another's would.
+  const FolderLock lock = FolderLock::of_store(folder_.path());
+  GcCommand command;
+  command.store = folder_.path();
+  EXPECT_THROW(gc_command(command), UsageError);
+  EXPECT_TRUE(is_there(garbage_));
+}
 
 TEST_F(StoreCommands, what_would_be_removed_is_told_and_stays) {
   const std::string said = gc(true);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstring>
+#include <span>
 #include <string>
 
 #include "base/check.h"
@@ -10,6 +11,8 @@
 #include "base/hash.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/artifacts/element_file.h"
+#include "mesh/artifacts/surface_file.h"
+#include "mesh/assemble/numbering_file.h"
 #include "mesh/formats/flite/read_flite_sources.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
@@ -95,14 +98,61 @@ void read_tets(const std::string& bytes) {
   tet_mesh_from_bytes(bytes, subdomain, "mesh");
 }
 
-/// What is read must be written as it was read.
+/// What is read must be written as it was read, and pieces of it must be what the whole has there.
+/// Of one block the checksum is that of a surface without blocks, too.
 void read_surface_artifact(const std::string& bytes) {
-  TF_CHECK(surface_to_bytes(surface_from_bytes(bytes, "surface")) == bytes);
+  const SurfaceMesh surface = surface_from_bytes(bytes, "surface");
+  const std::string again = surface_to_bytes(surface);
+  TF_CHECK(again == bytes || is_surface_without_blocks(bytes));
+  const MemoryFile memory(again);
+  SurfaceFile file(memory.path(), "surface");
+  WantedPieces wanted;
+  for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) wanted.vertices.push_back(v);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) wanted.triangles.push_back(t);
+  const SurfacePieces pieces = file.read(wanted);
+  TF_CHECK(pieces.vertices.size() == surface.vertices.size());
+  TF_CHECK(pieces.triangles == surface.triangles);
+}
+
+/// Another leaf may be there where this one is refused.
+void ask_leaf(NumberingFile& file, std::uint64_t heap) {
+  const std::array<Origin, 6> nodes = {{{0, 0}, {0, 5}, {1, 0}, {1, 4}, {heap, 1}, {heap, 3}}};
+  for (const Origin& node : nodes) {
+    try {
+      const LeafNumbering leaf = file.leaf({TreePath{heap}, 1, std::span(&node, 1)});
+      TF_CHECK(leaf.node_numbers.size() == 1 && leaf.kept_nodes >= 0);
+    } catch (const Error&) {
+      continue;
+    }
+  }
+}
+
+/// First as a leaf reads it, which sees less and must stand more.
+void read_numbering(const std::string& bytes) {
+  if (!is_numbering_text(bytes)) {
+    const MemoryFile memory(bytes);
+    NumberingFile file(memory.path(), "numbering");
+    for (const std::uint64_t heap : {1U, 2U, 3U, 5U}) ask_leaf(file, heap);
+  }
+  const Numbering numbering = numbering_from_bytes(bytes, "numbering");
+  const std::string again = numbering_to_bytes(numbering);
+  TF_CHECK(again == bytes || is_numbering_text(bytes));
+}
+
+/// Surfaces and numberings, and the text that a numbering was before it had blocks.
+void read_file_in_blocks(const std::string& bytes) {
+  if (is_numbering_text(bytes)) {
+    read_numbering(bytes);
+  } else if (bytes.starts_with("TFNUMB")) {
+    read_numbering(with_block_checksums(bytes));
+  } else {
+    read_surface_artifact(with_block_checksums(bytes));
+  }
 }
 
 using Read = void (*)(const std::string&);
 const std::array<Read, 12> kinds = {
-    [](const std::string& bytes) { read_surface_artifact(with_checksum_last(bytes)); },
+    [](const std::string& bytes) { read_file_in_blocks(bytes); },
     [](const std::string& bytes) { subdomain_from_bytes(with_checksum_last(bytes), "subdomain"); },
     [](const std::string& bytes) { read_tets(with_checksum_last(bytes)); },
     [](const std::string& bytes) { shared_nodes_from_bytes(with_checksum_last(bytes), "shared"); },

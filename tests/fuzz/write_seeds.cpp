@@ -8,6 +8,8 @@
 #include "base/hash.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/artifacts/element_file.h"
+#include "mesh/artifacts/surface_file.h"
+#include "mesh/assemble/numbering_file.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/spacing/spacing_field.h"
@@ -143,6 +145,10 @@ void write_artifacts(const fs::path& folder) {
     write(folder / name, kind + bytes);
   };
   put("surface", 0, surface_to_bytes(surface), 16);
+  const Numbering numbering = number_globally(
+      surface, "cut 1 5\nleaf 2 6 30 7\nleaf 3 1 1 5\ndropped 1 1 2\ndropped 2 4 1\n");
+  put("numbering", 0, numbering_to_bytes(numbering), 16);
+  put("numbering_text", 0, numbering_to_text(numbering), 0);
   put("subdomain", 1, subdomain_to_bytes(root_subdomain(surface)), 16);
   TetMesh mesh;
   mesh.boundary_nodes = 4;

@@ -345,5 +345,29 @@ TEST(RunCommand, keeps_output_feeds_input_and_ends_what_takes_too_long) {
   EXPECT_EQ(run_command({{"sleep", "60"}, ""}, 100).code, -1);
 }
 
+TEST(RunCommand, ends_with_a_command_what_the_command_has_started) {
+  const CommandOutcome outcome = run_command({{"sh", "-c", "sleep 60 & echo $!; wait"}, ""}, 300);
+  EXPECT_EQ(outcome.code, -1);
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 1U);
+  // The kernel ends it when it comes to it. Of a process that has ended and was not yet waited for,
+  // there is no command line.
+  std::string first = "it";
+  for (int i = 0; i < 1'000 && !first.empty(); ++i) {
+    if (i > 0) ::usleep(2'000);
+    first.clear();
+    std::ifstream words("/proc/" + lines[0] + "/cmdline");
+    std::getline(words, first, '\0');
+  }
+  EXPECT_EQ(first, "");
+}
+
+TEST(HoursMinutesSeconds, has_as_many_hours_as_there_are) {
+  EXPECT_EQ(hours_minutes_seconds(59), "00:00:59");
+  EXPECT_EQ(hours_minutes_seconds(3'600 + 23 * 60 + 4), "01:23:04");
+  EXPECT_EQ(hours_minutes_seconds(3 * 24 * 3'600), "72:00:00");
+  EXPECT_EQ(hours_minutes_seconds(200 * 3'600 + 59 * 60), "200:59:00");
+}
+
 }  // namespace
 }  // namespace tetfarm

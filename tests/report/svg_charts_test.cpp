@@ -78,6 +78,8 @@ TEST(SvgCharts, of_very_many_spans_the_longest_are_drawn_and_that_is_said) {
   EXPECT_THAT(svg, HasSubstr("the longest attempts only"));
   EXPECT_THAT(svg, HasSubstr("task 29999."));
   EXPECT_THAT(svg, Not(HasSubstr("task 17.")));
+  EXPECT_THAT(svg, HasSubstr("task 10000."));
+  EXPECT_THAT(svg, Not(HasSubstr("task 9999."))) << "20,000 are drawn";
 }
 
 TEST(SvgCharts, points_without_an_expectation_are_left_out) {

@@ -156,6 +156,12 @@ TEST(TaskContracts, refuse_what_a_task_is_given_and_nobody_asked_for_but_not_wha
     words.texts["spare"] = "1";
     words.numbers["spare"] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(breach_of(side, words).empty(), !side.is_given) << side.name;
+    TaskWords file_alone = side.words;
+    file_alone.files.emplace_back("spare", file("x"));
+    EXPECT_EQ(breach_of(side, file_alone).empty(), !side.is_given) << side.name;
+    TaskWords text_alone = side.words;
+    text_alone.texts["spare"] = "1";
+    EXPECT_EQ(breach_of(side, text_alone).empty(), !side.is_given) << side.name;
   }
 }
 

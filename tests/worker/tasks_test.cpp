@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "mesh/artifacts/artifact_file.h"
+#include "mesh/artifacts/surface_file.h"
 #include "mesh/core/validate.h"
 #include "mesh/formats/registry/read_global_mesh.h"
 #include "mesh/job_file/job_file.h"

@@ -11,23 +11,6 @@
 namespace tetfarm {
 namespace {
 
-VtkhdfPlaces frame_at(const SharedFile& file, std::span<const VtkhdfCounts> parts,
-                      const SurfaceMesh& surface) {
-  return write_vtkhdf_frame(file.scratch, parts, surface.patch_names, surface.region_names);
-}
-
-const LeafNumbers& leaf_of(const NumberedPart& part, const Numbering& numbering) {
-  return numbering.leaves.at(static_cast<std::size_t>(part.number));
-}
-
-/// Places of cells do not depend on whose they are, nor on points.
-std::vector<VtkhdfCounts> counts_of_all_cells(const Numbering& numbering,
-                                              const SurfaceMesh& surface) {
-  std::vector<VtkhdfCounts> parts(numbering.leaves.size());
-  parts.front() = {0, numbering.tets, meshed_sides(surface)};
-  return parts;
-}
-
 VtkhdfCounts without_cells(VtkhdfCounts counts) {
   counts.tets = 0;
   for (const ElementType type : cell_block_types) counts.others[type] = 0;
@@ -40,29 +23,26 @@ bool is_at(const FileRange& range, const VtkhdfPlace& place) {
 
 }  // namespace
 
-bool knows_places(const Numbering& numbering) {
-  return numbering.leaves.back().faces && numbering.leaves.back().first_face;
-}
-
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
-                                   const Numbering& numbering, const SurfaceMesh& surface) {
-  const VtkhdfPlaces places = frame_at(file, counts_of_all_cells(numbering, surface), surface);
-  remove_file(file.scratch);
-  const LeafNumbers& leaf = leaf_of(part, numbering);
-  const std::int64_t faces = leaf.first_face.value();
-  const VtkhdfBefore before = {0, leaf.first_tet + faces, 4 * leaf.first_tet + 3 * faces};
+                                   const LeafNumbering& numbering, const VtkhdfNames& names) {
+  TF_CHECK(part.number == numbering.number);
+  const MeshTotals& whole = numbering.whole;
+  const VtkhdfPlaces places =
+      places_of_cells(file.scratch, whole.subdomains, {0, whole.tets, whole.faces}, names);
+  const std::int64_t faces = numbering.first_face.value();
+  const VtkhdfBefore before = {0, numbering.first_tet + faces, 4 * numbering.first_tet + 3 * faces};
   if (file.path.empty()) return write_vtkhdf_cells(places, before, part, nullptr);
   OutputFile output(file.path, OutputFile::Start::as_it_is);
   return write_vtkhdf_cells(places, before, part, &output);
 }
 
 SharedVtkhdf::SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts,
-                           const SurfaceMesh& surface, ReadWhole read_whole)
+                           const VtkhdfNames& names, ReadWhole read_whole)
     : path_(std::move(file)),
       parts_(std::move(parts)),
       before_(before_each(parts_)),
       read_whole_(std::move(read_whole)),
-      places_(frame_at(path_, parts_, surface)),
+      places_(write_vtkhdf_frame(path_.scratch, parts_, names)),
       file_(path_.path, OutputFile::Start::as_it_is) {
   write_frame();
 }

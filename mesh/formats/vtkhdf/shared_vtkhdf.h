@@ -13,6 +13,7 @@
 
 #include "mesh/assemble/file_range.h"
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/leaf_numbering.h"
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 #include "mesh/formats/vtkhdf/vtkhdf_rows.h"
 
@@ -24,14 +25,11 @@ struct SharedFile {
   std::filesystem::path scratch;
 };
 
-/// Whether the places of cells are known: the boundary triangles of all leaves were counted.
-bool knows_places(const Numbering& numbering);
-
 /// Writes the cells of a leaf, and returns where they are. The file is made when it is missing, and
-/// is not made durable; without a path, it is only told where they would be. @pre knows_places;
-/// `part` is whole. @throws IoError.
+/// is not made durable; without a path, it is only told where they would be. @pre `part` is whole
+/// and of `numbering`, which knows its first face. @throws IoError. Cost: O(cells of the part).
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
-                                   const Numbering& numbering, const SurfaceMesh& surface);
+                                   const LeafNumbering& numbering, const VtkhdfNames& names);
 
 /// Finishes the file. `add` takes a part with its cells, or without them when they are placed:
 /// those are not written again.
@@ -41,7 +39,7 @@ class SharedVtkhdf : public GlobalMeshWriter {
   using ReadWhole = std::function<NumberedPart(std::size_t part)>;
 
   /// @throws IoError
-  SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts, const SurfaceMesh& surface,
+  SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts, const VtkhdfNames& names,
                ReadWhole read_whole);
 
   /// Whether these are the places where the cells of that part belong: then they need not come, but

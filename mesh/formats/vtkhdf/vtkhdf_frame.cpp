@@ -1,9 +1,15 @@
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 
+#include "base/check.h"
+#include "base/file_system.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
 namespace {
+
+/// Each has a number for each partition.
+constexpr std::array<const char*, 3> arrays_of_counts = {
+    "VTKHDF/NumberOfPoints", "VTKHDF/NumberOfCells", "VTKHDF/NumberOfConnectivityIds"};
 
 std::int64_t cells_of(const VtkhdfCounts& part) {
   std::int64_t cells = part.tets + part.faces;
@@ -28,9 +34,35 @@ void add_counts(std::span<const VtkhdfCounts> parts, Hdf5Output& file) {
     cells.push_back(cells_of(part));
     ids.push_back(ids_of(part));
   }
-  file.add_array("VTKHDF/NumberOfPoints", points);
-  file.add_array("VTKHDF/NumberOfCells", cells);
-  file.add_array("VTKHDF/NumberOfConnectivityIds", ids);
+  file.add_array(arrays_of_counts[0], points);
+  file.add_array(arrays_of_counts[1], cells);
+  file.add_array(arrays_of_counts[2], ids);
+}
+
+void begin_frame(const VtkhdfNames& names, Hdf5Output& file) {
+  for (const char* group : {"VTKHDF", "VTKHDF/PointData", "VTKHDF/CellData", "Tetfarm"}) {
+    file.make_group(group);
+  }
+  file.add_attribute("VTKHDF", "Version", {1, 0});
+  file.add_text_attribute("VTKHDF", "Type", "UnstructuredGrid");
+  file.add_texts("Tetfarm/patch_names", names.patches);
+  file.add_texts("Tetfarm/region_names",
+                 names.regions.empty() ? std::vector<std::string>{"domain"} : names.regions);
+}
+
+/// `all` is what `partitions` have together.
+VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, Hdf5Output& file) {
+  TF_CHECK(partitions >= 0);
+  VtkhdfPlaces places;
+  places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
+  places.offsets = file.room_for<std::int64_t>("VTKHDF/Offsets", all.cells + partitions);
+  places.types = file.room_for<std::uint8_t>("VTKHDF/Types", all.cells);
+  places.subdomains = file.room_for<std::int32_t>("VTKHDF/CellData/subdomain", all.cells);
+  places.regions = file.room_for<std::int32_t>("VTKHDF/CellData/region", all.cells);
+  places.patches = file.room_for<std::int32_t>("VTKHDF/CellData/patch", all.cells);
+  places.points = file.room_for<double>("VTKHDF/Points", all.points, 3);
+  places.node_numbers = file.room_for<std::int64_t>("VTKHDF/PointData/GlobalNodeId", all.points);
+  return places;
 }
 
 }  // namespace
@@ -69,31 +101,23 @@ VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
 }
 
 VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
-                                std::span<const VtkhdfCounts> parts,
-                                const std::vector<std::string>& patch_names,
-                                const std::vector<std::string>& region_names) {
+                                std::span<const VtkhdfCounts> parts, const VtkhdfNames& names) {
   Hdf5Output file(path.string());
-  for (const char* group : {"VTKHDF", "VTKHDF/PointData", "VTKHDF/CellData", "Tetfarm"}) {
-    file.make_group(group);
-  }
-  file.add_attribute("VTKHDF", "Version", {1, 0});
-  file.add_text_attribute("VTKHDF", "Type", "UnstructuredGrid");
-  file.add_texts("Tetfarm/patch_names", patch_names);
-  file.add_texts("Tetfarm/region_names",
-                 region_names.empty() ? std::vector<std::string>{"domain"} : region_names);
+  begin_frame(names, file);
   add_counts(parts, file);
-  const VtkhdfBefore all = before_each(parts).back();
-  const auto offsets = all.cells + std::ssize(parts);
-  VtkhdfPlaces places;
-  places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
-  places.offsets = file.room_for<std::int64_t>("VTKHDF/Offsets", offsets);
-  places.types = file.room_for<std::uint8_t>("VTKHDF/Types", all.cells);
-  places.subdomains = file.room_for<std::int32_t>("VTKHDF/CellData/subdomain", all.cells);
-  places.regions = file.room_for<std::int32_t>("VTKHDF/CellData/region", all.cells);
-  places.patches = file.room_for<std::int32_t>("VTKHDF/CellData/patch", all.cells);
-  places.points = file.room_for<double>("VTKHDF/Points", all.points, 3);
-  places.node_numbers = file.room_for<std::int64_t>("VTKHDF/PointData/GlobalNodeId", all.points);
+  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), file);
   file.close();
+  return places;
+}
+
+VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t partitions,
+                             const VtkhdfCounts& all, const VtkhdfNames& names) {
+  Hdf5Output file(scratch.string());
+  begin_frame(names, file);
+  for (const char* counts : arrays_of_counts) file.room_for<std::int64_t>(counts, partitions);
+  const VtkhdfPlaces places = add_room(partitions, {0, cells_of(all), ids_of(all)}, file);
+  file.close();
+  remove_file(scratch);
   return places;
 }
 

@@ -74,11 +74,21 @@ struct VtkhdfCellPlaces {
 VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
                              const VtkhdfBefore& before, const VtkhdfCounts& counts);
 
+/// Names that a file has once.
+struct VtkhdfNames {
+  std::vector<std::string> patches;
+  std::vector<std::string> regions;  ///< none: one region
+};
+
 /// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.
 /// @throws IoError
 VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
-                                std::span<const VtkhdfCounts> parts,
-                                const std::vector<std::string>& patch_names,
-                                const std::vector<std::string>& region_names);
+                                std::span<const VtkhdfCounts> parts, const VtkhdfNames& names);
+
+/// The places that the arrays of cells have in the frame of `partitions` parts which have `all` of
+/// the cells together, whose they may be; those of points are not told. A file `scratch` comes and
+/// goes. @throws IoError. Cost: O(names), whatever the number of partitions.
+VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t partitions,
+                             const VtkhdfCounts& all, const VtkhdfNames& names);
 
 }  // namespace tetfarm

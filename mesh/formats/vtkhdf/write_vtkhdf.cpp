@@ -16,7 +16,7 @@ class VtkhdfWriter : public GlobalMeshWriter {
                const std::vector<std::string>& region_names)
       : parts_(parts.begin(), parts.end()),
         before_(before_each(parts)),
-        places_(write_vtkhdf_frame(path, parts, patch_names, region_names)),
+        places_(write_vtkhdf_frame(path, parts, {patch_names, region_names})),
         file_(path, OutputFile::Start::as_it_is) {
     // HDF5 knows its files by their first eight bytes: until the last is written it is none.
     file_.write(0, std::string(hdf5_signature.size(), '\0'));

@@ -6,6 +6,9 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/hash.h"
+#include "mesh/artifacts/byte_stream.h"
+#include "mesh/artifacts/checked_bytes.h"
 #include "tests/base/temp_folder.h"
 
 namespace tetfarm {
@@ -90,6 +93,33 @@ TEST_F(ElementFiles, tell_the_core_by_what_was_taken_out_of_the_mesh) {
   EXPECT_THROW(
       open(elements_to_bytes({{5}, 12, {}, {}}, {}, CoreElements{7, {3, 0}, {}})).read_core(),
       CorruptFile);
+}
+
+TEST_F(ElementFiles, a_core_that_names_what_was_taken_twice_is_refused) {
+  EXPECT_THROW(
+      open(elements_to_bytes({{5}, 12, {}, {}}, {}, CoreElements{7, {0, 3, 3}, {}})).read_core(),
+      CorruptFile);
+  EXPECT_THROW(
+      open(elements_to_bytes({{5}, 12, {}, {}}, {}, CoreElements{7, {}, {4, 4}, 9})).read_core(),
+      CorruptFile);
+}
+
+TEST_F(ElementFiles, a_section_that_would_end_beyond_all_numbers_is_cut_short) {
+  constexpr std::size_t head_begins = 8 + 4 + 8 + checksum_size;
+  const std::size_t head_ends = open(bytes_).head().sections[0].offset;
+  // The size of the last section stands before its checksum, which ends the head.
+  std::string head = bytes_.substr(head_begins, head_ends - head_begins);
+  ByteWriter size;
+  size.number(std::uint64_t{0} - head_ends);  // ends at 0 again
+  head.replace(head.size() - checksum_size - 8, 8, size.bytes());
+  ByteWriter checksum;
+  checksum.hash(hash128(head));
+  std::string damaged = bytes_;
+  damaged.replace(head_begins, head.size(), head);
+  damaged.replace(head_begins - checksum_size, checksum_size, checksum.bytes());
+  ElementFile file = open(damaged);
+  EXPECT_NO_THROW(file.read_core());
+  EXPECT_THROW(file.read(1), CorruptFile);
 }
 
 TEST_F(ElementFiles, every_byte_that_is_wrong_is_noticed) {

@@ -10,6 +10,7 @@
 
 #include "base/array_index.h"
 #include "mesh/assemble/global_mesh.h"
+#include "mesh/assemble/leaf_numbering.h"
 #include "mesh/core/sorted_face.h"
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 
@@ -30,10 +31,16 @@ struct CutGrid {
     }
     return counts;
   }
+  LeafNumbering numbering_of(const Subdomain& leaf) const {
+    return leaf_numbering(numbering(), {leaf.path, leaf.region, leaf.node_origin});
+  }
+  Portion portion_of(const MeshPart& part) const {
+    return make_portion(part, pieces_of(surface, surface_pieces(part.subdomain)),
+                        numbering_of(part.subdomain));
+  }
+  Portion portion(std::uint64_t leaf) const { return portion_of(parts.at(leaf)); }
   ReadPortion reader() const {
-    return [this](const LeafNumbers& leaf) {
-      return make_portion(parts.at(leaf.path.heap), surface, numbering());
-    };
+    return [this](const LeafNumbers& leaf) { return portion(leaf.path.heap); };
   }
 };
 

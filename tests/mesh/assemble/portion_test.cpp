@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_system.h"
@@ -13,9 +16,7 @@
 namespace tetfarm {
 namespace {
 
-Portion portion_of(const CutGrid& grid, std::uint64_t leaf) {
-  return make_portion(grid.parts.at(leaf), grid.surface, grid.numbering());
-}
+Portion portion_of(const CutGrid& grid, std::uint64_t leaf) { return grid.portion(leaf); }
 
 TEST(Portion, survives_its_file_bit_by_bit) {
   const CutGrid grid = cut_grid(4);
@@ -144,6 +145,18 @@ TEST(Portion, its_counts_are_told_by_its_first_bytes) {
   EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
 }
 
+TEST(Portion, a_node_of_the_surface_elsewhere_along_any_axis_is_refused) {
+  for (int axis = 0; axis < 3; ++axis) {
+    CutGrid grid = cut_grid(2);
+    MeshPart& part = grid.parts.at(7);
+    const std::vector<Origin>& origins = part.subdomain.node_origin;
+    std::size_t v = 0;
+    while (origins.at(v).owner != 0) ++v;
+    part.mesh.nodes[v][axis] = std::nextafter(part.mesh.nodes[v][axis], 9);
+    EXPECT_THROW(portion_of(grid, 7), Error) << axis;
+  }
+}
+
 TEST(Portion, an_element_of_no_node_is_refused) {
   for (const std::int32_t wrong : {-1, std::numeric_limits<std::int32_t>::max()}) {
     Portion portion = portion_of(cut_grid(2), 7);
@@ -159,6 +172,48 @@ TEST(Portion, an_element_of_no_node_is_refused) {
     portion.part.blocks[ElementType::prism].nodes.back() = wrong;
     EXPECT_THROW(add_portion_cells(portion_cells_to_bytes(portion), "cells", portion), CorruptFile);
   }
+}
+
+TEST(Portion, a_node_away_from_where_the_surface_has_it_is_refused) {
+  const CutGrid grid = cut_grid(4);
+  for (const bool is_moved : {false, true}) {
+    MeshPart part = grid.parts.at(6);
+    const auto moved = static_cast<std::size_t>(
+        std::find_if(part.subdomain.node_origin.begin(), part.subdomain.node_origin.end(),
+                     [](const Origin& origin) { return origin.owner == 0; }) -
+        part.subdomain.node_origin.begin());
+    if (is_moved) part.mesh.nodes[moved].x = std::nextafter(part.mesh.nodes[moved].x, 2);
+    if (is_moved) {
+      EXPECT_THROW(grid.portion_of(part), Error);
+    } else {
+      EXPECT_NO_THROW(grid.portion_of(part));
+    }
+  }
+}
+
+TEST(Portion, a_surface_triangle_with_other_nodes_or_another_orientation_is_refused) {
+  const CutGrid grid = cut_grid(4);
+  const MeshPart good = grid.parts.at(6);
+  const auto t = static_cast<std::size_t>(
+      std::find_if(good.subdomain.triangle_origin.begin(), good.subdomain.triangle_origin.end(),
+                   [](const Origin& origin) { return origin.owner == 0; }) -
+      good.subdomain.triangle_origin.begin());
+  MeshPart turned = good;
+  std::swap(turned.subdomain.triangles[t][1], turned.subdomain.triangles[t][2]);
+  EXPECT_THROW(grid.portion_of(turned), Error);
+  MeshPart other = good;
+  other.subdomain.triangle_origin[t].index ^= 1;
+  EXPECT_THROW(grid.portion_of(other), Error);
+  MeshPart unknown = good;
+  unknown.subdomain.triangle_origin[t].index = 1'000'000;
+  EXPECT_THROW(grid.portion_of(unknown), Error);
+}
+
+TEST(Portion, counts_that_differ_from_the_numbering_are_refused) {
+  const CutGrid grid = cut_grid(4);
+  MeshPart part = grid.parts.at(6);
+  part.mesh.tets.pop_back();
+  EXPECT_THROW(grid.portion_of(part), Error);
 }
 
 TEST(Portion, a_portion_in_the_place_of_another_is_not_assembled) {

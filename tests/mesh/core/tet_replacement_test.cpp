@@ -100,6 +100,18 @@ TEST(TetReplacement, refuses_tets_that_do_not_fill_the_cavity) {
   EXPECT_FALSE(would_fill(complex, both, {}));
 }
 
+TEST(TetReplacement, refuses_two_pairs_on_one_face) {
+  const std::array<std::int32_t, 3> nodes = {0, 1, 2};
+  const std::vector<OpenFace> outer_and_new = {{nodes, no_face, true, false},
+                                               {nodes, 0, false, false}};
+  const std::vector<OpenFace> both_new = {{nodes, 1, false, true}, {nodes, 2, false, false}};
+  ASSERT_TRUE(are_pairs(outer_and_new));
+  ASSERT_TRUE(are_pairs(both_new));
+  std::vector<OpenFace> all = outer_and_new;
+  all.insert(all.end(), both_new.begin(), both_new.end());
+  EXPECT_FALSE(are_pairs(all));
+}
+
 TEST(TetReplacementDeathTest, takes_no_tet_out_twice) {
   TetComplex complex = two_tets();
   EXPECT_DEATH(exchange_tets(complex, std::vector<std::int32_t>{0, 0}, {}), "is_live");

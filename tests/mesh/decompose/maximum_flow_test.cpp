@@ -18,10 +18,11 @@ TEST(MaximumFlow, cuts_the_narrowest_place) {
 TEST(MaximumFlow, takes_back_flow_that_is_in_the_way) {
   // The first shortest path goes across; the full flow of 2 must take half of it back.
   FlowNetwork network(6);
-  network.add_edge(0, 1, 1, 0);
+  // Of a node's edges the last is tried first.
   network.add_edge(0, 2, 1, 0);
-  network.add_edge(1, 3, 1, 0);
+  network.add_edge(0, 1, 1, 0);
   network.add_edge(1, 4, 1, 0);
+  network.add_edge(1, 3, 1, 0);
   network.add_edge(2, 3, 1, 0);
   network.add_edge(3, 5, 1, 0);
   network.add_edge(4, 5, 1, 0);

@@ -85,6 +85,29 @@ TEST(LatticeGrid, calls_blocks_deep_that_have_every_centre_near) {
   EXPECT_LT(deep, grid.slot_count());
 }
 
+TEST(LatticeGrid, calls_no_block_deep_that_has_no_block_beside_it) {
+  // The centres of all cells of size 2 in blocks of 4 x 4 x 4: one block, then 3 x 3 x 3.
+  for (const std::int32_t blocks : {1, 3}) {
+    std::vector<LatticeNode> nodes;
+    for (std::int32_t x = 0; x < 4 * blocks; ++x) {
+      for (std::int32_t y = 0; y < 4 * blocks; ++y) {
+        for (std::int32_t z = 0; z < 4 * blocks; ++z) {
+          LatticeNode node;
+          node.cell_bits = 1;
+          node.grid = {8 + 2 * x + 1, 8 + 2 * y + 1, 8 + 2 * z + 1};
+          nodes.push_back(node);
+        }
+      }
+    }
+    const LatticeGrid grid(nodes);
+    int deep = 0;
+    for (std::int32_t block = 0; block < blocks * blocks * blocks; ++block) {
+      deep += grid.is_deep(block) ? 1 : 0;
+    }
+    EXPECT_EQ(deep, blocks == 1 ? 0 : 1);
+  }
+}
+
 TEST(LatticeGrid, of_no_nodes_has_no_slots) {
   EXPECT_EQ(LatticeGrid(std::span<const LatticeNode>{}).slot_count(), 0);
 }

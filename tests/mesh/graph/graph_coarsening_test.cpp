@@ -63,5 +63,20 @@ TEST(GraphCoarsening, what_is_only_seen_changes_nothing_and_stays_single) {
   EXPECT_EQ(together, alone);
 }
 
+TEST(GraphCoarsening, never_joins_two_nodes_to_one_that_is_too_heavy) {
+  // Two heavy nodes with a heavy edge between them, and twenty light ones in a row.
+  WeightedGraph graph;
+  graph.weight.assign(22, 1);
+  graph.weight[0] = graph.weight[1] = 50;
+  make_rows(graph, [](const auto& visit) {
+    visit(0, 1, 100);
+    for (std::size_t v = 2; v < 22; ++v) visit(v - 1, v, 1);
+  });
+  for (const GraphLevel& level : coarsen_graph(graph, graph.size(), 5)) {
+    // Twice the mean weight that is wanted.
+    EXPECT_THAT(level.graph.weight, testing::Each(testing::Le(2 * (120 / 5 + 1)))) << level.movable;
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

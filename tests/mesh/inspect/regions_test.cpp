@@ -207,6 +207,16 @@ TEST(Regions, refuse_points_that_name_none) {
               HasSubstr("is in the same region as (0.5, 0.5, 0.5)"));
 }
 
+TEST(Regions, refuse_to_make_the_outside_void_where_it_is_to_be_meshed) {
+  try {
+    check_surface(shapes::unit_cube(),
+                  {.wishes = {{{5, 0.5, 0.5}, "", true}}, .is_outside_meshed = true});
+    ADD_FAILURE() << "it was taken";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("meshed up to the outer boundary"));
+  }
+}
+
 TEST(Regions, that_are_all_void_leave_nothing_to_mesh) {
   const CheckedSurface checked = check_surface(
       shapes::unit_cube(), {.wishes = {{{0.5, 0.5, 0.5}, "", true}}, .is_outside_meshed = false});

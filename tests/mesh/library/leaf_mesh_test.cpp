@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/core/validate.h"
+#include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
@@ -134,6 +135,43 @@ TEST(LeafMesh, cuts_no_leaf_two_of_whose_vertices_are_at_the_same_place) {
   const VolumeOutcome outcome = leaf_mesh(o.whole, {.mesh = mesh, .cut = never});
   EXPECT_FALSE(outcome.mesh);
   EXPECT_EQ(outcome.failure.cause, VolumeFailure::Cause::same_place);
+}
+
+/// A bar along x with two voids, each a tet, near one of its ends. A vertex of one is at the same
+/// place as one of the other: no part with them both has a mesh.
+Subdomain bar_with_touching_voids(double end) {
+  SurfaceMesh bar = shapes::box({0, 0, 0}, {6, 1, 1}, 4);
+  const Vec3 meeting{end, 0.5, 0.5};
+  for (const double way : {-0.2, 0.2}) {
+    const auto first = static_cast<std::int32_t>(bar.vertices.size());
+    for (const Vec3& step : {Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
+      bar.vertices.push_back(meeting + way * step);
+    }
+    // They point out of the domain, into the void; the step in x turns with the way.
+    const std::int32_t a = first;
+    const std::int32_t b = first + (way > 0 ? 1 : 2);
+    const std::int32_t c = first + (way > 0 ? 2 : 1);
+    const std::int32_t d = first + 3;
+    for (const Triangle& t : {Triangle{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}}) {
+      bar.triangles.push_back(t);
+    }
+  }
+  bar.patch_of_triangle.clear();
+  bar.patch_names.clear();
+  return root_subdomain(bar);
+}
+
+TEST(LeafMeshers, accept_no_cut_of_which_one_half_has_no_mesh) {
+  const SpacingField spacing(0.4);
+  const auto cut = [&spacing](const Subdomain& leaf) {
+    return leaf_meshers(spacing, {}, {}).cut(leaf);
+  };
+  EXPECT_TRUE(cut(root_subdomain(shapes::box({0, 0, 0}, {6, 1, 1}, 4))).cut);
+  for (const double end : {0.5, 5.5}) {
+    const CutOutcome outcome = cut(bar_with_touching_voids(end));
+    EXPECT_FALSE(outcome.cut) << end;
+    EXPECT_EQ(outcome.reason, "no candidate accepted") << end;
+  }
 }
 
 }  // namespace

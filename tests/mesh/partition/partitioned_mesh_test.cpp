@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <set>
 
 #include "base/error.h"
 #include "mesh/formats/communication/communication_table.h"
@@ -88,6 +89,14 @@ TEST(PartitionedMesh, parts_are_even_of_one_piece_and_together_the_mesh) {
     }
     EXPECT_EQ(tets, outline_of(grid).tets);
   }
+}
+
+TEST(PartitionedMesh, has_even_parts_rather_than_a_shorter_cut) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(4));
+  // Of the ways to divide 384 tets there is one with a shorter cut and a part of 25.
+  EXPECT_THAT(PartitionedMesh(grid, options_for(16), folder.path()).figures().cells,
+              testing::Each(24));
 }
 
 TEST(PartitionedMesh, is_the_same_every_time) {
@@ -216,9 +225,29 @@ TEST(PartitionedMesh, cells_of_every_type_keep_their_regions_in_parts_and_with_o
   }
 }
 
-TEST(PartitionedMesh, refuses_more_parts_than_tets) {
+TEST(PartitionedMesh, a_part_of_one_region_says_which_and_has_no_lists_of_regions) {
+  const TempFolder folder;
+  const GridSource grid = grid_of_two_regions(8);
+  const PartitionedMesh mesh(grid, options_for(9), folder.path());
+  std::map<std::int32_t, int> parts_of_region;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    std::set<std::int32_t> regions;
+    for (std::size_t t = 0; t < part.tets.size(); ++t) regions.insert(part.region_of(t));
+    if (regions.size() > 1) continue;
+    EXPECT_TRUE(part.region_of_tet.empty());
+    EXPECT_TRUE(part.region_of_face.empty());
+    ++parts_of_region[part.region];
+  }
+  EXPECT_GT(parts_of_region[1], 0);
+  EXPECT_GT(parts_of_region[2], 0);
+}
+
+TEST(PartitionedMesh, may_have_as_many_parts_as_tets_and_no_more) {
   const TempFolder folder;
   const GridSource grid(cut_grid(2));
+  const PartitionedMesh mesh(grid, options_for(48), folder.path());
+  EXPECT_THAT(mesh.figures().cells, testing::Each(1));
   EXPECT_THROW(PartitionedMesh(grid, options_for(49), folder.path()), UsageError);
 }
 

@@ -114,6 +114,15 @@ TEST(MeshCheck, a_boundary_triangle_without_a_tet_is_named) {
   EXPECT_THAT(complaints_of(source), Contains(HasSubstr(name)));
 }
 
+TEST(MeshCheck, boundary_triangles_are_numbered_through_all_parts) {
+  GridSource source = grid();
+  Triangle& face = source.parts[2].faces[3];
+  std::swap(face[0], face[1]);
+  const std::size_t before = source.parts[0].faces.size() + source.parts[1].faces.size();
+  EXPECT_THAT(complaints_of(source),
+              Contains(HasSubstr("boundary triangle " + std::to_string(before + 3))));
+}
+
 TEST(MeshCheck, a_boundary_triangle_that_points_inwards_is_refused) {
   GridSource source = grid();
   Triangle& face = source.parts[0].faces[3];

@@ -119,5 +119,24 @@ TEST(OctreeRefine, stops_when_its_work_is_more_than_it_may_be) {
   }
 }
 
+int deepest_level(const RefinedTree& tree, std::size_t node) {
+  if (tree.child_of[node] == 0) return 0;
+  int deepest = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    deepest =
+        std::max(deepest, deepest_level(tree, static_cast<std::size_t>(tree.child_of[node]) + k));
+  }
+  return deepest + 1;
+}
+
+TEST(OctreeRefine, divides_no_cell_of_the_deepest_level_however_small_the_spacing) {
+  constexpr double background = 1;
+  constexpr double growth = 1;
+  const SpacingDemand demand{
+      DemandTree({{{0.3, 0.4, 0.6}, 1e-9, 0}}, growth), {}, background, growth, background};
+  const GridFrame frame = grid_frame(unit_box(), background);
+  EXPECT_EQ(deepest_level(refine(demand, frame, unit_box()), 0), octree_max_level);
+}
+
 }  // namespace
 }  // namespace tetfarm

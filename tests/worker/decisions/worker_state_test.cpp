@@ -523,6 +523,16 @@ TEST_F(WorkerStateTest, a_damaged_input_is_named) {
   EXPECT_EQ(state_.phase(), WorkerPhase::telling);
 }
 
+TEST_F(WorkerStateTest, forgets_the_files_of_an_attempt_that_failed_for_want_of_them) {
+  fetch_task_5();
+  does();
+  state_.input_is_damaged("0123", now_);
+  does();
+  EXPECT_TRUE(std::ranges::any_of(commands_, [](const WorkerCommand& command) {
+    return std::holds_alternative<ForgetFiles>(command);
+  }));
+}
+
 TEST_F(WorkerStateTest, its_own_full_disk_is_not_that_of_all) {
   fetch_task_5();
   state_.files_failed(Error(ExitCode::out_of_resources, "no space"), false, now_);

@@ -28,6 +28,8 @@ TEST(ReadFro, names_the_line_of_what_it_does_not_understand) {
               ThrowsMessage<InvalidInput>(HasSubstr("a.fro:7: expected a triangle's number")));
   EXPECT_THAT(reading("1 3 0\n1 0 0 0\n3 1 0 0\n2 0 1 0\n1 1 2 3 1\n"),
               ThrowsMessage<InvalidInput>(HasSubstr("a.fro:3: expected number 2, found 3")));
+  EXPECT_THAT(reading(std::string(nodes) + "1 1 3 2 1\n3 1 2 4 2\n"),
+              ThrowsMessage<InvalidInput>(HasSubstr("a.fro:7: expected number 2, found 3")));
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ TEST(ReadObj, takes_the_names_of_which_the_file_has_most) {
   const std::string groups = square + "o body\ng wing\nusemtl red\n" + a + "g tail\n" + a;
   EXPECT_THAT(read(groups).patch_names, ElementsAre("wing", "tail"));
   EXPECT_THAT(read(groups).patch_of_triangle, ElementsAre(0, 1));
+  // Those that name most win also where the last face has no name of theirs.
+  EXPECT_THAT(read(groups + "g\n" + a).patch_of_triangle, ElementsAre(0, 1, 2));
   const std::string materials =
       square + "o body\nusemtl red\n" + a + "usemtl blue\n" + a + "usemtl red\n" + a;
   EXPECT_THAT(read(materials).patch_names, ElementsAre("red", "blue"));

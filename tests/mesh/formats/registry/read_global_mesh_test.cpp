@@ -55,6 +55,13 @@ TEST(MeshFiles, both_formats_give_back_the_mesh_that_was_written) {
   }
 }
 
+TEST(MeshFiles, a_vtkhdf_file_may_end_in_hdf) {
+  const Files files(cut_grid(2));
+  const std::filesystem::path renamed = files.folder.path() / "grid.hdf";
+  std::filesystem::copy_file(files.vtkhdf, renamed);
+  EXPECT_EQ(read_global_mesh(renamed).mesh.tets, read_global_mesh(files.vtkhdf).mesh.tets);
+}
+
 TEST(MeshFiles, digest_of_the_vtkhdf_file_is_that_of_the_assembled_mesh) {
   const Files files(cut_grid(4));
   EXPECT_EQ(report_on(read_global_mesh(files.vtkhdf)).digest, files.summary.digest);

@@ -40,7 +40,11 @@ class SharedVtkhdfFile : public testing::Test {
   }
 
   std::vector<FileRange> place(std::size_t part) {
-    return place_cells(file_, parts_[part], numbering_, grid_.surface);
+    return place_cells(file_, parts_[part], leaf(part), names_);
+  }
+
+  LeafNumbering leaf(std::size_t part) const {
+    return leaf_numbering(numbering_, {numbering_.leaves.at(part).path, 1, {}});
   }
 
   enum class PlacedTets { stay_away, come_too };
@@ -49,7 +53,7 @@ class SharedVtkhdfFile : public testing::Test {
   int finish(const std::map<std::size_t, std::vector<FileRange>>& placed,
              PlacedTets tets = PlacedTets::stay_away) {
     int read = 0;
-    SharedVtkhdf shared(file_, grid_.counts(), grid_.surface, [&](std::size_t part) {
+    SharedVtkhdf shared(file_, grid_.counts(), names_, [&](std::size_t part) {
       ++read;
       return parts_[part];
     });
@@ -78,6 +82,7 @@ class SharedVtkhdfFile : public testing::Test {
 
   CutGrid grid_ = cut_grid(5);
   Numbering numbering_ = grid_.numbering();
+  VtkhdfNames names_ = {grid_.surface.patch_names, grid_.surface.region_names};
   std::vector<NumberedPart> parts_;
   TempFolder folder_;
   SharedFile file_ = {folder_.path() / "shared", folder_.path() / "frame"};
@@ -132,8 +137,7 @@ TEST_F(SharedVtkhdfFile, other_places_are_not_believed) {
 }
 
 TEST_F(SharedVtkhdfFile, tets_that_nobody_placed_are_missed) {
-  SharedVtkhdf shared(file_, grid_.counts(), grid_.surface,
-                      [&](std::size_t i) { return parts_[i]; });
+  SharedVtkhdf shared(file_, grid_.counts(), names_, [&](std::size_t i) { return parts_[i]; });
   NumberedPart part = parts_[1];
   part.tets.clear();
   EXPECT_THROW(shared.add(part), Error);
@@ -144,7 +148,7 @@ TEST_F(SharedVtkhdfFile, where_nothing_may_be_written_the_same_is_told) {
   remove_file(file_.path);
   SharedFile nowhere = file_;
   nowhere.path.clear();
-  EXPECT_EQ(place_cells(nowhere, parts_[0], numbering_, grid_.surface), first);
+  EXPECT_EQ(place_cells(nowhere, parts_[0], leaf(0), names_), first);
   EXPECT_FALSE(std::filesystem::exists(file_.path));
 }
 

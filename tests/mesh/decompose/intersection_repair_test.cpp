@@ -1,0 +1,70 @@
+#include "mesh/decompose/intersection_repair.h"
+
+#include <gtest/gtest.h>
+
+namespace tetfarm {
+namespace {
+
+/// A cut of one triangle in the plane z = 0 without a rim, of spacing 1.
+InterdomainMesh one_triangle() {
+  InterdomainMesh cut;
+  cut.plane = make_cut_plane({0, 0, 1}, 0);
+  cut.planar.points = {cut.plane.project({0, 0, 0}), cut.plane.project({1, 0, 0}),
+                       cut.plane.project({0, 1, 0})};
+  cut.planar.triangles = {{0, 1, 2}};
+  cut.heights = {0, 0, 0};
+  cut.spacing = {1, 1, 1};
+  return cut;
+}
+
+/// Surface that covers the cut, level, at a height.
+Subdomain surface_at(double height) {
+  Subdomain surface;
+  surface.vertices = {{-9, -9, height}, {9, -9, height}, {0, 18, height}};
+  surface.triangles = {{0, 1, 2}};
+  return surface;
+}
+
+struct Push {
+  int contacts = 0;
+  std::vector<std::optional<double>> heights;
+};
+
+Push pushed_off(double height, Side side, const PushOptions& options = {}) {
+  SurfaceContact contact;
+  contact.meets = true;
+  contact.unit = 1;
+  Push push;
+  push.contacts =
+      push_nodes(one_triangle(), surface_at(height), {side}, {contact}, push.heights, options);
+  return push;
+}
+
+TEST(IntersectionRepair, takes_nodes_clear_of_the_surface_on_the_side_of_its_colour) {
+  // What is left of the cut lies below it.
+  const Push up = pushed_off(0.1, Side::left);
+  const Push down = pushed_off(0.1, Side::right);
+  EXPECT_EQ(up.contacts, 1);
+  EXPECT_EQ(down.contacts, 1);
+  for (std::size_t v = 0; v < 3; ++v) {
+    EXPECT_NEAR(up.heights.at(v).value(), 0.1 + PushOptions{}.to, 1e-12);
+    EXPECT_NEAR(down.heights.at(v).value(), 0.1 - PushOptions{}.to, 1e-12);
+  }
+}
+
+TEST(IntersectionRepair, moves_no_node_farther_at_once_than_allowed) {
+  PushOptions options;
+  options.to = 10;  // so that the surface is felt from afar
+  options.farthest = 11.5;
+  EXPECT_EQ(pushed_off(1, Side::left, options).contacts, 1);
+  options.farthest = 10.5;
+  EXPECT_EQ(pushed_off(1, Side::left, options).contacts, 0);
+}
+
+TEST(IntersectionRepair, leaves_alone_what_is_clear_already) {
+  EXPECT_EQ(pushed_off(-0.7, Side::left).contacts, 0);
+  EXPECT_EQ(pushed_off(0.7, Side::right).contacts, 0);
+}
+
+}  // namespace
+}  // namespace tetfarm
