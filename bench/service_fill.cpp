@@ -110,7 +110,8 @@ class Filler {
     Submission submission;
     submission.name = "make-believe";
     submission.job_toml = "# " + std::to_string(leaves) + " sub-domains";
-    submission.job_file = File{"job", submission.job_toml}.ref();
+    const ArtifactRef job_file = File{"job", submission.job_toml}.ref();
+    submission.given.job = {job_file.hash, job_file.size};
     job_ = state_.submit(submission, now()).job;
     put_into_store({{"job", submission.job_toml}});
     leaves_ = leaves;

@@ -168,7 +168,7 @@ class Simulation {
 
   void run(std::size_t workers) {
     Submission submission;
-    submission.job_file = {"job", std::string(32, '0'), 1};
+    submission.given.job = {std::string(32, '0'), 1};
     job_id_ = state_.submit(submission, {}).job;
     WorkerInfo info;
     info.memory_bytes = std::uint64_t{1} << 32U;

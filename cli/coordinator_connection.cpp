@@ -9,6 +9,7 @@
 #include "proto/address_family.h"
 #include "proto/reconnection.h"
 #include "proto/wire.h"
+#include "tasks/inspect_contract.h"
 
 namespace tetfarm {
 namespace {
@@ -220,7 +221,7 @@ wire::Submit submission_of(const JobInput& input, const StoredArtifact& surface)
   submit.set_name(input.job.name);
   submit.set_key(key_of(input));
   wire::Artifact& artifact = *submit.add_inputs();
-  artifact.set_name("input_surface");
+  artifact.set_name(field_name(&InspectGiven::input_surface));
   artifact.set_hash(surface.hash);
   artifact.set_size(surface.size);
   return submit;

@@ -53,9 +53,19 @@ Refusal refusal_of(WireState state) {
   }
 }
 
-bool names_a_surface(const std::vector<ArtifactRef>& inputs) {
-  return std::any_of(inputs.begin(), inputs.end(),
-                     [](const ArtifactRef& input) { return input.name == "input_surface"; });
+const char* surface_name() { return field_name(&InspectGiven::input_surface); }
+
+/// The one input that a submission may have. @throws UsageError when it has another.
+std::optional<TaskFile> surface_of(const wire::Submit& message) {
+  std::optional<TaskFile> surface;
+  for (const ArtifactRef& input : files_of(message.inputs())) {
+    if (input.name != surface_name() || surface) {
+      throw UsageError("has the input '" + input.name + "', and takes one surface and nothing else",
+                       "the submission");
+    }
+    surface = TaskFile{input.hash, input.size};
+  }
+  return surface;
 }
 
 }  // namespace
@@ -397,21 +407,20 @@ Submission RequestHandler::submission_of(const wire::Submit& message) const {
   submission.name = checked_job_name(message);
   submission.job_toml = message.job_toml();
   submission.replaces_others = message.replaces_others();
-  submission.inputs = files_of(message.inputs());
+  std::optional<TaskFile> surface = surface_of(message);
   if (!message.surface_path().empty()) {
-    const StoredArtifact surface = roots_.take(message.surface_path(), store_);
-    submission.inputs.push_back({"input_surface", surface.hash, surface.size});
-    if (submission.key.empty()) submission.key = hash128(message.job_toml() + surface.hash).hex();
+    if (surface) throw UsageError("names two surfaces", "the submission");
+    const StoredArtifact taken = roots_.take(message.surface_path(), store_);
+    surface = TaskFile{taken.hash, taken.size};
+    if (submission.key.empty()) submission.key = hash128(message.job_toml() + taken.hash).hex();
   }
-  if (!names_a_surface(submission.inputs)) {
-    throw UsageError("names no surface", "the submission");
-  }
-  for (const ArtifactRef& input : submission.inputs) {
-    if (store_.has(input.hash, input.size)) continue;
-    throw Error(ExitCode::not_found, "the input '" + input.name + "' is not in the store");
+  if (!surface) throw UsageError("names no surface", "the submission");
+  if (!store_.has(surface->hash, surface->size)) {
+    throw Error(ExitCode::not_found,
+                std::string("the input '") + surface_name() + "' is not in the store");
   }
   const StoredArtifact job_file = store_.publish(message.job_toml());
-  submission.job_file = {"job", job_file.hash, job_file.size};
+  submission.given = {{job_file.hash, job_file.size}, surface, std::nullopt};
   return submission;
 }
 

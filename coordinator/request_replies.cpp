@@ -5,6 +5,7 @@
 #include "coordinator/request_handler.h"
 #include "coordinator/views/query_answers.h"
 #include "store/disk_room.h"
+#include "tasks/inspect_contract.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -97,7 +98,7 @@ void RequestHandler::send(const Command& command, const JobState& state, Moment 
     wire::Envelope envelope = assign_message(task, assign->attempt);
     envelope.mutable_assign()->set_limit_ms(static_cast<std::uint64_t>(assign->limit_ms));
     if (task.kind == TaskKind::inspect) {
-      (*envelope.mutable_assign()->mutable_parameters())["free_bytes"] =
+      (*envelope.mutable_assign()->mutable_parameters())[field_name(&InspectGiven::free_bytes)] =
           std::to_string(room_for_jobs(store_.folder()));
     }
     answer(connection->second, std::move(envelope));

@@ -1,10 +1,10 @@
 #include "coordinator/space_watch.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "base/mebibytes.h"
+#include "coordinator/decisions/task_rows.h"
 
 namespace tetfarm {
 namespace {
@@ -19,13 +19,9 @@ std::uint64_t sum(const std::vector<ArtifactRef>& files) {
   return bytes;
 }
 
-/// Estimated elements of a task that has such a parameter; 0 of others.
+/// Estimated elements of a task that is told them; 0 of others.
 std::uint64_t work_of(const TaskRow& task) {
-  const auto found = task.parameters.find("work");
-  std::uint64_t work = 0;
-  if (found == task.parameters.end()) return work;
-  std::from_chars(found->second.data(), found->second.data() + found->second.size(), work);
-  return work;
+  return static_cast<std::uint64_t>(told_size(task).value_or(ToldSize{}).elements);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "coordinator/decisions/task_graph.h"
+#include "tasks/assimilate_contract.h"
 
 namespace tetfarm {
 
@@ -18,7 +19,8 @@ namespace tetfarm {
 bool is_assimilated(const TaskRow& inspect);
 
 /// What is wrong with the groups of a result: a leaf in none, a group without a file.
-std::optional<std::string> problem_with_groups(const TaskRow& task, const TaskResult& result);
+std::optional<std::string> problem_with_groups(const AssimilateGiven& given,
+                                               const AssimilateMade& made);
 
 /// Joins the leaves into groups (thesis 4.3.2); nothing when the job does not ask for it.
 /// @pre `tree` is the whole tree by rising heap number: nothing in it is open or joined.

@@ -4,21 +4,15 @@
 #include <sstream>
 
 #include "base/check.h"
-#include "coordinator/decisions/task_graph.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/cosmetic_contract.h"
+#include "tasks/extract_contract.h"
+#include "tasks/inspect_contract.h"
+#include "tasks/mesh_contract.h"
+#include "tasks/order_contract.h"
 
 namespace tetfarm {
 namespace {
-
-ArtifactRef file_of(std::span<const ArtifactRef> files, const std::string& name) {
-  const std::optional<ArtifactRef> file = find_file(files, name);
-  TF_CHECK(file.has_value());
-  return *file;
-}
-
-ArtifactRef renamed(ArtifactRef file, std::string name) {
-  file.name = std::move(name);
-  return file;
-}
 
 /// "HEAP COLOUR NEIGHBOUR NEIGHBOUR …"; nothing when it is not like that.
 std::optional<std::pair<std::uint64_t, Turn>> parse_line(const std::string& line) {
@@ -49,6 +43,20 @@ std::string line_of(std::uint64_t heap, std::int32_t colour) {
   return std::to_string(heap) + ' ' + std::to_string(colour) + '\n';
 }
 
+/// The elements of a leaf before its turn. @pre they are there.
+TaskFile extracted(const FindDone& find, std::uint64_t leaf) {
+  const TaskRow* task = find(TaskKind::extract, leaf);
+  TF_CHECK(task != nullptr);
+  return made_by<ExtractMade>(*task).elements;
+}
+
+/// The elements of a leaf after its turn. @pre it had it.
+TaskFile mended(const FindDone& find, std::uint64_t leaf) {
+  const TaskRow* task = find(TaskKind::cosmetic, leaf);
+  TF_CHECK(task != nullptr);
+  return made_by<CosmeticMade>(*task).elements;
+}
+
 }  // namespace
 
 std::optional<TurnOrder> turn_order_of(const std::string& text) {
@@ -66,33 +74,27 @@ std::optional<TurnOrder> turn_order_of(const std::string& text) {
 }
 
 bool has_seam_cosmetics(const TaskRow& inspect, std::span<const SubdomainRow> tree) {
-  const auto across = inspect.numbers.find("across_cuts");
-  if (across == inspect.numbers.end() || across->second != 1) return false;
+  if (!made_by<InspectMade>(inspect).across_cuts) return false;
   return std::count_if(tree.begin(), tree.end(), [](const SubdomainRow& node) {
            return node.state == SubdomainState::leaf;
          }) > 1;
 }
 
 TaskRow order_task(const TaskRow& inspect, std::span<const SubdomainRow> tree) {
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::order;
+  OrderGiven given;
   for (const SubdomainRow& node : tree) {
     if (node.state != SubdomainState::leaf) continue;
-    task.inputs.push_back({"subdomain:" + std::to_string(node.path), node.hash, node.size});
+    given.subdomains[node.path] = {node.hash, node.size};
   }
-  return task;
+  return new_task(inspect.job, 0, given);
 }
 
 TaskRow extract_task(const TaskRow& order, const TaskRow& mesh) {
-  TaskRow task;
-  task.job = mesh.job;
-  task.kind = TaskKind::extract;
-  task.path = mesh.path;
-  const std::string shared = "shared:" + std::to_string(mesh.path);
-  task.inputs = {file_of(mesh.inputs, "subdomain"), file_of(mesh.outputs, "mesh"),
-                 renamed(file_of(order.outputs, shared), "shared")};
-  return task;
+  ExtractGiven given;
+  given.subdomain = given_to<MeshGiven>(mesh).subdomain;
+  given.mesh = made_by<MeshMade>(mesh).mesh;
+  given.shared = made_for_leaf(order, &OrderMade::shared, mesh.path);
+  return new_task(mesh.job, mesh.path, given);
 }
 
 std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& turns,
@@ -100,58 +102,45 @@ std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& tu
   const TaskRow* own = find(TaskKind::extract, leaf);
   if (own == nullptr) return std::nullopt;
   const Turn& turn = turns.at(leaf);
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::cosmetic;
-  task.path = leaf;
-  task.inputs = {file_of(inspect.outputs, "spacing"),
-                 renamed(file_of(own->outputs, "elements"), "own")};
-  std::string colours = line_of(leaf, turn.colour);
+  CosmeticGiven given;
+  given.own = made_by<ExtractMade>(*own).elements;
+  given.colours = line_of(leaf, turn.colour);
   for (const std::uint64_t other : turn.neighbours) {
     const std::int32_t its_colour = turns.at(other).colour;
     const bool had_turn = its_colour < turn.colour;
     const TaskRow* made = find(had_turn ? TaskKind::cosmetic : TaskKind::extract, other);
     if (made == nullptr) return std::nullopt;
-    task.inputs.push_back(renamed(file_of(made->outputs, "elements"),
-                                  (had_turn ? "had_turn:" : "waits:") + std::to_string(other)));
-    colours += line_of(other, its_colour);
+    if (had_turn) {
+      given.had_turn[other] = made_by<CosmeticMade>(*made).elements;
+    } else {
+      given.waiting[other] = made_by<ExtractMade>(*made).elements;
+    }
+    given.colours += line_of(other, its_colour);
   }
-  task.parameters["colours"] = colours;
-  return task;
+  given.spacing = made_by<InspectMade>(inspect).spacing;
+  return new_task(inspect.job, leaf, given);
 }
 
-void add_elements(TaskRow& number, const TaskRow& order, const TurnOrder& turns,
-                  const FindDone& find) {
-  number.parameters["order"] = order.texts.at("order");
+void add_elements(const TaskRow& order, const TurnOrder& turns, const FindDone& find,
+                  NumberGiven& number) {
+  number.order = made_by<OrderMade>(order).order;
   for (const auto& [leaf, turn] : turns) {
-    const std::string heap = std::to_string(leaf);
-    const TaskRow* extracted = find(TaskKind::extract, leaf);
-    const TaskRow* mended = find(TaskKind::cosmetic, leaf);
-    TF_CHECK(extracted != nullptr && mended != nullptr);
-    number.inputs.push_back(renamed(file_of(extracted->outputs, "elements"), "core:" + heap));
-    number.inputs.push_back(renamed(file_of(mended->outputs, "elements"), "elements:" + heap));
+    number.cores[leaf] = extracted(find, leaf);
+    number.elements[leaf] = mended(find, leaf);
   }
 }
 
-void add_final_elements(TaskRow& write, const TurnOrder& turns, const FindDone& find) {
-  const Turn& turn = turns.at(write.path);
-  const auto add = [&](TaskKind maker, std::uint64_t leaf, const std::string& name) {
-    const TaskRow* made = find(maker, leaf);
-    TF_CHECK(made != nullptr);
-    write.inputs.push_back(
-        renamed(file_of(made->outputs, "elements"), name + std::to_string(leaf)));
-  };
-  const TaskRow* mesh = find(TaskKind::mesh, write.path);
-  TF_CHECK(mesh != nullptr);
-  add_mesh(*mesh, write);
-  add(TaskKind::extract, write.path, "core:");
-  add(TaskKind::cosmetic, write.path, "elements:");
-  std::string colours = line_of(write.path, turn.colour);
+void add_final_elements(std::uint64_t leaf, const TurnOrder& turns, const FindDone& find,
+                        WriteGiven& write) {
+  const Turn& turn = turns.at(leaf);
+  write.cores[leaf] = extracted(find, leaf);
+  write.elements[leaf] = mended(find, leaf);
+  std::string colours = line_of(leaf, turn.colour);
   for (const std::uint64_t other : turn.neighbours) {
-    add(TaskKind::cosmetic, other, "elements:");
+    write.elements[other] = mended(find, other);
     colours += line_of(other, turns.at(other).colour);
   }
-  write.parameters["colours"] = colours;
+  write.colours = colours;
 }
 
 }  // namespace tetfarm

@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "store/rows.h"
+#include "tasks/number_contract.h"
+#include "tasks/write_contract.h"
 
 namespace tetfarm {
 
@@ -51,13 +53,14 @@ using FindDone = std::function<const TaskRow*(TaskKind kind, std::uint64_t leaf)
 std::optional<TaskRow> cosmetic_task(const TaskRow& inspect, const TurnOrder& turns,
                                      std::uint64_t leaf, const FindDone& find);
 
-/// Gives number what it needs after the last turn: the order and the files of all leaves.
+/// What number needs after the last turn: the order and the files of all leaves.
 /// @pre every leaf had its turn.
-void add_elements(TaskRow& number, const TaskRow& order, const TurnOrder& turns,
-                  const FindDone& find);
+void add_elements(const TaskRow& order, const TurnOrder& turns, const FindDone& find,
+                  NumberGiven& number);
 
-/// Gives a write task the files that the elements of its leaf are in after the last turn: its own
-/// and those of its neighbours. @pre every leaf had its turn.
-void add_final_elements(TaskRow& write, const TurnOrder& turns, const FindDone& find);
+/// The files that the elements of a leaf are in after the last turn: its own and those of its
+/// neighbours. @pre every leaf had its turn.
+void add_final_elements(std::uint64_t leaf, const TurnOrder& turns, const FindDone& find,
+                        WriteGiven& write);
 
 }  // namespace tetfarm

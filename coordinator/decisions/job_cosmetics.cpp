@@ -2,6 +2,8 @@
 #include "base/check.h"
 #include "coordinator/decisions/cosmetic_graph.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/order_contract.h"
 
 namespace tetfarm {
 
@@ -17,7 +19,7 @@ const TurnOrder& JobState::turns_of(JobId job) {
   if (const TurnOrder* known = progress_.turns(job)) return *known;
   const TaskRow* order = find_done(job, TaskKind::order, 0);
   TF_CHECK(order != nullptr);
-  std::optional<TurnOrder> turns = turn_order_of(order->texts.at("order"));
+  std::optional<TurnOrder> turns = turn_order_of(made_by<OrderMade>(*order).order);
   TF_CHECK(turns.has_value());
   return progress_.set_turns(job, std::move(*turns));
 }

@@ -7,6 +7,7 @@
 #include "base/tree_path.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/task_rows.h"
 
 namespace tetfarm {
 namespace {
@@ -214,34 +215,32 @@ void JobState::number_tree(JobId job, Moment now) {
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
   const TaskRow* order = find_task(job, TaskKind::order, 0);
   const TaskRow* assimilate = find_task(job, TaskKind::assimilate, 0);
-  TaskRow number = number_task(*inspect, assimilate, tree_of(job));
+  NumberGiven number = given_to_number(*inspect, assimilate, tree_of(job));
   if (order != nullptr) {
-    add_elements(number, *order, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
+    const auto find = [this, job](TaskKind kind, std::uint64_t path) {
       return find_done(job, kind, path);
-    });
+    };
+    add_elements(*order, turns_of(job), find, number);
   }
-  add_task(std::move(number), now);
+  add_task(new_task(job, 0, number), now);
 }
 
 /// The nodes have their numbers: every leaf is written, in any order.
 void JobState::write_leaves(const TaskRow& number, Moment now) {
   const JobId job = number.job;
-  const TaskRow inspect = *find_task(job, TaskKind::inspect, 0);
+  const WriteGiven of_all = given_to_write(*find_task(job, TaskKind::inspect, 0), number);
   const bool has_seam_cosmetics = find_task(job, TaskKind::order, 0) != nullptr;
-  const TaskRow numbered = number;
+  const auto find = [this, job](TaskKind kind, std::uint64_t path) {
+    return find_done(job, kind, path);
+  };
   for (const SubdomainRow& node : tree_of(job)) {
     if (node.state != SubdomainState::leaf) continue;
-    TaskRow write = write_task(inspect, numbered, node.path);
-    if (has_seam_cosmetics) {
-      add_final_elements(write, turns_of(job), [this, job](TaskKind kind, std::uint64_t path) {
-        return find_done(job, kind, path);
-      });
-    } else {
-      const TaskRow* mesh = find_done(job, TaskKind::mesh, node.path);
-      TF_CHECK(mesh != nullptr);
-      add_mesh(*mesh, write);
-    }
-    add_task(std::move(write), now);
+    const TaskRow* mesh = find_done(job, TaskKind::mesh, node.path);
+    TF_CHECK(mesh != nullptr);
+    WriteGiven write = of_all;
+    add_mesh(*mesh, write);
+    if (has_seam_cosmetics) add_final_elements(node.path, turns_of(job), find, write);
+    add_task(new_task(job, node.path, write), now);
   }
 }
 
@@ -265,7 +264,7 @@ bool JobState::has_results(JobId job) const {
 }
 
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
-  TaskRow inspect = inspect_task({}, submission.job_file, submission.inputs);
+  TaskRow inspect = new_task({}, 0, submission.given);
   const std::string content = content_of(inspect);
   const auto known =
       submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});

@@ -5,6 +5,9 @@
 #include "base/check.h"
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/cosmetic_contract.h"
+#include "tasks/write_contract.h"
 
 namespace tetfarm {
 
@@ -17,9 +20,11 @@ void JobState::take_in(const TaskRow& task) {
   }
   lists_.place(task);
   index(task);
-  const bool had_turn = task.kind == TaskKind::cosmetic && find_file(task.outputs, "elements");
+  const bool had_turn =
+      task.kind == TaskKind::cosmetic && !made_by<CosmeticMade>(task).elements.hash.empty();
   if (had_turn) progress_.note_turn_over(task.job);
-  const bool is_written = task.kind == TaskKind::write && find_file(task.outputs, "portion");
+  const bool is_written =
+      task.kind == TaskKind::write && !made_by<WriteMade>(task).portion.hash.empty();
   if (is_written) progress_.note_written(task.job);
   remember_work(task);
 }

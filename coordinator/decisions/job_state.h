@@ -53,6 +53,7 @@
 #include "coordinator/decisions/worker_sessions.h"
 #include "store/rows.h"
 #include "tasks/failure_cause.h"
+#include "tasks/inspect_contract.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -114,8 +115,7 @@ struct Submission {
   std::string key;
   std::string name;
   std::string job_toml;
-  ArtifactRef job_file;  ///< job_toml, published
-  std::vector<ArtifactRef> inputs;
+  InspectGiven given;            ///< job_toml, published, and the surface
   bool replaces_others = false;  ///< running jobs are cancelled: this is the one that is wanted
   std::string owner = {};        ///< the submitter's public key, "": a plain connection
 };

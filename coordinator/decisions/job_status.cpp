@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/decompose_contract.h"
+#include "tasks/inspect_contract.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -52,13 +55,12 @@ void add_assimilation(const TaskRow& assimilate, JobSummary& summary) {
 
 /// What the job will come to, as the inspection tells.
 void add_estimate(const TaskRow& inspect, JobSummary& summary) {
-  for (const char* name : {"estimated_elements", "total_work"}) {
-    const auto found = inspect.numbers.find(name);
-    if (found == inspect.numbers.end()) continue;
-    summary.estimated_elements = found->second;
-    break;
-  }
-  for (const char* name : {"parts", "forecast_bytes", "forecast_disk_bytes", "forecast_seconds"}) {
+  const auto made = made_by<InspectMade>(inspect);
+  const auto estimated = inspect.numbers.find("estimated_elements");
+  summary.estimated_elements =
+      estimated == inspect.numbers.end() ? made.total_work : estimated->second;
+  if (made.parts > 0) summary.numbers["parts"] = static_cast<double>(made.parts);
+  for (const char* name : {"forecast_bytes", "forecast_disk_bytes", "forecast_seconds"}) {
     const auto found = inspect.numbers.find(name);
     if (found != inspect.numbers.end()) summary.numbers[name] = found->second;
   }
@@ -131,7 +133,8 @@ void count_task(const TaskRow& task, JobSummary& summary) {
 /// Of a sub-domain that was to be cut and could not be, as text "uncut:PATH".
 void add_reason_to_stay_whole(const TaskRow& task, JobSummary& summary) {
   if (task.kind != TaskKind::decompose || task.state != TaskState::done) return;
-  const auto reason = task.texts.find("reason");
+  static const std::string name = field_name(&DecomposeMade::reason);
+  const auto reason = task.texts.find(name);
   if (reason == task.texts.end() || !task.outputs.empty()) return;
   if (++summary.numbers["uncut"] > most_reasons) return;
   summary.texts["uncut:" + std::to_string(task.path)] = reason->second;

@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/mesh_share.h"
+#include "coordinator/decisions/task_rows.h"
 
 namespace tetfarm {
 
@@ -35,10 +36,9 @@ void JobState::heartbeat(WorkerId worker, TaskId task, AttemptId attempt, Moment
 void JobState::note_work(WorkerId worker, TaskId task, AttemptId attempt, const WorkCount& count) {
   if (!holds(worker, task, attempt)) return;
   const TaskRow& row = durable_.tasks.at(task);
+  const ToldSize told = told_size(row).value_or(ToldSize{});
   const double share =
-      row.kind == TaskKind::mesh
-          ? mesh_share(count, parameter_or_zero(row, "work"), parameter_or_zero(row, "needles"))
-          : 0;
+      row.kind == TaskKind::mesh ? mesh_share(count, told.elements, told.needles) : 0;
   leases_.note_work(attempt, count, share);
 }
 

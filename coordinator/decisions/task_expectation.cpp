@@ -1,20 +1,21 @@
 #include "coordinator/decisions/task_expectation.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
+#include "coordinator/decisions/task_rows.h"
 #include "store/task_time.h"
 
 namespace tetfarm {
 namespace {
 
 /// Estimated elements of the task's sub-domain, with so many more as take as long as its needles;
-/// 1 where the task does not name them.
+/// 1 where the task is not told them.
 double work_of(const TaskRow& task) {
-  if (!task.parameters.contains("work")) return 1;
-  const double elements = std::max(1.0, parameter_or_zero(task, "work"));
-  const double needles = parameter_or_zero(task, "needles");
+  const std::optional<ToldSize> told = told_size(task);
+  if (!told) return 1;
+  const double elements = std::max(1.0, told->elements);
+  const double needles = told->needles;
   constexpr double many = 1e6;
   const auto usual = [&task](double elements_of, double needles_of) {
     return usual_seconds(task.kind, {elements_of, 0, needles_of}).expected;
@@ -38,11 +39,6 @@ double add_sample(std::deque<double>& samples, double value) {
 }
 
 }  // namespace
-
-double parameter_or_zero(const TaskRow& task, const char* name) {
-  const auto found = task.parameters.find(name);
-  return found == task.parameters.end() ? 0 : std::strtod(found->second.c_str(), nullptr);
-}
 
 void TaskExpectation::learn(const TaskRow& done) {
   Samples& samples = samples_[static_cast<std::size_t>(done.kind)];

@@ -15,9 +15,6 @@
 
 namespace tetfarm {
 
-/// What the task was given under that name; 0 where it was given none.
-double parameter_or_zero(const TaskRow& task, const char* name);
-
 class TaskExpectation {
  public:
   /// @pre `done` was done by a worker. Cost: O(samples kept).

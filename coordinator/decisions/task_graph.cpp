@@ -1,85 +1,76 @@
 #include "coordinator/decisions/task_graph.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "base/check.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/assemble_contract.h"
+#include "tasks/assimilate_contract.h"
+#include "tasks/decompose_contract.h"
+#include "tasks/inspect_contract.h"
+#include "tasks/mesh_contract.h"
+#include "tasks/order_contract.h"
 #include "tasks/task_contracts.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr double most_parts = 1e6;
-
-ArtifactRef file_of(std::span<const ArtifactRef> files, const std::string& name) {
-  const std::optional<ArtifactRef> file = find_file(files, name);
-  TF_CHECK(file.has_value());
-  return *file;
+/// A number that is not told where it is 0.
+std::optional<std::uint64_t> if_any(std::uint64_t count) {
+  return count > 0 ? std::optional(count) : std::nullopt;
 }
 
-ArtifactRef renamed(ArtifactRef file, std::string name) {
-  file.name = std::move(name);
-  return file;
-}
-
-/// A whole number from 0 to `most`; nothing when the result has none of that name.
-std::optional<std::uint64_t> count_of(const std::map<std::string, double>& numbers,
-                                      const std::string& name, double most) {
-  const auto found = numbers.find(name);
-  if (found == numbers.end()) return std::nullopt;
-  const double value = found->second;
-  if (!(value >= 0 && value <= most) || value != std::floor(value)) return std::nullopt;
-  return static_cast<std::uint64_t>(value);
-}
-
-std::uint64_t count_or_zero(const std::map<std::string, double>& numbers, const std::string& name) {
-  return count_of(numbers, name, 1e15).value_or(0);
-}
-
-std::uint32_t parts_of(const TaskRow& task, const std::string& name) {
-  return static_cast<std::uint32_t>(count_of(task.numbers, name, most_parts).value_or(1));
+/// Of what is to become leaves; older versions told of none where it is one.
+std::uint32_t at_least_one(std::uint64_t parts) {
+  return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, parts));
 }
 
 /// The wanted parts of the two sides are the parent's, as evenly as can be.
-TaskRow decompose_task(const TaskRow& inspect, const SubdomainRow& subdomain) {
-  TaskRow task;
-  task.job = subdomain.job;
-  task.kind = TaskKind::decompose;
-  task.path = subdomain.path;
-  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
-                 {"subdomain", subdomain.hash, subdomain.size},
-                 file_of(inspect.outputs, "spacing")};
-  const std::uint32_t left_parts = subdomain.parts / 2;
-  task.parameters["left_parts"] = std::to_string(left_parts);
-  task.parameters["right_parts"] = std::to_string(subdomain.parts - left_parts);
-  task.parameters["work"] = std::to_string(std::llround(subdomain.work));
-  const std::uint64_t most_bytes = count_or_zero(inspect.numbers, "most_bytes");
-  if (most_bytes > 0) task.parameters["most_bytes"] = std::to_string(most_bytes);
-  return task;
+TaskRow decompose_task(const InspectMade& inspected, const SubdomainRow& subdomain,
+                       std::uint64_t needles) {
+  DecomposeGiven given;
+  given.job = inspected.settings;
+  given.subdomain = {subdomain.hash, subdomain.size};
+  given.spacing = inspected.spacing;
+  given.left_parts = subdomain.parts / 2;
+  given.right_parts = subdomain.parts - given.left_parts;
+  given.work = told_work(subdomain.work);
+  given.most_bytes = if_any(inspected.most_bytes);
+  given.needles = if_any(needles);
+  return new_task(subdomain.job, subdomain.path, given);
 }
 
-/// Of a task on a sub-domain: how many triangles with a small angle the task that made it counted.
-void tell_needles(std::uint64_t needles, TaskRow& task) {
-  if (needles > 0) task.parameters["needles"] = std::to_string(needles);
+TaskRow mesh_task(const InspectMade& inspected, const SubdomainRow& leaf, std::uint64_t needles) {
+  MeshGiven given;
+  given.job = inspected.settings;
+  given.subdomain = {leaf.hash, leaf.size};
+  given.spacing = inspected.spacing;
+  given.work = told_work(leaf.work);
+  given.needles = if_any(needles);
+  return new_task(leaf.job, leaf.path, given);
 }
+
+/// Triangles with a small angle, as the task that made a sub-domain counted them, by its path.
+using Needles = std::map<std::uint64_t, std::uint64_t>;
 
 /// What is to be done with new sub-domains. Leaves that are to be assimilated wait for the others.
-void add_tasks(const TaskRow& inspect, bool meshes_leaves, GraphStep& step) {
+void add_tasks(const InspectMade& inspected, bool meshes_leaves, const Needles& needles,
+               GraphStep& step) {
   for (const SubdomainRow& subdomain : step.subdomains) {
     if (subdomain.state == SubdomainState::open) {
-      step.tasks.push_back(decompose_task(inspect, subdomain));
+      step.tasks.push_back(decompose_task(inspected, subdomain, needles.at(subdomain.path)));
     } else if (subdomain.state == SubdomainState::leaf && meshes_leaves) {
-      step.tasks.push_back(mesh_task(inspect, subdomain));
+      step.tasks.push_back(mesh_task(inspected, subdomain, needles.at(subdomain.path)));
     }
   }
 }
 
 SubdomainRow new_subdomain(JobId job, std::uint64_t path, std::uint32_t parts, double work,
-                           const ArtifactRef& file) {
+                           const TaskFile& file) {
+  TF_CHECK(!file.hash.empty());
   SubdomainRow subdomain;
   subdomain.job = job;
   subdomain.path = path;
@@ -91,38 +82,22 @@ SubdomainRow new_subdomain(JobId job, std::uint64_t path, std::uint32_t parts, d
   return subdomain;
 }
 
-/// The parts that a half is to become: as the task found where memory decides, else as it was told.
-std::uint32_t half_parts(const TaskRow& decompose, const std::string& name) {
-  const auto found = count_of(decompose.numbers, name, most_parts);
-  if (found) return std::max(1U, static_cast<std::uint32_t>(*found));
-  const auto told = decompose.parameters.find(name);
-  return told == decompose.parameters.end() ? 1
-                                            : static_cast<std::uint32_t>(std::stoul(told->second));
-}
-
-double work_of(const TaskRow& task, const std::string& name) {
-  const auto found = task.numbers.find(name);
-  return found == task.numbers.end() || !(found->second >= 0) ? 0 : found->second;
-}
-
-TaskWords words_of(const TaskResult& result) {
-  TaskWords words;
-  for (const ArtifactRef& file : result.outputs) {
-    words.files.push_back({file.name, {file.hash, file.size}});
-  }
-  words.texts = result.texts;
-  words.numbers = result.numbers;
-  return words;
+/// A half with the parts that the task found where memory decides, else as it was told.
+SubdomainRow new_half(JobId job, std::uint64_t path, const DecomposeMade::Half& half,
+                      std::uint64_t told_parts) {
+  return new_subdomain(job, path, at_least_one(half.parts.value_or(told_parts)), half.work,
+                       half.file);
 }
 
 /// Every leaf that the task was given has its turn.
-std::optional<std::string> problem_with_order(const TaskRow& task, const TaskResult& result) {
-  const auto text = result.texts.find("order");
-  const auto turns = text == result.texts.end() ? std::nullopt : turn_order_of(text->second);
+std::optional<std::string> problem_with_order(const OrderGiven& given, const std::string& order) {
+  const std::optional<TurnOrder> turns = turn_order_of(order);
   if (!turns) return "the order is missing or makes no sense";
-  if (turns->size() != task.inputs.size()) return "the order has different leaves from the tree";
+  if (turns->size() != given.subdomains.size()) {
+    return "the order has different leaves from the tree";
+  }
   for (const auto& [leaf, turn] : *turns) {
-    if (!find_file(task.inputs, "subdomain:" + std::to_string(leaf))) {
+    if (!given.subdomains.contains(leaf)) {
       return "the order has a leaf that the tree does not have";
     }
   }
@@ -151,84 +126,61 @@ std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& resul
 
 }  // namespace
 
-std::optional<ArtifactRef> find_file(std::span<const ArtifactRef> files, const std::string& name) {
-  const auto found = std::find_if(files.begin(), files.end(),
-                                  [&name](const ArtifactRef& file) { return file.name == name; });
-  return found == files.end() ? std::nullopt : std::optional<ArtifactRef>(*found);
-}
-
 std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& result) {
   for (const std::string& name : outputs_of(task, result)) {
     if (!find_file(result.outputs, name)) return "the output '" + name + "' is missing";
   }
-  const std::string breach = breach_of_made(task.kind, words_of(result));
+  const TaskWords made = made_words(result.outputs, result.numbers, result.texts);
+  const std::string breach = breach_of_made(task.kind, made);
   if (!breach.empty()) return breach;
-  if (task.kind == TaskKind::inspect && result.numbers.at("parts") < 1) {
+  if (task.kind == TaskKind::inspect && from_words<InspectMade>(made).contract.parts < 1) {
     return "the number of parts is 0";
   }
-  if (task.kind == TaskKind::assimilate) return problem_with_groups(task, result);
-  if (task.kind == TaskKind::order) return problem_with_order(task, result);
+  if (task.kind == TaskKind::assimilate) {
+    return problem_with_groups(given_to<AssimilateGiven>(task),
+                               from_words<AssimilateMade>(made).contract);
+  }
+  if (task.kind == TaskKind::order) {
+    return problem_with_order(given_to<OrderGiven>(task),
+                              from_words<OrderMade>(made).contract.order);
+  }
   return std::nullopt;
 }
 
 TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {
-  TaskRow task;
-  task.job = leaf.job;
-  task.kind = TaskKind::mesh;
-  task.path = leaf.path;
-  task.inputs = {renamed(file_of(inspect.outputs, "settings"), "job"),
-                 {"subdomain", leaf.hash, leaf.size},
-                 file_of(inspect.outputs, "spacing")};
-  task.parameters["work"] = std::to_string(std::llround(leaf.work));
-  return task;
-}
-
-TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const ArtifactRef> inputs) {
-  TaskRow task;
-  task.job = job;
-  task.kind = TaskKind::inspect;
-  task.inputs.push_back(renamed(job_file, "job"));
-  task.inputs.insert(task.inputs.end(), inputs.begin(), inputs.end());
-  return task;
+  return mesh_task(made_by<InspectMade>(inspect), leaf, 0);
 }
 
 GraphStep after_inspect(const TaskRow& inspect) {
+  const auto made = made_by<InspectMade>(inspect);
   GraphStep step;
-  step.subdomains = {new_subdomain(inspect.job, 1, parts_of(inspect, "parts"),
-                                   work_of(inspect, "total_work"),
-                                   file_of(inspect.outputs, "root"))};
-  add_tasks(inspect, !is_assimilated(inspect), step);
-  for (TaskRow& task : step.tasks) tell_needles(count_or_zero(inspect.numbers, "needles"), task);
+  step.subdomains = {
+      new_subdomain(inspect.job, 1, at_least_one(made.parts), made.total_work, made.root)};
+  add_tasks(made, !is_assimilated(inspect), {{1, made.needles}}, step);
   return step;
 }
 
 GraphStep after_decompose(const TaskRow& inspect, const TaskRow& decompose,
                           const SubdomainRow& parent, bool is_further) {
+  const auto given = given_to<DecomposeGiven>(decompose);
+  const auto made = made_by<DecomposeMade>(decompose);
   GraphStep step;
+  Needles needles = {{parent.path, given.needles.value_or(0)}};
   SubdomainRow self = parent;
-  if (decompose.outputs.empty()) {
+  if (!made.halves) {
     self.state = SubdomainState::leaf;
     step.subdomains = {self};
   } else {
+    const DecomposeMade::Half& left = made.halves->left;
+    const DecomposeMade::Half& right = made.halves->right;
     self.state = SubdomainState::cut;
-    self.interdomain_nodes = count_or_zero(decompose.numbers, "interdomain_nodes");
-    step.subdomains = {
-        self,
-        new_subdomain(parent.job, 2 * parent.path, half_parts(decompose, "left_parts"),
-                      work_of(decompose, "left_work"), file_of(decompose.outputs, "left")),
-        new_subdomain(parent.job, 2 * parent.path + 1, half_parts(decompose, "right_parts"),
-                      work_of(decompose, "right_work"), file_of(decompose.outputs, "right"))};
+    self.interdomain_nodes = made.halves->interdomain_nodes;
+    step.subdomains = {self, new_half(parent.job, 2 * parent.path, left, given.left_parts),
+                       new_half(parent.job, 2 * parent.path + 1, right, given.right_parts)};
+    needles[2 * parent.path] = left.needles;
+    needles[2 * parent.path + 1] = right.needles;
   }
-  add_tasks(inspect, is_further || !is_assimilated(inspect), step);
-  for (TaskRow& task : step.tasks) {
-    const auto own = decompose.parameters.find("needles");
-    if (task.path == parent.path) {
-      if (own != decompose.parameters.end()) task.parameters["needles"] = own->second;
-    } else {
-      const char* side = task.path == 2 * parent.path ? "left_needles" : "right_needles";
-      tell_needles(count_or_zero(decompose.numbers, side), task);
-    }
-  }
+  add_tasks(made_by<InspectMade>(inspect), is_further || !is_assimilated(inspect), needles, step);
   return step;
 }
 
@@ -241,14 +193,15 @@ GraphStep cut_once_more(const TaskRow& inspect, const SubdomainRow& leaf) {
   open.interior_nodes = 0;
   open.tets = 0;
   step.subdomains = {open};
-  step.tasks = {decompose_task(inspect, open)};
+  step.tasks = {decompose_task(made_by<InspectMade>(inspect), open, 0)};
   return step;
 }
 
 SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf) {
+  const auto made = made_by<MeshMade>(mesh);
   leaf.meshed = true;
-  leaf.interior_nodes = count_or_zero(mesh.numbers, "interior_nodes");
-  leaf.tets = count_or_zero(mesh.numbers, "tets");
+  leaf.interior_nodes = made.interior_nodes;
+  leaf.tets = made.tets;
   return leaf;
 }
 
@@ -257,61 +210,53 @@ bool is_settled(const SubdomainRow& subdomain) {
          (subdomain.state == SubdomainState::leaf && subdomain.meshed);
 }
 
-TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
-                    std::span<const SubdomainRow> tree) {
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::number;
-  task.inputs = {file_of(inspect.outputs, "surface")};
-  if (assimilate != nullptr) task.inputs.push_back(file_of(assimilate->outputs, "dropped"));
-  std::string table;
+NumberGiven given_to_number(const TaskRow& inspect, const TaskRow* assimilate,
+                            std::span<const SubdomainRow> tree) {
+  NumberGiven given;
+  given.surface = made_by<InspectMade>(inspect).surface;
+  if (assimilate != nullptr) given.dropped = made_by<AssimilateMade>(*assimilate).dropped;
   for (const SubdomainRow& node : tree) {
     const std::string path = std::to_string(node.path);
     if (node.state == SubdomainState::cut) {
-      table += "cut " + path + " " + std::to_string(node.interdomain_nodes) + "\n";
+      given.table += "cut " + path + " " + std::to_string(node.interdomain_nodes) + "\n";
     } else if (node.state == SubdomainState::joined) {
-      table += "joined " + path + " " + std::to_string(node.joined_into) + "\n";
+      given.table += "joined " + path + " " + std::to_string(node.joined_into) + "\n";
     } else {
-      table += "leaf " + path + " " + std::to_string(node.interior_nodes) + " " +
-               std::to_string(node.tets) + "\n";
+      given.table += "leaf " + path + " " + std::to_string(node.interior_nodes) + " " +
+                     std::to_string(node.tets) + "\n";
     }
   }
-  task.parameters["table"] = table;
-  return task;
+  return given;
 }
 
-TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t leaf) {
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::write;
-  task.path = leaf;
-  task.inputs = {file_of(inspect.inputs, "job"), file_of(inspect.outputs, "surface"),
-                 file_of(number.outputs, "numbering")};
-  return task;
+WriteGiven given_to_write(const TaskRow& inspect, const TaskRow& number) {
+  WriteGiven given;
+  given.job = given_to<InspectGiven>(inspect).job;
+  given.surface = made_by<InspectMade>(inspect).surface;
+  given.numbering = made_by<NumberMade>(number).numbering;
+  return given;
 }
 
-void add_mesh(const TaskRow& mesh, TaskRow& write) {
-  write.inputs.push_back(file_of(mesh.inputs, "subdomain"));
-  write.inputs.push_back(file_of(mesh.outputs, "mesh"));
+void add_mesh(const TaskRow& mesh, WriteGiven& write) {
+  write.subdomain = given_to<MeshGiven>(mesh).subdomain;
+  write.mesh = made_by<MeshMade>(mesh).mesh;
 }
 
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
                       std::span<const SubdomainRow> tree, const FindWritten& find_written) {
-  TaskRow task;
-  task.job = inspect.job;
-  task.kind = TaskKind::assemble;
-  task.inputs = {file_of(inspect.inputs, "job"), file_of(inspect.outputs, "surface"),
-                 file_of(number.outputs, "numbering")};
+  AssembleGiven given;
+  given.job = given_to<InspectGiven>(inspect).job;
+  given.surface = made_by<InspectMade>(inspect).surface;
+  given.numbering = made_by<NumberMade>(number).numbering;
   for (const SubdomainRow& node : tree) {
     if (node.state != SubdomainState::leaf) continue;
     const TaskRow* written = find_written(node.path);
     TF_CHECK(written != nullptr);
-    for (const std::string name : {"portion", "tets"}) {
-      task.inputs.push_back(
-          renamed(file_of(written->outputs, name), name + ":" + std::to_string(node.path)));
-    }
+    const auto made = made_by<WriteMade>(*written);
+    given.portions[node.path] = made.portion;
+    given.tets[node.path] = made.tets;
   }
-  return task;
+  return new_task(inspect.job, 0, given);
 }
 
 }  // namespace tetfarm

@@ -19,6 +19,8 @@
 #include <vector>
 
 #include "store/rows.h"
+#include "tasks/number_contract.h"
+#include "tasks/write_contract.h"
 
 namespace tetfarm {
 
@@ -41,15 +43,9 @@ struct GraphStep {
   std::vector<TaskRow> tasks;
 };
 
-/// The file called `name` in a list; nothing when there is none.
-std::optional<ArtifactRef> find_file(std::span<const ArtifactRef> files, const std::string& name);
-
 /// What is wrong with a result: a missing output, leaves in no group. Nothing when it is
 /// usable.
 std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& result);
-
-/// The first task of a job. @pre `job_file` is published.
-TaskRow inspect_task(JobId job, const ArtifactRef& job_file, std::span<const ArtifactRef> inputs);
 
 /// @pre `inspect` is done and without problem.
 TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf);
@@ -73,18 +69,19 @@ SubdomainRow after_mesh(const TaskRow& mesh, SubdomainRow leaf);
 /// Whether nothing more has to be found out about a sub-domain before the nodes can be numbered.
 bool is_settled(const SubdomainRow& subdomain);
 
-/// @pre `tree` is the whole tree by rising heap number, all of it settled; `assimilate` is done, or
-/// null where the job has none.
-TaskRow number_task(const TaskRow& inspect, const TaskRow* assimilate,
-                    std::span<const SubdomainRow> tree);
+/// What the nodes are numbered from; after cosmetics across cuts add_elements (cosmetic_graph.h)
+/// adds the rest. @pre `tree` is the whole tree by rising heap number, all of it settled;
+/// `assimilate` is done, or null where the job has none.
+NumberGiven given_to_number(const TaskRow& inspect, const TaskRow* assimilate,
+                            std::span<const SubdomainRow> tree);
 
-/// What gives the elements of a leaf their global numbers; without the leaf's own files, which
-/// add_mesh or, after cosmetics across cuts, add_final_elements (cosmetic_graph.h) adds.
-/// @pre `number` is done and without problem.
-TaskRow write_task(const TaskRow& inspect, const TaskRow& number, std::uint64_t leaf);
+/// What gives the elements of a leaf their global numbers, as far as it is the same for all leaves:
+/// add_mesh and, after cosmetics across cuts, add_final_elements (cosmetic_graph.h) add the leaf's
+/// own files. @pre `number` is done and without problem.
+WriteGiven given_to_write(const TaskRow& inspect, const TaskRow& number);
 
-/// @pre `mesh` is that of the leaf of `write`, done and without problem.
-void add_mesh(const TaskRow& mesh, TaskRow& write);
+/// @pre `mesh` is that of the leaf, done and without problem.
+void add_mesh(const TaskRow& mesh, WriteGiven& write);
 
 /// The write task of a leaf.
 using FindWritten = std::function<const TaskRow*(std::uint64_t leaf)>;

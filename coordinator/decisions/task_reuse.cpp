@@ -6,18 +6,22 @@
 #include <numeric>
 
 #include "base/hash.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/decompose_contract.h"
 
 namespace tetfarm {
 namespace {
 
-std::uint64_t parts_of(const TaskRow& task, const char* name) {
-  const auto found = task.parameters.find(name);
-  return found == task.parameters.end() ? 0 : std::stoull(found->second);
-}
-
-/// Of parts that count for themselves: where a limit of memory decides, they are exact.
-bool is_cut_by_share(const TaskRow& task) {
-  return task.kind == TaskKind::decompose && !task.parameters.contains("most_bytes");
+/// Leaves of the parts of the two sides how they are shared. Where a limit of memory decides they
+/// count for themselves, and stay.
+void keep_share_alone(const TaskRow& task, std::map<std::string, std::string>& parameters) {
+  const auto given = given_to<DecomposeGiven>(task);
+  if (given.most_bytes) return;
+  const std::uint64_t divisor =
+      std::max<std::uint64_t>(1, std::gcd(given.left_parts, given.right_parts));
+  parameters[field_name(&DecomposeGiven::left_parts)] = std::to_string(given.left_parts / divisor);
+  parameters[field_name(&DecomposeGiven::right_parts)] =
+      std::to_string(given.right_parts / divisor);
 }
 
 }  // namespace
@@ -26,13 +30,7 @@ std::string work_name(const TaskRow& task) {
   std::string text = std::string(name_of(task.kind)) + " " + std::to_string(task.path);
   for (const ArtifactRef& input : task.inputs) text += "\n" + input.name + " " + input.hash;
   std::map<std::string, std::string> parameters = task.parameters;
-  if (is_cut_by_share(task)) {
-    const std::uint64_t left = parts_of(task, "left_parts");
-    const std::uint64_t right = parts_of(task, "right_parts");
-    const std::uint64_t divisor = std::max<std::uint64_t>(1, std::gcd(left, right));
-    parameters["left_parts"] = std::to_string(left / divisor);
-    parameters["right_parts"] = std::to_string(right / divisor);
-  }
+  if (task.kind == TaskKind::decompose) keep_share_alone(task, parameters);
   for (const auto& [name, value] : parameters) text += "\n" + name + "=" + value;
   return hash128(text).hex();
 }
@@ -48,7 +46,9 @@ Hash128 work_key(const TaskRow& task, const std::string& program) {
 
 bool serves(const TaskRow& done, const TaskRow& wanted) {
   // What divided by regions chose the parts from the number that was wanted.
-  const bool chose_parts = done.numbers.contains("left_parts");
+  if (done.kind != TaskKind::decompose) return true;
+  const auto made = made_by<DecomposeMade>(done);
+  const bool chose_parts = made.halves && made.halves->left.parts;
   return !chose_parts || done.parameters == wanted.parameters;
 }
 

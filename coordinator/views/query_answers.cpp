@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "coordinator/decisions/job_status.h"
 #include "coordinator/decisions/message_translation.h"
+#include "coordinator/decisions/task_rows.h"
 #include "coordinator/views/running_tasks.h"
 
 namespace tetfarm {
@@ -53,8 +54,7 @@ void set_expectations(const TaskRow& task, wire::TaskLine& line) {
   line.set_expected_bytes(told("expected_bytes"));
   line.set_cpu_seconds(told("cpu_seconds"));
   line.set_elements(told("tets"));
-  const auto work = task.parameters.find("work");
-  if (work != task.parameters.end()) line.set_expected_elements(std::stod(work->second));
+  if (const auto size = told_size(task)) line.set_expected_elements(size->elements);
 }
 
 /// One question being answered.

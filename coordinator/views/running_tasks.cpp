@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coordinator/decisions/task_rows.h"
 #include "proto/doing.h"
 
 namespace tetfarm {
@@ -33,7 +34,7 @@ void add_running_tasks(const JobState& state, const std::vector<const TaskRow*>&
     running.push_back(task);
     const AttemptWork* work = work_of(state, *task);
     if (work == nullptr || task->kind != TaskKind::mesh) continue;
-    under_way += work->share() * parameter_or_zero(*task, "work");
+    under_way += work->share() * told_size(*task).value_or(ToldSize{}).elements;
   }
   status.set_elements_under_way(under_way);
   std::sort(running.begin(), running.end(),

@@ -181,7 +181,8 @@ SurfacePieces pieces_of(const SurfaceMesh& surface, const WantedPieces& wanted) 
   return pieces;
 }
 
-SurfaceFile::SurfaceFile(const std::filesystem::path& path, std::string name) : file_(path, name) {
+SurfaceFile::SurfaceFile(const std::filesystem::path& path, const std::string& name)
+    : file_(path, name) {
   const std::string begin =
       file_.read(0, std::min(file_.size(), counts_at + sizeof(SurfaceCounts)));
   ByteReader reader = read_begun(begin, magic, version, name);

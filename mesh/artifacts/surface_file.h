@@ -59,7 +59,7 @@ struct SurfaceCounts {
 class SurfaceFile {
  public:
   /// Reads the counts and the names.
-  SurfaceFile(const std::filesystem::path& path, std::string name);
+  SurfaceFile(const std::filesystem::path& path, const std::string& name);
 
   const std::vector<std::string>& patch_names() const { return patch_names_; }
   const std::vector<std::string>& region_names() const { return region_names_; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -133,10 +132,16 @@ Head read_head(std::string_view begin, const std::string& name) {
 /// @pre where it holds, it holds for all places that follow.
 template <class IsBehind>
 std::uint64_t first_place(std::uint64_t count, const IsBehind& is_behind) {
-  const auto places = std::views::iota(std::uint64_t{0}, count);
-  const auto found = std::ranges::partition_point(
-      places, [&is_behind](std::uint64_t place) { return !is_behind(place); });
-  return found == places.end() ? count : *found;
+  std::uint64_t first = 0;
+  while (first < count) {
+    const std::uint64_t middle = first + (count - first) / 2;
+    if (is_behind(middle)) {
+      count = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  return first;
 }
 
 /// Where that path is in a table in tree order; `path_at` tells whose an entry is.
@@ -191,7 +196,7 @@ Numbering numbering_from_bytes(std::string_view bytes, const std::string& name) 
 
 bool is_numbering_text(std::string_view begin) { return begin.starts_with(text_magic); }
 
-NumberingFile::NumberingFile(const std::filesystem::path& path, std::string name)
+NumberingFile::NumberingFile(const std::filesystem::path& path, const std::string& name)
     : file_(path, name) {
   const Head head = read_head(file_.read(0, std::min(file_.size(), head_size)), name);
   tables_ = head.tables;

@@ -45,7 +45,7 @@ struct NumberingTables {
 class NumberingFile {
  public:
   /// Reads the sizes of the whole.
-  NumberingFile(const std::filesystem::path& path, std::string name);
+  NumberingFile(const std::filesystem::path& path, const std::string& name);
 
   const MeshTotals& whole() const { return whole_; }
   /// The same as leaf_numbering of the whole. @throws Error as that does.

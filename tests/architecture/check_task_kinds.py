@@ -21,7 +21,7 @@ EVERY_KIND = {
 # What knows some kinds for what they are, each for a reason of its own.
 ONE_KIND = {
     # the graph
-    "coordinator/decisions/assimilation_graph.cpp", "coordinator/decisions/cosmetic_graph.cpp",
+    "coordinator/decisions/cosmetic_graph.cpp",
     "coordinator/decisions/task_graph.cpp", "coordinator/decisions/job_cosmetics.cpp",
     "coordinator/decisions/job_demand.cpp", "coordinator/decisions/job_finished.cpp",
     "coordinator/decisions/job_further_cuts.cpp", "coordinator/decisions/job_outlook.cpp",

@@ -10,6 +10,8 @@
 #include "base/hash.h"
 #include "coordinator/decisions/task_graph.h"
 #include "coordinator/decisions/task_reuse.h"
+#include "coordinator/decisions/task_rows.h"
+#include "tasks/inspect_contract.h"
 #include "tasks/task_contracts.h"
 
 namespace tetfarm {
@@ -25,9 +27,17 @@ inline std::vector<std::string> names_of(const std::vector<ArtifactRef>& files) 
   return names;
 }
 
+inline TaskFile without_name(const ArtifactRef& file) { return {file.hash, file.size}; }
+
+/// What a submission comes with.
+inline InspectGiven to_inspect(const ArtifactRef& job_file, const ArtifactRef& surface) {
+  return {without_name(job_file), without_name(surface), std::nullopt};
+}
+
 /// The inspect task of a job of so many parts, done.
 inline TaskRow inspected(double parts) {
-  TaskRow task = inspect_task(JobId{1}, fake_file("job", "j"), {});
+  TaskRow task =
+      new_task(JobId{1}, 0, to_inspect(fake_file("job", "j"), fake_file("input_surface", "i")));
   task.outputs = {fake_file("surface", "s"), fake_file("spacing", "p"), fake_file("root", "r"),
                   fake_file("settings", "t")};
   task.numbers["parts"] = parts;
@@ -77,12 +87,7 @@ inline void decompose_make_believe(const std::string& seed, TaskResult& result) 
 
 /// @throws std::logic_error where a worker refuses the task.
 inline void require_given(const TaskRow& task) {
-  TaskWords words;
-  for (const ArtifactRef& file : task.inputs) {
-    words.files.push_back({file.name, {file.hash, file.size}});
-  }
-  words.texts = task.parameters;
-  const std::string breach = breach_of_given(task.kind, words);
+  const std::string breach = breach_of_given(task.kind, given_words(task));
   if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 

@@ -20,9 +20,10 @@ class FileTransfersTest : public ::testing::Test {
  protected:
   WorkerId lease() {
     Submission submission;
-    submission.job_file = {"job", store_.publish(job_bytes).hash, job_bytes.size()};
     const StoredArtifact surface = store_.publish(surface_bytes);
-    submission.inputs = {{"input_surface", surface.hash, surface.size}};
+    submission.given = {{store_.publish(job_bytes).hash, job_bytes.size()},
+                        TaskFile{surface.hash, surface.size},
+                        std::nullopt};
     state_.submit(submission, now_);
     const std::string process = "process-" + std::to_string(state_.worker_count());
     const WorkerId worker = state_.add_worker({.host = "h", .nonce = process}, {}, {}, now_);

@@ -35,7 +35,7 @@ class Farm {
         coordinator_(shared_with_coordinator(), rules_),
         clients_(random_, trouble_, jobs_, wish_, state(),
                  [this](ToCoordinator message) { post_up(0, std::move(message)); }) {
-    for (const Submission& job : jobs_) disk_.publish_input(job.job_file);
+    for (const ArtifactRef& job : wish_.jobs) disk_.publish_input(job);
     disk_.publish_input(surface());
     while (workers_.size() < 4) start_worker();
   }
@@ -111,7 +111,8 @@ class Farm {
   std::vector<Submission> submissions() const {
     std::vector<Submission> jobs;
     for (const ArtifactRef& job : wish_.jobs) {
-      jobs.push_back({"key-" + std::to_string(jobs.size()), "wing", "", job, {surface()}});
+      jobs.push_back(
+          {"key-" + std::to_string(jobs.size()), "wing", "", to_inspect(job, surface())});
     }
     return jobs;
   }

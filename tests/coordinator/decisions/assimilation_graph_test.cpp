@@ -49,9 +49,9 @@ TEST_F(Assimilated, a_group_is_a_leaf_under_the_number_of_its_first) {
   EXPECT_EQ(step.subdomains[1].state, SubdomainState::joined);
   EXPECT_EQ(step.subdomains[1].joined_into, 2U);
   const std::vector<SubdomainRow> tree = {tree_[0], step.subdomains[0], step.subdomains[1]};
-  const TaskRow number = number_task(inspect_, &done, tree);
-  EXPECT_EQ(number.parameters.at("table"), "cut 1 9\nleaf 2 0 0\njoined 3 2\n");
-  EXPECT_THAT(names_of(number.inputs), ElementsAre("surface", "dropped"));
+  const NumberGiven number = given_to_number(inspect_, &done, tree);
+  EXPECT_EQ(number.table, "cut 1 9\nleaf 2 0 0\njoined 3 2\n");
+  EXPECT_EQ(number.dropped, without_name(done.outputs[0]));
 }
 
 TEST_F(Assimilated, groups_that_leave_a_leaf_out_are_unusable) {

@@ -10,6 +10,7 @@ namespace tetfarm {
 namespace {
 
 using testing::ElementsAre;
+using testing::Pair;
 using testing::UnorderedElementsAre;
 
 constexpr const char* three_in_a_row = "4 0 5\n5 1 4 6\n6 0 5\n";
@@ -75,6 +76,35 @@ TEST(CosmeticGraph, a_turn_waits_for_neighbours_only_and_takes_what_they_made_la
   ASSERT_TRUE(last.has_value());
   EXPECT_THAT(names_of(last->inputs),
               UnorderedElementsAre("spacing", "own", "had_turn:4", "had_turn:6"));
+}
+
+TEST(CosmeticGraph, after_the_last_turn_leaves_are_numbered_and_written_from_what_turns_made) {
+  const TurnOrder turns = *turn_order_of(three_in_a_row);
+  DoneTasks done;
+  for (const std::uint64_t leaf : {4, 5, 6}) {
+    done.add(TaskKind::extract, leaf);
+    done.add(TaskKind::cosmetic, leaf);
+  }
+  const auto made = [](TaskKind kind, std::uint64_t leaf) {
+    return without_name(fake_file("elements", name_of(kind) + std::to_string(leaf)));
+  };
+  TaskRow order;
+  order.kind = TaskKind::order;
+  order.texts["order"] = three_in_a_row;
+  NumberGiven number;
+  add_elements(order, turns, done.find(), number);
+  EXPECT_EQ(number.order, three_in_a_row);
+  for (const std::uint64_t leaf : {4, 5, 6}) {
+    EXPECT_EQ(number.cores.at(leaf), made(TaskKind::extract, leaf));
+    EXPECT_EQ(number.elements.at(leaf), made(TaskKind::cosmetic, leaf));
+  }
+  WriteGiven write;
+  add_final_elements(4, turns, done.find(), write);
+  EXPECT_THAT(write.cores, ElementsAre(Pair(4, made(TaskKind::extract, 4))));
+  EXPECT_THAT(write.elements, ElementsAre(Pair(4, made(TaskKind::cosmetic, 4)),
+                                          Pair(5, made(TaskKind::cosmetic, 5))))
+      << "6 is none of its neighbours";
+  EXPECT_EQ(write.colours, "4 0\n5 1\n");
 }
 
 TEST(CosmeticGraph, only_jobs_with_cuts_that_ask_for_it_are_mended) {

@@ -53,7 +53,8 @@ class Finished : public JobStateTest {
   JobId run_into_quarantine() {
     const ArtifactRef file = make_believe_job(4, 0);
     files_.insert(file.hash);
-    const JobId id = state_->submit({file.hash, "wing", "toml", file, {surface_}}, now_).job;
+    const JobId id =
+        state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_).job;
     worker_ = add_worker({.nonce = "one"});
     for (int i = 0; i < 200; ++i) {
       now_.steady_ms += 5000;
@@ -117,7 +118,7 @@ TEST_F(Finished, numbers_of_tasks_are_never_given_out_again) {
 TEST_F(Finished, a_result_that_is_said_once_more_is_known_to_be_taken) {
   const ArtifactRef file = make_believe_job(2, 0);
   files_.insert(file.hash);
-  state_->submit({"key", "wing", "toml", file, {surface_}}, now_);
+  state_->submit({"key", "wing", "toml", to_inspect(file, surface_)}, now_);
   worker_ = add_worker({.nonce = "one"});
   SendAssign last = next(worker_);
   for (SendAssign assign = last; assign.attempt; assign = next(worker_)) {
@@ -162,7 +163,8 @@ TEST_F(Finished, a_job_that_is_submitted_again_is_read_only_where_a_result_is_lo
   ASSERT_EQ(let_go(), 1U);
   const std::string key = record_.state().jobs.at(job).key;
   const auto submit_again = [&] {
-    return state_->submit({key, "wing", "toml", make_believe_job(2, 0), {surface_}}, now_);
+    return state_->submit({key, "wing", "toml", to_inspect(make_believe_job(2, 0), surface_)},
+                          now_);
   };
   EXPECT_TRUE(submit_again().existed);
   EXPECT_FALSE(state_->is_at_hand(job));
@@ -248,7 +250,8 @@ TEST_F(Finished, figures_count_tasks_of_jobs_that_left_memory_once) {
   ASSERT_EQ(let_go(), 1U);
   EXPECT_EQ(figures(), before);
   files_.erase(finished_.jobs().at(job).results.front().hash);
-  state_->submit({record_.state().jobs.at(job).key, "wing", "toml", job_file_, {surface_}}, now_);
+  state_->submit(
+      {record_.state().jobs.at(job).key, "wing", "toml", to_inspect(job_file_, surface_)}, now_);
   EXPECT_THAT(figures(), HasSubstr("tetfarm_tasks{kind=\"mesh\",state=\"done\"} 3\n"));
 }
 
@@ -263,7 +266,7 @@ TEST_F(Finished, what_tasks_of_a_kind_took_is_known_after_a_restart) {
   ASSERT_EQ(let_go(), 1U);
   restart();
   files_.insert(make_believe_job(2, 0).hash);
-  state_->submit({"another", "duct", "toml", make_believe_job(2, 0), {surface_}}, now_);
+  state_->submit({"another", "duct", "toml", to_inspect(make_believe_job(2, 0), surface_)}, now_);
   commit();
   const TaskId other = state_->durable().tasks.begin()->first;
   EXPECT_EQ(state_->outlook(other, now_).expected_seconds, 3);

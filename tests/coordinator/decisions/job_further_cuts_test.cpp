@@ -24,7 +24,7 @@ class FurtherCuts : public JobStateTest {
     const ArtifactRef file = make_believe_job(parts, groups);
     files_.insert(file.hash);
     const SubmitAnswer submitted =
-        state_->submit({file.hash, "wing", "toml", file, {surface_}}, now_);
+        state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_);
     commit();
     worker_ = add_worker({.memory_bytes = 2 * gib, .shares_memory = false});
     return submitted.job;

@@ -19,7 +19,8 @@ class BadHost : public JobStateTest {
   JobId submit_job(std::uint64_t parts) {
     const ArtifactRef file = make_believe_job(parts, 0);
     files_.insert(file.hash);
-    const JobId job = state_->submit({file.hash, "wing", "toml", file, {surface_}}, now_).job;
+    const JobId job =
+        state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_).job;
     commit();
     return job;
   }

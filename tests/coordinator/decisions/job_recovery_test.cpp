@@ -106,7 +106,7 @@ TEST_F(Recovery, two_attempts_of_one_task_may_run_out_of_their_leases_at_once) {
   const ArtifactRef other = make_believe_job(3, 0);
   files_.insert(other.hash);
   state_->worker_left(worker_, false, now_);
-  state_->submit({"other", "wing", "toml", other, {surface_}}, now_);
+  state_->submit({"other", "wing", "toml", to_inspect(other, surface_)}, now_);
   const SendAssign first = next(add_worker({.host = "a", .nonce = "a"}));
   now_.steady_ms += rules_.lease_ms / 2;
   const SendAssign second = next(add_worker({.host = "b", .nonce = "b"}));

@@ -41,7 +41,7 @@ class JobStateTest : public testing::Test {
     }
   }
   SubmitAnswer submit(const std::string& key = "key") {
-    return state_->submit({key, "wing", "toml", job_file_, {surface_}}, now_);
+    return state_->submit({key, "wing", "toml", to_inspect(job_file_, surface_)}, now_);
   }
   WorkerId new_worker() { return add_worker({}); }
   WorkerId add_worker(WorkerInfo info) {
@@ -83,7 +83,7 @@ class JobStateTest : public testing::Test {
     const ArtifactRef file = make_believe_job(parts, groups);
     files_.insert(file.hash);
     const SubmitAnswer submitted =
-        state_->submit({file.hash, "wing", "toml", file, {surface_}, true}, now_);
+        state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_), true}, now_);
     commit();
     if (!worker_) worker_ = new_worker();
     run_all();

@@ -49,7 +49,7 @@ TEST_F(JobStateTest, a_key_with_other_contents_is_refused_and_changes_nothing) {
   commit();
   const ArtifactRef other{"surface", std::string(32, 'f'), 4};
   files_.insert(other.hash);
-  const Submission changed{"key", "wing", "toml", job_file_, {other}, true};
+  const Submission changed{"key", "wing", "toml", to_inspect(job_file_, other), true};
   EXPECT_TRUE(state_->submit(changed, now_).differs);
   EXPECT_TRUE(state_->take_changes().empty()) << "also where it was to replace the others";
   EXPECT_FALSE(submit().differs);
@@ -447,13 +447,13 @@ TEST_F(RestartWithAnotherCount, the_job_that_is_replaced_stops) {
   const ArtifactRef file = make_believe_job(4, 0);
   files_.insert(file.hash);
   worker_ = new_worker();
-  state_->submit({"four", "wing", "toml", file, {surface_}, true}, now_);
+  state_->submit({"four", "wing", "toml", to_inspect(file, surface_), true}, now_);
   const SendAssign inspect = next(worker_);
   const JobId sixteen = run_job(16, 0);
   EXPECT_EQ(job().phase, JobPhase::cancelled);
   EXPECT_EQ(state_->durable().jobs.at(sixteen).phase, JobPhase::done);
   EXPECT_FALSE(finish(worker_, inspect)) << "its attempt is stale";
-  state_->submit({"four", "wing", "toml", file, {surface_}, true}, now_);
+  state_->submit({"four", "wing", "toml", to_inspect(file, surface_), true}, now_);
   commit();
   run_all();
   EXPECT_EQ(job().phase, JobPhase::done);

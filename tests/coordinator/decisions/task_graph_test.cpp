@@ -69,6 +69,7 @@ TEST(TaskGraph, heap_numbers_do_not_overflow) {
   deep.path = deepest_cut / 2 + 1;
   TaskRow cut;
   cut.job = JobId{1};
+  cut.kind = TaskKind::decompose;
   cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 4}, {"right_parts", 4}};
   const GraphStep step = after_decompose(inspect, cut, deep, false);
@@ -80,8 +81,23 @@ TEST(TaskGraph, the_numbering_table_is_in_tree_order) {
   SubdomainRow left{JobId{1}, 2, 1, SubdomainState::leaf, 0, 5, 40, true, "h", 1};
   SubdomainRow right{JobId{1}, 3, 1, SubdomainState::leaf, 0, 6, 50, true, "h", 1};
   const std::vector<SubdomainRow> tree = {cut, left, right};
-  EXPECT_EQ(number_task(inspected(2), nullptr, tree).parameters.at("table"),
+  EXPECT_EQ(given_to_number(inspected(2), nullptr, tree).table,
             "cut 1 9\nleaf 2 5 40\nleaf 3 6 50\n");
+}
+
+TEST(TaskGraph, a_leaf_is_written_from_its_own_mesh_and_what_all_leaves_share) {
+  const TaskRow inspect = inspected(1);
+  TaskRow mesh = after_inspect(inspect).tasks.at(0);
+  mesh.outputs = {fake_file("mesh", "m")};
+  TaskRow number;
+  number.kind = TaskKind::number;
+  number.outputs = {fake_file("numbering", "n")};
+  WriteGiven given = given_to_write(inspect, number);
+  add_mesh(mesh, given);
+  EXPECT_THAT(
+      new_task(JobId{1}, 1, given).inputs,
+      ElementsAre(fake_file("job", "j"), fake_file("surface", "s"), fake_file("numbering", "n"),
+                  fake_file("subdomain", "r"), fake_file("mesh", "m")));
 }
 
 TEST(TaskGraph, results_without_their_files_are_unusable) {
@@ -101,9 +117,11 @@ TEST(TaskGraph, results_without_their_files_are_unusable) {
 }
 
 TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) {
-  const TaskRow inspect = inspected(4);
+  TaskRow inspect = inspected(4);
+  inspect.numbers["most_bytes"] = 5e8;
   const GraphStep first = after_inspect(inspect);
   TaskRow cut = first.tasks[0];
+  EXPECT_EQ(cut.parameters.at("most_bytes"), "500000000");
   cut.outputs = {fake_file("left", "l"), fake_file("right", "r2")};
   cut.numbers = {{"left_parts", 1}, {"right_parts", 5}};
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);

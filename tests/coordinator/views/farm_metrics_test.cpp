@@ -95,6 +95,7 @@ class FarmMetricsTest : public testing::Test {
   void work() {
     Submission submission;
     submission.name = "a \"name\"\nof two lines";
+    submission.given.job = {std::string(32, 'a'), 1};
     state_.submit(submission, now_);
     WorkerInfo info;
     info.nonce = "n";

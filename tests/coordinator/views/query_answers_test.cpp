@@ -27,8 +27,7 @@ class QueryAnswers : public testing::Test {
   JobId submit(const std::string& name) {
     Submission submission;
     submission.name = name;
-    submission.job_file = {"job", std::string(32, 'a'), 1};
-    submission.inputs = {{"input_surface", std::string(32, 'b'), 2}};
+    submission.given = {{std::string(32, 'a'), 1}, TaskFile{std::string(32, 'b'), 2}, std::nullopt};
     const JobId job = state_.submit(submission, now_).job;
     commit();
     return job;

@@ -67,7 +67,7 @@ TEST_F(RunningTasks, that_mesh_count_with_their_share_of_the_expected_elements) 
   assign_ = held_;
   EXPECT_EQ(status().elements_under_way(), 0);
   say({WorkStage::validate, 0, 1, 1});
-  const double work = parameter_or_zero(task(assign_.task), "work");
+  const double work = told_size(task(assign_.task))->elements;
   EXPECT_NEAR(status().elements_under_way(), work, 1e-9 * work);
   EXPECT_NEAR(status().running(0).share(), 1, 1e-12);
   ASSERT_TRUE(finish(worker_, assign_));

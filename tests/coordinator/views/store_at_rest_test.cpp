@@ -20,8 +20,8 @@ class StoreOfTheDead : public testing::Test {
         {}, {}, [](const ArtifactRef&) { return true; }, now_);
     Submission submission;
     submission.name = "wing";
-    submission.job_file = {"job", job_file_.hash, job_file_.size};
-    submission.inputs = {{"input_surface", surface_.hash, surface_.size}};
+    submission.given = {
+        {job_file_.hash, job_file_.size}, TaskFile{surface_.hash, surface_.size}, std::nullopt};
     state.submit(submission, now_);
     WorkerInfo info;
     info.host = "host";

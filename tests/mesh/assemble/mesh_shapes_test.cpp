@@ -5,10 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <random>
-
-#include "mesh/core/tet_quality.h"
 
 namespace tetfarm {
 namespace {
@@ -84,37 +80,6 @@ TEST(MeshShapes, are_kept_for_each_region) {
     EXPECT_EQ(region.shapes.tets, 6);
     EXPECT_NEAR(region.volume, 1, 1e-14);
   }
-}
-
-TEST(ShapeStatistics, angles_are_counted_in_the_bins_that_they_fall_in) {
-  std::mt19937 random(7);
-  const auto number = [&random] { return static_cast<double>(random() % 1000) / 999; };
-  ShapeStatistics shapes;
-  std::array<std::int64_t, 18> expected{};
-  double least = 180;
-  double most = 0;
-  for (int i = 0; i < 5000; ++i) {
-    std::array<Vec3, 4> p;
-    for (Vec3& v : p) v = {number(), number(), number() * (i % 3 == 0 ? 0.02 : 1)};
-    if (tet_volume(p[0], p[1], p[2], p[3]) < 0) std::swap(p[2], p[3]);
-    if (tet_volume(p[0], p[1], p[2], p[3]) < 1e-9) continue;
-    shapes.add(p[0], p[1], p[2], p[3]);
-    for (const auto& [a, b, c, d] :
-         {std::array{0U, 1U, 2U, 3U}, std::array{0U, 2U, 1U, 3U}, std::array{0U, 3U, 1U, 2U},
-          std::array{1U, 2U, 0U, 3U}, std::array{1U, 3U, 0U, 2U}, std::array{2U, 3U, 0U, 1U}}) {
-      const Vec3 edge = normalized(p[b] - p[a]);
-      const Vec3 to_c = p[c] - p[a] - dot(p[c] - p[a], edge) * edge;
-      const Vec3 to_d = p[d] - p[a] - dot(p[d] - p[a], edge) * edge;
-      const double angle =
-          std::atan2(norm(cross(to_c, to_d)), dot(to_c, to_d)) * 180 / std::numbers::pi;
-      ++expected[std::min<std::size_t>(static_cast<std::size_t>(angle / 10), 17)];
-      least = std::min(least, angle);
-      most = std::max(most, angle);
-    }
-  }
-  EXPECT_EQ(shapes.dihedral_histogram, expected);
-  EXPECT_NEAR(shapes.min_dihedral_deg, least, 1e-4);
-  EXPECT_NEAR(shapes.max_dihedral_deg, most, 1e-4);
 }
 
 }  // namespace

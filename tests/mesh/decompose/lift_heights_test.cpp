@@ -6,49 +6,12 @@
 #include <set>
 
 #include "base/array_index.h"
-#include "mesh/decompose/cut_check.h"
-#include "mesh/decompose/edge_path_smoothing.h"
 #include "mesh/decompose/intersection_repair.h"
-#include "mesh/decompose/path_relaxation.h"
 #include "mesh/decompose/split_subdomain.h"
-#include "tests/support/shapes.h"
+#include "tests/mesh/decompose/flat_cut.h"
 
 namespace tetfarm {
 namespace {
-
-/// A shape cut as far as the flat mesh.
-struct FlatCut {
-  Subdomain subdomain;
-  SurfaceTopology topology;
-  FaceColours colours;
-  InterdomainMesh mesh;
-  std::vector<RimCorner> corners;
-
-  FlatCut(const SurfaceMesh& surface, const CutPlane& plane, double h)
-      : subdomain(root_subdomain(surface)),
-        topology(make_surface_topology(subdomain)),
-        colours(colour_by_centroid(topology, plane)) {
-    relax_path(colours, subdomain, topology, plane);
-    tidy_path(colours, topology, subdomain.triangles);
-    const EdgeLoops loops = find_edge_loops(colours, topology, subdomain.triangles);
-    InterdomainResult result = mesh_interdomain(subdomain, topology, loops, plane, SpacingField(h));
-    EXPECT_EQ(result.problem, "");
-    mesh = std::move(result.mesh);
-    for (const RimEdge& edge : mesh.rim) corners.push_back(rim_corner(subdomain, topology, edge));
-  }
-
-  std::vector<double> weights() const {
-    return std::vector<double>(mesh.rim.size(), usual_bisector_weight);
-  }
-  double worst_cosine() const {
-    const auto cosines = cosines_at_rim(mesh, subdomain, corners);
-    return *std::max_element(cosines.begin(), cosines.end());
-  }
-};
-
-FlatCut cap_of_sphere() {
-  return {shapes::sphere({0, 0, 0}, 1, 3), make_cut_plane(normalized(Vec3{1, 2, 3}), 0.7), 0.15};
-}
 
 TEST(RimAngles, bisector_halves_the_corner_of_a_cube) {
   const Subdomain cube = root_subdomain(shapes::unit_cube());
@@ -147,25 +110,6 @@ TEST(LiftHeights, puts_pushed_nodes_where_they_are_pushed) {
   EXPECT_EQ(cut.mesh.heights.back(), 0.05);
 }
 
-TEST(SurfaceContact, closest_points_of_faces_edges_and_corners) {
-  const Vec3 a{0, 0, 0};
-  const Vec3 b{2, 0, 0};
-  const Vec3 c{0, 2, 0};
-  EXPECT_EQ(closest_in_triangle({0.5, 0.5, 3}, a, b, c).point, (Vec3{0.5, 0.5, 0}));
-  EXPECT_EQ(closest_in_triangle({1, -2, 0}, a, b, c).point, (Vec3{1, 0, 0}));
-  EXPECT_EQ(closest_in_triangle({-1, -1, 0}, a, b, c).point, a);
-  EXPECT_EQ(closest_in_triangle({3, 0, 4}, a, b, c).distance2, 17);
-}
-
-/// A box with a thin plate inside, just above (or through) where the cut lies, that has no loop on
-/// it.
-FlatCut cut_at_plate(double low, double high) {
-  const SurfaceMesh plate = shapes::box({0.3, 0.3, low}, {0.7, 0.7, high}, 4);
-  FlatCut cut(shapes::between(shapes::box({0, 0, 0}, {1, 1, 1}, 10), plate),
-              make_cut_plane({0, 0, 1}, 0.5), 0.1);
-  return cut;
-}
-
 TEST(IntersectionRepair, pushes_the_cut_off_a_plate_that_it_nearly_touches) {
   FlatCut cut = cut_at_plate(0.51, 0.6);
   std::vector<std::optional<double>> pushed;
@@ -182,25 +126,6 @@ TEST(IntersectionRepair, pushes_the_cut_off_a_plate_that_it_nearly_touches) {
   EXPECT_EQ(judge_contacts(contacts), "");
   EXPECT_TRUE(
       shells_are_on_their_sides(cut.mesh, cut.subdomain, cut.colours, cut.topology.triangle2shell));
-}
-
-TEST(CutCheck, sees_a_shell_on_the_wrong_side) {
-  FlatCut cut = cut_at_plate(0.51, 0.6);
-  for (std::size_t i = cut.mesh.rim_vertices.size(); i < cut.mesh.heights.size(); ++i) {
-    cut.mesh.heights[i] = 0.3;
-  }
-  EXPECT_FALSE(
-      shells_are_on_their_sides(cut.mesh, cut.subdomain, cut.colours, cut.topology.triangle2shell));
-}
-
-TEST(CutCheck, sees_an_intersection) {
-  FlatCut cut = cut_at_plate(0.51, 0.6);
-  for (std::size_t i = cut.mesh.rim_vertices.size(); i < cut.mesh.heights.size(); ++i) {
-    cut.mesh.heights[i] = 0.05;
-  }
-  const auto nearby = find_nearby_surface(cut.mesh, cut.subdomain, cut.topology, 2);
-  EXPECT_EQ(judge_contacts(find_contacts(cut.mesh, cut.subdomain, cut.topology, nearby, 0.4)),
-            "intersection");
 }
 
 TEST(SplitSubdomain, keeps_old_origins_and_numbers_new_ones_from_zero) {

@@ -144,50 +144,5 @@ TEST(RenumberedMesh, of_all_types_of_cells_is_the_same_mesh) {
   }
 }
 
-TEST(NodeOrder, reverse_cuthill_mckee_narrows_the_band_of_a_shuffled_mesh) {
-  const GridSource grid(cut_grid(8));
-  NumberedPart part = grid.part(0);
-  const auto nodes = static_cast<std::int64_t>(part.nodes.size());
-  const auto shuffled = [&](std::int32_t v) {
-    return static_cast<std::int32_t>((static_cast<std::int64_t>(v) * 7919) % nodes);
-  };
-  ASSERT_NE(nodes % 7919, 0);
-  for (Tet& tet : part.tets) {
-    for (std::int32_t& v : tet) v = shuffled(v);
-  }
-  const std::vector<std::int32_t> order = reverse_cuthill_mckee(part);
-  std::vector<std::int32_t> old2new(order.size(), -1);
-  for (std::size_t v = 0; v < order.size(); ++v) {
-    old2new[static_cast<std::size_t>(order[v])] = static_cast<std::int32_t>(v);
-  }
-  EXPECT_THAT(old2new, testing::Each(testing::Ge(0))) << "every node once";
-  const NumberSpans before = number_spans(part);
-  for (Tet& tet : part.tets) {
-    for (std::int32_t& v : tet) v = old2new[static_cast<std::size_t>(v)];
-  }
-  const NumberSpans after = number_spans(part);
-  EXPECT_EQ(after.edges, before.edges);
-  EXPECT_LT(3 * after.bandwidth, before.bandwidth);
-}
-
-TEST(NodeOrder, of_pieces_and_single_nodes_has_all_of_them) {
-  NumberedPart part;
-  part.nodes.resize(9);
-  part.tets = {{0, 1, 2, 3}, {5, 6, 7, 8}};
-  std::vector<std::int32_t> order = reverse_cuthill_mckee(part);
-  std::sort(order.begin(), order.end());
-  EXPECT_THAT(order, testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
-}
-
-TEST(NodeOrder, spans_are_of_each_edge_once) {
-  NumberedPart part;
-  part.nodes.resize(11);
-  part.tets = {{0, 1, 2, 3}, {1, 2, 3, 10}};
-  const NumberSpans spans = number_spans(part);
-  EXPECT_EQ(spans.edges, 9);
-  EXPECT_EQ(spans.bandwidth, 9);
-  EXPECT_EQ(spans.sum, (1 + 2 + 3 + 1 + 2 + 1) + (9 + 8 + 7));
-}
-
 }  // namespace
 }  // namespace tetfarm

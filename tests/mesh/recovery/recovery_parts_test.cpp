@@ -1,17 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "mesh/geometry/bowyer_watson.h"
-#include "mesh/geometry/predicates.h"
 #include "mesh/recovery/boundary_recovery.h"
-#include "mesh/recovery/inside_tets.h"
 #include "mesh/recovery/kernel_point.h"
 #include "mesh/recovery/recovery_guard.h"
 #include "mesh/recovery/recovery_surface.h"
-#include "mesh/recovery/ring_triangulation.h"
-#include "mesh/recovery/surface_splitting.h"
 #include "tests/mesh/volume/volume_checks.h"
 
 namespace tetfarm {
@@ -117,90 +112,6 @@ TEST(KernelPoint, is_found_in_a_wedge_far_thinner_than_the_last_digit_of_doubles
   ASSERT_TRUE(point.has_value());
   EXPECT_TRUE(sees_all(faces, *point));
   EXPECT_FALSE(sees_all(faces, fine({0.3, 0.3, 1})));
-}
-
-TEST(SurfaceSplitting, of_an_edge_and_a_face_keeps_the_surface_closed_and_knows_the_source) {
-  const SurfaceMesh cube = shapes::unit_cube();
-  SplitSurface surface = unsplit(cube.triangles);
-  const auto [a, b, c] = cube.triangles[0];
-  split_edge(surface, a, b, 100);
-  EXPECT_EQ(surface.triangles.size(), cube.triangles.size() + 2);
-  EXPECT_EQ(surface.splits.front().sources.size(), 2U);
-  split_face(surface, 5, 101);
-  EXPECT_EQ(surface.triangles.size(), cube.triangles.size() + 4);
-  EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
-  EXPECT_EQ(surface.source.size(), surface.triangles.size());
-  EXPECT_EQ(surface.source.back(), 5);
-}
-
-TEST(SurfaceSplitting, swaps_edges_inside_one_boundary_triangle_only) {
-  const SurfaceMesh cube = shapes::unit_cube();
-  SplitSurface surface = unsplit(cube.triangles);
-  const auto [a, b, c] = cube.triangles[0];
-  EXPECT_FALSE(opposite_corners(surface, a, b).has_value());
-  split_face(surface, 0, 100);
-  split_edge(surface, a, b, 101);
-  const auto corners = opposite_corners(surface, a, 100);
-  ASSERT_TRUE(corners.has_value());
-  EXPECT_EQ(std::set<std::int32_t>(corners->begin(), corners->end()), (std::set{101, c}));
-  swap_edge(surface, a, 100);
-  EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
-  EXPECT_FALSE(opposite_corners(surface, a, 100).has_value());
-  EXPECT_TRUE(opposite_corners(surface, c, 101).has_value());
-  replace_fan(surface, 100, {{{101, b, c}, 0}});
-  EXPECT_TRUE(unmatched_edges(surface.triangles).empty());
-}
-
-TEST(RingTriangulation, of_an_octahedron_axis_counts_what_crosses_a_missing_edge) {
-  const std::vector<Vec3> points = {{0, 0, -1}, {0, 0, 1},  {1, 0, 0},
-                                    {0, 1, 0},  {-1, 0, 0}, {0, -1, 0}};
-  TetComplex complex = bowyer_watson(points).complex;
-  std::vector<std::uint8_t> constrained;
-  LocalRemeshing mesh(complex, constrained);
-  // Whichever diagonal is there has a ring of four.
-  for (const auto& [a, b] : {std::array{0, 1}, std::array{2, 4}, std::array{3, 5}}) {
-    const auto ring = mesh.ring(a, b);
-    if (!ring) continue;
-    ASSERT_EQ(ring->apexes.size(), 4U);
-    const auto free = RecoveryGuard::of_nothing(mesh);
-    const auto triangles = ring_triangulation(mesh, *ring, a, b, -1, free);
-    ASSERT_TRUE(triangles.has_value());
-    EXPECT_EQ(triangles->triangles.size(), 2U);
-    EXPECT_EQ(triangles->crossings, 0);
-    // Both other diagonals cross this one.
-    const auto own = RecoveryGuard::of_edge(mesh, a, b);
-    EXPECT_GT(ring_triangulation(mesh, *ring, a, b, -1, own)->crossings, 0);
-  }
-}
-
-TEST(InsideTets, are_those_between_nested_spheres) {
-  const Subdomain domain = root_subdomain(shapes::nested_spheres(2));
-  DelaunayTets tets = bowyer_watson(domain.vertices);
-  std::vector<std::uint8_t> constrained(tets.complex.nodes.size(), 0);
-  const RecoveredBoundary recovered = recover_boundary(tets.complex, constrained, domain.triangles);
-  ASSERT_TRUE(recovered.lost.empty());
-  const RecoverySurface surface(domain.triangles,
-                                static_cast<std::int32_t>(tets.complex.points.size()));
-  const LocalRemeshing mesh(tets.complex, constrained);
-  const auto inside = inside_tets(mesh, surface);
-  const auto nodes = static_cast<std::int32_t>(domain.vertices.size());
-  const InsideComplex kept = keep_inside(tets.complex, constrained, inside, nodes, 4);
-  EXPECT_TRUE(validate(kept.complex).empty());
-  expect_mesh_of(to_tet_mesh(kept.complex, nodes), domain);
-}
-
-TEST(InsideTets, are_none_when_the_boundary_leaks) {
-  const Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, 1));
-  DelaunayTets tets = bowyer_watson(domain.vertices);
-  std::vector<std::uint8_t> constrained(tets.complex.nodes.size(), 0);
-  recover_boundary(tets.complex, constrained, domain.triangles);
-  const auto& [a, b, c] = domain.triangles.front();
-  LocalRemeshing mesh(tets.complex, constrained);
-  const RecoverySurface surface(domain.triangles,
-                                static_cast<std::int32_t>(tets.complex.points.size()));
-  EXPECT_FALSE(inside_tets(mesh, surface).empty());
-  mesh.constrain(mesh.find_face(a, b, c), false);
-  EXPECT_TRUE(inside_tets(mesh, surface).empty());
 }
 
 TEST(MissingEdges, are_those_that_a_twisted_surface_has_and_its_delaunay_tets_have_not) {
