@@ -194,7 +194,8 @@ struct HybridJob {
       }
       throw Error(ExitCode::failed, "no such leaf");
     };
-    SharedVtkhdf file({path, path.string() + ".frame"}, counts, grid.surface,
+    SharedVtkhdf file({path, path.string() + ".frame"}, counts,
+                      {grid.surface.patch_names, grid.surface.region_names},
                       [&](std::size_t part) { return portions[part].part; });
     GlobalMeshWriter* writer = &file;
     return assemble_global_mesh(grid.surface, numbering, read, {&writer, 1});
