@@ -21,6 +21,7 @@
 #include "base/hash.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
+#include "cli/pool_view.h"
 #include "coordinator/log_lines.h"
 #include "pool/run_command.h"
 
@@ -133,20 +134,6 @@ void print_what_would_be_done(const BatchSystem& system, const PoolRules& rules)
   for (const ShellCommand& command : system.list()) std::printf("%s", text_of(command).c_str());
 }
 
-CoordinatorView view_of(const wire::StatusReply& reply) {
-  std::set<std::string> bad_hosts;
-  for (const wire::HostInQuarantine& host : reply.hosts()) bad_hosts.insert(host.host());
-  CoordinatorView view;
-  for (const wire::WorkerStatus& worker : reply.at_work()) {
-    view.workers.push_back({worker.worker(), worker.tag(), worker.task() != 0, worker.drains(),
-                            worker.memory_bytes(), bad_hosts.contains(worker.host())});
-  }
-  for (const wire::TaskDemand& demand : reply.demand()) {
-    view.demand[demand.memory_bytes()] += demand.tasks();
-  }
-  return view;
-}
-
 /// What the decisions cannot do themselves: asks the batch system and the coordinator, and does
 /// what was decided.
 class Pool {
@@ -207,7 +194,7 @@ class Pool {
 
   std::optional<CoordinatorView> look() {
     try {
-      return view_of(connection_.farm(status_timeout_ms));
+      return coordinator_view(connection_.farm(status_timeout_ms));
     } catch (const Error& error) {
       if (error.code() != ExitCode::not_found) throw;
       spdlog::warn("{}", error.what());

@@ -22,7 +22,7 @@ struct RecoveredBoundary {
   std::int64_t missing_edges = 0;   // in the Delaunay tets
   std::int64_t missing_faces = 0;   // once the edges were done
   std::int64_t splits = 0;          // Steiner points that were needed on the boundary for a while
-  std::int64_t steiner_points = 0;  // of these, the ones that are still there, inside
+  std::int64_t steiner_points = 0;  // that are still there, inside: of these, or beside flat facets
   std::vector<std::int32_t> lost;   // boundary triangles that could not be recovered
 };
 

@@ -276,8 +276,13 @@ TEST(BatchSystem, a_script_holds_nothing_that_would_break_out_of_it) {
   odd.name = "a b";
   EXPECT_THROW(make_batch_system("slurm", odd), UsageError);
   odd = settings();
-  odd.hosts = {"-oProxyCommand=evil"};
-  EXPECT_THROW(make_batch_system("ssh", odd), UsageError);
+  for (const char* host : {"-oProxyCommand=evil", "-v"}) {
+    odd.hosts = {host};
+    EXPECT_THROW(make_batch_system("ssh", odd), UsageError) << host;
+  }
+  odd = settings();
+  odd.options = {"--partition=mesh\nrm -rf /"};
+  EXPECT_THROW(make_batch_system("slurm", odd), UsageError);
   odd = settings();
   odd.store = "/a $(touch b) 'c'";
   const std::string script = script_of("slurm", odd);
@@ -300,6 +305,17 @@ TEST(Hosts, are_filled_up_to_their_slots_and_a_silent_one_counts_as_full) {
   EXPECT_THAT(commands[0].input, HasSubstr("[ $i -lt 1 ]"));
   EXPECT_THAT(commands[0].input, Not(HasSubstr(" two sh -s")));
   EXPECT_FALSE(ssh->listed({0, "silent one\nsilent two\n", ""}).has_value());
+}
+
+TEST(Hosts, are_given_no_more_workers_together_than_are_ordered) {
+  PoolSettings with = settings();
+  with.hosts = {"one:2", "two:3", "three:1"};
+  const std::string script = make_batch_system("ssh", with)->submit({4, 4 * gib}, {}).at(0).input;
+  EXPECT_THAT(script, HasSubstr(" one sh -s"));
+  EXPECT_THAT(script, HasSubstr(" two sh -s"));
+  EXPECT_THAT(script, Not(HasSubstr(" three sh -s")));
+  EXPECT_THAT(script, HasSubstr("[ $i -lt 2 ]"));
+  EXPECT_THAT(script, Not(HasSubstr("[ $i -lt 3 ]")));
 }
 
 /// A program that takes the worker's arguments and waits.

@@ -80,6 +80,17 @@ TEST(ReportPage, tells_both_sides_of_the_cuts_the_time_step_and_the_worst_tets) 
   EXPECT_THAT(page, HasSubstr("the spacing that the mesh was made with is not available"));
 }
 
+TEST(ReportPage, groups_digits_by_three_and_gives_shares_in_percent) {
+  ReportContent content = whole_report();
+  content.figures.nodes = 123;
+  content.figures.boundary_triangles = 1'000;
+  const std::string page = report_page(content);
+  EXPECT_THAT(page, HasSubstr(">123<"));
+  EXPECT_THAT(page, HasSubstr(">1 000<"));
+  // Of the one tet away from the cuts all angles of a kind lie in one bin.
+  EXPECT_THAT(page, HasSubstr(": 100 away from them"));
+}
+
 TEST(ReportPage, puts_estimates_beside_what_was_made_in_tree_order) {
   EXPECT_THAT(estimated_elements_of_leaves(*whole_report().work), ElementsAre(20, 30));
   EXPECT_THAT(report_page(whole_report()), HasSubstr("estimated before"));

@@ -147,6 +147,14 @@ TEST_F(FarmMetricsTest, count_tasks_attempts_workers_and_times) {
   EXPECT_EQ(figures.value("tetfarm_stuck"), 0);
 }
 
+TEST_F(FarmMetricsTest, count_no_task_of_a_job_that_is_over_as_waiting) {
+  work();
+  state_.cancel(JobId{1}, now_);
+  const Exposition figures(text());
+  EXPECT_EQ(figures.value("tetfarm_queue_tasks"), 0) << text();
+  EXPECT_EQ(figures.value("tetfarm_jobs{state=\"cancelled\"}"), 1);
+}
+
 TEST(ExpositionCheck, finds_what_is_wrong) {
   for (const char* text :
        {"x 1\n", "# HELP x y\n# TYPE x gauge\nx 1", "# TYPE x gauge\nx 1\n",

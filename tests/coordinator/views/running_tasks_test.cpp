@@ -74,5 +74,24 @@ TEST_F(RunningTasks, that_mesh_count_with_their_share_of_the_expected_elements) 
   EXPECT_EQ(status().elements_under_way(), 0);
 }
 
+TEST(ManyRunningTasks, are_told_as_far_as_people_read_them) {
+  const Moment now{5000, 5000};
+  JobState state(
+      {}, {}, [](const ArtifactRef&) { return true; }, now);
+  std::vector<TaskRow> rows(30);
+  std::vector<const TaskRow*> tasks;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].id = TaskId{i + 1};
+    rows[i].attempt = AttemptId{100 - i};
+    rows[i].state = TaskState::leased;
+    tasks.push_back(&rows[i]);
+  }
+  wire::JobStatus status;
+  add_running_tasks(state, tasks, now, status);
+  ASSERT_EQ(status.running_size(), 20);
+  EXPECT_EQ(status.running(0).attempt(), 71U) << "the first attempts first";
+  EXPECT_EQ(status.running(19).attempt(), 90U);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -32,6 +32,12 @@ TetMesh some_mesh() {
   return mesh;
 }
 
+TEST(ArtifactFile, a_sub_domain_without_a_place_in_the_tree_is_refused) {
+  Subdomain s = some_subdomain();
+  s.path = TreePath{0};
+  EXPECT_THROW(subdomain_from_bytes(subdomain_to_bytes(s), "s"), CorruptFile);
+}
+
 struct Kind {
   std::string name;
   std::string bytes;

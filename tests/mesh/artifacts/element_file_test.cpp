@@ -174,5 +174,13 @@ TEST(SharedNodesFile, gives_back_what_was_written_and_notices_damage) {
   }
 }
 
+TEST(SharedNodesFile, refuses_a_node_of_a_set_that_is_not_there) {
+  SharedNodes shared;
+  shared.path = {9};
+  shared.sets = {{8, 9}, {4, 8, 9}};
+  shared.nodes = {{{0, 3}, 2}};
+  EXPECT_THROW(shared_nodes_from_bytes(shared_nodes_to_bytes(shared), "s"), CorruptFile);
+}
+
 }  // namespace
 }  // namespace tetfarm

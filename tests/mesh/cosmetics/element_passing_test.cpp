@@ -6,45 +6,19 @@
 #include <map>
 #include <set>
 
-#include "base/error.h"
 #include "mesh/core/validate.h"
-#include "mesh/cosmetics/element_extraction.h"
-#include "mesh/cosmetics/subdomain_colouring.h"
-#include "tests/mesh/cosmetics/cut_bar.h"
+#include "tests/mesh/cosmetics/extracted_sections.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
 namespace tetfarm {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 using trial::Cell;
 using trial::CutBar;
-
-std::uint64_t left_or_right(const Cell& cell) { return cell[0] < 8 ? 2 : 3; }
-
-ExtractionOptions so_many_layers(int layers) {
-  ExtractionOptions options;
-  options.taken_layers = layers;
-  return options;
-}
-
-/// The sections of a leaf of the bar, its core first.
-std::vector<ElementSection> extracted(const CutBar& bar, std::uint64_t heap,
-                                      const ExtractionOptions& options = {}) {
-  std::vector<InterfaceNodes> leaves;
-  for (const auto& [path, part] : bar.parts) leaves.push_back(interface_nodes(part.leaf));
-  const CosmeticOrder order = colour_subdomains(leaves);
-  const trial::LeafMesh& part = bar.parts.at(heap);
-  for (const SharedNodes& shared : order.shared) {
-    if (shared.path.heap != heap) continue;
-    ExtractedElements extracted = extract_elements(part.leaf, part.mesh, shared, options);
-    extracted.sections.insert(extracted.sections.begin(),
-                              core_section(part.leaf, part.mesh, extracted.core));
-    return extracted.sections;
-  }
-  return {};
-}
+using trial::extracted;
+using trial::left_or_right;
+using trial::so_many_layers;
 
 std::vector<ElementSection> all_extracted(const CutBar& bar,
                                           const ExtractionOptions& options = {}) {
@@ -53,93 +27,6 @@ std::vector<ElementSection> all_extracted(const CutBar& bar,
     for (ElementSection& section : extracted(bar, heap, options)) all.push_back(std::move(section));
   }
   return all;
-}
-
-/// Makes the cubes' tets those of a body-centred cubic lattice.
-Vec3 on_the_lattice(const Cell& corner) {
-  const Vec3 p = trial::on_the_grid(corner);
-  return {0.5 * (p.y + p.z - p.x), 0.5 * (p.z + p.x - p.y), 0.5 * (p.x + p.y - p.z)};
-}
-
-std::size_t taken_tets(const CutBar& bar, std::uint64_t heap) {
-  std::size_t taken = 0;
-  for (const ElementSection& section : extracted(bar, heap)) {
-    if (section.sharers.size() > 1) taken += section.tets.size();
-  }
-  return taken;
-}
-
-TEST(ElementPassing, nothing_is_taken_at_a_cut_through_an_even_lattice) {
-  const CutBar bar({16, 4, 4}, left_or_right, on_the_lattice);
-  EXPECT_EQ(taken_tets(bar, 2), 0U);
-  EXPECT_EQ(taken_tets(bar, 3), 0U);
-}
-
-TEST(ElementPassing, what_has_a_node_beside_the_lattice_is_taken_at_a_cut) {
-  const Cell moved = {8, 2, 2};
-  const CutBar bar({16, 4, 4}, left_or_right, [&](const Cell& corner) {
-    Vec3 p = on_the_lattice(corner);
-    if (corner == moved) p.x += 0.02;
-    return p;
-  });
-  const CutBar cubes({16, 4, 4}, left_or_right);
-  EXPECT_GT(taken_tets(bar, 2), 0U);
-  EXPECT_GT(taken_tets(bar, 3), 0U);
-  EXPECT_LT(taken_tets(bar, 2), taken_tets(cubes, 2));
-}
-
-TEST(ElementPassing, as_many_layers_at_a_cut_leave_the_core_as_are_asked_for) {
-  const CutBar bar({16, 3, 3}, left_or_right);
-  for (const int layers : {1, 3}) {
-    const std::vector<ElementSection> sections = extracted(bar, 2, so_many_layers(layers));
-    ASSERT_EQ(sections.size(), 2U);
-    EXPECT_THAT(sections[0].sharers, ElementsAre(2));
-    EXPECT_THAT(sections[1].sharers, ElementsAre(2, 3));
-    // A layer of tets is a layer of cubes here, as each cube has nodes on both of its sides.
-    EXPECT_EQ(sections[1].tets.size(), 6U * static_cast<unsigned>(layers) * 9);
-    EXPECT_EQ(sections[0].tets.size(), 6U * static_cast<unsigned>(8 - layers) * 9);
-    for (const ElementSection& section : sections) EXPECT_THAT(validate(section), IsEmpty());
-  }
-}
-
-TEST(ElementPassing, behind_the_first_layer_only_what_lies_round_bad_elements_leaves_the_core) {
-  const CutBar bar({16, 9, 9}, left_or_right);
-  const CutBar bent({16, 9, 9}, left_or_right, [](const Cell& corner) {
-    return corner == Cell{6, 4, 4} ? Vec3{6, 4, 4.93} : trial::on_the_grid(corner);
-  });
-  EXPECT_EQ(extracted(bar, 2)[1].tets.size(), 6U * 9 * 9);
-  const std::vector<ElementSection> sections = extracted(bent, 2);
-  EXPECT_GT(sections[1].tets.size(), 6U * 9 * 9);
-  EXPECT_LT(sections[1].tets.size(), 6U * 9 * 9 * 3);
-  const auto holds = [&](const Vec3& node) {
-    const auto& nodes = sections[1].nodes;
-    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-  };
-  EXPECT_TRUE(holds({6, 4, 4.93}));
-  EXPECT_FALSE(holds({6, 8, 4}));
-  // Two layers round the bad ones, though the second is the fifth from the cut.
-  EXPECT_TRUE(holds({3, 4, 4}));
-  EXPECT_FALSE(holds({2, 4, 4}));
-}
-
-TEST(ElementPassing, what_is_bad_behind_the_layers_where_it_is_sought_stays_in_the_core) {
-  const CutBar bent({16, 9, 9}, left_or_right, [](const Cell& corner) {
-    return corner == Cell{2, 4, 4} ? Vec3{2, 4, 4.93} : trial::on_the_grid(corner);
-  });
-  EXPECT_EQ(extracted(bent, 2)[1].tets.size(), 6U * 9 * 9);
-}
-
-TEST(ElementPassing, the_core_is_what_is_left_of_its_own_mesh_only) {
-  const CutBar bar({16, 3, 3}, left_or_right);
-  const trial::LeafMesh& part = bar.parts.at(2);
-  CoreElements core;
-  core.tets = part.mesh.tets.size() - 1;
-  core.taken_tets = {static_cast<std::uint32_t>(part.mesh.tets.size())};
-  EXPECT_THROW(core_section(part.leaf, part.mesh, core), Error);
-  core.taken_tets = {0, 1};
-  EXPECT_THROW(core_section(part.leaf, part.mesh, core), Error);
-  core.taken_tets = {0};
-  EXPECT_EQ(core_section(part.leaf, part.mesh, core).tets.size(), core.tets);
 }
 
 TEST(ElementPassing, pieces_of_all_leaves_join_to_the_whole_mesh) {

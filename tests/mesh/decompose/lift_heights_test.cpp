@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/array_index.h"
@@ -144,6 +145,28 @@ TEST(SplitSubdomain, keeps_old_origins_and_numbers_new_ones_from_zero) {
     }
     EXPECT_EQ(seen, new_nodes);
   }
+}
+
+/// The largest height of a new node, in largest heights of rim nodes.
+double rise_of(double steepest_slope) {
+  FlatCut cut = cap_of_sphere();
+  LiftOptions options;
+  options.steepest_slope = steepest_slope;
+  lift_heights(cut.mesh, cut.corners, cut.weights(), {}, options);
+  double rim = 0;
+  double inside = 0;
+  for (std::size_t v = 0; v < cut.mesh.heights.size(); ++v) {
+    double& largest = v < cut.mesh.rim_vertices.size() ? rim : inside;
+    largest = std::max(largest, std::fabs(cut.mesh.heights[v]));
+  }
+  return inside / rim;
+}
+
+TEST(LiftHeights, are_no_steeper_at_the_rim_than_allowed) {
+  EXPECT_GT(rise_of(2), 1.4) << "beyond the rim, where the bisectors lead";
+  EXPECT_LT(rise_of(1), 0.9 * rise_of(2));
+  EXPECT_LT(rise_of(0.5), 0.9 * rise_of(1));
+  EXPECT_LT(rise_of(0), 1) << "level from the rim inward";
 }
 
 }  // namespace

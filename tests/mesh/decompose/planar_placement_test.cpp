@@ -44,6 +44,20 @@ TEST(PlanarPlacement, offers_no_more_than_asked_in_order_of_penalty) {
   }
 }
 
+TEST(PlanarPlacement, weighs_imbalance_by_the_smaller_side) {
+  PlacementOptions options;
+  options.planes = CutPlanes::axis;
+  options.left_share = 0.2;
+  // Across the bar all planes are as large, so that only their shares differ.
+  std::vector<double> rest;
+  for (const PlaneCandidate& c : place(shapes::box({0, 0, 0}, {8, 1, 1}, 16), 0.1, options)) {
+    if (c.plane.normal.x != 1) continue;
+    rest.push_back(c.penalty - 3 * std::fabs(c.left_share - 0.2) / 0.2);
+  }
+  ASSERT_GT(rest.size(), 2U);
+  EXPECT_NEAR(*std::ranges::min_element(rest), *std::ranges::max_element(rest), 0.15);
+}
+
 TEST(PlanarPlacement, keeps_every_plane_inside) {
   for (const PlaneCandidate& c : place(shapes::sphere({5, 5, 5}, 1, 2), 0.2)) {
     EXPECT_LT(std::fabs(c.plane.height({5, 5, 5})), 0.6);

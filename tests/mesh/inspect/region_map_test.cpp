@@ -17,10 +17,10 @@ RegionMap map_of(const SurfaceMesh& surface) {
   return RegionMap(surface, join_sides(surface, uses));
 }
 
-/// Cubes round the origin, of sides 2, 4, 6: one in the other.
+/// Cubes round the origin, of sides 4, 6, 2: one in the other.
 SurfaceMesh nested_cubes() {
-  SurfaceMesh mesh = shapes::box({-3, -3, -3}, {3, 3, 3}, 2);
-  for (const double half : {1.0, 2.0}) {
+  SurfaceMesh mesh = shapes::box({-2, -2, -2}, {2, 2, 2}, 2);
+  for (const double half : {3.0, 1.0}) {
     mesh = joined(mesh, shapes::box({-half, -half, -half}, {half, half, half}, 2));
   }
   return mesh;
@@ -46,12 +46,12 @@ TEST(RegionMap, of_nested_shells_has_one_region_between_each_and_the_next) {
 TEST(RegionMap, tells_parts_by_what_is_round_them) {
   const SurfaceMesh surface = nested_cubes();
   const std::vector<RegionMap::Part> parts = map_of(surface).parts();
-  // In the order of their triangles: the largest, the smallest, the one between.
-  EXPECT_EQ(parts[0].parent, -1);
-  EXPECT_EQ(parts[1].parent, 2);
+  // In the order of their triangles: the one between, the largest, the smallest.
+  EXPECT_EQ(parts[0].parent, 1);
+  EXPECT_EQ(parts[1].parent, -1);
   EXPECT_EQ(parts[2].parent, 0);
-  EXPECT_EQ(parts[1].depth, 2);
-  EXPECT_NEAR(parts[1].volume, 8, 1e-9);
+  EXPECT_EQ(parts[2].depth, 2);
+  EXPECT_NEAR(parts[2].volume, 8, 1e-9);
 }
 
 TEST(RegionMap, knows_of_every_point_the_region_and_of_points_on_the_surface_that_they_are) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <random>
 #include <set>
 #include <tuple>
@@ -227,6 +229,18 @@ TEST(PartPieces, of_several_regions_have_their_cells_by_region) {
             (std::set<std::int32_t>{2, 3}));
   EXPECT_TRUE(std::ranges::is_sorted(mixed.region_of_tet));
   EXPECT_EQ(mixed.region_of_face.size(), mixed.faces.size());
+  const auto nodes_of = [](const NumberedPart& part, const Tet& tet) {
+    std::array<std::int64_t, 4> nodes;
+    for (std::size_t k = 0; k < 4; ++k) nodes[k] = part.local2global[at(tet[k])];
+    return nodes;
+  };
+  std::map<std::array<std::int64_t, 4>, std::int32_t> region_of_tet;
+  for (const NumberedPart& part : grid.parts) {
+    for (const Tet& tet : part.tets) region_of_tet[nodes_of(part, tet)] = part.region;
+  }
+  for (std::size_t t = 0; t < mixed.tets.size(); ++t) {
+    EXPECT_EQ(mixed.region_of(t), region_of_tet.at(nodes_of(mixed, mixed.tets[t])));
+  }
   EXPECT_EQ(content_of(pieces), content_of(grid));
 }
 

@@ -144,6 +144,20 @@ TEST(CutNodes, are_those_of_two_subdomains_of_one_region) {
   }
 }
 
+TEST(CutNodes, are_none_of_a_single_subdomain_however_often_its_tets_have_a_node) {
+  GridSource grid(cut_grid(4));
+  grid.parts.resize(1);
+  NumberedPart& part = grid.parts[0];
+  // Two regions, each in one run of tets.
+  part.region_of_tet.assign(part.tets.size(), 1);
+  for (std::size_t t = part.tets.size() / 2; t < part.tets.size(); ++t) part.region_of_tet[t] = 2;
+  const CutNodes cuts(grid);
+  for (const std::int32_t region : {1, 2}) {
+    const std::vector<bool> is_on_cut = cuts.of(part, region);
+    EXPECT_EQ(std::ranges::count(is_on_cut, true), 0);
+  }
+}
+
 TEST(Histogram, counts_what_lies_outside_in_the_bins_at_the_ends) {
   Histogram histogram(0, 1, 4);
   for (const double value : {-1.0, 0.0, 0.25, 0.99, 1.0, 7.0}) histogram.add(value);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "mesh/geometry/bowyer_watson.h"
+
 namespace tetfarm {
 namespace {
 
@@ -29,6 +33,25 @@ TEST(SteinerSettling, makes_no_flat_tet_of_four_that_are_flat_at_a_split_point) 
   const auto before = complex.nodes;
   EXPECT_FALSE(remove_node(mesh, 4));
   EXPECT_EQ(complex.nodes, before);
+}
+
+TEST(SteinerSettling, changes_nothing_round_a_node_that_stays) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(0, 1);
+  std::vector<Vec3> points(40);
+  for (Vec3& p : points) p = {place(random), place(random), place(random)};
+  const TetComplex before = bowyer_watson(points).complex;
+  int stayed = 0;
+  for (std::int32_t v = 0; v < 40; ++v) {
+    TetComplex complex = before;
+    std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
+    LocalRemeshing mesh(complex, constrained);
+    if (remove_node(mesh, v)) continue;
+    ++stayed;
+    EXPECT_EQ(complex.nodes, before.nodes);
+    EXPECT_EQ(complex.neighbours, before.neighbours);
+  }
+  EXPECT_GT(stayed, 0);
 }
 
 }  // namespace

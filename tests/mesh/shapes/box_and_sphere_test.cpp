@@ -52,6 +52,9 @@ TEST(BoxAndSphere, of_a_sphere_are_even) {
   EXPECT_GT(report.smallest_angle_deg, 45);
   EXPECT_LT(nearest_plane(sphere, {0, 0, 0}), 10);
   EXPECT_GT(nearest_plane(sphere, {0, 0, 0}), 9.9);
+  const SurfaceMesh coarse = sphere_surface({0, 0, 0}, 1, 1);
+  // The insphere of an icosahedron.
+  EXPECT_NEAR(nearest_plane(coarse, {0, 0, 0}), 0.79465447229176612, 1e-12);
 }
 
 }  // namespace

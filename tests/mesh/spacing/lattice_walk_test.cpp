@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "mesh/spacing/octree_build.h"
@@ -15,7 +16,8 @@ namespace {
 SpacingOctree octree_round_a_source(double background) {
   const double reference = background > 0 ? background : 0.3;
   SpacingDemand demand{DemandTree({}, 0.5), {}, background, 0.5, background > 0 ? background : 1};
-  demand.sources.push_back(source_demand({{{{0.21, 0.33, 0.4}, 0.02, 0.03, 0.1}}}, 0.5));
+  const double smallest = background > 0 ? 0.2 * background : 0.02;
+  demand.sources.push_back(source_demand({{{{0.21, 0.33, 0.4}, smallest, 0.03, 0.1}}}, 0.5));
   Box3 domain;
   domain.add(Vec3{0, 0, 0});
   domain.add(Vec3{1, 1, 1});
@@ -66,17 +68,26 @@ bool is_in(const Box3& box, const Vec3& p) {
   return true;
 }
 
-Box3 part_of_the_domain() {
+/// Its corners are places of the grid, so that nodes lie in its sides.
+Box3 part_of_the_domain(const SpacingOctree& octree) {
+  const auto place = [&octree](double x, double y, double z) {
+    const auto coordinate = [&](double p, std::size_t axis) {
+      const double unit = size_at_level(5) * octree.frame.unit;
+      const double low = octree.frame.coordinate(axis, 0);
+      return low + unit * std::round((p - low) / unit);
+    };
+    return Vec3{coordinate(x, 0), coordinate(y, 1), coordinate(z, 2)};
+  };
   Box3 box;
-  box.add(Vec3{0.1, 0.2, 0.3});
-  box.add(Vec3{0.6, 0.55, 0.9});
+  box.add(place(0.1, 0.2, 0.3));
+  box.add(place(0.6, 0.55, 0.9));
   return box;
 }
 
 TEST(LatticeWalk, finds_each_node_in_a_box_once_with_the_size_of_its_cell) {
-  for (const double background : {0.0, 0.08}) {
+  for (const double background : {0.0, 0.08, 0.05}) {
     const SpacingOctree octree = octree_round_a_source(background);
-    const Box3 box = part_of_the_domain();
+    const Box3 box = part_of_the_domain(octree);
     std::map<GridPoint, int> wanted = AllNodes(octree).level_of_node;
     std::erase_if(wanted,
                   [&](const auto& node) { return !is_in(box, octree.frame.position(node.first)); });
@@ -94,7 +105,7 @@ TEST(LatticeWalk, finds_each_node_in_a_box_once_with_the_size_of_its_cell) {
 
 TEST(LatticeWalk, of_a_plane_has_the_nodes_that_lie_in_it) {
   const SpacingOctree octree = octree_round_a_source(0.08);
-  const Box3 box = part_of_the_domain();
+  const Box3 box = part_of_the_domain(octree);
   const std::vector<LatticeNode> all = lattice_nodes_in(octree, box);
   for (const std::int32_t sign : {1, -1}) {
     LatticePlane plane;
@@ -118,7 +129,7 @@ TEST(LatticeWalk, of_a_plane_has_the_nodes_that_lie_in_it) {
 
 TEST(LatticeWalk, leaves_out_nothing_but_what_is_needless) {
   const SpacingOctree octree = octree_round_a_source(0.08);
-  const Box3 box = part_of_the_domain();
+  const Box3 box = part_of_the_domain(octree);
   const BoxPredicate is_far = [](const Box3& cells) { return cells.low.x > 0.4; };
   std::vector<GridPoint> kept;
   for (const LatticeNode& node : lattice_nodes_in(octree, box, {.is_needless = &is_far})) {
@@ -139,7 +150,7 @@ TEST(LatticeWalk, leaves_out_nothing_but_what_is_needless) {
 TEST(LatticeWalk, samples_the_nodes_that_are_chosen_among_all_of_them) {
   for (const double background : {0.0, 0.08}) {
     const SpacingOctree octree = octree_round_a_source(background);
-    const Box3 box = part_of_the_domain();
+    const Box3 box = part_of_the_domain(octree);
     const std::vector<LatticeNode> all = lattice_nodes_in(octree, box);
     for (const std::size_t most : {std::size_t{1}, std::size_t{37}, std::size_t{400}, all.size()}) {
       const LatticeSample sample = sample_lattice_in(octree, box, most);

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "mesh/core/tet_quality.h"
+#include "mesh/geometry/bowyer_watson.h"
+#include "mesh/recovery/boundary_recovery.h"
 #include "tests/mesh/volume/volume_checks.h"
 
 namespace tetfarm {
@@ -163,6 +168,76 @@ TEST(VolumeMesh, names_the_place_of_two_vertices_at_one_point) {
     return found;
   };
   EXPECT_THAT(outcome.failure.triangles, testing::AnyOf(triangles_of(3), triangles_of(5)));
+}
+
+/// How often the boundary of a sphere is tried through which a small tet sticks out.
+int attempts_at(int levels) {
+  Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, levels));
+  const auto first = static_cast<std::int32_t>(domain.vertices.size());
+  for (const Vec3& p : {Vec3{0.9, 0.01, 0.02}, Vec3{1.2, 0.02, 0.01}, Vec3{0.92, 0.1, 0.03},
+                        Vec3{0.93, 0.03, 0.12}}) {
+    domain.vertices.push_back(p);
+  }
+  domain.node_origin.resize(domain.vertices.size());
+  for (const Triangle& t :
+       {Triangle{0, 1, 2}, Triangle{0, 3, 1}, Triangle{0, 2, 3}, Triangle{1, 3, 2}}) {
+    domain.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  domain.triangle_origin.resize(domain.triangles.size());
+  VolumeMeshOptions options;
+  int attempts = 0;
+  std::optional<WorkStage> last;
+  options.progress = WorkProgress([&](const WorkCount& count) {
+    if (count.stage == WorkStage::boundary && last != count.stage) ++attempts;
+    last = count.stage;
+  });
+  EXPECT_FALSE(mesh_volume(domain, SpacingField(1), options).mesh);
+  return attempts;
+}
+
+TEST(VolumeMesh, of_small_surfaces_is_tried_more_often) {
+  EXPECT_EQ(attempts_at(1), 12);
+  EXPECT_EQ(attempts_at(4), 2);
+}
+
+/// A prism whose top is turned by half a side, so that its sides bend inward.
+SurfaceMesh twisted_prism(int sides) {
+  SurfaceMesh mesh;
+  const double side = 2 * std::numbers::pi / sides;
+  for (const int level : {0, 1}) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = side * i + 0.25 * side * level;
+      mesh.vertices.push_back({std::cos(angle), std::sin(angle), 1.0 * level});
+    }
+  }
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    mesh.triangles.push_back({i, next, sides + next});
+    mesh.triangles.push_back({i, sides + next, sides + i});
+    if (i == 0 || next == 0) continue;
+    mesh.triangles.push_back({0, next, i});
+    mesh.triangles.push_back({sides, sides + i, sides + next});
+  }
+  return mesh;
+}
+
+TEST(VolumeMesh, reports_points_on_the_boundary_and_inside_apart) {
+  int different = 0;
+  for (int sides = 3; sides <= 14; ++sides) {
+    const Subdomain domain = root_subdomain(twisted_prism(sides));
+    TetComplex complex = bowyer_watson(domain.vertices).complex;
+    std::vector<std::uint8_t> constrained(complex.nodes.size(), 0);
+    const RecoveredBoundary recovered = recover_boundary(complex, constrained, domain.triangles);
+    if (!recovered.lost.empty()) continue;
+    VolumeMeshReport report;
+    VolumeMeshOptions options;
+    options.fill = false;
+    mesh_volume(domain, SpacingField(1), options, &report);
+    EXPECT_EQ(report.boundary_steiner_points, recovered.splits);
+    EXPECT_EQ(report.interior_steiner_points, recovered.steiner_points);
+    different += recovered.splits != recovered.steiner_points ? 1 : 0;
+  }
+  EXPECT_GT(different, 0);
 }
 
 TEST(VolumeMesh, of_a_surface_that_cuts_itself_fails_and_names_triangles) {

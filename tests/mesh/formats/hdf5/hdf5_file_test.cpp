@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "base/error.h"
 #include "tests/base/temp_folder.h"
 
 namespace tetfarm {
@@ -21,6 +24,38 @@ void write_padded_attribute(const std::string& path, const std::string& text) {
   const Hdf5Handle attribute(
       H5Acreate2(group.get(), "Type", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   ASSERT_GE(H5Awrite(attribute.get(), type.get(), padded.data()), 0);
+}
+
+/// A file with a list of two texts of any length, and one of two rows of two numbers.
+void write_odd_arrays(const std::string& path) {
+  const Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  const std::array<hsize_t, 2> size = {2, 2};
+  const Hdf5Handle list(H5Screate_simple(1, size.data(), nullptr), H5Sclose);
+  const Hdf5Handle texts(H5Dcreate2(file.get(), "texts", type.get(), list.get(), H5P_DEFAULT,
+                                    H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
+  const std::array<const char*, 2> words = {"one", "two"};
+  ASSERT_GE(H5Dwrite(texts.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, words.data()), 0);
+  const Hdf5Handle table(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
+  const Hdf5Handle rows(H5Dcreate2(file.get(), "rows", H5T_IEEE_F64LE, table.get(), H5P_DEFAULT,
+                                   H5P_DEFAULT, H5P_DEFAULT),
+                        H5Dclose);
+  const std::array<double, 4> numbers = {1, 2, 3, 4};
+  ASSERT_GE(H5Dwrite(rows.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
+            0);
+}
+
+TEST(Hdf5Input, refuses_texts_of_any_length_and_rows_of_another) {
+  const TempFolder folder;
+  const std::string path = (folder.path() / "a.h5").string();
+  write_odd_arrays(path);
+  const Hdf5Input file(path);
+  EXPECT_THROW(file.texts("texts"), InvalidInput);
+  EXPECT_THROW(file.rows("rows", 3), InvalidInput);
+  EXPECT_THROW(file.rows("rows"), InvalidInput);
+  EXPECT_EQ(file.slice<double>("rows", 1, 1, 2), (std::vector<double>{3, 4}));
 }
 
 TEST(Hdf5Input, texts_of_attributes_end_where_the_zeros_begin) {

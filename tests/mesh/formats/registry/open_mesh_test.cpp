@@ -131,5 +131,10 @@ TEST(OpenMesh, what_is_no_mesh_by_its_ending_is_refused_with_those_that_are) {
   }
 }
 
+TEST(OpenMesh, names_the_folders_too_that_it_reads) {
+  EXPECT_NE(readable_meshes().find("OpenFOAM cases"), std::string::npos);
+  EXPECT_NE(readable_meshes().find(".vtkhdf"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tetfarm
