@@ -41,7 +41,7 @@ void require_parts_in(const Format& format, int partitions) {
   throw ErrorWithHelp(
       ExitCode::usage,
       "--partitions " + std::to_string(partitions) + ": a file of format " +
-          std::string(format.name) + " cannot say which part a tet is in",
+          std::string(format.name) + " cannot say which part an element is in",
       "leave it out if the solver partitions the mesh itself; formats that can: " + others);
 }
 

@@ -139,9 +139,12 @@ Json edges_json(const EdgeFigures& edges) {
 }  // namespace
 
 std::string figures_text(const MeshFigures& figures) {
-  std::string text = time_step_text(figures);
-  text += bars_text("radius ratio", bins_of(figures.all.radius_ratio, false));
-  text += bars_text("volume", bins_of(figures.volumes, powers_of_bin(figures.volumes)));
+  std::string text;
+  if (figures.tets > 0) {
+    text = time_step_text(figures);
+    text += bars_text("radius ratio", bins_of(figures.all.radius_ratio, false));
+    text += bars_text("volume", bins_of(figures.volumes, powers_of_bin(figures.volumes)));
+  }
   const EdgeFigures& edges = figures.edges;
   if (edges.edges > 0) {
     text += bars_text(format("edge length over spacing: %.3f to %.3f, mean %.3f", edges.shortest,
@@ -149,10 +152,10 @@ std::string figures_text(const MeshFigures& figures) {
                       bins_of(edges.over_spacing, true));
   }
   if (figures.knows_subdomains && figures.subdomains.size() > 1) {
-    text += format("balance         %.3f: tets of the largest sub-domain / mean\n",
+    text += format("balance         %.3f: elements of the largest sub-domain / mean\n",
                    figures.largest_over_mean());
   }
-  return text + "worst tets\n" + worst_text(figures);
+  return figures.worst.empty() ? text : text + "worst tets\n" + worst_text(figures);
 }
 
 nlohmann::ordered_json figures_json(const MeshFigures& figures) {
@@ -179,7 +182,7 @@ nlohmann::ordered_json figures_json(const MeshFigures& figures) {
   }
   if (figures.knows_subdomains) {
     for (const SubdomainFigures& subdomain : figures.subdomains) {
-      json["subdomain_elements"].push_back(subdomain.tets);
+      json["subdomain_elements"].push_back(subdomain.cells);
     }
   }
   return json;

@@ -171,6 +171,19 @@ std::string forced_text(const ForcedDihedral& forced) {
   return text;
 }
 
+/// @pre there are tets.
+void print_shapes(const Report& report) {
+  const MeshFigures& figures = report.figures;
+  const ShapeStatistics& shapes = figures.all.shapes;
+  std::printf("dihedral        %s to %s deg; worst at (%.6g, %.6g, %.6g)\n",
+              angle_text(shapes.min_dihedral_deg, 3).c_str(),
+              angle_text(shapes.max_dihedral_deg, 3).c_str(), shapes.worst_centroid.x,
+              shapes.worst_centroid.y, shapes.worst_centroid.z);
+  std::fputs(forced_text(report.check.forced).c_str(), stdout);
+  std::printf("radius ratio    %.4f mean, %.4f smallest\nsmallest height %.6g\n",
+              shapes.mean_radius_ratio(), shapes.min_radius_ratio, shapes.smallest_height);
+}
+
 void print_report(const Report& report) {
   const MeshFigures& figures = report.figures;
   const ShapeStatistics& shapes = figures.all.shapes;
@@ -180,16 +193,9 @@ void print_report(const Report& report) {
   print_others(figures);
   std::printf("sub-domains     %zu\nvolume          %.12g, enclosed %.12g\n",
               subdomains_of(figures), report.check.volume, report.check.enclosed_volume);
-  std::printf("dihedral        %s to %s deg; worst at (%.6g, %.6g, %.6g)\n",
-              angle_text(shapes.min_dihedral_deg, 3).c_str(),
-              angle_text(shapes.max_dihedral_deg, 3).c_str(), shapes.worst_centroid.x,
-              shapes.worst_centroid.y, shapes.worst_centroid.z);
-  std::fputs(forced_text(report.check.forced).c_str(), stdout);
-  std::printf(
-      "radius ratio    %.4f mean, %.4f smallest\nsmallest height %.6g\ndigest          %s\n",
-      shapes.mean_radius_ratio(), shapes.min_radius_ratio, shapes.smallest_height,
-      report.check.digest.hex().c_str());
-  print_histogram(shapes);
+  if (shapes.tets > 0) print_shapes(report);
+  std::printf("digest          %s\n", report.check.digest.hex().c_str());
+  if (shapes.tets > 0) print_histogram(shapes);
   if (figures.near_cuts.shapes.tets > 0) {
     print_side_by_side(figures.near_cuts.shapes, figures.away_from_cuts.shapes);
   }

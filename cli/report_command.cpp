@@ -145,6 +145,17 @@ std::vector<ReportPicture> pictures_of(const MeshSource& mesh) {
   return pictures;
 }
 
+/// "12 tets", "12 tets, 8 prisms".
+std::string text_of_cells(const MeshFigures& figures) {
+  std::string text;
+  const auto add = [&text](std::int64_t count, ElementType type) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + text_of_count(count, type);
+  };
+  add(figures.tets, ElementType::tet);
+  for (const ElementType type : cell_block_types) add(figures.others[type].cells, type);
+  return text.empty() ? "no elements" : text;
+}
+
 }  // namespace
 
 ExitCode report_command(const ReportCommand& command) {
@@ -161,8 +172,8 @@ ExitCode report_command(const ReportCommand& command) {
   if (command.view.client.json) {
     std::printf("%s\n", copy_json("report", command.output).c_str());
   } else {
-    std::fprintf(stderr, "%s: %lld tets\n", command.output.c_str(),
-                 static_cast<long long>(content.figures.tets));
+    std::fprintf(stderr, "%s: %s\n", command.output.c_str(),
+                 text_of_cells(content.figures).c_str());
   }
   return ExitCode::ok;
 }

@@ -115,11 +115,13 @@ std::string facts(const MeshFigures& figures) {
       {"tetrahedra", count_text(figures.tets)},
       {"nodes", count_text(figures.nodes)},
       {"boundary triangles", count_text(figures.boundary_triangles)},
-      {"volume", format("%.10g", figures.volume)},
-      {"dihedral angles",
-       angle_text(shapes.min_dihedral_deg) + "° to " + angle_text(shapes.max_dihedral_deg) + "°"},
-      {"mean radius ratio", format("%.4f", shapes.mean_radius_ratio())},
-      {"smallest height", format("%.6g", shapes.smallest_height)}};
+      {"volume", format("%.10g", figures.volume)}};
+  if (figures.tets > 0) {
+    rows.push_back({"dihedral angles", angle_text(shapes.min_dihedral_deg) + "° to " +
+                                           angle_text(shapes.max_dihedral_deg) + "°"});
+    rows.push_back({"mean radius ratio", format("%.4f", shapes.mean_radius_ratio())});
+    rows.push_back({"smallest height", format("%.6g", shapes.smallest_height)});
+  }
   for (const ElementType type : cell_block_types) {
     const CellFigures& cells = figures.others[type];
     if (cells.cells == 0) continue;
@@ -208,13 +210,12 @@ std::string worst(const MeshFigures& figures) {
 std::string balance(const ReportContent& content) {
   const MeshFigures& figures = content.figures;
   if (!figures.knows_subdomains || figures.subdomains.size() < 2) return {};
-  BarChart chart{.title = "Tetrahedra of each sub-domain",
-                 .unit = "sub-domains in tree order",
-                 .is_wide = true};
+  BarChart chart{
+      .title = "Elements of each sub-domain", .unit = "sub-domains in tree order", .is_wide = true};
   std::vector<double> made;
   for (const SubdomainFigures& subdomain : figures.subdomains) {
     chart.names.push_back(std::to_string(made.size()));
-    made.push_back(static_cast<double>(subdomain.tets));
+    made.push_back(static_cast<double>(subdomain.cells));
   }
   std::vector<double> estimated;
   if (content.work) estimated = estimated_elements_of_leaves(*content.work);
@@ -223,19 +224,19 @@ std::string balance(const ReportContent& content) {
   }
   chart.series.push_back({"made", away_colour, std::move(made)});
   return "<h2>Balance</h2>\n<p>The largest sub-domain has " +
-         format("%.3f", figures.largest_over_mean()) +
-         " times the mean number of tetrahedra.</p>\n" + svg_of(chart) + "\n";
+         format("%.3f", figures.largest_over_mean()) + " times the mean number of elements.</p>\n" +
+         svg_of(chart) + "\n";
 }
 
 }  // namespace
 
 std::string mesh_sections(const ReportContent& content) {
   const MeshFigures& figures = content.figures;
-  std::string html = facts(figures) + pictures(content.pictures) + "<h2>Quality</h2>\n" +
-                     dihedral_charts(figures) + radius_ratio_charts(figures) +
-                     near_and_away(figures) + time_step(figures) + edge_charts(figures.edges) +
-                     volume_charts(figures.volumes);
-  return html + worst(figures) + balance(content);
+  const std::string html = facts(figures) + pictures(content.pictures);
+  if (figures.tets == 0) return html + edge_charts(figures.edges) + balance(content);
+  return html + "<h2>Quality</h2>\n" + dihedral_charts(figures) + radius_ratio_charts(figures) +
+         near_and_away(figures) + time_step(figures) + edge_charts(figures.edges) +
+         volume_charts(figures.volumes) + worst(figures) + balance(content);
 }
 
 }  // namespace tetfarm

@@ -26,10 +26,10 @@ Portion read_portion(const TaskIo& io, const AssembleGiven& given, const LeafNum
   return io.read(file_of_leaf(given.portions, leaf.path.heap), portion_from_bytes);
 }
 
-void read_tets(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf,
-               Portion& portion) {
-  const TaskFile& tets = file_of_leaf(given.tets, leaf.path.heap);
-  add_portion_tets(io.read(tets), io.name_of(tets), portion);
+void read_cells(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf,
+                Portion& portion) {
+  const TaskFile& cells = file_of_leaf(given.tets, leaf.path.heap);
+  add_portion_cells(io.read(cells), io.name_of(cells), portion);
 }
 
 std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const AssembleGiven& given,
@@ -40,7 +40,7 @@ std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const AssembleGiven& given
     const PortionCounts portion = io.look_into(file, [&](const std::filesystem::path& path) {
       return portion_counts(path, io.name_of(file));
     });
-    counts.push_back({portion.nodes, portion.tets, portion.faces});
+    counts.push_back({portion.nodes, portion.tets, portion.faces, portion.others});
   }
   return counts;
 }
@@ -61,13 +61,13 @@ class ResultFiles {
     return all;
   }
 
-  /// With its tets where a file still needs them.
+  /// With its cells where a file still needs them.
   Portion read(const LeafNumbers& leaf) {
     Portion portion = read_portion(io_, given_, leaf);
     const bool is_placed =
         vtkhdf_ && !io_.is_apart() &&
         vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
-    if (!is_placed || ugrid_) read_tets(io_, given_, leaf, portion);
+    if (!is_placed || ugrid_) read_cells(io_, given_, leaf, portion);
     return portion;
   }
 
@@ -90,7 +90,7 @@ class ResultFiles {
           VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
             const LeafNumbers& leaf = numbering_.leaves.at(i);
             Portion portion = read_portion(io_, given_, leaf);
-            read_tets(io_, given_, leaf, portion);
+            read_cells(io_, given_, leaf, portion);
             return std::move(portion.part);
           });
     } else {

@@ -79,7 +79,7 @@ void write_task(TaskIo& io) {
   report_unforced(io, unforced_tets(portion, numbers.is_forced));
   WriteMade made;
   made.portion = io.publish(portion_to_bytes(portion));
-  made.tets = io.publish(portion_tets_to_bytes(portion));
+  made.tets = io.publish(portion_cells_to_bytes(portion));
   io.made(made);
 }
 

@@ -1,6 +1,9 @@
 #include "mesh/assemble/face_balance.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "base/array_index.h"
@@ -32,6 +35,22 @@ std::uint64_t hash_of_face(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   return (hash ^ (0 - is_turned)) + is_turned;
 }
 
+/// Of the four in this or a turned order; its negative from the other side. Which of them lie
+/// opposite one another counts.
+std::uint64_t hash_of_face(std::array<std::uint64_t, 4> quad) {
+  std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
+  const auto& [first, next, opposite, last] = quad;
+  const std::uint64_t hash = mixed(mixed(first + opposite) + 2 * mixed(next + last));
+  return next < last ? hash : 0 - hash;
+}
+
+std::uint64_t hash_of_face(const std::vector<std::uint64_t>& hashes,
+                           std::span<const std::int32_t> face) {
+  const auto of = [&](std::size_t i) { return hashes[at(face[i])]; };
+  return face.size() == 3 ? hash_of_face(of(0), of(1), of(2))
+                          : hash_of_face({of(0), of(1), of(2), of(3)});
+}
+
 }  // namespace
 
 std::uint64_t face_sum_of(const NumberedPart& part) {
@@ -49,6 +68,15 @@ std::uint64_t face_sum_of(const NumberedPart& part) {
   for (const Triangle& face : part.faces) {
     sum -= hash_of_face(hashes[at(face[0])], hashes[at(face[1])], hashes[at(face[2])]);
   }
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> cell, std::int32_t) {
+        for_each_face_of(type, cell, [&](ElementType, std::span<const std::int32_t> face) {
+          sum += hash_of_face(hashes, face);
+        });
+      });
+  for_each_block_face(part.blocks,
+                      [&](ElementType, std::span<const std::int32_t> face, std::int32_t,
+                          std::int32_t) { sum -= hash_of_face(hashes, face); });
   return sum;
 }
 

@@ -1,10 +1,10 @@
-/// Whether the tets of a mesh that passes by in parts fit together at their faces, without keeping
+/// Whether the cells of a mesh that passes by in parts fit together at their faces, without keeping
 /// any of them.
 ///
-/// Each tet adds a hash of each of its faces, and the tet on the other side subtracts the same
-/// hash, as it sees the face the other way round; each boundary triangle subtracts that of its one
-/// tet. The hash takes in the numbers and the coordinates of the three nodes, so neighbours that
-/// disagree about either leave a remainder.
+/// Each cell adds a hash of each of its faces, and the cell on the other side subtracts the same
+/// hash, as it sees the face the other way round; each boundary face subtracts that of its one
+/// cell. The hash takes in the numbers and the coordinates of the nodes, so neighbours that
+/// disagree about either leave a remainder; so do two triangles beside a quad.
 #pragma once
 
 #include <cstdint>

@@ -110,6 +110,9 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     }
     meet(portion, leaf, interfaces, digest);
     digest.add_tets(portion.tet_digest);
+    digest.add_others(portion.other_digest);
+    for_each_block(summary.others,
+                   [&](ElementType type, std::int64_t& count) { count += portion.others[type]; });
     add_triangles(part, digest);
     add_shapes(portion.shapes, summary.shapes);
     face_sum += portion.face_sum;
@@ -123,7 +126,8 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
   for (const RegionShapes& region : summary.shapes.regions) summary.volume += region.volume;
   summary.enclosed_volume = domain_volume(surface);
   if (!(std::abs(summary.volume - summary.enclosed_volume) <= 1e-9 * summary.enclosed_volume)) {
-    throw Error(ExitCode::failed, "the volumes of the tets do not add up to that of the domain");
+    throw Error(ExitCode::failed,
+                "the volumes of the elements do not add up to that of the domain");
   }
   for (GlobalMeshWriter* writer : writers) writer->finish();
   summary.digest = digest.finish();

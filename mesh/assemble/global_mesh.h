@@ -2,8 +2,8 @@
 ///
 /// Source: thesis 4.3.4.2.2. In memory at any time: one portion, the input surface, a bit for each
 /// node. What the sub-domains share is compared as they pass: each triangle of the surface belongs
-/// to one, or, between two regions, to one of each; every other face to two tets, of whatever
-/// sub-domains, with the same three nodes at the same places (face_balance.h).
+/// to one, or, between two regions, to one of each; every other face to two cells, of whatever
+/// sub-domains, with the same nodes at the same places (face_balance.h).
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,10 @@ class GlobalMeshWriter {
 struct GlobalMeshSummary {
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
+  ElementCounts others{};  ///< of the other types
   std::int64_t boundary_triangles = 0;
   std::int32_t subdomains = 0;
-  double volume = 0;           ///< of the tets
+  double volume = 0;           ///< of the cells
   double enclosed_volume = 0;  ///< of the surface
   MeshShapes shapes;
   Hash128 digest;  ///< see mesh_digest.h

@@ -39,10 +39,13 @@ void MeshDigest::add_tet(std::int64_t number, const std::array<std::int64_t, 4>&
   add(std::array{number, nodes[0], nodes[1], nodes[2], nodes[3]}, tets_);
 }
 
-void MeshDigest::add_tets(const Sum& tets) {
-  tets_.hash = sum_of(tets_.hash, tets.hash);
-  tets_.count += tets.count;
+void MeshDigest::add(const Sum& one, Sum& sum) {
+  sum.hash = sum_of(sum.hash, one.hash);
+  sum.count += one.count;
 }
+
+void MeshDigest::add_tets(const Sum& tets) { add(tets, tets_); }
+void MeshDigest::add_others(const Sum& others) { add(others, others_); }
 
 void MeshDigest::add_boundary_triangle(const std::array<std::int64_t, 3>& nodes,
                                        std::int32_t patch) {

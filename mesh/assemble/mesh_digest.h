@@ -45,14 +45,17 @@ class MeshDigest {
   /// A cell that is no tet, or a boundary face that is no triangle, its nodes in our order.
   void add_other(ElementType type, std::int64_t number_or_patch,
                  std::span<const std::int64_t> nodes);
-  /// Tets that another digest has summed.
+  /// What another digest has summed.
   void add_tets(const Sum& tets);
+  void add_others(const Sum& others);
   const Sum& tets() const { return tets_; }
+  const Sum& others() const { return others_; }
   Hash128 finish() const;
 
  private:
   template <class Record>
   static void add(const Record& record, Sum& sum);
+  static void add(const Sum& one, Sum& sum);
 
   Sum nodes_;
   Sum tets_;

@@ -1,6 +1,9 @@
 #include "mesh/assemble/portion.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 #include <utility>
 
 #include "base/array_index.h"
@@ -82,14 +85,41 @@ void add_surface_triangles(const Subdomain& subdomain, const SurfacePieces& surf
   TF_CHECK(next == surface.triangles.size());
 }
 
-MeshDigest::Sum tet_digest_of(const NumberedPart& part, std::int64_t next) {
+/// Of the cells of a portion, and of its boundary faces of other types than triangles.
+void add_digest(const NumberedPart& part, ElementCounts next, Portion& portion) {
   MeshDigest digest;
-  TF_CHECK(next >= 0);
+  TF_CHECK(next[ElementType::tet] >= 0);
   const std::vector<std::int64_t>& global = part.local2global;
   for (const auto& [a, b, c, d] : part.tets) {
-    digest.add_tet(next++, {global[at(a)], global[at(b)], global[at(c)], global[at(d)]});
+    digest.add_tet(next[ElementType::tet]++,
+                   {global[at(a)], global[at(b)], global[at(c)], global[at(d)]});
   }
-  return digest.tets();
+  const auto add_other = [&](ElementType type, std::int64_t number_or_patch,
+                             std::span<const std::int32_t> nodes) {
+    std::array<std::int64_t, most_element_nodes> numbers{};
+    std::transform(nodes.begin(), nodes.end(), numbers.begin(),
+                   [&global](std::int32_t v) { return global[at(v)]; });
+    digest.add_other(type, number_or_patch, std::span(numbers.data(), nodes.size()));
+  };
+  for_each_block_cell(part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes,
+                                       std::int32_t) { add_other(type, next[type]++, nodes); });
+  for_each_block_face(part.blocks,
+                      [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t,
+                          std::int32_t patch) { add_other(type, patch, nodes); });
+  portion.tet_digest = digest.tets();
+  portion.other_digest = digest.others();
+}
+
+/// Figures of shape are of tets; the volume is of all.
+void add_volume_of_blocks(const NumberedPart& part, MeshShapes& shapes) {
+  for_each_block_cell(
+      part.blocks, [&](ElementType type, std::span<const std::int32_t> nodes, std::int32_t) {
+        std::array<Vec3, most_element_nodes> corners;
+        std::transform(nodes.begin(), nodes.end(), corners.begin(),
+                       [&part](std::int32_t v) { return part.nodes[at(v)]; });
+        shapes.regions[at(part.region - 1)].volume +=
+            static_cast<double>(element_volume(type, std::span(corners.data(), nodes.size())));
+      });
 }
 
 }  // namespace
@@ -158,13 +188,26 @@ Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumb
   add_surface_triangles(part.subdomain, surface, portion);
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
-  TF_CHECK(numbered.local2global.size() == numbered.nodes.size());
   part.is_on_cut.resize(numbered.nodes.size(), false);
-  add_shapes(numbered.nodes, numbered.tets, numbered.region, part.is_on_cut, portion.shapes);
-  portion.face_sum = face_sum_of(numbered);
-  portion.tets = std::ssize(numbered.tets);
-  portion.tet_digest = tet_digest_of(numbered, numbering.first_tet);
+  ElementCounts first{};
+  first[ElementType::tet] = numbering.first_tet;
+  take_figures(part.is_on_cut, first, portion);
   return portion;
+}
+
+void take_figures(const std::vector<bool>& is_on_cut, const ElementCounts& first,
+                  Portion& portion) {
+  const NumberedPart& part = portion.part;
+  TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.region_of_tet.empty() && part.region_of_face.empty());
+  portion.tets = std::ssize(part.tets);
+  for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
+    portion.others[type] = std::ssize(block.regions);
+  });
+  add_shapes(part.nodes, part.tets, part.region, is_on_cut, portion.shapes);
+  add_volume_of_blocks(part, portion.shapes);
+  portion.face_sum = face_sum_of(part);
+  add_digest(part, first, portion);
 }
 
 }  // namespace tetfarm

@@ -75,14 +75,16 @@ std::vector<std::int32_t> regions_of_boundary(const NumberedPart& part);
 std::int64_t cells_of(const NumberedPart& part);
 std::int64_t boundary_faces_of(const NumberedPart& part);
 
-/// Its tets may be apart, in a file of their own: then `part` has none.
+/// Its cells may be apart, in a file of their own: then `part` has none.
 struct Portion {
   NumberedPart part;
   std::int64_t tets = 0;
+  ElementCounts others{};                        ///< of the types in blocks
   std::vector<std::uint32_t> surface_triangles;  ///< of the input, that the faces are
   MeshShapes shapes;
   std::uint64_t face_sum = 0;  ///< see face_balance.h
   MeshDigest::Sum tet_digest;
+  MeshDigest::Sum other_digest;  ///< of cells and faces of the types in blocks
   /// Where the cells lie already in a VTKHDF file of the whole mesh (shared_vtkhdf.h), if they do.
   std::vector<FileRange> placed;
 };
@@ -98,25 +100,32 @@ WantedPieces surface_pieces(const Subdomain& subdomain);
 /// part; memory of the part twice.
 Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumbering& numbering);
 
+/// Counts the elements of a portion that is whole but for its figures and sums, and takes those.
+/// `first` is the number of its first cell of each type; `is_on_cut` tells it of each node, for the
+/// figures near cuts.
+/// @pre all elements are here, and of the part's own region. Cost: O(n).
+void take_figures(const std::vector<bool>& is_on_cut, const ElementCounts& first, Portion& portion);
+
 /// What a portion has, as its first bytes tell.
 struct PortionCounts {
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
   std::int64_t faces = 0;
+  ElementCounts others{};
 };
 
 /// Of a file of a portion; nothing but its head is read, and no checksum.
 /// @throws IoError, CorruptFile naming `name`.
 PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name);
 
-/// All but the tets. The grammar is in store/formats.md.
+/// All but the cells. The grammar is in store/formats.md.
 std::string portion_to_bytes(const Portion& portion);
 /// @throws CorruptFile naming `name`, also when a local number is that of no node.
 Portion portion_from_bytes(std::string_view bytes, const std::string& name);
 
-std::string portion_tets_to_bytes(const Portion& portion);
-/// Adds the tets to their portion. @throws CorruptFile naming `name`, also when they are of
+std::string portion_cells_to_bytes(const Portion& portion);
+/// Adds the cells to their portion. @throws CorruptFile naming `name`, also when they are of
 /// another.
-void add_portion_tets(std::string_view bytes, const std::string& name, Portion& portion);
+void add_portion_cells(std::string_view bytes, const std::string& name, Portion& portion);
 
 }  // namespace tetfarm

@@ -1,5 +1,6 @@
 /// The bytes of a portion (portion.h).
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/artifacts/checked_bytes.h"
@@ -11,9 +12,13 @@ namespace {
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
 
 constexpr std::string_view magic = "TFPORT\r\n";
-constexpr std::string_view tets_magic = "TFPTET\r\n";
+constexpr std::string_view cells_magic = "TFPTET\r\n";
+/// Of a portion of tets and triangles alone, and of one that has others besides.
 constexpr std::uint32_t version = 2;
-constexpr std::uint32_t tets_version = 1;
+constexpr std::uint32_t version_with_others = 3;
+constexpr std::uint32_t cells_version = 1;
+constexpr std::uint32_t cells_version_with_others = 2;
+constexpr std::size_t other_types = cell_block_types.size() + face_block_types.size();
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
   for (const double x : {v.x, v.y, v.z}) writer.number(x);
@@ -67,22 +72,92 @@ MeshShapes read_all_shapes(ByteReader& reader, std::int32_t region) {
   return shapes;
 }
 
+void check_index(std::int32_t v, std::size_t nodes, const ByteReader& reader) {
+  if (v < 0 || static_cast<std::size_t>(v) >= nodes) {
+    reader.fail("has an element with a node that does not exist");
+  }
+}
+
 template <class Element>
 void check_indices(const std::vector<Element>& elements, std::size_t nodes,
                    const ByteReader& reader) {
   for (const Element& element : elements) {
-    for (const std::int32_t v : element) {
-      if (v < 0 || static_cast<std::size_t>(v) >= nodes)
-        reader.fail("has an element with a node that does not exist");
-    }
+    for (const std::int32_t v : element) check_index(v, nodes, reader);
   }
+}
+
+/// By the version in the first bytes; what else they say is looked at by who reads on.
+bool says_others(std::string_view bytes) {
+  return bytes.starts_with(begin_checked(magic, version_with_others).bytes());
+}
+
+void write_other_counts(const ElementCounts& others, ByteWriter& writer) {
+  for_each_block(others, [&](ElementType, std::int64_t count) {
+    writer.number(static_cast<std::uint64_t>(count));
+  });
+}
+
+ElementCounts read_other_counts(ByteReader& reader) {
+  ElementCounts others{};
+  for_each_block(others, [&](ElementType, std::int64_t& count) {
+    count = static_cast<std::int64_t>(reader.count());
+  });
+  return others;
+}
+
+/// Elements of one sub-domain, all of its region. @pre the nodes of the part are read.
+ElementBlock read_block(ElementType type, std::int64_t count, const NumberedPart& part,
+                        ByteReader& reader) {
+  ElementBlock block;
+  block.nodes = reader.array<std::int32_t>(nodes_of(type) * at(count));
+  block.regions.resize(at(count), part.region);
+  for (const std::int32_t v : block.nodes) check_index(v, part.nodes.size(), reader);
+  return block;
+}
+
+void check_header(const Portion& portion) {
+  const NumberedPart& part = portion.part;
+  TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.patch_of_face.size() == part.faces.size() &&
+           portion.surface_triangles.size() == part.faces.size());
+  for (const ElementType type : face_block_types) {
+    TF_CHECK(std::ssize(part.blocks[type].patches) == portion.others[type]);
+  }
+}
+
+void read_other_faces(Portion& portion, ByteReader& reader) {
+  NumberedPart& part = portion.part;
+  for (const ElementType type : face_block_types) {
+    ElementBlock& block = part.blocks[type];
+    block = read_block(type, portion.others[type], part, reader);
+    block.patches = reader.array<std::int32_t>(block.size());
+  }
+  portion.other_digest.hash = reader.hash();
+  portion.other_digest.count = reader.number<std::int64_t>();
+}
+
+std::vector<FileRange> read_ranges(ByteReader& reader) {
+  std::vector<FileRange> ranges;
+  for (std::size_t rest = reader.count(); rest > 0; --rest) {
+    FileRange& range = ranges.emplace_back();
+    range.offset = reader.number<std::int64_t>();
+    range.size = reader.number<std::int64_t>();
+    range.hash = reader.hash();
+  }
+  return ranges;
+}
+
+void write_sum(const MeshDigest::Sum& sum, ByteWriter& writer) {
+  writer.hash(sum.hash);
+  writer.number(sum.count);
 }
 
 }  // namespace
 
 PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name) {
   constexpr std::size_t before_counts = magic.size() + sizeof version + 2 * sizeof(std::int32_t);
-  const std::string head = read_part_of_file(path, 0, before_counts + 3 * sizeof(std::uint64_t));
+  const std::string head =
+      read_part_of_file(path, 0, before_counts + (3 + other_types) * sizeof(std::uint64_t));
   if (!head.starts_with(magic) || head.size() < before_counts) {
     throw CorruptFile("does not begin like the expected kind of file", name);
   }
@@ -91,25 +166,33 @@ PortionCounts portion_counts(const std::filesystem::path& path, const std::strin
   for (std::int64_t* count : {&counts.nodes, &counts.tets, &counts.faces}) {
     *count = static_cast<std::int64_t>(reader.count());
   }
+  if (says_others(head)) counts.others = read_other_counts(reader);
   return counts;
 }
 
 std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
-  TF_CHECK(part.local2global.size() == part.nodes.size());
-  TF_CHECK(part.patch_of_face.size() == part.faces.size() &&
-           portion.surface_triangles.size() == part.faces.size());
-  ByteWriter writer = begin_checked(magic, version);
+  const bool has_others = portion.others != ElementCounts{};
+  check_header(portion);
+  ByteWriter writer = begin_checked(magic, has_others ? version_with_others : version);
   writer.number(part.number);
   writer.number(part.region);
   writer.number<std::uint64_t>(part.nodes.size());
   writer.number<std::uint64_t>(static_cast<std::uint64_t>(portion.tets));
   writer.number<std::uint64_t>(part.faces.size());
+  if (has_others) write_other_counts(portion.others, writer);
   writer.array(part.nodes);
   writer.array(part.local2global);
   writer.array(part.faces);
   writer.array(part.patch_of_face);
   writer.array(portion.surface_triangles);
+  if (has_others) {
+    for (const ElementType type : face_block_types) {
+      writer.array(part.blocks[type].nodes);
+      writer.array(part.blocks[type].patches);
+    }
+    write_sum(portion.other_digest, writer);
+  }
   writer.number(portion.face_sum);
   write_all_shapes(portion.shapes, writer);
   writer.hash(portion.tet_digest.hash);
@@ -123,7 +206,8 @@ std::string portion_to_bytes(const Portion& portion) {
 }
 
 Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader = read_checked(bytes, magic, version, name);
+  const bool has_others = says_others(bytes);
+  ByteReader reader = read_checked(bytes, magic, has_others ? version_with_others : version, name);
   Portion portion;
   NumberedPart& part = portion.part;
   part.number = reader.number<std::int32_t>();
@@ -133,46 +217,55 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   const std::size_t nodes = reader.count();
   const std::size_t tets = reader.count();
   const std::size_t faces = reader.count();
+  if (has_others) portion.others = read_other_counts(reader);
   part.nodes = reader.array<Vec3>(nodes);
   part.local2global = reader.array<std::int64_t>(nodes);
   part.faces = reader.array<Triangle>(faces);
   part.patch_of_face = reader.array<std::int32_t>(faces);
   portion.surface_triangles = reader.array<std::uint32_t>(faces);
+  if (has_others) read_other_faces(portion, reader);
   portion.face_sum = reader.number<std::uint64_t>();
   portion.shapes = read_all_shapes(reader, part.region);
   portion.tets = static_cast<std::int64_t>(tets);
   portion.tet_digest = {reader.hash(), portion.tets};
-  const std::size_t ranges = reader.count();
-  for (std::size_t i = 0; i < ranges; ++i) {
-    FileRange& range = portion.placed.emplace_back();
-    range.offset = reader.number<std::int64_t>();
-    range.size = reader.number<std::int64_t>();
-    range.hash = reader.hash();
-  }
+  portion.placed = read_ranges(reader);
   reader.expect_end();
   check_indices(part.faces, nodes, reader);
   return portion;
 }
 
-std::string portion_tets_to_bytes(const Portion& portion) {
-  ByteWriter writer = begin_checked(tets_magic, tets_version);
-  TF_CHECK(static_cast<std::int64_t>(portion.part.tets.size()) == portion.tets);
-  writer.number(portion.part.number);
-  writer.number<std::uint64_t>(portion.part.tets.size());
-  writer.array(portion.part.tets);
+std::string portion_cells_to_bytes(const Portion& portion) {
+  const NumberedPart& part = portion.part;
+  TF_CHECK(std::ssize(part.tets) == portion.tets);
+  const bool has_others = portion.others != ElementCounts{};
+  ByteWriter writer =
+      begin_checked(cells_magic, has_others ? cells_version_with_others : cells_version);
+  writer.number(part.number);
+  writer.number<std::uint64_t>(part.tets.size());
+  writer.array(part.tets);
+  for (const ElementType type : cell_block_types) {
+    TF_CHECK(std::ssize(part.blocks[type].regions) == portion.others[type]);
+    writer.array(part.blocks[type].nodes);
+  }
   return finish_checked(std::move(writer));
 }
 
-void add_portion_tets(std::string_view bytes, const std::string& name, Portion& portion) {
-  ByteReader reader = read_checked(bytes, tets_magic, tets_version, name);
+void add_portion_cells(std::string_view bytes, const std::string& name, Portion& portion) {
+  const bool has_others = portion.others != ElementCounts{};
+  ByteReader reader = read_checked(bytes, cells_magic,
+                                   has_others ? cells_version_with_others : cells_version, name);
+  NumberedPart& part = portion.part;
   const auto number = reader.number<std::int32_t>();
   const std::size_t tets = reader.count();
-  if (number != portion.part.number || static_cast<std::int64_t>(tets) != portion.tets) {
+  if (number != part.number || static_cast<std::int64_t>(tets) != portion.tets) {
     reader.fail("belongs to another portion");
   }
-  portion.part.tets = reader.array<Tet>(tets);
+  part.tets = reader.array<Tet>(tets);
+  check_indices(part.tets, part.nodes.size(), reader);
+  for (const ElementType type : cell_block_types) {
+    part.blocks[type] = read_block(type, portion.others[type], part, reader);
+  }
   reader.expect_end();
-  check_indices(portion.part.tets, portion.part.nodes.size(), reader);
 }
 
 }  // namespace tetfarm

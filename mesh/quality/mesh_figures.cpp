@@ -40,14 +40,14 @@ class Figures {
  private:
   void add(const NumberedPart& part) {
     SubdomainFigures& here = figures_.subdomains.emplace_back();
-    here.tets = std::ssize(part.tets);
+    here.cells = cells_of(part);
     here.nodes = std::ssize(part.nodes);
     here.boundary_triangles = std::ssize(part.faces);
     for (const std::int64_t number : part.local2global) count_node(number);
     for (const TetRange& range : ranges_of(part)) add_tets(part, range, here);
     add_others(part, here);
     if (spacing_) add_edges(part);
-    figures_.tets += here.tets;
+    figures_.tets += std::ssize(part.tets);
     figures_.boundary_triangles += here.boundary_triangles;
     figures_.volume += here.volume;
   }
@@ -157,12 +157,18 @@ double MeshFigures::steps_beside_away() const {
   return away > 0 && least > 0 ? away / least : 1;
 }
 
+std::int64_t MeshFigures::cells() const {
+  std::int64_t sum = tets;
+  for (const ElementType type : cell_block_types) sum += others[type].cells;
+  return sum;
+}
+
 double MeshFigures::largest_over_mean() const {
   std::int64_t largest = 0;
-  for (const SubdomainFigures& subdomain : subdomains) largest = std::max(largest, subdomain.tets);
-  if (tets == 0) return 1;
+  for (const SubdomainFigures& subdomain : subdomains) largest = std::max(largest, subdomain.cells);
+  if (cells() == 0) return 1;
   return static_cast<double>(largest) * static_cast<double>(subdomains.size()) /
-         static_cast<double>(tets);
+         static_cast<double>(cells());
 }
 
 MeshFigures figures_of(const MeshSource& source, const SpacingAt& spacing, const VisitPart& visit) {

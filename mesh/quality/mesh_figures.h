@@ -48,7 +48,7 @@ struct CellFigures {
 };
 
 struct SubdomainFigures {
-  std::int64_t tets = 0;
+  std::int64_t cells = 0;  ///< of all types
   std::int64_t nodes = 0;
   std::int64_t boundary_triangles = 0;
   double volume = 0;
@@ -87,7 +87,8 @@ struct MeshFigures {
   double time_step() const { return all.shapes.smallest_height; }
   /// How many times the time steps that the mesh away from the cuts would need; 1 without cuts.
   double steps_beside_away() const;
-  /// The largest sub-domain's tets over their mean.
+  std::int64_t cells() const;  ///< of all types
+  /// The largest sub-domain's cells over their mean.
   double largest_over_mean() const;
 };
 

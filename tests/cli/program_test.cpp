@@ -92,6 +92,25 @@ TEST(TetfarmProgram, sources_of_a_flite_file_make_the_mesh_finer) {
   EXPECT_THAT(refused.err, HasSubstr("s.ba3:5: a spacing must be more than 0"));
 }
 
+TEST(TetfarmProgram, quality_of_a_mesh_of_hexes_tells_nothing_of_tets) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "box.msh",
+                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 2 0 0\n3 2 1 0\n"
+                 "4 0 1 0\n5 0 0 1\n6 2 0 1\n7 2 1 1\n8 0 1 1\n$EndNodes\n$Elements\n7\n"
+                 "1 3 2 1 1 1 4 3 2\n2 3 2 1 1 5 6 7 8\n3 3 2 1 1 1 2 6 5\n4 3 2 1 1 2 3 7 6\n"
+                 "5 3 2 1 1 3 4 8 7\n6 3 2 1 1 4 1 5 8\n7 5 2 1 1 1 2 3 4 5 6 7 8\n"
+                 "$EndElements\n");
+  const Ended ended = run_program({"quality", "box.msh"}, folder.path());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("hexes           1, volume 2, scaled Jacobian 1.0000 mean"));
+  for (const char* of_tets : {"dihedral", "radius ratio", "time step", "worst tets"}) {
+    EXPECT_THAT(ended.out, Not(HasSubstr(of_tets)));
+  }
+  const Ended report = run_program({"report", "box.msh", "-o", "box.html"}, folder.path());
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_THAT(report.err, HasSubstr("box.html: 1 hex\n"));
+}
+
 TEST(TetfarmProgram, a_surface_that_is_not_there_is_not_found) {
   const TemporaryFolder folder;
   for (const char* name : {"run", "check"}) {

@@ -126,5 +126,15 @@ TEST(ReportPage, of_a_mesh_alone_has_no_work_and_without_cuts_no_sides) {
   EXPECT_THAT(page, Not(HasSubstr("near the cuts")));
 }
 
+TEST(ReportPage, of_a_mesh_without_tets_tells_no_figures_of_tets) {
+  ReportContent content;
+  content.figures.others[ElementType::hex] = {12, 1.5, 0.75, 10.5};
+  const std::string page = report_page(content);
+  EXPECT_THAT(page, AllOf(HasSubstr("hexes"), HasSubstr("0.8750 mean, 0.7500 smallest")));
+  for (const char* of_tets : {"dihedral", "radius ratio", "time step", "The worst"}) {
+    EXPECT_THAT(page, Not(HasSubstr(of_tets)));
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

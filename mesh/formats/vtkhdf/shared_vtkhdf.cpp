@@ -11,6 +11,12 @@
 namespace tetfarm {
 namespace {
 
+VtkhdfCounts without_cells(VtkhdfCounts counts) {
+  counts.tets = 0;
+  for (const ElementType type : cell_block_types) counts.others[type] = 0;
+  return counts;
+}
+
 bool is_at(const FileRange& range, const VtkhdfPlace& place) {
   return range.offset == place.offset && range.size == place.size;
 }
@@ -79,9 +85,8 @@ void SharedVtkhdf::add(const NumberedPart& part) {
   const auto number = static_cast<std::size_t>(part.number);
   const VtkhdfCounts& counts = parts_.at(number);
   const bool is_placed = taken_.contains(number);
-  const bool has_tets = std::ssize(part.tets) == counts.tets;
-  if (std::ssize(part.nodes) != counts.points || std::ssize(part.faces) != counts.faces ||
-      (!has_tets && !(part.tets.empty() && is_placed))) {
+  const VtkhdfCounts here = vtkhdf_counts(part);
+  if (here != counts && !(is_placed && here == without_cells(counts))) {
     throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
   }
   if (!is_placed) write_vtkhdf_cells(places_, before_[number], part, &file_);

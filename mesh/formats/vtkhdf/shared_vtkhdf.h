@@ -31,11 +31,11 @@ struct SharedFile {
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
                                    const LeafNumbering& numbering, const VtkhdfNames& names);
 
-/// Finishes the file. `add` takes a part with its tets, or without them when its cells are placed:
+/// Finishes the file. `add` takes a part with its cells, or without them when they are placed:
 /// those are not written again.
 class SharedVtkhdf : public GlobalMeshWriter {
  public:
-  /// A part with its tets.
+  /// A part with its cells.
   using ReadWhole = std::function<NumberedPart(std::size_t part)>;
 
   /// @throws IoError

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/support/hybrid_grid.h"
+
 namespace tetfarm {
 namespace {
 
@@ -64,6 +66,40 @@ TEST(FaceBalance, notices_that_both_sides_run_the_same_way) {
   std::swap(parts[1].tets[0][0], parts[1].tets[0][1]);
   for (Triangle& face : parts[1].faces) std::swap(face[0], face[1]);
   EXPECT_FALSE(is_even(parts));
+}
+
+std::uint64_t sum_of(const HybridGrid& grid) {
+  std::uint64_t sum = 0;
+  for (const NumberedPart& part : grid.parts) sum += face_sum_of(part);
+  return sum;
+}
+
+TEST(FaceBalance, is_even_for_cells_of_every_type_however_they_are_cut) {
+  for (const int slabs : {1, 2, 4}) EXPECT_EQ(sum_of(HybridGrid(4, slabs)), 0U) << slabs;
+}
+
+TEST(FaceBalance, notices_a_cell_of_any_type_that_is_turned_or_missing) {
+  for (const ElementType type : cell_block_types) {
+    HybridGrid turned(4, 2);
+    ElementBlock& block = turned.parts[1].blocks[type];
+    ASSERT_FALSE(block.empty());
+    std::swap(block.nodes[0], block.nodes[1]);
+    EXPECT_NE(sum_of(turned), 0U);
+    HybridGrid cut(4, 2);
+    ElementBlock& shorter = cut.parts[1].blocks[type];
+    shorter.nodes.resize(shorter.nodes.size() - nodes_of(type));
+    shorter.regions.pop_back();
+    EXPECT_NE(sum_of(cut), 0U);
+  }
+}
+
+TEST(FaceBalance, notices_a_quad_whose_corners_are_paired_otherwise) {
+  HybridGrid grid(4, 2);
+  ElementBlock& quads = grid.parts[0].blocks[ElementType::quad];
+  std::rotate(quads.nodes.begin(), quads.nodes.begin() + 1, quads.nodes.begin() + 4);
+  EXPECT_EQ(sum_of(grid), 0U) << "it may begin anywhere";
+  std::swap(quads.nodes[1], quads.nodes[2]);
+  EXPECT_NE(sum_of(grid), 0U);
 }
 
 }  // namespace

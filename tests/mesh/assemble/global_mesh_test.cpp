@@ -210,7 +210,7 @@ TEST(GlobalMesh, refuses_faces_that_do_not_fit) {
 TEST(GlobalMesh, refuses_volumes_that_do_not_add_up) {
   for (const double factor : {0.5, 1 - 1e-7, 1 + 1e-7}) {
     expect_refused_portion([factor](Portion& last) { last.shapes.regions.at(0).volume *= factor; },
-                           "the volumes of the tets do not add up");
+                           "the volumes of the elements do not add up");
   }
   CutGrid grid = cut_grid(4);
   std::swap(grid.parts[7].mesh.tets[0][1], grid.parts[7].mesh.tets[0][2]);

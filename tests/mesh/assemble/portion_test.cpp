@@ -11,6 +11,7 @@
 #include "base/file_system.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/assemble/cut_grid.h"
+#include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
 namespace {
@@ -23,17 +24,79 @@ TEST(Portion, survives_its_file_bit_by_bit) {
     Portion portion = portion_of(grid, leaf);
     portion.placed = {{8, 80, {1, 2}}, {100, 7, {3, 4}}};
     const std::string bytes = portion_to_bytes(portion);
-    const std::string tets = portion_tets_to_bytes(portion);
+    const std::string tets = portion_cells_to_bytes(portion);
     Portion read = portion_from_bytes(bytes, "portion");
     EXPECT_TRUE(read.part.tets.empty());
-    add_portion_tets(tets, "tets", read);
+    add_portion_cells(tets, "tets", read);
     EXPECT_EQ(portion_to_bytes(read), bytes) << leaf;
-    EXPECT_EQ(portion_tets_to_bytes(read), tets) << leaf;
+    EXPECT_EQ(portion_cells_to_bytes(read), tets) << leaf;
     EXPECT_EQ(read.placed, portion.placed);
     EXPECT_EQ(read.tet_digest, portion.tet_digest);
     EXPECT_EQ(read.part.tets, grid.parts.at(leaf).mesh.tets);
     EXPECT_EQ(read.part.nodes, grid.parts.at(leaf).mesh.nodes);
   }
+}
+
+/// Of a part with cells of every type and both kinds of boundary faces.
+Portion hybrid_portion(std::size_t part = 1) {
+  Portion portion;
+  portion.part = HybridGrid(4, 2).parts[part];
+  portion.surface_triangles.resize(portion.part.faces.size(), 7);
+  take_figures(std::vector<bool>(portion.part.nodes.size()), {}, portion);
+  return portion;
+}
+
+TEST(Portion, with_cells_of_every_type_survives_its_file_bit_by_bit) {
+  const Portion portion = hybrid_portion();
+  const std::string bytes = portion_to_bytes(portion);
+  const std::string cells = portion_cells_to_bytes(portion);
+  Portion read = portion_from_bytes(bytes, "portion");
+  for (const ElementType type : cell_block_types) {
+    EXPECT_TRUE(read.part.blocks[type].empty());
+    EXPECT_GT(read.others[type], 0);
+  }
+  EXPECT_GT(read.others[ElementType::quad], 0);
+  add_portion_cells(cells, "cells", read);
+  EXPECT_EQ(portion_to_bytes(read), bytes);
+  EXPECT_EQ(portion_cells_to_bytes(read), cells);
+  EXPECT_EQ(read.others, portion.others);
+  EXPECT_EQ(read.other_digest, portion.other_digest);
+  EXPECT_EQ(read.part.tets, portion.part.tets);
+  for_each_block(read.part.blocks, [&](ElementType type, const ElementBlock& block) {
+    EXPECT_EQ(block.nodes, portion.part.blocks[type].nodes);
+    EXPECT_EQ(block.regions, portion.part.blocks[type].regions);
+    EXPECT_EQ(block.patches, portion.part.blocks[type].patches);
+  });
+}
+
+TEST(Portion, with_other_cells_its_files_are_refused_where_they_are_damaged_or_of_another) {
+  Portion portion = hybrid_portion();
+  const std::string bytes = portion_to_bytes(portion);
+  const std::string cells = portion_cells_to_bytes(portion);
+  for (std::size_t place = 0; place < bytes.size(); place += 13) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 1);
+    EXPECT_THROW(portion_from_bytes(damaged, "portion"), CorruptFile) << place;
+    EXPECT_THROW(portion_from_bytes(bytes.substr(0, place), "portion"), CorruptFile) << place;
+  }
+  for (std::size_t place = 0; place < cells.size(); place += 13) {
+    std::string damaged = cells;
+    damaged[place] = static_cast<char>(damaged[place] ^ 1);
+    EXPECT_THROW(add_portion_cells(damaged, "cells", portion), CorruptFile) << place;
+  }
+  EXPECT_THROW(add_portion_cells(portion_cells_to_bytes(hybrid_portion(0)), "cells", portion),
+               CorruptFile);
+  const std::string of_tets = portion_cells_to_bytes(portion_of(cut_grid(2), 7));
+  EXPECT_THROW(add_portion_cells(of_tets, "cells", portion), CorruptFile);
+}
+
+TEST(Portion, with_other_cells_its_volume_is_that_of_all) {
+  const HybridGrid grid(4, 2);
+  double volume = 0;
+  for (const std::size_t part : {0U, 1U}) {
+    volume += hybrid_portion(part).shapes.regions.at(0).volume;
+  }
+  EXPECT_NEAR(volume, grid.volume(), 1e-12 * grid.volume());
 }
 
 TEST(Portion, a_file_that_is_cut_short_or_differs_in_one_byte_is_refused) {
@@ -51,16 +114,16 @@ TEST(Portion, a_file_that_is_cut_short_or_differs_in_one_byte_is_refused) {
 TEST(Portion, tets_that_are_cut_short_damaged_or_of_another_are_refused) {
   const CutGrid grid = cut_grid(2);
   Portion portion = portion_of(grid, 7);
-  const std::string bytes = portion_tets_to_bytes(portion);
+  const std::string bytes = portion_cells_to_bytes(portion);
   for (std::size_t size = 0; size < bytes.size(); size += 7) {
-    EXPECT_THROW(add_portion_tets(bytes.substr(0, size), "tets", portion), CorruptFile) << size;
+    EXPECT_THROW(add_portion_cells(bytes.substr(0, size), "tets", portion), CorruptFile) << size;
   }
   for (std::size_t place = 0; place < bytes.size(); place += 5) {
     std::string damaged = bytes;
     damaged[place] = static_cast<char>(damaged[place] ^ 1);
-    EXPECT_THROW(add_portion_tets(damaged, "tets", portion), CorruptFile) << place;
+    EXPECT_THROW(add_portion_cells(damaged, "tets", portion), CorruptFile) << place;
   }
-  EXPECT_THROW(add_portion_tets(portion_tets_to_bytes(portion_of(grid, 6)), "tets", portion),
+  EXPECT_THROW(add_portion_cells(portion_cells_to_bytes(portion_of(grid, 6)), "tets", portion),
                CorruptFile);
 }
 
@@ -73,6 +136,9 @@ TEST(Portion, its_counts_are_told_by_its_first_bytes) {
   EXPECT_EQ(counts.nodes, std::ssize(portion.part.nodes));
   EXPECT_EQ(counts.tets, std::ssize(portion.part.tets));
   EXPECT_EQ(counts.faces, std::ssize(portion.part.faces));
+  EXPECT_EQ(counts.others, ElementCounts{});
+  write_file_atomically(path, portion_to_bytes(hybrid_portion()));
+  EXPECT_EQ(portion_counts(path, "portion").others, hybrid_portion().others);
   write_file_atomically(path, portion_to_bytes(portion).substr(0, 40));
   EXPECT_THROW(portion_counts(path, "portion"), CorruptFile);
   write_file_atomically(path, "something else, and long enough to have had counts in it");
@@ -95,10 +161,16 @@ TEST(Portion, an_element_of_no_node_is_refused) {
   for (const std::int32_t wrong : {-1, std::numeric_limits<std::int32_t>::max()}) {
     Portion portion = portion_of(cut_grid(2), 7);
     portion.part.tets.back()[2] = wrong;
-    EXPECT_THROW(add_portion_tets(portion_tets_to_bytes(portion), "tets", portion), CorruptFile);
+    EXPECT_THROW(add_portion_cells(portion_cells_to_bytes(portion), "tets", portion), CorruptFile);
     portion = portion_of(cut_grid(2), 7);
     portion.part.faces.back()[0] = wrong;
     EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);
+    portion = hybrid_portion();
+    portion.part.blocks[ElementType::quad].nodes.back() = wrong;
+    EXPECT_THROW(portion_from_bytes(portion_to_bytes(portion), "portion"), CorruptFile);
+    portion = hybrid_portion();
+    portion.part.blocks[ElementType::prism].nodes.back() = wrong;
+    EXPECT_THROW(add_portion_cells(portion_cells_to_bytes(portion), "cells", portion), CorruptFile);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "mesh/formats/registry/export_mesh.h"
@@ -11,6 +12,7 @@
 #include "mesh/quality/cut_nodes.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/support/hybrid_grid.h"
 #include "tests/support/mesh_report.h"
 
 namespace tetfarm {
@@ -100,6 +102,20 @@ TEST(MeshFigures, of_a_file_without_subdomains_has_no_tets_near_cuts) {
   EXPECT_FALSE(figures.knows_subdomains);
   EXPECT_EQ(figures.near_cuts.shapes.tets, 0);
   EXPECT_EQ(figures.away_from_cuts.shapes.tets, figures.tets);
+}
+
+TEST(MeshFigures, balance_counts_cells_of_every_type) {
+  const HybridGrid grid(5, 3);
+  const MeshFigures figures = figures_of(grid);
+  std::vector<std::int64_t> cells;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    cells.push_back(cells_of(grid.parts[i]));
+    EXPECT_EQ(figures.subdomains.at(i).cells, cells.back());
+  }
+  const auto sum = std::accumulate(cells.begin(), cells.end(), std::int64_t{0});
+  EXPECT_EQ(figures.cells(), sum);
+  const auto largest = static_cast<double>(*std::max_element(cells.begin(), cells.end()));
+  EXPECT_DOUBLE_EQ(figures.largest_over_mean(), largest * 3 / static_cast<double>(sum));
 }
 
 TEST(MeshFigures, steps_beside_the_mesh_away_from_cuts_are_the_ratio_of_heights) {

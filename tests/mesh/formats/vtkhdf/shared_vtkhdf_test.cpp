@@ -1,13 +1,19 @@
 #include "mesh/formats/vtkhdf/shared_vtkhdf.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "base/error.h"
 #include "base/file_system.h"
 #include "mesh/formats/vtkhdf/read_vtkhdf.h"
+#include "mesh/formats/vtkhdf/vtkhdf_source.h"
 #include "mesh/formats/vtkhdf/write_vtkhdf.h"
+#include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/assemble/cut_grid.h"
+#include "tests/mesh/assemble/hybrid_core.h"
 
 namespace tetfarm {
 namespace {
@@ -151,6 +157,79 @@ TEST_F(SharedVtkhdfFile, a_file_in_the_making_is_no_mesh) {
   place(1);
   place(2);
   EXPECT_THROW(read_vtkhdf(file_.path), InvalidInput);
+}
+
+/// Sub-domains of tets of which the last has cells of every type inside.
+struct HybridJob {
+  CutGrid grid = cut_grid(5);
+  Numbering numbering = grid.numbering();
+  std::vector<Portion> portions;
+
+  explicit HybridJob(bool is_hex) {
+    for (const LeafNumbers& leaf : numbering.leaves) portions.push_back(grid.reader()(leaf));
+    Portion& last = portions.back();
+    HybridCore(last, 5, {3, 3, 2}, is_hex);
+    LeafNumbers& leaf = numbering.leaves.back();
+    numbering.tets += std::ssize(last.part.tets) - leaf.tets;
+    leaf.tets = std::ssize(last.part.tets);
+    numbering.nodes =
+        1 + *std::max_element(last.part.local2global.begin(), last.part.local2global.end());
+    last.shapes = {};
+    ElementCounts first{};
+    first[ElementType::tet] = leaf.first_tet;
+    take_figures(std::vector<bool>(last.part.nodes.size()), first, last);
+  }
+
+  /// As a file, and through the files of its portions where those go from task to task.
+  GlobalMeshSummary assemble(const std::filesystem::path& path) const {
+    std::vector<VtkhdfCounts> counts;
+    for (const Portion& portion : portions) counts.push_back(vtkhdf_counts(portion.part));
+    const auto read = [&](const LeafNumbers& leaf) {
+      for (const Portion& portion : portions) {
+        if (numbering.leaves[static_cast<std::size_t>(portion.part.number)].path != leaf.path)
+          continue;
+        Portion copy = portion_from_bytes(portion_to_bytes(portion), "portion");
+        add_portion_cells(portion_cells_to_bytes(portion), "cells", copy);
+        return copy;
+      }
+      throw Error(ExitCode::failed, "no such leaf");
+    };
+    SharedVtkhdf file({path, path.string() + ".frame"}, counts,
+                      {grid.surface.patch_names, grid.surface.region_names},
+                      [&](std::size_t part) { return portions[part].part; });
+    GlobalMeshWriter* writer = &file;
+    return assemble_global_mesh(grid.surface, numbering, read, {&writer, 1});
+  }
+};
+
+TEST(SharedVtkhdf, sub_domains_with_cells_of_every_type_are_assembled_to_a_right_mesh) {
+  for (const bool is_hex : {true, false}) {
+    const TempFolder folder;
+    const HybridJob job(is_hex);
+    const GlobalMeshSummary summary = job.assemble(folder.path() / "mesh.vtkhdf");
+    EXPECT_EQ(summary.others[ElementType::hex], is_hex ? 1 : 0);
+    EXPECT_EQ(summary.others[ElementType::prism], is_hex ? 0 : 2);
+    EXPECT_EQ(summary.others[ElementType::pyramid], is_hex ? 6 : 4);
+    const auto source = open_vtkhdf(folder.path() / "mesh.vtkhdf", folder.path());
+    MeshCheck check(*source);
+    for (std::size_t i = 0; i < source->size(); ++i) check.add(source->part(i));
+    const MeshCheckResult result = check.finish();
+    EXPECT_THAT(result.complaints, testing::IsEmpty());
+    EXPECT_EQ(result.digest, summary.digest);
+    EXPECT_NEAR(result.volume, 1, 1e-12);
+  }
+}
+
+TEST(SharedVtkhdf, a_cell_that_does_not_fit_its_neighbours_is_not_assembled) {
+  const TempFolder folder;
+  HybridJob job(true);
+  Portion& last = job.portions.back();
+  std::swap(last.part.blocks[ElementType::hex].nodes[1],
+            last.part.blocks[ElementType::hex].nodes[3]);
+  last.shapes = {};
+  take_figures(std::vector<bool>(last.part.nodes.size()), {}, last);
+  EXPECT_THAT([&] { job.assemble(folder.path() / "mesh.vtkhdf"); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("faces of neighbours differ")));
 }
 
 }  // namespace
