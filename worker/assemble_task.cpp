@@ -65,7 +65,7 @@ class ResultFiles {
   Portion read(const LeafNumbers& leaf) {
     Portion portion = read_portion(io_, given_, leaf);
     const bool is_placed =
-        vtkhdf_ && !io_.is_apart() &&
+        vtkhdf_ && !io_.is_without_shared_store() &&
         vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
     if (!is_placed || ugrid_) read_cells(io_, given_, leaf, portion);
     return portion;

@@ -44,10 +44,10 @@ std::array<int, 2> make_pipe() {
 }
 
 /// The assignment as a file in memory: unlike a pipe it never blocks, however long it is.
-int assignment_fd(const wire::Assign& assign, bool is_apart) {
+int assignment_fd(const wire::Assign& assign, bool is_without_shared_store) {
   wire::TaskStart start;
   *start.mutable_assign() = assign;
-  start.set_apart(is_apart);
+  start.set_without_shared_store(is_without_shared_store);
   const std::string bytes = start.SerializeAsString();
   const int fd = ::memfd_create("tetfarm-task", MFD_CLOEXEC);
   if (fd < 0) throw IoError("cannot create a file in memory", "task", errno);
@@ -134,7 +134,7 @@ std::string frame_of(const wire::Envelope& envelope) {
 ChildTask::ChildTask(const ChildTaskOptions& options, const wire::Assign& assign)
     : task_(assign.task()), attempt_(assign.attempt()), start_(std::chrono::steady_clock::now()) {
   oom_kills_before_ = kernel_oom_kills();
-  int in = assignment_fd(assign, options.is_apart);
+  int in = assignment_fd(assign, options.is_without_shared_store);
   std::array<int, 2> frames = make_pipe();
   std::array<int, 2> words = make_pipe();
   process_ = start_process(options, {in, words[1], frames[1]});

@@ -28,7 +28,7 @@ struct ChildTaskOptions {
   std::vector<std::string> command;
   /// What the program works in: its last argument; "": none.
   std::string store = {};
-  bool is_apart = false;  ///< no other task sees that store
+  bool is_without_shared_store = false;  ///< no other task sees that store
   /// Starts the task instead of the program, where it can; not owned.
   TaskHost* host = nullptr;
   /// Limit of what the child may write to (heap, stacks, private maps; not files and shared ones

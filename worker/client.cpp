@@ -201,10 +201,10 @@ class Client {
 
   void carry_out(const StartChild& command) {
     try {
-      task_store_ = command.is_apart ? files_.store().folder() : options_.store;
+      task_store_ = command.is_without_shared_store ? files_.store().folder() : options_.store;
       const ChildTaskOptions child{.command = options_.task_command,
                                    .store = task_store_.string(),
-                                   .is_apart = command.is_apart,
+                                   .is_without_shared_store = command.is_without_shared_store,
                                    .host = &host_,
                                    .memory_limit_bytes = memory_of(options_)};
       child_.emplace(child, command.assign);

@@ -88,7 +88,8 @@ class ScratchOfAttempt {
 }  // namespace
 
 wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
-                        const TaskBody& body, const TaskIo::Say& say, bool is_apart) {
+                        const TaskBody& body, const TaskIo::Say& say,
+                        bool is_without_shared_store) {
   wire::Envelope envelope;
   try {
     if (!body) {
@@ -96,7 +97,7 @@ wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
                   "this worker cannot run tasks of kind " + std::to_string(assign.kind()));
     }
     const ScratchOfAttempt scratch(store, assign);
-    TaskIo io(store, assign, say, is_apart);
+    TaskIo io(store, assign, say, is_without_shared_store);
     body(io);
     *envelope.mutable_done() = io.done();
   } catch (...) {
@@ -106,10 +107,11 @@ wire::Envelope run_task(const ArtifactStore& store, const wire::Assign& assign,
 }
 
 wire::Envelope run_task_in(const std::filesystem::path& store_folder, const wire::Assign& assign,
-                           const TaskBody& body, const TaskIo::Say& say, bool is_apart) {
+                           const TaskBody& body, const TaskIo::Say& say,
+                           bool is_without_shared_store) {
   try {
     const ArtifactStore store = ArtifactStore::open_existing(store_folder);
-    return run_task(store, assign, body, say, is_apart);
+    return run_task(store, assign, body, say, is_without_shared_store);
   } catch (...) {
     wire::Envelope envelope;
     *envelope.mutable_failed() = caught_failure(nullptr);

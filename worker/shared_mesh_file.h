@@ -7,7 +7,8 @@
 namespace tetfarm {
 
 /// In the scratch folder of the store. Its name is that of the job and of what decides on the
-/// places, so no two meshes share one; who runs apart has one that nobody else sees.
+/// places, so no two meshes share one; who runs without a shared store has one that nobody else
+/// sees.
 SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const TaskFile& numbering);
 
 }  // namespace tetfarm

@@ -37,12 +37,13 @@ TaskWords given_words(const wire::Assign& assign) {
   return words;
 }
 
-TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart)
+TaskIo::TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say,
+               bool is_without_shared_store)
     : store_(store),
       assign_(assign),
       say_(std::move(say)),
       progress_([this](const WorkCount& count) { pass_on(count); }),
-      is_apart_(is_apart) {
+      is_without_shared_store_(is_without_shared_store) {
   for (const wire::Artifact& input : assign.inputs()) hash2input_[input.hash()] = &input;
 }
 

@@ -89,7 +89,8 @@ class TaskIo {
  public:
   using Say = std::function<void(const wire::Doing&)>;
 
-  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say, bool is_apart = false);
+  TaskIo(const ArtifactStore& store, const wire::Assign& assign, Say say,
+         bool is_without_shared_store = false);
   TaskIo(const TaskIo&) = delete;
   TaskIo& operator=(const TaskIo&) = delete;
 
@@ -126,7 +127,7 @@ class TaskIo {
   }
   const wire::Assign& assign() const { return assign_; }
   /// Whether no other task sees this store.
-  bool is_apart() const { return is_apart_; }
+  bool is_without_shared_store() const { return is_without_shared_store_; }
 
   TaskFile publish(std::string_view bytes);
 
@@ -165,7 +166,7 @@ class TaskIo {
   WorkProgress progress_;
   std::bitset<work_stages> said_stages_;
   std::chrono::steady_clock::time_point last_said_;
-  bool is_apart_;
+  bool is_without_shared_store_;
 };
 
 }  // namespace tetfarm

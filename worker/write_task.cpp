@@ -45,7 +45,7 @@ void place(const TaskIo& io, const WriteGiven& given, const SurfaceInput& surfac
   const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
   if (!is_wanted || !numbering.first_face) return;
   SharedFile file = shared_mesh_file(io, given.surface, given.numbering);
-  if (io.is_apart()) file.path.clear();
+  if (io.is_without_shared_store()) file.path.clear();
   portion.placed =
       place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
 }

@@ -58,7 +58,7 @@ struct LowTet {
   }
 };
 
-struct HeightRaiser {
+struct AltitudeImprover {
   WorkMesh& work;
   const HeightOptions& options;
   std::priority_queue<LowTet> queue;
@@ -95,48 +95,48 @@ std::optional<Place> find_higher_place(const WorkMesh& work, const std::vector<s
 }
 
 /// Moves the nodes of the tet; true when one of them moved.
-bool raise(HeightRaiser& raiser, const LowTet& low) {
-  WorkMesh& work = raiser.work;
+bool raise(AltitudeImprover& improver, const LowTet& low) {
+  WorkMesh& work = improver.work;
   bool moved = false;
   for (const std::int32_t node : Tet(work.tet(low.tet))) {
-    std::int64_t& settled = raiser.node2settled[at(node)];
+    std::int64_t& settled = improver.node2settled[at(node)];
     if (!work.may_move(node) || settled >= work.node2change[at(node)]) continue;
     const std::vector<std::int32_t> ball = ball_of_node(work, node);
     const auto place = is_inner(work, ball, node)
-                           ? find_higher_place(work, ball, node, raiser.options)
+                           ? find_higher_place(work, ball, node, improver.options)
                            : std::nullopt;
     if (!place || !move_node(work, ball, node, place->point)) {
       settled = work.changes;
       continue;
     }
-    for (const std::int32_t t : ball) raiser.queue_if_low(t);
+    for (const std::int32_t t : ball) improver.queue_if_low(t);
     moved = true;
   }
   return moved;
 }
 
 /// Moves the nodes round the tet together; the tets that were changed, or none.
-std::vector<std::int32_t> raise_together(HeightRaiser& raiser, std::int32_t tet) {
-  WorkMesh& work = raiser.work;
+std::vector<std::int32_t> raise_together(AltitudeImprover& improver, std::int32_t tet) {
+  WorkMesh& work = improver.work;
   NodePatch patch = patch_round(work, tet);
   if (patch.nodes.empty()) return {};
   const Vec3& here = work.point(patch.nodes.front());
-  HeightMeasure measure{wanted2_at(here, raiser.options), 0, HUGE_VAL};
+  HeightMeasure measure{wanted2_at(here, improver.options), 0, HUGE_VAL};
   measure.lowest_at_first = worst_in(patch, -HUGE_VAL, measure);
-  measure.floor = std::min(raiser.options.floor, worst_of(work, patch.tets));
+  measure.floor = std::min(improver.options.floor, worst_of(work, patch.tets));
   const double after = climb_together(patch, 1, measure);
   if (!is_worth(measure.lowest_at_first, after) || !move_patch(work, patch)) return {};
   return std::move(patch.tets);
 }
 
 /// Fills a cavity round the tet with other tets of the same nodes; those, or none.
-std::vector<std::int32_t> reconnect_higher(HeightRaiser& raiser, std::int32_t tet) {
-  WorkMesh& work = raiser.work;
-  const double wanted2 = wanted2_at(work.point(work.tet(tet)[0]), raiser.options);
+std::vector<std::int32_t> reconnect_higher(AltitudeImprover& improver, std::int32_t tet) {
+  WorkMesh& work = improver.work;
+  const double wanted2 = wanted2_at(work.point(work.tet(tet)[0]), improver.options);
   ReconnectionOptions options;
   options.enough = 1;
-  options.measure = HeightMeasure{wanted2, std::min(raiser.options.floor, work.quality_of(tet)),
-                                  raiser.height2_of(tet) / wanted2};
+  options.measure = HeightMeasure{wanted2, std::min(improver.options.floor, work.quality_of(tet)),
+                                  improver.height2_of(tet) / wanted2};
   const auto found = find_reconnection(work, tet, options);
   return found ? replace_tets(work, *found) : std::vector<std::int32_t>{};
 }
@@ -192,14 +192,14 @@ std::optional<Place> find_traded_place(const WorkMesh& work, const std::vector<s
 }
 
 /// Buys height with angle at a node of the tet; the tets that were changed, or none.
-std::vector<std::int32_t> trade_angle_for_height(HeightRaiser& raiser, std::int32_t tet) {
-  WorkMesh& work = raiser.work;
+std::vector<std::int32_t> trade_angle_for_height(AltitudeImprover& improver, std::int32_t tet) {
+  WorkMesh& work = improver.work;
   for (const std::int32_t node : Tet(work.tet(tet))) {
     if (!work.may_move(node)) continue;
     std::vector<std::int32_t> ball = ball_of_node(work, node);
     if (!is_inner(work, ball, node)) continue;
     bool moved = false;
-    while (const auto place = find_traded_place(work, ball, node, raiser.options)) {
+    while (const auto place = find_traded_place(work, ball, node, improver.options)) {
       if (!move_node(work, ball, node, place->point)) break;
       moved = true;
     }
@@ -210,25 +210,25 @@ std::vector<std::int32_t> trade_angle_for_height(HeightRaiser& raiser, std::int3
 
 /// What no node could raise by itself is raised by neighbours together or by other tets of the same
 /// nodes, or else for some of the angle, lowest first whatever is wanted there.
-void raise_lowest_together(HeightRaiser& raiser) {
+void raise_lowest_together(AltitudeImprover& improver) {
   std::priority_queue<LowTet> queue;
   const auto queue_if_low = [&](std::int32_t t) {
-    if (raiser.share2_of(t) < 1) queue.push({raiser.height2_of(t), t});
+    if (improver.share2_of(t) < 1) queue.push({improver.height2_of(t), t});
   };
-  const auto tets = static_cast<std::int32_t>(raiser.work.complex.nodes.size());
+  const auto tets = static_cast<std::int32_t>(improver.work.complex.nodes.size());
   for (std::int32_t t = 0; t < tets; ++t) {
-    if (raiser.work.complex.is_live(t)) queue_if_low(t);
+    if (improver.work.complex.is_live(t)) queue_if_low(t);
   }
   std::int64_t failures = 0;
-  while (!queue.empty() && failures < raiser.options.most_joint_failures) {
+  while (!queue.empty() && failures < improver.options.most_joint_failures) {
     const LowTet low = queue.top();
     queue.pop();
     const bool is_current =
-        raiser.work.complex.is_live(low.tet) && raiser.height2_of(low.tet) == low.key;
+        improver.work.complex.is_live(low.tet) && improver.height2_of(low.tet) == low.key;
     if (!is_current) continue;
-    std::vector<std::int32_t> changed = raise_together(raiser, low.tet);
-    if (changed.empty()) changed = reconnect_higher(raiser, low.tet);
-    if (changed.empty()) changed = trade_angle_for_height(raiser, low.tet);
+    std::vector<std::int32_t> changed = raise_together(improver, low.tet);
+    if (changed.empty()) changed = reconnect_higher(improver, low.tet);
+    if (changed.empty()) changed = trade_angle_for_height(improver, low.tet);
     if (changed.empty()) ++failures;
     for (const std::int32_t t : changed) queue_if_low(t);
   }
@@ -251,24 +251,25 @@ double smallest_height2(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
 }
 
 std::int64_t improve_altitudes(WorkMesh& work, const HeightOptions& options) {
-  HeightRaiser raiser{work, options, {}, std::vector<std::int64_t>(work.node2change.size(), -1)};
+  AltitudeImprover improver{
+      work, options, {}, std::vector<std::int64_t>(work.node2change.size(), -1)};
   for (std::size_t t = 0; t < work.complex.nodes.size(); ++t) {
     const auto tet = static_cast<std::int32_t>(t);
     if (!work.complex.is_live(tet)) continue;
     if (options.is_high_at_first && options.is_high_at_first(tet) && work.is_untouched(tet)) {
       continue;
     }
-    raiser.queue_if_low(tet);
+    improver.queue_if_low(tet);
   }
   const std::int64_t before = work.changes;
   std::int64_t stuck = 0;
-  while (!raiser.queue.empty() && stuck < options.most_stuck) {
-    const LowTet low = raiser.queue.top();
-    raiser.queue.pop();
-    if (raiser.share2_of(low.tet) != low.key) continue;
-    if (!raise(raiser, low)) ++stuck;
+  while (!improver.queue.empty() && stuck < options.most_stuck) {
+    const LowTet low = improver.queue.top();
+    improver.queue.pop();
+    if (improver.share2_of(low.tet) != low.key) continue;
+    if (!raise(improver, low)) ++stuck;
   }
-  if (options.most_joint_failures > 0) raise_lowest_together(raiser);
+  if (options.most_joint_failures > 0) raise_lowest_together(improver);
   return work.changes - before;
 }
 

@@ -45,14 +45,13 @@ inline TaskRow inspected(double parts) {
 }
 
 /// A job file that asks for so many parts and groups; its size tells the make-believe inspect task.
-inline ArtifactRef make_believe_job(std::uint64_t parts, std::uint64_t groups) {
+inline ArtifactRef fake_job(std::uint64_t parts, std::uint64_t groups) {
   const std::uint64_t size = parts * 1000 + groups;
   return {"job", hash128("job " + std::to_string(size)).hex(), size};
 }
 
 /// Every third leaf goes to the same group.
-inline void assimilate_make_believe(const TaskRow& task, const std::string& seed,
-                                    TaskResult& result) {
+inline void assimilate_fakes(const TaskRow& task, const std::string& seed, TaskResult& result) {
   std::map<std::size_t, std::string> group2first;
   std::size_t leaves = 0;
   for (const ArtifactRef& input : task.inputs) {
@@ -69,7 +68,7 @@ inline void assimilate_make_believe(const TaskRow& task, const std::string& seed
   result.outputs.push_back(fake_file("dropped", seed + "dropped"));
 }
 
-inline void decompose_make_believe(const std::string& seed, TaskResult& result) {
+inline void decompose_fake(const std::string& seed, TaskResult& result) {
   const Hash128 hash = hash128(seed);
   if (hash.high % 7 == 0) {
     result.texts["reason"] = "no valid plane";
@@ -91,7 +90,7 @@ inline void require_given(const TaskRow& task) {
   if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 
-inline TaskResult run_make_believe(const TaskRow& task) {
+inline TaskResult run_fake_task(const TaskRow& task) {
   require_given(task);
   const std::string seed = work_name(task);
   const Hash128 hash = hash128(seed);
@@ -115,10 +114,10 @@ inline TaskResult run_make_believe(const TaskRow& task) {
       break;
     }
     case TaskKind::decompose:
-      decompose_make_believe(seed, result);
+      decompose_fake(seed, result);
       break;
     case TaskKind::assimilate:
-      assimilate_make_believe(task, seed, result);
+      assimilate_fakes(task, seed, result);
       break;
     case TaskKind::mesh:
       add("mesh");

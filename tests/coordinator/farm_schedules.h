@@ -81,9 +81,9 @@ inline Wish wish_of(std::uint64_t seed) {
   Wish wish;
   const std::uint64_t groups = random.chance(0.3) ? 3 : 0;
   const auto parts = static_cast<std::uint64_t>(groups > 0 ? 8 : 2 + random.pick(6));
-  wish.jobs.push_back(make_believe_job(random.chance(0.1) ? 12 : parts, groups));
+  wish.jobs.push_back(fake_job(random.chance(0.1) ? 12 : parts, groups));
   if (random.chance(0.15)) {
-    wish.jobs.push_back(make_believe_job(2 + static_cast<std::uint64_t>(random.pick(5)), 0));
+    wish.jobs.push_back(fake_job(2 + static_cast<std::uint64_t>(random.pick(5)), 0));
   }
   if (random.chance(0.1)) wish.hopeless = 4 + static_cast<std::uint64_t>(random.pick(4));
   if (random.chance(0.2)) {

@@ -149,7 +149,7 @@ class Worker {
  private:
   struct Child {
     wire::Assign assign;
-    bool is_apart = false;
+    bool is_without_shared_store = false;
     bool is_overdue = false;
     std::int64_t started_ms = 0;
     std::int64_t wakes_ms = 0;
@@ -218,7 +218,7 @@ class Worker {
     const bool hangs = world.random.chance(world.trouble.hang);
     const std::int64_t slowest = world.random.chance(0.1) ? 3000 : 300;
     child_ = Child{.assign = command.assign,
-                   .is_apart = command.is_apart,
+                   .is_without_shared_store = command.is_without_shared_store,
                    .started_ms = world.now_ms,
                    .wakes_ms = hangs ? never_ms : world.now_ms + 10 + world.random.pick(slowest)};
   }
@@ -297,17 +297,17 @@ class Worker {
       if (const std::optional<TaskFailure> failure = mishap(task, world)) {
         return end_child(failed_message(assign, *failure), world);
       }
-      TaskResult& result = child_->result.emplace(run_make_believe(task));
+      TaskResult& result = child_->result.emplace(run_fake_task(task));
       result.seconds = static_cast<double>(world.now_ms - child_->started_ms) / 1000;
       result.peak_rss_bytes = room_of(task);
-      if (!child_->is_apart) {
+      if (!child_->is_without_shared_store) {
         for (const ArtifactRef& file : result.outputs) world.disk.rename(file, host_);
         child_->wakes_ms = world.now_ms + sync_ms;
         if (!result.outputs.empty()) return;
       }
     }
     const TaskResult result = std::move(*child_->result);
-    if (!child_->is_apart) {
+    if (!child_->is_without_shared_store) {
       for (const ArtifactRef& file : result.outputs) world.disk.sync(file);
     }
     end_child(done_message(assign, result), world);
@@ -319,7 +319,7 @@ class Worker {
     TaskFailure failure;
     for (const ArtifactRef& input : task.inputs) {
       // What has been fetched is the worker's own.
-      const bool is_at_hand = child_->is_apart || world.disk.has(input);
+      const bool is_at_hand = child_->is_without_shared_store || world.disk.has(input);
       if (!is_at_hand) failure.damaged_inputs.push_back(input.hash);
     }
     const bool errs = !failure.damaged_inputs.empty() || host_ == world.bad_host ||

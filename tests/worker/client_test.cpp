@@ -419,15 +419,16 @@ TEST_F(WorkerClient, a_task_that_runs_beyond_its_limit_is_ended_and_that_is_no_e
   hear(Body::kReady);
 }
 
-TEST_F(WorkerClient, a_full_disk_of_a_worker_apart_is_its_own_and_that_of_the_store_everybodys) {
+TEST_F(WorkerClient,
+       a_full_disk_of_a_worker_without_a_shared_store_is_its_own_and_that_of_the_store_everybodys) {
   wire::Envelope full;
   full.mutable_failed()->set_message("no space");
   full.mutable_failed()->set_cause(on_wire(FailureCause::disk_full));
   start(printed(full));
   get_task_5(false);
-  const wire::Failed apart = hear(Body::kFailed).failed();
-  EXPECT_EQ(apart.message(), "no space");
-  EXPECT_EQ(apart.cause(), on_wire(FailureCause::killed));
+  const wire::Failed own = hear(Body::kFailed).failed();
+  EXPECT_EQ(own.message(), "no space");
+  EXPECT_EQ(own.cause(), on_wire(FailureCause::killed));
   welcome(true);
   accept(5, 9, true);
   hear(Body::kReady);

@@ -91,7 +91,7 @@ class CosmeticTasks : public ::testing::Test {
     }
     assign.mutable_parameters()->insert(parameters.begin(), parameters.end());
     return run_task(
-        store_, assign, body, [](const wire::Doing&) {}, is_apart_);
+        store_, assign, body, [](const wire::Doing&) {}, is_without_shared_store_);
   }
 
   wire::Done run(const TaskBody& body, std::uint64_t path, const Files& inputs,
@@ -223,7 +223,7 @@ class CosmeticTasks : public ::testing::Test {
   std::map<std::uint64_t, wire::Artifact> extracted_;
   std::map<std::uint64_t, wire::Artifact> mended_;
   wire::Done order_;
-  bool is_apart_ = false;
+  bool is_without_shared_store_ = false;
   std::map<std::uint64_t, Turn> turns_;
 };
 
@@ -257,7 +257,7 @@ TEST_F(CosmeticTasks, a_worker_without_the_store_writes_the_same_portions_and_th
   const Files files = written();
   const wire::Done done = run(assemble_task, 0, files);
   empty_scratch();
-  is_apart_ = true;
+  is_without_shared_store_ = true;
   const Files apart = written();
   for (const auto& [name, artifact] : files) {
     EXPECT_EQ(apart.at(name).hash(), artifact.hash()) << name;

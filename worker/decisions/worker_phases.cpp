@@ -10,7 +10,7 @@ using S = WorkerStep;
 
 constexpr std::array phases = {
     WorkerTransition{P::idle, S::assigned, P::running},
-    WorkerTransition{P::idle, S::assigned_apart, P::fetching},
+    WorkerTransition{P::idle, S::assigned_without_shared_store, P::fetching},
     WorkerTransition{P::idle, S::left, P::gone},
     WorkerTransition{P::idle, S::refused, P::gone},
 
@@ -22,13 +22,13 @@ constexpr std::array phases = {
 
     WorkerTransition{P::running, S::start_failed, P::telling},
     WorkerTransition{P::running, S::child_ended, P::telling},
-    WorkerTransition{P::running, S::child_ended_apart, P::uploading},
+    WorkerTransition{P::running, S::child_ended_without_shared_store, P::uploading},
     WorkerTransition{P::running, S::limit_passed, P::overdue},
     WorkerTransition{P::running, S::released, P::idle},
     WorkerTransition{P::running, S::refused, P::gone},
 
     WorkerTransition{P::overdue, S::child_ended, P::telling},
-    WorkerTransition{P::overdue, S::child_ended_apart, P::uploading},
+    WorkerTransition{P::overdue, S::child_ended_without_shared_store, P::uploading},
     WorkerTransition{P::overdue, S::released, P::idle},
     WorkerTransition{P::overdue, S::refused, P::gone},
 
@@ -88,10 +88,12 @@ const char* name_of(WorkerPhase phase) {
 }
 
 const char* name_of(WorkerStep step) {
-  constexpr std::array names = {"assigned",         "assigned_apart",    "inputs_came",
-                                "input_is_damaged", "files_failed",      "start_failed",
-                                "child_ended",      "child_ended_apart", "limit_passed",
-                                "outputs_went",     "released",          "left",
+  constexpr std::array names = {"assigned",     "assigned_without_shared_store",
+                                "inputs_came",  "input_is_damaged",
+                                "files_failed", "start_failed",
+                                "child_ended",  "child_ended_without_shared_store",
+                                "limit_passed", "outputs_went",
+                                "released",     "left",
                                 "refused"};
   return names.at(static_cast<std::size_t>(step));
 }

@@ -20,19 +20,19 @@ enum class WorkerPhase {
 };
 
 enum class WorkerStep {
-  assigned,           ///< a task whose inputs are at hand
-  assigned_apart,     ///< a task whose inputs have to come
-  inputs_came,        ///< all of them
-  input_is_damaged,   ///< at the coordinator, too
-  files_failed,       ///< a full or broken disk, or a damaged output
-  start_failed,       ///< no process could be had
-  child_ended,        ///< with a result, good or bad
-  child_ended_apart,  ///< the same, with files that have to go
-  limit_passed,       ///< of the process's time
-  outputs_went,       ///< all of them
-  released,           ///< the attempt is accepted, stale, not wanted, or handed back
-  left,               ///< a draining worker, with nothing at hand
-  refused,            ///< the coordinator does not want this worker
+  assigned,                          ///< a task whose inputs are at hand
+  assigned_without_shared_store,     ///< a task whose inputs have to come
+  inputs_came,                       ///< all of them
+  input_is_damaged,                  ///< at the coordinator, too
+  files_failed,                      ///< a full or broken disk, or a damaged output
+  start_failed,                      ///< no process could be had
+  child_ended,                       ///< with a result, good or bad
+  child_ended_without_shared_store,  ///< the same, with files that have to go
+  limit_passed,                      ///< of the process's time
+  outputs_went,                      ///< all of them
+  released,                          ///< the attempt is accepted, stale, not wanted, or handed back
+  left,                              ///< a draining worker, with nothing at hand
+  refused,                           ///< the coordinator does not want this worker
 };
 
 struct WorkerTransition {

@@ -181,12 +181,13 @@ void WorkerState::take_assign(const wire::Assign& assign, std::int64_t now_ms) {
   ask_ms_ = never_ms;
   attempt_ = Attempt{};
   attempt_->assign = assign;
-  attempt_->is_apart = !sees_store_;
+  attempt_->is_without_shared_store = !sees_store_;
   const std::optional<TaskKind> kind = task_kind_on_wire(assign.kind());
   log(assign.job() + " " + attempt_name() + ": " + (kind ? name_of(*kind) : "unknown kind") + " " +
       std::to_string(assign.path()));
-  step(attempt_->is_apart ? WorkerStep::assigned_apart : WorkerStep::assigned);
-  if (!attempt_->is_apart) return start_child(now_ms);
+  step(attempt_->is_without_shared_store ? WorkerStep::assigned_without_shared_store
+                                         : WorkerStep::assigned);
+  if (!attempt_->is_without_shared_store) return start_child(now_ms);
   commands_.push_back(FetchInputs{attempt_->assign});
 }
 
@@ -198,7 +199,7 @@ void WorkerState::inputs_came(std::int64_t now_ms) {
 
 void WorkerState::start_child(std::int64_t now_ms) {
   attempt_->started_ms = now_ms;
-  commands_.push_back(StartChild{attempt_->assign, attempt_->is_apart});
+  commands_.push_back(StartChild{attempt_->assign, attempt_->is_without_shared_store});
 }
 
 void WorkerState::child_does(const wire::Doing& doing) {
@@ -246,13 +247,15 @@ void WorkerState::fail(WorkerStep step_taken, const Error& error, std::int64_t n
 
 /// A full disk of this worker alone must not stop the others: the task goes elsewhere.
 void WorkerState::blame_own_disk(wire::Failed& failed) const {
-  if (!attempt_->is_apart || failed.cause() != on_wire(FailureCause::disk_full)) return;
+  if (!attempt_->is_without_shared_store || failed.cause() != on_wire(FailureCause::disk_full))
+    return;
   failed.set_cause(on_wire(FailureCause::killed));
 }
 
 void WorkerState::child_ended(wire::Envelope outcome, std::int64_t now_ms) {
   if (!is_running()) return;
-  step(attempt_->is_apart ? WorkerStep::child_ended_apart : WorkerStep::child_ended);
+  step(attempt_->is_without_shared_store ? WorkerStep::child_ended_without_shared_store
+                                         : WorkerStep::child_ended);
   if (outcome.has_failed()) {
     log(attempt_name() + ": " + outcome.failed().message(), true);
     blame_own_disk(*outcome.mutable_failed());
@@ -389,7 +392,8 @@ std::vector<std::string> WorkerState::validate() const {
   if (attempt_.has_value() != holds) broken.push_back(in + "an attempt is held, or is not");
   if (attempt_ && attempt_->assign.attempt() == 0) broken.push_back(in + "its number is 0");
   if (result_.has_value() != has_result) broken.push_back(in + "a result is held, or is not");
-  if (moves_files && !attempt_->is_apart) broken.push_back(in + "files move in a shared store");
+  if (moves_files && !attempt_->is_without_shared_store)
+    broken.push_back(in + "files move in a shared store");
   if (phase_ == WorkerPhase::idle && is_draining()) broken.push_back(in + "a draining idle worker");
   return broken;
 }

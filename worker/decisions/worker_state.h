@@ -10,7 +10,7 @@
 /// accepted. Invariants, checked by validate():
 ///  1. An attempt is held exactly in the phases from fetching to telling; its number is not 0.
 ///  2. A result is held exactly while its files go and until it is accepted, and names the attempt.
-///  3. Files come and go only for a task that runs apart from the coordinator's store.
+///  3. Files come and go only for a task that runs without the coordinator's store.
 ///  4. A draining worker that holds nothing is gone.
 ///  5. A worker that is gone does nothing any more.
 /// Units: times in milliseconds, of a clock that never goes back.
@@ -40,7 +40,7 @@ struct SayHello {
 struct SendMessage {
   wire::Envelope envelope;
 };
-/// For the files of a task that runs apart: room_was_looked_for().
+/// For the files of a task that runs without the coordinator's store: room_was_looked_for().
 struct LookForRoom {};
 /// inputs_came(), input_is_damaged() or files_failed(), at once or later.
 struct FetchInputs {
@@ -49,7 +49,7 @@ struct FetchInputs {
 /// child_did_not_start(), or child_does() and in the end child_ended().
 struct StartChild {
   wire::Assign assign;
-  bool is_apart = false;  ///< in the worker's own store
+  bool is_without_shared_store = false;  ///< in the worker's own store
 };
 /// It took longer than it may; child_ended() follows.
 struct EndOverdueChild {
@@ -110,7 +110,7 @@ class WorkerState {
   /// With a Done or a Failed.
   void child_ended(wire::Envelope outcome, std::int64_t now_ms);
 
-  // The files of a task that runs apart.
+  // The files of a task that runs without the coordinator's store.
   void room_was_looked_for(bool has_room, std::int64_t now_ms);
   void inputs_came(std::int64_t now_ms);
   void input_is_damaged(const std::string& hash, std::int64_t now_ms);
@@ -134,7 +134,7 @@ class WorkerState {
  private:
   struct Attempt {
     wire::Assign assign;
-    bool is_apart = false;
+    bool is_without_shared_store = false;
     std::int64_t started_ms = 0;
     wire::Doing doing;  ///< what its process said last
   };

@@ -51,7 +51,7 @@ class Finished : public JobStateTest {
   }
   /// The job of four parts, of which the mesh of sub-domain 6 crashes until it is in quarantine.
   JobId run_into_quarantine() {
-    const ArtifactRef file = make_believe_job(4, 0);
+    const ArtifactRef file = fake_job(4, 0);
     files_.insert(file.hash);
     const JobId id =
         state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_).job;
@@ -116,7 +116,7 @@ TEST_F(Finished, numbers_of_tasks_are_never_given_out_again) {
 }
 
 TEST_F(Finished, a_result_that_is_said_once_more_is_known_to_be_taken) {
-  const ArtifactRef file = make_believe_job(2, 0);
+  const ArtifactRef file = fake_job(2, 0);
   files_.insert(file.hash);
   state_->submit({"key", "wing", "toml", to_inspect(file, surface_)}, now_);
   worker_ = add_worker({.nonce = "one"});
@@ -126,7 +126,7 @@ TEST_F(Finished, a_result_that_is_said_once_more_is_known_to_be_taken) {
     ASSERT_TRUE(finish(worker_, assign));
   }
   ASSERT_EQ(let_go(), 1U);
-  const TaskResult result = run_make_believe(*record_.row_of(last.task));
+  const TaskResult result = run_fake_task(*record_.row_of(last.task));
   state_->done(worker_, last.task, last.attempt, result, now_);
   EXPECT_TRUE(answer());
   state_->done(worker_, last.task, AttemptId{last.attempt.value - 1}, result, now_);
@@ -163,8 +163,7 @@ TEST_F(Finished, a_job_that_is_submitted_again_is_read_only_where_a_result_is_lo
   ASSERT_EQ(let_go(), 1U);
   const std::string key = record_.state().jobs.at(job).key;
   const auto submit_again = [&] {
-    return state_->submit({key, "wing", "toml", to_inspect(make_believe_job(2, 0), surface_)},
-                          now_);
+    return state_->submit({key, "wing", "toml", to_inspect(fake_job(2, 0), surface_)}, now_);
   };
   EXPECT_TRUE(submit_again().existed);
   EXPECT_FALSE(state_->is_at_hand(job));
@@ -258,15 +257,15 @@ TEST_F(Finished, figures_count_tasks_of_jobs_that_left_memory_once) {
 TEST_F(Finished, what_tasks_of_a_kind_took_is_known_after_a_restart) {
   submit();
   const SendAssign inspect = next(add_worker({.nonce = "one"}));
-  TaskResult result = run_make_believe(task(inspect.task));
+  TaskResult result = run_fake_task(task(inspect.task));
   for (const ArtifactRef& file : result.outputs) files_.insert(file.hash);
   result.seconds = 3;
   state_->done(WorkerId{1}, inspect.task, inspect.attempt, result, now_);
   state_->cancel(JobId{1}, now_);
   ASSERT_EQ(let_go(), 1U);
   restart();
-  files_.insert(make_believe_job(2, 0).hash);
-  state_->submit({"another", "duct", "toml", to_inspect(make_believe_job(2, 0), surface_)}, now_);
+  files_.insert(fake_job(2, 0).hash);
+  state_->submit({"another", "duct", "toml", to_inspect(fake_job(2, 0), surface_)}, now_);
   commit();
   const TaskId other = state_->durable().tasks.begin()->first;
   EXPECT_EQ(state_->outlook(other, now_).expected_seconds, 3);

@@ -21,7 +21,7 @@ class FurtherCuts : public JobStateTest {
     fail(worker_, assign, failure);
   }
   JobId begin(std::uint64_t parts, std::uint64_t groups = 0) {
-    const ArtifactRef file = make_believe_job(parts, groups);
+    const ArtifactRef file = fake_job(parts, groups);
     files_.insert(file.hash);
     const SubmitAnswer submitted =
         state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_);

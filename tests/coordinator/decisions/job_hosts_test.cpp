@@ -17,7 +17,7 @@ class BadHost : public JobStateTest {
   }
   /// A job of its own: no other has done any of its work.
   JobId submit_job(std::uint64_t parts) {
-    const ArtifactRef file = make_believe_job(parts, 0);
+    const ArtifactRef file = fake_job(parts, 0);
     files_.insert(file.hash);
     const JobId job =
         state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_)}, now_).job;

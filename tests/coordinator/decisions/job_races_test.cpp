@@ -99,7 +99,7 @@ class Expectations : public JobStateTest {
     submit();
     worker_ = new_worker();
     run_until_meshes();
-    TaskResult result = run_make_believe(task(held_.task));
+    TaskResult result = run_fake_task(task(held_.task));
     for (const ArtifactRef& file : result.outputs) files_.insert(file.hash);
     result.seconds = seconds;
     result.peak_rss_bytes = bytes;
@@ -217,7 +217,7 @@ TEST_F(Races, a_late_task_is_raced_when_nothing_else_is_ready_and_the_first_resu
 
 TEST_F(Races, the_slower_worker_is_told_to_end) {
   leave_one_late();
-  const TaskResult result = run_make_believe(task(first_.task));
+  const TaskResult result = run_fake_task(task(first_.task));
   for (const ArtifactRef& file : result.outputs) files_.insert(file.hash);
   state_->done(slow_, first_.task, first_.attempt, result, now_);
   bool told = false;

@@ -103,7 +103,7 @@ TEST_F(Recovery, two_attempts_of_one_task_may_run_out_of_their_leases_at_once) {
   restart();
   run_job(2, 0);
   // A second run of the same kind is expected to take no time, and is raced at once.
-  const ArtifactRef other = make_believe_job(3, 0);
+  const ArtifactRef other = fake_job(3, 0);
   files_.insert(other.hash);
   state_->worker_left(worker_, false, now_);
   state_->submit({"other", "wing", "toml", to_inspect(other, surface_)}, now_);

@@ -73,14 +73,14 @@ class JobStateTest : public testing::Test {
     return assign;
   }
   bool finish(WorkerId worker, const SendAssign& assign) {
-    const TaskResult result = run_make_believe(task(assign.task));
+    const TaskResult result = run_fake_task(task(assign.task));
     for (const ArtifactRef& file : result.outputs) files_.insert(file.hash);
     state_->done(worker, assign.task, assign.attempt, result, now_);
     return answer();
   }
   /// Submits the job of so many parts and groups, as `run` does, and brings it to its end.
   JobId run_job(std::uint64_t parts, std::uint64_t groups) {
-    const ArtifactRef file = make_believe_job(parts, groups);
+    const ArtifactRef file = fake_job(parts, groups);
     files_.insert(file.hash);
     const SubmitAnswer submitted =
         state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_), true}, now_);

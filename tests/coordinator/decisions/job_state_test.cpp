@@ -308,7 +308,7 @@ TEST_F(JobStateTest, a_result_whose_files_are_not_in_the_store_is_refused) {
   submit();
   worker_ = new_worker();
   const SendAssign assign = next(worker_);
-  state_->done(worker_, assign.task, assign.attempt, run_make_believe(task(assign.task)), now_);
+  state_->done(worker_, assign.task, assign.attempt, run_fake_task(task(assign.task)), now_);
   EXPECT_FALSE(answer());
   EXPECT_EQ(task(assign.task).state, TaskState::ready);
 }
@@ -336,7 +336,7 @@ TEST_F(JobStateTest, other_bytes_the_second_time_fail_the_job) {
   next(worker_);
   const SendAssign again = next(worker_);
   ASSERT_EQ(again.task, inspect.task);
-  TaskResult other = run_make_believe(task(again.task));
+  TaskResult other = run_fake_task(task(again.task));
   other.outputs.front() = fake_file("surface", "other");
   files_.insert(other.outputs.front().hash);
   files_.insert(find_file(other.outputs, "root")->hash);
@@ -444,7 +444,7 @@ TEST_F(RestartWithAnotherCount, results_of_another_program_do_not_serve) {
 }
 
 TEST_F(RestartWithAnotherCount, the_job_that_is_replaced_stops) {
-  const ArtifactRef file = make_believe_job(4, 0);
+  const ArtifactRef file = fake_job(4, 0);
   files_.insert(file.hash);
   worker_ = new_worker();
   state_->submit({"four", "wing", "toml", to_inspect(file, surface_), true}, now_);

@@ -161,7 +161,7 @@ class WorkerStateTest : public testing::Test {
     assign(5, 9);
     EXPECT_THAT(does(), ElementsAre("connect", "hello", "look for room", "ready", "fetch"));
   }
-  void run_task_5_apart() {
+  void run_task_5_without_shared_store() {
     fetch_task_5();
     state_.inputs_came(now_);
     EXPECT_THAT(does(), ElementsAre("start"));
@@ -320,7 +320,7 @@ TEST_F(WorkerStateTest, heartbeats_name_the_attempt_and_what_it_does_and_nothing
 TEST_F(WorkerStateTest, runs_the_task_that_it_gets) {
   run_task_5();
   EXPECT_EQ(last<StartChild>().assign.attempt(), 9U);
-  EXPECT_FALSE(last<StartChild>().is_apart);
+  EXPECT_FALSE(last<StartChild>().is_without_shared_store);
   EXPECT_EQ(state_.phase(), WorkerPhase::running);
 }
 
@@ -454,7 +454,7 @@ TEST_F(WorkerStateTest, the_limit_does_not_count_while_inputs_come) {
   EXPECT_EQ(state_.phase(), WorkerPhase::overdue);
 }
 
-// ---- files of a task that runs apart
+// ---- files of a task that runs without a shared store
 
 TEST_F(WorkerStateTest, that_does_not_see_the_store_fetches_inputs_before_its_task_runs) {
   fetch_task_5();
@@ -462,7 +462,7 @@ TEST_F(WorkerStateTest, that_does_not_see_the_store_fetches_inputs_before_its_ta
   EXPECT_TRUE(state_.may_move_files());
   state_.inputs_came(now_);
   EXPECT_THAT(does(), ElementsAre("start"));
-  EXPECT_TRUE(last<StartChild>().is_apart);
+  EXPECT_TRUE(last<StartChild>().is_without_shared_store);
   EXPECT_FALSE(state_.may_move_files());
 }
 
@@ -477,7 +477,7 @@ TEST_F(WorkerStateTest, says_once_that_files_are_transferred) {
 }
 
 TEST_F(WorkerStateTest, sends_outputs_before_it_tells_the_result_and_asks_only_afterwards) {
-  run_task_5_apart();
+  run_task_5_without_shared_store();
   state_.child_ended(done_message(), now_);
   EXPECT_THAT(does(), ElementsAre("upload"));
   EXPECT_TRUE(state_.may_move_files());
@@ -540,10 +540,11 @@ TEST_F(WorkerStateTest, its_own_full_disk_is_not_that_of_all) {
   EXPECT_EQ(said(Body::kFailed).failed().cause(), on_wire(FailureCause::killed));
 }
 
-TEST_F(WorkerStateTest, a_full_disk_that_its_task_met_is_its_own_only_when_it_ran_apart) {
+TEST_F(WorkerStateTest,
+       a_full_disk_that_its_task_met_is_its_own_only_when_it_ran_without_a_shared_store) {
   wire::Envelope full = failed_message();
   full.mutable_failed()->set_cause(on_wire(FailureCause::disk_full));
-  run_task_5_apart();
+  run_task_5_without_shared_store();
   state_.child_ended(full, now_);
   state_.outputs_went(now_);
   EXPECT_THAT(does(), ElementsAre("upload", "failed"));
@@ -567,7 +568,7 @@ TEST_F(WorkerStateTest, a_disk_that_fails_under_its_files_is_no_full_one) {
 }
 
 TEST_F(WorkerStateTest, a_damaged_output_counts_as_if_the_task_had_been_killed) {
-  run_task_5_apart();
+  run_task_5_without_shared_store();
   state_.child_ended(done_message(), now_);
   does();
   state_.files_failed(Error(ExitCode::failed, "damaged"), true, now_);
