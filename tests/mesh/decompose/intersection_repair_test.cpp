@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/mesh/decompose/flat_cut.h"
+
 namespace tetfarm {
 namespace {
 
@@ -64,6 +66,24 @@ TEST(IntersectionRepair, moves_no_node_farther_at_once_than_allowed) {
 TEST(IntersectionRepair, leaves_alone_what_is_clear_already) {
   EXPECT_EQ(pushed_off(-0.7, Side::left).contacts, 0);
   EXPECT_EQ(pushed_off(0.7, Side::right).contacts, 0);
+}
+
+TEST(IntersectionRepair, pushes_the_cut_off_a_plate_that_it_nearly_touches) {
+  FlatCut cut = cut_at_plate(0.51, 0.6);
+  std::vector<std::optional<double>> pushed;
+  const auto nearby = find_nearby_surface(cut.mesh, cut.subdomain, cut.topology, 2);
+  for (int i = 0; i < 4; ++i) {
+    lift_heights(cut.mesh, cut.corners, cut.weights(), pushed);
+    const auto contacts = find_contacts(cut.mesh, cut.subdomain, cut.topology, nearby, 0.4);
+    if (i == 0) {
+      EXPECT_EQ(judge_contacts(contacts), "clearance");
+    }
+    if (push_nodes(cut.mesh, cut.subdomain, cut.colours, contacts, pushed) == 0) break;
+  }
+  const auto contacts = find_contacts(cut.mesh, cut.subdomain, cut.topology, nearby, 0.4);
+  EXPECT_EQ(judge_contacts(contacts), "");
+  EXPECT_TRUE(
+      shells_are_on_their_sides(cut.mesh, cut.subdomain, cut.colours, cut.topology.triangle2shell));
 }
 
 }  // namespace

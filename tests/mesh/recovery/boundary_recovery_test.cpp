@@ -98,5 +98,17 @@ TEST(MissingEdges, are_the_edges_of_the_surface_that_no_tet_has) {
   EXPECT_FALSE(missing.empty());
 }
 
+TEST(MissingEdges, are_those_that_a_twisted_surface_has_and_its_delaunay_tets_have_not) {
+  const SurfaceMesh twisted = shapes::schoenhardt();
+  const TetComplex complex = bowyer_watson(twisted.vertices).complex;
+  const RecoverySurface surface(twisted.triangles, 6);
+  EXPECT_GT(missing_edges(complex, surface).size(), 0U);
+  const SurfaceMesh cube = shapes::sphere({0, 0, 0}, 1, 1);
+  EXPECT_TRUE(missing_edges(
+                  bowyer_watson(cube.vertices).complex,
+                  RecoverySurface(cube.triangles, static_cast<std::int32_t>(cube.vertices.size())))
+                  .empty());
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "mesh/geometry/bowyer_watson.h"
+#include "mesh/recovery/boundary_recovery.h"
+#include "tests/mesh/volume/volume_checks.h"
 
 namespace tetfarm {
 namespace {
@@ -52,6 +55,40 @@ TEST(SteinerSettling, changes_nothing_round_a_node_that_stays) {
     EXPECT_EQ(complex.neighbours, before.neighbours);
   }
   EXPECT_GT(stayed, 0);
+}
+
+TEST(SteinerSettling, takes_nodes_out_of_random_tets_by_flips_and_leaves_them_valid) {
+  std::mt19937_64 random(5);
+  std::vector<Vec3> points(60);
+  for (Vec3& p : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = std::uniform_real_distribution<double>(0, 1)(random);
+    }
+  }
+  TetComplex complex = bowyer_watson(points).complex;
+  std::vector<std::uint8_t> marks;
+  LocalRemeshing mesh(complex, marks);
+  int removed = 0;
+  for (std::int32_t v = 0; v < 40; ++v) {
+    const auto before = complex.nodes;
+    if (!remove_node(mesh, v)) {
+      EXPECT_EQ(complex.nodes, before);
+      continue;
+    }
+    ++removed;
+    ASSERT_TRUE(validate(complex).empty());
+    for (const Tet& t : complex.nodes) EXPECT_EQ(std::count(t.begin(), t.end(), v), 0);
+  }
+  EXPECT_GT(removed, 30);
+}
+
+TEST(SteinerSettling, keeps_the_point_that_schoenhardts_polyhedron_needs_on_plain_doubles) {
+  const Subdomain domain = root_subdomain(shapes::schoenhardt());
+  TetComplex complex = bowyer_watson(domain.vertices).complex;
+  std::vector<std::uint8_t> marks(complex.nodes.size(), 0);
+  const RecoveredBoundary recovered = recover_boundary(complex, marks, domain.triangles);
+  EXPECT_TRUE(recovered.lost.empty());
+  EXPECT_EQ(recovered.steiner_points, 1);
 }
 
 }  // namespace
