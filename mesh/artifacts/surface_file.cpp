@@ -14,10 +14,10 @@ namespace {
 
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Sides) == 8);
 
-constexpr std::string_view magic = "TFSURF\r\n";
-constexpr std::uint32_t version = 3;
+constexpr std::string_view surface_magic = "TFSURF\r\n";
+constexpr std::uint32_t surface_version = 3;
 constexpr std::uint32_t version_without_blocks = 2;
-constexpr std::uint64_t counts_at = magic.size() + sizeof version;
+constexpr std::uint64_t counts_at = surface_magic.size() + sizeof surface_version;
 
 SurfaceCounts read_counts(ByteReader& reader) {
   SurfaceCounts counts;
@@ -122,8 +122,8 @@ std::string surface_to_bytes(const SurfaceMesh& surface) {
   ByteWriter writer;
   // Names and checksums take less, so that nothing is copied while it grows.
   writer.reserve(counts.names_at() + counts.names_at() / 128 + block_size);
-  writer.text(magic);
-  writer.number(version);
+  writer.text(surface_magic);
+  writer.number(surface_version);
   for (const std::uint64_t count : {counts.vertices, counts.triangles, counts.patched_triangles,
                                     counts.patches, counts.sided_triangles, counts.regions}) {
     writer.number(count);
@@ -141,9 +141,10 @@ std::string surface_to_bytes(const SurfaceMesh& surface) {
 SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) {
   const bool has_blocks = !is_surface_without_blocks(bytes);
   // Another kind of file is called that before its checksums are found wrong.
-  if (has_blocks) read_begun(bytes, magic, version, name);
-  ByteReader reader = has_blocks ? read_begun(content_of_blocks(bytes, name), magic, version, name)
-                                 : read_checked(bytes, magic, version_without_blocks, name);
+  if (has_blocks) read_begun(bytes, surface_magic, surface_version, name);
+  ByteReader reader =
+      has_blocks ? read_begun(content_of_blocks(bytes, name), surface_magic, surface_version, name)
+                 : read_checked(bytes, surface_magic, version_without_blocks, name);
   const SurfaceCounts counts = read_counts(reader);
   SurfaceMesh surface;
   surface.vertices = reader.array<Vec3>(counts.vertices);
@@ -161,7 +162,7 @@ SurfaceMesh surface_from_bytes(std::string_view bytes, const std::string& name) 
 
 bool is_surface_without_blocks(std::string_view begin) {
   ByteWriter old;
-  old.text(magic);
+  old.text(surface_magic);
   old.number(version_without_blocks);
   return begin.starts_with(old.bytes());
 }
@@ -185,7 +186,7 @@ SurfaceFile::SurfaceFile(const std::filesystem::path& path, const std::string& n
     : file_(path, name) {
   const std::string begin =
       file_.read(0, std::min(file_.size(), counts_at + sizeof(SurfaceCounts)));
-  ByteReader reader = read_begun(begin, magic, version, name);
+  ByteReader reader = read_begun(begin, surface_magic, surface_version, name);
   counts_ = read_counts(reader);
   const std::uint64_t names_at = counts_.names_at();
   if (names_at > file_.size()) file_.fail("is cut short");

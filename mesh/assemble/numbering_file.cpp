@@ -31,13 +31,14 @@ struct NumberingFile::Leaf {
 
 namespace {
 
-constexpr std::string_view magic = "TFNUMB\r\n";
-constexpr std::uint32_t version = 2;
+constexpr std::string_view numbering_magic = "TFNUMB\r\n";
+constexpr std::uint32_t numbering_version = 2;
 constexpr std::string_view text_magic = "tetfarm-numbering 1\n";
 constexpr std::uint64_t owner_size = 5 * 8;
 constexpr std::uint64_t leaf_size = owner_size + 3 * 8;
 /// Magic, version, sizes of the whole, counts of the tables.
-constexpr std::uint64_t head_size = magic.size() + sizeof version + 5 * 8 + 5 * 8;
+constexpr std::uint64_t head_size =
+    numbering_magic.size() + sizeof numbering_version + 5 * 8 + 5 * 8;
 
 static_assert(sizeof(DroppedRange) == 24 && sizeof(ForcedNode) == 8);
 
@@ -48,8 +49,8 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   std::uint64_t dropped = 0;
   for (const CutNumbers& cut : numbering.cuts) dropped += cut.nodes.dropped.size();
   for (const LeafNumbers& leaf : numbering.leaves) dropped += leaf.nodes.dropped.size();
-  writer.text(magic);
-  writer.number(version);
+  writer.text(numbering_magic);
+  writer.number(numbering_version);
   writer.number(numbering.surface_nodes);
   writer.number(numbering.tets);
   writer.number(numbering.faces);
@@ -107,7 +108,7 @@ struct Head {
 };
 
 Head read_head(std::string_view begin, const std::string& name) {
-  ByteReader reader = read_begun(begin, magic, version, name);
+  ByteReader reader = read_begun(begin, numbering_magic, numbering_version, name);
   Head head;
   head.surface_nodes = reader.number<std::int64_t>();
   head.whole.tets = reader.number<std::int64_t>();
@@ -178,7 +179,7 @@ std::string numbering_to_bytes(const Numbering& numbering) {
 Numbering numbering_from_bytes(std::string_view bytes, const std::string& name) {
   if (is_numbering_text(bytes)) return numbering_from_text(bytes, name);
   // Another kind of file is called that before its checksums are found wrong.
-  read_begun(bytes, magic, version, name);
+  read_begun(bytes, numbering_magic, numbering_version, name);
   const std::string_view content = content_of_blocks(bytes, name);
   const Head head = read_head(content, name);
   if (head.tables.text_at() > content.size()) throw CorruptFile("is cut short", name);

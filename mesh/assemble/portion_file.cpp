@@ -11,10 +11,10 @@ namespace {
 
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16);
 
-constexpr std::string_view magic = "TFPORT\r\n";
+constexpr std::string_view portion_magic = "TFPORT\r\n";
 constexpr std::string_view cells_magic = "TFPTET\r\n";
 /// Of a portion of tets and triangles alone, and of one that has others besides.
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t portion_version = 2;
 constexpr std::uint32_t version_with_others = 3;
 constexpr std::uint32_t cells_version = 1;
 constexpr std::uint32_t cells_version_with_others = 2;
@@ -88,7 +88,7 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
 
 /// By the version in the first bytes; what else they say is looked at by who reads on.
 bool says_others(std::string_view bytes) {
-  return bytes.starts_with(begin_checked(magic, version_with_others).bytes());
+  return bytes.starts_with(begin_checked(portion_magic, version_with_others).bytes());
 }
 
 void write_other_counts(const ElementCounts& others, ByteWriter& writer) {
@@ -155,10 +155,11 @@ void write_sum(const MeshDigest::Sum& sum, ByteWriter& writer) {
 }  // namespace
 
 PortionCounts portion_counts(const std::filesystem::path& path, const std::string& name) {
-  constexpr std::size_t before_counts = magic.size() + sizeof version + 2 * sizeof(std::int32_t);
+  constexpr std::size_t before_counts =
+      portion_magic.size() + sizeof portion_version + 2 * sizeof(std::int32_t);
   const std::string head =
       read_part_of_file(path, 0, before_counts + (3 + other_types) * sizeof(std::uint64_t));
-  if (!head.starts_with(magic) || head.size() < before_counts) {
+  if (!head.starts_with(portion_magic) || head.size() < before_counts) {
     throw CorruptFile("does not begin like the expected kind of file", name);
   }
   ByteReader reader(std::string_view(head).substr(before_counts), name);
@@ -174,7 +175,8 @@ std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
   const bool has_others = portion.others != ElementCounts{};
   check_header(portion);
-  ByteWriter writer = begin_checked(magic, has_others ? version_with_others : version);
+  ByteWriter writer =
+      begin_checked(portion_magic, has_others ? version_with_others : portion_version);
   writer.number(part.number);
   writer.number(part.region);
   writer.number<std::uint64_t>(part.nodes.size());
@@ -207,7 +209,8 @@ std::string portion_to_bytes(const Portion& portion) {
 
 Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   const bool has_others = says_others(bytes);
-  ByteReader reader = read_checked(bytes, magic, has_others ? version_with_others : version, name);
+  ByteReader reader =
+      read_checked(bytes, portion_magic, has_others ? version_with_others : portion_version, name);
   Portion portion;
   NumberedPart& part = portion.part;
   part.number = reader.number<std::int32_t>();
