@@ -41,6 +41,14 @@ TEST(WorkProgress, a_stage_that_is_entered_again_goes_on_from_where_it_was) {
   EXPECT_EQ(heard.counts.back(), (WorkCount{WorkStage::edges, 0, 3, 7}));
 }
 
+TEST(WorkProgress, a_stage_that_is_entered_again_for_less_than_is_left_keeps_its_total) {
+  Heard heard;
+  heard.progress.begin(WorkStage::edges, 10);
+  for (int i = 0; i < 3; ++i) heard.progress.add();
+  heard.progress.begin(WorkStage::edges, 2);
+  EXPECT_EQ(heard.counts.back(), (WorkCount{WorkStage::edges, 0, 3, 10}));
+}
+
 TEST(WorkProgress, what_turns_up_late_raises_the_total) {
   Heard heard;
   heard.progress.begin(WorkStage::cosmetics, 1);

@@ -71,6 +71,8 @@ TEST(CommandLine, mistakes_are_usage_errors) {
   EXPECT_EQ(code_of({"run", "a.stl", "--subdomains", "0"}), 2);
   EXPECT_EQ(code_of({"run", "a.stl", "--progress", "loud"}), 2);
   EXPECT_EQ(code_of({"run", "a.stl", "b.stl"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--max-memory", "2GiB", "--subdomains", "3"}), 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--max-memory", "2GiB", "--groups", "3"}), 2);
   EXPECT_EQ(code_of({"coordinator", "--store", "s"}), 2);
 }
 

@@ -199,6 +199,15 @@ TEST(TetfarmProgram, plan_says_memory_disk_and_time) {
   EXPECT_THAT(planned.out, HasSubstr("on one core"));
 }
 
+TEST(TetfarmProgram, plan_says_how_many_sub_domains_it_does_not_show) {
+  const TemporaryFolder folder;
+  write_contents(folder.path() / "cube.off", cube_off(cube_end));
+  const Ended planned =
+      run_program({"plan", "cube.off", "--size", "0.1", "--subdomains", "120"}, folder.path(), 60);
+  EXPECT_EQ(planned.code, 0) << planned.err;
+  EXPECT_THAT(planned.out, HasSubstr("\n... and 39 more (")) << "120 leaves have 119 cuts";
+}
+
 TEST(TetfarmProgram, the_outer_boundary_has_a_size_of_its_own) {
   const TemporaryFolder folder;
   write_contents(folder.path() / "cube.off", cube_off(cube_end));

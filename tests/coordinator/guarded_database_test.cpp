@@ -144,6 +144,24 @@ TEST_F(GuardedDatabaseTest, is_tried_ever_less_often_while_writes_keep_failing) 
   EXPECT_EQ(database.look(16'500), Look::has_opened);
 }
 
+TEST_F(GuardedDatabaseTest, is_tried_soon_again_in_the_next_trouble) {
+  const test::FailingWrites disk;
+  GuardedDatabase database(path_);
+  disk.fail_with(EROFS);
+  EXPECT_EQ(database.commit(job(1)), Outcome::closed);
+  for (const std::int64_t failing_ms : {1'000, 1'500, 2'500}) {
+    EXPECT_EQ(database.look(failing_ms), Look::as_before);
+  }
+  disk.fail_with(0);
+  EXPECT_EQ(database.look(4'500), Look::has_opened);
+  EXPECT_EQ(database.commit(job(1)), Outcome::committed);
+  disk.fail_with(EROFS);
+  EXPECT_EQ(database.commit(job(2)), Outcome::closed);
+  EXPECT_EQ(database.look(10'000), Look::as_before);
+  disk.fail_with(0);
+  EXPECT_EQ(database.look(10'500), Look::has_opened) << "half a second after the first try";
+}
+
 TEST_F(GuardedDatabaseTest, that_breaks_a_rule_of_its_tables_is_our_mistake_and_not_waited_for) {
   GuardedDatabase database(path_);
   ChangeSet orphan;

@@ -341,6 +341,16 @@ TEST_F(Pool, of_jobs_above_a_lowered_maximum_the_waiting_ones_go_first) {
   EXPECT_THAT(actions.drain, IsEmpty());
 }
 
+TEST_F(Pool, of_idle_workers_above_a_lowered_maximum_no_more_leave_at_once_than_are_too_many) {
+  start(rules_of(0, 4));
+  farm_.demand = {{0, 4}};
+  step();
+  run_all(false);
+  start(rules_of(0, 3));
+  farm_.demand = {};
+  EXPECT_THAT(look().drain, SizeIs(1));
+}
+
 /// Whatever jobs, workers and the batch system do, and however often the pool is started anew.
 TEST_F(Pool, stays_below_its_maximum_in_any_course_of_events) {
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {

@@ -14,6 +14,7 @@ TEST(HtmlText, keeps_characters_and_leaves_out_bytes_that_are_none) {
   EXPECT_EQ(escaped("Flügel – 翼"), "Flügel – 翼");
   EXPECT_EQ(escaped(std::string("a\0b\x1b[1mc\xff\xc3(", 11)), "ab[1mc(");
   EXPECT_EQ(escaped("end\xe2\x80"), "end");
+  EXPECT_EQ(escaped("slash\xc0\xaf\xc1\x81"), "slash") << "characters of one byte, in two";
 }
 
 TEST(HtmlText, base64_is_that_of_the_rfc) {

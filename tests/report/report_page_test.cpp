@@ -117,6 +117,16 @@ TEST(ReportPage, names_attempts_that_were_in_vain) {
   EXPECT_THAT(report_page(whole_report()), HasSubstr("failed or lost"));
 }
 
+TEST(ReportPage, counts_the_attempts_of_each_task_that_were_lost_crashed_or_out_of_memory) {
+  ReportContent content = whole_report();
+  EXPECT_THAT(report_page(content), HasSubstr("<td></td></tr>"));
+  content.work->tasks[0].set_oom_count(41);
+  EXPECT_THAT(report_page(content), HasSubstr("<td>41</td></tr>"));
+  content.work->tasks[0].set_crashes(2);
+  content.work->tasks[0].set_losses(100);
+  EXPECT_THAT(report_page(content), HasSubstr("<td>143</td></tr>"));
+}
+
 TEST(ReportPage, of_a_mesh_alone_has_no_work_and_without_cuts_no_sides) {
   ReportContent content = whole_report();
   content.work.reset();

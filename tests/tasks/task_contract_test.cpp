@@ -186,6 +186,11 @@ TEST(TaskContracts, refuse_numbers_that_are_none_or_out_of_their_bounds) {
   TaskWords parts = to_words(DecomposeGiven{});
   parts.texts["left_parts"] = "1000001";
   EXPECT_NE(from_words<DecomposeGiven>(parts).breach, "");
+  for (const char* name : {"parts", "groups"}) {
+    TaskWords inspected = to_words(InspectMade{});
+    inspected.numbers[name] = 1'000'001;
+    EXPECT_NE(from_words<InspectMade>(inspected).breach, "") << name;
+  }
 }
 
 TEST(TaskContracts, refuse_files_of_no_sub_domain_and_two_of_one_name) {

@@ -92,6 +92,23 @@ TEST(JobForecast, grows_with_the_job_and_shrinks_its_tasks_with_sub_domains) {
   EXPECT_GE(divided.seconds, large.seconds);
 }
 
+TEST(JobForecast, has_one_cut_fewer_than_sub_domains) {
+  JobFile job;
+  job.across_cuts = false;
+  const SubdomainSize root{1e7, 1e5, 1e6};
+  const auto part = [&](double parts) {
+    return SubdomainSize{root.elements / parts, triangles_of_leaves(root, parts) / parts,
+                         root.spacing_bytes, 0};
+  };
+  const SubdomainSize leaf = part(5);
+  const double of_leaves = 5 * (mesh_cost(leaf).seconds + write_cost(leaf.elements).seconds);
+  const double once =
+      inspect_cost(1e6, root).seconds + assemble_cost(root.triangles, root.elements, leaf).seconds;
+  const double of_cuts = decompose_cost(part(1)).seconds + 2 * decompose_cost(part(2)).seconds +
+                         decompose_cost(part(4)).seconds;
+  EXPECT_NEAR(forecast_of(job, 1e6, root, 5).seconds, once + of_leaves + of_cuts, 1e-6);
+}
+
 TEST(JobForecast, is_worded_for_people) {
   EXPECT_EQ(forecast_text({1.234e6, 8, 9e7, 1.3e8, 5.2}),
             "about 1.2 M elements in 8 sub-domains, 90.0 MB of memory per task, 130 MB of disk, "

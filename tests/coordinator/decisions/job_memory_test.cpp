@@ -70,6 +70,29 @@ TEST_F(Memory, workers_that_share_a_host_are_packed_by_its_memory) {
   EXPECT_EQ(next(add_worker({.host = "elsewhere", .memory_bytes = 8 * gib})).task, other.task);
 }
 
+TEST_F(Memory, tasks_that_are_handed_out_at_one_moment_share_what_their_host_has) {
+  submit();
+  const WorkerId one = add_worker({.host = "a", .memory_bytes = 8 * gib});
+  const SendAssign first = next(one);
+  fail(one, first, starved(3 * gib));
+  submit("other");
+  const WorkerId two = add_worker({.host = "b", .memory_bytes = 8 * gib});
+  const SendAssign second = next(two);
+  ASSERT_NE(second.task, first.task);
+  fail(two, second, starved(3 * gib));
+  state_->worker_left(one, false, now_);
+  state_->worker_left(two, false, now_);
+  now_.steady_ms += rules_.longest_delay_ms;
+  commit();
+  for (int i = 0; i < 2; ++i) {
+    const WorkerId worker = add_worker({.host = "shared", .memory_bytes = 8 * gib});
+    state_->worker_is_ready(worker, now_);
+  }
+  commit();
+  ASSERT_EQ(record_.state().running_attempts.size(), 1U) << "one wants 6 of 8 GiB";
+  EXPECT_EQ(record_.state().running_attempts.begin()->second.memory_bytes, 6 * gib);
+}
+
 TEST_F(Memory, after_a_restart_what_absent_workers_run_is_still_in_their_hosts_memory) {
   submit();
   const WorkerId one = add_worker({.host = "shared", .memory_bytes = 8 * gib, .nonce = "one"});

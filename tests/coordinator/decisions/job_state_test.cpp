@@ -116,6 +116,21 @@ TEST_F(JobStateTest, a_worker_without_a_task_that_says_nothing_for_a_lease_is_go
   EXPECT_TRUE(state_->knows_worker(worker_)) << "its heartbeats are heard";
 }
 
+TEST_F(JobStateTest, a_silent_worker_is_gone_a_lease_after_it_was_heard_whenever_that_was) {
+  commit();
+  now_.steady_ms += rules_.lease_ms / 2;
+  const WorkerId silent = new_worker();
+  commit();
+  now_.steady_ms += rules_.lease_ms / 2 + 1;
+  commit();
+  now_.steady_ms += rules_.lease_ms / 2 - 1;
+  commit();
+  EXPECT_TRUE(state_->knows_worker(silent));
+  now_.steady_ms += 1;
+  commit();
+  EXPECT_FALSE(state_->knows_worker(silent));
+}
+
 TEST_F(JobStateTest, answers_a_repeated_done_alike) {
   submit();
   worker_ = new_worker();

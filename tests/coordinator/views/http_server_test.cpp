@@ -3,11 +3,14 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <optional>
 #include <random>
 
 #include "base/error.h"
@@ -277,6 +280,47 @@ TEST(HttpServerAddress, is_loopback_unless_there_is_a_token_that_nobody_else_may
   EXPECT_THAT(HttpServer(options).address(), StartsWith("0.0.0.0:"));
   std::ofstream(options.token_file) << "short\n";
   EXPECT_THROW(HttpServer{options}, UsageError);
+}
+
+/// An address of this machine that is not loopback, with no port.
+std::optional<sockaddr_in> outer_address() {
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return std::nullopt;
+  std::optional<sockaddr_in> found;
+  for (const ifaddrs* next = list; next != nullptr && !found; next = next->ifa_next) {
+    const bool is_outer = (next->ifa_flags & IFF_LOOPBACK) == 0 && next->ifa_addr != nullptr;
+    if (is_outer && next->ifa_addr->sa_family == AF_INET) {
+      found = *reinterpret_cast<const sockaddr_in*>(next->ifa_addr);
+    }
+  }
+  ::freeifaddrs(list);
+  return found;
+}
+
+TEST(HttpServerAddress, of_another_host_has_no_more_connections_than_allowed) {
+  std::optional<sockaddr_in> where = outer_address();
+  if (!where) GTEST_SKIP() << "this machine has no address but its own";
+  const TempFolder folder;
+  HttpOptions options;
+  options.address = "0.0.0.0:0";
+  options.token_file = folder.path() / "token";
+  options.max_of_address = 2;
+  std::ofstream(options.token_file) << token << "\n";
+  ::chmod(options.token_file.c_str(), 0600);
+  HttpServer server(options);
+  const std::string& address = server.address();
+  where->sin_port =
+      htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+  std::vector<int> clients;
+  for (int i = 0; i < 4; ++i) {
+    clients.push_back(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(::connect(clients.back(), reinterpret_cast<const sockaddr*>(&*where), sizeof *where),
+              0);
+    server.serve(i, [](const std::string&) { return HttpAnswer{}; });
+    EXPECT_LE(server.connections(), 2U);
+  }
+  EXPECT_EQ(server.connections(), 2U);
+  for (const int client : clients) ::close(client);
 }
 
 TEST(HttpServerAddress, has_to_be_numbers_and_free) {

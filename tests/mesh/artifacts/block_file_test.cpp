@@ -75,6 +75,15 @@ TEST_F(BlockFiles, of_which_a_part_is_read_are_not_read_whole) {
   EXPECT_EQ(file.bytes_read(), 3 * block_size);
 }
 
+TEST_F(BlockFiles, keep_some_blocks_and_not_all_that_were_read) {
+  constexpr std::uint64_t blocks = 100;
+  BlockFile file = open(with_block_checksums(some_content(blocks * block_size)));
+  for (std::uint64_t i = 0; i < blocks; ++i) file.read(i * block_size, 1);
+  EXPECT_EQ(file.bytes_read(), blocks * block_size);
+  file.read(0, 1);
+  EXPECT_EQ(file.bytes_read(), (blocks + 1) * block_size) << "the first is kept no longer";
+}
+
 TEST_F(BlockFiles, that_are_damaged_are_refused_where_the_damage_is_read_and_only_there) {
   const std::string bytes = with_block_checksums(some_content(3 * block_size));
   BlockFile content_damaged = open(flipped(bytes, block_size + 9));

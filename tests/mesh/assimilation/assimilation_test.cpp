@@ -113,6 +113,9 @@ TEST_F(Torus, leaves_that_do_not_fit_are_not_joined) {
   two[1] = leaves_->at(1);
   for (Triangle& triangle : two[1].triangles) std::swap(triangle[0], triangle[1]);
   EXPECT_THROW(join_subdomains(two), Error);
+  two[1] = two[0];
+  for (Triangle& triangle : two[1].triangles) std::swap(triangle[0], triangle[1]);
+  EXPECT_THROW(join_subdomains(two), Error) << "a triangle of the surface is in one leaf only";
 }
 
 /// What holds for every way of grouping: the joined sub-domains are sound, fill the root, and

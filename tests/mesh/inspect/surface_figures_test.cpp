@@ -35,6 +35,18 @@ TEST(SurfaceFigures, resolve_tiny_angles) {
   EXPECT_NEAR(measure(mesh).smallest_angle_deg, 1e-10 * 180 / std::numbers::pi, 1e-15);
 }
 
+TEST(SurfaceFigures, count_no_vertex_as_unused_whose_triangle_is_not_measured) {
+  SurfaceMesh mesh = shapes::unit_cube();
+  mesh.vertices.push_back({5, 5, 5});
+  mesh.triangles.push_back({0, 8, 8});
+  std::vector<char> is_measured(mesh.triangles.size(), 1);
+  is_measured.back() = 0;
+  SurfaceReport report;
+  measure_surface(mesh, edge_uses(mesh.triangles, is_measured), report);
+  EXPECT_EQ(report.unused_vertices, 0);
+  EXPECT_DOUBLE_EQ(report.longest_edge, std::sqrt(2.0));
+}
+
 TEST(SurfaceFigures, of_nothing_are_zero) {
   const SurfaceReport report = measure({});
   EXPECT_EQ(report.longest_edge, 0);

@@ -282,6 +282,16 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
   }
 }
 
+TEST(ParseJobFile, quotes_of_a_long_word_whole_characters_only) {
+  const std::string before(99, 'v');
+  try {
+    parse_job_file(geometry + "[domain]\nouter = \"" + before + "üvv\"\n", "/job/job.toml");
+    FAIL() << "taken";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("`outer` is \"" + before + "…\", not one of"));
+  }
+}
+
 TEST(ParseJobFile, damaged_text_is_read_or_refused_but_never_crashes) {
   std::mt19937 random(7);
   for (int round = 0; round < 1000; ++round) {

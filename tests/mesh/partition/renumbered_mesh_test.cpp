@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -69,6 +70,42 @@ TEST(RenumberedMesh, along_the_curve_has_the_surface_first_then_borders_then_the
     EXPECT_EQ(node->second == 1, is_past_borders);
   }
   EXPECT_TRUE(is_past_borders);
+}
+
+TEST(RenumberedMesh, has_a_node_on_the_surface_whichever_part_has_its_faces) {
+  auto grid = std::make_unique<GridSource>(cut_grid(4));
+  NumberedPart& first = grid->parts[0];
+  std::vector<bool> is_on_surface(first.nodes.size(), false);
+  for (const Triangle& face : first.faces) {
+    for (const std::int32_t v : face) is_on_surface[static_cast<std::size_t>(v)] = true;
+  }
+  // A tet that has one node on the surface, and so no face of it, becomes a part of its own.
+  const auto moved = std::find_if(first.tets.begin(), first.tets.end(), [&](const Tet& tet) {
+    return std::count_if(tet.begin(), tet.end(), [&](std::int32_t v) {
+             return is_on_surface[static_cast<std::size_t>(v)];
+           }) == 1;
+  });
+  ASSERT_NE(moved, first.tets.end());
+  NumberedPart last;
+  last.number = static_cast<std::int32_t>(grid->parts.size());
+  last.tets = {{0, 1, 2, 3}};
+  for (const std::int32_t v : *moved) {
+    last.nodes.push_back(first.nodes[static_cast<std::size_t>(v)]);
+    last.local2global.push_back(first.local2global[static_cast<std::size_t>(v)]);
+  }
+  first.tets.erase(moved);
+  grid->parts.push_back(last);
+  const RenumberedMesh mesh(std::move(grid), NodeNumbering::hilbert);
+  std::set<std::int64_t> surface;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for (const Triangle& face : part.faces) {
+      for (const std::int32_t v : face) {
+        surface.insert(part.local2global[static_cast<std::size_t>(v)]);
+      }
+    }
+  }
+  EXPECT_EQ(*surface.rbegin(), std::ssize(surface) - 1) << "they have the first numbers";
 }
 
 TEST(RenumberedMesh, by_rcm_numbers_part_after_part_what_no_part_before_has) {

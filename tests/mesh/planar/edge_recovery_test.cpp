@@ -63,6 +63,21 @@ TEST(EdgeRecovery, refuses_an_edge_through_a_node_next_to_its_start) {
   EXPECT_THAT(failure->where, ElementsAre(Vec2{1, 0}));
 }
 
+TEST(EdgeRecovery, makes_an_edge_away_from_a_node_on_its_line) {
+  TriangleComplex given = band(6);
+  given.points[8] = {2, -0.25};
+  ASSERT_THAT(validate(given), IsEmpty());
+  const auto triangles = static_cast<std::int32_t>(given.triangles.size());
+  for (std::int32_t t = 0; t < triangles; ++t) {
+    if (given.node(t, 0) != 6 && given.node(t, 1) != 6 && given.node(t, 2) != 6) continue;
+    TriangleComplex complex = given;
+    complex.node2triangle[6] = t;  // whichever is looked at first
+    EXPECT_FALSE(recover_edge(complex, 6, 10)) << "node 4 lies behind the first end";
+    EXPECT_NE(complex.find_edge(6, 10), no_edge);
+    EXPECT_THAT(validate(complex), IsEmpty());
+  }
+}
+
 TEST(EdgeRecovery, refuses_an_edge_through_a_node_farther_on) {
   TriangleComplex complex = band(6);
   complex.points[9] = {2.25, 0.75};  // on the line from (0, 0) to (4.5, 1.5): see below

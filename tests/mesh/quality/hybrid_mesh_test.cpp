@@ -184,6 +184,17 @@ TEST(HybridMesh, a_turned_cell_is_named) {
               testing::Contains(HasSubstr("prism 0 of sub-domain 0, at (0.5, 0.5, 1.33333333)")));
 }
 
+TEST(HybridMesh, a_cell_with_a_volume_that_is_turned_over_at_a_corner_is_named) {
+  HybridMesh mesh;
+  for (Vec3& p : mesh.parts[0].nodes) {
+    if (p == Vec3{0, 0, -1}) p = {0.7, 0.7, -0.3};
+  }
+  EXPECT_THAT(check_mesh(mesh).complaints,
+              testing::Contains(testing::AllOf(HasSubstr("hex 1 of sub-domain 0"),
+                                               HasSubstr("has the volume 0."),
+                                               HasSubstr("and the scaled Jacobian -"))));
+}
+
 TEST(HybridMesh, an_element_of_another_type_or_patch_changes_the_digest) {
   const Hash128 digest = check_mesh(HybridMesh()).digest;
   HybridMesh other_patch;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
@@ -92,6 +94,28 @@ TEST(MeshFigures, name_the_worst_tets_and_the_lowest_by_their_places) {
   EXPECT_EQ(figures.time_step(), figures.all.shapes.smallest_height);
   EXPECT_LT(figures.time_step(), 0.001);
   EXPECT_EQ(figures.subdomains[1].min_dihedral_deg, figures.worst[0].min_dihedral_deg);
+}
+
+TEST(MeshFigures, number_the_worst_tets_through_all_parts) {
+  const GridSource grid(cut_grid(4));
+  std::vector<std::pair<std::size_t, std::size_t>> tets;  // in their order: part, place there
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    for (std::size_t t = 0; t < grid.parts[i].tets.size(); ++t) tets.emplace_back(i, t);
+  }
+  GridSource bad = grid;
+  for (const std::size_t i : {1U, 2U}) bad.parts[i].nodes[0] += Vec3{0.1, 0.07, 0.03};
+  const MeshFigures figures = figures_of(bad);
+  std::set<std::size_t> met;
+  for (const WorstTet& worst : figures.worst) {
+    const auto [part, place] = tets.at(static_cast<std::size_t>(worst.tet));
+    EXPECT_EQ(part, worst.subdomain);
+    const NumberedPart& here = bad.parts[part];
+    Vec3 sum;
+    for (const std::int32_t v : here.tets[place]) sum += here.nodes[static_cast<std::size_t>(v)];
+    EXPECT_LT(distance(0.25 * sum, worst.centroid), 1e-12);
+    met.insert(part);
+  }
+  EXPECT_GT(met.size(), 1U);
 }
 
 TEST(MeshFigures, of_a_file_without_subdomains_has_no_tets_near_cuts) {

@@ -76,6 +76,26 @@ TEST(SurfaceFans, of_a_point_in_a_crooked_polygon_are_filled_by_ears_without_it)
   }
 }
 
+TEST(SurfaceFans, are_filled_by_no_ear_that_is_cut_off_along_a_corner) {
+  // The corner (1, 1) lies between the neighbours of the first one.
+  TetComplex complex;
+  complex.points = {{-5, -5, 0}, {9, -5, 0}, {0, 9, 0}, {1.5, 0.75, 0},
+                    {2, 0, 0},   {2, 2, 0},  {1, 1, 0}, {0, 0, 0}};
+  SplitSurface surface;
+  surface.triangles = {{3, 4, 5}, {3, 5, 6}, {3, 6, 7}, {3, 7, 4}};
+  surface.source = {0, 0, 0, 0};
+  std::vector<std::uint8_t> constrained;
+  const LocalRemeshing mesh(complex, constrained);
+  const auto fans = surface_fans(mesh, surface, {{0, 1, 2}}, 3);
+  ASSERT_TRUE(fans.has_value());
+  ASSERT_EQ(fans->size(), 1U);
+  ASSERT_EQ(fans->front().without.size(), 2U);
+  for (const auto& [a, b, c] : fans->front().without) {
+    const auto p = [&](std::int32_t v) { return complex.points[static_cast<std::size_t>(v)]; };
+    EXPECT_GT(cross(p(b) - p(a), p(c) - p(a)).z, 0);
+  }
+}
+
 TEST(SurfaceFans, of_a_node_that_the_surface_does_not_have_are_none) {
   const SplitCube cube(2, true);
   const auto fans = surface_fans(*cube.mesh, cube.surface, cube.domain.triangles, cube.node + 1);

@@ -49,5 +49,17 @@ TEST(Camera, shows_up_above_and_right_on_the_right) {
   EXPECT_NEAR(nearer.project({0.5, 0, 0}).x - 50, 2 * (camera.project({0.5, 0, 0}).x - 50), 1e-9);
 }
 
+TEST(Camera, has_a_right_side_also_where_up_is_ahead) {
+  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    for (const Vec3& from : {axis, -axis}) {
+      const ViewAxes axes = view_axes({from, axis, 1});
+      EXPECT_DOUBLE_EQ(norm(axes.right), 1);
+      EXPECT_DOUBLE_EQ(norm(axes.up), 1);
+      EXPECT_DOUBLE_EQ(dot(axes.right, axes.up), 0);
+      EXPECT_DOUBLE_EQ(dot(axes.right, axis), 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

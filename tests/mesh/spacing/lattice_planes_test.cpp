@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/spacing/spacing_field.h"
@@ -28,11 +29,13 @@ double height_over(const LatticePlane& plane, const Vec3& p) {
 TEST(LatticePlanes, lie_within_the_bounds_asked_for) {
   const SpacingField field(0.1);
   for (std::size_t direction = 0; direction < 6; ++direction) {
-    const auto plane = field.coarsest_lattice_plane(direction, 0.2, 0.5);
-    ASSERT_TRUE(plane.has_value());
-    EXPECT_EQ(plane->normal, lattice_plane_normals()[direction]);
-    EXPECT_GE(plane->offset, 0.2 - 1e-12);
-    EXPECT_LE(plane->offset, 0.5 + 1e-12);
+    for (const auto& [low, high] : {std::pair(0.2, 0.5), {-0.5, -0.2}}) {
+      const auto plane = field.coarsest_lattice_plane(direction, low, high);
+      ASSERT_TRUE(plane.has_value());
+      EXPECT_EQ(plane->normal, lattice_plane_normals()[direction]);
+      EXPECT_GE(plane->offset, low - 1e-12);
+      EXPECT_LE(plane->offset, high + 1e-12);
+    }
   }
 }
 

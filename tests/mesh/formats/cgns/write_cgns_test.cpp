@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "mesh/formats/hdf5/hdf5_file.h"
+#include "mesh/formats/registry/open_mesh.h"
 #include "tests/mesh/formats/read_back.h"
 
 namespace tetfarm {
@@ -52,6 +53,30 @@ TEST(WriteCgns, tells_the_subdomain_of_each_tet) {
     EXPECT_EQ(std::count(subdomains.begin(), subdomains.end(), i),
               std::ssize(grid.parts[static_cast<std::size_t>(i)].tets));
   }
+}
+
+/// The grid, with other names for its patches.
+class RenamedGrid : public GridSource {
+ public:
+  explicit RenamedGrid(std::vector<std::string> names)
+      : GridSource(cut_grid(3)), names_(std::move(names)) {}
+  std::vector<std::string> patch_names() const override { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+TEST(WriteCgns, names_patches_in_no_more_than_32_characters_and_no_two_alike) {
+  const TempFolder folder;
+  const std::string longest(32, 'x');
+  const RenamedGrid grid({longest + "_upper", longest + "_lower"});
+  const Hdf5Input file(export_as(grid, folder, "", "a.cgns").string());
+  EXPECT_TRUE(file.has("Base/" + longest));
+  EXPECT_FALSE(file.has("Base/" + longest + "_"));
+  const auto read = open_mesh(folder.path() / "a.cgns");
+  ASSERT_EQ(read->patch_names().size(), 2U);
+  EXPECT_NE(read->patch_names()[0], read->patch_names()[1]);
+  for (const std::string& name : read->patch_names()) EXPECT_LE(name.size(), 32U) << name;
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "base/error.h"
 #include "base/file_system.h"
+#include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/formats/vtkhdf/write_vtkhdf.h"
 #include "tests/base/temp_folder.h"
@@ -167,6 +169,24 @@ TEST(MeshFiles, cut_short_files_are_refused) {
       write_file_atomically(path, std::string_view(bytes).substr(0, length));
       EXPECT_THROW(read_global_mesh(path), InvalidInput) << path << ' ' << length;
     }
+  }
+}
+
+TEST(MeshFiles, vtkhdf_with_a_number_of_a_node_beyond_all_points_is_refused) {
+  const Files files(cut_grid(3));
+  for (const std::int64_t number : {1'000'000L, -1L}) {
+    {
+      const Hdf5Handle file(H5Fopen(files.vtkhdf.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      const Hdf5Handle numbers(H5Dopen2(file.get(), "VTKHDF/PointData/GlobalNodeId", H5P_DEFAULT),
+                               H5Dclose);
+      const Hdf5Handle all(H5Dget_space(numbers.get()), H5Sclose);
+      const std::array<hsize_t, 1> first = {0};
+      ASSERT_GE(H5Sselect_elements(all.get(), H5S_SELECT_SET, 1, first.data()), 0);
+      const Hdf5Handle one(H5Screate(H5S_SCALAR), H5Sclose);
+      ASSERT_GE(
+          H5Dwrite(numbers.get(), H5T_NATIVE_INT64, one.get(), all.get(), H5P_DEFAULT, &number), 0);
+    }
+    EXPECT_THROW(read_global_mesh(files.vtkhdf), InvalidInput) << number;
   }
 }
 
