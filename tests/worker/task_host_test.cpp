@@ -104,6 +104,7 @@ TEST_F(TaskHosts, the_task_has_a_group_of_its_own_and_the_limit_of_memory) {
 TEST_F(TaskHosts, a_host_that_was_killed_is_replaced_and_its_tasks_live_on) {
   const auto sleeper = start(host_, "sleep 0.3; exit 3");
   const pid_t old = host_.process();
+  ASSERT_GT(old, 0);
   ::kill(old, SIGKILL);
   EXPECT_EQ(exit_code(start(host_, "exit 4")), 4);
   EXPECT_NE(host_.process(), old);
@@ -115,6 +116,7 @@ TEST_F(TaskHosts, a_task_asked_of_a_stopped_host_runs_once_from_another) {
   const std::string file = folder.path() / "runs";
   EXPECT_EQ(exit_code(start(host_, "exit 0")), 0);
   const pid_t old = host_.process();
+  ASSERT_GT(old, 0);
   ::kill(old, SIGSTOP);
   EXPECT_EQ(exit_code(start(host_, "echo run >>" + file, 2'000)), 0);
   EXPECT_FALSE(is_there(old));
