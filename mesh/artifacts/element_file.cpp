@@ -1,12 +1,10 @@
 #include "mesh/artifacts/element_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <optional>
 
 #include "base/check.h"
+#include "base/file_system.h"
 #include "mesh/artifacts/checked_bytes.h"
 
 namespace tetfarm {
@@ -200,28 +198,11 @@ CoreElements ElementFile::read_core() {
 }
 
 std::string ElementFile::read_bytes(std::uint64_t offset, std::uint64_t size) {
-  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw IoError("cannot open", path_.string(), errno);
-  const off_t end = ::lseek(descriptor, 0, SEEK_END);
-  if (end < 0 || offset > static_cast<std::uint64_t>(end) ||
-      size > static_cast<std::uint64_t>(end) - offset) {
-    ::close(descriptor);
-    throw CorruptFile("is cut short", name_);
-  }
-  std::string bytes(size, '\0');
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t n =
-        ::pread(descriptor, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      const int error = n < 0 ? errno : EIO;
-      ::close(descriptor);
-      throw IoError("cannot read", path_.string(), error);
-    }
-    done += static_cast<std::size_t>(n);
-  }
-  ::close(descriptor);
+  const std::optional<std::uint64_t> end = size_of_file(path_);
+  // Nothing is made room for before the file is known to have it.
+  if (end && (offset > *end || size > *end - offset)) throw CorruptFile("is cut short", name_);
+  std::string bytes = read_part_of_file(path_, offset, size);
+  if (bytes.size() < size) throw CorruptFile("is cut short", name_);
   bytes_read_ += size;
   return bytes;
 }

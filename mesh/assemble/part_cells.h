@@ -13,6 +13,15 @@
 
 namespace tetfarm {
 
+/// How many elements each block has.
+inline ElementCounts counts_of(const ElementBlocks& blocks) {
+  ElementCounts counts{};
+  for_each_block(blocks, [&counts](ElementType type, const ElementBlock& block) {
+    counts[type] = std::ssize(block.regions);
+  });
+  return counts;
+}
+
 /// Calls visit(cell, type, nodes) for each cell.
 template <class Visit>
 void for_each_cell(const NumberedPart& part, const Visit& visit) {

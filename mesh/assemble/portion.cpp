@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/assemble/face_balance.h"
+#include "mesh/assemble/part_cells.h"
 
 namespace tetfarm {
 namespace {
@@ -201,9 +202,7 @@ void take_figures(const std::vector<bool>& is_on_cut, const ElementCounts& first
   TF_CHECK(part.local2global.size() == part.nodes.size());
   TF_CHECK(part.region_of_tet.empty() && part.region_of_face.empty());
   portion.tets = std::ssize(part.tets);
-  for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
-    portion.others[type] = std::ssize(block.regions);
-  });
+  portion.others = counts_of(part.blocks);
   add_shapes(part.nodes, part.tets, part.region, is_on_cut, portion.shapes);
   add_volume_of_blocks(part, portion.shapes);
   portion.face_sum = face_sum_of(part);

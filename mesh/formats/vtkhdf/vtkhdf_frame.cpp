@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "base/file_system.h"
+#include "mesh/assemble/part_cells.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
@@ -68,11 +69,8 @@ VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, Hdf5Outp
 }  // namespace
 
 VtkhdfCounts vtkhdf_counts(const NumberedPart& part) {
-  VtkhdfCounts counts{std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)};
-  for_each_block(part.blocks, [&](ElementType type, const ElementBlock& block) {
-    counts.others[type] = std::ssize(block.regions);
-  });
-  return counts;
+  return {std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces),
+          counts_of(part.blocks)};
 }
 
 std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts) {

@@ -8,13 +8,7 @@ namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-/// A box of 2^3 cubes whose one inner node, number 26, lies at `inner` instead of (1, 1, 1).
-TetComplex box_with_inner_node(const Vec3& inner) {
-  TetMesh mesh = trial::kuhn_box(2);
-  mesh.nodes[26] = inner;
-  return make_tet_complex(mesh);
-}
+using trial::box_with_inner_node;
 
 TEST(ElementCollapse, removes_a_node_that_lies_close_to_another) {
   TetComplex complex = box_with_inner_node({1.97, 1, 1});

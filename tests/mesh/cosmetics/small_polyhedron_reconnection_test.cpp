@@ -6,22 +6,13 @@
 #include "mesh/cosmetics/altitude_improvement.h"
 #include "mesh/cosmetics/edge_removal.h"
 #include "mesh/cosmetics/quality.h"
+#include "tests/mesh/cosmetics/spindle.h"
 #include "tests/mesh/cosmetics/trial_meshes.h"
 
 namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-double volume(const TetComplex& complex) {
-  double sum = 0;
-  for (const Tet& tet : complex.nodes) {
-    if (tet[0] < 0) continue;
-    sum += tet_volume(complex.points[at(tet[0])], complex.points[at(tet[1])],
-                      complex.points[at(tet[2])], complex.points[at(tet[3])]);
-  }
-  return sum;
-}
 
 /// Nodes 0 and 1 far apart, and n nodes round them, a little uneven: n needles on the edge 0-1.
 TetMesh needles(int n, std::uint64_t seed) {

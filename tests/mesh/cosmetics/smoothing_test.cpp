@@ -8,13 +8,7 @@ namespace tetfarm::cosmetics {
 namespace {
 
 using testing::IsEmpty;
-
-/// A box of 2^3 cubes whose one inner node, number 26, lies at `inner` instead of (1, 1, 1).
-TetComplex box_with_inner_node(const Vec3& inner) {
-  TetMesh mesh = trial::kuhn_box(2);
-  mesh.nodes[26] = inner;
-  return make_tet_complex(mesh);
-}
+using trial::box_with_inner_node;
 
 TEST(Smoothing, brings_a_node_back_to_the_middle) {
   TetComplex complex = box_with_inner_node({1.5, 1.4, 1.3});

@@ -57,6 +57,13 @@ inline TetMesh kuhn_box(int n, double jitter = 0, std::uint64_t seed = 1) {
   return mesh;
 }
 
+/// A box of 2^3 cubes whose one inner node, number 26, lies at `inner` instead of (1, 1, 1).
+inline TetComplex box_with_inner_node(const Vec3& inner) {
+  TetMesh mesh = kuhn_box(2);
+  mesh.nodes[26] = inner;
+  return make_tet_complex(mesh);
+}
+
 /// The Delaunay tets of the points, without the far ones; nodes below `boundary_nodes` first.
 inline TetMesh delaunay_mesh(const std::vector<Vec3>& points, std::int32_t boundary_nodes) {
   const DelaunayTets delaunay = bowyer_watson(points);

@@ -81,12 +81,7 @@ TEST(CutCheck, angles_at_the_rim_of_a_straight_cut_of_a_box_are_right) {
 }
 
 TEST(CutCheck, the_smallest_angle_of_the_cut_is_that_of_its_triangles_in_space) {
-  InterdomainMesh cut;
-  cut.plane = make_cut_plane({0, 0, 1}, 0);
-  cut.planar.points = {cut.plane.project({0, 0, 0}), cut.plane.project({1, 0, 0}),
-                       cut.plane.project({0, 1, 0})};
-  cut.planar.triangles = {{0, 1, 2}};
-  cut.heights = {0, 0, 0};
+  InterdomainMesh cut = one_triangle();
   EXPECT_NEAR(cosine_of_smallest_triangle_angle(cut, {}), std::sqrt(0.5), 1e-15);
   // Sides of 1, sqrt(4) and sqrt(5): the smallest angle lies opposite the first.
   cut.heights = {0, 0, std::sqrt(3)};

@@ -7,18 +7,6 @@
 namespace tetfarm {
 namespace {
 
-/// A cut of one triangle in the plane z = 0 without a rim, of spacing 1.
-InterdomainMesh one_triangle() {
-  InterdomainMesh cut;
-  cut.plane = make_cut_plane({0, 0, 1}, 0);
-  cut.planar.points = {cut.plane.project({0, 0, 0}), cut.plane.project({1, 0, 0}),
-                       cut.plane.project({0, 1, 0})};
-  cut.planar.triangles = {{0, 1, 2}};
-  cut.heights = {0, 0, 0};
-  cut.spacing = {1, 1, 1};
-  return cut;
-}
-
 /// Surface that covers the cut, level, at a height.
 Subdomain surface_at(double height) {
   Subdomain surface;
