@@ -47,7 +47,7 @@ std::array<int, 2> make_pipe() {
 int assignment_fd(const wire::Assign& assign, bool is_without_shared_store) {
   wire::TaskStart start;
   *start.mutable_assign() = assign;
-  start.set_apart(is_without_shared_store);
+  start.set_without_shared_store(is_without_shared_store);
   const std::string bytes = start.SerializeAsString();
   const int fd = ::memfd_create("tetfarm-task", MFD_CLOEXEC);
   if (fd < 0) throw IoError("cannot create a file in memory", "task", errno);

@@ -81,7 +81,7 @@ void run_task_program(const std::filesystem::path& store, int in, int out) {
     *envelope.mutable_heartbeat()->mutable_doing() = doing;
     write_frame(out, envelope);
   };
-  write_frame(out, run_task_in(store, assign, body_of(assign), say, start.apart()));
+  write_frame(out, run_task_in(store, assign, body_of(assign), say, start.without_shared_store()));
 }
 
 }  // namespace tetfarm

@@ -84,6 +84,7 @@ void make_mesh(Candidate& candidate, const Parent& parent, double cosine_limit) 
     candidate.mesh = std::move(made.mesh);
     contacts = lift_and_push(candidate.mesh, parent.subdomain, parent.topology, candidate.colours,
                              candidate.corners);
+    if (is_entangled(candidate.mesh, contacts)) break;
     const auto harmful = find_harmful_chords(candidate, parent, contacts, cosine_limit);
     if (harmful.empty()) break;
     inner.unwanted_chords.insert(inner.unwanted_chords.end(), harmful.begin(), harmful.end());

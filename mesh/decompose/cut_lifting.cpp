@@ -50,11 +50,21 @@ std::vector<std::optional<double>> held_heights(const InterdomainMesh& mesh) {
   return held;
 }
 
+std::size_t most_contacts(const InterdomainMesh& mesh) {
+  constexpr std::size_t of_a_triangle = 12;
+  constexpr std::size_t of_a_small_cut = 200;
+  return of_a_triangle * mesh.planar.triangles.size() + of_a_small_cut;
+}
+
 std::ptrdiff_t count_too_near(const std::vector<SurfaceContact>& contacts) {
   return std::count_if(contacts.begin(), contacts.end(), is_too_near);
 }
 
 }  // namespace
+
+bool is_entangled(const InterdomainMesh& mesh, const std::vector<SurfaceContact>& contacts) {
+  return contacts.size() > most_contacts(mesh);
+}
 
 std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain& subdomain,
                                           const SurfaceTopology& topology,
@@ -68,7 +78,9 @@ std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain
   Lift state{std::vector<double>(mesh.rim.size(), usual_bisector_weight), held_heights(mesh)};
   lift(mesh, subdomain, corners, state);
   const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);
-  auto contacts = find_contacts(mesh, subdomain, topology, nearby, reach);
+  auto contacts =
+      find_contacts(mesh, subdomain, topology, nearby, reach, most_contacts(mesh));
+  if (is_entangled(mesh, contacts)) return contacts;
   auto fewest = count_too_near(contacts);
   int vain = 0;
   for (int i = 0; i < most_pushes && vain < most_vain_pushes; ++i) {

@@ -13,8 +13,14 @@
 
 namespace tetfarm {
 
-/// Sets the heights; the contacts with the surface that remain. The nodes of the lattice in the
-/// inter-domain mesh stay in the plane, where nothing but a contact moves them.
+/// Contacts by which a cut is so entangled with the surface that no push will clear it: some are
+/// found for each of its triangles, as where it passes through fans of needles. Cuts that were
+/// cleared began with 6 a triangle at most.
+bool is_entangled(const InterdomainMesh& mesh, const std::vector<SurfaceContact>& contacts);
+
+/// Sets the heights; the contacts with the surface that remain, or the first of them when the cut
+/// is entangled. The nodes of the lattice in the inter-domain mesh stay in the plane, where nothing
+/// but a contact moves them.
 /// Cost: O((n + m) log n) for n surface and m cut triangles.
 std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain& subdomain,
                                           const SurfaceTopology& topology,

@@ -144,7 +144,8 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
 
 std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
                                           const SurfaceTopology& topology,
-                                          const NearbySurface& nearby, double reach) {
+                                          const NearbySurface& nearby, double reach,
+                                          std::size_t most) {
   TF_CHECK(nearby.boxes.size() == nearby.triangles.size());
   const CombinedPoints combined = combine_points(mesh, subdomain);
   const auto& node2point = combined.node2point;
@@ -153,7 +154,7 @@ std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Sub
   for (const std::int32_t v : mesh.rim_vertices) is_rim_vertex[at(v)] = true;
   const auto first_new = static_cast<std::int32_t>(subdomain.vertices.size());
   std::vector<SurfaceContact> contacts;
-  for (std::size_t i = 0; i < mesh.planar.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.planar.triangles.size() && contacts.size() <= most; ++i) {
     const auto& [a, b, c] = mesh.planar.triangles[i];
     const Triangle cut = {node2point[at(a)], node2point[at(b)], node2point[at(c)]};
     const double h = largest_spacing(mesh, mesh.planar.triangles[i]);

@@ -5,6 +5,8 @@
 /// only.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "mesh/core/subdomain.h"
@@ -48,11 +50,12 @@ NearbySurface find_nearby_surface(const InterdomainMesh& mesh, const Subdomain& 
                                   const SurfaceTopology& topology, double margin);
 
 /// All pairs that meet or are nearer than `reach` (in units of SurfaceContact::unit), by cut
-/// triangle.
+/// triangle; once there are more than `most`, those found so far.
 /// @pre `nearby` was found for a position of the cut not too far away.
 /// Cost: O(m log n) for m cut triangles.
-std::vector<SurfaceContact> find_contacts(const InterdomainMesh& mesh, const Subdomain& subdomain,
-                                          const SurfaceTopology& topology,
-                                          const NearbySurface& nearby, double reach);
+std::vector<SurfaceContact> find_contacts(
+    const InterdomainMesh& mesh, const Subdomain& subdomain, const SurfaceTopology& topology,
+    const NearbySurface& nearby, double reach,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace tetfarm
