@@ -25,27 +25,28 @@ class OldTets {
  public:
   /// @pre `now` has at least as many places for tets as `before` has tets.
   OldTets(const TetMesh& before, const std::vector<ElementHome>& homes, const TetComplex& now)
-      : mesh_(before), homes_(homes), now_(now), is_same_(before.tets.size(), false) {
+      : mesh_(before), homes_(homes), now_(now), is_in_place_(before.tets.size(), false) {
     TF_CHECK(homes.size() == before.tets.size() && now.nodes.size() >= before.tets.size());
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      is_same_[t] = sorted_tet(mesh_.tets[t]) == sorted_tet(now_.nodes[t]);
-      if (is_same_[t]) continue;
+      is_in_place_[t] = sorted_tet(mesh_.tets[t]) == sorted_tet(now_.nodes[t]);
+      if (is_in_place_[t]) continue;
       by_nodes_.emplace_back(sorted_tet(mesh_.tets[t]), static_cast<std::int32_t>(t));
     }
     std::sort(by_nodes_.begin(), by_nodes_.end());
+    is_there_ = is_in_place_;
   }
 
   /// The home of the tet that had the same nodes: most tets are where they were. `t` is its number
   /// now.
   std::optional<ElementHome> home_of_same(std::size_t t) {
-    if (t < mesh_.tets.size() && is_same_[t]) return homes_[t];
+    if (t < mesh_.tets.size() && is_in_place_[t]) return homes_[t];
     const Tet& tet = now_.nodes[t];
     const SortedTet nodes = sorted_tet(tet);
     const auto found = std::lower_bound(
         by_nodes_.begin(), by_nodes_.end(), nodes,
         [](const auto& item, const SortedTet& wanted) { return item.first < wanted; });
     if (found == by_nodes_.end() || found->first != nodes) return std::nullopt;
-    is_same_[at(found->second)] = true;
+    is_there_[at(found->second)] = true;
     return homes_[at(found->second)];
   }
 
@@ -72,7 +73,7 @@ class OldTets {
 
  private:
   bool has_changed(std::size_t t) const {
-    if (!is_same_[t]) return true;
+    if (!is_there_[t]) return true;
     const Tet& tet = mesh_.tets[t];
     return std::any_of(tet.begin(), tet.end(), [this](std::int32_t v) {
       return !(mesh_.nodes[at(v)] == now_.points[at(v)]);
@@ -106,7 +107,8 @@ class OldTets {
   const TetMesh& mesh_;
   const std::vector<ElementHome>& homes_;
   const TetComplex& now_;
-  std::vector<bool> is_same_;
+  std::vector<bool> is_in_place_;  ///< its nodes are those of the tet with its number now
+  std::vector<bool> is_there_;     ///< there is a tet with its nodes now, in whatever place
   std::vector<std::pair<SortedTet, std::int32_t>> by_nodes_;
   std::vector<std::int32_t> changed_;
   BoxTree tree_;

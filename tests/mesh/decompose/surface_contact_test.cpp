@@ -196,6 +196,22 @@ TEST(SurfaceContacts, are_found_in_what_is_nearby_as_in_the_whole_surface) {
   }
 }
 
+TEST(SurfaceContacts, are_looked_for_no_longer_once_there_are_more_than_asked_for) {
+  const FlatCut cut = cut_at_plate(0.51, 0.6);
+  const NearbySurface surface = whole_surface(cut.subdomain);
+  const auto found = [&](std::size_t most) {
+    return pairs_of(
+        find_contacts(cut.mesh, cut.subdomain, cut.topology, surface, 0.4, most));
+  };
+  const std::vector<Pair> all = found(1000000);
+  ASSERT_GT(all.size(), 20U);
+  EXPECT_EQ(found(all.size()), all);
+  const std::vector<Pair> few = found(5);
+  EXPECT_GT(few.size(), 5U);
+  EXPECT_LT(few.size(), all.size());
+  EXPECT_TRUE(std::equal(few.begin(), few.end(), all.begin()));
+}
+
 TEST(SurfaceContacts, of_a_plate_in_the_way_meet_and_have_no_distance) {
   FlatCut cut = cut_at_plate(0.51, 0.6);
   for (std::size_t i = cut.mesh.rim_vertices.size(); i < cut.mesh.heights.size(); ++i) {
