@@ -181,8 +181,9 @@ TEST(Regions, refuse_points_word_by_word) {
                   .is_outside_meshed = true}),
       "region.at: the point (5, 0, 0) is outside the surface, which is to be meshed up to the "
       "outer boundary");
-  EXPECT_EQ(refusal_of({.wishes = {{.at = {0, 0, 0}, .name = "a"}, {.at = {0.1, 0, 0}, .name = "b"}}}),
-            "region.at: the point (0.1, 0, 0) is in the same region as (0, 0, 0)");
+  EXPECT_EQ(
+      refusal_of({.wishes = {{.at = {0, 0, 0}, .name = "a"}, {.at = {0.1, 0, 0}, .name = "b"}}}),
+      "region.at: the point (0.1, 0, 0) is in the same region as (0, 0, 0)");
   const Vec3 corner = shapes::nested_spheres(0).vertices[0];
   EXPECT_THAT(refusal_of({.wishes = {{.at = corner, .name = "edge"}}}),
               ::testing::EndsWith("is on the surface, so it cannot tell which side is meant"));
@@ -201,15 +202,17 @@ TEST(Regions, remark_what_is_turned_and_left_out_word_by_word) {
   EXPECT_EQ(hollow.report.regions[1].name, "");
   EXPECT_EQ(hollow.report.regions[1].number, 0);
   EXPECT_EQ(hollow.report.volume, hollow.report.regions[0].volume);
-  const CheckedSurface core = check_surface(
-      nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true}, {.at = {0, 0, 0}, .name = ""}}});
+  const CheckedSurface core =
+      check_surface(nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true},
+                                        {.at = {0, 0, 0}, .name = ""}}});
   EXPECT_THAT(core.report.remarks,
               ElementsAre("20 triangles with no meshed region on either side: left out"));
   EXPECT_THAT(core.surface.region_names, ElementsAre("region 1"));
   const CheckedSurface outside = check_surface(
       nested, {.wishes = {{.at = {0, 0, 0}, .name = "core"}}, .is_outside_meshed = true});
   EXPECT_THAT(outside.surface.region_names, ElementsAre("outside", "core"));
-  const auto nothing = defects_of(nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true}}});
+  const auto nothing =
+      defects_of(nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true}}});
   EXPECT_THAT(nothing, ElementsAre("nothing to mesh: the job declares every region void [ ]"));
 }
 
