@@ -82,7 +82,8 @@ TEST(JobDomain, is_what_lies_in_the_surface_or_between_it_and_the_outer_boundary
   const JobDomain outside = domain_of_job(job, cube);
   EXPECT_NEAR(domain_volume(outside.surface), 7, 1e-12) << "a box of edge 2 round it";
   EXPECT_EQ(outside.root.triangles.size(), outside.surface.triangles.size());
-  EXPECT_GT(outside.elements, 5 * inside.elements);
+  EXPECT_EQ(outside.elements, estimated_elements(outside.root, outside.spacing));
+  EXPECT_NE(outside.elements, inside.elements);
 }
 
 TEST(JobDomain, of_a_job_that_is_too_large_is_refused_with_a_size_that_would_do) {

@@ -235,11 +235,11 @@ TEST_F(RunTask, every_end_has_its_cause_its_exit_code_and_its_words) {
       {[] { throw DamagedInput("it is damaged", "a hash"); }, FailureCause::damaged_input, 1,
        "it is damaged"},
       {[] { throw IoError("cannot write", "/x", EDQUOT); }, FailureCause::disk_full, 6,
-       "cannot write /x: Disk quota exceeded"},
-      {[] { throw IoError("cannot map", "/x", ENOMEM); }, FailureCause::out_of_memory, 1,
-       "cannot map /x: Cannot allocate memory"},
+       "/x: cannot write: Disk quota exceeded"},
+      {[] { throw IoError("cannot map", "/x", ENOMEM); }, FailureCause::out_of_memory, 6,
+       "/x: cannot map: Cannot allocate memory"},
       {[] { throw IoError("cannot read", "/x", EIO); }, FailureCause::error, 1,
-       "cannot read /x: Input/output error"},
+       "/x: cannot read: Input/output error"},
       {[] { throw CorruptFile("is no file of ours", "/x"); }, FailureCause::error, 1,
        "/x: is no file of ours"},
       {[] { throw Error(ExitCode::failed, "odd"); }, FailureCause::error, 1, "odd"},
@@ -261,6 +261,7 @@ TEST_F(RunTask, evidence_that_cannot_be_kept_does_not_hide_the_reason) {
   const wire::Envelope result = run([this](TaskIo&) {
     std::filesystem::remove_all(store_.scratch_folder());
     std::filesystem::remove_all(folder_ + "/artifacts");
+    std::ofstream(folder_ + "/artifacts") << "no folder";
     throw RefusedInput("open edge", {{"a.vtp", "a"}, {"b.vtp", "b"}});
   });
   EXPECT_THAT(result.failed().message(),

@@ -125,7 +125,7 @@ TEST_F(TaskProgram, cannot_do_what_it_cannot_read) {
     run_task_program(folder_.path(), -1, out.fd());
     ADD_FAILURE() << "there is nothing to read";
   } catch (const IoError& error) {
-    EXPECT_STREQ(error.what(), "cannot read the task standard input: Bad file descriptor");
+    EXPECT_STREQ(error.what(), "standard input: cannot read the task: Bad file descriptor");
   }
   const MemoryFile good(start_.SerializeAsString());
   EXPECT_THROW(run_task_program(folder_.path(), good.fd(), -1), IoError);

@@ -133,8 +133,11 @@ TEST_F(JobStatusTest, is_at_the_first_kind_of_task_that_is_not_done) {
 
 TEST_F(JobStatusTest, tells_what_the_inspection_expects) {
   TaskRow& inspect = add(TaskKind::inspect, 0, TaskState::done);
-  inspect.numbers = {{"total_work", 1000}, {"parts", 8}, {"forecast_bytes", 5},
-                     {"forecast_disk_bytes", 6}, {"forecast_seconds", 7}};
+  inspect.numbers = {{"total_work", 1000},
+                     {"parts", 8},
+                     {"forecast_bytes", 5},
+                     {"forecast_disk_bytes", 6},
+                     {"forecast_seconds", 7}};
   JobSummary told = summary();
   EXPECT_EQ(told.estimated_elements, 1000);
   EXPECT_EQ(told.numbers.at("parts"), 8);
@@ -149,8 +152,8 @@ TEST_F(JobStatusTest, tells_what_the_inspection_expects) {
 }
 
 TEST_F(JobStatusTest, adds_up_what_tasks_of_a_kind_took_and_has_the_largest_memory) {
-  const auto cost = [this](std::uint64_t path, TaskState state, double seconds,
-                           std::uint64_t bytes, double expected_bytes) {
+  const auto cost = [this](std::uint64_t path, TaskState state, double seconds, std::uint64_t bytes,
+                           double expected_bytes) {
     TaskRow& task = add(TaskKind::mesh, path, state);
     task.seconds = seconds;
     task.peak_rss_bytes = bytes;
@@ -166,21 +169,23 @@ TEST_F(JobStatusTest, adds_up_what_tasks_of_a_kind_took_and_has_the_largest_memo
   for (const auto& [name, number] : summary().numbers) {
     if (name.starts_with("task_mesh")) of_mesh[name] = number;
   }
-  EXPECT_THAT(of_mesh, ElementsAre(Pair("task_mesh_bytes", 600), Pair("task_mesh_count", 2),
-                                   Pair("task_mesh_cpu_seconds", 4),
-                                   Pair("task_mesh_expected_bytes", 1000),
-                                   Pair("task_mesh_expected_seconds", 16),
-                                   Pair("task_mesh_of_expected_bytes", 0.8),
-                                   Pair("task_mesh_seconds", 8)));
+  EXPECT_THAT(of_mesh,
+              ElementsAre(Pair("task_mesh_bytes", 600), Pair("task_mesh_count", 2),
+                          Pair("task_mesh_cpu_seconds", 4), Pair("task_mesh_expected_bytes", 1000),
+                          Pair("task_mesh_expected_seconds", 16),
+                          Pair("task_mesh_of_expected_bytes", 0.8), Pair("task_mesh_seconds", 8)));
   EXPECT_EQ(summary().numbers.at("task_write_count"), 1);
-  EXPECT_FALSE(summary().numbers.contains("task_write_of_expected_bytes")) << "nothing was expected";
+  EXPECT_FALSE(summary().numbers.contains("task_write_of_expected_bytes"))
+      << "nothing was expected";
 }
 
 TEST_F(JobStatusTest, has_the_worst_unforced_angle_of_all_leaves_and_where_it_is) {
   const auto write = [this](std::uint64_t path, double elements, double angle) {
     TaskRow& task = add(TaskKind::write, path, TaskState::done);
-    task.numbers = {{"unforced_elements", elements}, {"unforced_worst_x", 10 * angle},
-                    {"unforced_worst_y", 11 * angle}, {"unforced_worst_z", 12 * angle}};
+    task.numbers = {{"unforced_elements", elements},
+                    {"unforced_worst_x", 10 * angle},
+                    {"unforced_worst_y", 11 * angle},
+                    {"unforced_worst_z", 12 * angle}};
     if (angle > 0) task.numbers["unforced_min_dihedral_deg"] = angle;
   };
   write(2, 100, 20);
@@ -249,8 +254,8 @@ TEST_F(JobStatusTest, says_why_sub_domains_stayed_whole_or_were_cut_further) {
   add(TaskKind::mesh, 7, TaskState::replaced).message = "not cut after all";
   add(TaskKind::order, 0, TaskState::replaced).message = "6 was cut";
   const JobSummary told = summary();
-  EXPECT_THAT(told.texts,
-              ElementsAre(Pair("cut_further:6", "out of memory"), Pair("uncut:5", "no valid plane")));
+  EXPECT_THAT(told.texts, ElementsAre(Pair("cut_further:6", "out of memory"),
+                                      Pair("uncut:5", "no valid plane")));
   EXPECT_EQ(told.numbers.at("uncut"), 1);
   EXPECT_EQ(told.numbers.at("cut_further"), 1);
 }
