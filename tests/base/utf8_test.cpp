@@ -60,7 +60,8 @@ TEST(Utf8, reads_the_first_and_the_last_character_of_each_length) {
                                                      {"\xF0\x90\x80\x80", 0x10000},
                                                      {"\xF4\x8F\xBF\xBF", 0x10FFFF}}) {
     EXPECT_EQ(code_point_at(one.text, 0).value, one.value) << static_cast<unsigned>(one.value);
-    EXPECT_EQ(code_point_at(one.text, 0).bytes, one.text.size()) << static_cast<unsigned>(one.value);
+    EXPECT_EQ(code_point_at(one.text, 0).bytes, one.text.size())
+        << static_cast<unsigned>(one.value);
     EXPECT_TRUE(is_utf8(one.text + one.text));
   }
   for (const char* text : {"\xC1\xBF", "\xE0\x9F\xBF", "\xF0\x8F\xBF\xBF", "\xED\xBF\xBF",
