@@ -49,16 +49,22 @@ TEST(ArtifactRefusals, of_a_subdomain) {
   };
   constexpr std::size_t triangles = 12 + 4 * 8 + 4 * 24;
   EXPECT_EQ(said_of(bytes), "");
-  EXPECT_EQ(said_of(checked_with(bytes, 8, std::uint32_t{1})), "s: has the format version 1, not 2");
+  EXPECT_EQ(said_of(checked_with(bytes, 8, std::uint32_t{1})),
+            "s: has the format version 1, not 2");
   EXPECT_EQ(said_of(checked_with(bytes, 12, std::uint64_t{0})), "s: has the tree path 0");
-  EXPECT_EQ(said_of(checked_with(bytes, 20, std::uint64_t{1} << 31U)), "s: has a count of 2147483648");
+  EXPECT_EQ(said_of(checked_with(bytes, 20, std::uint64_t{1} << 31U)),
+            "s: has a count of 2147483648");
   EXPECT_EQ(said_of(checked_with(bytes, 20, std::uint64_t{999})), "s: is cut short");
   EXPECT_EQ(said_of(checked_with(bytes, triangles, 4)), "s: has the index 4 of 4 items");
   EXPECT_EQ(said_of(checked_with(bytes, triangles + 8, -1)), "s: has the index -1 of 4 items");
   EXPECT_EQ(said_of(checked_with(bytes, triangles, 3)), "");
   EXPECT_EQ(said_of(checked_with(bytes, 36, std::uint64_t{0})), "s: is cut short")
       << "of several regions, each triangle has its sides";
-  const std::string sides = subdomain_to_bytes(root);
+  Subdomain several = root;
+  several.region = 0;
+  several.sides.assign(4, {1, 0});
+  const std::string sides = subdomain_to_bytes(several);
+  EXPECT_EQ(said_of(sides), "");
   EXPECT_EQ(said_of(checked_with(sides, sides.size() - checksum_size - 4, -1)),
             "s: has the index -1 of 2147483647 items");
   EXPECT_EQ(said_of(checked_with(sides, 36, std::uint64_t{1})), "s: has 32 surplus bytes");
@@ -188,7 +194,8 @@ TEST(ArtifactRefusals, of_shared_nodes) {
   const std::size_t set = bytes.size() - checksum_size - 4;
   EXPECT_EQ(said_of(checked_with(bytes, set, std::uint32_t{1})),
             "n: has a node of a set that does not exist");
-  EXPECT_EQ(said_of(checked_with(bytes, 8, std::uint32_t{2})), "n: has the format version 2, not 1");
+  EXPECT_EQ(said_of(checked_with(bytes, 8, std::uint32_t{2})),
+            "n: has the format version 2, not 1");
   EXPECT_EQ(said_of(checked_with(bytes, 20, std::uint64_t{2})), "n: is cut short");
 }
 

@@ -16,7 +16,8 @@ using testing::ElementsAre;
 NumberedPart with_numbers(const std::vector<std::int64_t>& numbers) {
   NumberedPart part;
   part.local2global = numbers;
-  for (const std::int64_t number : numbers) part.nodes.push_back({static_cast<double>(number), 0, 0});
+  for (const std::int64_t number : numbers)
+    part.nodes.push_back({static_cast<double>(number), 0, 0});
   return part;
 }
 
@@ -88,7 +89,8 @@ TEST(PartCells, are_counted_tets_first_and_boundary_faces_triangles_first) {
   quads.regions = {7};
   quads.patches = {8};
   std::string text;
-  for_each_cell(part, [&](std::int32_t cell, ElementType type, std::span<const std::int32_t> nodes) {
+  for_each_cell(part, [&](std::int32_t cell, ElementType type,
+                          std::span<const std::int32_t> nodes) {
     text += std::to_string(cell) + std::string(element(type).name) + std::to_string(nodes[0]) + " ";
   });
   EXPECT_EQ(text, "0tet0 1prism0 2prism1 3hex0 ");

@@ -30,7 +30,8 @@ TEST(NumberingRefusals, name_the_line_of_a_table_that_is_none) {
   for (const char* line :
        {"knot 1 1", "cut 1", "cut 1 2 3", "cut 0 1", "cut 9223372036854775808 1", "leaf 1 2",
         "leaf 1 2 3 4 5", "leaf 0 1 1", "leaf 2 1152921504606846977 1", "joined 2", "joined 2 0",
-        "joined 0 2", "dropped 1 2", "dropped 1 2 3 4", "leaf 2 1 -1", "leaf  2 1 1", "leaf 2 1 1 "}) {
+        "joined 0 2", "dropped 1 2", "dropped 1 2 3 4", "leaf 2 1 -1", "leaf  2 1 1",
+        "leaf 2 1 1 "}) {
     EXPECT_EQ(said_of_table(tree + line + "\n"),
               "the table of the tree has the line \"" + std::string(line) + "\"");
   }
@@ -55,8 +56,7 @@ TEST(NumberingRefusals, tell_a_tree_that_is_not_whole_from_nodes_that_do_not_exi
 }
 
 TEST(NumberingRefusals, name_the_node_or_leaf_that_is_not_there) {
-  const Numbering numbering =
-      number_globally(shapes::unit_cube(), tree + "dropped 1 3 2\n");
+  const Numbering numbering = number_globally(shapes::unit_cube(), tree + "dropped 1 3 2\n");
   const auto node = [&](std::uint64_t owner, std::uint32_t index) {
     return said([&] { global_number(numbering, {owner, index}); });
   };
@@ -67,7 +67,9 @@ TEST(NumberingRefusals, name_the_node_or_leaf_that_is_not_there) {
   EXPECT_EQ(node(1, 5), "");
   EXPECT_EQ(node(1, 10), "no node 10 of cut or leaf root in the numbering");
   EXPECT_EQ(node(4, 0), "no node 0 of cut or leaf LL in the numbering");
-  EXPECT_EQ(said([&] { leaf_numbering(numbering, {{4}, 1, {}}); }),
+  EXPECT_EQ(said([&] {
+              leaf_numbering(numbering, {{4}, 1, {}});
+            }),
             "sub-domain LL is not a leaf of the numbering");
 }
 

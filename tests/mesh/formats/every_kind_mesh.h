@@ -24,8 +24,8 @@ inline void turn_node_order(NumberedPart& part) {
   for_each_block(part.blocks, [&](ElementType, ElementBlock& block) { turn(block.nodes); });
 }
 
-/// Every type of cell in three parts and three regions: the HybridMesh with one of its pyramids in a
-/// region of its own, and a part of two tets in two regions, of which one touches a pyramid in a
+/// Every type of cell in three parts and three regions: the HybridMesh with one of its pyramids in
+/// a region of its own, and a part of two tets in two regions, of which one touches a pyramid in a
 /// node. Patches have triangles and quads, one has neither.
 class EveryKindMesh : public MeshSource {
  public:
@@ -58,8 +58,8 @@ class EveryKindMesh : public MeshSource {
     places[23] = {5, 0, 1e-7};
     const std::vector<ListedCell> cells = {{ElementType::tet, {8, 17, 18, 19}},
                                            {ElementType::tet, {20, 21, 22, 23}}};
-    parts.push_back(part_of_cells(
-        cells, places, 2, 1, [](ElementType, std::span<const std::int64_t> face) {
+    parts.push_back(
+        part_of_cells(cells, places, 2, 1, [](ElementType, std::span<const std::int64_t> face) {
           const bool is_of_second = face[0] >= 20;
           const bool has_apex = std::find(face.begin(), face.end(), 23) != face.end();
           return std::optional<std::int32_t>(is_of_second ? (has_apex ? 0 : 2) : 1);

@@ -26,7 +26,8 @@ inline std::string hdf5_type_text(hid_t type) {
 }
 
 inline std::string hdf5_space_text(hid_t space) {
-  std::vector<hsize_t> size(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  std::vector<hsize_t> size(
+      static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
   if (!size.empty()) H5Sget_simple_extent_dims(space, size.data(), nullptr);
   std::string text;
   for (const hsize_t length : size) text += "[" + std::to_string(length) + "]";
@@ -80,7 +81,8 @@ inline void list_hdf5_group(hid_t group, const std::string& path, std::string& t
   const Hdf5Handle made(H5Gget_create_plist(group), H5Pclose);
   unsigned flags = 0;
   H5Pget_link_creation_order(made.get(), &flags);
-  const H5_index_t order = (flags & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  const H5_index_t order =
+      (flags & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
   text += order == H5_INDEX_CRT_ORDER ? path + " group in order\n" : path + " group\n";
   hsize_t first_attribute = 0;
   H5Aiterate2(group, H5_INDEX_NAME, H5_ITER_INC, &first_attribute, list_hdf5_attribute, &text);

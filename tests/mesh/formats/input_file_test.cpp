@@ -111,12 +111,16 @@ TEST(NodeRecords, lie_where_the_numbers_of_the_nodes_say) {
   part.local2global = {2, 3, 0};
   OutputFile file(folder.path() / "a");
   const NumberText style = NumberText::text(9);
-  write_node_records(file, 4, 3, part, style, [](NumberText& text, std::int64_t node, const Vec3& p) {
-    text.words(std::to_string(node) + std::to_string(static_cast<int>(p.x)));
-    text.end_record();
-  });
+  write_node_records(file, 4, 3, part, style,
+                     [](NumberText& text, std::int64_t node, const Vec3& p) {
+                       text.words(std::to_string(node) + std::to_string(static_cast<int>(p.x)));
+                       text.end_record();
+                     });
   file.finish();
-  EXPECT_EQ(read_file(folder.path() / "a"), std::string("\0\0\0\0" "03\n\0\0\0" "21\n32\n", 16));
+  EXPECT_EQ(read_file(folder.path() / "a"), std::string("\0\0\0\0"
+                                                        "03\n\0\0\0"
+                                                        "21\n32\n",
+                                                        16));
 }
 
 TEST(NodeRecords, list_the_faces_of_each_patch_in_their_order) {

@@ -25,7 +25,8 @@ std::string failure(const std::string& text, const std::function<void(InputScann
 }
 
 TEST(InputScanner, reads_words_over_lines_and_within_one) {
-  const std::string text = "\xef\xbb\xbf  one\ttwo\r\nthree \\\n four\\five \\\r\nsix\nseven  eight \n\n";
+  const std::string text =
+      "\xef\xbb\xbf  one\ttwo\r\nthree \\\n four\\five \\\r\nsix\nseven  eight \n\n";
   InputScanner in(text, file_name);
   EXPECT_EQ(in.word(), "one");
   EXPECT_EQ(in.word_in_line(), "two");

@@ -144,9 +144,8 @@ TEST(ListedMesh, sub_domains_are_consecutive_runs_and_other_cells_go_to_theirs) 
   EXPECT_THAT(source->part(2).region_of_tet, ElementsAre(1, 1, 2));
   // The first of region 1 is the last of the list: its nodes are 3 to 7.
   const NumberedPart first = source->part(0);
-  EXPECT_EQ(first.local2global[static_cast<std::size_t>(
-                first.blocks[ElementType::pyramid].nodes[0])],
-            3);
+  EXPECT_EQ(
+      first.local2global[static_cast<std::size_t>(first.blocks[ElementType::pyramid].nodes[0])], 3);
 }
 
 TEST(ListedMesh, a_sub_domain_may_have_tets_of_one_region_and_other_cells_of_another) {
@@ -167,8 +166,7 @@ TEST(ListedMesh, a_sub_domain_may_have_tets_of_one_region_and_other_cells_of_ano
 
 TEST(ListedMesh, without_cells_is_refused) {
   ListedMesh mesh = row_of_tets(0);
-  EXPECT_THAT([&] { open_listed(mesh); },
-              testing::ThrowsMessage<InvalidInput>("row: has no tets"));
+  EXPECT_THAT([&] { open_listed(mesh); }, testing::ThrowsMessage<InvalidInput>("row: has no tets"));
 }
 
 TEST(ListedMesh, complaints_count_the_nodes_that_nothing_has) {

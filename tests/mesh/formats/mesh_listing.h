@@ -30,8 +30,8 @@ inline std::string part_listing(const NumberedPart& part) {
             digits_of(p.y) + " " + digits_of(p.z) + "\n";
   }
   for (std::size_t t = 0; t < part.tets.size(); ++t) {
-    text += " tet" + numbers_of(part.tets[t]) + " region " + std::to_string(part.region_of(t)) +
-            "\n";
+    text +=
+        " tet" + numbers_of(part.tets[t]) + " region " + std::to_string(part.region_of(t)) + "\n";
   }
   for_each_block_cell(part.blocks, [&](ElementType type, auto nodes, std::int32_t region) {
     text += " " + std::string(element(type).name) + numbers_of(nodes) + " region " +

@@ -17,7 +17,8 @@ TEST(MeshOutline, has_the_counts_of_every_part_and_what_comes_before_it) {
   const EveryKindMesh mesh;
   const MeshOutline outline = outline_of(mesh);
   ASSERT_EQ(outline.parts.size(), 3U);
-  const auto& [hexes, pyramids, tets] = std::tie(outline.parts[0], outline.parts[1], outline.parts[2]);
+  const auto& [hexes, pyramids, tets] =
+      std::tie(outline.parts[0], outline.parts[1], outline.parts[2]);
   EXPECT_EQ(outline.nodes, 24);
   EXPECT_EQ(hexes.nodes, 14);
   EXPECT_EQ(hexes.owned_nodes, 14);
@@ -148,16 +149,22 @@ TEST(MeshOutline, refuses_numbers_that_are_out_of_range_or_order) {
   const std::string node = "sub-domain 2: a node number is out of range";
   EXPECT_EQ(refusal([](Parts& p) { p[2].region_of_tet = {0, 3}; }), region);
   EXPECT_EQ(refusal([](Parts& p) { p[2].region_of_tet = {1, 1'000'001}; }), region);
-  EXPECT_EQ(refusal([](Parts& p) { p[2].region_of_tet = {3, 1}; }),
+  EXPECT_EQ(refusal([](Parts& p) {
+              p[2].region_of_tet = {3, 1};
+            }),
             "sub-domain 2: regions are not in order");
   EXPECT_EQ(refusal([](Parts& p) { p[2].region_of_tet.clear(), p[2].region = 0; }), region);
   EXPECT_EQ(refusal([](Parts& p) { p[2].patch_of_face[0] = -1; }), patch);
   EXPECT_EQ(refusal([](Parts& p) { p[2].patch_of_face[0] = 1'000'000; }), patch);
   EXPECT_EQ(refusal([](Parts& p) { p[2].local2global[0] = -1; }), node);
   EXPECT_EQ(refusal([](Parts& p) { p[2].local2global[0] = std::int64_t{1} << 40U; }), node);
-  EXPECT_EQ(refusal([](Parts& p) { p[1].blocks[ElementType::pyramid].regions = {0, 3}; }),
+  EXPECT_EQ(refusal([](Parts& p) {
+              p[1].blocks[ElementType::pyramid].regions = {0, 3};
+            }),
             "sub-domain 1: a region number is out of range");
-  EXPECT_EQ(refusal([](Parts& p) { p[1].blocks[ElementType::pyramid].regions = {3, 2}; }),
+  EXPECT_EQ(refusal([](Parts& p) {
+              p[1].blocks[ElementType::pyramid].regions = {3, 2};
+            }),
             "sub-domain 1: regions are not in order");
   EXPECT_EQ(refusal([](Parts& p) { p[0].blocks[ElementType::quad].patches[0] = -1; }),
             "sub-domain 0: a patch number is out of range");
@@ -172,9 +179,10 @@ TEST(MeshOutline, of_a_mesh_with_other_cells_than_tets_is_refused_by_formats_of_
     require_tets_alone(outline_of(EveryKindMesh()), "TetGen files hold");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "TetGen files hold tetrahedra only; this mesh has 2 pyramids, 1 prism, 2 hexes, 13 "
-                 "quads: choose a format that holds them, vtkhdf for instance");
+    EXPECT_STREQ(
+        error.what(),
+        "TetGen files hold tetrahedra only; this mesh has 2 pyramids, 1 prism, 2 hexes, 13 "
+        "quads: choose a format that holds them, vtkhdf for instance");
   }
   require_tets_alone(outline_of(TetsMesh()), "TetGen files hold");
 }

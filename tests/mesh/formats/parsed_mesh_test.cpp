@@ -73,7 +73,8 @@ TEST(ParsedMesh, has_tets_and_cells_in_the_order_in_which_they_came) {
     EXPECT_EQ(tet[0], (ListedMesh::Nodes{first, first + 1, first + 2, first + 3}));
     std::vector<std::int64_t> nodes(5);
     pyramids.read(first, nodes);
-    EXPECT_EQ(nodes, (std::vector<std::int64_t>{first, first + 1, first + 2, first + 3, first + 5}));
+    EXPECT_EQ(nodes,
+              (std::vector<std::int64_t>{first, first + 1, first + 2, first + 3, first + 5}));
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "its files have no names";
 }

@@ -1,6 +1,6 @@
 // What is written of a small mesh is compared byte for byte with files that are kept, and what is
-// read of those with a listing that is kept: formats are promises to other programs. A change that is
-// meant to change files runs this test once with UPDATE_GOLDEN=1 and commits what that writes.
+// read of those with a listing that is kept: formats are promises to other programs. A change that
+// is meant to change files runs this test once with UPDATE_GOLDEN=1 and commits what that writes.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -55,25 +55,24 @@ struct WholeFile {
 
 void PrintTo(const WholeFile& file, std::ostream* out) { *out << file.format; }
 
-constexpr std::array formats_of_all = {
-    WholeFile{"msh41", "a.msh", "a.msh"},
-    WholeFile{"msh41-text", "a.msh", "a.msh"},
-    WholeFile{"msh41-split", "a.msh", "a_1.msh"},
-    WholeFile{"msh41-ghosts", "a.msh", "a_1.msh"},
-    WholeFile{"msh22", "a.msh", "a.msh"},
-    WholeFile{"su2", "a.su2", "a.su2"},
-    WholeFile{"meshb", "a.meshb", "a.meshb"},
-    WholeFile{"lb8.ugrid", "a.lb8.ugrid", "a.lb8.ugrid"},
-    WholeFile{"b8.ugrid", "a.b8.ugrid", "a.b8.ugrid"},
-    WholeFile{"lb8l.ugrid", "a.lb8l.ugrid", "a.lb8l.ugrid"},
-    WholeFile{"b8l.ugrid", "a.b8l.ugrid", "a.b8l.ugrid"},
-    WholeFile{"pvtu", "a.pvtu", "a.pvtu"},
-    WholeFile{"cgns", "a.cgns", "a.cgns"},
-    WholeFile{"vtkhdf", "a.vtkhdf", "a.vtkhdf"},
-    WholeFile{"openfoam", "case", "case"},
-    WholeFile{"openfoam-decomposed", "case", "case"},
-    WholeFile{"comm", "tables", ""},
-    WholeFile{"comm-text", "tables", ""}};
+constexpr std::array formats_of_all = {WholeFile{"msh41", "a.msh", "a.msh"},
+                                       WholeFile{"msh41-text", "a.msh", "a.msh"},
+                                       WholeFile{"msh41-split", "a.msh", "a_1.msh"},
+                                       WholeFile{"msh41-ghosts", "a.msh", "a_1.msh"},
+                                       WholeFile{"msh22", "a.msh", "a.msh"},
+                                       WholeFile{"su2", "a.su2", "a.su2"},
+                                       WholeFile{"meshb", "a.meshb", "a.meshb"},
+                                       WholeFile{"lb8.ugrid", "a.lb8.ugrid", "a.lb8.ugrid"},
+                                       WholeFile{"b8.ugrid", "a.b8.ugrid", "a.b8.ugrid"},
+                                       WholeFile{"lb8l.ugrid", "a.lb8l.ugrid", "a.lb8l.ugrid"},
+                                       WholeFile{"b8l.ugrid", "a.b8l.ugrid", "a.b8l.ugrid"},
+                                       WholeFile{"pvtu", "a.pvtu", "a.pvtu"},
+                                       WholeFile{"cgns", "a.cgns", "a.cgns"},
+                                       WholeFile{"vtkhdf", "a.vtkhdf", "a.vtkhdf"},
+                                       WholeFile{"openfoam", "case", "case"},
+                                       WholeFile{"openfoam-decomposed", "case", "case"},
+                                       WholeFile{"comm", "tables", ""},
+                                       WholeFile{"comm-text", "tables", ""}};
 
 constexpr WholeFile tetgen_files = {"tetgen", "a.node", "a.ele"};
 

@@ -34,7 +34,8 @@ TEST(JobSections, say_all_of_what_is_wrong_and_where) {
            {"[spacing]\ngrowth = true", "j:4:10: `growth` must be a number, not a boolean"},
            {"[spacing]\ngrowth = [1]", "j:4:10: `growth` must be a number, not an array"},
            {"[spacing]\ngrowth = {}", "j:4:10: `growth` must be a number, not a table"},
-           {"[spacing]\ngrowth = 2026-11-25", "j:4:10: `growth` must be a number, not a date or time"},
+           {"[spacing]\ngrowth = 2026-11-25",
+            "j:4:10: `growth` must be a number, not a date or time"},
            {"[spacing]\ngrowth = inf", "j:4:10: `growth` must be finite"},
            {"[spacing]\ngrowth = -0.1", "j:4:10: `growth` must be positive"},
            {"[spacing]\ngrowth = 0", "j:4:10: `growth` must be positive"},
@@ -66,7 +67,8 @@ TEST(JobSections, say_all_of_what_is_wrong_and_where) {
            {"[decompose]\nmax_memory = \"2GB\"\nsubdomains = 1",
             "j:5:14: `subdomains` cannot be given together with `max_memory`, which decides it"},
            {"[decompose]\nmax_memory = \"2GB\"\ntarget_elements = 0",
-            "j:5:19: `target_elements` cannot be given together with `max_memory`, which decides it"},
+            "j:5:19: `target_elements` cannot be given together with `max_memory`, which decides "
+            "it"},
            {"[decompose]\nsubdomains = 4\nassimilate = { groups = 4 }", ""},
            {"[decompose]\nsubdomains = 4\nassimilate = { groups = 5 }",
             "j:5:25: `groups` must not be more than `subdomains`, the leaves to join"},
@@ -91,15 +93,19 @@ TEST(JobSections, say_all_of_what_is_wrong_and_where) {
            {"[[region]]\nname = \"a\"", "j:3:1: `at` is missing in [region]"},
            {"[[region]]\nat = 1", "j:4:6: `at` must be an array, not an integer"},
            {"[[region]]\nat = [0, 0, 0, 0]", "j:4:6: `at` must have three coordinates"},
-           {"[[region]]\nat = [0, 0, 0]\nvoid = 1", "j:5:8: `void` must be true or false, not an integer"},
-           {"[[region]]\nat = [0, 0, 0]\nname = 1", "j:5:8: `name` must be a string, not an integer"},
+           {"[[region]]\nat = [0, 0, 0]\nvoid = 1",
+            "j:5:8: `void` must be true or false, not an integer"},
+           {"[[region]]\nat = [0, 0, 0]\nname = 1",
+            "j:5:8: `name` must be a string, not an integer"},
            {"[[source]]\nkind = \"triangle\"\ncorner = [1, 2]",
             "j:5:10: `corner` must hold three tables"},
            {"[[source]]\nkind = \"triangle\"\ncorner = [1, 2, 3]",
             "j:5:11: `corner` must hold tables, not an integer"},
-           {"[[source]]\nkind = \"line\"\nfrom = { at = [0, 0, 0], spacing = 1, inner = 1, outer = 1 }",
+           {"[[source]]\nkind = \"line\"\nfrom = { at = [0, 0, 0], spacing = 1, inner = 1, outer = "
+            "1 }",
             "j:3:1: `to` is missing in [source]"},
-           {"[[source]]\nkind = \"line\"\nfrom = { at = [0, 0, 0], spacing = 1, inner = 1, outer = 1, "
+           {"[[source]]\nkind = \"line\"\nfrom = { at = [0, 0, 0], spacing = 1, inner = 1, outer = "
+            "1, "
             "size = 1 }",
             "j:5:61: unknown key `size` in [source.from]"},
            {"[[source]]\nkind = \"point\"\nat = [0, 0, 0]\nspacing = 1\ninner = 2\nouter = 1",
@@ -127,10 +133,11 @@ TEST(JobSections, say_all_of_what_is_wrong_at_the_top) {
 }
 
 TEST(ParseJobFileOf, regions_and_files_of_sources_has_what_they_say) {
-  const JobFile job = parse_job_file(geometry_lines +
-                                         "[spacing]\nsources = \"../a.bac\"\n[[region]]\nat = [1, 2, 3]\n"
-                                         "[[region]]\nat = [4, 5, 6.5]\nname = \"air\"\nvoid = true\n",
-                                     "/jobs/wing.toml");
+  const JobFile job =
+      parse_job_file(geometry_lines +
+                         "[spacing]\nsources = \"../a.bac\"\n[[region]]\nat = [1, 2, 3]\n"
+                         "[[region]]\nat = [4, 5, 6.5]\nname = \"air\"\nvoid = true\n",
+                     "/jobs/wing.toml");
   EXPECT_EQ(job.sources_file, "/a.bac");
   ASSERT_EQ(job.regions.size(), 2U);
   EXPECT_EQ(job.regions[0].at, (Vec3{1, 2, 3}));
@@ -144,15 +151,16 @@ TEST(ParseJobFileOf, regions_and_files_of_sources_has_what_they_say) {
 TEST(JobFileKeys, are_each_there_once) {
   std::string all;
   for (const std::string& key : job_file_keys()) all += key + " ";
-  EXPECT_EQ(all,
-            "version name geometry.surface domain.outer domain.factor domain.spacing region.at "
-            "region.name region.void spacing.default spacing.growth spacing.surface spacing.sources "
-            "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
-            "source.from source.to source.corner source.corner.at source.corner.spacing "
-            "source.corner.inner source.corner.outer decompose.subdomains decompose.target_elements "
-            "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "
-            "decompose.assimilate.method mesh.points cosmetics.across_cuts quality.min_dihedral "
-            "quality.min_unforced_dihedral output.formats ");
+  EXPECT_EQ(
+      all,
+      "version name geometry.surface domain.outer domain.factor domain.spacing region.at "
+      "region.name region.void spacing.default spacing.growth spacing.surface spacing.sources "
+      "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
+      "source.from source.to source.corner source.corner.at source.corner.spacing "
+      "source.corner.inner source.corner.outer decompose.subdomains decompose.target_elements "
+      "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "
+      "decompose.assimilate.method mesh.points cosmetics.across_cuts quality.min_dihedral "
+      "quality.min_unforced_dihedral output.formats ");
 }
 
 }  // namespace

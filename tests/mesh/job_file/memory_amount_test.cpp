@@ -28,8 +28,8 @@ TEST(MemoryAmount, is_known_in_each_unit_in_any_case) {
 }
 
 TEST(MemoryAmount, is_nothing_for_less_than_a_byte_or_too_much_or_another_text) {
-  for (const char* text : {"0.9", "0.0009kB", "9007199254740994", "2 GiB ", "GiB", "2 G", "2 PB", "2,5GB", " 2GB",
-                           "-2GB", "+2GB", "2GB2", "2\tGB"}) {
+  for (const char* text : {"0.9", "0.0009kB", "9007199254740994", "2 GiB ", "GiB", "2 G", "2 PB",
+                           "2,5GB", " 2GB", "-2GB", "+2GB", "2GB2", "2\tGB"}) {
     EXPECT_EQ(parse_memory(text), std::nullopt) << text;
   }
 }

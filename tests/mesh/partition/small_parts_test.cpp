@@ -165,7 +165,8 @@ TEST(SmallNumbers, sort_cells_of_each_type_by_region_and_their_lowest_nodes) {
     EXPECT_EQ(part.blocks[ElementType::pyramid].regions,
               before.parts[i].blocks[ElementType::pyramid].regions);
   }
-  const ElementBlock& hexes = mesh.part(0).blocks[ElementType::hex];
+  const NumberedPart first = mesh.part(0);
+  const ElementBlock& hexes = first.blocks[ElementType::hex];
   const auto lowest = [&hexes](std::size_t i) {
     const auto nodes = hexes.element(ElementType::hex, i);
     return *std::min_element(nodes.begin(), nodes.end());

@@ -31,8 +31,8 @@ ForcedDihedral forced_of(const std::vector<NumberedPart>& parts) {
 }
 
 TEST(ForcedAngles, are_the_smallest_between_two_triangles_and_lie_at_the_middle_of_their_edge) {
-  const ForcedDihedral forced =
-      forced_of({wedge(50, {2, 0, 0}, 0, 1), wedge(20, {4, 0, 0}, 10, 1), wedge(30, {6, 0, 0}, 20, 1)});
+  const ForcedDihedral forced = forced_of(
+      {wedge(50, {2, 0, 0}, 0, 1), wedge(20, {4, 0, 0}, 10, 1), wedge(30, {6, 0, 0}, 20, 1)});
   EXPECT_NEAR(forced.at_most_deg, 20, 1e-9);
   EXPECT_EQ(forced.at, (Vec3{2, 0, 0}));
 }

@@ -45,7 +45,8 @@ Checked check(const NodesOnly& source, std::size_t most = 100) {
   NodeCheck check(source, folder.path(), 0);
   Checked result;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    check.add(source.part(i), [&](std::int64_t number, const Vec3&) { result.first.push_back(number); });
+    check.add(source.part(i),
+              [&](std::int64_t number, const Vec3&) { result.first.push_back(number); });
   }
   result.nodes = check.nodes();
   result.lines = check.finish(most);
@@ -53,7 +54,8 @@ Checked check(const NodesOnly& source, std::size_t most = 100) {
 }
 
 TEST(NodeCheck, meets_each_node_once_whichever_parts_have_it) {
-  const Checked right = check(NodesOnly({{{2, 0.5}, {0, 1}}, {{1, 7}, {2, 0.5}}, {{2, 0.5}, {3, 0}}}));
+  const Checked right =
+      check(NodesOnly({{{2, 0.5}, {0, 1}}, {{1, 7}, {2, 0.5}}, {{2, 0.5}, {3, 0}}}));
   EXPECT_THAT(right.first, ElementsAre(2, 0, 1, 3));
   EXPECT_EQ(right.nodes, 4);
   EXPECT_THAT(right.lines, IsEmpty());
@@ -92,7 +94,8 @@ TEST(NodeCheck, refuses_numbers_that_no_mesh_with_so_many_points_could_have) {
     return "";
   };
   EXPECT_EQ(refusal(-1), "sub-domain 1: the node number -1 is out of range");
-  EXPECT_EQ(refusal(std::int64_t{2147483647} + 3), "sub-domain 1: the node number 2147483650 is out of range");
+  EXPECT_EQ(refusal(std::int64_t{2147483647} + 3),
+            "sub-domain 1: the node number 2147483650 is out of range");
 }
 
 TEST(NodeCheck, of_many_shared_nodes_takes_what_memory_it_is_given) {

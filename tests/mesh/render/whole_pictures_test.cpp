@@ -17,8 +17,8 @@ NumberedPart square(std::int32_t number, double left, std::int32_t patch) {
   NumberedPart part;
   part.number = number;
   part.region = number + 1;
-  part.nodes = {{left, 0, 0}, {left + 1, 0, 0}, {left + 1, 1, 0}, {left, 1, 0},
-                {left + 0.5, 0.5, -0.1}};
+  part.nodes = {
+      {left, 0, 0}, {left + 1, 0, 0}, {left + 1, 1, 0}, {left, 1, 0}, {left + 0.5, 0.5, -0.1}};
   part.local2global = {0, 1, 2, 3, 4};
   part.tets = {{0, 2, 1, 4}, {0, 3, 2, 4}};
   part.faces = {{0, 1, 2}, {0, 2, 3}};
@@ -170,7 +170,8 @@ TEST(WholePictures, draw_edges_and_outlines_darker) {
   options.edge_width = 2;
   const std::vector<NumberedPart> parts = {square(0, 0, 0), square(1, 1, 0)};
   const Picture picture = picture_of(parts, options);
-  EXPECT_LT(pixel_at(picture, 49, 20)[2], facing(palette_colour(0))[2] / 2) << "between the squares";
+  EXPECT_LT(pixel_at(picture, 49, 20)[2], facing(palette_colour(0))[2] / 2)
+      << "between the squares";
   expect_near(pixel_at(picture, 35, 40), facing(palette_colour(0)));
 }
 

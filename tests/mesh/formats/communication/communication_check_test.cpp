@@ -35,9 +35,9 @@ Tables three_parts() {
 std::vector<std::string> complaints_after(const std::function<void(Tables&)>& change) {
   Tables tables = three_parts();
   change(tables);
-  return communication_complaints(
-      static_cast<std::int32_t>(tables.size()),
-      [&](std::int32_t i) { return tables.at(static_cast<std::size_t>(i)); });
+  return communication_complaints(static_cast<std::int32_t>(tables.size()), [&](std::int32_t i) {
+    return tables.at(static_cast<std::size_t>(i));
+  });
 }
 
 TEST(CommunicationCheck, has_nothing_to_say_of_tables_that_are_right) {

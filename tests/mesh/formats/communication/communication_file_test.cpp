@@ -46,9 +46,10 @@ TEST(CommunicationFile, is_laid_out_as_documented) {
 }
 
 TEST(CommunicationFile, as_text_has_a_line_for_each_thing) {
-  EXPECT_EQ(communication_to_text(small_table(true)),
-            "part 1 of 3 nodes 2 of 9 tets 7\nnode 0 5 0\nnode 1 8 1\nneighbour 0 1\n0 6\nghosts 1\n"
-            "0 2 5 4 3 2\n");
+  EXPECT_EQ(
+      communication_to_text(small_table(true)),
+      "part 1 of 3 nodes 2 of 9 tets 7\nnode 0 5 0\nnode 1 8 1\nneighbour 0 1\n0 6\nghosts 1\n"
+      "0 2 5 4 3 2\n");
   EXPECT_EQ(communication_to_text(small_table(false)),
             "part 1 of 3 nodes 2 of 9 tets 7 pyramids 0 prisms 4 hexes 0\nnode 0 5 0\nnode 1 8 1\n"
             "neighbour 0 1\n0 6\nghosts 2\n0 2 tet 5 4 3 2\n0 3 pyramid 5 4 3 2 7\n");
@@ -70,7 +71,8 @@ TEST(CommunicationFile, gives_back_what_was_written_and_refuses_what_is_wrong) {
   const std::string right = communication_to_bytes(small_table(false));
   constexpr std::size_t neighbour = 8 + 10 * 8 + 2 * 8 + 2 * 4;
   constexpr std::size_t ghost = neighbour + 16 + 8;
-  const std::string range = refusal("a.comm", std::string(right).replace(neighbour + 16, 4, raw_bytes(2)));
+  const std::string range =
+      refusal("a.comm", std::string(right).replace(neighbour + 16, 4, raw_bytes(2)));
   EXPECT_NE(range.find("has a node out of range"), range.npos) << range;
   const std::string negative =
       refusal("a.comm", std::string(right).replace(neighbour + 16, 4, raw_bytes(-1)));

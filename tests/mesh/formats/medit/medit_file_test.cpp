@@ -22,9 +22,11 @@ class Gmf {
     list(3, [&] { small(3); });
     list(4, [&] {
       large(5);
-      for (const auto& [x, y, z] :
-           {std::array{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0},
-            {0.5, 0.5, -0.25}}) {
+      for (const auto& [x, y, z] : {std::array{0.0, 0.0, 0.0},
+                                    {1.0, 0.0, 0.0},
+                                    {0.0, 1.0, 0.0},
+                                    {0.0, 0.0, 1.0},
+                                    {0.5, 0.5, -0.25}}) {
         for (const double value : {x, y, z}) real(value);
         large(9);
       }
@@ -120,14 +122,12 @@ TEST(MeditFile, says_what_is_wrong_with_a_mesh_and_where) {
         at(vertices + 8, "a count of -1, but the file has only " + bytes + " bytes")},
        {vertices + 8, raw_bytes(99),
         at(vertices + 8, "a count of 99, but the file has only " + bytes + " bytes")},
-       {vertices + 8, raw_bytes(6),
-        at(vertices + 8, "a list runs past the beginning of the next")},
+       {vertices + 8, raw_bytes(6), at(vertices + 8, "a list runs past the beginning of the next")},
        {tets, raw_bytes(6), at(tets + 8, "a second list of the same kind (6)")},
        {triangles + 12, raw_bytes(6), "a.meshb: boundary triangle 0 has node 5 of 5"},
        {triangles + 12, raw_bytes(0), "a.meshb: boundary triangle 0 has node -1 of 5"},
        {triangles + 24, raw_bytes(0), "a.meshb: boundary triangle 0 has the patch -1"},
-       {triangles + 24, raw_bytes(1'000'001),
-        "a.meshb: boundary triangle 0 has the patch 1000000"},
+       {triangles + 24, raw_bytes(1'000'001), "a.meshb: boundary triangle 0 has the patch 1000000"},
        {tets + 12, raw_bytes(6), "a.meshb: tet 0 has node 5 of 5"},
        {tets + 28, raw_bytes(0), "a.meshb: a tet has the region 0"},
        {tets + 28, raw_bytes(-7), "a.meshb: a tet has the region 0"},

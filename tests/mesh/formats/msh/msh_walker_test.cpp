@@ -99,12 +99,12 @@ TEST(MshWalker, takes_the_first_partition_of_an_element_that_has_any) {
 }
 
 TEST(MshWalker, knows_partitions_and_the_elements_of_others_as_ghosts) {
-  const std::string partitioned = changed(
-      changed(text_4, "$Nodes",
-              "$PartitionedEntities\n2\n1\n9 1\n0 0 1 1\n3 2 1 1 1 0 0 0 1 1 1 1 -6 0\n"
-              "4 3 1 1 1 0 0 0 1 1 1 2 8 7 1 5\n$EndPartitionedEntities\n$Nodes"),
-      "2 2 1 2\n2 1 2 1\n1 1 3 2\n3 1 4 1\n2 1 2 3 4\n",
-      "3 3 1 3\n2 3 2 1\n1 1 3 2\n3 4 4 1\n2 1 2 3 4\n3 9 4 1\n3 1 2 3 4\n");
+  const std::string partitioned =
+      changed(changed(text_4, "$Nodes",
+                      "$PartitionedEntities\n2\n1\n9 1\n0 0 1 1\n3 2 1 1 1 0 0 0 1 1 1 1 -6 0\n"
+                      "4 3 1 1 1 0 0 0 1 1 1 2 8 7 1 5\n$EndPartitionedEntities\n$Nodes"),
+              "2 2 1 2\n2 1 2 1\n1 1 3 2\n3 1 4 1\n2 1 2 3 4\n",
+              "3 3 1 3\n2 3 2 1\n1 1 3 2\n3 4 4 1\n2 1 2 3 4\n3 9 4 1\n3 1 2 3 4\n");
   const std::string text = walked(partitioned, true);
   EXPECT_EQ(text.substr(0, 29), "partitioned\nghosts\nversion 4\n");
   EXPECT_EQ(text.substr(text.find("wants")),
@@ -114,12 +114,12 @@ TEST(MshWalker, knows_partitions_and_the_elements_of_others_as_ghosts) {
 }
 
 TEST(MshWalker, says_what_is_wrong_with_version_4_and_where) {
-  const std::string only = ": only triangles, quads, tets, pyramids, prisms and hexes are supported";
+  const std::string only =
+      ": only triangles, quads, tets, pyramids, prisms and hexes are supported";
   expect_refusals(
       "a.msh", text_4,
       {{"$MeshFormat", "$NOD", "a.msh:1: expected $MeshFormat, found \"$NOD\""},
-       {"4.1 0 8", "4 0 8",
-        "a.msh:2: Gmsh format \"4\" is not supported; save it as 4.1 or 2.2"},
+       {"4.1 0 8", "4 0 8", "a.msh:2: Gmsh format \"4\" is not supported; save it as 4.1 or 2.2"},
        {"4.1 0 8", "4.1 2 8", "a.msh:2: the file type is not 0 or 1"},
        {"4.1 0 8", "4.1 x 8", "a.msh:2: expected the file type, found \"x\""},
        {"4.1 0 8", "4.1 0 4", "a.msh:2: numbers do not have 8 bytes"},
@@ -131,8 +131,7 @@ TEST(MshWalker, says_what_is_wrong_with_version_4_and_where) {
        {"1 0 0 0 1 1 1 1 2 0", "1 0 0 0 1 1 1 1 2 1 x",
         "a.msh:6: expected a bounding entity, found \"x\""},
        {"$EndEntities", "$EndEntity", "a.msh:8: expected $EndEntities, found \"$EndEntity\""},
-       {"1 1 1 1 2 0", "1 1 1 1 2000000 0",
-        "a.msh:25: the physical tag 2000000 is out of range"},
+       {"1 1 1 1 2 0", "1 1 1 1 2000000 0", "a.msh:25: the physical tag 2000000 is out of range"},
        {"$Nodes", "Nodes", "a.msh:9: expected a section like $Nodes, found \"Nodes\""},
        {"$Nodes", "$Other", "a.msh:9: the section \"$Other\" has no end"},
        {"2 1 0 3\n", "2 1 0 -3\n", "a.msh:11: a count of -3, but only 116 bytes left in the file"},
@@ -141,7 +140,8 @@ TEST(MshWalker, says_what_is_wrong_with_version_4_and_where) {
        {"4\n1\n2\n", "0\n1\n2\n", "a.msh:15: node tags are not 1 to N: 0"},
        {"4\n1\n2\n", "400\n1\n2\n", "a.msh:15: node tags are not 1 to N: 400"},
        {"4\n1\n2\n", "4\n4\n2\n", "a.msh:16: two nodes have the tag 4"},
-       {"4\n1\n2\n", "5\n1\n2\n", "a.msh: node tags are not 1 to N: 4 nodes, but the largest tag is 5"},
+       {"4\n1\n2\n", "5\n1\n2\n",
+        "a.msh: node tags are not 1 to N: 4 nodes, but the largest tag is 5"},
        {"0 0 1\n", "0 x 1\n", "a.msh:15: expected a coordinate, found \"x\""},
        {"0 0 1\n", "0 inf 1\n", "a.msh:15: a coordinate is inf"},
        {"$EndNodes", "$EndNode", "a.msh:21: expected $EndNodes, found \"$EndNode\""},
@@ -177,19 +177,17 @@ TEST(MshWalker, says_what_is_wrong_with_version_2_and_where) {
        {"3 1 1 7 1", "-3 1 1 7 1", "a.msh:19: the physical tag -3 is out of range"},
        {"3 1 1 7 1", "3 1 1 2000000 1", "a.msh:19: the physical tag 2000000 is out of range"},
        {"7 1 2 3 4", "7 1 2 3 x", "a.msh:19: expected a node number, found \"x\""},
-       {"$EndElements", "$EndElement",
-        "a.msh:20: expected $EndElements, found \"$EndElement\""}},
+       {"$EndElements", "$EndElement", "a.msh:20: expected $EndElements, found \"$EndElement\""}},
       mesh_refusal_of);
 }
 
 TEST(MshWalker, says_of_a_surface_what_is_wrong_and_where) {
-  expect_refusals(
-      "a.msh", text_2,
-      {{"3 4 4 3 1 1 7", "3 3 4 3 1 1 7",
-        "a.msh:19: a quadrangle: only 3-node triangles are supported"},
-       {"5 1 1 3 2", "5 1 1 3 5", "a.msh:18: there is no node 5"},
-       {"4 0 0 1", "3 0 0 1", "a.msh:14: two nodes have the tag 3"}},
-      surface_refusal_of);
+  expect_refusals("a.msh", text_2,
+                  {{"3 4 4 3 1 1 7", "3 3 4 3 1 1 7",
+                    "a.msh:19: a quadrangle: only 3-node triangles are supported"},
+                   {"5 1 1 3 2", "5 1 1 3 5", "a.msh:18: there is no node 5"},
+                   {"4 0 0 1", "3 0 0 1", "a.msh:14: two nodes have the tag 3"}},
+                  surface_refusal_of);
 }
 
 template <class... Numbers>

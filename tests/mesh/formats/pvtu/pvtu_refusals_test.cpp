@@ -63,14 +63,14 @@ TEST(PvtuRefusals, name_what_is_wrong_in_the_arrays) {
        {first + types + 8, "\x01",
         "a.vtu: has a cell of type 1; only triangles (5), quads (9), tetrahedra (10), hexahedra "
         "(12), wedges (13) and pyramids (14) are read"},
-       {first + types + 8, "\x0c", "a.vtu: byte " + std::to_string(first + ids) +
-                                       ": connectivity has 184 bytes"},
+       {first + types + 8, "\x0c",
+        "a.vtu: byte " + std::to_string(first + ids) + ": connectivity has 184 bytes"},
        {first + regions + 8, raw_bytes(0), "a.vtu: a cell has the region 0"},
        {first + regions + 8, raw_bytes(1'000'001), "a.vtu: a cell has the region 1000001"}},
       mesh_refusal_of);
   const std::string cut = right.substr(0, first + regions + 20);
-  EXPECT_EQ(mesh_refusal_of("a.vtu", cut),
-            "a.vtu: byte " + std::to_string(first + regions) + ": region ends after the end of the file");
+  EXPECT_EQ(mesh_refusal_of("a.vtu", cut), "a.vtu: byte " + std::to_string(first + regions) +
+                                               ": region ends after the end of the file");
 }
 
 std::string read_of(const std::string& name, const std::string& bytes) {
@@ -106,8 +106,7 @@ TEST(PvtuRefusals, are_of_several_pieces_without_numbers_of_nodes_and_of_a_cut_l
   EXPECT_EQ(said(), "");
   const std::string piece = read_file(folder.path() / "a/a_1.vtu");
   write_unsynced(folder.path() / "a/a_1.vtu", changed(piece, "GlobalNodeId", "Number"));
-  EXPECT_EQ(said(),
-            "a/a_1.vtu: is one of several pieces, but has no GlobalNodeId to join them by");
+  EXPECT_EQ(said(), "a/a_1.vtu: is one of several pieces, but has no GlobalNodeId to join them by");
   write_unsynced(folder.path() / "a/a_1.vtu", piece);
   const std::string list = read_file(folder.path() / "a.pvtu");
   write_unsynced(folder.path() / "a.pvtu", changed(list, "</VTKFile>", ""));

@@ -19,7 +19,9 @@ class Lines : public Su2Content {
             std::to_string(static_cast<int>(p.y)) + " " + std::to_string(static_cast<int>(p.z)) +
             "\n";
   }
-  void begin_marker(std::string_view name) override { text += "marker " + std::string(name) + "\n"; }
+  void begin_marker(std::string_view name) override {
+    text += "marker " + std::string(name) + "\n";
+  }
   bool wants(Su2List, std::int64_t type, const InputScanner&) override { return type != 3; }
   void add_element(Su2List list, std::int64_t type, std::span<const std::int64_t> nodes) override {
     text += (list == Su2List::marker ? "face " : "cell ") + std::to_string(type) + ":";
@@ -74,11 +76,12 @@ TEST(Su2Walker, says_what_is_wrong_with_a_mesh_and_where) {
 }
 
 TEST(Su2Walker, says_what_is_wrong_with_a_surface_and_where) {
-  expect_refusals("a.su2", a_tet,
-                  {{"5 0 3 2", "9 0 3 2 1", "a.su2:14: an element of a marker is not a triangle (5)"},
-                   {"5 0 3 2", "5 0 3 4", "a.su2:16: vertex 4 of 4 (counted from 0)"},
-                   {"5 0 3 2", "5 0 3 -1", "a.su2:16: vertex -1 of 4 (counted from 0)"}},
-                  surface_refusal_of);
+  expect_refusals(
+      "a.su2", a_tet,
+      {{"5 0 3 2", "9 0 3 2 1", "a.su2:14: an element of a marker is not a triangle (5)"},
+       {"5 0 3 2", "5 0 3 4", "a.su2:16: vertex 4 of 4 (counted from 0)"},
+       {"5 0 3 2", "5 0 3 -1", "a.su2:16: vertex -1 of 4 (counted from 0)"}},
+      surface_refusal_of);
 }
 
 }  // namespace

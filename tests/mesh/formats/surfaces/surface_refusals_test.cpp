@@ -14,8 +14,7 @@ TEST(SurfaceRefusals, of_stl) {
       "endfacet\nendsolid a\n";
   expect_refusals(
       "a.stl", text,
-      {{"solid a\nfacet", "solid a\nface",
-        "a.stl:2: expected facet or endsolid, found \"face\""},
+      {{"solid a\nfacet", "solid a\nface", "a.stl:2: expected facet or endsolid, found \"face\""},
        {"normal", "norm", "a.stl:2: expected normal, found \"norm\""},
        {"outer", "inner", "a.stl:3: expected outer, found \"inner\""},
        {"loop", "lap", "a.stl:3: expected loop, found \"lap\""},
@@ -56,8 +55,7 @@ TEST(SurfaceRefusals, of_obj) {
                    {"f 1 2/7 -1", "f 0 2 3", "a.obj:6: vertex 0 of the 3 so far"},
                    {"f 1 2/7 -1", "f 1 2 4", "a.obj:6: vertex 4 of the 3 so far"},
                    {"f 1 2/7 -1", "f 1 2 -4", "a.obj:6: vertex -4 of the 3 so far"},
-                   {"f 1 2/7 -1", "f 1 /2 3",
-                    "a.obj:6: expected a vertex number, found nothing"}},
+                   {"f 1 2/7 -1", "f 1 /2 3", "a.obj:6: expected a vertex number, found nothing"}},
                   surface_refusal_of);
 }
 
@@ -109,20 +107,20 @@ TEST(SurfaceRefusals, of_ply) {
 
 TEST(SurfaceRefusals, of_fro) {
   const std::string text = "1 3 0 0\n1 0 0 0\n2 1D0 0 0\n3 0 1 0\n1 1 2 3 7\n";
-  expect_refusals("a.fro", text,
-                  {{"1 3 0 0", "x 3 0 0", "a.fro:1: expected the number of triangles, found \"x\""},
-                   {"1 3 0 0", "1 x 0 0", "a.fro:1: expected the number of nodes, found \"x\""},
-                   {"1 3 0 0", "1 9 0 0", "a.fro:1: a count of 9, but only 36 bytes left in the file"},
-                   {"1 3 0 0", "9 3 0 0", "a.fro:1: a count of 9, but only 36 bytes left in the file"},
-                   {"2 1D0 0 0", "3 1D0 0 0", "a.fro:3: expected number 2, found 3"},
-                   {"2 1D0 0 0", "x 1D0 0 0", "a.fro:3: expected a node's number, found \"x\""},
-                   {"2 1D0 0 0", "2 1F0 0 0", "a.fro:3: expected a coordinate, found \"1F0\""},
-                   {"1 1 2 3 7", "0 1 2 3 7", "a.fro:5: expected number 1, found 0"},
-                   {"1 1 2 3 7", "1 1 2 4 7", "a.fro:5: vertex 4 of 3 (counted from 1)"},
-                   {"1 1 2 3 7", "1 1 2 0 7", "a.fro:5: vertex 0 of 3 (counted from 1)"},
-                   {"1 1 2 3 7", "1 1 2 3 x",
-                    "a.fro:5: expected a surface number, found \"x\""}},
-                  surface_refusal_of);
+  expect_refusals(
+      "a.fro", text,
+      {{"1 3 0 0", "x 3 0 0", "a.fro:1: expected the number of triangles, found \"x\""},
+       {"1 3 0 0", "1 x 0 0", "a.fro:1: expected the number of nodes, found \"x\""},
+       {"1 3 0 0", "1 9 0 0", "a.fro:1: a count of 9, but only 36 bytes left in the file"},
+       {"1 3 0 0", "9 3 0 0", "a.fro:1: a count of 9, but only 36 bytes left in the file"},
+       {"2 1D0 0 0", "3 1D0 0 0", "a.fro:3: expected number 2, found 3"},
+       {"2 1D0 0 0", "x 1D0 0 0", "a.fro:3: expected a node's number, found \"x\""},
+       {"2 1D0 0 0", "2 1F0 0 0", "a.fro:3: expected a coordinate, found \"1F0\""},
+       {"1 1 2 3 7", "0 1 2 3 7", "a.fro:5: expected number 1, found 0"},
+       {"1 1 2 3 7", "1 1 2 4 7", "a.fro:5: vertex 4 of 3 (counted from 1)"},
+       {"1 1 2 3 7", "1 1 2 0 7", "a.fro:5: vertex 0 of 3 (counted from 1)"},
+       {"1 1 2 3 7", "1 1 2 3 x", "a.fro:5: expected a surface number, found \"x\""}},
+      surface_refusal_of);
 }
 
 TEST(SurfaceRefusals, of_medit_text) {
@@ -175,9 +173,10 @@ TEST(SurfaceRefusals, of_names_that_tell_no_format) {
     return "";
   };
   const std::string reads = "Tetfarm reads .";
-  EXPECT_EQ(refusal("wing.STEP"),
-            "wing.STEP: unsupported file type `.step`; mesh a CAD file first: `gmsh -2 wing.STEP -o "
-            "wing.msh`");
+  EXPECT_EQ(
+      refusal("wing.STEP"),
+      "wing.STEP: unsupported file type `.step`; mesh a CAD file first: `gmsh -2 wing.STEP -o "
+      "wing.msh`");
   EXPECT_EQ(refusal("a/wing").substr(0, 70),
             "a/wing: unknown file type, as the name has no extension; Tetfarm reads");
   EXPECT_EQ(refusal("wing.txt.gz").substr(0, 61),

@@ -103,7 +103,8 @@ TEST(UgridSource, turns_its_boundary_outwards_and_takes_names_from_beside) {
 
 TEST(UgridSource, takes_regions_from_beside_that_cover_all_cells) {
   const std::string text = with_beside(".regions", "2 1 1 far away\n");
-  EXPECT_EQ(text.substr(0, 60), "pieces\nregion \"\"\nregion \"far away\"\npart 0 region 2\n node 0 a");
+  EXPECT_EQ(text.substr(0, 60),
+            "pieces\nregion \"\"\nregion \"far away\"\npart 0 region 2\n node 0 a");
   for (const char* line : {"x", "1 1", "0 1 1", "1000001 1 1", "1 2 1", "1 0 1", "1 1 2"}) {
     EXPECT_EQ(with_beside(".regions", std::string(line) + "\n"),
               "a.regions: a line does not match the mesh: " + std::string(line));
