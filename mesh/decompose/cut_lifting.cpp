@@ -78,8 +78,7 @@ std::vector<SurfaceContact> lift_and_push(InterdomainMesh& mesh, const Subdomain
   Lift state{std::vector<double>(mesh.rim.size(), usual_bisector_weight), held_heights(mesh)};
   lift(mesh, subdomain, corners, state);
   const NearbySurface nearby = find_nearby_surface(mesh, subdomain, topology, margin);
-  auto contacts =
-      find_contacts(mesh, subdomain, topology, nearby, reach, most_contacts(mesh));
+  auto contacts = find_contacts(mesh, subdomain, topology, nearby, reach, most_contacts(mesh));
   if (is_entangled(mesh, contacts)) return contacts;
   auto fewest = count_too_near(contacts);
   int vain = 0;

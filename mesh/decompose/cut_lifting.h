@@ -13,9 +13,9 @@
 
 namespace tetfarm {
 
-/// Contacts by which a cut is so entangled with the surface that no push will clear it: some are
-/// found for each of its triangles, as where it passes through fans of needles. Cuts that were
-/// cleared began with 6 a triangle at most.
+/// Whether a cut has so many contacts that no push will clear it: more than 12 for each of its
+/// triangles, and 200, as where it passes through fans of needles. Measured:
+/// docs/decisions/0006-decompose-cut-recipe.md.
 bool is_entangled(const InterdomainMesh& mesh, const std::vector<SurfaceContact>& contacts);
 
 /// Sets the heights; the contacts with the surface that remain, or the first of them when the cut

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/mesh/decompose/flat_cut.h"
 
@@ -82,6 +83,38 @@ TEST(CutLifting, of_a_cut_without_a_rim_changes_nothing) {
   EXPECT_TRUE(cut.mesh.rim.empty());
   EXPECT_TRUE(lift_and_push(cut).empty());
   EXPECT_TRUE(cut.mesh.heights.empty());
+}
+
+/// Two flat cones of needles, base to base.
+SurfaceMesh cones_of_needles(std::int32_t needles) {
+  SurfaceMesh surface;
+  surface.vertices = {{0, 0, -0.05}, {0, 0, 0.02}};
+  for (std::int32_t i = 0; i < needles; ++i) {
+    const double turn = 2 * std::numbers::pi * i / needles;
+    surface.vertices.push_back({std::cos(turn), std::sin(turn), 0});
+    const std::int32_t here = 2 + i;
+    const std::int32_t next = 2 + (i + 1) % needles;
+    surface.triangles.push_back({0, next, here});
+    surface.triangles.push_back({1, here, next});
+  }
+  surface.patch_of_triangle.assign(surface.triangles.size(), 0);
+  surface.patch_names = {"needles"};
+  return surface;
+}
+
+TEST(CutLifting, gives_up_a_cut_that_is_near_to_many_needles_before_it_is_pushed) {
+  for (const std::int32_t needles : {50, 600}) {
+    const Subdomain cones = root_subdomain(cones_of_needles(needles));
+    const SurfaceTopology topology = make_surface_topology(cones);
+    InterdomainMesh cut = one_triangle();
+    for (Vec2& p : cut.planar.points) p = {0.1 * p.x, 0.1 * p.y};
+    const std::vector<SurfaceContact> contacts =
+        lift_and_push(cut, cones, topology, FaceColours(cones.triangles.size(), Side::left), {});
+    const bool is_pushed =
+        std::any_of(cut.heights.begin(), cut.heights.end(), [](double h) { return h != 0; });
+    EXPECT_EQ(is_entangled(cut, contacts), needles == 600);
+    EXPECT_EQ(is_pushed, needles == 50);
+  }
 }
 
 }  // namespace

@@ -200,8 +200,7 @@ TEST(SurfaceContacts, are_looked_for_no_longer_once_there_are_more_than_asked_fo
   const FlatCut cut = cut_at_plate(0.51, 0.6);
   const NearbySurface surface = whole_surface(cut.subdomain);
   const auto found = [&](std::size_t most) {
-    return pairs_of(
-        find_contacts(cut.mesh, cut.subdomain, cut.topology, surface, 0.4, most));
+    return pairs_of(find_contacts(cut.mesh, cut.subdomain, cut.topology, surface, 0.4, most));
   };
   const std::vector<Pair> all = found(1000000);
   ASSERT_GT(all.size(), 20U);
