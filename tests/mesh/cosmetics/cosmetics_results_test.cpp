@@ -306,15 +306,15 @@ TEST(CosmeticsResults, of_splits_of_needles_and_flat_tets_are_known) {
 }
 
 TEST(CosmeticsResults, of_large_patches_are_known) {
-  TetComplex complex = make_tet_complex(trial::kuhn_box(6, 0.8, 2));
-  WorkMesh work(complex, 218);
+  TetComplex complex = make_tet_complex(trial::random_ball(1, 160, 2));
+  WorkMesh work(complex, 42);
   ResultDigest result;
   std::size_t most = 0;
-  for (std::int32_t t = 3; t < std::ssize(complex.nodes); t += 97) {
+  for (std::int32_t t = 3; t < std::ssize(complex.nodes); t += 31) {
     const cosmetics::NodePatch patch = cosmetics::patch_round(work, t);
     most = std::max(most, patch.nodes.size());
     result.add(patch.nodes, patch.tets);
-    if (t % 5 == 0) result.add(cosmetics::improve_together(work, t, 0.3));
+    if (t % 7 == 0) result.add(cosmetics::improve_together(work, t, 0.3));
   }
   EXPECT_EQ(most, 32U) << "no more move at once";
   result.add(work.node2change);
