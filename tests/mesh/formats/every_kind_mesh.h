@@ -89,10 +89,9 @@ class ScatteredMesh : public EveryKindMesh {
       places[31 + i] = base[i] + Vec3{5, 0, -3};
     }
     places[38] = {8.5, 0.5, 0.25};
-    const std::vector<ListedCell> cells = {
-        {ElementType::hex, {24, 25, 26, 27, 12, 13, 14, 15}},
-        {ElementType::prism, {28, 29, 30, 31, 32, 33}},
-        {ElementType::pyramid, {34, 35, 36, 37, 38}}};
+    const std::vector<ListedCell> cells = {{ElementType::hex, {24, 25, 26, 27, 12, 13, 14, 15}},
+                                           {ElementType::prism, {28, 29, 30, 31, 32, 33}},
+                                           {ElementType::pyramid, {34, 35, 36, 37, 38}}};
     parts.push_back(
         part_of_cells(cells, places, 3, 2, [](ElementType, std::span<const std::int64_t> face) {
           return std::optional<std::int32_t>(face.size() == 4 && face[0] < 28 ? 2 : 1);

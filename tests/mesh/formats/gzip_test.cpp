@@ -79,10 +79,9 @@ TEST(Gzip, that_is_cut_short_is_called_that_wherever_it_ends) {
   const std::string packed = texts::gzip("one ") + texts::gzip("two and a half");
   const std::size_t first = texts::gzip("one ").size();
   for (std::size_t size = 2; size < packed.size(); ++size) {
-    const std::string said =
-        size == first ? ""
-                      : size == first + 1 ? "a.stl.gz: has more bytes after the gzip data"
-                                          : "a.stl.gz: the gzip data are cut short";
+    const std::string said = size == first       ? ""
+                             : size == first + 1 ? "a.stl.gz: has more bytes after the gzip data"
+                                                 : "a.stl.gz: the gzip data are cut short";
     EXPECT_EQ(said_of(packed.substr(0, size)), said) << size;
   }
 }
@@ -90,11 +89,12 @@ TEST(Gzip, that_is_cut_short_is_called_that_wherever_it_ends) {
 TEST(Gzip, that_is_damaged_names_the_byte) {
   std::string packed = texts::gzip("one two three");
   packed[2] = 9;  // no known way to pack
-  EXPECT_THAT(said_of(packed), testing::MatchesRegex("a.stl.gz: byte [0-9]+: the gzip data are damaged"));
+  EXPECT_THAT(said_of(packed),
+              testing::MatchesRegex("a.stl.gz: byte [0-9]+: the gzip data are damaged"));
   packed[2] = 8;
   packed.at(packed.size() - 8) ^= 1;  // of the checksum
-  EXPECT_EQ(said_of(packed), "a.stl.gz: byte " + std::to_string(packed.size() - 4) +
-                                 ": the gzip data are damaged");
+  EXPECT_EQ(said_of(packed),
+            "a.stl.gz: byte " + std::to_string(packed.size() - 4) + ": the gzip data are damaged");
 }
 
 }  // namespace

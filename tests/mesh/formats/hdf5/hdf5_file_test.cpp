@@ -66,7 +66,8 @@ TEST(Hdf5Input, refuses_texts_of_any_length_and_rows_of_another) {
   EXPECT_EQ(said_of([&] { file.texts("rows"); }), "rows is not a list of texts of fixed length");
   EXPECT_EQ(said_of([&] { file.rows("rows", 3); }), shape);
   EXPECT_EQ(said_of([&] { file.rows("rows"); }), shape);
-  EXPECT_EQ(said_of([&] { file.rows("texts", 2); }), "texts does not have the shape of such an array");
+  EXPECT_EQ(said_of([&] { file.rows("texts", 2); }),
+            "texts does not have the shape of such an array");
   EXPECT_EQ(said_of([&] { file.list<std::int32_t>("none"); }), "no array none");
   EXPECT_EQ(said_of([&] { file.rows("none/of/these"); }), "no array none/of/these");
   EXPECT_EQ(said_of([&] { file.text_attribute("none", "Type"); }), "no attribute Type of none");
