@@ -8,6 +8,7 @@
 #include "mesh/inspect/outer_boundary.h"
 #include "tests/mesh/inspect/check_support.h"
 #include "tests/support/shapes.h"
+#include "tests/support/voxel_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -93,6 +94,25 @@ TEST(SurfaceCheck, says_of_each_defect_what_is_wrong_and_where_word_by_word) {
                   "(0, 1, 0) [ 4 ]",
                   "duplicate triangle: 1 triangle present more than once: triangle 3 (0, 0, 0) "
                   "(0, 1, 0) (1, 0, 0) again as 5 [ 3 5 ]"));
+}
+
+TEST(SurfaceCheck, says_of_sheets_that_end_inside_how_many_edges_they_hang_on_word_by_word) {
+  SurfaceMesh surface = shapes::tetrahedron();
+  surface.vertices.push_back({-1, -1, -1});
+  surface.triangles.push_back({0, 1, 4});
+  const std::string of_one =
+      "open edge: 2 open edges (on one triangle only); 1 edge is on more than two triangles: a "
+      "sheet that ends inside a region divides nothing; remove it, or continue it to the boundary: "
+      "edge from vertex 0 (0, 0, 0) to 4 (-1, -1, -1) of triangle 4; edge from vertex 1 (1, 0, 0) "
+      "to 4 (-1, -1, -1) of triangle 4 [ 4 ]";
+  EXPECT_THAT(defects_of(surface), ElementsAre(of_one));
+  surface.vertices.push_back({2, 2, 2});
+  surface.triangles.push_back({2, 3, 5});
+  ASSERT_EQ(defects_of(surface).size(), 1U);
+  EXPECT_THAT(
+      defects_of(surface)[0],
+      ::testing::StartsWith("open edge: 4 open edges (on one triangle only); 2 edges are on "
+                            "more than two triangles: a sheet that ends inside"));
 }
 
 TEST(SurfaceCheck, takes_coordinates_up_to_the_limits_of_its_exact_tests) {
@@ -214,6 +234,34 @@ TEST(Regions, remark_what_is_turned_and_left_out_word_by_word) {
   const auto nothing =
       defects_of(nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true}}});
   EXPECT_THAT(nothing, ElementsAre("nothing to mesh: the job declares every region void [ ]"));
+}
+
+TEST(Regions, turn_interfaces_to_point_out_of_the_lower_region_without_a_remark) {
+  // Two cubes that share a face.
+  const auto cubes =
+      shapes::voxel_surface({.size = {2, 1, 1}, .label = [](int x, int, int) { return 1 + x; }});
+  for (const bool is_turned : {false, true}) {
+    SurfaceMesh given = cubes.surface;
+    for (std::size_t t = 0; t < given.triangles.size(); ++t) {
+      const auto& [behind, in_front] = cubes.sets[t];
+      const bool points_in = behind == 0;
+      const bool is_interface = behind != 0 && in_front != 0;
+      if (points_in || (is_interface && is_turned)) {
+        std::swap(given.triangles[t][1], given.triangles[t][2]);
+      }
+    }
+    const CheckedSurface checked = check_surface(given);
+    EXPECT_THAT(checked.report.defects, IsEmpty());
+    EXPECT_THAT(checked.report.remarks, IsEmpty());
+    int interfaces = 0;
+    for (const auto& [behind, in_front] : checked.surface.sides) {
+      if (in_front == 0) continue;
+      ++interfaces;
+      EXPECT_EQ(behind, 1);
+      EXPECT_EQ(in_front, 2);
+    }
+    EXPECT_EQ(interfaces, 2);
+  }
 }
 
 std::string refusal_of(const OuterBoundary& outer, double growth = 0.3,
