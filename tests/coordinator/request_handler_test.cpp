@@ -277,7 +277,10 @@ TEST_F(Conversation, a_worker_that_names_what_is_no_input_of_its_task_is_not_bel
   failed.mutable_failed()->add_damaged_inputs(std::string(32, 'f'));
   say(worker, failed);
   const TaskRow& task = state_.durable().tasks.at(TaskId{1});
-  EXPECT_EQ(task.losses, 1U) << "as if it had been killed";
+  EXPECT_EQ(task.losses, 1U);
+  const ChangeSet changes = state_.take_changes();
+  ASSERT_EQ(changes.attempts.size(), 1U);
+  EXPECT_EQ(changes.attempts[0].state, AttemptState::killed) << "there is nothing to make again";
   EXPECT_EQ(task.state, TaskState::ready);
   EXPECT_TRUE(handler_.take_file_orders(state_, now_).empty());
 }
