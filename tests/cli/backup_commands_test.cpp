@@ -13,8 +13,8 @@
 namespace tetfarm {
 namespace {
 
-using ::testing::StartsWith;
 using nlohmann::json;
+using ::testing::StartsWith;
 
 class CopiedDatabase : public ::testing::Test {
  protected:

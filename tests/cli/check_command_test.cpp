@@ -11,9 +11,9 @@
 namespace tetfarm {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using nlohmann::json;
 
 constexpr const char* tet_off =
     "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
@@ -42,11 +42,10 @@ TEST_F(Checked, a_sound_surface_is_told_with_its_figures) {
   const Said said = check(write("tet.off", tet_off));
   EXPECT_EQ(said.code, ExitCode::ok);
   EXPECT_EQ(said.error, "");
-  EXPECT_THAT(said.out,
-              StartsWith("triangles       4\nvertices        4\npatches         1\n"
-                         "shells          1\nvolume          0.166666667\n"
-                         "edges           1 shortest, 1.414 median, 1.414 longest\n"
-                         "smallest angle  45.00 deg\nelements        about "));
+  EXPECT_THAT(said.out, StartsWith("triangles       4\nvertices        4\npatches         1\n"
+                                   "shells          1\nvolume          0.166666667\n"
+                                   "edges           1 shortest, 1.414 median, 1.414 longest\n"
+                                   "smallest angle  45.00 deg\nelements        about "));
   EXPECT_THAT(said.out, ::testing::EndsWith(", in 1 sub-domain\n"));
 }
 

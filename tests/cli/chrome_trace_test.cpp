@@ -114,14 +114,14 @@ TEST(ChromeTrace, has_all_that_is_known_of_an_attempt) {
   wire::AttemptLine line = attempt(4, 9, "done", 2000, 2500);
   line.set_message("why");
   line.set_peak_rss_bytes(77);
-  const json slice = of_phase(json::parse(chrome_trace({line}, {event(0, "ready", 1000)}, 5000)),
-                              "X")
-                         .at(0);
-  json expected = {{"name", "mesh"}, {"cat", "mesh"}, {"ph", "X"},
-                   {"ts", 1'000'000}, {"dur", 500'000}, {"pid", 2}, {"tid", 74}};
+  const json slice =
+      of_phase(json::parse(chrome_trace({line}, {event(0, "ready", 1000)}, 5000)), "X").at(0);
+  json expected = {{"name", "mesh"}, {"cat", "mesh"}, {"ph", "X"}, {"ts", 1'000'000},
+                   {"dur", 500'000}, {"pid", 2},      {"tid", 74}};
   expected["cname"] = slice["cname"];
-  expected["args"] = {{"place", "LR"}, {"task", 9}, {"attempt", 4}, {"result", "done"},
-                      {"races", false}, {"peak_rss_bytes", 77}, {"message", "why"}};
+  expected["args"] = {{"place", "LR"},    {"task", 9},      {"attempt", 4},
+                      {"result", "done"}, {"races", false}, {"peak_rss_bytes", 77},
+                      {"message", "why"}};
   EXPECT_EQ(slice, expected);
 }
 
@@ -147,11 +147,11 @@ TEST(ChromeTrace, names_rows_after_hosts_and_workers) {
                     " " + std::to_string(row["tid"].get<int>()) + ": " +
                     row["args"]["name"].get<std::string>());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "process_name 1 0: waiting for a worker", "process_name 2 0: host-a",
-                       "process_name 3 0: host-b", "thread_name 2 71: worker-1 (process 71)",
-                       "thread_name 3 72: worker-2 (process 72)",
-                       "thread_name 3 73: worker-3 (process 73)"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"process_name 1 0: waiting for a worker",
+                                             "process_name 2 0: host-a", "process_name 3 0: host-b",
+                                             "thread_name 2 71: worker-1 (process 71)",
+                                             "thread_name 3 72: worker-2 (process 72)",
+                                             "thread_name 3 73: worker-3 (process 73)"}));
 }
 
 TEST(ChromeTrace, of_waiting_says_which_task_where) {

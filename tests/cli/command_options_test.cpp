@@ -14,9 +14,10 @@ using ::testing::HasSubstr;
 using CommandOptions = PlainEnvironment;
 
 /// What `run`, `plan` and `submit` take.
-const std::vector<std::string> job_words = {
-    "wing.stl", "--size",       "0.5",      "--growth",       "0.2", "--outer", "box:3",
-    "--outer-size", "0.25", "--max-elements", "7", "--format", "vtkhdf,su2"};
+const std::vector<std::string> job_words = {"wing.stl",  "--size",         "0.5",   "--growth",
+                                            "0.2",       "--outer",        "box:3", "--outer-size",
+                                            "0.25",      "--max-elements", "7",     "--format",
+                                            "vtkhdf,su2"};
 
 void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.input, "wing.stl");
@@ -71,8 +72,8 @@ TEST_F(CommandOptions, of_a_run_that_says_nothing_else) {
 
 TEST_F(CommandOptions, of_a_plan) {
   const RunOptions job =
-      parsed_as<PlanCommand>(joined({"plan", "--store", "/farm", "--database", "/db", "--json"},
-                                    job_words))
+      parsed_as<PlanCommand>(
+          joined({"plan", "--store", "/farm", "--database", "/db", "--json"}, job_words))
           .job;
   expect_job(job);
   EXPECT_EQ(job.store, "/farm");
@@ -81,10 +82,10 @@ TEST_F(CommandOptions, of_a_plan) {
 }
 
 TEST_F(CommandOptions, of_a_submission) {
-  const auto submit = parsed_as<SubmitCommand>(joined(
-      {"submit", "--store", "/farm", "--connect", "tcp://h:1", "--no-check", "--progress", "none",
-       "--key", "k", "--coordinator-key", "c", "--timeout", "3", "--json"},
-      job_words));
+  const auto submit = parsed_as<SubmitCommand>(
+      joined({"submit", "--store", "/farm", "--connect", "tcp://h:1", "--no-check", "--progress",
+              "none", "--key", "k", "--coordinator-key", "c", "--timeout", "3", "--json"},
+             job_words));
   expect_job(submit.job);
   EXPECT_EQ(submit.job.store, "/farm");
   EXPECT_FALSE(submit.check);
@@ -159,16 +160,16 @@ TEST_F(CommandOptions, of_an_export_and_a_conversion) {
   EXPECT_EQ(least.partitions, 0);
   EXPECT_EQ(least.numbering, "as-meshed");
   EXPECT_FALSE(least.json);
-  const auto all = parsed_as<ExportCommand>({"export", "job-7", "--output", "x", "--format",
-                                             "cgns", "--partitions", "1048576", "--numbering",
-                                             "rcm", "--json", "--store", "s"});
+  const auto all = parsed_as<ExportCommand>({"export", "job-7", "--output", "x", "--format", "cgns",
+                                             "--partitions", "1048576", "--numbering", "rcm",
+                                             "--json", "--store", "s"});
   EXPECT_EQ(all.format, "cgns");
   EXPECT_EQ(all.partitions, 1 << 20);
   EXPECT_EQ(all.numbering, "rcm");
   EXPECT_TRUE(all.json);
   EXPECT_EQ(all.source.store, "s");
-  EXPECT_EQ(parsed_as<ExportCommand>({"export", "m", "-o", "x", "--numbering", "hilbert",
-                                      "--partitions", "as-meshed"})
+  EXPECT_EQ(parsed_as<ExportCommand>(
+                {"export", "m", "-o", "x", "--numbering", "hilbert", "--partitions", "as-meshed"})
                 .numbering,
             "hilbert");
   const auto convert = parsed_as<ConvertCommand>({"convert", "a.msh", "b.stl", "--json"});
@@ -194,10 +195,10 @@ TEST_F(CommandOptions, of_a_picture) {
   EXPECT_EQ(least.explode, 0.4);
   EXPECT_EQ(least.edge_width, 0.9);
   const auto all = parsed_as<RenderCommand>(
-      {"render",  "m",     "-o",     "p.png", "--view",  "cut",  "--colour", "patch", "--size",
-       "80x60",   "--from", "1,2,3", "--up",  "4,5,6",   "--plane", "7,8,9", "--zoom", "2.5",
-       "--body",  "a,b",   "--hide", "c,d",   "--at",    "-0.5", "--explode", "0",     "--edges",
-       "0"});
+      {"render",  "m",      "-o",     "p.png",     "--view", "cut",     "--colour",
+       "patch",   "--size", "80x60",  "--from",    "1,2,3",  "--up",    "4,5,6",
+       "--plane", "7,8,9",  "--zoom", "2.5",       "--body", "a,b",     "--hide",
+       "c,d",     "--at",   "-0.5",   "--explode", "0",      "--edges", "0"});
   EXPECT_EQ(all.view, "cut");
   EXPECT_EQ(all.colour, "patch");
   EXPECT_EQ(all.size, "80x60");
@@ -324,12 +325,11 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
 }
 
 TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
-  EXPECT_THAT(help_words({"run"}),
-              AllOf(HasSubstr("unit of distance (default 0.3)"),
-                    HasSubstr("more elements (default 2000000000)"),
-                    HasSubstr("any that export writes (default vtkhdf)"),
-                    HasSubstr("continue in it (default out)"),
-                    HasSubstr("after Ctrl-C (default 5)")));
+  EXPECT_THAT(help_words({"run"}), AllOf(HasSubstr("unit of distance (default 0.3)"),
+                                         HasSubstr("more elements (default 2000000000)"),
+                                         HasSubstr("any that export writes (default vtkhdf)"),
+                                         HasSubstr("continue in it (default out)"),
+                                         HasSubstr("after Ctrl-C (default 5)")));
   EXPECT_THAT(help_words({"quality"}), HasSubstr("rest goes to disk (default 256MiB)"));
   EXPECT_THAT(help_words({"export"}), AllOf(HasSubstr("by METIS (default as-meshed)"),
                                             HasSubstr("Cuthill-McKee (default as-meshed)")));
@@ -337,8 +337,8 @@ TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
               AllOf(HasSubstr("cut open (default surface)"), HasSubstr("by (default subdomain)"),
                     HasSubstr("pixels (default 1600x1000)"), HasSubstr("viewer (default -1,-2,1)"),
                     HasSubstr("picture (default 0,0,1)"), HasSubstr("fits the picture (default 1)"),
-                    HasSubstr("cutting plane (default 0,1,0)"),
-                    HasSubstr("apart (default 0.4)"), HasSubstr("for none (default 0.9)")));
+                    HasSubstr("cutting plane (default 0,1,0)"), HasSubstr("apart (default 0.4)"),
+                    HasSubstr("for none (default 0.9)")));
   EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
                                            HasSubstr("away from the wing (default 0.2)")));
   EXPECT_THAT(help_words({"submit"}), HasSubstr("wait for an answer (default 10)"));
@@ -351,14 +351,12 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run", "check", "gc", "plan", "quality", "export", "convert", "render", "shape", "submit",
-        "wait", "cancel", "jobs", "status", "tasks", "workers", "events", "logs", "explain",
-        "trace", "report", "backup", "restore", "retry", "drain", "coordinator", "worker", "pool",
-        "keys"}) {
+       {"run",    "check",       "gc",      "plan",   "quality", "export", "convert", "render",
+        "shape",  "submit",      "wait",    "cancel", "jobs",    "status", "tasks",   "workers",
+        "events", "logs",        "explain", "trace",  "report",  "backup", "restore", "retry",
+        "drain",  "coordinator", "worker",  "pool",   "keys"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
-    EXPECT_THAT(help_words({command}),
-                AllOf(HasSubstr("--help")))
-        << command;
+    EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }
 }
 

@@ -15,8 +15,8 @@
 namespace tetfarm {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 std::string said_of(const MeshSource& mesh) {
   const TempFolder folder;
@@ -74,14 +74,13 @@ TEST_F(Exported, is_told_with_file_format_and_counts) {
 TEST_F(Exported, is_told_to_programs) {
   ExportCommand command = to("mesh.su2");
   command.json = true;
-  EXPECT_EQ(json::parse(exported(command).out),
-            json({{"type", "export"},
-                  {"file", command.output},
-                  {"format", "su2"},
-                  {"nodes", 27},
-                  {"elements", 48},
-                  {"boundary_triangles", 48},
-                  {"subdomains", 3}}));
+  EXPECT_EQ(json::parse(exported(command).out), json({{"type", "export"},
+                                                      {"file", command.output},
+                                                      {"format", "su2"},
+                                                      {"nodes", 27},
+                                                      {"elements", 48},
+                                                      {"boundary_triangles", 48},
+                                                      {"subdomains", 3}}));
 }
 
 TEST_F(Exported, in_parts_is_told_with_their_sizes) {
@@ -90,14 +89,15 @@ TEST_F(Exported, in_parts_is_told_with_their_sizes) {
   command.numbering = "rcm";
   const std::string out = exported(command).out;
   EXPECT_THAT(out, HasSubstr("\n2 parts: largest/mean 1."));
-  EXPECT_THAT(out, HasSubstr(" faces between them\nnode numbers of neighbours in a part differ by "));
+  EXPECT_THAT(out,
+              HasSubstr(" faces between them\nnode numbers of neighbours in a part differ by "));
   command.json = true;
   const json told = json::parse(exported(command).out);
   EXPECT_EQ(told["subdomains"], 2);
   ASSERT_EQ(told["partitions"]["elements"].size(), 2U);
-  EXPECT_EQ(told["partitions"]["elements"][0].get<int>() +
-                told["partitions"]["elements"][1].get<int>(),
-            48);
+  EXPECT_EQ(
+      told["partitions"]["elements"][0].get<int>() + told["partitions"]["elements"][1].get<int>(),
+      48);
   EXPECT_GT(told["partitions"]["cut_faces"], 0);
   EXPECT_EQ(told["numbering"]["order"], "rcm");
   for (const char* when : {"before", "after"}) {
@@ -107,9 +107,9 @@ TEST_F(Exported, in_parts_is_told_with_their_sizes) {
   EXPECT_THAT(out, HasSubstr(" on average, " +
                              std::to_string(told["numbering"]["after"]["bandwidth"].get<int>()) +
                              " at most (before: "));
-  EXPECT_THAT(out, ::testing::EndsWith(
-                       ", " + std::to_string(told["numbering"]["before"]["bandwidth"].get<int>()) +
-                       ")\n"));
+  EXPECT_THAT(
+      out, ::testing::EndsWith(
+               ", " + std::to_string(told["numbering"]["before"]["bandwidth"].get<int>()) + ")\n"));
 }
 
 TEST_F(Exported, numbers_follow_one_another_more_closely_by_cuthill_and_mckee) {
@@ -162,8 +162,7 @@ TEST(ShapeCommand, tells_what_it_wrote) {
   const Said said = said_by([&] { return shape_command(command); });
   const SurfaceMesh surface = read_surface(command.output);
   EXPECT_EQ(said.err, command.output + ": " + std::to_string(surface.triangles.size()) +
-                          " triangles, " + std::to_string(surface.vertices.size()) +
-                          " vertices\n");
+                          " triangles, " + std::to_string(surface.vertices.size()) + " vertices\n");
   ShapeCommand finer = command;
   finer.spacing = 0.25;
   said_by([&] { return shape_command(finer); });

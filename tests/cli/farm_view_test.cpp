@@ -114,8 +114,8 @@ TEST_F(ViewOfAFarm, is_of_the_rows_where_no_coordinator_answers_and_says_so) {
       EXPECT_EQ(view.status().jobs_size(), 3);
       return ExitCode::ok;
     });
-    EXPECT_EQ(said.err, "note: no coordinator answers; this is what " +
-                            store_.folder().string() + " recorded\n");
+    EXPECT_EQ(said.err, "note: no coordinator answers; this is what " + store_.folder().string() +
+                            " recorded\n");
   }
   ViewOptions quiet = of_store();
   quiet.is_quiet = true;

@@ -47,8 +47,8 @@ class FileServer {
           chunk.set_offset(fetch.offset());
           chunk.set_missing(is_missing);
           if (!is_missing) {
-            fill_chunk(chunk, bytes_.substr(fetch.offset(),
-                                            chunk_size(bytes_.size(), fetch.offset())));
+            fill_chunk(chunk,
+                       bytes_.substr(fetch.offset(), chunk_size(bytes_.size(), fetch.offset())));
           }
           return answers;
         }) {}
@@ -161,16 +161,14 @@ TEST_F(Fetched, what_is_damaged_there_is_an_error_and_stays_nowhere) {
   const wire::JobStatus status = server_.job_with("wing.vtkhdf", other);
   EXPECT_EQ(trouble_with(status, ExitCode::failed),
             "wing.vtkhdf of job-7: is damaged in the coordinator's store: its checksum is not " +
-                status.files(0).hash() +
-                " (`tetfarm check --store DIR` on its machine says more)");
+                status.files(0).hash() + " (`tetfarm check --store DIR` on its machine says more)");
   EXPECT_EQ(count_files(out_), 0U);
 }
 
 TEST_F(Fetched, what_another_process_fetches_is_left_to_it) {
   const wire::JobStatus status = server_.job_with("wing.vtkhdf", some_bytes());
   make_folders(out_);
-  const auto lock =
-      FolderLock::take_unsigned(out_ / ("." + status.files(0).hash() + ".part"));
+  const auto lock = FolderLock::take_unsigned(out_ / ("." + status.files(0).hash() + ".part"));
   ASSERT_TRUE(lock);
   EXPECT_EQ(trouble_with(status, ExitCode::failed),
             (out_ / "wing.vtkhdf").string() +

@@ -23,9 +23,9 @@ MeshFigures four_tets() {
   figures.all = figures_of_tets(4, 0.125, {1, 2.5, -3});
   figures.near_cuts = figures_of_tets(1, 0.125, {1, 2.5, -3});
   figures.away_from_cuts = figures_of_tets(3, 0.25, {4, 5, 6});
-  figures.all.radius_ratio.counts[5] = 1;   // from 0.25
-  figures.all.radius_ratio.counts[7] = 2;   // from 0.35
-  figures.all.radius_ratio.counts[8] = 1;   // from 0.40
+  figures.all.radius_ratio.counts[5] = 1;  // from 0.25
+  figures.all.radius_ratio.counts[7] = 2;  // from 0.35
+  figures.all.radius_ratio.counts[8] = 1;  // from 0.40
   figures.near_cuts.radius_ratio.counts[5] = 1;
   figures.volumes = {{-3, 1}, {-1, 3}};
   figures.edges.edges = 8;
@@ -43,36 +43,38 @@ MeshFigures four_tets() {
 std::string bar(std::size_t length) { return std::string(length, '#') + "\n"; }
 
 TEST(FiguresReport, for_people_has_the_time_step_histograms_the_balance_and_the_worst) {
-  EXPECT_EQ(figures_text(four_tets()),
-            "time step       0.125 / wave speed, limited by the height at (1, 2.5, -3)\n"
-            "                2.000 times as many steps as the mesh away from the cuts would need\n"
-            "radius ratio\n"
-            "  0.25-0.30            25.0000 % " + bar(25) +
-            "  0.30-0.35             0.0000 % " + bar(0) +
-            "  0.35-0.40            50.0000 % " + bar(50) +
-            "  0.40-0.45            25.0000 % " + bar(25) +
-            "volume\n"
-            "  from 0.125           25.0000 % " + bar(16) +
-            "  from 0.25             0.0000 % " + bar(0) +
-            "  from 0.5             75.0000 % " + bar(50) +
-            "edge length over spacing: 0.500 to 3.000, mean 1.250\n"
-            "  0.50-0.60            25.0000 % " + bar(16) +
-            [] {
-              std::string empty;
-              for (int i = 6; i < 24; ++i) {
-                const auto number = [](int tenths) {
-                  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "0";
-                };
-                empty += "  " + number(i) + "-" + number(i + 1) + "             0.0000 % \n";
-              }
-              return empty;
-            }() +
-            "  from 2.40            75.0000 % " + bar(50) +
-            "balance         1.500: elements of the largest sub-domain / mean\n"
-            "worst tets\n"
-            "MIN DEG  MAX DEG  RADIUS RATIO  HEIGHT   SUB-DOMAIN  NEAR A CUT  AT\n"
-            "12.346   150.500  0.2500        0.01235  1           yes         (1.5, 2.5, 3.5)\n"
-            "0.00100  179.900  0.5000        0.5      0           no          (0, 0, 0)\n");
+  EXPECT_EQ(
+      figures_text(four_tets()),
+      "time step       0.125 / wave speed, limited by the height at (1, 2.5, -3)\n"
+      "                2.000 times as many steps as the mesh away from the cuts would need\n"
+      "radius ratio\n"
+      "  0.25-0.30            25.0000 % " +
+          bar(25) + "  0.30-0.35             0.0000 % " + bar(0) +
+          "  0.35-0.40            50.0000 % " + bar(50) + "  0.40-0.45            25.0000 % " +
+          bar(25) +
+          "volume\n"
+          "  from 0.125           25.0000 % " +
+          bar(16) + "  from 0.25             0.0000 % " + bar(0) +
+          "  from 0.5             75.0000 % " + bar(50) +
+          "edge length over spacing: 0.500 to 3.000, mean 1.250\n"
+          "  0.50-0.60            25.0000 % " +
+          bar(16) +
+          [] {
+            std::string empty;
+            for (int i = 6; i < 24; ++i) {
+              const auto number = [](int tenths) {
+                return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "0";
+              };
+              empty += "  " + number(i) + "-" + number(i + 1) + "             0.0000 % \n";
+            }
+            return empty;
+          }() +
+          "  from 2.40            75.0000 % " + bar(50) +
+          "balance         1.500: elements of the largest sub-domain / mean\n"
+          "worst tets\n"
+          "MIN DEG  MAX DEG  RADIUS RATIO  HEIGHT   SUB-DOMAIN  NEAR A CUT  AT\n"
+          "12.346   150.500  0.2500        0.01235  1           yes         (1.5, 2.5, 3.5)\n"
+          "0.00100  179.900  0.5000        0.5      0           no          (0, 0, 0)\n");
 }
 
 TEST(FiguresReport, for_people_leaves_out_what_is_not_known) {
@@ -124,9 +126,9 @@ TEST(FiguresReport, for_programs_has_every_figure) {
   EXPECT_EQ(json["volume_histogram"],
             nlohmann::ordered_json({{"first_power_of_two", -3}, {"counts", {1, 0, 3}}}));
   json["edge_over_spacing"].erase("histogram");
-  EXPECT_EQ(json["edge_over_spacing"],
-            nlohmann::ordered_json(
-                {{"edges", 8}, {"shortest", 0.5}, {"longest", 3.0}, {"mean", 1.25}}));
+  EXPECT_EQ(
+      json["edge_over_spacing"],
+      nlohmann::ordered_json({{"edges", 8}, {"shortest", 0.5}, {"longest", 3.0}, {"mean", 1.25}}));
   EXPECT_EQ(json["near_cuts_figures"]["smallest_height"], 0.125);
   EXPECT_EQ(json["near_cuts_figures"]["radius_ratio_histogram"]["counts"][5], 1);
   EXPECT_EQ(json["away_from_cuts_figures"]["smallest_height"], 0.25);

@@ -107,8 +107,8 @@ TEST(JobInput, says_what_is_wrong_with_an_option) {
     return with([text](RunOptions& options) { options.outer = text; });
   };
   for (const char* text : {"cube", "", "none:2", "boxes"}) {
-    EXPECT_EQ(outer(text), "--outer: \"" + std::string(text) +
-                               "\" is not box[:FACTOR] or sphere[:FACTOR]");
+    EXPECT_EQ(outer(text),
+              "--outer: \"" + std::string(text) + "\" is not box[:FACTOR] or sphere[:FACTOR]");
   }
   for (const char* text : {"box:", "box:x", "box:1", "box:0.5", "box:2x", "box:nan", "box:inf"}) {
     EXPECT_EQ(outer(text),
@@ -167,9 +167,10 @@ TEST_F(JobOfAFile, options_win_over_it) {
 }
 
 TEST_F(JobOfAFile, an_amount_of_memory_takes_the_place_of_numbers) {
-  RunOptions options = of_surface(write(
-      "job.toml", "[geometry]\nsurface = \"wing.off\"\n[decompose]\nsubdomains = 8\n"
-                  "[decompose.assimilate]\ngroups = 4\n"));
+  RunOptions options =
+      of_surface(write("job.toml",
+                       "[geometry]\nsurface = \"wing.off\"\n[decompose]\nsubdomains = 8\n"
+                       "[decompose.assimilate]\ngroups = 4\n"));
   EXPECT_EQ(describe_job(options).job.subdomains, 8);
   EXPECT_EQ(describe_job(options).job.groups, 4);
   options.max_memory = "500MB";
@@ -182,8 +183,9 @@ TEST_F(JobOfAFile, an_amount_of_memory_takes_the_place_of_numbers) {
 TEST_F(JobOfAFile, carries_the_sources_of_another_file) {
   write("s.ba3", "t\n0 0 1 0 0\n*\n1\n0.5 0.5 0.5 0.05 0.2 0.4\n");
   const std::string text = "[geometry]\nsurface = \"wing.off\"\n[spacing]\nsources = \"s.ba3\"\n";
-  const std::string own = "[[source]]\nkind = \"point\"\nat = [1, 2, 3]\nspacing = 0.1\n"
-                          "inner = 0.5\nouter = 1\n";
+  const std::string own =
+      "[[source]]\nkind = \"point\"\nat = [1, 2, 3]\nspacing = 0.1\n"
+      "inner = 0.5\nouter = 1\n";
   const JobFile job = describe_job(of_surface(write("job.toml", text))).job;
   EXPECT_EQ(job.sources_file, "");
   ASSERT_EQ(job.sources.size(), 1U);

@@ -17,8 +17,8 @@ TEST_F(KeysCommandLine, each_action_takes_what_it_needs) {
   EXPECT_EQ(make.action, Action::make);
   EXPECT_EQ(make.subject, "anna");
   EXPECT_EQ(make.folder, "d");
-  const auto authorize = parsed_as<KeysCommand>({"keys", "authorize", "anna.pub", "--role",
-                                                 "submitter", "--name", "a", "--keys", "d"});
+  const auto authorize = parsed_as<KeysCommand>(
+      {"keys", "authorize", "anna.pub", "--role", "submitter", "--name", "a", "--keys", "d"});
   EXPECT_EQ(authorize.action, Action::authorize);
   EXPECT_EQ(authorize.subject, "anna.pub");
   EXPECT_EQ(authorize.role, "submitter");

@@ -33,9 +33,7 @@ class Keys : public ::testing::Test {
                  const std::string& role = "submitter") const {
     return keys({Action::authorize, subject, name, role, farm_.string(), false});
   }
-  Said list(bool as_json = false) const {
-    return keys({Action::list, "", "", "", farm_, as_json});
-  }
+  Said list(bool as_json = false) const { return keys({Action::list, "", "", "", farm_, as_json}); }
   std::string hex_of_key(const std::string& name) const {
     return hex_of(read_public_key(public_key_path(folder_.path(), name)));
   }
@@ -66,11 +64,9 @@ TEST_F(Keys, are_made_in_a_store_only_with_a_warning) {
 
 TEST_F(Keys, are_authorised_by_file_or_by_digits) {
   EXPECT_EQ(authorize(pub("anna")).out, "anna is authorised as submitter\n");
-  EXPECT_EQ(authorize(pub("bert"), "robert", "worker").out,
-            "robert is authorised as worker\n");
+  EXPECT_EQ(authorize(pub("bert"), "robert", "worker").out, "robert is authorised as worker\n");
   write_new_key(folder_.path(), "carl");
-  EXPECT_EQ(authorize(hex_of_key("carl"), "carl", "viewer").out,
-            "carl is authorised as viewer\n");
+  EXPECT_EQ(authorize(hex_of_key("carl"), "carl", "viewer").out, "carl is authorised as viewer\n");
   EXPECT_EQ(list().out, hex_of_key("anna") + " submitter anna\n" + hex_of_key("carl") +
                             " viewer    carl\n" + hex_of_key("bert") + " worker    robert\n");
 }
@@ -84,8 +80,7 @@ TEST_F(Keys, are_not_authorised_without_a_file_a_name_or_a_farm) {
   const Said nameless = authorize(hex_of_key("anna"));
   EXPECT_EQ(nameless.code, ExitCode::usage);
   EXPECT_EQ(nameless.error, "--name: is missing; a key given by its digits needs a name");
-  const Said no_farm =
-      keys({Action::authorize, pub("anna"), "", "worker", folder_.path(), false});
+  const Said no_farm = keys({Action::authorize, pub("anna"), "", "worker", folder_.path(), false});
   EXPECT_EQ(no_farm.code, ExitCode::usage);
   EXPECT_EQ(no_farm.error,
             folder_.path().string() +
@@ -96,10 +91,10 @@ TEST_F(Keys, are_not_authorised_without_a_file_a_name_or_a_farm) {
 
 TEST_F(Keys, are_listed_for_programs) {
   authorize(pub("anna"));
-  EXPECT_EQ(json::parse(list(true).out), json({{"type", "key"},
-                                               {"key", hex_of_key("anna")},
-                                               {"role", "submitter"},
-                                               {"name", "anna"}}));
+  EXPECT_EQ(
+      json::parse(list(true).out),
+      json(
+          {{"type", "key"}, {"key", hex_of_key("anna")}, {"role", "submitter"}, {"name", "anna"}}));
 }
 
 TEST_F(Keys, in_lines_that_mean_nothing_are_told_of) {

@@ -138,9 +138,9 @@ std::string line_of(const Json& node, const char* leaf_task) {
   char line[200];
   std::snprintf(line, sizeof line, "%-32s %-10s %10s %10s %9.0f %8.2f\n",
                 (std::string(depth, ' ') + path).c_str(),
-                node["parts"] == 1 ? leaf_task : "decompose",
-                short_count(node["elements"]).c_str(), short_count(node["triangles"]).c_str(),
-                node["bytes"].get<double>() / 1e6, node["seconds"].get<double>());
+                node["parts"] == 1 ? leaf_task : "decompose", short_count(node["elements"]).c_str(),
+                short_count(node["triangles"]).c_str(), node["bytes"].get<double>() / 1e6,
+                node["seconds"].get<double>());
   return line;
 }
 
@@ -173,9 +173,10 @@ TEST_F(PlanOfACube, ends_with_its_range_and_where_the_times_come_from) {
   EXPECT_THAT(page, HasSubstr("\n" + range_text(plan["seconds_low"], plan["seconds_high"]) +
                               " on one core, most likely " +
                               range_text(plan["seconds"], plan["seconds"]) + "\n"));
-  EXPECT_THAT(page, ::testing::EndsWith(
-                        "the times were measured with other surfaces on another machine; --store "
-                        "DIR takes them from the tasks of a store or the output folder of a run\n"));
+  EXPECT_THAT(page,
+              ::testing::EndsWith(
+                  "the times were measured with other surfaces on another machine; --store "
+                  "DIR takes them from the tasks of a store or the output folder of a run\n"));
   EXPECT_THAT(page, Not(HasSubstr("have an angle below")));
 }
 

@@ -46,11 +46,11 @@ TEST_F(PoolCommandLine, a_pool_has_defaults_for_what_is_not_said) {
 
 TEST_F(PoolCommandLine, a_pool_takes_each_of_its_options) {
   const PoolCommand pool =
-      with({"--key",      "p.key", "--coordinator-key", "c.pub", "--name",  "night",
-            "--store",    "/farm", "--program",         "/bin/tetfarm", "--logs", "/logs",
-            "--grace",    "0",     "--hosts",           "a:2,b",        "--min",  "1",
-            "--idle",     "0.5",   "--interval",        "0.1",          "--rate", "7",
-            "--stop",     "--json"});
+      with({"--key",   "p.key", "--coordinator-key", "c.pub",        "--name", "night",
+            "--store", "/farm", "--program",         "/bin/tetfarm", "--logs", "/logs",
+            "--grace", "0",     "--hosts",           "a:2,b",        "--min",  "1",
+            "--idle",  "0.5",   "--interval",        "0.1",          "--rate", "7",
+            "--stop",  "--json"});
   EXPECT_EQ(pool.keys.own, "p.key");
   EXPECT_EQ(pool.keys.coordinator, "c.pub");
   EXPECT_EQ(pool.name, "night");
@@ -77,9 +77,9 @@ TEST_F(PoolCommandLine, a_time_limit_may_be_hours_minutes_and_seconds_or_less) {
 
 TEST_F(PoolCommandLine, every_batch_system_can_be_named) {
   for (const char* system : {"slurm", "condor", "lsf", "ge", "ssh", "local"}) {
-    EXPECT_EQ(parsed_as<PoolCommand>({"pool", system, "--coordinator", "tcp://h:1", "--max", "1"})
-                  .system,
-              system);
+    EXPECT_EQ(
+        parsed_as<PoolCommand>({"pool", system, "--coordinator", "tcp://h:1", "--max", "1"}).system,
+        system);
   }
 }
 
@@ -90,7 +90,8 @@ TEST_F(PoolCommandLine, what_cannot_be_is_refused) {
       {{"pool", "slurm", "--max", "3"}, "--coordinator is required"},
       {{"pool", "--connect", "tcp://h:1", "--max", "3"}, "SYSTEM is required"},
       {words_with({"--walltime", "soon"}), "--walltime: must be a time such as 8:00:00, not soon"},
-      {words_with({"--walltime", "1:-2:3"}), "--walltime: must be a time such as 8:00:00, not 1:-2:3"},
+      {words_with({"--walltime", "1:-2:3"}),
+       "--walltime: must be a time such as 8:00:00, not 1:-2:3"},
       {words_with({"--walltime", "99999999999"}),
        "--walltime: must be a time such as 8:00:00, not 99999999999"},
       {words_with({"--walltime", "0:00"}), "--walltime: must be a whole number above 0, not 0"},

@@ -1,6 +1,6 @@
 // What a pool would do, and what it refuses to do, called as main calls it.
-#include <gmock/gmock.h>
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <pwd.h>
 #include <spdlog/spdlog.h>
 #include <sys/file.h>
@@ -133,9 +133,8 @@ PoolCommand pool_that_stops(const std::string& endpoint, const TempFolder& folde
 }
 
 TEST(PoolCommand, that_stops_ends_when_its_workers_are_gone) {
-  FakeCoordinator coordinator([](const wire::Envelope&) {
-    return std::vector<wire::Envelope>{reply_with({})};
-  });
+  FakeCoordinator coordinator(
+      [](const wire::Envelope&) { return std::vector<wire::Envelope>{reply_with({})}; });
   const TempFolder folder;
   const PoolCommand command = pool_that_stops(coordinator.endpoint(), folder);
   EXPECT_EQ(pool(command).code, ExitCode::ok);
@@ -157,8 +156,7 @@ TEST(PoolCommand, is_the_only_one_of_its_name) {
   ::close(other);
   std::filesystem::remove(lock);
   EXPECT_EQ(said.code, ExitCode::failed);
-  EXPECT_EQ(said.error,
-            "a pool of that name is already running on this machine: " + command.name);
+  EXPECT_EQ(said.error, "a pool of that name is already running on this machine: " + command.name);
 }
 
 }  // namespace

@@ -54,9 +54,11 @@ std::string angle_lines(const std::map<int, std::pair<std::string, std::size_t>>
     const auto found = bins.find(bin);
     const auto [share, length] =
         found == bins.end() ? std::pair(std::string(" 0.0000"), std::size_t{0}) : found->second;
-    lines += std::string(bin == 0 ? "    " : bin < 10 ? "   " : "  ") + number(10 * bin) + "-" +
-             (bin < 9 ? " " : "") + number(10 * bin + 10) + "  " + share + " % " +
-             std::string(length, '#') + "\n";
+    lines += std::string(bin == 0   ? "    "
+                         : bin < 10 ? "   "
+                                    : "  ") +
+             number(10 * bin) + "-" + (bin < 9 ? " " : "") + number(10 * bin + 10) + "  " + share +
+             " % " + std::string(length, '#') + "\n";
   }
   return lines;
 }
@@ -164,8 +166,7 @@ TEST_F(QualityOf, a_mesh_of_regions_tells_of_each) {
   char line[100];
   const Json& shapes = json["regions"][1]["shapes"];
   std::snprintf(line, sizeof line, "domain 2        %16lld%16.6g%16.6g%16.6g\n",
-                shapes["elements"].get<long long>(), 9.0,
-                shapes["min_dihedral_deg"].get<double>(),
+                shapes["elements"].get<long long>(), 9.0, shapes["min_dihedral_deg"].get<double>(),
                 shapes["mean_radius_ratio"].get<double>());
   EXPECT_THAT(text, HasSubstr("\nregion                      tets          volume    min dihedral"
                               "    radius ratio\ndomain  "));

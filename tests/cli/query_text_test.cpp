@@ -110,13 +110,14 @@ TEST(QueryText, of_tasks_is_a_table) {
   waiting.set_state("waiting");
   waiting.set_losses(1);
   waiting.set_message("input lost");
-  EXPECT_EQ(tasks_text({done, waiting}),
-            "TASK  JOB    KIND     SUB-DOMAIN  STATE    SECONDS  PEAK    TRIED                       "
-            "       WHERE\n"
-            "31    job-7  mesh     LR          done     2.3      30 MiB  1 errors, 2 lost, 3 out of "
-            "memory  worker-4 node1\n"
-            "32    job-7  inspect              waiting                   1 lost                      "
-            "                       input lost\n");
+  EXPECT_EQ(
+      tasks_text({done, waiting}),
+      "TASK  JOB    KIND     SUB-DOMAIN  STATE    SECONDS  PEAK    TRIED                       "
+      "       WHERE\n"
+      "31    job-7  mesh     LR          done     2.3      30 MiB  1 errors, 2 lost, 3 out of "
+      "memory  worker-4 node1\n"
+      "32    job-7  inspect              waiting                   1 lost                      "
+      "                       input lost\n");
 }
 
 TEST(QueryText, of_workers_is_a_table) {
@@ -170,8 +171,7 @@ TEST(QueryText, of_a_log_is_the_attempt_and_each_line_of_what_it_said) {
   attempt.set_worker(3);
   attempt.set_host("node1");
   attempt.set_state("crashed");
-  const std::string head =
-      "job-7 task 31, mesh LR: attempt 40 on worker-3 node1, crashed\n";
+  const std::string head = "job-7 task 31, mesh LR: attempt 40 on worker-3 node1, crashed\n";
   EXPECT_EQ(log_text(attempt), head + "  (no output is kept)\n");
   attempt.set_log("one\n\ntwo");
   EXPECT_EQ(log_text(attempt), head + "  one\n  \n  two\n");

@@ -54,8 +54,8 @@ TEST(RenderCommand, refuses_what_is_no_picture_before_it_looks_for_the_mesh) {
   for (const char* size : {"", "x", "80", "80x", "x60", "0x60", "80x0", "16385x60", "80x16385",
                            "80x60x2", "80*60", "-80x60", "8.5x60"}) {
     command.size = size;
-    EXPECT_EQ(trouble_with(command), "--size: \"" + std::string(size) +
-                                         "\" is not WIDTHxHEIGHT, each from 1 to 16384");
+    EXPECT_EQ(trouble_with(command),
+              "--size: \"" + std::string(size) + "\" is not WIDTHxHEIGHT, each from 1 to 16384");
   }
   command.size = "16384x1";
   command.from = {0, 0, 0};
@@ -97,7 +97,8 @@ class Drawn : public ::testing::Test {
 TEST_F(Drawn, is_as_large_as_asked_for) {
   const std::string png = drawn();
   const auto number = [&png](std::size_t at) {
-    return static_cast<unsigned char>(png.at(at + 2)) * 256 + static_cast<unsigned char>(png[at + 3]);
+    return static_cast<unsigned char>(png.at(at + 2)) * 256 +
+           static_cast<unsigned char>(png[at + 3]);
   };
   EXPECT_EQ(number(16), 60);
   EXPECT_EQ(number(20), 40);
@@ -110,8 +111,14 @@ TEST_F(Drawn, looks_otherwise_with_each_option) {
       {"view cut", [](RenderCommand& c) { c.view = "cut"; }},
       {"colour region", [](RenderCommand& c) { c.colour = "region"; }},
       {"colour patch", [](RenderCommand& c) { c.colour = "patch"; }},
-      {"from", [](RenderCommand& c) { c.from = {2, 1, 1}; }},
-      {"up", [](RenderCommand& c) { c.up = {0, 1, 0}; }},
+      {"from",
+       [](RenderCommand& c) {
+         c.from = {2, 1, 1};
+       }},
+      {"up",
+       [](RenderCommand& c) {
+         c.up = {0, 1, 0};
+       }},
       {"zoom", [](RenderCommand& c) { c.zoom = 2; }},
       {"edges", [](RenderCommand& c) { c.edge_width = 0; }}};
   for (const auto& [name, change] : changes) EXPECT_NE(drawn(change), plain) << name;

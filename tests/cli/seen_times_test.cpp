@@ -56,7 +56,8 @@ TaskRow timed_task(std::uint64_t id) {
   task.path = id;
   task.state = TaskState::done;
   task.attempt = AttemptId{id};
-  task.numbers = {{"cpu_seconds", 2}, {"size_elements", 1000}, {"size_triangles", 20}, {"size_needles", 3}};
+  task.numbers = {
+      {"cpu_seconds", 2}, {"size_elements", 1000}, {"size_triangles", 20}, {"size_needles", 3}};
   return task;
 }
 

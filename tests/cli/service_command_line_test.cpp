@@ -30,14 +30,38 @@ TEST_F(ServiceCommandLine, a_coordinator_of_a_store_has_defaults_for_all_else) {
 }
 
 TEST_F(ServiceCommandLine, a_coordinator_takes_each_of_its_options) {
-  const auto command = parsed_as<CoordinatorCommand>(
-      {"coordinator",        "--store",      "s",           "--listen",          "tcp://h:1",
-       "--listen",           "ipc://x",      "--database",  "d",                 "--keys",
-       "k",                  "--allow-root", "/a",          "--allow-root",      "/b",
-       "--heartbeat-ms",     "11",           "--lease-ms",  "51",                "--max-connections",
-       "12",                 "--max-workers", "13",         "--task-limit",      "1.5",
-       "--first-task-limit", "2.5",          "--http",      "127.0.0.1:8080",    "--http-token",
-       "token",              "--quiet"});
+  const auto command = parsed_as<CoordinatorCommand>({"coordinator",
+                                                      "--store",
+                                                      "s",
+                                                      "--listen",
+                                                      "tcp://h:1",
+                                                      "--listen",
+                                                      "ipc://x",
+                                                      "--database",
+                                                      "d",
+                                                      "--keys",
+                                                      "k",
+                                                      "--allow-root",
+                                                      "/a",
+                                                      "--allow-root",
+                                                      "/b",
+                                                      "--heartbeat-ms",
+                                                      "11",
+                                                      "--lease-ms",
+                                                      "51",
+                                                      "--max-connections",
+                                                      "12",
+                                                      "--max-workers",
+                                                      "13",
+                                                      "--task-limit",
+                                                      "1.5",
+                                                      "--first-task-limit",
+                                                      "2.5",
+                                                      "--http",
+                                                      "127.0.0.1:8080",
+                                                      "--http-token",
+                                                      "token",
+                                                      "--quiet"});
   EXPECT_THAT(command.endpoints, ElementsAre("tcp://h:1", "ipc://x"));
   EXPECT_EQ(command.database, "d");
   EXPECT_EQ(command.keys, "k");
@@ -86,10 +110,10 @@ TEST_F(ServiceCommandLine, a_worker_of_a_coordinator_has_defaults_for_all_else) 
 
 TEST_F(ServiceCommandLine, a_worker_takes_each_of_its_options) {
   const auto command = parsed_as<WorkerCommand>(
-      {"worker",        "--connect", "tcp://h:1", "--key",      "w.key", "--coordinator-key",
-       "c.pub",         "--store",   "s",         "--cache",    "c",     "--cache-size",
-       "3GB",           "--grace",   "0",         "--memory",   "2GB",   "--walltime",
-       "7",             "--tag",     "p/1",       "--pool-memory", "5GB", "--no-shared-store",
+      {"worker", "--connect", "tcp://h:1", "--key",         "w.key", "--coordinator-key",
+       "c.pub",  "--store",   "s",         "--cache",       "c",     "--cache-size",
+       "3GB",    "--grace",   "0",         "--memory",      "2GB",   "--walltime",
+       "7",      "--tag",     "p/1",       "--pool-memory", "5GB",   "--no-shared-store",
        "-q"});
   EXPECT_EQ(command.keys.own, "w.key");
   EXPECT_EQ(command.keys.coordinator, "c.pub");
@@ -114,8 +138,8 @@ TEST_F(ServiceCommandLine, what_a_worker_starts_is_no_command_for_people) {
 
 TEST_F(ServiceCommandLine, what_cannot_be_is_refused) {
   const auto coordinator = [](const std::string& option, const std::string& value) {
-    return std::vector<std::string>{"coordinator", "--store", "s", "--listen", "tcp://h:1",
-                                    option,        value};
+    return std::vector<std::string>{"coordinator", "--store", "s",  "--listen",
+                                    "tcp://h:1",   option,    value};
   };
   const auto worker = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"worker", "--connect", "tcp://h:1", option, value};

@@ -13,10 +13,10 @@
 namespace tetfarm {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using nlohmann::json;
 
 constexpr const char* tet_off =
     "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
@@ -132,13 +132,17 @@ TEST_F(Served, a_job_that_is_not_there_is_not_cancelled) {
 
 TEST_F(Served, tasks_and_hosts_are_taken_out_of_quarantine) {
   count_ = 3;
-  EXPECT_EQ(said_by([&] { return retry_command({client("job-7"), 31, ""}); }).out,
+  EXPECT_EQ(said_by([&] {
+              return retry_command({client("job-7"), 31, ""});
+            }).out,
             "took 3 tasks of job-7 out of quarantine\n");
   EXPECT_EQ(asked().back().retry().job(), "job-7");
   EXPECT_EQ(asked().back().retry().task(), 31U);
   EXPECT_EQ(asked().back().retry().host(), "");
   count_ = 1;
-  EXPECT_EQ(said_by([&] { return retry_command({client(), 0, "node5"}); }).out,
+  EXPECT_EQ(said_by([&] {
+              return retry_command({client(), 0, "node5"});
+            }).out,
             "took node5 out of quarantine\n");
   EXPECT_EQ(asked().back().retry().host(), "node5");
   RetryCommand as_json{client("job-7"), 0, ""};
@@ -167,11 +171,15 @@ TEST_F(Served, either_a_job_or_a_host_is_tried_again) {
 }
 
 TEST_F(Served, workers_are_drained_one_or_all) {
-  EXPECT_EQ(said_by([&] { return drain_command({client(), "worker-7", false}); }).out,
+  EXPECT_EQ(said_by([&] {
+              return drain_command({client(), "worker-7", false});
+            }).out,
             "1 worker is draining\n");
   EXPECT_EQ(asked().back().drain_workers().worker(), 7U);
   count_ = 2;
-  EXPECT_EQ(said_by([&] { return drain_command({client(), "", true}); }).out,
+  EXPECT_EQ(said_by([&] {
+              return drain_command({client(), "", true});
+            }).out,
             "2 workers are draining\n");
   EXPECT_EQ(asked().back().drain_workers().worker(), 0U);
   DrainCommand as_json{client(), "", true};
@@ -193,7 +201,9 @@ TEST_F(Served, what_is_no_worker_is_not_drained) {
   const Said gone = said_by([&] { return drain_command({client(), "worker-7", false}); });
   EXPECT_EQ(gone.code, ExitCode::not_found);
   EXPECT_EQ(gone.error, "no worker-7 at " + coordinator_.endpoint());
-  EXPECT_EQ(said_by([&] { return drain_command({client(), "", true}); }).out,
+  EXPECT_EQ(said_by([&] {
+              return drain_command({client(), "", true});
+            }).out,
             "0 workers are draining\n");
 }
 
@@ -252,8 +262,7 @@ TEST_F(Served, a_surface_that_the_coordinator_reads_goes_by_its_path) {
   EXPECT_EQ(said_by([&] { return submit_command(command); }).err, "");
   command.job.input = (folder_.path() / "elsewhere.off").string();
   EXPECT_EQ(said_by([&] { return submit_command(command); }).err,
-            "note: " + command.job.input +
-                " cannot be seen from here; the farm will check it\n");
+            "note: " + command.job.input + " cannot be seen from here; the farm will check it\n");
   ASSERT_THAT(asked(), SizeIs(2));
   const wire::Submit submit = asked()[1].submit();
   EXPECT_EQ(submit.surface_path(), command.job.input);

@@ -116,9 +116,7 @@ TEST_F(StoreCommands, what_gc_did_is_told_to_programs) {
 TEST_F(StoreCommands, a_check_tells_of_each_file_that_is_damaged_and_what_runs_again) {
   CheckOptions options;
   options.store = folder_.path();
-  const auto checked = [&options] {
-    return said_by([&] { return check_store_command(options); });
-  };
+  const auto checked = [&options] { return said_by([&] { return check_store_command(options); }); };
   EXPECT_EQ(checked().out, "files           1, 0 damaged\n");
   options.json = true;
   EXPECT_EQ(checked().out,
@@ -137,8 +135,8 @@ TEST_F(StoreCommands, a_check_tells_of_each_file_that_is_damaged_and_what_runs_a
   const Said said = checked();
   EXPECT_EQ(said.code, ExitCode::failed);
   EXPECT_THAT(said.out, HasSubstr(result_.hash + "  'mesh': missing"));
-  EXPECT_THAT(said.error, ::testing::StartsWith(folder_.path().string() +
-                                                ": 1 file is damaged or missing; "));
+  EXPECT_THAT(said.error,
+              ::testing::StartsWith(folder_.path().string() + ": 1 file is damaged or missing; "));
 }
 
 }  // namespace

@@ -12,11 +12,9 @@ using ::testing::HasSubstr;
 using ViewCommandLine = PlainEnvironment;
 
 /// All that says where to look.
-const std::vector<std::string> everywhere = {"--connect",         "tcp://h:1",  "--key",
-                                             "me.key",            "--timeout",  "2.5",
-                                             "--coordinator-key", "c.pub",      "--store",
-                                             "/farm",             "--database", "/local",
-                                             "--json"};
+const std::vector<std::string> everywhere = {
+    "--connect", "tcp://h:1", "--key", "me.key",     "--timeout", "2.5",   "--coordinator-key",
+    "c.pub",     "--store",   "/farm", "--database", "/local",    "--json"};
 
 void expect_everywhere(const ViewOptions& view) {
   EXPECT_EQ(view.client.endpoint, "tcp://h:1");

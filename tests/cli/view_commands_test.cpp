@@ -11,9 +11,9 @@
 namespace tetfarm {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using nlohmann::json;
 
 /// Pages of an answer, one after the other; `next` of each but the last leads to the one behind.
 class Viewed : public ::testing::Test {
@@ -200,8 +200,7 @@ TEST_F(Viewed, logs_are_of_a_task_by_its_number_or_of_a_job) {
   for (const char* job : {"job-7", "31x"}) {
     command.target = job;
     command.view.client.json = true;
-    EXPECT_THAT(said_by([&] { return logs_command(command); }).out,
-                HasSubstr("\"log\":\"hello\""));
+    EXPECT_THAT(said_by([&] { return logs_command(command); }).out, HasSubstr("\"log\":\"hello\""));
     EXPECT_EQ(asked().back().task(), 0U);
     EXPECT_EQ(asked().back().job(), job);
   }

@@ -79,13 +79,29 @@ wire::JobStatus finished_job() {
   status.set_attempts_lost(4);
   auto& numbers = *status.mutable_numbers();
   double next = 1;
-  for (const char* name :
-       {"elements", "nodes", "boundary_triangles", "subdomains", "min_dihedral_deg",
-        "max_dihedral_deg", "mean_radius_ratio", "volume", "worst_x", "worst_y", "worst_z",
-        "forced_dihedral_deg", "forced_x", "forced_y", "forced_z", "smallest_height",
-        "near_cuts_elements", "near_cuts_min_dihedral_deg", "near_cuts_max_dihedral_deg",
-        "near_cuts_mean_radius_ratio", "near_cuts_smallest_height", "away_from_cuts_elements",
-        "min_dihedral_gate_deg"}) {
+  for (const char* name : {"elements",
+                           "nodes",
+                           "boundary_triangles",
+                           "subdomains",
+                           "min_dihedral_deg",
+                           "max_dihedral_deg",
+                           "mean_radius_ratio",
+                           "volume",
+                           "worst_x",
+                           "worst_y",
+                           "worst_z",
+                           "forced_dihedral_deg",
+                           "forced_x",
+                           "forced_y",
+                           "forced_z",
+                           "smallest_height",
+                           "near_cuts_elements",
+                           "near_cuts_min_dihedral_deg",
+                           "near_cuts_max_dihedral_deg",
+                           "near_cuts_mean_radius_ratio",
+                           "near_cuts_smallest_height",
+                           "away_from_cuts_elements",
+                           "min_dihedral_gate_deg"}) {
     numbers[name] = next++;
   }
   auto& texts = *status.mutable_texts();
@@ -251,8 +267,9 @@ TEST(JobJson, of_hosts_and_workers_is_a_line_for_each) {
       "\"since_ms\":1000}\n";
   EXPECT_EQ(farm_events_json(reply, false), hosts);
   EXPECT_EQ(farm_events_json(reply, true),
-            hosts + "{\"type\":\"worker\",\"worker\":\"worker-4\",\"host\":\"node1\","
-                    "\"process\":471,\"task\":31,\"drains\":true,\"memory_bytes\":100}\n");
+            hosts +
+                "{\"type\":\"worker\",\"worker\":\"worker-4\",\"host\":\"node1\","
+                "\"process\":471,\"task\":31,\"drains\":true,\"memory_bytes\":100}\n");
 }
 
 TEST(JobJson, of_files_and_errors_is_one_line) {

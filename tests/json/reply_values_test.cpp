@@ -20,7 +20,8 @@ TEST(ReplyValues, of_what_was_not_told_are_0_and_empty) {
 
 TEST(ReplyValues, of_a_place_are_its_three_numbers) {
   wire::JobStatus status;
-  for (const auto& [name, value] : {std::pair{"worst_x", 1.0}, {"worst_y", 2.0}, {"worst_z", 3.0}}) {
+  for (const auto& [name, value] :
+       {std::pair{"worst_x", 1.0}, {"worst_y", 2.0}, {"worst_z", 3.0}}) {
     (*status.mutable_numbers())[name] = value;
   }
   EXPECT_THAT(place_of(status, "worst"), ElementsAre(1, 2, 3));

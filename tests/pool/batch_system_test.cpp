@@ -423,9 +423,9 @@ TEST(BatchSystem, says_what_it_cannot_take) {
   with = settings();
   for (const char* logs : {"/my logs", "/l\"", "/l'", "/l%", "/l$"}) {
     with.logs = logs;
-    EXPECT_EQ(refusal_of(with),
-              std::string(logs) +
-                  ": the path of the log folder must not contain spaces, quotes, % or $");
+    EXPECT_EQ(
+        refusal_of(with),
+        std::string(logs) + ": the path of the log folder must not contain spaces, quotes, % or $");
   }
   EXPECT_EQ(refusal_of(settings(), "pbs"), "pbs: not a batch system");
   EXPECT_EQ(refusal_of(settings(), "ssh"),
@@ -573,9 +573,10 @@ TEST(BatchSystem, has_submitted_nothing_when_its_answer_cannot_be_understood) {
   const auto submitted = [](const char* system, const CommandOutcome& outcome) {
     return make_batch_system(system, settings())->submitted({2, gib}, outcome);
   };
-  for (const auto& [system, good] :
-       {std::pair{"slurm", "12\n"}, {"condor", "12.0 - 12.1\n"}, {"lsf", "Job <35> is\n"},
-        {"ge", "12.1-2:1\n"}}) {
+  for (const auto& [system, good] : {std::pair{"slurm", "12\n"},
+                                     {"condor", "12.0 - 12.1\n"},
+                                     {"lsf", "Job <35> is\n"},
+                                     {"ge", "12.1-2:1\n"}}) {
     EXPECT_THAT(submitted(system, {0, good, ""}), testing::SizeIs(2)) << system;
     EXPECT_THAT(submitted(system, {1, good, ""}), IsEmpty()) << system;
     for (const char* odd : {"", "sorry\n", "Job <x> is\n"}) {

@@ -44,11 +44,11 @@ TEST(WorkerJob, tells_its_worker_all_that_it_needs) {
   settings.cache = "/cache";
   settings.key = "w.key";
   settings.coordinator_key = "c.pub";
-  EXPECT_THAT(worker_words(settings, 8192 * mebibyte),
-              ElementsAre("/opt/tetfarm", "worker", "--connect", "tcp://head:5555", "--store",
-                          "/farm", "--cache", "/cache", "--key", "w.key", "--coordinator-key",
-                          "c.pub", "--memory", "7168MB", "--pool-memory", "14336MB", "--walltime",
-                          "3600", "--grace", "30"));
+  EXPECT_THAT(
+      worker_words(settings, 8192 * mebibyte),
+      ElementsAre("/opt/tetfarm", "worker", "--connect", "tcp://head:5555", "--store", "/farm",
+                  "--cache", "/cache", "--key", "w.key", "--coordinator-key", "c.pub", "--memory",
+                  "7168MB", "--pool-memory", "14336MB", "--walltime", "3600", "--grace", "30"));
 }
 
 TEST(WorkerJob, has_words_that_a_shell_reads_back) {

@@ -331,7 +331,8 @@ TEST(ReportPage, shows_edges_over_the_spacing_where_that_is_known) {
   edges.over_spacing.counts[5] = 1;
   edges.over_spacing.counts[24] = 3;
   const std::string page = mesh_sections(content);
-  EXPECT_THAT(page, HasSubstr("0.500 to 3.000, mean 1.250; the last bin holds all that are longer"));
+  EXPECT_THAT(page,
+              HasSubstr("0.500 to 3.000, mean 1.250; the last bin holds all that are longer"));
   EXPECT_THAT(page, HasSubstr("<title>0.5: 25 </title>"));
   EXPECT_THAT(page, HasSubstr("<title>2.4: 75 </title>"));
   EXPECT_THAT(page, Not(HasSubstr("is not available")));

@@ -119,13 +119,11 @@ TEST(SvgCharts, of_bars_stand_side_by_side_over_their_names_and_an_axis) {
       "y=\"15\">T</text>"
       "<text x=\"475.2\" y=\"15.0\" text-anchor=\"start\">s</text>" +
           bar("x=\"461.20\" y=\"6.00\" width=\"10.00\" height=\"10.00\"", "#111111", "s") +
-          mark("200.0", "204.0", "0") + mark("156.5", "160.5", "0.5") + mark("113.0", "117.0", "1") +
-          mark("69.5", "73.5", "1.5") + mark("26.0", "30.0", "2") +
+          mark("200.0", "204.0", "0") + mark("156.5", "160.5", "0.5") +
+          mark("113.0", "117.0", "1") + mark("69.5", "73.5", "1.5") + mark("26.0", "30.0", "2") +
           bar("x=\"76.70\" y=\"113.00\" width=\"90.30\" height=\"87.00\"", "#111111", "a: 1 s") +
-          bar("x=\"286.70\" y=\"26.00\" width=\"90.30\" height=\"174.00\"", "#111111",
-              "b: 2 s") +
-          bar("x=\"377.00\" y=\"156.50\" width=\"90.30\" height=\"43.50\"", "#222222",
-              "b: 0.5 ") +
+          bar("x=\"286.70\" y=\"26.00\" width=\"90.30\" height=\"174.00\"", "#111111", "b: 2 s") +
+          bar("x=\"377.00\" y=\"156.50\" width=\"90.30\" height=\"43.50\"", "#222222", "b: 0.5 ") +
           "<line class=\"axis\" x1=\"62.0\" y1=\"200.0\" x2=\"482.0\" y2=\"200.0\"/>"
           "<text x=\"167.0\" y=\"215.0\" text-anchor=\"middle\">a</text>"
           "<text x=\"377.0\" y=\"215.0\" text-anchor=\"middle\">b</text>"
@@ -161,20 +159,19 @@ TEST(SvgCharts, of_spans_have_rows_seconds_and_what_was_done) {
            "\" y2=\"68.0\"/><text x=\"" + x + "\" y=\"82.0\" text-anchor=\"middle\">" + what +
            "</text>";
   };
-  EXPECT_EQ(
-      svg_of(timeline),
-      "<svg viewBox=\"0 0 1000 102\" role=\"img\"><text class=\"title\" x=\"62\" "
-      "y=\"15\"></text>" +
-          mark("130.0", "0") + mark("302.4", "1") + mark("474.8", "2") + mark("647.2", "3") +
-          mark("819.6", "4") + mark("992.0", "5") +
-          "<text x=\"565.0\" y=\"97.0\" text-anchor=\"middle\">seconds since the first "
-          "attempt</text>"
-          "<text x=\"124.0\" y=\"40.0\" text-anchor=\"end\">host 1</text>"
-          "<text x=\"124.0\" y=\"60.0\" text-anchor=\"end\">host 2</text>"
-          "<rect x=\"130.00\" y=\"28.00\" width=\"689.60\" height=\"16.00\" "
-          "fill=\"#111111\"><title>long</title></rect>"
-          "<rect x=\"819.60\" y=\"48.00\" width=\"172.40\" height=\"16.00\" "
-          "fill=\"#222222\"><title>short</title></rect></svg>");
+  EXPECT_EQ(svg_of(timeline),
+            "<svg viewBox=\"0 0 1000 102\" role=\"img\"><text class=\"title\" x=\"62\" "
+            "y=\"15\"></text>" +
+                mark("130.0", "0") + mark("302.4", "1") + mark("474.8", "2") + mark("647.2", "3") +
+                mark("819.6", "4") + mark("992.0", "5") +
+                "<text x=\"565.0\" y=\"97.0\" text-anchor=\"middle\">seconds since the first "
+                "attempt</text>"
+                "<text x=\"124.0\" y=\"40.0\" text-anchor=\"end\">host 1</text>"
+                "<text x=\"124.0\" y=\"60.0\" text-anchor=\"end\">host 2</text>"
+                "<rect x=\"130.00\" y=\"28.00\" width=\"689.60\" height=\"16.00\" "
+                "fill=\"#111111\"><title>long</title></rect>"
+                "<rect x=\"819.60\" y=\"48.00\" width=\"172.40\" height=\"16.00\" "
+                "fill=\"#222222\"><title>short</title></rect></svg>");
 }
 
 TEST(SvgCharts, of_spans_in_many_rows_have_low_rows_without_names) {
@@ -215,8 +212,8 @@ TEST(SvgCharts, of_points_have_the_line_where_what_came_is_what_was_expected) {
 
 TEST(SvgCharts, have_marks_at_round_numbers) {
   const auto marks_up_to = [](double largest) {
-    const std::string svg = svg_of(
-        BarChart{.title = "", .names = {"a"}, .series = {{"", "#111111", {largest}}}});
+    const std::string svg =
+        svg_of(BarChart{.title = "", .names = {"a"}, .series = {{"", "#111111", {largest}}}});
     const std::regex mark("text-anchor=\"end\">([^<]*)<");
     std::string marks;
     for (std::sregex_iterator found(svg.begin(), svg.end(), mark), end; found != end; ++found) {
