@@ -212,6 +212,8 @@ class Answer {
       line.set_host_in_quarantine(rows_.quarantined_hosts.contains(record.row.host));
       counted(line);
     }
+    // Of the rows that were read some may have been left out.
+    if (records.size() > limit_) reply_.set_next(last);
   }
 
   void events() {

@@ -305,7 +305,7 @@ Numbering numbering_from_text(std::string_view text, const std::string& name) {
     if (line && line->kind == "surface" && line->numbers.size() == 1 && i == 1 &&
         line->numbers[0] <= std::numeric_limits<std::int32_t>::max()) {
       numbering.surface_nodes = static_cast<std::int64_t>(line->numbers[0]);
-    } else if (line && line->kind == "unused" && line->numbers.size() == 1 &&
+    } else if (line && line->kind == "unused" && line->numbers.size() == 1 && i > 1 &&
                line->numbers[0] <= std::numeric_limits<std::int32_t>::max()) {
       numbering.unused_vertices.push_back(static_cast<std::int32_t>(line->numbers[0]));
     } else if (!line || i == 1 || !add_line(*line, numbering, dropped)) {

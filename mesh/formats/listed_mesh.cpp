@@ -101,7 +101,11 @@ class ListedSource : public MeshSource {
     renumber(part, numbers.sort());
     part.local2global = numbers.take();
     read_nodes(part);
-    if (has_several_regions(part)) set_regions_of_faces(part);
+    if (has_several_regions(part)) {
+      // Its tets may be of one region, and its other cells of another.
+      part.region_of_tet.resize(part.tets.size(), part.region);
+      set_regions_of_faces(part);
+    }
     return part;
   }
 

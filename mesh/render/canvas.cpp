@@ -10,6 +10,8 @@ namespace tetfarm {
 namespace {
 
 constexpr Colour ink{0.10F, 0.11F, 0.14F};
+// Of a place in samples: what lies on the edge of two triangles must not fall between them.
+constexpr double rounding = 1e-9;
 constexpr float edge_share = 0.75F;     // of ink on an edge
 constexpr float outline_share = 0.55F;  // of ink on an outline
 
@@ -74,7 +76,7 @@ void Canvas::draw(const std::array<Seen, 3>& corners, const Colour& colour) {
       const std::array<double, 3> inside = {lines[0].at(x, y), lines[1].at(x, y),
                                             lines[2].at(x, y)};
       const double nearest = std::min({inside[0], inside[1], inside[2]});
-      if (nearest < 0) continue;
+      if (nearest < -rounding) continue;
       // 1 / depth is linear in the picture.
       double inverse = 0;
       for (std::size_t i = 0; i < 3; ++i) inverse += inside[i] / lines[i].height / p[i].depth;
@@ -82,7 +84,7 @@ void Canvas::draw(const std::array<Seen, 3>& corners, const Colour& colour) {
                                 static_cast<std::size_t>(column)];
       const auto depth = static_cast<float>(1 / inverse);
       if (!(depth < sample.depth)) continue;
-      sample = {depth, nearest < half_width ? edge_colour : colour};
+      sample = {depth, std::max(nearest, 0.0) < half_width ? edge_colour : colour};
     }
   }
 }

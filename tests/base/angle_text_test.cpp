@@ -46,5 +46,19 @@ TEST(AngleText, of_what_is_no_such_angle_is_plain) {
   EXPECT_EQ(angle_text(200), "200.00");
 }
 
+TEST(AngleText, has_two_digits_of_what_an_angle_differs_by_from_0_or_180) {
+  EXPECT_EQ(angle_text(0.999), "1.00");
+  EXPECT_EQ(angle_text(0.1), "0.100");
+  EXPECT_EQ(angle_text(0.011), "0.011");
+  EXPECT_EQ(angle_text(0.0099), "0.0099");
+  EXPECT_EQ(angle_text(1e-9), "0.000000001");
+  EXPECT_EQ(angle_text(179.0), "179.00");
+  EXPECT_EQ(angle_text(179.5, 1), "179.50");
+  EXPECT_EQ(angle_text(30, 0), "30");
+  EXPECT_EQ(angle_text(30, 9), "30.000000000");
+  EXPECT_EQ(angle_text(0, 5), "0");
+  EXPECT_EQ(angle_text(180, 5), "180");
+}
+
 }  // namespace
 }  // namespace tetfarm

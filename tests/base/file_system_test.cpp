@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -176,6 +177,71 @@ TEST(FileSystem, takes_names_as_long_as_the_file_system_does) {
   const auto path = folder.path() / std::string(255, 'n');
   write_file_atomically(path, "bytes");
   EXPECT_EQ(read_file(path), "bytes");
+}
+
+TEST(FileSystem, reads_a_part_of_a_file_as_far_as_there_is_one) {
+  const TempFolder folder;
+  const auto path = folder.path() / "a";
+  write_file_atomically(path, "0123456789");
+  EXPECT_EQ(read_part_of_file(path, 0, 4), "0123");
+  EXPECT_EQ(read_part_of_file(path, 4, 3), "456");
+  EXPECT_EQ(read_part_of_file(path, 8, 5), "89");
+  EXPECT_EQ(read_part_of_file(path, 10, 5), "");
+  EXPECT_EQ(read_part_of_file(path, 20, 5), "");
+  EXPECT_EQ(read_part_of_file(path, 3, 0), "");
+  const std::string large = std::string(200'000, 'x') + "end";
+  write_file_atomically(path, large);
+  EXPECT_EQ(read_file(path), large);
+  EXPECT_EQ(read_part_of_file(path, 199'999, 10), "xend");
+  EXPECT_EQ(size_of_file(path), 200'003U);
+}
+
+TEST(FileSystem, what_fails_is_told_with_the_path_and_what_was_tried) {
+  const TempFolder folder;
+  const std::string none = (folder.path() / "none/file").string();
+  const std::string file = (folder.path() / "file").string();
+  write_file_atomically(file, "");
+  const auto told = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const IoError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string missing = ": cannot open: No such file or directory";
+  EXPECT_EQ(told([&] { read_file(none); }), none + missing);
+  EXPECT_EQ(told([&] { read_part_of_file(none, 0, 1); }), none + missing);
+  EXPECT_EQ(told([&] { append_to_file(none, 0, "x"); }), none + missing);
+  EXPECT_EQ(told([&] { publish_by_rename(file, none); }),
+            none + ": cannot rename " + file + " to it: No such file or directory");
+  EXPECT_EQ(told([&] { make_folders(file + "/a"); }),
+            file + "/a: cannot create the folder: Not a directory");
+  EXPECT_EQ(told([&] { remove_file(folder.path()); }),
+            folder.path().string() + ": cannot remove: Is a directory");
+  EXPECT_EQ(told([&] { remove_file(none); }), "");
+  EXPECT_FALSE(size_of_file(file + "/a")) << "there is none below a file";
+  EXPECT_EQ(told([&] { size_of_file(folder.path() / std::string(300, 'x')); }),
+            (folder.path() / std::string(300, 'x')).string() + ": cannot stat: File name too long");
+}
+
+TEST(FileSystem, temporary_names_begin_with_the_stem_cut_to_what_file_systems_take) {
+  EXPECT_THAT(unique_temp_name("mesh"),
+              testing::MatchesRegex("mesh\\." + std::to_string(::getpid()) + "\\.[0-9a-f]+\\.tmp"));
+  EXPECT_TRUE(unique_temp_name(std::string(300, 's')).starts_with(std::string(200, 's') + "."));
+}
+
+TEST(FileSystem, new_files_may_be_read_by_all_and_written_by_their_owner) {
+  const TempFolder folder;
+  const mode_t old = ::umask(0);
+  write_file_atomically(folder.path() / "a", "x");
+  append_to_file(folder.path() / "b", 0, "x");
+  ::umask(old);
+  for (const char* name : {"a", "b"}) {
+    EXPECT_EQ(std::filesystem::status(folder.path() / name).permissions(),
+              static_cast<std::filesystem::perms>(0644))
+        << name;
+  }
 }
 
 }  // namespace

@@ -38,5 +38,17 @@ TEST(JobName, gives_file_names_that_file_systems_take) {
             std::string(247, 'n') + ".vtkhdf");
 }
 
+TEST(JobName, is_refused_in_whole_words) {
+  EXPECT_EQ(problem_with_job_name(""), "must not be empty");
+  EXPECT_EQ(problem_with_job_name(std::string(256, 'n')), "must have at most 255 bytes, not 256");
+  EXPECT_EQ(problem_with_job_name("\xff"), "must be valid UTF-8");
+  EXPECT_EQ(problem_with_job_name("a\tb"), "must not contain control characters");
+  EXPECT_EQ(problem_with_job_name("a/b"), "must be a plain name, without `/`");
+  EXPECT_EQ(problem_with_job_name("."), "must not be `.` or `..`, which are folders");
+  EXPECT_EQ(problem_with_job_name("wing\u2028"), "must not contain control characters")
+      << "at the end too";
+  EXPECT_EQ(problem_with_job_name("a.."), "");
+}
+
 }  // namespace
 }  // namespace tetfarm

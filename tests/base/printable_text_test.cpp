@@ -46,5 +46,17 @@ TEST(PrintableText, is_always_utf8_and_harmless_whatever_the_bytes) {
   }
 }
 
+TEST(PrintableText, has_a_form_for_each_byte_that_is_not_plain) {
+  std::string ascii;
+  for (int c = ' '; c <= '~'; ++c) ascii += static_cast<char>(c);
+  EXPECT_EQ(printable(ascii), ascii);
+  EXPECT_EQ(printable("\x01\x1f\x7f"), "\\u0001\\u001f\\u007f");
+  EXPECT_EQ(printable("x\x80\xa0\xffy"), "x\\x80\\xa0\\xffy");
+  EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");
+  EXPECT_EQ(printable("a\nb", Lines::kept), "a\nb");
+  EXPECT_EQ(printable("a\r\nb", Lines::kept), "a\\r\nb");
+  EXPECT_EQ(printable("\u2028"), "\\u2028");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -44,5 +44,47 @@ TEST(Utf8, is_cut_between_characters) {
   EXPECT_EQ(cut_utf8(std::string(10, '\x80'), 6).size(), 6U) << "no UTF-8: cut anywhere";
 }
 
+TEST(Utf8, reads_the_first_and_the_last_character_of_each_length) {
+  struct Case {
+    std::string text;
+    char32_t value;
+  };
+  for (const Case& one : std::initializer_list<Case>{{std::string(1, '\0'), 0},
+                                                     {"\x7f", 0x7F},
+                                                     {"\xC2\x80", 0x80},
+                                                     {"\xDF\xBF", 0x7FF},
+                                                     {"\xE0\xA0\x80", 0x800},
+                                                     {"\xED\x9F\xBF", 0xD7FF},
+                                                     {"\xEE\x80\x80", 0xE000},
+                                                     {"\xEF\xBF\xBF", 0xFFFF},
+                                                     {"\xF0\x90\x80\x80", 0x10000},
+                                                     {"\xF4\x8F\xBF\xBF", 0x10FFFF}}) {
+    EXPECT_EQ(code_point_at(one.text, 0).value, one.value) << static_cast<unsigned>(one.value);
+    EXPECT_EQ(code_point_at(one.text, 0).bytes, one.text.size())
+        << static_cast<unsigned>(one.value);
+    EXPECT_TRUE(is_utf8(one.text + one.text));
+  }
+  for (const char* text : {"\xC1\xBF", "\xE0\x9F\xBF", "\xF0\x8F\xBF\xBF", "\xED\xBF\xBF",
+                           "\xC2\xC0", "\xE1\x80\xC0", "\xF1\x80\x80", "\xF5\x80\x80\x80"}) {
+    EXPECT_FALSE(is_utf8(text)) << text;
+    EXPECT_FALSE(is_utf8(std::string("ab") + text)) << text;
+  }
+}
+
+TEST(Utf8, has_control_characters_in_these_ranges_and_no_others) {
+  std::string ranges;
+  char32_t first = 0;
+  for (char32_t c = 0; c <= 0x3000; ++c) {
+    const bool begins = is_control(c) && (c == 0 || !is_control(c - 1));
+    if (begins) first = c;
+    if (!is_control(c) || is_control(c + 1)) continue;
+    char text[32];
+    std::snprintf(text, sizeof text, "%X-%X ", static_cast<unsigned>(first),
+                  static_cast<unsigned>(c));
+    ranges += text;
+  }
+  EXPECT_EQ(ranges, "0-1F 7F-9F 61C-61C 200E-200F 2028-202E 2066-2069 ");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -44,5 +44,40 @@ TEST(GroupedCount, has_all_digits_below_a_million) {
   EXPECT_EQ(grouped_count(2'500'000'000), "2.50 G");
 }
 
+TEST(WorkText, has_its_words_for_each_stage) {
+  std::string all;
+  for (std::size_t i = 0; i < work_stages; ++i) {
+    const auto stage = static_cast<WorkStage>(i);
+    all += std::string(name_of(stage)) + " | " + work_text({stage, 0, 1, 2}) + "\n";
+  }
+  EXPECT_EQ(all,
+            "read | reading: 1 of 2\n"
+            "check | checking the surface: 1 of 2\n"
+            "spacing | building the spacing: 1 of 2\n"
+            "cut | cutting: 1 of 2 planes\n"
+            "graph | graph of sub-domains: 1 of 2 sub-domains\n"
+            "join | joining: 1 of 2 groups\n"
+            "boundary | boundary: 1 of 2 nodes\n"
+            "edges | recovery: 1 of 2 edges\n"
+            "faces | recovery: 1 of 2 faces\n"
+            "splits | recovery: 1 of 2 splits\n"
+            "added_points | recovery: 1 of 2 added points\n"
+            "points | points: 1 of 2\n"
+            "cosmetics | cosmetics: 1 of 2 tries\n"
+            "validate | validating: 1 of 2\n"
+            "order | ordering: 1 of 2 sub-domains\n"
+            "extract | extracting: 1 of 2\n"
+            "number | numbering: 1 of 2\n"
+            "write | writing: 1 of 2\n"
+            "assemble | assembling: 1 of 2 sub-domains\n");
+}
+
+TEST(GroupedCount, has_two_decimals_from_a_million_on) {
+  EXPECT_EQ(grouped_count(100), "100");
+  EXPECT_EQ(grouped_count(10'001), "10,001");
+  EXPECT_EQ(grouped_count(999'994'999), "999.99 M");
+  EXPECT_EQ(grouped_count(1'000'000'000), "1.00 G");
+}
+
 }  // namespace
 }  // namespace tetfarm

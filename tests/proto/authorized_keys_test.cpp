@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -96,6 +97,80 @@ TEST(AuthorizedKeys, a_line_that_cannot_be_read_lets_nobody_in) {
               ElementsAre(HasSubstr("line 4: no role 'master'"), HasSubstr("line 5"),
                           HasSubstr("line 6"), HasSubstr("line 7: the key"),
                           HasSubstr("line 8: its key"), HasSubstr("line 9: its name")));
+}
+
+template <class Action>
+std::string refusal_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(AuthorizedKeysFile, is_begun_with_what_it_is_and_has_a_line_for_each) {
+  authorize(path_, peer("anna", Role::submitter, 'a'));
+  authorize(path_, peer("node-1", Role::worker, 'b'));
+  authorize(path_, peer("eye", Role::viewer, 'c'));
+  EXPECT_EQ(path_.filename(), "authorized_keys");
+  EXPECT_EQ(read_file(path_), "# Who may speak with this coordinator: public key, role, name.\n" +
+                                  std::string(64, 'a') + " submitter anna\n" +
+                                  std::string(64, 'b') + " worker node-1\n" + std::string(64, 'c') +
+                                  " viewer eye\n");
+}
+
+TEST_F(AuthorizedKeysFile, refuses_with_what_is_wrong) {
+  authorize(path_, peer("anna", Role::submitter, 'a'));
+  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("anna", Role::worker, 'b')); }),
+            "anna: is already authorised");
+  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("bob", Role::worker, 'a')); }),
+            "bob: its key is already authorised, as anna");
+  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("a b", Role::worker, 'c')); }),
+            "a b: is not a valid name for a key");
+  EXPECT_EQ(refusal_of([&] { revoke(path_, "bob"); }),
+            "bob: no such name or key in " + path_.string());
+  try {
+    revoke(path_, "submitter");
+    ADD_FAILURE() << "a role is no name";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::not_found);
+  }
+  ::chmod(path_.c_str(), 0664);
+  EXPECT_EQ(refusal_of([&] { read(); }),
+            path_.string() +
+                ": other users may write to the list of authorised keys: run chmod 644 on it");
+  ::chmod(path_.c_str(), 0644);
+  EXPECT_EQ(refusal_of([&] { read(); }), "");
+  EXPECT_EQ(refusal_of([&] { revoke(folder_.path() / "none", "bob"); }),
+            "bob: no such name or key in " + (folder_.path() / "none").string());
+}
+
+TEST_F(AuthorizedKeysFile, of_another_user_is_refused_but_not_that_of_root) {
+  authorize(path_, peer("anna", Role::submitter, 'a'));
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
+  ASSERT_EQ(::chown(path_.c_str(), 65534, 65534), 0);
+  EXPECT_EQ(refusal_of([&] { read(); }),
+            path_.string() + ": the list of authorised keys belongs to another user");
+}
+
+TEST(AuthorizedKeys, lines_are_refused_with_their_numbers_and_what_is_wrong) {
+  const std::string a(64, 'a');
+  const std::string b(64, 'b');
+  const AuthorizedKeys list = parse_authorized_keys(
+      "\n" + a + " worker one # a comment\n" + b + " master two\n" + b + " worker\n" + b +
+      " worker three four\n" + b.substr(1) + " worker five\n" + a + " viewer six\n" + b +
+      " viewer one\n" + b + " viewer .hidden\n" + b + "\tviewer  seven");
+  EXPECT_THAT(
+      list.bad_lines,
+      ElementsAre("line 3: no role 'master'", "line 4: not KEY ROLE NAME",
+                  "line 5: not KEY ROLE NAME", "line 6: the key is not 64 hexadecimal digits",
+                  "line 7: its key is on an earlier line", "line 8: its name is on an earlier line",
+                  "line 9: not a valid name"));
+  ASSERT_EQ(list.peers.size(), 2U);
+  EXPECT_EQ(list.find(public_key_of_hex(b, ""))->name, "seven");
+  EXPECT_EQ(list.find(public_key_of_hex(b, ""))->role, Role::viewer);
+  EXPECT_EQ(list.find(public_key_of_hex(a, ""))->role, Role::worker);
 }
 
 }  // namespace

@@ -43,5 +43,16 @@ TEST(DoingText, of_a_stage_that_is_not_known_is_its_name) {
   EXPECT_EQ(doing_text(doing_message({WorkStage::validate, 0, 0, 0})), "validating");
 }
 
+TEST(Doing, is_bounded_exactly) {
+  constexpr std::uint64_t most = 1'000'000'000'000'000;
+  wire::Doing doing = doing_message({WorkStage::edges, endless, endless, 0});
+  EXPECT_EQ(work_count_of(doing), (WorkCount{WorkStage::edges, most, most, 0}));
+  doing.set_total(endless);
+  EXPECT_EQ(work_count_of(doing), (WorkCount{WorkStage::edges, most, most, most}));
+  doing = doing_message({WorkStage::edges, 3, 5, 5});
+  EXPECT_EQ(work_count_of(doing), (WorkCount{WorkStage::edges, 3, 5, 5}));
+  EXPECT_EQ(doing_text(doing), "recovery pass 3: 5 of 5 edges");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -54,5 +54,19 @@ TEST(FieldCount, survives_any_bytes) {
   EXPECT_FALSE(has_too_many_fields(std::string("\xf2\x01\xff\xff\xff\xff\xff\xff\xff\xff", 10)));
 }
 
+TEST(FieldCount, counts_fields_of_every_kind_alike) {
+  const std::string varint = std::string("\x98\x06\x01", 3);
+  const std::string fixed64 = std::string("\x99\x06", 2) + std::string(8, '\x01');
+  const std::string text = std::string("\x9a\x06\x02", 3) + "\x08\x08";
+  const std::string fixed32 = std::string("\x9d\x06", 2) + std::string(4, '\x01');
+  for (const std::string& field : {varint, fixed64, text, fixed32}) {
+    std::string bytes;
+    for (std::size_t i = 0; i < max_fields; ++i) bytes += field;
+    EXPECT_FALSE(has_too_many_fields(bytes)) << field.size();
+    EXPECT_TRUE(has_too_many_fields(bytes + field)) << field.size();
+    EXPECT_TRUE(has_too_many_fields(bytes + varint)) << field.size();
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -21,5 +21,15 @@ TEST(LocalEndpoint, other_hosts_reach_any_other_address) {
   }
 }
 
+TEST(LocalEndpoint, some_have_no_network_at_all) {
+  EXPECT_TRUE(is_ipc("ipc:///tmp/socket"));
+  EXPECT_TRUE(is_ipc("inproc://a"));
+  EXPECT_FALSE(is_ipc("tcp://127.0.0.1:5555"));
+  EXPECT_FALSE(is_ipc(""));
+  EXPECT_FALSE(is_local("udp://127.0.0.1:5555"));
+  EXPECT_FALSE(is_local("tcp://128.0.0.1:5555"));
+  EXPECT_FALSE(is_local("tcp://127.0.0.256:5555"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -29,5 +29,12 @@ TEST(Reconnection, over_a_network_is_tried_less_and_less_often) {
   EXPECT_GE(pauses.longest_ms, 1000);
 }
 
+TEST(Reconnection, begins_with_a_tenth_of_a_second_and_ends_with_two) {
+  const Pauses pauses = pauses_to("tcp://node-1:5555");
+  EXPECT_EQ(pauses.first_ms, 100);
+  EXPECT_EQ(pauses.longest_ms, 2000);
+  EXPECT_EQ(pauses_to("ipc:///tmp/somewhere").first_ms, 3);
+}
+
 }  // namespace
 }  // namespace tetfarm

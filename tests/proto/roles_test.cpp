@@ -73,5 +73,24 @@ TEST(Roles, have_names) {
   EXPECT_FALSE(role_of_name("root"));
 }
 
+TEST(Roles, have_the_names_that_lists_of_keys_use) {
+  EXPECT_STREQ(name_of(Role::worker), "worker");
+  EXPECT_STREQ(name_of(Role::submitter), "submitter");
+  EXPECT_STREQ(name_of(Role::viewer), "viewer");
+  EXPECT_FALSE(role_of_name(""));
+  EXPECT_FALSE(role_of_name("Worker"));
+  EXPECT_EQ(name_of(wire::Envelope::BODY_NOT_SET), "nothing");
+  EXPECT_EQ(name_of(wire::Envelope::kDrainWorkers), "drain_workers");
+}
+
+TEST(Roles, other_messages_are_of_no_client_whatever_they_hold) {
+  wire::Envelope envelope;
+  EXPECT_FALSE(is_of_client(envelope));
+  envelope.mutable_submit();
+  EXPECT_FALSE(is_of_client(envelope));
+  EXPECT_TRUE(may_send(Role::submitter, envelope));
+  EXPECT_FALSE(may_send(Role::worker, envelope));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -99,5 +99,78 @@ TEST(TextLimits, leave_alone_what_keeps_them) {
   EXPECT_EQ(envelope.SerializeAsString(), before);
 }
 
+/// What one side writes the other has to take: a limit that shrinks breaks farms.
+TEST(TextLimits, are_those_that_both_sides_reckon_with) {
+  std::string table;
+  for (const TextLimit& limit : text_limits()) {
+    table += std::string(limit.field) + " " + std::to_string(limit.most_bytes) +
+             (limit.then == TooLong::refused        ? ""
+              : limit.then == TooLong::cut_at_front ? " end"
+                                                    : " cut") +
+             "\n";
+  }
+  EXPECT_EQ(table,
+            "Artifact.name 300\n"
+            "Hello.program_version 64 cut\n"
+            "Hello.host 255\n"
+            "Hello.store_probe 64\n"
+            "Hello.probe_text 256\n"
+            "Hello.nonce 128\n"
+            "Hello.tag 200\n"
+            "Doing.stage 64 cut\n"
+            "Done.numbers.key 255\n"
+            "Done.texts.key 255\n"
+            "Done.texts 8388608\n"
+            "Done.log 8192 end\n"
+            "Failed.message 4096 cut\n"
+            "Failed.log 8192 end\n"
+            "FileChunk.bytes 1048576\n"
+            "Submit.job_toml 1048576\n"
+            "Submit.name 255\n"
+            "Submit.key 255\n"
+            "Submit.surface_path 4096\n");
+  std::string counts;
+  for (const CountLimit& limit : count_limits()) {
+    counts += std::string(limit.field) + " " + std::to_string(limit.most) + "\n";
+  }
+  EXPECT_EQ(counts,
+            "Done.outputs 65536\n"
+            "Done.numbers 65536\n"
+            "Done.texts 65536\n"
+            "Failed.evidence 100\n"
+            "Failed.damaged_inputs 65536\n"
+            "Submit.inputs 100\n");
+}
+
+TEST(TextLimits, let_everything_be_as_large_as_it_may) {
+  wire::Envelope envelope;
+  wire::Failed& failed = *envelope.mutable_failed();
+  failed.set_message(std::string(4096, 'm'));
+  failed.set_log(std::string(8192, 'l'));
+  for (int i = 0; i < 100; ++i) failed.add_evidence()->set_name(std::string(300, 'n'));
+  for (int i = 0; i < 1001; ++i) failed.add_damaged_inputs(std::string(255, 'h'));
+  const std::string before = envelope.SerializeAsString();
+  EXPECT_EQ(apply_text_limits(envelope), "");
+  EXPECT_EQ(envelope.SerializeAsString(), before);
+  failed.add_damaged_inputs(std::string(256, 'h'));
+  EXPECT_EQ(apply_text_limits(envelope),
+            "Failed.damaged_inputs has 256 bytes, more than the 255 allowed");
+}
+
+TEST(TextLimits, reach_into_parts_and_bound_lists_that_the_table_does_not_name) {
+  wire::Envelope envelope;
+  envelope.mutable_heartbeat()->mutable_doing()->set_stage(std::string(100, 's'));
+  EXPECT_EQ(apply_text_limits(envelope), "");
+  EXPECT_EQ(envelope.heartbeat().doing().stage(), std::string(64, 's'));
+  envelope.mutable_hello()->set_program_version(std::string(65, 'v'));
+  EXPECT_EQ(apply_text_limits(envelope), "");
+  EXPECT_EQ(envelope.hello().program_version(), std::string(64, 'v'));
+  for (int i = 0; i < 1000; ++i) envelope.mutable_status_reply()->add_jobs();
+  EXPECT_EQ(apply_text_limits(envelope), "");
+  envelope.mutable_status_reply()->add_jobs();
+  EXPECT_EQ(apply_text_limits(envelope),
+            "StatusReply.jobs has 1001 entries, more than the 1000 allowed");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -78,5 +78,39 @@ TEST(Wire, no_bytes_make_it_throw) {
   EXPECT_GT(readable, 0);
 }
 
+TEST(Wire, a_message_may_be_as_large_as_the_limit) {
+  wire::Envelope large = done_message();
+  const std::size_t size = encode(large).size();
+  // A text of so many bytes has a length of four bytes before it and a tag of two.
+  large.mutable_done()->set_log(std::string(max_message_size - size - 4 - 2 - 6, 'x'));
+  std::size_t grown = encode(large).size();
+  ASSERT_LE(grown, max_message_size);
+  large.mutable_done()->mutable_log()->append(max_message_size - grown, 'x');
+  EXPECT_EQ(encode(large).size(), max_message_size);
+  EXPECT_EQ(decode(encode(large)).state, WireState::good);
+  large.mutable_done()->mutable_log()->append(1, 'x');
+  try {
+    encode(large);
+    ADD_FAILURE() << "it is too large";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "a message of 16777217 bytes exceeds the limit of 16777216");
+  }
+  EXPECT_EQ(decode(std::string(max_message_size, '\xff')).state, WireState::garbage);
+}
+
+TEST(Wire, states_have_names) {
+  EXPECT_STREQ(name_of(WireState::good), "good");
+  EXPECT_STREQ(name_of(WireState::wrong_version), "wrong version");
+  EXPECT_STREQ(name_of(WireState::no_body), "no body");
+  EXPECT_STREQ(name_of(WireState::too_large), "too large");
+  EXPECT_STREQ(name_of(WireState::garbage), "garbage");
+}
+
+TEST(Wire, garbage_leaves_nothing_of_what_could_be_read) {
+  const Decoded decoded = decode(encode(done_message()) + "\xff");
+  EXPECT_EQ(decoded.state, WireState::garbage);
+  EXPECT_EQ(decoded.envelope.ByteSizeLong(), 0U);
+}
+
 }  // namespace
 }  // namespace tetfarm

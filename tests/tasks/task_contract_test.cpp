@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -266,6 +267,138 @@ TEST(TaskContracts, take_whole_numbers_up_to_their_bound_and_nothing_else) {
   EXPECT_EQ(whole_count(8.0, 7), std::nullopt);
   EXPECT_EQ(whole_count(0.5), std::nullopt);
   EXPECT_EQ(whole_count(-1.0), std::nullopt);
+}
+
+/// The words of each side by name, as they lie in databases and travel between versions.
+TEST(TaskContracts, have_the_names_that_they_always_had) {
+  const std::map<std::string, std::string> names = {
+      {"inspect given", "job input_surface | free_bytes |"},
+      {"inspect made",
+       "surface spacing root settings | | across_cuts groups most_bytes needles parts total_work"},
+      {"decompose given",
+       "job subdomain spacing | left_parts most_bytes needles right_parts work |"},
+      {"decompose made",
+       "left right | reason | interdomain_nodes left_needles left_parts left_work right_needles "
+       "right_parts right_work"},
+      {"assimilate given", "job subdomain: | table |"},
+      {"assimilate made", "group: dropped | groups |"},
+      {"mesh given", "job subdomain spacing | needles work |"},
+      {"mesh made", "mesh | | interior_nodes tets"},
+      {"order given", "subdomain: | |"},
+      {"order made", "shared: | order |"},
+      {"extract given", "subdomain mesh shared | |"},
+      {"extract made", "elements | |"},
+      {"cosmetic given", "spacing own waits: had_turn: | colours |"},
+      {"cosmetic made", "elements | |"},
+      {"number given", "surface dropped core: elements: | order table |"},
+      {"number made", "numbering | |"},
+      {"write given", "job surface numbering subdomain mesh core: elements: | colours |"},
+      {"write made", "portion tets | |"},
+      {"assemble given", "job surface numbering portion: tets: | |"}};
+  for (const Side& side : all_sides()) {
+    std::string text;
+    std::set<std::string> seen;
+    for (const auto& [name, file] : side.words.files) {
+      const std::string field =
+          name.substr(0, name.find(':') == name.npos ? name.size() : name.find(':') + 1);
+      if (seen.insert(field).second) text += field + " ";
+    }
+    text += "|";
+    for (const auto& [name, value] : side.words.texts) text += " " + name;
+    text += " |";
+    for (const auto& [name, value] : side.words.numbers) text += " " + name;
+    EXPECT_EQ(text, names.at(side.name));
+  }
+}
+
+TEST(TaskContracts, say_in_full_what_is_wrong) {
+  const auto given = [](const TaskWords& words) {
+    return from_words<DecomposeGiven>(words).breach;
+  };
+  const TaskWords good =
+      to_words(DecomposeGiven{file("j"), file("s"), file("p"), 3, 4, 1000, {}, {}});
+  EXPECT_EQ(given(good), "");
+  const auto with_text = [&good](const char* name, const char* text) {
+    TaskWords words = good;
+    words.texts[name] = text;
+    return words;
+  };
+  EXPECT_EQ(given({}), "the file 'job' is missing") << "the first that is wrong is told";
+  EXPECT_EQ(given(with_text("left_parts", "1000001")),
+            "the number 'left_parts' cannot be '1000001'");
+  EXPECT_EQ(given(with_text("left_parts", "1000000")), "");
+  EXPECT_EQ(given(with_text("right_parts", "1000001")),
+            "the number 'right_parts' cannot be '1000001'");
+  EXPECT_EQ(given(with_text("work", "-1")), "the number 'work' cannot be '-1'");
+  EXPECT_EQ(given(with_text("work", "9007199254740993")),
+            "the number 'work' cannot be '9007199254740993'");
+  EXPECT_EQ(given(with_text("needles", "x")), "the number 'needles' cannot be 'x'");
+  EXPECT_EQ(given(with_text("spare", "x")), "the parameter 'spare' is unknown");
+  TaskWords twice = good;
+  twice.files.push_back(twice.files[0]);
+  EXPECT_EQ(given(twice), "the file 'job' is there twice");
+  TaskWords spare = good;
+  spare.files.emplace_back("spare", file("x"));
+  EXPECT_EQ(given(spare), "the file 'spare' is unknown");
+  TaskWords lacks = good;
+  lacks.texts.erase("work");
+  EXPECT_EQ(given(lacks), "the number 'work' is missing");
+  EXPECT_EQ(from_words<OrderGiven>({{{"subdomain:04", file("a")}}, {}, {}}).breach,
+            "the file 'subdomain:04' is of no sub-domain");
+  EXPECT_EQ(from_words<OrderMade>({}).breach, "the text 'order' is missing");
+  TaskWords made = to_words(InspectMade{});
+  made.numbers["total_work"] = -0.5;
+  EXPECT_EQ(from_words<InspectMade>(made).breach, "the number 'total_work' cannot be -0.500000");
+  made = to_words(InspectMade{});
+  made.numbers["across_cuts"] = 2;
+  EXPECT_EQ(from_words<InspectMade>(made).breach, "the number 'across_cuts' cannot be 2.000000");
+  made.numbers["across_cuts"] = 1;
+  EXPECT_TRUE(from_words<InspectMade>(made).contract.across_cuts);
+  made.numbers["across_cuts"] = 0;
+  EXPECT_FALSE(from_words<InspectMade>(made).contract.across_cuts);
+}
+
+TEST(TaskContracts, have_a_bound_for_each_number) {
+  const auto breach = [](const auto& contract, const char* name, double value) {
+    TaskWords words = to_words(contract);
+    words.numbers[name] = value;
+    return from_words<std::decay_t<decltype(contract)>>(words).breach;
+  };
+  for (const char* name : {"parts", "groups"}) {
+    EXPECT_EQ(breach(InspectMade{}, name, 1e6), "") << name;
+    EXPECT_NE(breach(InspectMade{}, name, 1e6 + 1), "") << name;
+    EXPECT_NE(breach(InspectMade{}, name, 0.5), "") << name;
+  }
+  for (const char* name : {"most_bytes", "needles"}) {
+    EXPECT_EQ(breach(InspectMade{}, name, 0x1p53), "") << name;
+    EXPECT_NE(breach(InspectMade{}, name, 0x1p54), "") << name;
+  }
+  const DecomposeMade::Half half = {file("h"), 1, 2, 3};
+  const DecomposeMade halves{DecomposeMade::Halves{half, half, 1}, {}};
+  for (const char* name : {"left_parts", "right_parts"}) {
+    EXPECT_EQ(breach(halves, name, 1e6), "") << name;
+    EXPECT_NE(breach(halves, name, 1e6 + 1), "") << name;
+  }
+  for (const char* name : {"interdomain_nodes", "left_needles", "right_needles"}) {
+    EXPECT_EQ(breach(halves, name, 1e15), "") << name;
+    EXPECT_NE(breach(halves, name, 1.5), "") << name;
+  }
+  for (const char* name : {"left_work", "right_work"}) {
+    EXPECT_EQ(breach(halves, name, 1.5), "") << name;
+    EXPECT_NE(breach(halves, name, -1.5), "") << name;
+  }
+}
+
+TEST(TaskContracts, are_found_by_the_kind) {
+  for (const TaskKind kind : all_task_kinds) {
+    TaskWords spare;
+    spare.files.emplace_back("spare", file("x"));
+    EXPECT_NE(breach_of_given(kind, spare), "") << name_of(kind);
+    const bool needs_nothing = kind == TaskKind::decompose || kind == TaskKind::assemble;
+    EXPECT_EQ(breach_of_made(kind, {}).empty(), needs_nothing) << name_of(kind);
+  }
+  EXPECT_EQ(breach_of_given(TaskKind::cosmetic, {}), "the file 'spacing' is missing");
+  EXPECT_EQ(breach_of_made(TaskKind::write, {}), "the file 'portion' is missing");
 }
 
 }  // namespace

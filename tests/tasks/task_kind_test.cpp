@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tasks/failure_cause.h"
 
@@ -58,6 +59,102 @@ TEST(FailureCauses, are_found_by_their_numbers_and_by_no_others) {
   }
   EXPECT_FALSE(failure_cause_on_wire(0)) << "what is not set";
   EXPECT_FALSE(failure_cause_on_wire(7));
+}
+
+std::vector<std::string> kinds_that(bool (*is)(const TaskKindTraits& traits)) {
+  std::vector<std::string> names;
+  for (const TaskKind kind : all_task_kinds) {
+    if (is(traits_of(kind))) names.emplace_back(name_of(kind));
+  }
+  return names;
+}
+
+TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
+  using testing::ElementsAre;
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.rank == 0; }),
+              ElementsAre("decompose", "order", "extract", "cosmetic"))
+      << "what others wait for is handed out first";
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.rank == 1; }),
+              ElementsAre("inspect", "assimilate", "mesh", "number", "write", "assemble"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.shrinks_with_leaf; }),
+              ElementsAre("mesh", "extract", "cosmetic"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.needs_whole_tree; }),
+              ElementsAre("order", "extract", "cosmetic"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.reads_file_by_file; }),
+              ElementsAre("order", "assemble"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.may_make_nothing; }),
+              ElementsAre("decompose"));
+}
+
+TEST(TaskKinds, have_the_outputs_that_every_result_has) {
+  const auto outputs = [](TaskKind kind) {
+    std::string names;
+    for (const std::string_view name : traits_of(kind).outputs) {
+      if (!name.empty()) names += (names.empty() ? "" : " ") + std::string(name);
+    }
+    return names;
+  };
+  EXPECT_EQ(outputs(TaskKind::inspect), "surface spacing root settings");
+  EXPECT_EQ(outputs(TaskKind::decompose), "left right");
+  EXPECT_EQ(outputs(TaskKind::assimilate), "dropped");
+  EXPECT_EQ(outputs(TaskKind::mesh), "mesh");
+  EXPECT_EQ(outputs(TaskKind::order), "shared:");
+  EXPECT_EQ(outputs(TaskKind::extract), "elements");
+  EXPECT_EQ(outputs(TaskKind::cosmetic), "elements");
+  EXPECT_EQ(outputs(TaskKind::number), "numbering");
+  EXPECT_EQ(outputs(TaskKind::write), "portion tets");
+  EXPECT_EQ(outputs(TaskKind::assemble), "");
+}
+
+/// As they were measured: docs/decisions/0012 and 0024. A bound of memory that is too low ends
+/// tasks, a time that is wrong misleads people.
+TEST(TaskKinds, cost_what_was_measured) {
+  struct Costs {
+    TaskKind kind;
+    std::array<double, 4> seconds;  // fixed, of an element, a triangle, a needle
+    std::array<double, 6> bytes;    // fixed, of an input byte, a spacing byte, an element, a
+                                    // triangle, one of the largest group
+  };
+  for (const Costs& costs : std::initializer_list<Costs>{
+           {TaskKind::inspect, {0.006, 0.15e-6, 7e-6, 0}, {8e6, 1.2, 2.5, 0, 220, 0}},
+           {TaskKind::decompose, {0.02, 0.1e-6, 1e-6, 0.15e-3}, {13e6, 0, 1, 1, 260, 0}},
+           {TaskKind::assimilate, {0.01, 0, 1.5e-6, 0}, {0, 0, 0, 0, 8, 500}},
+           {TaskKind::mesh, {0.006, 1.8e-6, 8e-6, 0.45e-3}, {2e6, 0, 1, 330, 700, 0}},
+           {TaskKind::order, {0.006, 0, 0.1e-6, 0}, {0, 0, 0, 0, 90, 0}},
+           {TaskKind::extract, {0.006, 0.1e-6, 0, 0}, {0, 0, 0, 190, 200, 0}},
+           {TaskKind::cosmetic, {0.006, 3e-6, 0, 0}, {4e6, 0, 1, 360, 0, 0}},
+           {TaskKind::number, {0.003, 0, 0.45e-6, 0}, {0, 0, 0, 0, 110, 0}},
+           {TaskKind::write, {0.006, 0.3e-6, 0, 0}, {4e6, 0, 0, 150, 0, 0}},
+           {TaskKind::assemble, {0.006, 0.02e-6, 0.4e-6, 0}, {4e6, 0, 0, 130, 250, 0}}}) {
+    const TaskKindTraits& traits = traits_of(costs.kind);
+    const TaskMemory& memory = traits.memory;
+    EXPECT_EQ(traits.seconds.of, costs.seconds) << traits.name;
+    EXPECT_EQ((std::array{memory.fixed, memory.of_input_byte, memory.of_spacing_byte,
+                          memory.of_element, memory.of_triangle, memory.of_triangle_of_largest}),
+              costs.bytes)
+        << traits.name;
+    const std::array<double, 4> usual = {0.4, 0.4, 0.4, 0.55};
+    const std::array<double, 4> expected =
+        costs.kind == TaskKind::decompose  ? std::array{0.5, 0.5, 0.5, 0.8}
+        : costs.kind == TaskKind::cosmetic ? std::array{0.4, 0.9, 0.4, 0.55}
+                                           : usual;
+    EXPECT_EQ(traits.seconds.spreads, expected) << traits.name;
+  }
+}
+
+TEST(TaskKinds, are_drawn_in_colours_of_their_own) {
+  std::set<std::string> colours;
+  for (const TaskKind kind : all_task_kinds) colours.insert(traits_of(kind).colour);
+  EXPECT_EQ(colours.size(), all_task_kinds.size());
+}
+
+TEST(FailureCauses, keep_the_numbers_that_they_were_given) {
+  EXPECT_EQ(on_wire(FailureCause::for_good), 1U);
+  EXPECT_EQ(on_wire(FailureCause::error), 2U);
+  EXPECT_EQ(on_wire(FailureCause::killed), 3U);
+  EXPECT_EQ(on_wire(FailureCause::out_of_memory), 4U);
+  EXPECT_EQ(on_wire(FailureCause::disk_full), 5U);
+  EXPECT_EQ(on_wire(FailureCause::damaged_input), 6U);
 }
 
 }  // namespace

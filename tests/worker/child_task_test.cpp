@@ -174,5 +174,78 @@ TEST(ChildTask, a_long_assignment_arrives_whole) {
   EXPECT_TRUE(outcome->has_done());
 }
 
+TEST(ChildTask, tells_how_it_ended_and_its_last_words) {
+  EXPECT_EQ(run_script("exit 4").failed().message(),
+            "the task's process ended with code 4 and without a result");
+  EXPECT_EQ(run_script("echo 'it is odd'; echo; exit 0").failed().message(),
+            "the task's process ended with code 0 and without a result; its output: it is odd");
+  EXPECT_EQ(run_script("kill -SEGV $$").failed().message(),
+            "the task's process was killed by signal 11 (Segmentation fault)");
+  const wire::Envelope loud =
+      run_script("head -c 5000 /dev/zero | tr '\\0' x; printf 'the end'; exit 1");
+  EXPECT_EQ(loud.failed().message(),
+            "the task's process ended with code 1 and without a result; its output: " +
+                std::string(2000 - 7, 'x') + "the end")
+      << "of what it said the end is kept";
+}
+
+TEST(ChildTask, has_a_cause_for_each_way_to_end) {
+  const auto cause = [](const std::string& script) { return run_script(script).failed().cause(); };
+  EXPECT_EQ(cause("kill -KILL $$"), on_wire(FailureCause::killed));
+  EXPECT_EQ(cause("kill -TERM $$"), on_wire(FailureCause::killed));
+  EXPECT_EQ(cause("kill -ABRT $$"), on_wire(FailureCause::error));
+  EXPECT_EQ(cause("exit 1"), on_wire(FailureCause::error));
+  const wire::Failed starved =
+      run_script("echo \"terminate called: what():  std::bad_alloc\" >&2; kill -ABRT $$").failed();
+  EXPECT_EQ(starved.cause(), on_wire(FailureCause::out_of_memory));
+  EXPECT_EQ(starved.exit_code(), 6);
+  EXPECT_THAT(starved.message(), ::testing::EndsWith("std::bad_alloc; it ran out of memory"));
+  EXPECT_EQ(run_script("exit 1").failed().exit_code(), 1);
+}
+
+TEST(ChildTask, that_is_overdue_says_its_limit_and_is_no_lack_of_memory) {
+  wire::Assign assign;
+  ChildTask child({.command = {"/bin/sh", "-c", "echo std::bad_alloc; sleep 9"}}, assign);
+  pollfd waiting{child.fd(), POLLIN, 0};
+  ::poll(&waiting, 1, 50);
+  child.end_overdue(65'999);
+  std::optional<wire::Envelope> outcome;
+  while (!outcome) outcome = child.poll([](const wire::Doing&) {});
+  EXPECT_EQ(outcome->failed().cause(), on_wire(FailureCause::error));
+  EXPECT_THAT(outcome->failed().message(),
+              ::testing::StartsWith("it hung, or took longer than its limit of 65 s; the task's "
+                                    "process was killed by signal 9 (Killed)"));
+}
+
+TEST(ChildTask, has_its_log_with_a_failure_too) {
+  wire::Envelope failed;
+  failed.mutable_failed()->set_message("open edge");
+  failed.mutable_failed()->set_exit_code(3);
+  failed.mutable_failed()->set_cause(on_wire(FailureCause::for_good));
+  const wire::Envelope outcome = run_script("echo hello; " + say(failed));
+  EXPECT_EQ(outcome.failed().message(), "open edge");
+  EXPECT_EQ(outcome.failed().exit_code(), 3);
+  EXPECT_EQ(outcome.failed().task(), 7U);
+  EXPECT_EQ(outcome.failed().attempt(), 3U);
+  EXPECT_GT(outcome.failed().peak_rss_bytes(), 100'000U) << "bytes, not kilobytes";
+  EXPECT_THAT(outcome.failed().log(),
+              ::testing::MatchesRegex(" +[0-9.]+ s  hello\n +[0-9.]+ s  failed: open edge\n"));
+  const wire::Envelope done = run_script(say(done_with("x", 1)));
+  EXPECT_THAT(done.done().log(),
+              ::testing::MatchesRegex(" +[0-9.]+ s  done, peak memory [0-9]+ MiB\n"));
+}
+
+TEST(ChildTask, frames_begin_with_their_length) {
+  wire::Envelope envelope;
+  envelope.mutable_done()->set_log(std::string(300, 'x'));
+  const std::string frame = frame_of(envelope);
+  const std::size_t length = envelope.ByteSizeLong();
+  ASSERT_EQ(frame.size(), length + 4);
+  EXPECT_EQ(static_cast<unsigned char>(frame[0]), length % 256);
+  EXPECT_EQ(static_cast<unsigned char>(frame[1]), length / 256);
+  EXPECT_EQ(frame[2], 0);
+  EXPECT_EQ(frame[3], 0);
+}
+
 }  // namespace
 }  // namespace tetfarm

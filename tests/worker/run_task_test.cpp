@@ -7,7 +7,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <new>
+#include <stdexcept>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/formats/surfaces/read_surface.h"
@@ -15,6 +18,7 @@
 #include "tasks/failure_cause.h"
 #include "tasks/mesh_contract.h"
 #include "worker/evidence.h"
+#include "worker/job_forecast.h"
 
 namespace tetfarm {
 namespace {
@@ -211,6 +215,78 @@ TEST_F(RunTask, a_missing_store_is_a_failure_not_a_crash) {
   const wire::Envelope result = run_task_in(
       "/nowhere/at/all", assign_, [](TaskIo&) {}, [](const wire::Doing&) {});
   EXPECT_TRUE(result.has_failed());
+}
+
+TEST_F(RunTask, every_end_has_its_cause_its_exit_code_and_its_words) {
+  struct Case {
+    std::function<void()> end;
+    FailureCause cause;
+    int exit_code;
+    const char* message;
+  };
+  const std::vector<Case> cases = {
+      {[] { throw OwnDefect("ours", {}); }, FailureCause::for_good, 1, "ours"},
+      {[] { throw RefusedInput("open", {}); }, FailureCause::for_good, 3, "open"},
+      {[] { throw InvalidInput("no surface", "a.stl:7"); }, FailureCause::for_good, 3,
+       "a.stl:7: no surface"},
+      {[] { throw UsageError("unknown key", "job.toml:3:1"); }, FailureCause::for_good, 2,
+       "job.toml:3:1: unknown key"},
+      {[] { throw JobTooLarge("too large"); }, FailureCause::for_good, 6, "too large"},
+      {[] { throw DamagedInput("it is damaged", "a hash"); }, FailureCause::damaged_input, 1,
+       "it is damaged"},
+      {[] { throw IoError("cannot write", "/x", EDQUOT); }, FailureCause::disk_full, 6,
+       "/x: cannot write: Disk quota exceeded"},
+      {[] { throw IoError("cannot map", "/x", ENOMEM); }, FailureCause::out_of_memory, 6,
+       "/x: cannot map: Cannot allocate memory"},
+      {[] { throw IoError("cannot read", "/x", EIO); }, FailureCause::error, 1,
+       "/x: cannot read: Input/output error"},
+      {[] { throw CorruptFile("is no file of ours", "/x"); }, FailureCause::error, 1,
+       "/x: is no file of ours"},
+      {[] { throw Error(ExitCode::failed, "odd"); }, FailureCause::error, 1, "odd"},
+      {[] { throw Error(ExitCode::out_of_resources, "full"); }, FailureCause::disk_full, 6, "full"},
+      {[] { throw std::bad_alloc(); }, FailureCause::out_of_memory, 6, "out of memory"},
+      {[] { throw std::length_error("a vector"); }, FailureCause::error, 1, "a vector"}};
+  for (const Case& one : cases) {
+    const wire::Envelope result = run([&one](TaskIo&) { one.end(); });
+    ASSERT_TRUE(result.has_failed()) << one.message;
+    EXPECT_EQ(result.failed().cause(), on_wire(one.cause)) << one.message;
+    EXPECT_EQ(result.failed().exit_code(), one.exit_code) << one.message;
+    EXPECT_EQ(result.failed().message(), one.message);
+  }
+  assign_.set_kind(77);
+  EXPECT_EQ(run(nullptr).failed().message(), "this worker cannot run tasks of kind 77");
+}
+
+TEST_F(RunTask, evidence_that_cannot_be_kept_does_not_hide_the_reason) {
+  const wire::Envelope result = run([this](TaskIo&) {
+    std::filesystem::remove_all(store_.scratch_folder());
+    std::filesystem::remove_all(folder_ + "/artifacts");
+    std::ofstream(folder_ + "/artifacts") << "no folder";
+    throw RefusedInput("open edge", {{"a.vtp", "a"}, {"b.vtp", "b"}});
+  });
+  EXPECT_THAT(result.failed().message(),
+              ::testing::MatchesRegex("open edge; a\\.vtp could not be kept: .*; b\\.vtp could not "
+                                      "be kept: .*"));
+  EXPECT_EQ(result.failed().cause(), on_wire(FailureCause::for_good));
+  EXPECT_EQ(result.failed().evidence_size(), 0);
+}
+
+TEST_F(RunTask, a_store_that_is_there_is_worked_in_apart_or_not) {
+  for (const bool apart : {false, true}) {
+    const wire::Envelope result = run_task_in(
+        folder_, assign_,
+        [apart](TaskIo& io) {
+          EXPECT_EQ(io.is_without_shared_store(), apart);
+          io.publish("farm", "bytes");
+        },
+        [](const wire::Doing&) {}, apart);
+    ASSERT_TRUE(result.has_done());
+    EXPECT_TRUE(store_.has(result.done().outputs(0).hash(), 5));
+  }
+  const wire::Envelope missing = run_task_in(
+      folder_ + "/nothing", assign_, [](TaskIo&) {}, [](const wire::Doing&) {});
+  EXPECT_EQ(missing.failed().cause(), on_wire(FailureCause::error));
+  EXPECT_EQ(missing.failed().exit_code(), 5) << "the store was not found";
 }
 
 }  // namespace

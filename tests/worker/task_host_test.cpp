@@ -167,5 +167,32 @@ TEST_F(TaskHosts, a_child_task_runs_as_a_copy_or_else_as_its_program) {
   EXPECT_THAT(end_of(missing), ::testing::HasSubstr("ended with code 8"));
 }
 
+TEST_F(TaskHosts, that_fail_now_and_then_are_replaced_however_often) {
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_EQ(exit_code(start(host_, "exit 4")), 4) << i;
+    const pid_t old = host_.process();
+    ASSERT_GT(old, 0);
+    ::kill(old, SIGKILL);
+    ::waitid(P_PID, static_cast<id_t>(old), nullptr, WEXITED | WNOWAIT);
+  }
+}
+
+TEST_F(TaskHosts, that_fail_again_and_again_are_tried_no_more) {
+  const TempFolder folder;
+  const std::string file = folder.path() / "starts";
+  TaskHost host({"/bin/sh", "-c", "echo start >>" + file});
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(start(host, "exit 0", 2'000));
+  std::ifstream starts(file);
+  std::string line;
+  int count = 0;
+  while (std::getline(starts, line)) ++count;
+  EXPECT_EQ(count, 3);
+}
+
+TEST_F(TaskHosts, are_not_asked_for_a_store_of_a_longer_name_than_they_take) {
+  EXPECT_EQ(exit_code(start(host_, "exit 3 #" + std::string(4096 - 8, 'x'))), 3);
+  EXPECT_FALSE(start(host_, "exit 3 #" + std::string(4097 - 8, 'x')));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "tests/coordinator/views/farm_in_rows.h"
+
 namespace tetfarm {
 namespace {
 
@@ -153,6 +155,109 @@ TEST_F(FarmMetricsTest, count_no_task_of_a_job_that_is_over_as_waiting) {
   const Exposition figures(text());
   EXPECT_EQ(figures.value("tetfarm_queue_tasks"), 0) << text();
   EXPECT_EQ(figures.value("tetfarm_jobs{state=\"cancelled\"}"), 1);
+}
+
+TEST(DurationHistogram, counts_what_took_at_most_so_long) {
+  DurationHistogram histogram;
+  for (const double seconds : {0.0, 0.001, 0.0011, 1.0, 4.0, 14400.0, 14401.0}) {
+    histogram.add(seconds);
+  }
+  std::string expected;
+  const std::vector<std::pair<const char*, int>> buckets = {
+      {"0.001", 2}, {"0.0025", 3}, {"0.005", 3}, {"0.01", 3},  {"0.025", 3}, {"0.05", 3},
+      {"0.1", 3},   {"0.25", 3},   {"1", 4},     {"5", 5},     {"15", 5},    {"60", 5},
+      {"300", 5},   {"900", 5},    {"3600", 5},  {"14400", 6}, {"+Inf", 7}};
+  for (const auto& [bound, count] : buckets) {
+    expected += "x_bucket{le=\"" + std::string(bound) + "\"} " + std::to_string(count) + "\n";
+  }
+  EXPECT_EQ(histogram.text("x", ""), expected + "x_sum 28806.0021\nx_count 7\n");
+  EXPECT_THAT(histogram.text("x", "kind=\"mesh\""),
+              testing::StartsWith("x_bucket{kind=\"mesh\",le=\"0.001\"} 2\n"));
+  EXPECT_THAT(histogram.text("x", "kind=\"mesh\""),
+              testing::EndsWith("x_sum{kind=\"mesh\"} 28806.0021\nx_count{kind=\"mesh\"} 7\n"));
+}
+
+/// The sample lines, without heads and histograms.
+std::string samples_of(const std::string& text) {
+  std::string samples;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("#") && line.find("_seconds") == line.npos) samples += line + "\n";
+  }
+  return samples;
+}
+
+class MeasuredFarm : public FarmInRows {};
+
+TEST_F(MeasuredFarm, is_told_sample_by_sample) {
+  FarmMetrics metrics(1500);
+  ChangeSet changes;
+  for (const AttemptState state :
+       {AttemptState::running, AttemptState::done, AttemptState::failed, AttemptState::failed,
+        AttemptState::crashed, AttemptState::killed, AttemptState::lost, AttemptState::returned,
+        AttemptState::revoked, AttemptState::starved}) {
+    AttemptRow attempt;
+    attempt.state = state;
+    changes.attempts.push_back(attempt);
+  }
+  changes.events.resize(3);
+  metrics.note(changes, 0.5);
+  metrics.note(ChangeSet{}, 0.5);
+  metrics.note_failed_commit();
+  metrics.note_failed_commit();
+  Refusals refusals;
+  for (int i = 0; i < 3; ++i) refusals.count(Refusal::no_result, "x", 0);
+  refusals.count(Refusal::unknown_key, "x", 0);
+  const std::string text = metrics.text(*state_, refusals, {3, 1000, 2000});
+  EXPECT_EQ(samples_of(text), R"(tetfarm_tasks{kind="decompose",state="done"} 2
+tetfarm_tasks{kind="inspect",state="done"} 1
+tetfarm_tasks{kind="inspect",state="failed"} 1
+tetfarm_tasks{kind="mesh",state="done"} 1
+tetfarm_tasks{kind="mesh",state="leased"} 1
+tetfarm_tasks{kind="mesh",state="ready"} 1
+tetfarm_queue_tasks 1
+tetfarm_task_peak_rss_bytes 9000
+tetfarm_jobs{state="cancelled"} 0
+tetfarm_jobs{state="done"} 0
+tetfarm_jobs{state="failed"} 1
+tetfarm_jobs{state="running"} 1
+tetfarm_hosts_in_quarantine 1
+tetfarm_workers{state="busy"} 1
+tetfarm_workers{state="drains"} 1
+tetfarm_workers{state="idle"} 2
+tetfarm_attempts_total{result="done"} 1
+tetfarm_attempts_total{result="failed"} 2
+tetfarm_attempts_total{result="crashed"} 1
+tetfarm_attempts_total{result="killed"} 1
+tetfarm_attempts_total{result="lost"} 1
+tetfarm_attempts_total{result="returned"} 1
+tetfarm_attempts_total{result="revoked"} 1
+tetfarm_attempts_total{result="starved"} 1
+tetfarm_commits_failed_total 2
+tetfarm_events_total 3
+tetfarm_refusals_total{reason="unknown_key"} 1
+tetfarm_refusals_total{reason="revoked_key"} 0
+tetfarm_refusals_total{reason="wrong_role"} 0
+tetfarm_refusals_total{reason="broken_handshake"} 0
+tetfarm_refusals_total{reason="too_many_connections"} 0
+tetfarm_refusals_total{reason="too_many_workers"} 0
+tetfarm_refusals_total{reason="foreign_connection"} 0
+tetfarm_refusals_total{reason="garbage"} 0
+tetfarm_refusals_total{reason="too_large"} 0
+tetfarm_refusals_total{reason="wrong_version"} 0
+tetfarm_refusals_total{reason="senseless"} 0
+tetfarm_refusals_total{reason="stale"} 0
+tetfarm_refusals_total{reason="outside_roots"} 0
+tetfarm_refusals_total{reason="no_result"} 3
+tetfarm_connections 3
+tetfarm_store_free_bytes 1000
+tetfarm_store_size_bytes 2000
+tetfarm_stuck 0
+)");
+  EXPECT_THAT(text, HasSubstr("\ntetfarm_commit_seconds_count 1\n")) << "nothing was committed";
+  EXPECT_THAT(text, testing::EndsWith("\ntetfarm_start_time_seconds 1.5\n"));
+  state_->out_of_resources("full", now_);
+  EXPECT_THAT(metrics.text(*state_, refusals, {}), HasSubstr("\ntetfarm_stuck 1\n"));
 }
 
 TEST(ExpositionCheck, finds_what_is_wrong) {

@@ -162,6 +162,110 @@ TEST_F(HttpServerTest, a_head_has_no_body_and_an_unknown_page_is_not_found) {
   EXPECT_THAT(exchange(get("/nothing")), StartsWith("HTTP/1.1 404 "));
 }
 
+TEST_F(HttpServerTest, an_answer_says_what_it_is_and_that_nobody_shall_keep_or_guess_it) {
+  EXPECT_EQ(exchange(get("/")),
+            "HTTP/1.1 200 OK\r\n"
+            "Content-Type: text/plain\r\n"
+            "Content-Length: 8\r\n"
+            "Connection: close\r\n"
+            "Cache-Control: no-store\r\n"
+            "X-Content-Type-Options: nosniff\r\n"
+            "Content-Security-Policy: default-src 'none'; style-src 'unsafe-inline'\r\n"
+            "\r\n"
+            "the page");
+}
+
+TEST_F(HttpServerTest, a_refusal_has_its_number_its_words_and_what_would_help) {
+  const auto told = [this](const std::string& request) {
+    const std::string answer = exchange(request);
+    const std::size_t line = answer.find("\r\n");
+    const std::size_t body = answer.find("\r\n\r\n");
+    if (body == answer.npos) return answer;
+    const std::string fields = answer.substr(line, body + 2 - line);
+    std::string extra;
+    for (const char* field : {"\r\nAllow: GET, HEAD\r\n", "\r\nWWW-Authenticate: "}) {
+      if (fields.find(field) != fields.npos) extra += " +";
+    }
+    return answer.substr(0, line) + extra + ": " + answer.substr(body + 4);
+  };
+  EXPECT_EQ(told("x\r\n\r\n"), "HTTP/1.1 400 Bad Request: Bad Request\n");
+  EXPECT_EQ(told(get("/", "Host: far.org\r\n")), "HTTP/1.1 403 Forbidden: Forbidden\n");
+  EXPECT_EQ(told("PUT / HTTP/1.1\r\nHost: localhost\r\n\r\n"),
+            "HTTP/1.1 405 Method Not Allowed +: Method Not Allowed\n");
+  EXPECT_EQ(told("HEAD /nothing HTTP/1.1\r\nHost: localhost\r\n\r\n"), "HTTP/1.1 404 Not Found: ");
+  EXPECT_EQ(told(std::string(9000, 'x')),
+            "HTTP/1.1 431 Request Header Fields Too Large: Request Header Fields Too Large\n");
+  EXPECT_EQ(pages_, 1) << "the one that is not there";
+}
+
+TEST_F(HttpServerTest, a_request_may_have_as_many_bytes_as_allowed_and_no_more) {
+  const std::string plain = get("/", "Host: localhost\r\nX: \r\n");
+  const auto with_bytes = [&plain](std::size_t bytes) {
+    return get("/", "Host: localhost\r\nX: " + std::string(bytes - plain.size(), 'x') + "\r\n");
+  };
+  EXPECT_THAT(exchange(with_bytes(8192)), StartsWith("HTTP/1.1 200 "));
+  EXPECT_THAT(exchange(with_bytes(8193)), StartsWith("HTTP/1.1 431 "));
+  EXPECT_THAT(exchange(get("/") + std::string(20'000, 'x')), StartsWith("HTTP/1.1 200 "))
+      << "what follows a request is not read as part of it";
+}
+
+TEST_F(HttpServerTest, times_are_over_when_they_were_told_to_be) {
+  const int silent = connect();
+  turn();  // it comes at 1
+  turn(999);
+  EXPECT_EQ(server_.connections(), 1U) << "at 1000";
+  turn(1);
+  EXPECT_EQ(server_.connections(), 0U) << "at 1001, a second after it came";
+  ::close(silent);
+}
+
+TEST_F(HttpServerTest, who_takes_no_answer_is_put_out_when_the_time_of_an_exchange_is_over) {
+  body_ = std::string(30'000'000, 'x');
+  const int slow = connect();
+  const std::string request = get("/");
+  ::send(slow, request.data(), request.size(), MSG_NOSIGNAL);
+  turn();  // it comes at 1
+  turn(2999);
+  EXPECT_EQ(server_.connections(), 1U) << "at 3000";
+  turn(1);
+  EXPECT_EQ(server_.connections(), 0U) << "at 3001, three seconds after it came";
+  ::close(slow);
+}
+
+TEST_F(HttpServerTest, who_has_the_answer_and_does_not_go_is_put_out_after_a_second) {
+  const int idle = connect();
+  const std::string request = get("/");
+  ::send(idle, request.data(), request.size(), MSG_NOSIGNAL);
+  turn();  // it is answered at 1
+  EXPECT_EQ(pages_, 1);
+  turn(999);
+  EXPECT_EQ(server_.connections(), 1U) << "at 1000";
+  turn(1);
+  EXPECT_EQ(server_.connections(), 0U) << "at 1001";
+  ::close(idle);
+}
+
+TEST_F(HttpServerTest, is_polled_for_what_it_waits_for) {
+  const auto events = [this] {
+    std::vector<zmq::pollitem_t> items;
+    server_.add_poll_items(items);
+    std::vector<short> wanted;
+    for (const zmq::pollitem_t& item : items) wanted.push_back(item.events);
+    return wanted;
+  };
+  EXPECT_THAT(events(), testing::ElementsAre(ZMQ_POLLIN));
+  body_ = std::string(30'000'000, 'x');
+  const int client = connect();
+  turn();
+  EXPECT_THAT(events(), testing::ElementsAre(ZMQ_POLLIN, ZMQ_POLLIN)) << "for its request";
+  const std::string request = get("/");
+  ::send(client, request.data(), request.size(), MSG_NOSIGNAL);
+  turn();
+  EXPECT_THAT(events(), testing::ElementsAre(ZMQ_POLLIN, ZMQ_POLLOUT)) << "to take its answer";
+  read_all(client);
+  EXPECT_THAT(events(), testing::ElementsAre(ZMQ_POLLIN));
+}
+
 TEST_F(HttpServerTest, a_request_that_comes_byte_by_byte_is_served) {
   const int fd = connect();
   for (const char c : get("/")) {
@@ -280,6 +384,81 @@ TEST(HttpServerAddress, is_loopback_unless_there_is_a_token_that_nobody_else_may
   EXPECT_THAT(HttpServer(options).address(), StartsWith("0.0.0.0:"));
   std::ofstream(options.token_file) << "short\n";
   EXPECT_THROW(HttpServer{options}, UsageError);
+}
+
+std::string why_not(const HttpOptions& options) {
+  try {
+    const HttpServer server(options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HttpServerAddress, is_refused_with_what_is_wrong) {
+  const TempFolder folder;
+  HttpOptions options;
+  options.address = "0.0.0.0:0";
+  EXPECT_EQ(why_not(options),
+            "0.0.0.0:0: other hosts can connect: give a file with a token (--http-token)");
+  options.address = "127.0.0.1";
+  EXPECT_EQ(why_not(options), "127.0.0.1: is not an address and port such as 127.0.0.1:8080");
+  options.address = "localhost:0";
+  EXPECT_EQ(why_not(options), "");
+  EXPECT_THAT(HttpServer(options).address(), StartsWith("127.0.0.1:"));
+  options.address = "[::1]:0";
+  EXPECT_THAT(HttpServer(options).address(), StartsWith("[::1]:"));
+  options.token_file = folder.path() / "token";
+  const std::string file = options.token_file.string();
+  EXPECT_EQ(why_not(options), file + ": cannot read: No such file or directory");
+  const auto write = [&options](const std::string& text, mode_t mode) {
+    std::ofstream(options.token_file) << text;
+    ::chmod(options.token_file.c_str(), mode);
+  };
+  write("0123456789abcde \n\n", 0600);
+  EXPECT_EQ(why_not(options), file +
+                                  ": a token must have at least 16 characters; make one with "
+                                  "`head -c 24 /dev/urandom | base64`");
+  write("0123456789abcdef\n", 0600);
+  EXPECT_EQ(why_not(options), "");
+  for (const mode_t mode : {0640, 0620, 0604, 0601}) {
+    write("0123456789abcdef\n", mode);
+    EXPECT_EQ(why_not(options), file + ": other users may read this token: run chmod 600 on it");
+    ::chmod(file.c_str(), 0600);
+  }
+}
+
+TEST(HttpServerToken, is_asked_for_without_the_line_end_of_its_file) {
+  const TempFolder folder;
+  HttpOptions options;
+  options.address = "127.0.0.1:0";
+  options.token_file = folder.path() / "token";
+  std::ofstream(options.token_file) << "0123456789abcdef \n";
+  ::chmod(options.token_file.c_str(), 0600);
+  HttpServer server(options);
+  const auto answer_to = [&server](const std::string& request) {
+    const std::string& address = server.address();
+    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in where{};
+    where.sin_family = AF_INET;
+    where.sin_port =
+        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+    ::inet_pton(AF_INET, "127.0.0.1", &where.sin_addr);
+    EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&where), sizeof where), 0);
+    EXPECT_EQ(::send(fd, request.data(), request.size(), MSG_NOSIGNAL),
+              static_cast<ssize_t>(request.size()));
+    server.serve(0, [](const std::string&) { return HttpAnswer{200, "text/plain", "page"}; });
+    char buffer[4096];
+    const ssize_t n = ::recv(fd, buffer, sizeof buffer, MSG_DONTWAIT);
+    ::close(fd);
+    server.serve(1, [](const std::string&) { return HttpAnswer{}; });
+    return std::string(buffer, static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  };
+  EXPECT_THAT(answer_to(get("/", "Authorization: Bearer 0123456789abcdef\r\n")),
+              StartsWith("HTTP/1.1 200 OK\r\n"));
+  const std::string refused = answer_to(get("/", ""));
+  EXPECT_THAT(refused, StartsWith("HTTP/1.1 401 Unauthorized\r\n"));
+  EXPECT_THAT(refused, HasSubstr("\r\nWWW-Authenticate: Basic realm=\"tetfarm\"\r\n\r\n"));
 }
 
 /// An address of this machine that is not loopback, with no port.

@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
+#include <string>
+#include <vector>
 
 namespace tetfarm {
 namespace {
@@ -50,13 +51,38 @@ TEST(Refusals, what_a_stranger_sent_cannot_forge_a_line_of_the_log) {
   EXPECT_LT(line.size(), 400U);
 }
 
-TEST(Refusals, every_kind_has_a_name_of_its_own) {
-  std::set<std::string> names;
+TEST(Refusals, are_told_with_their_kind_their_number_and_what_came) {
+  Refusals refusals;
+  refusals.count(Refusal::too_large, "1 GiB from peer 5", 1000);
+  refusals.count(Refusal::too_large, "2 GiB from peer 6", 1000);
+  EXPECT_THAT(refusals.take_complaints(),
+              testing::ElementsAre("refused: too_large (1 so far): 1 GiB from peer 5",
+                                   "refused: too_large (2 so far): 2 GiB from peer 6"));
+  refusals.count(Refusal::too_large, "third", 60'999);
+  EXPECT_THAT(refusals.take_complaints(), testing::IsEmpty()) << "a minute is not over";
+  refusals.count(Refusal::too_large, std::string(301, 'x'), 121'000);
+  EXPECT_THAT(refusals.take_complaints(),
+              testing::ElementsAre("refused: too_large (4 so far): " + std::string(300, 'x')));
+  refusals.count(Refusal::too_large, "fifth", 181'000);
+  EXPECT_THAT(refusals.take_complaints(),
+              testing::ElementsAre("refused: too_large (5 so far): fifth"))
+      << "a minute after what was told last";
+  refusals.count(Refusal::too_large, "sixth", 181'001);
+  EXPECT_THAT(refusals.take_complaints(), testing::IsEmpty());
+}
+
+TEST(Refusals, have_the_names_that_monitoring_knows) {
+  std::vector<std::string> names;
   for (std::size_t kind = 0; kind < refusal_kinds; ++kind) {
-    names.insert(name_of(static_cast<Refusal>(kind)));
+    names.emplace_back(name_of(static_cast<Refusal>(kind)));
   }
-  EXPECT_EQ(names.size(), refusal_kinds);
-  EXPECT_STREQ(name_of(Refusal::outside_roots), "outside_roots");
+  EXPECT_THAT(names,
+              testing::ElementsAre("unknown_key", "revoked_key", "wrong_role", "broken_handshake",
+                                   "too_many_connections", "too_many_workers", "foreign_connection",
+                                   "garbage", "too_large", "wrong_version", "senseless", "stale",
+                                   "outside_roots", "no_result"));
+  EXPECT_STREQ(name_of(Refusal::no_result), "no_result");
+  EXPECT_STREQ(name_of(Refusal::senseless), "senseless");
 }
 
 }  // namespace

@@ -74,6 +74,27 @@ TEST_F(RunningTasks, that_mesh_count_with_their_share_of_the_expected_elements) 
   EXPECT_EQ(status().elements_under_way(), 0);
 }
 
+TEST_F(RunningTasks, are_told_since_when_they_run) {
+  now_.wall_ms += 2500;
+  EXPECT_EQ(status().running(0).ShortDebugString(),
+            R"(task: 1 kind: "inspect" attempt: 1 seconds: 2.5)");
+}
+
+TEST_F(RunningTasks, are_what_their_worker_is_told_to_do) {
+  say({WorkStage::check, 1, 3, 7});
+  ASSERT_EQ(state_->workers_at_work().size(), 1U);
+  wire::WorkerLine line;
+  add_doing(*state_, state_->workers_at_work()[0], line);
+  EXPECT_EQ(line.ShortDebugString(), R"(doing { stage: "check" pass: 1 done: 3 total: 7 })");
+  wire::TaskLine task_line;
+  add_doing(*state_, task(assign_.task), task_line);
+  EXPECT_EQ(task_line.doing().ShortDebugString(), line.doing().ShortDebugString());
+  ASSERT_TRUE(finish(worker_, assign_));
+  wire::WorkerLine idle;
+  add_doing(*state_, state_->workers_at_work()[0], idle);
+  EXPECT_FALSE(idle.has_doing());
+}
+
 TEST(ManyRunningTasks, are_told_as_far_as_people_read_them) {
   const Moment now{5000, 5000};
   JobState state(

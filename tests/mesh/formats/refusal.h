@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -12,10 +13,15 @@
 
 namespace tetfarm {
 
+/// A file that need not outlive its test.
+inline void write_unsynced(const std::filesystem::path& path, std::string_view bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
 /// The message of the InvalidInput that opening a file with these bytes throws; "" when it is read.
 inline std::string refusal_of(const std::string& name, std::string_view bytes) {
   const TempFolder folder;
-  write_file_atomically(folder.path() / name, bytes);
+  write_unsynced(folder.path() / name, bytes);
   try {
     open_mesh(folder.path() / name, folder.path());
   } catch (const InvalidInput& error) {

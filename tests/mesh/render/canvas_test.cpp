@@ -25,6 +25,20 @@ void draw_square(Canvas& canvas, const Colour& colour, double depth) {
 
 CanvasOptions options(double edge_width) { return {100, 100, 3, edge_width, {1, 1, 1}}; }
 
+TEST(Canvas, has_no_hole_in_the_edge_of_two_triangles_whichever_way_it_runs) {
+  for (int i = 0; i < 100; ++i) {
+    Canvas canvas({100, 100, 1, 0, {1, 1, 1}});
+    // Through the middle of a pixel.
+    const double across = 40 * std::cos(i);
+    const double up = 40 * std::sin(i);
+    const Seen one{50.5 - across, 50.5 - up, 1};
+    const Seen other{50.5 + across / 3, 50.5 + up / 3, 1};
+    canvas.draw({one, other, Seen{50.5 + up, 50.5 - across, 1}}, red);
+    canvas.draw({other, one, Seen{50.5 - up, 50.5 + across, 1}}, red);
+    EXPECT_EQ(pixel(canvas.picture(no_outline), 50, 50), (std::array<int, 3>{255, 0, 0})) << i;
+  }
+}
+
 TEST(Canvas, shows_the_nearest_whatever_is_drawn_first) {
   for (const bool near_first : {false, true}) {
     Canvas canvas(options(0));
