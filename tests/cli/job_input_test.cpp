@@ -263,5 +263,16 @@ TEST(JobInput, has_a_key_of_its_job_file_and_the_bytes_of_its_surface_not_of_its
   EXPECT_NE(key_of(input), key);
 }
 
+TEST_F(JobOfAFile, has_the_background_of_its_sources_unless_it_has_its_own) {
+  write("s.ba3",
+        "t\n1 0 1 0 0\n1 0 0 0\n1 0 0 0.7\n0 1 0 0.7\n0 0 1 0.7\n* points\n1\n"
+        "0.5 0.5 0.5 0.05 0.2 0.4\n");
+  const std::string text = "[geometry]\nsurface = \"wing.off\"\n[spacing]\nsources = \"s.ba3\"\n";
+  EXPECT_EQ(describe_job(of_surface(write("job.toml", text))).job.spacing_default, 0.7);
+  EXPECT_EQ(
+      describe_job(of_surface(write("own.toml", text + "default = 0.3\n"))).job.spacing_default,
+      0.3);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -200,5 +200,16 @@ TEST_F(PlanOfACube, is_within_a_limit_of_memory) {
   EXPECT_LE(plan["tasks"]["mesh"]["bytes"], 100e6);
 }
 
+TEST_F(PlanOfACube, warns_of_a_disk_that_is_too_small_for_it) {
+  EXPECT_EQ(said_by([&] { return plan_command(command_); }).err, "");
+  command_.job.subdomains = 1;
+  command_.job.force = true;
+  command_.job.size = 0.0005;
+  const Said said = said_by([&] { return plan_command(command_); });
+  EXPECT_EQ(said.error, "");
+  EXPECT_THAT(said.err, StartsWith("warning: the disk here has only "));
+  EXPECT_THAT(said.err, ::testing::EndsWith(" MiB free\n"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -211,5 +211,23 @@ TEST(ProgressDisplay, says_what_the_longest_task_does) {
       << "the next line is not due in the same second";
 }
 
+TEST(ShareDone, is_that_of_meshing_while_leaves_are_meshed) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  status.set_estimated_elements(100);
+  status.set_elements(25);
+  MeshingRate rate;
+  rate.note(status, 0);
+  EXPECT_EQ(share_done(status, rate), 0.25);
+  for (const char* stage : {"", "inspect", "decompose", "assimilate"}) {
+    status.set_stage(stage);
+    EXPECT_EQ(share_done(status, rate), 0) << stage;
+  }
+  for (const char* stage : {"cosmetic", "write", "assemble"}) {
+    status.set_stage(stage);
+    EXPECT_EQ(share_done(status, rate), 1) << stage;
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

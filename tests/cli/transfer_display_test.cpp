@@ -28,5 +28,27 @@ TEST(TransferDisplay, says_nothing_of_what_has_only_begun_nor_when_it_is_not_wan
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(TransferDisplay, says_how_much_is_there_and_how_fast_it_comes) {
+  EXPECT_EQ(transfer_text("fetching wing.vtkhdf", 1'300'000'000, 4'050'000'000, 300'000'000, 2'000),
+            "fetching wing.vtkhdf  1.30 GB of 4.05 GB  500.0 MB/s");
+  EXPECT_EQ(transfer_text("sending a.stl", 5, 1'000, 5, 0), "sending a.stl  5 B of 1 kB");
+}
+
+TEST(TransferDisplay, has_a_bar_that_is_full_when_all_is_there) {
+  const auto full = [](std::uint64_t there) {
+    const std::string bar = transfer_bar(there, 240);
+    std::size_t full = 0;
+    for (std::size_t at = bar.find("█"); at != std::string::npos; at = bar.find("█", at + 1)) {
+      ++full;
+    }
+    EXPECT_EQ(bar.size(), 24 * std::string("─").size());
+    return full;
+  };
+  EXPECT_EQ(full(0), 0U);
+  EXPECT_EQ(full(10), 1U);
+  EXPECT_EQ(full(120), 12U);
+  EXPECT_EQ(full(240), 24U);
+}
+
 }  // namespace
 }  // namespace tetfarm
