@@ -22,7 +22,7 @@ void MemberLife::note_death(bool by_itself, std::int64_t now_ms) {
 }
 
 std::string last_error(const std::filesystem::path& log) {
-  if (!file_size(log)) return {};
+  if (!size_of_file(log)) return {};
   std::string text = read_file(log);
   if (text.size() > kept_log) text.erase(0, text.size() - kept_log);
   const std::size_t at = text.rfind("error: ");

@@ -37,12 +37,12 @@ TEST(TransferDisplay, says_how_much_is_there_and_how_fast_it_comes) {
 TEST(TransferDisplay, has_a_bar_that_is_full_when_all_is_there) {
   const auto full = [](std::uint64_t there) {
     const std::string bar = transfer_bar(there, 240);
-    std::size_t full = 0;
+    std::size_t filled = 0;
     for (std::size_t at = bar.find("█"); at != std::string::npos; at = bar.find("█", at + 1)) {
-      ++full;
+      ++filled;
     }
     EXPECT_EQ(bar.size(), 24 * std::string("─").size());
-    return full;
+    return filled;
   };
   EXPECT_EQ(full(0), 0U);
   EXPECT_EQ(full(10), 1U);
