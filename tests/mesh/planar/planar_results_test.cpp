@@ -127,5 +127,16 @@ TEST(PlanarResults, of_recovered_edges_are_known) {
   test::expect_known("planar", "edges", result);
 }
 
+TEST(PointInsertion, takes_as_many_triangles_as_are_allowed_and_no_more) {
+  const TriangleComplex coarse = constrained_delaunay(region_with_hole(2)).complex;
+  TriangleComplex complex = coarse;
+  ASSERT_TRUE(insert_points(complex, graded, 100000));
+  const std::int64_t triangles = complex.size();
+  complex = coarse;
+  EXPECT_TRUE(insert_points(complex, graded, triangles));
+  complex = coarse;
+  EXPECT_FALSE(insert_points(complex, graded, triangles - 1));
+}
+
 }  // namespace
 }  // namespace tetfarm
