@@ -30,7 +30,7 @@ class DurableRecord {
       state_.quarantined_hosts.erase(host.host);
       if (host.is_quarantined) state_.quarantined_hosts[host.host] = host;
     }
-    events_ += changes.events.size();
+    events_.insert(events_.end(), changes.events.begin(), changes.events.end());
   }
 
   const DurableState& state() const { return state_; }
@@ -66,7 +66,7 @@ class DurableRecord {
   }
 
   const std::map<AttemptId, AttemptRow>& attempts() const { return attempts_; }
-  std::size_t events() const { return events_; }
+  const std::vector<EventRow>& events() const { return events_; }
 
  private:
   void put(const TaskRow& task) {
@@ -105,7 +105,7 @@ class DurableRecord {
   DurableState state_;
   std::map<Place, TaskId> places_;
   std::map<AttemptId, AttemptRow> attempts_;
-  std::size_t events_ = 0;
+  std::vector<EventRow> events_;
 };
 
 }  // namespace tetfarm

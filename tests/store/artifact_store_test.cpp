@@ -124,5 +124,53 @@ TEST(ArtifactStore, many_processes_publish_the_same_bytes_at_once) {
   EXPECT_EQ(count_files(folder.path() / "artifacts"), 1U);
 }
 
+TEST(ArtifactStore, says_what_is_wrong_with_a_file) {
+  const TempFolder folder;
+  const ArtifactStore store(folder.path());
+  const StoredArtifact artifact = store.publish("hello");
+  const std::string path = store.path_of(artifact.hash).string();
+  const auto told = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto both = [&](std::uint64_t size) {
+    const std::string read = told([&] { store.read(artifact.hash, size); });
+    EXPECT_EQ(told([&] { store.verify(artifact.hash, size); }), read);
+    return read;
+  };
+  EXPECT_EQ(both(5), "");
+  EXPECT_EQ(both(6), path + ": has 5 bytes instead of 6");
+  EXPECT_FALSE(store.has(artifact.hash, 6));
+  overwrite(path, "hellp");
+  EXPECT_EQ(both(5), path + ": its checksum is wrong");
+  EXPECT_TRUE(store.has(artifact.hash, 5)) << "that is not looked at";
+  remove_file(path);
+  EXPECT_EQ(both(5), path + ": cannot open: No such file or directory");
+  EXPECT_EQ(told([&] { store.verify("nonsense", 1); }), "nonsense: is not the name of an artifact");
+  EXPECT_EQ(told([&] { store.read("nonsense", 1); }), "nonsense: is not the name of an artifact");
+  const auto coming = store.scratch_path("coming");
+  overwrite(coming, "hello");
+  EXPECT_EQ(told([&] {
+              store.adopt_file(coming, {artifact.hash, 6});
+            }),
+            coming.string() + ": does not match the announced checksum " + artifact.hash);
+  EXPECT_FALSE(std::filesystem::exists(coming)) << "it is removed";
+}
+
+TEST(ArtifactStore, has_names_of_32_small_hexadecimal_digits) {
+  const std::string good = "0123456789abcdef0123456789abcdef";
+  EXPECT_TRUE(ArtifactStore::is_hash(good));
+  for (const std::string& bad : {good.substr(1), good + "0", "0123456789ABCDEF" + good.substr(16),
+                                 "g" + good.substr(1), good.substr(1) + "/", std::string()}) {
+    EXPECT_FALSE(ArtifactStore::is_hash(bad)) << bad;
+  }
+  const TempFolder folder;
+  EXPECT_EQ(ArtifactStore(folder.path()).path_of(good), folder.path() / "artifacts/01" / good);
+}
+
 }  // namespace
 }  // namespace tetfarm

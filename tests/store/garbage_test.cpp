@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <limits>
+#include <map>
 
 #include "base/file_system.h"
 #include "base/hash.h"
@@ -133,6 +135,82 @@ TEST_F(StoreRows, a_running_job_redoes_what_its_next_tasks_read) {
   remove_file(store_.path_of(file("root").hash));
   EXPECT_THAT(check().redone, ElementsAre(TaskId{1}, TaskId{2}));
   EXPECT_THAT(check().hopeless, ElementsAre(JobId{1})) << "the root's maker needs it";
+}
+
+TEST_F(StoreRows, what_is_garbage_is_counted_listed_and_told_from_what_may_be_growing) {
+  std::filesystem::create_directories(folder_.path() / "damaged");
+  std::ofstream(folder_.path() / "damaged/one") << "12345";
+  std::ofstream(store_.scratch_folder() / "growing") << "123";
+  const std::set<std::string> needed = needed_files(state_, true);
+  const Garbage all = find_garbage(store_, needed, nobody_runs);
+  // "root" and "mesh" lie between; with the two others that is everything.
+  EXPECT_EQ(all.bytes, 4U + 4U + 5U + 3U);
+  std::vector<std::filesystem::path> expected = {
+      store_.path_of(file("root").hash), store_.path_of(file("mesh").hash),
+      folder_.path() / "damaged/one", store_.scratch_folder() / "growing"};
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(all.files, expected);
+  EXPECT_EQ(all.too_young, 0U);
+  const Garbage young = find_garbage(store_, needed, 0);
+  EXPECT_TRUE(young.files.empty());
+  EXPECT_EQ(young.bytes, 0U);
+  EXPECT_EQ(young.too_young, 4U);
+  remove_garbage(store_, all);
+  for (const auto& path : expected) EXPECT_FALSE(std::filesystem::exists(path)) << path;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "damaged")) << "it is empty";
+  EXPECT_TRUE(std::filesystem::exists(store_.scratch_folder()));
+  EXPECT_TRUE(store_.has(file("surface").hash, 7));
+  EXPECT_TRUE(store_.has(file("result").hash, 6));
+}
+
+TEST_F(StoreRows, nothing_is_removed_that_was_touched_ten_minutes_before_the_oldest_attempt) {
+  EXPECT_EQ(untouchable_since_ms(state_), nobody_runs);
+  state_.running_attempts[AttemptId{1}].started_ms = 2'000'000;
+  state_.running_attempts[AttemptId{2}].started_ms = 1'000'000;
+  EXPECT_EQ(untouchable_since_ms(state_), 400'000);
+}
+
+TEST_F(StoreRows, of_cancelled_and_failed_jobs_is_needed_what_they_can_go_on_with) {
+  state_.jobs[JobId{1}].phase = JobPhase::cancelled;
+  EXPECT_THAT(kept(false), IsEmpty());
+  state_.jobs[JobId{1}].phase = JobPhase::failed;
+  EXPECT_THAT(kept(true), UnorderedElementsAre("surface", "root", "mesh", "result"));
+  state_.jobs[JobId{1}].phase = JobPhase::running;
+  EXPECT_THAT(kept(true), UnorderedElementsAre("surface", "root", "mesh", "result"));
+}
+
+TEST_F(StoreRows, are_compared_with_every_file_once_and_what_is_wrong_is_told) {
+  break_file("root");
+  write_file_atomically(store_.path_of(file("mesh").hash), "longer than before");
+  std::filesystem::remove(store_.path_of(file("result").hash));
+  const StoreReport report = check();
+  EXPECT_EQ(report.files, 4U);
+  std::map<std::string, std::string> found;
+  for (const DamagedFile& damaged : report.damaged) {
+    found[damaged.file.name] = std::string(name_of(damaged.state)) +
+                               (damaged.is_needed ? ", needed" : "") + ", made by " +
+                               std::to_string(damaged.makers.at(0).value);
+  }
+  EXPECT_THAT(
+      found, UnorderedElementsAre(testing::Pair("root", "with a wrong checksum, needed, made by 1"),
+                                  testing::Pair("mesh", "of another size, needed, made by 2"),
+                                  testing::Pair("result", "missing, needed, made by 3")));
+  EXPECT_THAT(report.redone, ElementsAre(TaskId{1}, TaskId{2}, TaskId{3}));
+  EXPECT_THAT(report.hopeless, IsEmpty());
+  const StoreReport sizes = check_store(state_, look_into(store_, false));
+  EXPECT_EQ(sizes.damaged.size(), 2U) << "of a wrong checksum a look at the size tells nothing";
+  EXPECT_STREQ(name_of(FileState::sound), "sound");
+}
+
+TEST_F(StoreRows, of_which_the_input_of_a_job_is_gone_are_hopeless_only_where_it_is_needed) {
+  break_file("surface");
+  EXPECT_THAT(check().hopeless, IsEmpty()) << "the job has its result";
+  break_file("result");
+  break_file("mesh");
+  break_file("root");
+  const StoreReport report = check();
+  EXPECT_THAT(report.hopeless, ElementsAre(JobId{1}));
+  EXPECT_THAT(report.redone, ElementsAre(TaskId{1}, TaskId{2}, TaskId{3}));
 }
 
 }  // namespace

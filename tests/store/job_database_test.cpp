@@ -390,5 +390,136 @@ TEST(JobDatabase, a_value_is_written_without_a_table_for_the_list_of_sorts_and_o
                Error);
 }
 
+/// Every field has a value of its own, so that none can take another's place.
+ChangeSet distinct_values() {
+  ChangeSet changes;
+  changes.jobs = {
+      {JobId{1}, "key", "name", "toml", JobPhase::failed, 2, "message", 3, 4, "owner", "content"}};
+  TaskRow task;
+  task.id = TaskId{5};
+  task.job = JobId{1};
+  task.kind = TaskKind::cosmetic;
+  task.path = 6;
+  task.state = TaskState::waiting;
+  task.attempt = AttemptId{7};
+  task.crashes = 8;
+  task.losses = 9;
+  task.oom_count = 10;
+  task.memory_bytes = 11;
+  task.exit_code = 12;
+  task.message = "why";
+  task.seconds = 13.5;
+  task.peak_rss_bytes = 14;
+  task.inputs = {{"in 1", some_hash('a'), 15}, {"in 2", some_hash('b'), 16}};
+  task.outputs = {{"out 2", some_hash('d'), 18}, {"out 1", some_hash('c'), 17}};
+  task.parameters = {{"parameter", "p"}};
+  task.numbers = {{"number", 0.1}};
+  task.texts = {{"text", "t"}};
+  changes.tasks = {task};
+  SubdomainRow node{JobId{1}, 20,   21, SubdomainState::joined, 22, 23, 24, true, some_hash('e'),
+                    25,       26.5, 27};
+  changes.subdomains = {node};
+  changes.workers = {{WorkerId{30}, "host", 31, 32, 33, "version", 34, true}};
+  AttemptRow attempt{AttemptId{40},
+                     TaskId{5},
+                     WorkerId{30},
+                     AttemptState::running,
+                     41,
+                     42,
+                     "said",
+                     "nonce",
+                     true,
+                     43,
+                     44};
+  attempt.host = "host";
+  attempt.key = "a key";
+  changes.attempts = {attempt};
+  changes.hosts = {{"bad host", true, 50, "reason"}, {"good host", false, 51, "let go"}};
+  return changes;
+}
+
+TEST(JobDatabase, each_field_comes_back_as_itself_when_it_is_new_and_when_it_has_changed) {
+  const TempFolder folder;
+  JobDatabase database(folder.path() / "db");
+  const auto expect = [&database](const ChangeSet& changes) {
+    const DurableState state = database.load();
+    EXPECT_EQ(state.jobs.at(JobId{1}), changes.jobs[0]);
+    EXPECT_EQ(state.tasks.at(TaskId{5}), changes.tasks[0]);
+    EXPECT_EQ(state.subdomains.at({JobId{1}, 20}), changes.subdomains[0]);
+    EXPECT_EQ(state.running_attempts.at(AttemptId{40}), changes.attempts[0]);
+    EXPECT_EQ(database.history().worker(WorkerId{30}), changes.workers[0]);
+    EXPECT_EQ(state.last_task, 5U);
+    EXPECT_EQ(state.last_attempt, 40U);
+    EXPECT_EQ(state.last_worker, 30U);
+  };
+  ChangeSet changes = distinct_values();
+  database.apply(changes);
+  expect(changes);
+  DurableState state = database.load();
+  ASSERT_THAT(state.quarantined_hosts, SizeIs(1)) << "the other was let go";
+  EXPECT_EQ(state.quarantined_hosts.at("bad host"), changes.hosts[0]);
+  JobRow& job = changes.jobs[0];
+  job.name = "name 2";
+  job.job_toml = "toml 2";
+  job.phase = JobPhase::cancelled;
+  job.exit_code = 102;
+  job.message = "message 2";
+  job.finished_ms = 104;
+  TaskRow& task = changes.tasks[0];
+  task.state = TaskState::failed;
+  task.attempt = AttemptId{107};
+  task.crashes = 108;
+  task.losses = 109;
+  task.oom_count = 110;
+  task.memory_bytes = 111;
+  task.exit_code = 112;
+  task.message = "why 2";
+  task.seconds = 113.5;
+  task.peak_rss_bytes = 114;
+  task.outputs = {{"out 3", some_hash('f'), 119}};
+  task.numbers = {{"number 2", 0.2}};
+  task.texts = {{"text 2", "t 2"}};
+  SubdomainRow& node = changes.subdomains[0];
+  node.parts = 121;
+  node.state = SubdomainState::leaf;
+  node.interdomain_nodes = 122;
+  node.interior_nodes = 123;
+  node.tets = 124;
+  node.meshed = false;
+  node.hash = some_hash('9');
+  node.size = 125;
+  node.work = 126.5;
+  node.joined_into = 127;
+  changes.workers[0].gone = false;
+  AttemptRow& attempt = changes.attempts[0];
+  attempt.ended_ms = 142;
+  attempt.message = "said 2";
+  attempt.is_rival = false;
+  attempt.peak_rss_bytes = 144;
+  changes.hosts = {{"bad host", false, 150, "let go"}, {"good host", true, 151, "bad again"}};
+  database.apply(changes);
+  expect(changes);
+  state = database.load();
+  ASSERT_THAT(state.quarantined_hosts, SizeIs(1));
+  EXPECT_EQ(state.quarantined_hosts.at("good host"), changes.hosts[1]);
+}
+
+TEST(JobDatabase, a_task_of_a_kind_that_this_program_does_not_know_is_told) {
+  const TempFolder folder;
+  JobDatabase(folder.path() / "db").apply(some_changes());
+  {
+    const SqlitePtr opened = open_database(folder.path() / "db", DatabaseAccess::write);
+    execute(opened.get(), "UPDATE tasks SET kind = 'polish'");
+  }
+  const JobDatabase database(folder.path() / "db");
+  try {
+    database.load();
+    ADD_FAILURE() << "there is no such kind";
+  } catch (const CorruptFile& error) {
+    EXPECT_STREQ(error.what(),
+                 "database: a task of the kind 'polish', which this program does not know");
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -88,5 +88,23 @@ TEST(NetworkFileSystem, the_kind_is_read_from_the_table_of_mounts) {
   EXPECT_EQ(mounted_kind("nonsense\n\n", "0:55"), "");
 }
 
+TEST(NetworkFileSystem, are_all_that_clusters_use) {
+  const std::vector<std::pair<std::uint32_t, std::string>> kinds = {
+      {0x00006969, "nfs"},    {0xFF534D42, "cifs"},  {0xFE534D42, "smb3"},    {0x0000517B, "smbfs"},
+      {0x0BD00BD0, "lustre"}, {0x47504653, "gpfs"},  {0x19830326, "beegfs"},  {0x00C36400, "ceph"},
+      {0x5346414F, "afs"},    {0x6B414653, "afs"},   {0x73757245, "coda"},    {0x0000564C, "ncp"},
+      {0x01161970, "gfs2"},   {0x7461636F, "ocfs2"}, {0x20030528, "orangefs"}};
+  for (const auto& [magic, kind] : kinds) EXPECT_EQ(network_file_system_named(magic, ""), kind);
+  for (const char* kind :
+       {"sshfs",   "glusterfs", "ceph",          "ceph-fuse", "beegfs",     "beeond",
+        "moosefs", "mfs",       "lizardfs",      "saunafs",   "juicefs",    "seaweedfs",
+        "s3fs",    "goofys",    "mountpoint-s3", "gcsfuse",   "blobfuse2",  "rclone",
+        "davfs",   "curlftpfs", "smbnetfs",      "hdfs",      "gvfsd-fuse", "nfs"}) {
+    const std::string name = std::string("fuse.") + kind;
+    EXPECT_EQ(network_file_system_named(0x65735546, name), name);
+    EXPECT_EQ(network_file_system_named(0x65735546, kind), "");
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

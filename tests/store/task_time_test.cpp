@@ -112,5 +112,28 @@ TEST(TaskTime, ranges_of_tasks_add_up) {
   EXPECT_DOUBLE_EQ(sum.low, 2 * usual_seconds(TaskKind::mesh, even).low);
 }
 
+TEST(TaskTime, is_the_sum_of_its_terms) {
+  const auto expected = [](TaskKind kind, const TaskSize& size) {
+    return usual_seconds(kind, size).expected;
+  };
+  const double fixed = expected(TaskKind::mesh, {0, 0, 0});
+  EXPECT_NEAR(fixed, 0.006, 1e-9);
+  EXPECT_NEAR(expected(TaskKind::mesh, {1e6, 0, 0}) - fixed, 1.8, 1e-9);
+  EXPECT_NEAR(expected(TaskKind::mesh, {0, 1e5, 0}) - fixed, 0.8, 1e-9);
+  EXPECT_NEAR(expected(TaskKind::mesh, {1e6, 1e5, 0}) - fixed, 2.6, 1e-9);
+  EXPECT_NEAR(expected(TaskKind::number, {1e6, 1e6, 1e6}), 0.003 + 0.45, 1e-9)
+      << "of a kind that is told no elements and no needles";
+}
+
+TEST(TaskTime, needles_take_the_longer_the_more_there_are_of_them) {
+  const auto of_needles = [](double needles) {
+    return usual_seconds(TaskKind::mesh, {0, 0, needles}).expected -
+           usual_seconds(TaskKind::mesh, {0, 0, 0}).expected;
+  };
+  EXPECT_GT(of_needles(1), 0);
+  EXPECT_GT(of_needles(2000), 2 * of_needles(1000)) << "few of them are no trouble";
+  EXPECT_NEAR(of_needles(1e7), 0.45e-3 * 1e7, 0.02 * 0.45e-3 * 1e7);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -136,5 +136,13 @@ TEST_F(BlockFiles, that_are_not_there_are_told_by_their_path) {
   EXPECT_THROW(BlockFile(folder_.path() / "none", "f"), IoError);
 }
 
+TEST_F(BlockFiles, are_cut_short_for_who_reads_beyond_all_numbers) {
+  BlockFile file = open(with_block_checksums("some bytes"));
+  for (const std::uint64_t offset : {~std::uint64_t{0}, ~std::uint64_t{0} - 7, std::uint64_t{11}}) {
+    EXPECT_THROW(file.item<std::uint64_t>(offset, 0), CorruptFile) << offset;
+    EXPECT_THROW(file.read(offset, 8), CorruptFile) << offset;
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

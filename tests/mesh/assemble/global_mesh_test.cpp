@@ -217,5 +217,31 @@ TEST(GlobalMesh, refuses_volumes_that_do_not_add_up) {
   expect_refused(grid, "faces of neighbours differ, or their nodes");
 }
 
+TEST(GlobalMesh, refuses_a_surface_triangle_whose_front_no_sub_domain_has) {
+  CutGrid grid = cut_grid(4);
+  grid.surface.sides.assign(grid.surface.triangles.size(), Sides{1, 0});
+  EXPECT_EQ(assemble(grid).digest, assemble(cut_grid(4)).digest);
+  grid.surface.sides[5] = {1, 2};
+  expect_refused(grid, "a triangle of the surface is in no sub-domain");
+}
+
+TEST(GlobalMesh, takes_surface_triangles_that_have_the_region_in_front) {
+  CutGrid grid = cut_grid(4);
+  grid.surface.sides.assign(grid.surface.triangles.size(), Sides{0, 1});
+  for (Triangle& triangle : grid.surface.triangles) std::swap(triangle[1], triangle[2]);
+  EXPECT_EQ(assemble(grid).digest, assemble(cut_grid(4)).digest);
+}
+
+TEST(GlobalMesh, digest_sees_other_elements_than_tets) {
+  const CutGrid grid = cut_grid(4);
+  const ReadPortion read = [&grid](const LeafNumbers& leaf) {
+    Portion portion = grid.reader()(leaf);
+    ++portion.other_digest.count;
+    return portion;
+  };
+  EXPECT_NE(assemble_global_mesh(grid.surface, grid.numbering(), read, {}).digest,
+            assemble(grid).digest);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -240,5 +240,19 @@ TEST(NumberingText, of_an_earlier_version_is_read_whole) {
   EXPECT_EQ(numbering_to_text(numbering_from_bytes(bytes, "new")), text);
 }
 
+TEST_F(NumberingFiles, without_a_leaf_or_with_forced_nodes_out_of_order_are_refused) {
+  Numbering numbering = some_numbering();
+  numbering.forced = {{2, 1}, {3, 1}};
+  const std::string bytes = numbering_to_bytes(numbering);
+  const std::uint64_t forced_at = tables_of(numbering).forced_at();
+  EXPECT_EQ(numbering_from_bytes(bytes, "n").forced, numbering.forced);
+  const std::string turned =
+      forge(forge(bytes, forced_at, ForcedNode{3, 1}), forced_at + 8, ForcedNode{2, 1});
+  EXPECT_THAT([&] { numbering_from_bytes(turned, "n"); },
+              ThrowsMessage<CorruptFile>("n: has tables that are not those of its text"));
+  EXPECT_THAT([&] { open(forge(bytes, counts_at + 24, std::uint64_t{0})); },
+              ThrowsMessage<CorruptFile>("numbering: has no leaf or no region"));
+}
+
 }  // namespace
 }  // namespace tetfarm

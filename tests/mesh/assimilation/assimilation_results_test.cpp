@@ -124,6 +124,33 @@ TEST(SubdomainGraph, says_which_cut_has_too_few_or_too_many_leaves) {
               testing::MatchesRegex("a triangle of the cut of (root|R) has only one leaf"));
 }
 
+std::string refusal_to_join(const std::vector<Subdomain>& leaves) {
+  try {
+    join_subdomains(leaves);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(JoinSubdomains, says_which_leaf_does_not_fit_and_why) {
+  const std::vector<Subdomain> leaves = leaves_of_a_box();
+  std::vector<Subdomain> two = {leaves[0], leaves[1]};
+  EXPECT_EQ(refusal_to_join(two), "none");
+  two[1].region = 2;
+  EXPECT_EQ(refusal_to_join(two),
+            "the leaves cannot be joined: sub-domain LR: it belongs to another region");
+  two = {leaves[0], leaves[1]};
+  for (Vec3& p : two[1].vertices) p.x += 1e-9;
+  EXPECT_EQ(refusal_to_join(two),
+            "the leaves cannot be joined: sub-domain LR: a node is not where another leaf has it");
+  two = {leaves[0], leaves[1]};
+  for (Triangle& t : two[1].triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(refusal_to_join(two),
+            "the leaves cannot be joined: sub-domain LR: a triangle does not match that of another "
+            "leaf");
+}
+
 TEST(Balance, is_the_largest_over_the_mean) {
   const Balance balance = balance_of(std::vector<double>{1, 4, 1, 2});
   EXPECT_EQ(balance.largest, 4);

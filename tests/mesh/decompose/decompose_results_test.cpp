@@ -13,6 +13,7 @@
 #include "mesh/decompose/planar_placement.h"
 #include "mesh/decompose/region_split.h"
 #include "mesh/decompose/split_subdomain.h"
+#include "tests/mesh/decompose/cuts_by_chance.h"
 #include "tests/mesh/decompose/flat_cut.h"
 #include "tests/support/chance.h"
 #include "tests/support/generated_skins.h"
@@ -218,6 +219,38 @@ TEST(DecomposeResults, of_whole_cuts_are_known) {
       add_cut(result, planar_cut(root, spacing, options));
       expect_known(name + (planes == CutPlanes::lattice ? "_lattice_cut" : "_cut"), result);
     }
+  }
+}
+
+/// Of the cuts by chance those that are quickly made, or have something in their way that hardly
+/// ever comes up.
+struct SomeCuts {
+  const char* name;
+  ShapeToCut kind;
+  std::vector<std::uint64_t> seeds;
+};
+
+TEST(DecomposeResults, of_cuts_by_chance_are_known) {
+  const std::vector<SomeCuts> cuts = {
+      {"rough_balls", ShapeToCut::rough_ball, {3, 8, 9, 11, 12, 30, 34, 36, 38, 48, 51, 59}},
+      {"bars", ShapeToCut::bar, {2, 4, 9, 11, 16, 19, 20, 23, 24, 54}},
+      {"plates_in_boxes", ShapeToCut::plate_in_box, {3, 7, 23, 30, 31, 35, 39}},
+      {"hollow_balls", ShapeToCut::hollow_ball, {26, 35}},
+      {"many_stairs", ShapeToCut::stairs, {0, 2, 10, 11, 23, 28, 31, 32, 36}},
+      {"wedges", ShapeToCut::wedges, {0, 4, 6, 7, 10, 11, 15, 17, 18, 19, 22, 30}}};
+  for (const auto& [name, kind, seeds] : cuts) {
+    ResultDigest result;
+    for (const std::uint64_t seed : seeds) {
+      CutByChance cut(kind, seed);
+      cut.options.progress = result.listener();
+      const Subdomain root = root_subdomain(cut.surface);
+      add_cut(result, planar_cut(root, *cut.spacing, cut.options));
+      if (root.triangles.size() > 200) continue;
+      cut.options.smallest_angles_deg = {80, 65, 50, 20};
+      cut.options.candidates = 20;
+      add_cut(result, planar_cut(root, *cut.spacing, cut.options));
+    }
+    expect_known(name, result);
   }
 }
 

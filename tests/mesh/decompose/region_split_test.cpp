@@ -83,5 +83,21 @@ TEST(RegionSplit, keeps_the_origins_of_what_both_sides_share) {
   EXPECT_EQ(shared.size(), 2U);
 }
 
+TEST(RegionSplit, gives_what_is_left_over_to_the_first_of_regions_that_are_as_large) {
+  const Subdomain root = row_of_regions({1, 1, 1, 1});
+  const SpacingField spacing(0.3);
+  for (const auto& [parts, left] : {std::pair{4, 2}, {5, 3}, {6, 4}, {7, 4}, {8, 4}}) {
+    const RegionSplit split = split_regions(root, spacing, parts);
+    EXPECT_EQ(split.left_parts, left) << parts;
+    EXPECT_EQ(split.right_parts, parts - left) << parts;
+  }
+}
+
+TEST(RegionSplit, gives_more_parts_to_larger_regions) {
+  const RegionSplit split = split_regions(row_of_regions({4, 1}), SpacingField(0.2), 5);
+  EXPECT_EQ(split.left_parts, 4);
+  EXPECT_EQ(split.right_parts, 1);
+}
+
 }  // namespace
 }  // namespace tetfarm

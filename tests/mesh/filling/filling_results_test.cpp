@@ -5,7 +5,7 @@
 #include "mesh/filling/core_nodes.h"
 #include "mesh/filling/lattice_filling.h"
 #include "mesh/filling/sweep_points.h"
-#include "tests/mesh/filling/lattice_cases.h"
+#include "tests/mesh/filling/lattice_block.h"
 #include "tests/mesh/recovery/recovered_sphere.h"
 #include "tests/support/complex_digest.h"
 
@@ -23,10 +23,30 @@ void add_core(ResultDigest& result, const LatticeCore& core) {
   for (const CoreHullFace& face : core.hull()) result.add(face.face, face.tet);
 }
 
-void fill_ball(const std::string& name, const SpacingField& field,
-               const PointInsertionOptions& asked) {
-  RecoveredSphere ball(3);
-  const Subdomain domain = root_subdomain(shapes::sphere({0, 0, 0}, 1, 3));
+/// A domain's tets with the boundary recovered, ready for points inside.
+struct RecoveredDomain {
+  explicit RecoveredDomain(const Subdomain& domain)
+      : triangles(domain.triangles),
+        boundary_nodes(static_cast<std::int32_t>(domain.vertices.size())),
+        complex(bowyer_watson(domain.vertices).complex),
+        constrained(complex.nodes.size(), 0) {
+    EXPECT_TRUE(recover_boundary(complex, constrained, triangles).lost.empty());
+  }
+  std::vector<std::uint8_t> inside() {
+    return inside_tets(
+        LocalRemeshing(complex, constrained),
+        RecoverySurface(triangles, static_cast<std::int32_t>(complex.points.size())));
+  }
+
+  std::vector<Triangle> triangles;
+  std::int32_t boundary_nodes;
+  TetComplex complex;
+  std::vector<std::uint8_t> constrained;
+};
+
+void fill(const std::string& name, const Subdomain& domain, const SpacingField& field,
+          const PointInsertionOptions& asked = {}) {
+  RecoveredDomain ball(domain);
   ResultDigest shell;
   PointInsertionOptions options = asked;
   options.progress = shell.listener();
@@ -55,12 +75,35 @@ void fill_ball(const std::string& name, const SpacingField& field,
   expect_known(name + "_whole", whole);
 }
 
+Subdomain ball_of(double radius) { return root_subdomain(shapes::sphere({0, 0, 0}, radius, 3)); }
+
+/// The finest cells where the lattice ends last.
+SpacingField finest_last() {
+  SpacingOptions options;
+  options.background = 0.25;
+  options.growth = 0.15;
+  options.inherit_surface = false;
+  options.sources = {{{{{0.6, 0.6, 0.6}, 0.09, 0.3, 0.9}}}};
+  return make_spacing_field(shapes::sphere({0, 0, 0}, 1.8, 2), options);
+}
+
 TEST(FillingResults, of_a_ball_are_known_at_every_step) {
-  fill_ball("even", lattice_cases::uniform(), {});
-  fill_ball("graded", lattice_cases::graded(), {});
+  fill("even", ball_of(1), lattice_cases::uniform());
+  fill("graded", ball_of(1.3), lattice_cases::graded());
+  fill("finest_last", ball_of(1.3), finest_last());
   PointInsertionOptions wide;
   wide.face_clearance = 1.2;  // refuses nodes that the core counts on
-  fill_ball("wide", lattice_cases::uniform(), wide);
+  fill("wide", ball_of(1), lattice_cases::uniform(), wide);
+}
+
+TEST(FillingResults, of_a_domain_bounded_by_the_lattice_are_known_at_every_step) {
+  LatticeBlock block(4);
+  fill("block", block.domain, block.field);
+  // Some faces are none of the lattice's any more.
+  for (Vec3& p : block.domain.vertices) {
+    if (p.z > 0.3) p.z += 0.01;
+  }
+  fill("dented_block", block.domain, block.field);
 }
 
 TEST(FillingResults, of_nodes_of_the_lattice_and_their_kinds_are_known) {

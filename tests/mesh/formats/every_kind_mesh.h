@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,35 @@ class EveryKindMesh : public MeshSource {
     parts[2].region_of_tet = {1, 3};
     set_regions_of_faces(parts[2]);
     turn_node_order(parts[2]);
+  }
+};
+
+/// With a fourth part that has a hex, below those of the first, a prism and a pyramid again: types
+/// of cells and faces that several parts have.
+class ScatteredMesh : public EveryKindMesh {
+ public:
+  ScatteredMesh() {
+    std::vector<Vec3> places(39);
+    const std::array<Vec3, 4> base = {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{1, 1, -1},
+                                      Vec3{0, 1, -1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      places[12 + i] = base[i];
+      places[24 + i] = base[i] - Vec3{0, 0, 1};
+      places[34 + i] = base[i] + Vec3{8, 0, 0};
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      places[28 + i] = base[i] + Vec3{5, 0, -4};
+      places[31 + i] = base[i] + Vec3{5, 0, -3};
+    }
+    places[38] = {8.5, 0.5, 0.25};
+    const std::vector<ListedCell> cells = {{ElementType::hex, {24, 25, 26, 27, 12, 13, 14, 15}},
+                                           {ElementType::prism, {28, 29, 30, 31, 32, 33}},
+                                           {ElementType::pyramid, {34, 35, 36, 37, 38}}};
+    parts.push_back(
+        part_of_cells(cells, places, 3, 2, [](ElementType, std::span<const std::int64_t> face) {
+          return std::optional<std::int32_t>(face.size() == 4 && face[0] < 28 ? 2 : 1);
+        }));
+    set_regions_of_faces(parts[3]);
   }
 };
 

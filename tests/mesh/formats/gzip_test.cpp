@@ -56,5 +56,46 @@ TEST(Gzip, of_small_surfaces_may_be_as_regular_as_it_likes) {
   EXPECT_TRUE(unpack_gzip(packed, "a.stl.gz") == bytes);
 }
 
+std::string said_of(const std::string& packed) {
+  try {
+    unpack_gzip(packed, "a.stl.gz");
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Gzip, of_several_members_is_all_of_them_and_may_end_in_zeros) {
+  const std::string packed = texts::gzip("one ") + texts::gzip("") + texts::gzip("two");
+  EXPECT_EQ(unpack_gzip(packed, "a"), "one two");
+  EXPECT_EQ(unpack_gzip(packed + std::string(600, '\0'), "a"), "one two");
+  EXPECT_EQ(said_of(packed + std::string(600, '\0') + "x"),
+            "a.stl.gz: has more bytes after the gzip data");
+  EXPECT_EQ(said_of(packed + "\x1f"), "a.stl.gz: has more bytes after the gzip data");
+  EXPECT_EQ(unpack_gzip(texts::gzip(""), "a"), "");
+}
+
+TEST(Gzip, that_is_cut_short_is_called_that_wherever_it_ends) {
+  const std::string packed = texts::gzip("one ") + texts::gzip("two and a half");
+  const std::size_t first = texts::gzip("one ").size();
+  for (std::size_t size = 2; size < packed.size(); ++size) {
+    const std::string said = size == first       ? ""
+                             : size == first + 1 ? "a.stl.gz: has more bytes after the gzip data"
+                                                 : "a.stl.gz: the gzip data are cut short";
+    EXPECT_EQ(said_of(packed.substr(0, size)), said) << size;
+  }
+}
+
+TEST(Gzip, that_is_damaged_names_the_byte) {
+  std::string packed = texts::gzip("one two three");
+  packed[2] = 9;  // no known way to pack
+  EXPECT_THAT(said_of(packed),
+              testing::MatchesRegex("a.stl.gz: byte [0-9]+: the gzip data are damaged"));
+  packed[2] = 8;
+  packed.at(packed.size() - 8) ^= 1;  // of the checksum
+  EXPECT_EQ(said_of(packed),
+            "a.stl.gz: byte " + std::to_string(packed.size() - 4) + ": the gzip data are damaged");
+}
+
 }  // namespace
 }  // namespace tetfarm

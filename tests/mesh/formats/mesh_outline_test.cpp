@@ -187,5 +187,12 @@ TEST(MeshOutline, of_a_mesh_with_other_cells_than_tets_is_refused_by_formats_of_
   require_tets_alone(outline_of(TetsMesh()), "TetGen files hold");
 }
 
+TEST(MeshOutline, names_regions_that_only_other_cells_than_tets_have) {
+  HybridMesh mesh(2);
+  mesh.parts[0].blocks[ElementType::hex].regions = {1, 5};
+  EXPECT_THAT(outline_of(mesh).region_names,
+              ElementsAre("inside", "outside", testing::_, testing::_, testing::_));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "base/file_system.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/formats/surfaces/read_surface.h"
+#include "mesh/formats/surfaces/surface_formats.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/every_kind_mesh.h"
 #include "tests/mesh/formats/hdf5_listing.h"
@@ -147,6 +149,23 @@ TEST_P(WholeFiles, of_every_kind_of_cell_are_those_that_are_kept) {
 
 TEST_P(WholeFiles, of_tets_alone_are_those_that_are_kept) {
   expect_whole_files(TetsMesh(), GetParam(), "tets");
+}
+
+TEST(WholeFilesOfScatteredCells, are_those_that_are_kept) {
+  const std::set<std::string> same_code = {"lb8.ugrid", "b8.ugrid", "lb8l.ugrid", "comm"};
+  for (const WholeFile& file : formats_of_all) {
+    if (same_code.contains(file.format)) continue;
+    SCOPED_TRACE(file.format);
+    expect_whole_files(ScatteredMesh(), file, "scattered");
+  }
+}
+
+TEST(WholeLists, of_formats_are_those_that_are_kept) {
+  const std::string lists = written_formats_text() + "read: " + readable_meshes() + "\n" +
+                            "surfaces: " + readable_surfaces() + "\n" +
+                            "surfaces written: " + writable_surfaces() + "\n";
+  if (is_updating()) keep(kept / "lists.txt", lists);
+  EXPECT_EQ(lists, read_file(kept / "lists.txt"));
 }
 
 TEST(WholeFilesOfTetgen, are_those_that_are_kept) {

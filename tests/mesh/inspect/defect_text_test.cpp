@@ -8,6 +8,7 @@
 #include "mesh/inspect/outer_boundary.h"
 #include "tests/mesh/inspect/check_support.h"
 #include "tests/support/shapes.h"
+#include "tests/support/voxel_surface.h"
 
 namespace tetfarm {
 namespace {
@@ -95,6 +96,25 @@ TEST(SurfaceCheck, says_of_each_defect_what_is_wrong_and_where_word_by_word) {
                   "(0, 1, 0) (1, 0, 0) again as 5 [ 3 5 ]"));
 }
 
+TEST(SurfaceCheck, says_of_sheets_that_end_inside_how_many_edges_they_hang_on_word_by_word) {
+  SurfaceMesh surface = shapes::tetrahedron();
+  surface.vertices.push_back({-1, -1, -1});
+  surface.triangles.push_back({0, 1, 4});
+  const std::string of_one =
+      "open edge: 2 open edges (on one triangle only); 1 edge is on more than two triangles: a "
+      "sheet that ends inside a region divides nothing; remove it, or continue it to the boundary: "
+      "edge from vertex 0 (0, 0, 0) to 4 (-1, -1, -1) of triangle 4; edge from vertex 1 (1, 0, 0) "
+      "to 4 (-1, -1, -1) of triangle 4 [ 4 ]";
+  EXPECT_THAT(defects_of(surface), ElementsAre(of_one));
+  surface.vertices.push_back({2, 2, 2});
+  surface.triangles.push_back({2, 3, 5});
+  ASSERT_EQ(defects_of(surface).size(), 1U);
+  EXPECT_THAT(
+      defects_of(surface)[0],
+      ::testing::StartsWith("open edge: 4 open edges (on one triangle only); 2 edges are on "
+                            "more than two triangles: a sheet that ends inside"));
+}
+
 TEST(SurfaceCheck, takes_coordinates_up_to_the_limits_of_its_exact_tests) {
   SurfaceMesh surface = shapes::tetrahedron();
   for (Vec3& p : surface.vertices) p *= 1e60;
@@ -126,10 +146,16 @@ TEST(SurfaceCheck, says_that_a_surface_has_one_side_only_word_by_word) {
                      {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
   const SurfaceReport report = check_surface(plane).report;
   ASSERT_FALSE(report.defects.empty());
-  EXPECT_EQ(report.defects[0].kind, "non-orientable shell");
-  EXPECT_THAT(report.defects[0].message,
+  const SurfaceDefect& defect = report.defects[0];
+  EXPECT_EQ(defect.kind, "non-orientable shell");
+  const std::size_t count = defect.triangles.size();
+  EXPECT_THAT(defect.message,
               ::testing::StartsWith("the surface has only one side, like a Möbius strip: however "
-                                    "they are turned, neighbours disagree at "));
+                                    "they are turned, neighbours disagree at " +
+                                    std::to_string(count) + " triangles: triangle "));
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    EXPECT_LT(defect.triangles[i], defect.triangles[i + 1]) << "each once";
+  }
 }
 
 TEST(SurfaceCheck, remarks_what_it_has_turned_word_by_word) {
@@ -214,6 +240,34 @@ TEST(Regions, remark_what_is_turned_and_left_out_word_by_word) {
   const auto nothing =
       defects_of(nested, {.wishes = {{.at = {1.4, 0, 0.1}, .name = "", .is_void = true}}});
   EXPECT_THAT(nothing, ElementsAre("nothing to mesh: the job declares every region void [ ]"));
+}
+
+TEST(Regions, turn_interfaces_to_point_out_of_the_lower_region_without_a_remark) {
+  // Two cubes that share a face.
+  const auto cubes =
+      shapes::voxel_surface({.size = {2, 1, 1}, .label = [](int x, int, int) { return 1 + x; }});
+  for (const bool is_turned : {false, true}) {
+    SurfaceMesh given = cubes.surface;
+    for (std::size_t t = 0; t < given.triangles.size(); ++t) {
+      const auto& [behind, in_front] = cubes.sets[t];
+      const bool points_in = behind == 0;
+      const bool is_interface = behind != 0 && in_front != 0;
+      if (points_in || (is_interface && is_turned)) {
+        std::swap(given.triangles[t][1], given.triangles[t][2]);
+      }
+    }
+    const CheckedSurface checked = check_surface(given);
+    EXPECT_THAT(checked.report.defects, IsEmpty());
+    EXPECT_THAT(checked.report.remarks, IsEmpty());
+    int interfaces = 0;
+    for (const auto& [behind, in_front] : checked.surface.sides) {
+      if (in_front == 0) continue;
+      ++interfaces;
+      EXPECT_EQ(behind, 1);
+      EXPECT_EQ(in_front, 2);
+    }
+    EXPECT_EQ(interfaces, 2);
+  }
 }
 
 std::string refusal_of(const OuterBoundary& outer, double growth = 0.3,

@@ -42,6 +42,8 @@ TEST(TomlLimits, refuse_long_dotted_keys_with_their_place) {
         "k = \"\"\"text\"\"\"\"\"\n" + dotted(120'000) + "=1",
         "x = {k = \"\"\"text\"\"\"\"\", " + dotted(120'000) + " = 1}",
         "x = {k = '''it''''', " + dotted(120'000) + " = 1}",
+        "x = {k = \"\"\"text\"\"\"\", " + dotted(120'000) + " = 1}",
+        "x = {k = '''it'''', " + dotted(120'000) + " = 1}",
         "x = {k = \"\\\"\", " + dotted(120'000) + " = 1}",
         "x = {k = '\\', " + dotted(120'000) + " = 1}"}) {
     EXPECT_THAT(said_of(text), HasSubstr("a key of more than 16 parts")) << text.substr(0, 40);
@@ -52,6 +54,9 @@ TEST(TomlLimits, refuse_deep_nesting_with_its_place) {
   EXPECT_EQ(said_of("a = " + repeated("[", deepest_toml) + repeated("]", deepest_toml)), "");
   EXPECT_EQ(said_of("é = 1\na = " + repeated("[", 1000)),
             "job.toml:2:37: more than 32 nested arrays or tables");
+  EXPECT_EQ(said_of("é = " + repeated("[", 33)),
+            "job.toml:1:37: more than 32 nested arrays or tables")
+      << "columns are letters";
   EXPECT_THAT(said_of("a = " + repeated("{b=", 500'00)), HasSubstr("more than 32"));
 }
 

@@ -193,5 +193,37 @@ TEST(SmallMeshCheck, digests_patches_and_places_of_nodes) {
             right);
 }
 
+TEST(SmallMeshFigures, of_flat_tets_count_no_volume_and_no_steps_beside_cuts) {
+  TetsMesh mesh;
+  mesh.parts[0].nodes[3] = {0, 0, 0};  // at node 0
+  const MeshFigures figures = figures_of(mesh);
+  EXPECT_EQ(figures.all.shapes.smallest_height, 0);
+  int volumes = 0;
+  for (const auto& [exponent, tets] : figures.volumes) volumes += static_cast<int>(tets);
+  EXPECT_EQ(volumes, 2);
+  EXPECT_EQ(figures.steps_beside_away(), 1);
+}
+
+TEST(SmallMeshFigures, name_the_first_of_tets_that_are_alike_first) {
+  TetsMesh mesh;
+  mesh.parts[1] = mesh.parts[0];
+  mesh.parts[1].number = 1;
+  const MeshFigures figures = figures_of(mesh);
+  ASSERT_EQ(figures.worst.size(), 4U);
+  EXPECT_EQ(figures.worst[0].min_dihedral_deg, figures.worst[1].min_dihedral_deg);
+  EXPECT_LT(figures.worst[0].tet, figures.worst[1].tet);
+  EXPECT_LT(figures.worst[2].tet, figures.worst[3].tet);
+}
+
+TEST(SmallMeshCheck, counts_cells_of_each_type_through_all_parts) {
+  ScatteredMesh mesh;
+  mesh.parts[3].blocks[ElementType::quad].nodes[0] = 10;  // of the prism
+  MeshCheckOptions options;
+  options.faces = true;
+  std::string all;
+  for (const std::string& line : check_mesh(mesh, options).complaints) all += line + "\n";
+  EXPECT_THAT(all, testing::HasSubstr("hex 2 of sub-domain 3"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -2,6 +2,7 @@
 /// everywhere: by + - * / and sqrt only.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,14 @@ inline SurfaceMesh slits(int count, double gap) {
   add_side(low.back(), high, true, true);
   add_side(high.front(), low, false, false);
   add_side(high.back(), low, true, false);
+  return mesh;
+}
+
+/// To nine digits, so that the last ones of a library's functions do not matter.
+inline SurfaceMesh rounded(SurfaceMesh mesh) {
+  for (Vec3& p : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] = std::nearbyint(p[axis] * 0x1p30) * 0x1p-30;
+  }
   return mesh;
 }
 

@@ -107,5 +107,21 @@ TEST(Canvas, passes_over_triangles_without_area_and_outside) {
                           [](std::uint8_t byte) { return byte == 255; }));
 }
 
+TEST(Canvas, keeps_the_first_of_two_that_are_equally_near) {
+  Canvas canvas(options(0));
+  draw_square(canvas, red, 2);
+  draw_square(canvas, blue, 2);
+  EXPECT_EQ(pixel(canvas.picture(no_outline), 50, 45), (std::array<int, 3>{255, 0, 0}));
+}
+
+TEST(Canvas, takes_no_slope_for_a_step) {
+  Canvas canvas(options(0));
+  // Its depth grows from 1 to 5 over the picture: by 0.02 a pixel in its middle.
+  canvas.draw({{{0, 0, 1}, {0, 100, 1}, {100, 50, 5}}}, red);
+  const Picture picture = canvas.picture(0.001);
+  EXPECT_EQ(pixel(picture, 40, 50), (std::array<int, 3>{255, 0, 0}));
+  EXPECT_EQ(pixel(picture, 10, 50), (std::array<int, 3>{255, 0, 0}));
+}
+
 }  // namespace
 }  // namespace tetfarm

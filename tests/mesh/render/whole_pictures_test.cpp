@@ -115,6 +115,9 @@ TEST(WholePictures, hide_patches_and_look_at_bodies) {
   const Picture cut = picture_of(parts, options);
   expect_near(pixel_at(cut, 50, 25), facing(neutral_grey));
   expect_near(pixel_at(cut, 5, 25), facing(palette_colour(0)));
+  // The body is widened by 0.12 of its diagonal on each side: 46 / (1 + 0.24 sqrt 2) pixels.
+  expect_near(pixel_at(cut, 36, 30), facing(neutral_grey));
+  expect_near(pixel_at(cut, 29, 30), facing(palette_colour(0)));
 }
 
 TEST(WholePictures, cut_at_the_middle_where_nothing_else_is_said) {
@@ -211,6 +214,27 @@ TEST(CameraOf, a_point_among_much_else_stays_outside_of_that) {
   const std::array<Vec3, 2> focus = {Vec3{0, 0, 0}, Vec3{0.1, 0, 0}};
   const Camera camera(all, focus, {{0, 0, 1}, {0, 1, 0}, 1}, 100, 100);
   EXPECT_NEAR(camera.eye().z, 0.1 * 0.05 + 1.1 * 10, 1e-12);
+}
+
+TEST(WholePictures, light_faces_from_either_side) {
+  NumberedPart part = square(0, 0, 0);
+  const Picture picture = picture_of({part}, from_above());
+  for (Triangle& face : part.faces) std::swap(face[1], face[2]);
+  EXPECT_EQ(picture_of({part}, from_above()).bytes, picture.bytes);
+}
+
+TEST(WholePictures, outline_steps_of_more_than_a_fiftieth_of_the_mesh) {
+  const auto darkest_where_they_meet = [](double step) {
+    NumberedPart lower = square(1, 1, 0);
+    for (Vec3& p : lower.nodes) p.z -= step;
+    const Picture picture = picture_of({square(0, 0, 0), lower}, from_above());
+    int darkest = 255;
+    for (int x = 45; x < 55; ++x) darkest = std::min(darkest, pixel_at(picture, x, 20)[0]);
+    return darkest;
+  };
+  const int plain = darkest_where_they_meet(0);
+  EXPECT_EQ(darkest_where_they_meet(0.02), plain);
+  EXPECT_LT(darkest_where_they_meet(0.06), plain * 3 / 4);
 }
 
 }  // namespace

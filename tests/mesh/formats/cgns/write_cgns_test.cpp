@@ -79,5 +79,19 @@ TEST(WriteCgns, names_patches_in_no_more_than_32_characters_and_no_two_alike) {
   for (const std::string& name : read->patch_names()) EXPECT_LE(name.size(), 32U) << name;
 }
 
+TEST(WriteCgns, gives_patches_no_name_that_a_node_of_the_zone_has) {
+  for (const std::string name :
+       {"ZoneType", "ZoneBC", "GridCoordinates", "GridElements", "CellData", "Zone1"}) {
+    const TempFolder folder;
+    const std::filesystem::path file =
+        export_as(RenamedGrid({name, "high_x"}), folder, "", "a.cgns");
+    const auto read = open_mesh(file, folder.path());
+    ASSERT_EQ(read->patch_names().size(), 2U);
+    EXPECT_NE(read->patch_names()[0], name);
+    EXPECT_EQ(read->patch_names()[1], "high_x");
+    EXPECT_EQ(outline_of(*read).boundary_triangles, outline_of(RenamedGrid({})).boundary_triangles);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

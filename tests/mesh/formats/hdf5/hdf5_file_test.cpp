@@ -52,9 +52,34 @@ TEST(Hdf5Input, refuses_texts_of_any_length_and_rows_of_another) {
   const std::string path = (folder.path() / "a.h5").string();
   write_odd_arrays(path);
   const Hdf5Input file(path);
-  EXPECT_THROW(file.texts("texts"), InvalidInput);
-  EXPECT_THROW(file.rows("rows", 3), InvalidInput);
-  EXPECT_THROW(file.rows("rows"), InvalidInput);
+  const auto said_of = [](const auto& read) -> std::string {
+    try {
+      read();
+    } catch (const InvalidInput& error) {
+      const std::string what = error.what();
+      return what.substr(what.find(": ") + 2);
+    }
+    return "";
+  };
+  const std::string shape = "rows does not have the shape of such an array";
+  EXPECT_EQ(said_of([&] { file.texts("texts"); }), "texts is not a list of texts of fixed length");
+  EXPECT_EQ(said_of([&] { file.texts("rows"); }), "rows is not a list of texts of fixed length");
+  EXPECT_EQ(said_of([&] { file.rows("rows", 3); }), shape);
+  EXPECT_EQ(said_of([&] { file.rows("rows"); }), shape);
+  EXPECT_EQ(said_of([&] { file.rows("texts", 2); }),
+            "texts does not have the shape of such an array");
+  EXPECT_EQ(said_of([&] { file.list<std::int32_t>("none"); }), "no array none");
+  EXPECT_EQ(said_of([&] { file.rows("none/of/these"); }), "no array none/of/these");
+  EXPECT_EQ(said_of([&] { file.text_attribute("none", "Type"); }), "no attribute Type of none");
+  EXPECT_EQ(said_of([&] { file.text_attribute("rows", "Type"); }), "no attribute Type of rows");
+  for (const auto& [first, count] : {std::pair{-1, 1}, {0, -1}, {3, 0}, {1, 2}, {2, 1}}) {
+    EXPECT_EQ(said_of([&] { file.rows("rows", 2).check(first, count); }), "rows ends too early")
+        << first << " " << count;
+  }
+  EXPECT_EQ(said_of([&] { file.rows("rows", 2).check(2, 0); }), "");
+  EXPECT_FALSE(file.has("none"));
+  EXPECT_FALSE(file.has("rows/none"));
+  EXPECT_TRUE(file.has("rows"));
   EXPECT_EQ(file.slice<double>("rows", 1, 1, 2), (std::vector<double>{3, 4}));
 }
 
@@ -65,6 +90,18 @@ TEST(Hdf5Input, texts_of_attributes_end_where_the_zeros_begin) {
     write_padded_attribute(path, text);
     EXPECT_EQ(Hdf5Input(path).text_attribute("G", "Type"), text);
   }
+}
+
+TEST(Hdf5Output, gives_back_texts_of_any_length_and_lists) {
+  const TempFolder folder;
+  const std::string path = (folder.path() / "a.h5").string();
+  Hdf5Output output(path);
+  output.add_texts("texts", {"", "a", "blank at the end "});
+  output.add_texts("none", {});
+  output.close();
+  const Hdf5Input file(path);
+  EXPECT_EQ(file.texts("texts"), (std::vector<std::string>{"", "a", "blank at the end "}));
+  EXPECT_EQ(file.texts("none"), std::vector<std::string>());
 }
 
 }  // namespace

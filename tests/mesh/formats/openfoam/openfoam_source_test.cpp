@@ -276,6 +276,12 @@ TEST(OpenfoamSource, faces_patches_and_nodes_that_do_not_fit_are_refused) {
   EXPECT_THAT(mesh.refusal(), HasSubstr("has no myProcNo"));
   mesh.boundary = changed(mesh.boundary, "processor;", "processor; myProcNo 0; neighbProcNo 1;");
   EXPECT_THAT(mesh.refusal(), HasSubstr("is one processor of a decomposed case"));
+  mesh.boundary = changed(mesh.boundary, "neighbProcNo 1;", "");
+  EXPECT_THAT(mesh.refusal(),
+              HasSubstr("boundary:3: the patch \"high\" has no myProcNo or no neighbProcNo"));
+  mesh = {};
+  mesh.boundary = changed(mesh.boundary, "type patch", "myProcNo 0; neighbProcNo 1; type patch");
+  EXPECT_EQ(mesh.refusal(), "") << "of a patch that is none between processors";
 }
 
 TEST(OpenfoamSource, each_cell_is_in_one_zone_if_there_are_any) {
@@ -305,6 +311,12 @@ TEST(OpenfoamSource, processors_with_other_patches_than_the_first_are_refused) {
   } catch (const InvalidInput& error) {
     EXPECT_THAT(error.what(), HasSubstr("processor2/constant/polyMesh: has different patches"));
   }
+  write_file_atomically(boundary, changed(read_file(boundary), "high_x", "low_x"));
+  EXPECT_NO_THROW(open_mesh(file, folder.path()));
+  const fs::path zones = file / "processor2/constant/polyMesh/cellZones";
+  const std::string zone = open_mesh(file, folder.path())->region_names().at(0);
+  write_file_atomically(zones, changed(read_file(zones), zone, "another"));
+  EXPECT_THROW(open_mesh(file, folder.path()), InvalidInput);
 }
 
 }  // namespace

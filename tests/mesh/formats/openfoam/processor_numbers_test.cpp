@@ -77,6 +77,10 @@ TEST(ProcessorNumbers, refuses_sides_that_do_not_fit) {
               HasSubstr("do not have exactly one patch"));
   EXPECT_THAT(refusal({{patch(1, {{0, 1, 2}})}, {patch(0, {{0, 2, 1}, {0, 1, 3}})}}),
               HasSubstr("have 1 and 2 faces"));
+  ProcessorPatch quad{0, {}};
+  quad.faces.emplace_back(std::array<std::int32_t, 4>{0, 1, 2, 3});
+  EXPECT_EQ(refusal({{patch(1, {{0, 1, 2}})}, {quad}}),
+            "case: processors 0 and 1 have a triangle and a quad in the same place between them");
 }
 
 TEST(ProcessorNumbers, refuses_nodes_of_one_processor_that_become_one) {

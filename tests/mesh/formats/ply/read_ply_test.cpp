@@ -68,5 +68,25 @@ TEST(ReadPly, names_the_place_of_what_it_does_not_understand) {
               ThrowsMessage<InvalidInput>(HasSubstr(": byte ")));
 }
 
+TEST(ReadPly, integers_of_two_bytes_have_a_sign_where_their_type_says_so) {
+  const auto with_type = [](const std::string& type, std::uint16_t v) {
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 40000\nproperty char x\n"
+        "property uchar y\nproperty short z\nelement face 1\nproperty list uchar " +
+        type + " vertex_index\nend_header\n";
+    for (int i = 0; i < 40000; ++i) bytes += "\xff\xff\xfe\xff";
+    bytes += '\3';
+    for (const std::uint16_t corner : {std::uint16_t{0}, std::uint16_t{1}, v}) {
+      texts::append_number(bytes, corner, false);
+    }
+    return bytes;
+  };
+  const SurfaceMesh mesh = read(with_type("ushort", 39999));
+  EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 39999}));
+  EXPECT_EQ(mesh.vertices[7], (Vec3{-1, 255, -2}));
+  EXPECT_THAT([&] { read(with_type("short", 39999)); },
+              ThrowsMessage<InvalidInput>(HasSubstr("vertex -25537 of 40000")));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -144,6 +144,7 @@ TEST(SurfaceRefusals, of_medit_text) {
       surface_refusal_of);
   EXPECT_EQ(surface_refusal_of("a.mesh", changed(text, "Corners\n1\n1\n", "Quadrilaterals\n0\n")),
             "");
+  EXPECT_EQ(surface_refusal_of("a.mesh", text + "Triangles\nx\n"), "") << "behind the end";
 }
 
 TEST(SurfaceRefusals, of_ugrid_text) {
