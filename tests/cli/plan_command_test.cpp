@@ -96,7 +96,7 @@ TEST_F(PlanOfACube, has_no_turns_where_the_job_wants_none) {
 }
 
 TEST_F(PlanOfACube, has_the_memory_of_the_largest_task_of_a_kind) {
-  command_.job.subdomains = 3;
+  command_.job.subdomains = 5;
   const Json plan = json();
   double largest = 0;
   double last = 0;
