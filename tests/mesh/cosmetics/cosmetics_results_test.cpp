@@ -283,5 +283,103 @@ TEST(CosmeticsResults, of_turns_across_cuts_are_known) {
   }
 }
 
+/// As thin along two axes, or one, as it is given.
+TetMesh squeezed(TetMesh mesh, const Vec3& by) {
+  for (Vec3& p : mesh.nodes) p = {by.x * p.x, by.y * p.y, by.z * p.z};
+  return mesh;
+}
+
+TEST(CosmeticsResults, of_splits_of_needles_and_flat_tets_are_known) {
+  for (const Vec3& by : {Vec3{1, 1, 0.01}, Vec3{1, 0.02, 0.01}, Vec3{1, 0.004, 0.2}}) {
+    TetComplex complex = make_tet_complex(squeezed(trial::random_ball(1, 25, 4), by));
+    WorkMesh work(complex, 42);
+    ResultDigest result;
+    for (std::int32_t t = 0; t < std::ssize(complex.nodes); t += 9) {
+      cosmetics::SplitOptions options;
+      options.is_flat = true;
+      options.takes_any = t % 2 == 0;
+      options.least_distance = 1e-3;
+      add_replacement(result, cosmetics::find_split(work, t, options));
+    }
+    expect_known("splits_of_thin_" + std::to_string(static_cast<int>(1000 * by.y)), result);
+  }
+}
+
+TEST(CosmeticsResults, of_large_patches_are_known) {
+  TetComplex complex = make_tet_complex(trial::random_ball(1, 160, 2));
+  WorkMesh work(complex, 42);
+  ResultDigest result;
+  std::size_t most = 0;
+  for (std::int32_t t = 3; t < std::ssize(complex.nodes); t += 31) {
+    const cosmetics::NodePatch patch = cosmetics::patch_round(work, t);
+    most = std::max(most, patch.nodes.size());
+    result.add(patch.nodes, patch.tets);
+    if (t % 7 == 0) result.add(cosmetics::improve_together(work, t, 0.3));
+  }
+  EXPECT_EQ(most, 32U) << "no more move at once";
+  result.add(work.node2change);
+  test::add_complex(result, complex);
+  expect_known("large_patches", result);
+}
+
+TEST(CosmeticsResults, of_heights_that_are_bought_with_angles_are_known) {
+  ResultDigest result;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    TetComplex complex = make_tet_complex(trial::random_ball(1, 30, seed));
+    WorkMesh work(complex, 42);
+    cosmetics::HeightOptions options;
+    options.floor = 0.2;
+    options.wanted_length = 0.3;
+    options.most_joint_failures = 4;
+    options.traded_quality = seed % 2 == 0 ? 0.1 : 0.4;
+    result.add(cosmetics::improve_altitudes(work, options));
+    test::add_complex(result, complex);
+  }
+  expect_known("traded_heights", result);
+}
+
+TEST(CosmeticsResults, of_sections_of_leaves_that_meet_at_all_angles_are_known) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    // Cells of scattered points.
+    std::array<Vec3, 6> middles;
+    for (std::size_t i = 0; i < 6; ++i) middles[i] = 7 * trial::random_vector(seed, i);
+    const trial::CutBar bar(
+        {7, 7, 7},
+        [&](const trial::Cell& cell) {
+          const Vec3 here = trial::on_the_grid(cell) - Vec3{3, 3, 3};
+          std::size_t nearest = 0;
+          for (std::size_t i = 1; i < 6; ++i) {
+            if (norm2(middles[i] - here) < norm2(middles[nearest] - here)) nearest = i;
+          }
+          return std::uint64_t{8} + nearest;
+        },
+        [seed](const trial::Cell& corner) {
+          const Vec3 p = trial::on_the_grid(corner);
+          const bool is_outside = corner[0] % 7 == 0 || corner[1] % 7 == 0 || corner[2] % 7 == 0;
+          return is_outside ? p : p + 0.45 * push(corner, seed);
+        });
+    std::vector<InterfaceNodes> leaves;
+    for (const auto& [heap, part] : bar.parts) leaves.push_back(interface_nodes(part.leaf));
+    const CosmeticOrder order = colour_subdomains(leaves);
+    ResultDigest result;
+    for (const ColouredLeaf& leaf : order.leaves) {
+      result.add(leaf.path.heap, leaf.colour, leaf.neighbours.size());
+    }
+    for (const SharedNodes& shared : order.shared) {
+      const trial::LeafMesh& part = bar.parts.at(shared.path.heap);
+      for (const int layers : {1, 3}) {
+        ExtractionOptions options;
+        options.taken_layers = layers - 1;
+        options.sought_layers = layers;
+        options.layers_round_bad = layers;
+        const ExtractedElements extracted = extract_elements(part.leaf, part.mesh, shared, options);
+        result.add(extracted.core.taken_tets, extracted.core.taken_triangles);
+        for (const ElementSection& piece : extracted.sections) add_section(result, piece);
+      }
+    }
+    expect_known("scattered_leaves_" + std::to_string(seed), result);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

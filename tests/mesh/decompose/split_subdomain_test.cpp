@@ -25,5 +25,16 @@ TEST(SplitSubdomain, keeps_old_origins_and_numbers_new_ones_from_zero) {
   }
 }
 
+TEST(SplitSubdomain, leaves_both_halves_in_the_region_of_the_whole) {
+  FlatCut cut = cap_of_sphere();
+  cut.subdomain.region = 3;
+  cut.subdomain.path = TreePath{5};
+  for (const Side side : {Side::left, Side::right}) {
+    const Subdomain half = half_of(cut.subdomain, cut.colours, cut.mesh, side);
+    EXPECT_EQ(half.region, 3);
+    EXPECT_EQ(half.path.heap, side == Side::left ? 10U : 11U);
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

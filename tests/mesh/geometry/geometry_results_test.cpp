@@ -1,6 +1,9 @@
 // Delaunay tets, orders and searches, known by their digests (tests/golden/geometry.txt).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "mesh/geometry/bowyer_watson.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/cavity_insertion.h"
@@ -147,6 +150,48 @@ TEST(GeometryResults, of_measures_are_known) {
     }
   }
   test::expect_known("geometry", "measures", result);
+}
+
+/// Points on one sphere: of a cube, of an octahedron round it, and on its faces' circles.
+std::vector<Vec3> cospherical() {
+  std::vector<Vec3> points;
+  for (const double x : {-2.0, 2.0}) {
+    for (const double y : {-2.0, 2.0}) {
+      for (const double z : {-1.0, 1.0}) points.push_back({x, y, z});
+    }
+  }
+  for (const double s : {-3.0, 3.0}) {
+    points.push_back({s, 0, 0});
+    points.push_back({0, 0, s});
+  }
+  return points;
+}
+
+TEST(GeometryResults, of_perturbed_spheres_are_known_and_say_the_same_however_the_tet_is_turned) {
+  const std::vector<Vec3> points = cospherical();
+  ResultDigest result;
+  std::uint64_t state = 1;
+  int decided = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    std::array<std::int32_t, 5> ids;
+    for (std::size_t i = 0; i < 5; ++i) {
+      do {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        ids[i] = static_cast<std::int32_t>((state >> 33U) % points.size());
+      } while (std::count(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) > 0);
+    }
+    const auto p = [&](std::size_t i) { return points[static_cast<std::size_t>(ids[i])]; };
+    if (!(orient3d(p(0), p(1), p(2), p(3)) > 0)) continue;
+    const std::int32_t order[5] = {ids[0], ids[1], ids[2], ids[3], ids[4]};
+    const std::int32_t turned[5] = {ids[1], ids[2], ids[0], ids[3], ids[4]};
+    const bool is_in = in_perturbed_sphere(p(0), p(1), p(2), p(3), p(4), order);
+    EXPECT_EQ(in_perturbed_sphere(p(1), p(2), p(0), p(3), p(4), turned), is_in);
+    EXPECT_EQ(in_perturbed_sphere_exactly(p(0), p(1), p(2), p(3), p(4), order), is_in);
+    result.add(is_in);
+    decided += is_in ? 1 : 0;
+  }
+  EXPECT_GT(decided, 200);
+  test::expect_known("geometry", "perturbed", result);
 }
 
 }  // namespace

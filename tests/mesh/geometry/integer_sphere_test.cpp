@@ -101,5 +101,27 @@ TEST(IntegerSphere, does_not_tell_of_numbers_that_are_none) {
   EXPECT_EQ(integer_insphere(a, a, a, a, a), 0);
 }
 
+/// The sign for a flat corner of that height over a plane of lengths 2^-power.
+std::optional<int> sign_of_corner(int power) {
+  const double small = std::ldexp(1.0, -power);
+  return integer_insphere({1 + 0x1p-40, 0, 0}, {1, small, 0}, {1, 0, small}, {1, 0, 0},
+                          {1, small, small});
+}
+
+TEST(IntegerSphere, takes_coordinates_of_62_bits_and_no_more) {
+  EXPECT_TRUE(sign_of_corner(60).has_value());
+  EXPECT_TRUE(sign_of_corner(61).has_value());
+  EXPECT_FALSE(sign_of_corner(62).has_value());
+  EXPECT_FALSE(sign_of_corner(63).has_value());
+}
+
+TEST(IntegerSphere, takes_differences_of_59_bits_and_no_more) {
+  const auto sign_of = [](double x) {
+    return integer_insphere({x, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 1, 1});
+  };
+  EXPECT_TRUE(sign_of(0x1p58).has_value());
+  EXPECT_FALSE(sign_of(0x1p59).has_value());
+}
+
 }  // namespace
 }  // namespace tetfarm

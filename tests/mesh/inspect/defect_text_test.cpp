@@ -146,10 +146,16 @@ TEST(SurfaceCheck, says_that_a_surface_has_one_side_only_word_by_word) {
                      {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
   const SurfaceReport report = check_surface(plane).report;
   ASSERT_FALSE(report.defects.empty());
-  EXPECT_EQ(report.defects[0].kind, "non-orientable shell");
-  EXPECT_THAT(report.defects[0].message,
+  const SurfaceDefect& defect = report.defects[0];
+  EXPECT_EQ(defect.kind, "non-orientable shell");
+  const std::size_t count = defect.triangles.size();
+  EXPECT_THAT(defect.message,
               ::testing::StartsWith("the surface has only one side, like a Möbius strip: however "
-                                    "they are turned, neighbours disagree at "));
+                                    "they are turned, neighbours disagree at " +
+                                    std::to_string(count) + " triangles: triangle "));
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    EXPECT_LT(defect.triangles[i], defect.triangles[i + 1]) << "each once";
+  }
 }
 
 TEST(SurfaceCheck, remarks_what_it_has_turned_word_by_word) {

@@ -68,5 +68,16 @@ TEST(SmallAngles, the_name_of_a_patch_commands_no_terminal) {
   EXPECT_THAT(angles.worst.front().patch, SizeIs(60));
 }
 
+TEST(SmallAngles, lie_near_the_middle_of_the_shortest_edge_whichever_it_is) {
+  SurfaceMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {0, 0.02, 0}, {1, 0, 0}};
+  for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{2, 0, 1}, Triangle{1, 2, 0}}) {
+    mesh.triangles = {t};
+    const SmallAngles found = small_angles(mesh);
+    ASSERT_EQ(found.worst.size(), 1U);
+    EXPECT_EQ(found.worst[0].at, (Vec3{0, 0.01, 0}));
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

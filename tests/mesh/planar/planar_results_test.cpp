@@ -86,7 +86,8 @@ TEST(PlanarResults, of_regions_are_known) {
 TEST(PlanarResults, of_single_steps_are_known) {
   TriangleComplex complex = constrained_delaunay(region_with_hole(2)).complex;
   ResultDigest result;
-  result.add(estimated_triangles(complex, graded), insert_points(complex, graded, 5000));
+  result.add(estimated_triangles(complex, graded));
+  result.add(insert_points(complex, graded, 5000));
   add_complex(result, complex);
   result.add(smooth(complex, 44));
   add_complex(result, complex);
@@ -125,6 +126,17 @@ TEST(PlanarResults, of_recovered_edges_are_known) {
   result.add(flip_to_delaunay(complex));
   add_complex(result, complex);
   test::expect_known("planar", "edges", result);
+}
+
+TEST(PointInsertion, takes_as_many_triangles_as_are_allowed_and_no_more) {
+  const TriangleComplex coarse = constrained_delaunay(region_with_hole(2)).complex;
+  TriangleComplex complex = coarse;
+  ASSERT_TRUE(insert_points(complex, graded, 100000));
+  const std::int64_t triangles = complex.size();
+  complex = coarse;
+  EXPECT_TRUE(insert_points(complex, graded, triangles));
+  complex = coarse;
+  EXPECT_FALSE(insert_points(complex, graded, triangles - 1));
 }
 
 }  // namespace
