@@ -1,7 +1,7 @@
 #include "cli/deliver_files.h"
 
+#include "base/error.h"
 #include "base/file_system.h"
-#include "store/artifact_store.h"
 
 namespace tetfarm {
 
@@ -19,6 +19,19 @@ std::vector<std::filesystem::path> deliver_files(const wire::JobStatus& status,
     files.push_back(folder / name);
   }
   return files;
+}
+
+bool set_damaged_aside(const wire::JobStatus& status, const ArtifactStore& store) {
+  bool is_damaged = false;
+  for (const wire::Artifact& file : status.files()) {
+    try {
+      store.verify(file.hash(), file.size());
+    } catch (const CorruptFile&) {
+      store.set_aside(file.hash());
+      is_damaged = true;
+    }
+  }
+  return is_damaged;
 }
 
 }  // namespace tetfarm

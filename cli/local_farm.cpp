@@ -21,12 +21,9 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int64_t short_life_ms = 2'000;
-constexpr std::int64_t first_pause_ms = 50;
 constexpr int most_short_lives = 6;
 constexpr std::int64_t coordinator_end_ms = 3'000;
 constexpr std::int64_t slowest_look_ms = 10;
-constexpr std::size_t kept_log = 4'000;
 
 std::string this_program() {
   std::error_code error;
@@ -72,16 +69,6 @@ std::string make_socket_folder() {
   ::close_range(STDERR_FILENO + 1, ~0U, 0);
   ::execv(arguments[0], arguments);
   ::_exit(127);
-}
-
-/// The last "error: …" line of a log, or "".
-std::string last_error(const std::filesystem::path& log) {
-  if (!file_size(log)) return {};
-  std::string text = read_file(log);
-  if (text.size() > kept_log) text.erase(0, text.size() - kept_log);
-  const std::size_t at = text.rfind("error: ");
-  if (at == std::string::npos) return {};
-  return text.substr(at + 7, text.find('\n', at) - at - 7);
 }
 
 }  // namespace
@@ -139,7 +126,7 @@ void LocalFarm::start(Member& member, const std::vector<std::string>& command,
   const int error = errno;
   ::close(log_fd);
   if (member.process < 0) throw IoError("cannot start a process", command[0], error);
-  member.started_ms = steady_ms();
+  member.life.started_ms = steady_ms();
 }
 
 /// The status of a member that has died since the last look.
@@ -152,38 +139,30 @@ std::optional<int> LocalFarm::reap(Member& member) {
   return status;
 }
 
-void LocalFarm::note_death(Member& member, int status) const {
-  TF_CHECK(member.process <= 0);
-  const std::int64_t now = steady_ms();
-  const bool by_itself = WIFEXITED(status);
-  member.short_lives =
-      by_itself && now - member.started_ms < short_life_ms ? member.short_lives + 1 : 0;
-  member.start_again_ms = now + (first_pause_ms << std::min(member.short_lives, 5));
-}
-
 void LocalFarm::look_after() {
   if (const std::optional<int> status = reap(coordinator_)) {
-    note_death(coordinator_, *status);
+    coordinator_.life.note_death(WIFEXITED(*status), steady_ms());
     const int code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 0;
     const bool starved = code == static_cast<int>(ExitCode::out_of_resources);
-    if (starved || coordinator_.short_lives >= most_short_lives) {
+    if (starved || coordinator_.life.short_lives >= most_short_lives) {
       throw Error(static_cast<ExitCode>(code), "the coordinator ended unexpectedly: " +
                                                    last_error(options_.store / "coordinator.log"));
     }
   }
   for (Member& worker : workers_) {
-    if (const std::optional<int> status = reap(worker)) note_death(worker, *status);
-    if (worker.short_lives >= most_short_lives) {
+    if (const std::optional<int> status = reap(worker))
+      worker.life.note_death(WIFEXITED(*status), steady_ms());
+    if (worker.life.short_lives >= most_short_lives) {
       throw Error(ExitCode::failed,
                   "a worker ended unexpectedly: " + last_error(options_.store / "workers.log"));
     }
   }
   const std::int64_t now = steady_ms();
-  if (coordinator_.process <= 0 && now >= coordinator_.start_again_ms) {
+  if (coordinator_.process <= 0 && now >= coordinator_.life.start_again_ms) {
     start(coordinator_, coordinator_command(), "coordinator.log");
   }
   for (Member& worker : workers_) {
-    if (worker.process <= 0 && now >= worker.start_again_ms) {
+    if (worker.process <= 0 && now >= worker.life.start_again_ms) {
       start(worker, worker_command(), "workers.log");
     }
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "cli/member_life.h"
 
 namespace tetfarm {
 
@@ -51,16 +52,13 @@ class LocalFarm {
  private:
   struct Member {
     pid_t process = -1;
-    std::int64_t started_ms = 0;
-    std::int64_t start_again_ms = 0;
-    int short_lives = 0;
+    MemberLife life;
   };
 
   std::vector<std::string> coordinator_command() const;
   std::vector<std::string> worker_command() const;
   void start(Member& member, const std::vector<std::string>& command, const std::string& log);
   std::optional<int> reap(Member& member);
-  void note_death(Member& member, int status) const;
   bool wait_for_end(Member& member, std::int64_t until_ms, bool (*hurry)());
 
   FarmOptions options_;

@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <pwd.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/file.h>
@@ -18,9 +17,10 @@
 #include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
-#include "base/hash.h"
+#include "base/mebibytes.h"
 #include "cli/commands.h"
 #include "cli/coordinator_connection.h"
+#include "cli/pool_rules.h"
 #include "cli/pool_view.h"
 #include "coordinator/log_lines.h"
 #include "pool/run_command.h"
@@ -30,61 +30,10 @@ namespace {
 
 constexpr std::int64_t command_timeout_ms = 120'000;
 constexpr std::int64_t status_timeout_ms = 10'000;
-constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
 
 std::atomic<bool> wants_end = false;
 
 void ask_to_end(int /*signal*/) { wants_end = true; }
-
-std::string user_name() {
-  const passwd* user = ::getpwuid(::geteuid());
-  return user == nullptr ? std::to_string(::geteuid()) : user->pw_name;
-}
-
-std::string absolute_unless_empty(const std::string& path) {
-  return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
-}
-
-std::string name_of(const PoolCommand& command) {
-  return command.name.empty() ? hash128(command.endpoint).hex().substr(0, 8) : command.name;
-}
-
-PoolRules rules_of(const PoolCommand& command) {
-  PoolRules rules;
-  rules.name = name_of(command);
-  rules.min = command.min;
-  rules.max = command.max;
-  rules.least_bytes = command.memory_bytes / mib * mib;
-  rules.most_bytes = std::max(rules.least_bytes, command.max_memory_bytes / mib * mib);
-  rules.jobs_a_minute = command.rate;
-  rules.idle_ms = static_cast<std::int64_t>(command.idle_s * 1000);
-  rules.leave_ms = (command.grace_s + 60) * 1000;
-  rules.stops = command.stop;
-  if (command.min > command.max) throw UsageError("must not be more than --max", "--min");
-  if (rules.least_bytes < 256 * mib) throw UsageError("must be at least 256MB", "--memory");
-  return rules;
-}
-
-PoolSettings settings_of(const PoolCommand& command, const PoolRules& rules) {
-  PoolSettings settings;
-  settings.name = rules.name;
-  settings.user = user_name();
-  settings.program = command.program.empty()
-                         ? std::filesystem::read_symlink("/proc/self/exe").string()
-                         : command.program;
-  settings.coordinator = command.endpoint;
-  settings.store = absolute_unless_empty(command.store);
-  settings.cache = command.cache;
-  settings.key = absolute_unless_empty(command.worker_key);
-  settings.coordinator_key = absolute_unless_empty(command.keys.coordinator);
-  settings.logs = absolute_unless_empty(command.logs);
-  settings.walltime_s = command.walltime_s;
-  settings.grace_s = command.grace_s;
-  settings.most_bytes = rules.most_bytes;
-  settings.options = command.options;
-  settings.hosts = command.hosts;
-  return settings;
-}
 
 /// A farm that wants a key of the pool wants one of each worker, too.
 void require_worker_key(const PoolCommand& command) {
@@ -213,8 +162,8 @@ class Pool {
       }
       decisions_.submitted(order, ids, steady_ms());
       say({{"type", "submitted"}, {"jobs", ids}, {"bytes", order.bytes}},
-          "submitted " + counted(ids.size(), "worker") + " of " +
-              std::to_string(order.bytes / mib) + " MiB: " + ids.front() + " …");
+          "submitted " + counted(ids.size(), "worker") + " of " + mebibytes(order.bytes) + ": " +
+              ids.front() + " …");
     }
   }
 
@@ -256,15 +205,16 @@ void wait_between_looks(double seconds) {
 
 ExitCode pool_command(const PoolCommand& command) {
   require_worker_key(command);
-  const PoolRules rules = rules_of(command);
-  const auto system = make_batch_system(command.system, settings_of(command, rules));
+  const PoolRules rules = pool_rules(command);
+  const PoolSettings system_settings = pool_settings(command, rules);
+  const auto system = make_batch_system(command.system, system_settings);
   if (command.dry_run) {
     print_what_would_be_done(*system, rules);
     return ExitCode::ok;
   }
   spdlog::set_default_logger(spdlog::stderr_logger_st("tetfarm"));
   spdlog::set_formatter(one_line_formatter());
-  if (command.system != "ssh") make_folders(absolute_unless_empty(command.logs));
+  if (command.system != "ssh") make_folders(system_settings.logs);
   const OnlyOne only_one(rules.name);
   std::signal(SIGINT, ask_to_end);
   std::signal(SIGTERM, ask_to_end);

@@ -33,12 +33,6 @@ std::string format(const char* pattern, Arguments... arguments) {
   return text;
 }
 
-double share_done(const wire::JobStatus& status, const MeshingRate& rate) {
-  const std::optional<TaskKind> stage = task_kind_named(status.stage());
-  if (stage == TaskKind::mesh) return rate.share();
-  return stage > TaskKind::mesh ? 1 : 0;
-}
-
 /// The longest running one that has said something; null when none has.
 const wire::RunningTask* task_to_show(const wire::JobStatus& status) {
   for (const wire::RunningTask& task : status.running()) {
@@ -120,6 +114,12 @@ std::string forecast_text(const wire::JobStatus& status) {
                         .task_bytes = number("forecast_bytes"),
                         .disk_bytes = number("forecast_disk_bytes"),
                         .seconds = number("forecast_seconds")});
+}
+
+double share_done(const wire::JobStatus& status, const MeshingRate& rate) {
+  const std::optional<TaskKind> stage = task_kind_named(status.stage());
+  if (stage == TaskKind::mesh) return rate.share();
+  return stage > TaskKind::mesh ? 1 : 0;
 }
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style)

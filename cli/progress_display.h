@@ -20,6 +20,9 @@ std::string progress_text(const wire::JobStatus& status, double tets_per_second,
 /// edges (+2 tasks)"; "" when nothing is known of any.
 std::string running_text(const wire::JobStatus& status);
 
+/// How far the bar is: nothing before the leaves are meshed, `rate`'s share meanwhile, then all.
+double share_done(const wire::JobStatus& status, const MeshingRate& rate);
+
 /// A bar with the first of the texts that has room on a line of so many columns (0: not known)
 /// beside a bar of 4 at least; the last one is cut where none has.
 std::string bar_line(double share, const std::vector<std::string>& texts, std::size_t columns);

@@ -119,11 +119,11 @@ std::string event_text(const wire::EventLine& said) {
 std::string log_text(const wire::AttemptLine& said) {
   const wire::AttemptLine attempt = printable_reply(said);
   std::string text = attempt.job() + " task " + std::to_string(attempt.task()) + ", " +
-                     attempt.kind() + " " + subdomain_name(attempt.path()) + ": attempt " +
+                     attempt.kind() + (attempt.path() == 0 ? "" : " ") +
+                     subdomain_name(attempt.path()) + ": attempt " +
                      std::to_string(attempt.attempt()) + " on " + worker_name(attempt.worker()) +
-                     " " + attempt.host() + ", " + attempt.state() + "\n";
-  text = harmless(text, 1000);
-  text.back() = '\n';
+                     " " + attempt.host() + ", " + attempt.state();
+  text = harmless(text, 1000) + "\n";
   if (attempt.log().empty()) return text + "  (no output is kept)\n";
   std::size_t begin = 0;
   while (begin < attempt.log().size()) {

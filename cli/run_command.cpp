@@ -16,6 +16,8 @@
 #include "cli/local_farm.h"
 #include "cli/progress_display.h"
 #include "cli/stopped_run.h"
+#include "cli/typed_names.h"
+#include "cli/workers_wanted.h"
 #include "store/folder_lock.h"
 
 namespace tetfarm {
@@ -84,13 +86,6 @@ std::optional<Answer> ask_patiently(LocalFarm& farm, const Question& question) {
     }
   }
   return std::nullopt;
-}
-
-/// What the tasks that wait come to, and those that run: more workers than that have no work.
-std::size_t workers_wanted(const wire::StatusReply& farm) {
-  std::uint64_t tasks = tasks_under_way(farm).size();
-  for (const wire::TaskDemand& demand : farm.demand()) tasks += demand.tasks();
-  return static_cast<std::size_t>(tasks);
 }
 
 /// Follows the job to its end; nothing when told to stop first.
@@ -171,42 +166,6 @@ ExitCode report_stop(const RunOptions& options, const std::filesystem::path& sto
                stopped_text(stopped).c_str(),
                stopped.lost.empty() ? "" : "; --grace SECONDS lets running tasks finish first");
   return ExitCode::stopped_at_checkpoint;
-}
-
-/// Whether `text` began with `start`, which is taken away then.
-bool take_away(std::string& text, const std::string& start) {
-  if (!text.starts_with(start)) return false;
-  text.erase(0, start.size());
-  return true;
-}
-
-/// The first task names the surface without its folder, and options by the keys of a job file: here
-/// they are named as the user did.
-void name_as_typed(wire::JobStatus& end, const RunOptions& options, const JobInput& input) {
-  std::string message = end.message();
-  if (end.state() != "failed" || !take_away(message, "inspect: ")) return;
-  if (end.exit_code() == static_cast<int>(ExitCode::bad_geometry)) {
-    take_away(message, input.job.surface + ": ");
-    message = input.path + ": " + message;
-  } else if (!options.max_memory.empty() && take_away(message, "[decompose] max_memory: ")) {
-    message = "--max-memory " + options.max_memory + ": " + message;
-  }
-  end.set_message(message);
-}
-
-/// Result files that were damaged since they were made; whether there were any. They are set aside,
-/// so that the job makes them again.
-bool set_damaged_aside(const wire::JobStatus& status, const ArtifactStore& store) {
-  bool is_damaged = false;
-  for (const wire::Artifact& file : status.files()) {
-    try {
-      store.verify(file.hash(), file.size());
-    } catch (const CorruptFile&) {
-      store.set_aside(file.hash());
-      is_damaged = true;
-    }
-  }
-  return is_damaged;
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "cli/fetch_files.h"
 #include "cli/job_outcome.h"
 #include "cli/progress_display.h"
+#include "cli/service_options.h"
 #include "coordinator/log_lines.h"
 #include "coordinator/server.h"
 #include "worker/client.h"
@@ -204,34 +205,7 @@ ExitCode drain_command(const DrainCommand& command) {
 
 ExitCode coordinator_command(const CoordinatorCommand& command) {
   log_to_stderr(command.quiet);
-  CoordinatorOptions options;
-  options.store = command.store;
-  options.database = command.database;
-  options.keys = command.keys;
-  options.endpoints = command.endpoints;
-  options.allowed_roots.assign(command.allowed_roots.begin(), command.allowed_roots.end());
-  options.max_connections = command.max_connections;
-  options.max_workers = command.max_workers;
-  options.heartbeat_ms = command.heartbeat_ms;
-  options.lease_ms = command.lease_ms;
-  options.task_limit_ms = in_ms(command.task_limit_s);
-  options.first_task_limit_ms = in_ms(command.first_task_limit_s);
-  options.insecure = command.insecure;
-  options.one_job = command.one_job;
-  options.http_address = command.http_address;
-  options.http_token = command.http_token;
-  options.on_http = [&command](const std::string& address) {
-    if (!command.quiet) std::printf("status page on http://%s/\n", address.c_str());
-    std::fflush(stdout);
-  };
-  options.log_to_stderr = !command.quiet;
-  options.on_listening = [&command](const std::vector<std::string>& endpoints) {
-    for (const std::string& endpoint : endpoints) {
-      if (!command.quiet) std::printf("listening on %s\n", endpoint.c_str());
-    }
-    std::fflush(stdout);
-  };
-  return run_coordinator(options);
+  return run_coordinator(coordinator_options(command));
 }
 
 ExitCode worker_command(const WorkerCommand& command) {
@@ -241,32 +215,11 @@ ExitCode worker_command(const WorkerCommand& command) {
   if (std::filesystem::path(command.store).filename() != ".tetfarm") {
     ::umask(::umask(0) | S_IRWXO);
   }
-  WorkerOptions options;
-  options.endpoint = command.endpoint;
-  options.keys = command.keys;
-  if (!command.store.empty()) {
-    options.store = std::filesystem::absolute(command.store);
-    if (options.keys.coordinator.empty() && !options.keys.own.empty() && command.no_shared_store) {
-      options.keys.coordinator = published_key_path(options.store);
-    }
-  }
-  if (command.no_shared_store) options.store.clear();
-  options.cache = std::filesystem::absolute(
-      command.cache.empty() ? default_cache_folder() : std::filesystem::path(command.cache));
-  options.cache_bytes = command.cache_bytes;
-  options.task_command = {"/proc/self/exe", "task"};
-  options.host_command = {"/proc/self/exe", "task-host"};
-  options.memory_bytes = command.memory_bytes;
-  options.tag = command.tag;
-  options.pool_memory_bytes = command.pool_memory_bytes;
   const auto environment = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string(value == nullptr ? "" : value);
   };
-  options.ends_in_ms =
-      command.walltime_s > 0 ? in_ms(command.walltime_s) : walltime_left_ms(environment, wall_ms());
-  options.grace_ms = in_ms(command.grace_s);
-  return run_worker(options);
+  return run_worker(worker_options(command, environment, wall_ms()));
 }
 
 ExitCode task_command(const TaskCommand& command) {

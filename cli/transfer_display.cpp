@@ -29,6 +29,20 @@ std::string bytes_text(std::uint64_t bytes) {
   return std::to_string(bytes) + " B";
 }
 
+std::string transfer_text(const std::string& what, std::uint64_t there, std::uint64_t size,
+                          std::uint64_t begun_at, std::int64_t passed_ms) {
+  const std::string text = what + "  " + bytes_text(there) + " of " + bytes_text(size);
+  if (passed_ms <= 0) return text;
+  return text + "  " +
+         bytes_text((there - begun_at) * 1000 / static_cast<std::uint64_t>(passed_ms)) + "/s";
+}
+
+std::string transfer_bar(std::uint64_t there, std::uint64_t size) {
+  std::string bar;
+  for (std::uint64_t i = 0; i < bar_width; ++i) bar += i * size < there * bar_width ? "█" : "─";
+  return bar;
+}
+
 TransferDisplay::TransferDisplay(ProgressStyle style)
     : style_(style), is_bar_(style == ProgressStyle::automatic && ::isatty(STDERR_FILENO) == 1) {}
 
@@ -43,16 +57,12 @@ void TransferDisplay::show(const std::string& what, std::uint64_t there, std::ui
   }
   if (now - shown_ms_ < (is_bar_ ? between_bars_ms : between_lines_ms)) return;
   shown_ms_ = now;
-  std::string text = what + "  " + bytes_text(there) + " of " + bytes_text(size);
-  const auto passed_ms = static_cast<std::uint64_t>(now - begun_ms_);
-  if (passed_ms > 0) text += "  " + bytes_text((there - begun_at_) * 1000 / passed_ms) + "/s";
+  const std::string text = transfer_text(what, there, size, begun_at_, now - begun_ms_);
   if (!is_bar_) {
     std::fprintf(stderr, "%s\n", text.c_str());
     return;
   }
-  std::string bar;
-  for (std::uint64_t i = 0; i < bar_width; ++i) bar += i * size < there * bar_width ? "█" : "─";
-  std::fprintf(stderr, "\r\033[K%s %s", bar.c_str(), text.c_str());
+  std::fprintf(stderr, "\r\033[K%s %s", transfer_bar(there, size).c_str(), text.c_str());
   std::fflush(stderr);
   bar_is_drawn_ = true;
 }

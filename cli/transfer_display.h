@@ -12,6 +12,13 @@ namespace tetfarm {
 /// "812 B", "1.3 MB", "4.05 GB".
 std::string bytes_text(std::uint64_t bytes);
 
+/// "fetching wing.vtkhdf  1.3 GB of 4.05 GB  98.1 MB/s": `begun_at` were there `passed_ms` ago.
+std::string transfer_text(const std::string& what, std::uint64_t there, std::uint64_t size,
+                          std::uint64_t begun_at, std::int64_t passed_ms);
+
+/// How much of `size` is there, as a bar.
+std::string transfer_bar(std::uint64_t there, std::uint64_t size);
+
 class TransferDisplay {
  public:
   explicit TransferDisplay(ProgressStyle style);
@@ -20,7 +27,6 @@ class TransferDisplay {
   /// Clears the bar.
   ~TransferDisplay() { end(); }
 
-  /// "fetching wing.vtkhdf  1.3 GB of 4.05 GB  98.1 MB/s".
   void show(const std::string& what, std::uint64_t there, std::uint64_t size);
   /// Clears the bar, so that other lines may follow.
   void end();

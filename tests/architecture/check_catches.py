@@ -34,7 +34,7 @@ PLACES = {
         "worker/client.cpp": 6,
         "cli/farm_view.cpp": 1,
         "cli/pool_command.cpp": 2,
-        "cli/run_command.cpp": 4,
+        "cli/run_command.cpp": 3,
         "cli/run_folder.cpp": 1,
     },
     "a disk is full or gone, and the caller waits or says so": {
@@ -46,6 +46,7 @@ PLACES = {
         "worker/store_probe.cpp": 2,
     },
     "damage is looked for": {
+        "cli/deliver_files.cpp": 1,
         "store/database_backup.cpp": 2,
         "store/store_check.cpp": 1,
         "worker/output_upload.cpp": 1,

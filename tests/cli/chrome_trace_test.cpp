@@ -110,5 +110,62 @@ TEST(ChromeTrace, of_nothing_is_a_trace_too) {
   EXPECT_TRUE(json::parse(chrome_trace({}, {}, 5)).at("traceEvents").is_array());
 }
 
+TEST(ChromeTrace, has_all_that_is_known_of_an_attempt) {
+  wire::AttemptLine line = attempt(4, 9, "done", 2000, 2500);
+  line.set_message("why");
+  line.set_peak_rss_bytes(77);
+  const json slice =
+      of_phase(json::parse(chrome_trace({line}, {event(0, "ready", 1000)}, 5000)), "X").at(0);
+  json expected = {{"name", "mesh"}, {"cat", "mesh"}, {"ph", "X"}, {"ts", 1'000'000},
+                   {"dur", 500'000}, {"pid", 2},      {"tid", 74}};
+  expected["cname"] = slice["cname"];
+  expected["args"] = {{"place", "LR"},    {"task", 9},      {"attempt", 4},
+                      {"result", "done"}, {"races", false}, {"peak_rss_bytes", 77},
+                      {"message", "why"}};
+  EXPECT_EQ(slice, expected);
+}
+
+TEST(ChromeTrace, colours_what_runs_what_failed_and_what_nobody_knows) {
+  const auto colour = [](const std::string& state, const std::string& kind) {
+    wire::AttemptLine line = attempt(1, 7, state, 1000, 2000);
+    line.set_kind(kind);
+    line.set_path(0);
+    const json slice = of_phase(json::parse(chrome_trace({line}, {}, 5000)), "X").at(0);
+    EXPECT_EQ(slice["args"]["place"], "");
+    return slice["cname"].get<std::string>();
+  };
+  EXPECT_EQ(colour("running", "mesh"), "white");
+  EXPECT_EQ(colour("lost", "mesh"), "terrible");
+  EXPECT_EQ(colour("done", "unheard_of"), "grey");
+  EXPECT_NE(colour("done", "mesh"), colour("done", "write"));
+}
+
+TEST(ChromeTrace, names_rows_after_hosts_and_workers) {
+  std::vector<std::string> names;
+  for (const json& row : of_phase(some_trace(), "M")) {
+    names.push_back(row["name"].get<std::string>() + " " + std::to_string(row["pid"].get<int>()) +
+                    " " + std::to_string(row["tid"].get<int>()) + ": " +
+                    row["args"]["name"].get<std::string>());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"process_name 1 0: waiting for a worker",
+                                             "process_name 2 0: host-a", "process_name 3 0: host-b",
+                                             "thread_name 2 71: worker-1 (process 71)",
+                                             "thread_name 3 72: worker-2 (process 72)",
+                                             "thread_name 3 73: worker-3 (process 73)"}));
+}
+
+TEST(ChromeTrace, of_waiting_says_which_task_where) {
+  const json begin = of_phase(some_trace(), "b").at(0);
+  EXPECT_EQ(begin["name"], "mesh");
+  EXPECT_EQ(begin["cat"], "waiting");
+  EXPECT_EQ(begin["pid"], 1);
+  EXPECT_EQ(begin["id"], 1);
+  EXPECT_EQ(begin["args"], json({{"task", 7}, {"place", "LR"}}));
+  // An attempt that begins the moment that its task is ready has not waited.
+  const json none = json::parse(
+      chrome_trace({attempt(1, 7, "done", 1000, 1300)}, {event(7, "ready", 1000)}, 4000));
+  EXPECT_TRUE(of_phase(none, "b").empty());
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -133,5 +133,101 @@ TEST(ClockText, shows_hours_only_when_there_are_any) {
   EXPECT_EQ(clock_text(3723), "1:02:03");
 }
 
+TEST(ProgressText, is_a_line_with_columns) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  status.set_leaves_made(63);
+  status.set_leaves_meshed(41);
+  status.set_leaves_mended(2);
+  status.set_elements(2'000'000);
+  status.set_estimated_elements(5e6);
+  status.set_attempts_lost(3);
+  EXPECT_EQ(progress_text(status, 1e5),
+            "mesh       41/63 sub-domains  2 improved at cuts  2.0M tets  100.0k tets/s  eta 00:30"
+            "  3 lost");
+  EXPECT_EQ(progress_text(status, 1e5, false),
+            "mesh       41/63 sub-domains  2 improved at cuts  2.0M tets  eta 00:30  3 lost");
+  status.set_estimated_elements(2e6);
+  EXPECT_THAT(progress_text(status, 1e5), Not(HasSubstr("eta"))) << "nothing is left";
+  status.set_estimated_elements(5e6);
+  status.set_stage("cosmetic");
+  EXPECT_THAT(progress_text(status, 1e5), Not(HasSubstr("eta"))) << "no more is meshed";
+}
+
+TEST(BarLine, has_a_bar_of_four_to_two_dozen) {
+  EXPECT_EQ(columns_of(bar_line(0.5, {"12345"}, 200)), 24U + 1 + 5);
+  EXPECT_EQ(columns_of(bar_line(0.5, {"12345"}, 24)), 23U);
+  EXPECT_EQ(columns_of(bar_line(0.5, {"12345"}, 11)), 4U + 1 + 5);
+  EXPECT_EQ(bar_line(0.5, {"12345"}, 10), "██── 1234");
+}
+
+TEST(ShortCount, changes_its_unit_at_its_limits) {
+  EXPECT_EQ(short_count(0), "0");
+  EXPECT_EQ(short_count(1e4), "10.0k");
+  EXPECT_EQ(short_count(1e6), "1.0M");
+  EXPECT_EQ(short_count(1e9), "1.00G");
+}
+
+/// What a display says of one status after the other.
+std::string shown(const std::vector<wire::JobStatus>& statuses, ProgressStyle style) {
+  ::testing::internal::CaptureStderr();
+  ProgressDisplay display(style);
+  for (const wire::JobStatus& status : statuses) display.show(status);
+  display.end();
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(ProgressDisplay, says_a_line_for_each_stage_and_what_is_expected_once) {
+  wire::JobStatus inspect;
+  inspect.set_stage("inspect");
+  wire::JobStatus mesh;
+  mesh.set_stage("mesh");
+  mesh.set_leaves_made(2);
+  mesh.set_estimated_elements(2e6);
+  (*mesh.mutable_numbers())["forecast_seconds"] = 12;
+  wire::JobStatus later = mesh;
+  later.set_leaves_meshed(1);
+  const std::string expected =
+      "inspect   \n"
+      "expected   about 2.0 M elements, 0 B of memory per task, 0 B of disk, 12 s on one core\n"
+      "mesh       0/2 sub-domains\n";
+  for (const ProgressStyle style : {ProgressStyle::plain, ProgressStyle::automatic}) {
+    EXPECT_EQ(shown({inspect, inspect, mesh, later}, style), expected) << "no terminal is there";
+  }
+  EXPECT_EQ(shown({inspect, mesh}, ProgressStyle::none), "");
+}
+
+TEST(ProgressDisplay, says_what_the_longest_task_does) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  wire::RunningTask& task = *status.add_running();
+  task.set_kind("mesh");
+  task.set_attempt(1);
+  *task.mutable_doing() = doing_message({WorkStage::edges, 3, 312, 1204});
+  wire::JobStatus other_stage = status;
+  *other_stage.mutable_running(0)->mutable_doing() = doing_message({WorkStage::faces, 1, 2, 3});
+  EXPECT_EQ(shown({status, other_stage}, ProgressStyle::plain),
+            "mesh        recovery pass 3: 312 of 1,204 edges\n")
+      << "the next line is not due in the same second";
+}
+
+TEST(ShareDone, is_that_of_meshing_while_leaves_are_meshed) {
+  wire::JobStatus status;
+  status.set_stage("mesh");
+  status.set_estimated_elements(100);
+  status.set_elements(25);
+  MeshingRate rate;
+  rate.note(status, 0);
+  EXPECT_EQ(share_done(status, rate), 0.25);
+  for (const char* stage : {"", "inspect", "decompose", "assimilate"}) {
+    status.set_stage(stage);
+    EXPECT_EQ(share_done(status, rate), 0) << stage;
+  }
+  for (const char* stage : {"cosmetic", "write", "assemble"}) {
+    status.set_stage(stage);
+    EXPECT_EQ(share_done(status, rate), 1) << stage;
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

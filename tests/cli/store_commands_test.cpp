@@ -1,12 +1,15 @@
 // The commands over a store at rest, called as main calls them.
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "cli/commands.h"
 #include "store/artifact_store.h"
 #include "store/folder_lock.h"
 #include "store/job_database.h"
 #include "tests/base/temp_folder.h"
+#include "tests/cli/said.h"
 
 namespace tetfarm {
 namespace {
@@ -91,6 +94,49 @@ TEST_F(StoreCommands, a_sound_store_ends_well_and_a_damaged_one_with_an_error) {
   EXPECT_EQ(check(), ExitCode::ok);
   std::filesystem::remove(store_.path_of(result_.hash));
   EXPECT_THAT([&] { check(); }, ThrowsMessage<Error>(HasSubstr("1 file is damaged or missing")));
+}
+
+TEST_F(StoreCommands, what_gc_did_is_told_to_programs) {
+  GcCommand command;
+  command.store = folder_.path();
+  command.json = true;
+  command.dry_run = true;
+  EXPECT_EQ(said_by([&] { return gc_command(command); }).out,
+            "{\"type\":\"gc\",\"dry_run\":true,\"files\":1,\"bytes\":9,"
+            "\"perhaps_being_written\":0}\n");
+  EXPECT_TRUE(is_there(garbage_));
+  command.dry_run = false;
+  EXPECT_EQ(said_by([&] { return gc_command(command); }).out,
+            "{\"type\":\"gc\",\"dry_run\":false,\"files\":1,\"bytes\":9,"
+            "\"perhaps_being_written\":0}\n");
+  EXPECT_FALSE(is_there(garbage_));
+  EXPECT_EQ(gc(false), "0 files, 0 bytes removed\n");
+}
+
+TEST_F(StoreCommands, a_check_tells_of_each_file_that_is_damaged_and_what_runs_again) {
+  CheckOptions options;
+  options.store = folder_.path();
+  const auto checked = [&options] { return said_by([&] { return check_store_command(options); }); };
+  EXPECT_EQ(checked().out, "files           1, 0 damaged\n");
+  options.json = true;
+  EXPECT_EQ(checked().out,
+            "{\"type\":\"store_check\",\"files\":1,\"sound\":true,\"damaged\":[],\"redo\":[],"
+            "\"hopeless\":[]}\n");
+  std::filesystem::remove(store_.path_of(result_.hash));
+  const nlohmann::json told = nlohmann::json::parse(checked().out);
+  EXPECT_EQ(told["sound"], false);
+  ASSERT_EQ(told["damaged"].size(), 1U);
+  EXPECT_EQ(told["damaged"][0]["hash"], result_.hash);
+  EXPECT_EQ(told["damaged"][0]["name"], "mesh");
+  EXPECT_EQ(told["damaged"][0]["size"], 6);
+  EXPECT_EQ(told["damaged"][0]["state"], "missing");
+  EXPECT_EQ(told["damaged"][0]["made_by"], nlohmann::json({1}));
+  options.json = false;
+  const Said said = checked();
+  EXPECT_EQ(said.code, ExitCode::failed);
+  EXPECT_THAT(said.out, HasSubstr(result_.hash + "  'mesh': missing"));
+  EXPECT_THAT(said.error,
+              ::testing::StartsWith(folder_.path().string() + ": 1 file is damaged or missing; "));
 }
 
 }  // namespace

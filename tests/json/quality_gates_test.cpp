@@ -66,5 +66,41 @@ TEST(QualityGates, a_job_of_an_older_program_has_no_unforced_gate) {
   EXPECT_THAT(quality_gates_of(status), SizeIs(1));
 }
 
+TEST(QualityGates, are_told_with_place_limit_and_what_to_do) {
+  QualityGate gate{"min_dihedral", 5, 3, {1.5, 2.5, -3}};
+  EXPECT_EQ(gate_text(gate),
+            "error: the smallest dihedral angle is 3.00 deg, near (1.5, 2.5, -3); the job's gate "
+            "is 5.00 deg\nhelp: the mesh is complete; `tetfarm quality` shows more\n");
+  gate.key = "min_unforced_dihedral";
+  EXPECT_EQ(gate_text(gate),
+            "error: where the surface forces no small angles, the smallest dihedral angle is 3.00 "
+            "deg, near (1.5, 2.5, -3); the job's gate is 5.00 deg\n"
+            "help: the mesh is complete; `tetfarm quality` shows more. A finer surface there, or a "
+            "smaller size, gives better elements; `[quality] min_unforced_dihedral` in the job "
+            "file sets the gate; 0 means none\n");
+}
+
+TEST(QualityGates, are_at_the_places_of_their_own_angles) {
+  wire::JobStatus status;
+  auto& numbers = *status.mutable_numbers();
+  double next = 1;
+  for (const char* name :
+       {"min_dihedral_gate_deg", "min_dihedral_deg", "worst_x", "worst_y", "worst_z",
+        "min_unforced_dihedral_gate_deg", "unforced_min_dihedral_deg", "unforced_worst_x",
+        "unforced_worst_y", "unforced_worst_z", "unforced_elements"}) {
+    numbers[name] = next++;
+  }
+  const std::vector<QualityGate> gates = quality_gates_of(status);
+  ASSERT_THAT(gates, SizeIs(2));
+  EXPECT_EQ(gates[0].key, "min_dihedral");
+  EXPECT_EQ(gates[0].limit_deg, 1);
+  EXPECT_EQ(gates[0].smallest_deg, 2);
+  EXPECT_EQ(gates[0].at, (std::array<double, 3>{3, 4, 5}));
+  EXPECT_EQ(gates[1].key, "min_unforced_dihedral");
+  EXPECT_EQ(gates[1].limit_deg, 6);
+  EXPECT_EQ(gates[1].smallest_deg, 7);
+  EXPECT_EQ(gates[1].at, (std::array<double, 3>{8, 9, 10}));
+}
+
 }  // namespace
 }  // namespace tetfarm

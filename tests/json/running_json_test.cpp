@@ -39,5 +39,14 @@ TEST(RunningJson, of_a_task_of_which_nothing_is_known_says_nothing) {
   EXPECT_EQ(running_json(status)[0]["doing"], "");
 }
 
+TEST(RunningJson, has_all_that_is_known_of_a_task) {
+  wire::JobStatus status = job_with(1);
+  status.mutable_running(0)->set_attempt(40);
+  EXPECT_EQ(running_json(status).dump(),
+            R"([{"task":11,"kind":"mesh","path":5,"attempt":40,"seconds":72.0,)"
+            R"("doing":"recovery pass 3: 312 of 1,204 edges","doing_stage":"edges",)"
+            R"("doing_pass":3,"doing_done":312,"doing_total":1204,"share":0.21}])");
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -70,5 +70,65 @@ TEST(SurfaceAngles, of_a_job_are_those_that_its_last_task_told) {
                          " in patch \"wing\"")));
 }
 
+SurfaceAngles told_angles(double forced_deg) {
+  SurfaceAngles angles;
+  angles.forced = {forced_deg, {1, 2, 3}};
+  angles.triangles.triangles = 100;
+  angles.triangles.smallest_deg = 0.5;
+  angles.triangles.below_1_deg = 1;
+  angles.triangles.below_5_deg = 2;
+  angles.triangles.worst = {{17, 0.5, {4, 5, 6}, "wing"}, {18, 0.75, {7, 8, 9}, ""}};
+  return angles;
+}
+
+TEST(SurfaceAngles, are_remarked_in_whole_sentences) {
+  const std::vector<std::string> remarks = angle_remarks(told_angles(12));
+  ASSERT_EQ(remarks.size(), 3U);
+  EXPECT_EQ(remarks[1],
+            "faces of the mesh have angles down to 0.50 deg, as they are the surface's own "
+            "triangles; for better elements, remesh the surface near (4, 5, 6), patch \"wing\"");
+  EXPECT_EQ(remarks[2],
+            "the edge between two triangles forces a dihedral angle of 12.00 deg or less near "
+            "(1, 2, 3)");
+  SurfaceAngles without_patch = told_angles(20);
+  without_patch.triangles.worst.front().patch = "";
+  const std::vector<std::string> fewer = angle_remarks(without_patch);
+  ASSERT_EQ(fewer.size(), 2U) << "20 degrees are no small angle";
+  EXPECT_TRUE(fewer[1].ends_with("near (4, 5, 6)")) << fewer[1];
+  EXPECT_EQ(angle_remarks(told_angles(19.99)).size(), 3U);
+}
+
+TEST(SurfaceAngles, are_told_to_programs_each_with_its_place) {
+  EXPECT_EQ(surface_angles_json(told_angles(12)).dump(),
+            R"({"smallest_angle_deg":0.5,"triangles_below_1_deg":1,"triangles_below_5_deg":2,)"
+            R"("forced_dihedral_deg":12.0,"forced_at":[1.0,2.0,3.0],"worst":[)"
+            R"({"triangle":17,"angle_deg":0.5,"at":[4.0,5.0,6.0],"patch":"wing"},)"
+            R"({"triangle":18,"angle_deg":0.75,"at":[7.0,8.0,9.0],"patch":""}]})");
+}
+
+TEST(SurfaceAngles, of_a_job_has_as_many_of_the_worst_as_were_told) {
+  wire::JobStatus status;
+  auto& numbers = *status.mutable_numbers();
+  numbers["surface_triangles"] = 100;
+  numbers["forced_dihedral_deg"] = 40;
+  numbers["forced_x"] = 1;
+  numbers["forced_y"] = 2;
+  numbers["forced_z"] = 3;
+  for (int i = 1; i <= 3; ++i) {
+    const std::string which = "surface_worst_" + std::to_string(i);
+    numbers[which + "_triangle"] = 10 + i;
+    numbers[which + "_angle_deg"] = 0.5 * i;
+    numbers[which + "_z"] = i;
+  }
+  const SurfaceAngles angles = surface_angles_of(status);
+  EXPECT_EQ(angles.forced.at_most_deg, 40);
+  EXPECT_EQ(angles.forced.at, (Vec3{1, 2, 3}));
+  EXPECT_EQ(angles.triangles.triangles, 100);
+  ASSERT_EQ(angles.triangles.worst.size(), 3U);
+  EXPECT_EQ(angles.triangles.worst[2].triangle, 13);
+  EXPECT_EQ(angles.triangles.worst[2].angle_deg, 1.5);
+  EXPECT_EQ(angles.triangles.worst[2].at, (Vec3{0, 0, 3}));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -358,7 +358,9 @@ TEST(RunCommand, keeps_output_feeds_input_and_ends_what_takes_too_long) {
   const CommandOutcome missing = run_command({{"/no/such/program"}, ""}, 10'000);
   EXPECT_EQ(missing.code, 127);
   EXPECT_THAT(missing.err, HasSubstr("No such file"));
-  EXPECT_EQ(run_command({{"sleep", "60"}, ""}, 100).code, -1);
+  const CommandOutcome late = run_command({{"sleep", "60"}, ""}, 100);
+  EXPECT_EQ(late.code, -1);
+  EXPECT_EQ(late.err, "was killed, or did not answer in time");
 }
 
 TEST(RunCommand, ends_with_a_command_what_the_command_has_started) {
@@ -383,6 +385,217 @@ TEST(HoursMinutesSeconds, has_as_many_hours_as_there_are) {
   EXPECT_EQ(hours_minutes_seconds(3'600 + 23 * 60 + 4), "01:23:04");
   EXPECT_EQ(hours_minutes_seconds(3 * 24 * 3'600), "72:00:00");
   EXPECT_EQ(hours_minutes_seconds(200 * 3'600 + 59 * 60), "200:59:00");
+}
+
+/// What is wrong with settings; "": nothing.
+std::string refusal_of(const PoolSettings& with, const std::string& system = "slurm") {
+  try {
+    make_batch_system(system, with);
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+TEST(BatchSystem, says_what_it_cannot_take) {
+  const std::string name = ": a pool's name must be 1 to 40 letters, digits, _ and -";
+  PoolSettings with = settings();
+  for (const std::string& bad : {std::string("a b"), std::string("a/b"), std::string(41, 'a')}) {
+    with.name = bad;
+    EXPECT_EQ(refusal_of(with), bad + name);
+  }
+  with.name = "";
+  EXPECT_EQ(refusal_of(with), name.substr(2));
+  with.name = std::string(36, 'a') + "A9_-";
+  EXPECT_EQ(refusal_of(with), "");
+  with = settings();
+  const std::string control = ": must not contain control characters";
+  for (std::string PoolSettings::*path :
+       {&PoolSettings::program, &PoolSettings::coordinator, &PoolSettings::store,
+        &PoolSettings::cache, &PoolSettings::key, &PoolSettings::coordinator_key,
+        &PoolSettings::logs}) {
+    PoolSettings odd = settings();
+    odd.*path = "a\x7f";
+    EXPECT_EQ(refusal_of(odd), "pool" + control);
+    odd.*path = "a\x1f";
+    EXPECT_EQ(refusal_of(odd), "pool" + control);
+  }
+  with.options = {"a", "b\t"};
+  EXPECT_EQ(refusal_of(with), "--option" + control);
+  with = settings();
+  for (const char* logs : {"/my logs", "/l\"", "/l'", "/l%", "/l$"}) {
+    with.logs = logs;
+    EXPECT_EQ(
+        refusal_of(with),
+        std::string(logs) + ": the path of the log folder must not contain spaces, quotes, % or $");
+  }
+  EXPECT_EQ(refusal_of(settings(), "pbs"), "pbs: not a batch system");
+  EXPECT_EQ(refusal_of(settings(), "ssh"),
+            "--hosts: is missing: name the hosts to start workers on");
+  EXPECT_EQ(refusal_of(settings(), "local"), "");
+}
+
+TEST(Hosts, have_a_name_and_perhaps_slots) {
+  PoolSettings with = settings();
+  for (const char* host : {"", ":2", "a:x", "a:2:3", "a:123456", "a b", "-a", "a;b", "a/b"}) {
+    with.hosts = {"good", host};
+    EXPECT_EQ(refusal_of(with, "ssh"), (*host == 0 ? "" : std::string(host) + ": ") +
+                                           "is not a host: give NAME or NAME:SLOTS")
+        << host;
+  }
+  with.hosts = {"anna@node-1.site_2", "b:99999"};
+  EXPECT_EQ(refusal_of(with, "ssh"), "");
+}
+
+TEST(Hosts, without_slots_take_one_worker) {
+  PoolSettings with = settings();
+  with.hosts = {"one"};
+  const auto ssh = make_batch_system("ssh", with);
+  const std::string script = ssh->submit({5, 4 * gib}, {}).at(0).input;
+  EXPECT_THAT(script, HasSubstr("[ $i -lt 1 ]"));
+  EXPECT_THAT(ssh->submit({5, 4 * gib}, {{"one/ab", PoolJobState::running, 0}}), IsEmpty());
+}
+
+TEST(Hosts, are_asked_for_their_own_workers_and_told_to_end_those) {
+  PoolSettings with = settings();
+  with.hosts = {"one:2", "two"};
+  const auto ssh = make_batch_system("ssh", with);
+  const auto commands = ssh->cancel({"two/ab", "two/c d"});
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_THAT(commands[0].input, HasSubstr(" two sh -s"));
+  EXPECT_THAT(commands[0].input, Not(HasSubstr(" one sh -s")));
+  EXPECT_THAT(commands[0].input, HasSubstr("for name in ab 'c d'; do"));
+  EXPECT_THAT(ssh->cancel({"three/ab"}), IsEmpty());
+  const std::string list = ssh->list().at(0).input;
+  EXPECT_THAT(list, HasSubstr("--tag farm/one/${1##*/} \""));
+  EXPECT_THAT(list, HasSubstr("echo listed one\n"));
+  EXPECT_THAT(list, HasSubstr("echo listed two\n"));
+  const auto jobs = ssh->listed({0, "job one/ab 77\njob one/cd x\nlisted one\nlisted two\n", ""});
+  ASSERT_THAT(ids_of(jobs), ElementsAre("one/ab"));
+  EXPECT_EQ((*jobs)[0].state, PoolJobState::running);
+  EXPECT_EQ((*jobs)[0].bytes, 77U);
+  EXPECT_FALSE(ssh->listed({1, "listed one\n", ""}).has_value());
+}
+
+PoolJobState state_in(const std::string& system, const std::string& answer) {
+  const auto jobs = make_batch_system(system, settings())->listed({0, answer, ""});
+  EXPECT_TRUE(jobs && jobs->size() == 1) << answer;
+  return jobs && !jobs->empty() ? jobs->front().state : PoolJobState::ending;
+}
+
+TEST(Slurm, knows_its_states_and_what_a_job_never_gets_over) {
+  const auto of = [](const std::string& state, const std::string& reason = "None") {
+    return state_in("slurm", "1_1|" + state + "|" + reason + "|tetfarm-farm-4096M\n");
+  };
+  for (const char* state :
+       {"RUNNING", "SUSPENDED", "CONFIGURING", "STOPPED", "SIGNALING", "RESIZING"}) {
+    EXPECT_EQ(of(state), PoolJobState::running) << state;
+  }
+  for (const char* state : {"PENDING", "REQUEUED", "REQUEUE_FED"}) {
+    EXPECT_EQ(of(state), PoolJobState::pending) << state;
+  }
+  for (const char* state : {"REQUEUE_HOLD", "SPECIAL_EXIT"}) {
+    EXPECT_EQ(of(state), PoolJobState::broken) << state;
+  }
+  for (const char* state : {"COMPLETING", "CANCELLED", "FAILED", "TIMEOUT"}) {
+    EXPECT_EQ(of(state), PoolJobState::ending) << state;
+  }
+  for (const char* reason :
+       {"JobHeldAdmin", "JobHeldUser", "BadConstraints", "launch_failed_requeued_held",
+        "InvalidAccount", "InvalidQOS", "PartitionTimeLimit"}) {
+    EXPECT_EQ(of("PENDING", reason), PoolJobState::broken) << reason;
+    EXPECT_EQ(of("RUNNING", reason), PoolJobState::running) << reason;
+  }
+  EXPECT_EQ(of("PENDING", "Priority"), PoolJobState::pending);
+}
+
+TEST(HTCondor, knows_its_states) {
+  const auto of = [](int status) {
+    return state_in("condor", "1 0 " + std::to_string(status) + " tetfarm-farm-4096M\n");
+  };
+  EXPECT_EQ(of(1), PoolJobState::pending);
+  for (const int status : {2, 6, 7}) EXPECT_EQ(of(status), PoolJobState::running) << status;
+  EXPECT_EQ(of(5), PoolJobState::broken);
+  for (const int status : {3, 4}) EXPECT_EQ(of(status), PoolJobState::ending) << status;
+}
+
+TEST(Lsf, knows_its_states) {
+  const auto of = [](const std::string& state) {
+    return state_in("lsf", "1|1|" + state + "|tetfarm-farm-4096M[1]\n");
+  };
+  for (const char* state : {"PEND", "WAIT", "PROV"}) {
+    EXPECT_EQ(of(state), PoolJobState::pending) << state;
+  }
+  for (const char* state : {"RUN", "SSUSP", "USUSP", "UNKWN"}) {
+    EXPECT_EQ(of(state), PoolJobState::running) << state;
+  }
+  EXPECT_EQ(of("PSUSP"), PoolJobState::broken);
+  for (const char* state : {"DONE", "EXIT", "ZOMBI"}) {
+    EXPECT_EQ(of(state), PoolJobState::ending) << state;
+  }
+}
+
+TEST(GridEngine, knows_its_states) {
+  const auto of = [](const std::string& state) {
+    return state_in("ge",
+                    "<job_info><job_list><JB_job_number>12</JB_job_number>"
+                    "<JB_name>tetfarm-farm-4096M</JB_name><state>" +
+                        state + "</state><tasks>1</tasks></job_list></job_info>");
+  };
+  EXPECT_EQ(of("qw"), PoolJobState::pending);
+  for (const char* state : {"r", "t", "Rr", "s", "S", "T"}) {
+    EXPECT_EQ(of(state), PoolJobState::running) << state;
+  }
+  for (const char* state : {"Eqw", "hqw"}) EXPECT_EQ(of(state), PoolJobState::broken) << state;
+  for (const char* state : {"dr", "dEqw"}) EXPECT_EQ(of(state), PoolJobState::ending) << state;
+}
+
+TEST(BatchSystem, is_asked_by_the_documented_commands) {
+  const auto submit = [](const char* system) {
+    return make_batch_system(system, settings())->submit({5, 4 * gib}, {}).at(0).words;
+  };
+  const auto list = [](const char* system) {
+    return make_batch_system(system, settings())->list().at(0).words;
+  };
+  EXPECT_THAT(submit("slurm"), ElementsAre("sbatch", "--parsable"));
+  EXPECT_THAT(list("slurm"), ElementsAre("squeue", "--noheader", "--array", "--user=anna",
+                                         "--format=%i|%T|%r|%j"));
+  EXPECT_THAT(submit("condor"), ElementsAre("condor_submit", "-terse", "-"));
+  EXPECT_THAT(list("condor"),
+              ElementsAre("condor_q", "-constraint", "TetfarmPool == \"farm\"", "-autoformat",
+                          "ClusterId", "ProcId", "JobStatus", "JobBatchName"));
+  EXPECT_THAT(make_batch_system("condor", settings())->cancel({"12.0", "12.1"}),
+              ElementsAre(ShellCommand{{"condor_rm", "12.0", "12.1"}, ""}));
+  EXPECT_THAT(submit("lsf"), ElementsAre("bsub"));
+  EXPECT_THAT(list("lsf"), ElementsAre("bjobs", "-u", "anna", "-noheader", "-o",
+                                       "jobid jobindex stat job_name delimiter='|'"));
+}
+
+TEST(BatchSystem, has_submitted_nothing_when_its_answer_cannot_be_understood) {
+  const auto submitted = [](const char* system, const CommandOutcome& outcome) {
+    return make_batch_system(system, settings())->submitted({2, gib}, outcome);
+  };
+  for (const auto& [system, good] : {std::pair{"slurm", "12\n"},
+                                     {"condor", "12.0 - 12.1\n"},
+                                     {"lsf", "Job <35> is\n"},
+                                     {"ge", "12.1-2:1\n"}}) {
+    EXPECT_THAT(submitted(system, {0, good, ""}), testing::SizeIs(2)) << system;
+    EXPECT_THAT(submitted(system, {1, good, ""}), IsEmpty()) << system;
+    for (const char* odd : {"", "sorry\n", "Job <x> is\n"}) {
+      EXPECT_THAT(submitted(system, {0, odd, ""}), IsEmpty()) << system << " said " << odd;
+    }
+  }
+}
+
+TEST(Lsf, writes_minutes_rounded_up) {
+  PoolSettings with = settings();
+  with.walltime_s = 3601;
+  with.grace_s = 61;
+  const std::string script = script_of("lsf", with);
+  EXPECT_THAT(script, HasSubstr("#BSUB -W 1:01\n"));
+  EXPECT_THAT(script, HasSubstr("#BSUB -wt '2'\n"));
+  with.walltime_s = 60;
+  EXPECT_THAT(script_of("lsf", with), HasSubstr("#BSUB -W 0:01\n"));
 }
 
 }  // namespace

@@ -384,5 +384,172 @@ TEST_F(Pool, stays_below_its_maximum_in_any_course_of_events) {
   }
 }
 
+TEST(TaskBytes, leave_an_eighth_of_a_job_or_128_MiB_for_all_else) {
+  constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
+  EXPECT_EQ(task_bytes(8 * gib), 7 * gib);
+  EXPECT_EQ(task_bytes(gib), gib - 128 * mib);
+  EXPECT_EQ(task_bytes(512 * mib), 384 * mib);
+  EXPECT_EQ(task_bytes(128 * mib), 0U);
+  EXPECT_EQ(task_bytes(5), 0U);
+}
+
+TEST_F(Pool, a_task_gets_the_smallest_worker_that_holds_it_and_idle_ones_first) {
+  start(rules_of(0, 10));
+  farm_.demand = {{gib, 1}, {10 * gib, 1}};
+  step();
+  run_all(false);
+  ASSERT_THAT(jobs_, SizeIs(2)) << "of 4 GiB and of 16";
+  farm_.demand = {{gib, 1}};
+  look();
+  now_ms_ += rules_.idle_ms;
+  EXPECT_THAT(look().drain, ElementsAre(2)) << "the large one has no work";
+}
+
+TEST_F(Pool, a_task_that_just_fits_needs_no_larger_job) {
+  start(rules_of(0, 10));
+  farm_.demand = {{task_bytes(4 * gib), 1}};
+  EXPECT_THAT(look().submit, ElementsAre(WorkerOrder{1, 4 * gib}));
+  start(rules_of(0, 10));
+  farm_.demand = {{task_bytes(4 * gib) + 1, 1}};
+  EXPECT_THAT(look().submit, ElementsAre(WorkerOrder{1, 8 * gib}));
+}
+
+TEST_F(Pool, pauses_double_with_each_trouble_and_a_worker_that_comes_ends_them) {
+  start(rules_of(0, 5));
+  EXPECT_EQ(decisions_->quiet_until_ms(), 0);
+  for (const std::int64_t factor : {1, 2, 4, 8}) {
+    decisions_->submission_failed({1, 4 * gib}, now_ms_);
+    EXPECT_EQ(decisions_->quiet_until_ms(), now_ms_ + factor * rules_.first_backoff_ms);
+  }
+  accept({1, 4 * gib});
+  run_all(true);
+  look();
+  decisions_->submission_failed({1, 4 * gib}, now_ms_);
+  EXPECT_EQ(decisions_->quiet_until_ms(), now_ms_ + rules_.first_backoff_ms);
+}
+
+TEST_F(Pool, failed_submissions_count_for_the_jobs_of_a_minute) {
+  PoolRules rules = rules_of(0, 100);
+  rules.jobs_a_minute = 30;
+  rules.first_backoff_ms = 1'000;
+  start(rules);
+  farm_.demand = {{0, 100}};
+  decisions_->submission_failed({25, 4 * gib}, now_ms_);
+  now_ms_ += rules.first_backoff_ms;
+  EXPECT_EQ(ordered(look()), 5U);
+}
+
+TEST_F(Pool, a_worker_that_was_told_to_leave_by_somebody_else_serves_no_more) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  run_all(false);
+  farm_.workers[0].drains = true;
+  EXPECT_EQ(ordered(look()), 1U) << "another takes its task";
+  now_ms_ += rules_.leave_ms + 1;
+  EXPECT_THAT(look().cancel, ElementsAre("1"));
+}
+
+TEST_F(Pool, somebody_elses_worker_that_is_busy_leaves_or_is_shunned_takes_no_task) {
+  for (const auto& [busy, drains, shunned] :
+       {std::tuple{true, false, false}, {false, true, false}, {false, false, true}}) {
+    start(rules_of(0, 5));
+    farm_.workers = {{99, "others/1", busy, drains, 8 * gib, shunned}};
+    farm_.demand = {{gib, 1}};
+    EXPECT_EQ(ordered(look()), 1U);
+  }
+}
+
+TEST_F(Pool, a_job_that_ends_serves_nobody) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  jobs_[0].state = PoolJobState::ending;
+  EXPECT_EQ(ordered(look()), 1U);
+}
+
+TEST_F(Pool, asks_again_for_what_was_not_cancelled_within_a_minute) {
+  start(rules_of(0, 5));
+  accept({1, 4 * gib});
+  jobs_[0].state = PoolJobState::broken;
+  EXPECT_THAT(look().cancel, ElementsAre("1"));
+  now_ms_ += 59'999;
+  EXPECT_THAT(look().cancel, IsEmpty());
+  now_ms_ += 1;
+  EXPECT_THAT(look().cancel, ElementsAre("1"));
+}
+
+TEST_F(Pool, cancels_no_more_at_once_than_a_batch_system_takes) {
+  PoolRules rules = rules_of(0, 10);
+  rules.most_at_once = 2;
+  start(rules);
+  accept({5, 4 * gib});
+  for (PoolJob& job : jobs_) job.state = PoolJobState::broken;
+  EXPECT_THAT(look().cancel, ElementsAre("1", "2"));
+  EXPECT_THAT(look().cancel, ElementsAre("3", "4"));
+}
+
+TEST_F(Pool, a_job_that_runs_has_its_whole_time_to_bring_a_worker) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  jobs_[0].state = PoolJobState::running;
+  look();
+  now_ms_ += rules_.start_ms;
+  EXPECT_THAT(look().cancel, IsEmpty());
+  jobs_[0].state = PoolJobState::pending;
+  look();
+  jobs_[0].state = PoolJobState::running;
+  now_ms_ += rules_.start_ms;
+  look();
+  now_ms_ += rules_.start_ms;
+  EXPECT_THAT(look().cancel, IsEmpty()) << "it waited again in between";
+  now_ms_ += 1;
+  EXPECT_THAT(look().cancel, ElementsAre("1"));
+}
+
+TEST_F(Pool, that_stops_cancels_a_worker_that_does_not_leave) {
+  PoolRules rules = rules_of(0, 5);
+  start(rules);
+  accept({1, 4 * gib});
+  run_all(true);
+  rules.stops = true;
+  start(rules);
+  EXPECT_THAT(look().drain, ElementsAre(1));
+  now_ms_ += rules.leave_ms;
+  EXPECT_THAT(look().cancel, IsEmpty());
+  EXPECT_THAT(look().drain, IsEmpty()) << "it was told once";
+  now_ms_ += 1;
+  EXPECT_THAT(look().cancel, ElementsAre("1"));
+}
+
+TEST_F(Pool, jobs_whose_workers_were_there_may_vanish_without_trouble) {
+  start(rules_of(0, 5));
+  accept({1, 4 * gib});
+  run_all(true);
+  look();
+  jobs_.clear();
+  farm_.workers.clear();
+  look();
+  EXPECT_EQ(decisions_->quiet_until_ms(), 0);
+  accept({1, 4 * gib});
+  look();
+  jobs_.clear();
+  look();
+  EXPECT_EQ(decisions_->quiet_until_ms(), now_ms_ + rules_.first_backoff_ms)
+      << "this one never brought a worker";
+}
+
+TEST_F(Pool, a_job_that_is_not_listed_yet_is_not_taken_back) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  jobs_.clear();
+  farm_.demand = {};
+  look();
+  now_ms_ += rules_.unwanted_ms;
+  EXPECT_THAT(look().cancel, IsEmpty()) << "the batch system does not know it";
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -26,5 +26,21 @@ TEST(HtmlText, base64_is_that_of_the_rfc) {
   EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
+TEST(HtmlText, keeps_characters_of_every_length_and_ends_of_lines) {
+  EXPECT_EQ(escaped("a\u00fc\u20ac\U0001F600\n"), "a\u00fc\u20ac\U0001F600\n");
+  EXPECT_EQ(escaped("a\x7f\tb"), "ab");
+  EXPECT_EQ(escaped("\xf5\x80\x80\x80"), "") << "beyond the last character";
+  EXPECT_EQ(escaped("\xf0\x9f\x98x"), "x") << "a character that is cut short";
+}
+
+TEST(HtmlText, an_address_holds_the_picture_itself) {
+  EXPECT_EQ(png_address("foo"), "data:image/png;base64,Zm9v");
+}
+
+TEST(HtmlText, base64_of_every_byte_is_read_back) {
+  EXPECT_EQ(base64(std::string("\0\x10\x83\x10\x51\x87\x20\x92\x8b", 9)), "ABCDEFGHIJKL");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+}
+
 }  // namespace
 }  // namespace tetfarm

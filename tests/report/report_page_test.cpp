@@ -146,5 +146,216 @@ TEST(ReportPage, of_a_mesh_without_tets_tells_no_figures_of_tets) {
   }
 }
 
+/// Cells of the rows of a page, apart by "|", a row a line.
+std::string rows_of(const std::string& page) {
+  std::string rows;
+  for (std::size_t at = page.find("<tr>"); at != std::string::npos; at = page.find("<tr>", at)) {
+    const std::size_t end = page.find("</tr>", at);
+    std::string row = page.substr(at + 4, end - at - 4);
+    for (const char* kind : {"td", "th"}) {
+      const std::string opens = std::string("<") + kind + ">";
+      const std::string closes = std::string("</") + kind + ">";
+      for (std::size_t i; (i = row.find(opens)) != std::string::npos;) row.erase(i, opens.size());
+      for (std::size_t i; (i = row.find(closes)) != std::string::npos;) {
+        row.replace(i, closes.size(), "|");
+      }
+    }
+    rows += row + "\n";
+    at = end;
+  }
+  return rows;
+}
+
+/// Of a job whose tasks tell all that they can.
+ReportedWork told_work() {
+  ReportedWork work;
+  wire::JobStatus& status = work.status;
+  status.set_job("job-7");
+  status.set_state("done");
+  status.set_seconds(72.25);
+  status.set_peak_rss_bytes_worker(30'000'000);
+  status.set_attempts_lost(4);
+  (*status.mutable_texts())["digest"] = "d1g";
+  const auto add = [&work](const char* kind, std::uint64_t path, double scale) {
+    wire::TaskLine task = mesh_task(path, 10'000 * scale);
+    task.set_kind(kind);
+    task.set_expected_seconds(2 * scale);
+    task.set_cpu_seconds(3 * scale);
+    task.set_seconds(4 * scale);
+    task.set_expected_bytes(5e6 * scale);
+    task.set_peak_rss_bytes(static_cast<std::uint64_t>(6e6 * scale));
+    work.tasks.push_back(task);
+  };
+  add("mesh", 3, 2);
+  add("unheard_of", 0, 1);
+  add("mesh", 2, 1);
+  add("inspect", 0, 1);
+  work.tasks[2].set_losses(1);
+  wire::TaskLine unfinished = mesh_task(7, 1);
+  unfinished.set_state("leased");
+  work.tasks.push_back(unfinished);
+  work.attempts = {attempt("done", 1000, 3000), attempt("crashed", 3000, 3500),
+                   attempt("running", 3500, 0)};
+  return work;
+}
+
+TEST(ReportPage, of_work_has_the_figures_of_the_job_of_each_kind_and_of_each_task) {
+  EXPECT_EQ(rows_of(work_section(told_work())),
+            "job|job-7 (done)|\n"
+            "from submission to end|72.2 s|\n"
+            "attempts|3|\n"
+            "busy with attempts|2.5 s, all workers together|\n"
+            "memory of the largest task|30.0 MB|\n"
+            "attempts lost|4|\n"
+            "digest of the mesh|d1g|\n"
+            "kind|tasks|expected s|CPU s|s|bound MB|peak MB|estimated tets|tets made|\n"
+            "inspect|1|2.00|3.00|4.00|5.0|6.0|||\n"
+            "mesh|2|6.00|9.00|12.00|10.0|12.0|30 k|30 k|\n"
+            "other|1|2.00|3.00|4.00|5.0|6.0|||\n"
+            "task|expected s|CPU s|s|bound MB|peak MB|estimated tets|tets made|failed attempts|\n"
+            "inspect |2.000|3.000|4.000|5.0|6.0||||\n"
+            "mesh L|2.000|3.000|4.000|5.0|6.0|10000|10001|1|\n"
+            "mesh R|4.000|6.000|8.000|10.0|12.0|20000|20001||\n"
+            "unheard_of |2.000|3.000|4.000|5.0|6.0||||\n");
+}
+
+TEST(ReportPage, of_work_shows_every_attempt_that_ended_and_every_task_that_is_done) {
+  const std::string section = work_section(told_work());
+  EXPECT_THAT(section, HasSubstr("<title>mesh L, 2.000 s</title>"));
+  EXPECT_THAT(section, HasSubstr("<title>mesh L crashed, 0.500 s</title>"));
+  EXPECT_THAT(section, Not(HasSubstr("mesh L running")));
+  EXPECT_THAT(section, HasSubstr("Each task (4 of 4)"));
+  EXPECT_THAT(section, HasSubstr("<title>mesh R: 4 expected, 6</title>"));
+  EXPECT_THAT(section, HasSubstr("<title>mesh R: 10 expected, 12</title>"));
+  EXPECT_THAT(section, HasSubstr("Time of each task, s"));
+  EXPECT_THAT(section, HasSubstr("Memory of each task, MB"));
+  EXPECT_THAT(section, HasSubstr("</span>mesh<span"));
+  EXPECT_THAT(section, Not(HasSubstr("</span>inspect"))) << "no attempt of it";
+}
+
+TEST(ReportPage, of_work_in_which_nothing_failed_has_no_sign_for_failures) {
+  ReportedWork work = told_work();
+  work.attempts = {attempt("done", 1000, 3000), attempt("running", 3500, 0)};
+  EXPECT_THAT(work_section(work), Not(HasSubstr("failed or lost")));
+  work.attempts.clear();
+  EXPECT_THAT(work_section(work), Not(HasSubstr("What each worker did")));
+}
+
+TEST(ReportPage, of_very_many_tasks_names_two_thousand) {
+  ReportedWork work;
+  work.tasks.assign(2001, mesh_task(2, 1));
+  EXPECT_THAT(work_section(work), HasSubstr("Each task (2000 of 2001)"));
+}
+
+MeshFigures told_figures() {
+  MeshFigures figures = some_figures();
+  figures.tets = 1'000'002;
+  figures.boundary_triangles = 1'234;
+  figures.volume = 0.125;
+  for (TetFigures* side : {&figures.all, &figures.near_cuts, &figures.away_from_cuts}) {
+    side->shapes = {};
+  }
+  const auto set = [](TetFigures& side, std::int64_t tets, double angle, double height) {
+    side.shapes.tets = tets;
+    side.shapes.min_dihedral_deg = angle;
+    side.shapes.max_dihedral_deg = 180 - angle;
+    side.shapes.sum_radius_ratio = 0.5 * static_cast<double>(tets);
+    side.shapes.smallest_height = height;
+  };
+  set(figures.all, 1'000'002, 10, 0.125);
+  set(figures.near_cuts, 2, 10, 0.125);
+  set(figures.away_from_cuts, 1'000'000, 20, 0.25);
+  figures.all.lowest_at = {1, 2.5, -3};
+  return figures;
+}
+
+TEST(ReportPage, of_a_mesh_has_its_figures_both_sides_of_the_cuts_and_the_worst_tets) {
+  ReportContent content;
+  content.figures = told_figures();
+  EXPECT_EQ(rows_of(mesh_sections(content)),
+            "tetrahedra|1 000 002|\n"
+            "nodes|1 234 567|\n"
+            "boundary triangles|1 234|\n"
+            "sub-domains|2|\n"
+            "volume|0.125|\n"
+            "dihedral angles|10.00° to 170.00°|\n"
+            "mean radius ratio|0.5000|\n"
+            "smallest height|0.125|\n"
+            "|near|away|all|\n"
+            "tetrahedra|2|1 000 000|1 000 002|\n"
+            "smallest dihedral angle|10.00°|20.00°|10.00°|\n"
+            "largest dihedral angle|170.00°|160.00°|170.00°|\n"
+            "mean radius ratio|0.5000|0.5000|0.5000|\n"
+            "smallest height = time step × wave speed|0.125|0.25|0.125|\n"
+            "smallest angle|largest|radius ratio|height|sub-domain|near a cut|centre at|number|\n"
+            "12.345°|150.000°|0.5000|0.01|1|yes|1.5, 2.5, 3.5|17|\n");
+}
+
+TEST(ReportPage, of_a_mesh_tells_the_time_step_and_the_balance) {
+  ReportContent content;
+  content.figures = told_figures();
+  content.figures.subdomains[0].cells = 250'002;
+  content.figures.subdomains[1].cells = 750'000;
+  const std::string page = mesh_sections(content);
+  EXPECT_THAT(page, HasSubstr("<b>0.125</b> / c here, at (1, 2.5, -3). That is 2.00 times the "
+                              "number of steps that the mesh away from the cuts alone would "
+                              "need.</p>"));
+  EXPECT_THAT(page, HasSubstr("The worst 1 tetrahedra"));
+  EXPECT_THAT(page, HasSubstr("The largest sub-domain has 1.500 times the mean"));
+  content.figures.subdomains.pop_back();
+  EXPECT_THAT(mesh_sections(content), Not(HasSubstr("Balance"))) << "of a single sub-domain";
+  content.figures.knows_subdomains = false;
+  EXPECT_THAT(rows_of(mesh_sections(content)), Not(HasSubstr("sub-domains")));
+}
+
+TEST(ReportPage, of_a_mesh_with_other_cells_counts_them_too) {
+  ReportContent content;
+  content.figures.others[ElementType::hex] = {12, 1.5, 0.75, 10.5};
+  content.figures.others[ElementType::prism] = {3'000, 1.5, 0.5, 1500};
+  content.figures.boundary_quads = 24;
+  content.figures.knows_subdomains = false;
+  EXPECT_EQ(rows_of(mesh_sections(content)),
+            "tetrahedra|0|\nhexes|12|\nprisms|3 000|\nnodes|0|\nboundary triangles|0|\nvolume|0|\n"
+            "scaled Jacobian of prisms|0.5000 mean, 0.5000 smallest|\n"
+            "scaled Jacobian of hexes|0.8750 mean, 0.7500 smallest|\nboundary quads|24|\n");
+}
+
+TEST(ReportPage, shows_edges_over_the_spacing_where_that_is_known) {
+  ReportContent content;
+  content.figures = told_figures();
+  EdgeFigures& edges = content.figures.edges;
+  edges.edges = 4;
+  edges.shortest = 0.5;
+  edges.longest = 3;
+  edges.sum = 5;
+  edges.over_spacing.counts[5] = 1;
+  edges.over_spacing.counts[24] = 3;
+  const std::string page = mesh_sections(content);
+  EXPECT_THAT(page,
+              HasSubstr("0.500 to 3.000, mean 1.250; the last bin holds all that are longer"));
+  EXPECT_THAT(page, HasSubstr("<title>0.5: 25 </title>"));
+  EXPECT_THAT(page, HasSubstr("<title>2.4: 75 </title>"));
+  EXPECT_THAT(page, Not(HasSubstr("is not available")));
+}
+
+TEST(ReportPage, shows_volumes_by_powers_of_two_also_those_between) {
+  ReportContent content;
+  content.figures = told_figures();
+  content.figures.volumes = {{-3, 1}, {-1, 3}};
+  const std::string page = mesh_sections(content);
+  EXPECT_THAT(page, HasSubstr("<title>1.2e-01: 25 </title>"));
+  EXPECT_THAT(page, HasSubstr("<title>5.0e-01: 75 </title>"));
+  EXPECT_THAT(page, HasSubstr(">2.5e-01<"));
+  EXPECT_THAT(page, HasSubstr(">Volume, % of tets<"));
+  EXPECT_THAT(page, HasSubstr(">Volume, % of tets, log<"));
+}
+
+TEST(ReportPage, has_leaves_in_the_order_of_the_tree_at_whatever_depth) {
+  ReportedWork work;
+  work.tasks = {mesh_task(3, 30), mesh_task(5, 50), mesh_task(4, 40)};
+  EXPECT_THAT(estimated_elements_of_leaves(work), ElementsAre(40, 50, 30));
+  EXPECT_THAT(report_page(whole_report()), HasSubstr("<title>0: 1 made</title>"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <functional>
+#include <numeric>
 
 #include "base/error.h"
 #include "mesh/artifacts/artifact_file.h"
@@ -164,6 +165,13 @@ TEST(ArtifactRefusals, of_elements) {
   EXPECT_EQ(said_of(bytes, false), "");
   EXPECT_EQ(said_of(bytes, true), "e: has no core");
   EXPECT_EQ(said_of(elements_to_bytes({{5}, 12, {}, {}}, {}), true), "e: has no core");
+  ElementSection crowded = section;
+  crowded.sharers.resize(256);
+  std::iota(crowded.sharers.begin(), crowded.sharers.end(), 1);
+  EXPECT_EQ(said_of(elements_to_bytes({{5}, 12, {}, {}}, {crowded}), false),
+            "e: has a section with no sharers, or too many");
+  crowded.sharers.pop_back();
+  EXPECT_EQ(said_of(elements_to_bytes({{5}, 12, {}, {}}, {crowded}), false), "");
   EXPECT_EQ(said_of("TFNONE\r\n" + bytes.substr(8), false),
             "e: does not begin like the expected kind of file");
   EXPECT_EQ(said_of(with_number(bytes, 8, std::uint32_t{2}), false),

@@ -252,6 +252,14 @@ TEST_F(NumberingFiles, without_a_leaf_or_with_forced_nodes_out_of_order_are_refu
               ThrowsMessage<CorruptFile>("n: has tables that are not those of its text"));
   EXPECT_THAT([&] { open(forge(bytes, counts_at + 24, std::uint64_t{0})); },
               ThrowsMessage<CorruptFile>("numbering: has no leaf or no region"));
+  // Cut 1 drops node 7 of 10, here of 7.
+  const std::string fewer = forge(bytes, tables_of(numbering).cuts_at() + 8, std::int64_t{7});
+  const std::vector<Origin> asked = {{1, 6}};
+  EXPECT_THAT(
+      [&] {
+        open(fewer).leaf({{4}, 1, asked});
+      },
+      ThrowsMessage<CorruptFile>("numbering: drops nodes that do not exist"));
 }
 
 }  // namespace

@@ -86,7 +86,8 @@ TEST(PlanarResults, of_regions_are_known) {
 TEST(PlanarResults, of_single_steps_are_known) {
   TriangleComplex complex = constrained_delaunay(region_with_hole(2)).complex;
   ResultDigest result;
-  result.add(estimated_triangles(complex, graded), insert_points(complex, graded, 5000));
+  result.add(estimated_triangles(complex, graded));
+  result.add(insert_points(complex, graded, 5000));
   add_complex(result, complex);
   result.add(smooth(complex, 44));
   add_complex(result, complex);

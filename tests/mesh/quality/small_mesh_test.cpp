@@ -202,6 +202,12 @@ TEST(SmallMeshFigures, of_flat_tets_count_no_volume_and_no_steps_beside_cuts) {
   for (const auto& [exponent, tets] : figures.volumes) volumes += static_cast<int>(tets);
   EXPECT_EQ(volumes, 2);
   EXPECT_EQ(figures.steps_beside_away(), 1);
+  mesh = TetsMesh();
+  mesh.parts[1].nodes[3] = mesh.parts[1].nodes[0];  // beside the cut
+  const MeshFigures beside = figures_of(mesh);
+  EXPECT_GT(beside.away_from_cuts.shapes.smallest_height, 0);
+  EXPECT_EQ(beside.all.shapes.smallest_height, 0);
+  EXPECT_EQ(beside.steps_beside_away(), 1);
 }
 
 TEST(SmallMeshFigures, name_the_first_of_tets_that_are_alike_first) {

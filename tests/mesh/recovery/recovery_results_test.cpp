@@ -104,7 +104,8 @@ TEST(RecoveryResults, of_generated_boundaries_are_known) {
   for (const auto& [kind, first, last] : generated_surfaces) {
     const auto generators = shapes::surface_generators();
     const auto generator = std::ranges::find_if(
-        generators, [&](const shapes::SurfaceGenerator& g) { return g.name == kind; });
+        generators,
+        [wanted = kind](const shapes::SurfaceGenerator& g) { return g.name == wanted; });
     ASSERT_NE(generator, generators.end()) << kind;
     ResultDigest result;
     for (std::uint64_t seed = first; seed <= last; ++seed) {
@@ -224,6 +225,37 @@ TEST(RecoveryResults, of_nodes_that_leave_or_settle_are_known) {
     add_points_beyond_doubles(result, tets.mesh);
     test::add_complex(result, tets.complex);
     expect_known("leaving_nodes_" + std::to_string(seed), result);
+  }
+}
+
+TEST(RecoveryResults, of_stars_hemmed_in_by_constrained_faces_are_known) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    ResultDigest result;
+    RandomTets tets(30, seed);
+    const RecoverySurface no_surface({}, 30);
+    std::vector<std::int32_t> added;
+    for (std::int32_t b = 1; b < 12; ++b) {
+      const SegmentWalk walk = walk_segment(tets.mesh, 0, b);
+      if (walk.crossings.empty()) continue;
+      const std::int32_t node = insert_on_edge(tets.mesh, no_surface, {0, b}, walk);
+      if (node >= 0) added.push_back(node);
+    }
+    // Faces away from the added points, every other one.
+    for (std::int32_t t = 0; t < std::ssize(tets.complex.nodes); ++t) {
+      if (!tets.complex.is_live(t)) continue;
+      for (int f = t % 2; f < 4; f += 2) {
+        const auto nodes = tets.complex.face_nodes(face_handle(t, f));
+        if (std::ranges::max(nodes) < 30) tets.mesh.constrain(face_handle(t, f), true);
+      }
+    }
+    for (const std::int32_t v : added) {
+      result.add(grow_star(tets.mesh, v));
+      result.add(remove_node(tets.mesh, v));
+    }
+    result.add(tets.constrained);
+    add_points_beyond_doubles(result, tets.mesh);
+    test::add_complex(result, tets.complex);
+    expect_known("hemmed_in_" + std::to_string(seed), result);
   }
 }
 

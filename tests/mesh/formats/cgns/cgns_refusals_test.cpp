@@ -82,6 +82,15 @@ TEST(CgnsRefusals, are_of_a_second_section_of_one_type) {
             "a.cgns: does not have one section with all prisms");
   EXPECT_EQ(read_after(EveryKindMesh(), number("/GridHexes", 0, 12)),
             "a.cgns: does not have one section with all pyramids");
+  const Edit first = number("/GridElements/ElementRange", 0, 2);
+  const Edit last = number("/GridElements/ElementRange", 1, 4);
+  EXPECT_EQ(read_after(TetsMesh(),
+                       [&](const auto& file) {
+                         first(file);
+                         last(file);
+                       }),
+            "a.cgns: does not have one section with all tets")
+      << "behind the cells that there are";
 }
 
 TEST(CgnsRefusals, are_of_no_file_that_knows_neither_sub_domains_nor_regions) {

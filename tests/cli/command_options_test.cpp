@@ -1,0 +1,364 @@
+// Every option of the commands of cli/command_line.cpp arrives where it belongs, and what is not
+// given has the default that help tells.
+#include <gmock/gmock.h>
+
+#include "tests/cli/parsed.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using CommandOptions = PlainEnvironment;
+
+/// What `run`, `plan` and `submit` take.
+const std::vector<std::string> job_words = {"wing.stl",  "--size",         "0.5",   "--growth",
+                                            "0.2",       "--outer",        "box:3", "--outer-size",
+                                            "0.25",      "--max-elements", "7",     "--format",
+                                            "vtkhdf,su2"};
+
+void expect_job(const RunOptions& job) {
+  EXPECT_EQ(job.input, "wing.stl");
+  EXPECT_EQ(job.size, 0.5);
+  EXPECT_EQ(job.growth, 0.2);
+  EXPECT_EQ(job.outer, "box:3");
+  EXPECT_EQ(job.outer_size, 0.25);
+  EXPECT_EQ(job.max_elements, 7);
+  EXPECT_THAT(job.formats, ElementsAre("vtkhdf", "su2"));
+  EXPECT_FALSE(job.force);
+}
+
+std::vector<std::string> joined(std::vector<std::string> words,
+                                const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_F(CommandOptions, of_a_run) {
+  const auto run = parsed_as<RunOptions>(
+      joined({"run", "-o", "d", "-j", "4096", "--database", "/db", "--grace", "0", "--json",
+              "--progress", "plain", "--subdomains", "8", "--groups", "2"},
+             job_words));
+  expect_job(run);
+  EXPECT_EQ(run.output, "d");
+  EXPECT_EQ(run.workers, 4096);
+  EXPECT_EQ(run.database, "/db");
+  EXPECT_EQ(run.grace_s, 0);
+  EXPECT_TRUE(run.json);
+  EXPECT_EQ(run.progress, ProgressStyle::plain);
+  EXPECT_EQ(run.subdomains, 8);
+  EXPECT_EQ(run.groups, 2);
+  EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--max-memory", "2GiB"}).max_memory, "2GiB");
+  EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--progress", "auto"}).progress,
+            ProgressStyle::automatic);
+  EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--progress", "none"}).progress,
+            ProgressStyle::none);
+}
+
+TEST_F(CommandOptions, of_a_run_that_says_nothing_else) {
+  const auto run = parsed_as<RunOptions>({"run", "wing.stl"});
+  EXPECT_EQ(run.output, "out");
+  EXPECT_EQ(run.workers, 0);
+  EXPECT_EQ(run.max_memory + run.store + run.database, "");
+  EXPECT_FALSE(run.subdomains || run.groups || run.size || run.growth || run.outer);
+  EXPECT_FALSE(run.outer_size || run.max_elements);
+  EXPECT_FALSE(run.force || run.json);
+  EXPECT_TRUE(run.formats.empty());
+  EXPECT_EQ(run.progress, ProgressStyle::automatic);
+  EXPECT_EQ(run.grace_s, 5);
+}
+
+TEST_F(CommandOptions, of_a_plan) {
+  const RunOptions job =
+      parsed_as<PlanCommand>(
+          joined({"plan", "--store", "/farm", "--database", "/db", "--json"}, job_words))
+          .job;
+  expect_job(job);
+  EXPECT_EQ(job.store, "/farm");
+  EXPECT_EQ(job.database, "/db");
+  EXPECT_TRUE(job.json);
+}
+
+TEST_F(CommandOptions, of_a_submission) {
+  const auto submit = parsed_as<SubmitCommand>(
+      joined({"submit", "--store", "/farm", "--connect", "tcp://h:1", "--no-check", "--progress",
+              "none", "--key", "k", "--coordinator-key", "c", "--timeout", "3", "--json"},
+             job_words));
+  expect_job(submit.job);
+  EXPECT_EQ(submit.job.store, "/farm");
+  EXPECT_FALSE(submit.check);
+  EXPECT_FALSE(submit.coordinator_reads);
+  EXPECT_EQ(submit.client.endpoint, "tcp://h:1");
+  EXPECT_EQ(submit.client.keys.own, "k");
+  EXPECT_EQ(submit.client.keys.coordinator, "c");
+  EXPECT_EQ(submit.client.timeout_s, 3);
+  EXPECT_EQ(submit.client.progress, ProgressStyle::none);
+  EXPECT_TRUE(submit.client.json);
+  const auto least = parsed_as<SubmitCommand>({"submit", "a", "--connect", "tcp://h:1"});
+  EXPECT_TRUE(least.check);
+  EXPECT_FALSE(least.coordinator_reads || least.client.json);
+  EXPECT_EQ(least.client.timeout_s, 10);
+  EXPECT_TRUE(
+      parsed_as<SubmitCommand>({"submit", "a", "--connect", "tcp://h:1", "--coordinator-reads"})
+          .coordinator_reads);
+}
+
+TEST_F(CommandOptions, of_a_check) {
+  const auto of_surface = parsed_as<CheckOptions>({"check", "a.stl", "-o", "d.vtp", "--json"});
+  EXPECT_EQ(of_surface.input, "a.stl");
+  EXPECT_EQ(of_surface.defects_file, "d.vtp");
+  EXPECT_TRUE(of_surface.json);
+  EXPECT_EQ(of_surface.store + of_surface.database, "");
+  const auto of_store = parsed_as<CheckOptions>({"check", "--store", "s", "--database", "d"});
+  EXPECT_EQ(of_store.store, "s");
+  EXPECT_EQ(of_store.database, "d");
+  EXPECT_EQ(of_store.input, "");
+  EXPECT_FALSE(of_store.json);
+}
+
+TEST_F(CommandOptions, of_gc) {
+  const auto least = parsed_as<GcCommand>({"gc", "s"});
+  EXPECT_EQ(least.store, "s");
+  EXPECT_EQ(least.database, "");
+  EXPECT_FALSE(least.dry_run || least.all_finished || least.json);
+  const auto dry = parsed_as<GcCommand>({"gc", "s", "--database", "d", "--dry-run"});
+  EXPECT_EQ(dry.database, "d");
+  EXPECT_TRUE(dry.dry_run);
+  EXPECT_FALSE(dry.all_finished || dry.json);
+  EXPECT_TRUE(parsed_as<GcCommand>({"gc", "s", "--all-finished"}).all_finished);
+  EXPECT_TRUE(parsed_as<GcCommand>({"gc", "s", "--json"}).json);
+}
+
+TEST_F(CommandOptions, of_quality) {
+  const auto least = parsed_as<QualityOptions>({"quality", "m"});
+  EXPECT_EQ(least.input, "m");
+  EXPECT_EQ(least.run + least.scratch, "");
+  EXPECT_TRUE(least.check_faces);
+  EXPECT_EQ(least.memory, "256MiB");
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<QualityOptions>(
+      {"quality", "job-7", "--run", "out", "--no-face-check", "--memory", "1GiB", "--scratch",
+       "/tmp", "--json", "--connect", "tcp://h:1", "--store", "s", "--database", "d"});
+  EXPECT_EQ(all.input, "job-7");
+  EXPECT_EQ(all.run, "out");
+  EXPECT_FALSE(all.check_faces);
+  EXPECT_EQ(all.memory, "1GiB");
+  EXPECT_EQ(all.scratch, "/tmp");
+  EXPECT_TRUE(all.json);
+  EXPECT_EQ(all.source.client.endpoint, "tcp://h:1");
+  EXPECT_EQ(all.source.store, "s");
+  EXPECT_EQ(all.source.database, "d");
+}
+
+TEST_F(CommandOptions, of_an_export_and_a_conversion) {
+  const auto least = parsed_as<ExportCommand>({"export", "m", "-o", "x.su2"});
+  EXPECT_EQ(least.input, "m");
+  EXPECT_EQ(least.output, "x.su2");
+  EXPECT_EQ(least.format, "");
+  EXPECT_EQ(least.partitions, 0);
+  EXPECT_EQ(least.numbering, "as-meshed");
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<ExportCommand>({"export", "job-7", "--output", "x", "--format", "cgns",
+                                             "--partitions", "1048576", "--numbering", "rcm",
+                                             "--json", "--store", "s"});
+  EXPECT_EQ(all.format, "cgns");
+  EXPECT_EQ(all.partitions, 1 << 20);
+  EXPECT_EQ(all.numbering, "rcm");
+  EXPECT_TRUE(all.json);
+  EXPECT_EQ(all.source.store, "s");
+  EXPECT_EQ(parsed_as<ExportCommand>(
+                {"export", "m", "-o", "x", "--numbering", "hilbert", "--partitions", "as-meshed"})
+                .numbering,
+            "hilbert");
+  const auto convert = parsed_as<ConvertCommand>({"convert", "a.msh", "b.stl", "--json"});
+  EXPECT_EQ(convert.input, "a.msh");
+  EXPECT_EQ(convert.output, "b.stl");
+  EXPECT_TRUE(convert.json);
+}
+
+TEST_F(CommandOptions, of_a_picture) {
+  const auto least = parsed_as<RenderCommand>({"render", "m", "-o", "p.png"});
+  EXPECT_EQ(least.input, "m");
+  EXPECT_EQ(least.output, "p.png");
+  EXPECT_EQ(least.view, "surface");
+  EXPECT_EQ(least.colour, "subdomain");
+  EXPECT_EQ(least.size, "1600x1000");
+  EXPECT_THAT(least.from, ElementsAre(-1, -2, 1));
+  EXPECT_THAT(least.up, ElementsAre(0, 0, 1));
+  EXPECT_THAT(least.plane, ElementsAre(0, 1, 0));
+  EXPECT_EQ(least.zoom, 1);
+  EXPECT_TRUE(least.bodies.empty());
+  EXPECT_TRUE(least.hidden.empty());
+  EXPECT_FALSE(least.at);
+  EXPECT_EQ(least.explode, 0.4);
+  EXPECT_EQ(least.edge_width, 0.9);
+  const auto all = parsed_as<RenderCommand>(
+      {"render",  "m",      "-o",     "p.png",     "--view", "cut",     "--colour",
+       "patch",   "--size", "80x60",  "--from",    "1,2,3",  "--up",    "4,5,6",
+       "--plane", "7,8,9",  "--zoom", "2.5",       "--body", "a,b",     "--hide",
+       "c,d",     "--at",   "-0.5",   "--explode", "0",      "--edges", "0"});
+  EXPECT_EQ(all.view, "cut");
+  EXPECT_EQ(all.colour, "patch");
+  EXPECT_EQ(all.size, "80x60");
+  EXPECT_THAT(all.from, ElementsAre(1, 2, 3));
+  EXPECT_THAT(all.up, ElementsAre(4, 5, 6));
+  EXPECT_THAT(all.plane, ElementsAre(7, 8, 9));
+  EXPECT_EQ(all.zoom, 2.5);
+  EXPECT_THAT(all.bodies, ElementsAre("a", "b"));
+  EXPECT_THAT(all.hidden, ElementsAre("c", "d"));
+  EXPECT_EQ(all.at, -0.5);
+  EXPECT_EQ(all.explode, 0);
+  EXPECT_EQ(all.edge_width, 0);
+  for (const char* view : {"surface", "exploded", "cut"}) {
+    EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--view", view}).view, view);
+  }
+  for (const char* by : {"subdomain", "region", "patch"}) {
+    EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--colour", by}).colour, by);
+  }
+}
+
+TEST_F(CommandOptions, of_a_shape) {
+  const auto least = parsed_as<ShapeCommand>({"shape", "wing", "-o", "w.stl"});
+  EXPECT_EQ(least.name, "wing");
+  EXPECT_EQ(least.output, "w.stl");
+  EXPECT_EQ(least.spacing, 0.1);
+  EXPECT_EQ(least.growth, 0.2);
+  const auto all =
+      parsed_as<ShapeCommand>({"shape", "duct", "-o", "d", "--spacing", "0.5", "--growth", "0.7"});
+  EXPECT_EQ(all.name, "duct");
+  EXPECT_EQ(all.spacing, 0.5);
+  EXPECT_EQ(all.growth, 0.7);
+}
+
+TEST_F(CommandOptions, of_those_that_act_on_a_farm) {
+  const auto wait =
+      parsed_as<WaitCommand>({"wait", "job-7", "-o", "d", "--store", "s", "--connect", "tcp://h:1",
+                              "--progress", "plain", "--timeout", "0.5", "--json"});
+  EXPECT_EQ(wait.client.job, "job-7");
+  EXPECT_EQ(wait.client.output, "d");
+  EXPECT_EQ(wait.store, "s");
+  EXPECT_EQ(wait.client.endpoint, "tcp://h:1");
+  EXPECT_EQ(wait.client.progress, ProgressStyle::plain);
+  EXPECT_EQ(wait.client.timeout_s, 0.5);
+  EXPECT_TRUE(wait.client.json);
+  const auto cancel = parsed_as<CancelCommand>({"cancel", "job-7", "--connect", "tcp://h:1"});
+  EXPECT_EQ(cancel.client.job, "job-7");
+  EXPECT_EQ(cancel.client.endpoint, "tcp://h:1");
+  EXPECT_FALSE(cancel.client.json);
+  const auto retry = parsed_as<RetryCommand>({"retry", "job-7", "31", "--connect", "tcp://h:1"});
+  EXPECT_EQ(retry.client.job, "job-7");
+  EXPECT_EQ(retry.task, 31U);
+  EXPECT_EQ(retry.host, "");
+  const auto of_host = parsed_as<RetryCommand>({"retry", "--host", "n", "--connect", "tcp://h:1"});
+  EXPECT_EQ(of_host.host, "n");
+  EXPECT_EQ(of_host.client.job, "");
+  EXPECT_EQ(of_host.task, 0U);
+  const auto drain = parsed_as<DrainCommand>({"drain", "worker-7", "--connect", "tcp://h:1"});
+  EXPECT_EQ(drain.worker, "worker-7");
+  EXPECT_FALSE(drain.all);
+  EXPECT_TRUE(parsed_as<DrainCommand>({"drain", "--all", "--connect", "tcp://h:1"}).all);
+}
+
+TEST_F(CommandOptions, that_cannot_be_are_refused) {
+  const auto run = [](const std::vector<std::string>& more) {
+    return joined({"run", "a.stl"}, more);
+  };
+  const auto farm = [](std::vector<std::string> words) {
+    return joined(std::move(words), {"--connect", "tcp://h:1"});
+  };
+  const std::string whole = ": must be a whole number from ";
+  const std::string positive = ": must be a number above 0, not ";
+  expect_refused({
+      {{"run"}, "INPUT is required"},
+      {run({"-j", "4097"}), "--workers" + whole + "1 to 4096, not 4097"},
+      {run({"--subdomains", "0"}), "--subdomains" + whole + "1 to 1000000, not 0"},
+      {run({"--subdomains", "1000001"}), "--subdomains" + whole + "1 to 1000000, not 1000001"},
+      {run({"--groups", "0"}), "--groups" + whole + "1 to 1000000, not 0"},
+      {run({"--size", "0"}), "--size" + positive + "0"},
+      {run({"--growth", "0"}), "--growth" + positive + "0"},
+      {run({"--outer-size", "-1"}), "--outer-size" + positive + "-1"},
+      {run({"--grace", "-1"}), "--grace: must be a number, 0 or above, not -1"},
+      {run({"--max-memory", "1GB", "--subdomains", "2"}), "--subdomains excludes --max-memory"},
+      {run({"--max-memory", "1GB", "--groups", "2"}), "--groups excludes --max-memory"},
+      {run({"--force", "--max-elements", "2"}), "--max-elements excludes --force"},
+      {{"plan", "a.stl", "--database", "d"}, "--database requires --store"},
+      {{"check", "a.stl", "--store", "s"}, "INPUT excludes --store"},
+      {{"check", "--database", "d"}, "--database requires --store"},
+      {{"gc"}, "STORE is required"},
+      {{"quality"}, "FILE is required"},
+      {{"export", "m"}, "--output is required"},
+      {{"export", "-o", "x"}, "FILE is required"},
+      {{"export", "m", "-o", "x", "--partitions", "1048577"},
+       "--partitions: must be as-meshed or a whole number from 1 to 1048576, not 1048577"},
+      {{"convert", "a.stl"}, "OUT is required"},
+      {{"convert"}, "IN is required"},
+      {{"render", "m"}, "--output is required"},
+      {{"render", "m", "-o", "p", "--zoom", "0"}, "--zoom" + positive + "0"},
+      {{"render", "m", "-o", "p", "--explode", "-1"},
+       "--explode: must be a number, 0 or above, not -1"},
+      {{"render", "m", "-o", "p", "--edges", "-1"},
+       "--edges: must be a number, 0 or above, not -1"},
+      {{"shape", "wing"}, "--output is required"},
+      {{"shape", "wing", "-o", "w", "--spacing", "0"}, "--spacing" + positive + "0"},
+      {{"shape", "wing", "-o", "w", "--growth", "0"}, "--growth" + positive + "0"},
+      {{"submit", "a.stl"}, "--connect is required"},
+      {farm({"submit", "a.stl", "--store", "s", "--coordinator-reads"}),
+       "--store excludes --coordinator-reads"},
+      {{"wait", "job-7"}, "--connect is required"},
+      {farm({"wait"}), "JOB is required"},
+      {farm({"cancel"}), "JOB is required"},
+      {{"retry", "job-7"}, "--connect is required"},
+      {farm({"retry", "job-7", "0"}), "TASK: must be a whole number above 0, not 0"},
+      {farm({"retry", "job-7", "--host", "n"}), "JOB excludes --host"},
+      {{"drain", "worker-7"}, "--connect is required"},
+      {farm({"drain", "worker-7", "--all"}), "WORKER excludes --all"},
+  });
+  for (const auto& [words, value] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"render", "m", "-o", "p", "--view", "inside"}, "--view: inside not in {"},
+           {{"render", "m", "-o", "p", "--colour", "red"}, "--colour: red not in {"},
+           {{"export", "m", "-o", "x", "--numbering", "best"}, "--numbering: best not in {"},
+           {{"shape", "teapot", "-o", "w"}, "KIND: teapot not in {"}}) {
+    EXPECT_THAT(refusal_of(words), HasSubstr(value));
+  }
+}
+
+TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
+  EXPECT_THAT(help_words({"run"}), AllOf(HasSubstr("unit of distance (default 0.3)"),
+                                         HasSubstr("more elements (default 2000000000)"),
+                                         HasSubstr("any that export writes (default vtkhdf)"),
+                                         HasSubstr("continue in it (default out)"),
+                                         HasSubstr("after Ctrl-C (default 5)")));
+  EXPECT_THAT(help_words({"quality"}), HasSubstr("rest goes to disk (default 256MiB)"));
+  EXPECT_THAT(help_words({"export"}), AllOf(HasSubstr("by METIS (default as-meshed)"),
+                                            HasSubstr("Cuthill-McKee (default as-meshed)")));
+  EXPECT_THAT(help_words({"render"}),
+              AllOf(HasSubstr("cut open (default surface)"), HasSubstr("by (default subdomain)"),
+                    HasSubstr("pixels (default 1600x1000)"), HasSubstr("viewer (default -1,-2,1)"),
+                    HasSubstr("picture (default 0,0,1)"), HasSubstr("fits the picture (default 1)"),
+                    HasSubstr("cutting plane (default 0,1,0)"), HasSubstr("apart (default 0.4)"),
+                    HasSubstr("for none (default 0.9)")));
+  EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
+                                           HasSubstr("away from the wing (default 0.2)")));
+  EXPECT_THAT(help_words({"submit"}), HasSubstr("wait for an answer (default 10)"));
+}
+
+TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
+  const std::string help = help_words({});
+  EXPECT_THAT(help, HasSubstr("Exit codes: 0 done; 1 failed; 2 invalid command line or job file; "
+                              "3 bad geometry; 4 done, but below the quality gate; 5 not found or "
+                              "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
+                              "run the same command again to continue."));
+  for (const char* command :
+       {"run",    "check",       "gc",      "plan",   "quality", "export", "convert", "render",
+        "shape",  "submit",      "wait",    "cancel", "jobs",    "status", "tasks",   "workers",
+        "events", "logs",        "explain", "trace",  "report",  "backup", "restore", "retry",
+        "drain",  "coordinator", "worker",  "pool",   "keys"}) {
+    EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
+    EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,278 @@
+#include "cli/job_input.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error_with_help.h"
+#include "base/file_system.h"
+#include "mesh/job_file/toml_limits.h"
+#include "tests/base/temp_folder.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A closed tetrahedron, as OFF.
+constexpr const char* tet_off =
+    "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+RunOptions of_surface(const std::string& path) {
+  RunOptions options;
+  options.input = path;
+  return options;
+}
+
+std::string refusal(const RunOptions& options) {
+  try {
+    describe_job(options);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    return error.what();
+  }
+}
+
+class JobOfAFile : public ::testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    write_file_atomically(folder_.path() / name, text);
+    return (folder_.path() / name).string();
+  }
+  TempFolder folder_;
+};
+
+TEST(JobInput, of_a_surface_is_named_like_it_without_folder_and_endings) {
+  for (const char* path : {"in/wing.stl", "in/wing.stl.gz"}) {
+    const JobInput input = describe_job(of_surface(path));
+    EXPECT_EQ(input.job.name, "wing");
+    EXPECT_EQ(input.job.surface, "wing.stl") << "without the folder, and unpacked";
+    EXPECT_EQ(input.path, path);
+    EXPECT_EQ(input.surface, "");
+  }
+  EXPECT_EQ(describe_job(of_surface("a.b.off")).job.name, "a.b");
+}
+
+TEST(JobInput, without_options_has_the_defaults_of_a_job_file) {
+  JobFile expected;
+  expected.name = "wing";
+  expected.surface = "wing.stl";
+  EXPECT_EQ(to_toml(describe_job(of_surface("wing.stl")).job), to_toml(expected));
+}
+
+TEST(JobInput, takes_each_option_of_a_job) {
+  RunOptions options = of_surface("wing.stl");
+  options.subdomains = 8;
+  options.groups = 4;
+  options.size = 0.5;
+  options.growth = 0.2;
+  options.outer = "box:2.5";
+  options.outer_size = 0.25;
+  options.max_elements = 7;
+  options.formats = {"su2", "vtkhdf"};
+  const JobFile job = describe_job(options).job;
+  EXPECT_EQ(job.subdomains, 8);
+  EXPECT_EQ(job.groups, 4);
+  EXPECT_EQ(job.spacing_default, 0.5);
+  EXPECT_EQ(job.growth, 0.2);
+  EXPECT_EQ(job.outer_kind, "box");
+  EXPECT_EQ(job.outer_factor, 2.5);
+  EXPECT_EQ(job.outer_spacing, 0.25);
+  EXPECT_EQ(job.max_elements, 7);
+  EXPECT_THAT(job.formats, ElementsAre("su2", "vtkhdf"));
+  options.force = true;
+  EXPECT_EQ(describe_job(options).job.max_elements, 0);
+}
+
+TEST(JobInput, an_outer_boundary_has_a_factor_of_its_kind_unless_one_is_given) {
+  const auto outer = [](const char* text) {
+    RunOptions options = of_surface("wing.stl");
+    options.outer = text;
+    const JobFile job = describe_job(options).job;
+    return std::pair(job.outer_kind, job.outer_factor);
+  };
+  EXPECT_EQ(outer("none"), std::pair(std::string("none"), 0.0));
+  EXPECT_EQ(outer("box"), std::pair(std::string("box"), 3.0));
+  EXPECT_EQ(outer("sphere"), std::pair(std::string("sphere"), 5.0));
+  EXPECT_EQ(outer("sphere:1.5"), std::pair(std::string("sphere"), 1.5));
+}
+
+TEST(JobInput, says_what_is_wrong_with_an_option) {
+  const auto with = [](const auto& change) {
+    RunOptions options = of_surface("wing.stl");
+    change(options);
+    return refusal(options);
+  };
+  const auto outer = [&](const char* text) {
+    return with([text](RunOptions& options) { options.outer = text; });
+  };
+  for (const char* text : {"cube", "", "none:2", "boxes"}) {
+    EXPECT_EQ(outer(text),
+              "--outer: \"" + std::string(text) + "\" is not box[:FACTOR] or sphere[:FACTOR]");
+  }
+  for (const char* text : {"box:", "box:x", "box:1", "box:0.5", "box:2x", "box:nan", "box:inf"}) {
+    EXPECT_EQ(outer(text),
+              "--outer: the factor in \"" + std::string(text) + "\" must be a number above 1");
+  }
+  EXPECT_EQ(with([](RunOptions& options) { options.outer_size = 0.5; }),
+            "--outer-size: there is no outer boundary; also give --outer box or --outer sphere");
+  EXPECT_EQ(with([](RunOptions& options) { options.max_memory = "lots"; }),
+            "--max-memory: \"lots\" is not an amount such as 2GiB or 500MB");
+  EXPECT_EQ(with([](RunOptions& options) {
+              options.subdomains = 3;
+              options.groups = 4;
+            }),
+            "--groups: must not be more than the number of sub-domains");
+  EXPECT_EQ(with([](RunOptions& options) {
+              options.subdomains = 4;
+              options.groups = 4;
+            }),
+            "");
+  EXPECT_EQ(with([](RunOptions& options) { options.groups = 4; }), "") << "as many as come";
+  EXPECT_EQ(with([](RunOptions& options) { options.formats = {"su3"}; }),
+            "--format su3: unknown format; did you mean su2?");
+  EXPECT_THAT(refusal(of_surface("wing.xyz")), HasSubstr("unsupported file type `.xyz`"));
+}
+
+TEST_F(JobOfAFile, a_folder_is_no_surface) {
+  const std::string folder = folder_.path().string();
+  EXPECT_EQ(refusal(of_surface(folder)), folder + ": is a folder, not a surface or a job file");
+}
+
+TEST_F(JobOfAFile, options_win_over_it) {
+  RunOptions options = of_surface(
+      write("job.toml",
+            "name = \"mine\"\n[geometry]\nsurface = \"in/wing.off\"\n[spacing]\ndefault = 0.5\n"
+            "growth = 0.1\n[decompose]\nmax_memory = \"2GiB\"\n[output]\nformats = [\"su2\"]\n"));
+  const JobInput plain = describe_job(options);
+  EXPECT_EQ(plain.job.name, "mine");
+  EXPECT_EQ(plain.job.surface, "wing.off");
+  EXPECT_EQ(plain.path, (folder_.path() / "in" / "wing.off").string());
+  EXPECT_EQ(plain.job.spacing_default, 0.5);
+  EXPECT_EQ(plain.job.growth, 0.1);
+  EXPECT_EQ(plain.job.max_memory_bytes, std::int64_t{2} << 30);
+  EXPECT_THAT(plain.job.formats, ElementsAre("su2"));
+  options.size = 0.25;
+  options.formats = {"vtkhdf"};
+  options.subdomains = 5;
+  const JobFile changed = describe_job(options).job;
+  EXPECT_EQ(changed.spacing_default, 0.25);
+  EXPECT_EQ(changed.growth, 0.1);
+  EXPECT_EQ(changed.subdomains, 5);
+  EXPECT_EQ(changed.max_memory_bytes, 0) << "the number is asked for instead";
+  EXPECT_THAT(changed.formats, ElementsAre("vtkhdf"));
+  RunOptions groups = of_surface(options.input);
+  groups.groups = 2;
+  EXPECT_EQ(describe_job(groups).job.max_memory_bytes, 0);
+}
+
+TEST_F(JobOfAFile, an_amount_of_memory_takes_the_place_of_numbers) {
+  RunOptions options =
+      of_surface(write("job.toml",
+                       "[geometry]\nsurface = \"wing.off\"\n[decompose]\nsubdomains = 8\n"
+                       "[decompose.assimilate]\ngroups = 4\n"));
+  EXPECT_EQ(describe_job(options).job.subdomains, 8);
+  EXPECT_EQ(describe_job(options).job.groups, 4);
+  options.max_memory = "500MB";
+  const JobFile job = describe_job(options).job;
+  EXPECT_EQ(job.max_memory_bytes, 500'000'000);
+  EXPECT_EQ(job.subdomains, 0);
+  EXPECT_EQ(job.groups, 0);
+}
+
+TEST_F(JobOfAFile, carries_the_sources_of_another_file) {
+  write("s.ba3", "t\n0 0 1 0 0\n*\n1\n0.5 0.5 0.5 0.05 0.2 0.4\n");
+  const std::string text = "[geometry]\nsurface = \"wing.off\"\n[spacing]\nsources = \"s.ba3\"\n";
+  const std::string own =
+      "[[source]]\nkind = \"point\"\nat = [1, 2, 3]\nspacing = 0.1\n"
+      "inner = 0.5\nouter = 1\n";
+  const JobFile job = describe_job(of_surface(write("job.toml", text))).job;
+  EXPECT_EQ(job.sources_file, "");
+  ASSERT_EQ(job.sources.size(), 1U);
+  EXPECT_EQ(job.sources[0].corners.at(0).spacing, 0.05);
+  const JobFile both = describe_job(of_surface(write("both.toml", text + own))).job;
+  ASSERT_EQ(both.sources.size(), 2U);
+  EXPECT_EQ(both.sources[0].corners.at(0).spacing, 0.1) << "its own come first";
+}
+
+TEST_F(JobOfAFile, has_the_bytes_of_its_surface_unpacked_when_it_is_read) {
+  const JobInput input = read_job(of_surface(write("tet.off", tet_off)));
+  EXPECT_EQ(input.surface, tet_off);
+  EXPECT_THROW(read_job(of_surface((folder_.path() / "none.off").string())), IoError);
+}
+
+TEST_F(JobOfAFile, of_a_surface_that_is_open_or_unreadable_is_refused_by_the_path_as_typed) {
+  JobInput input = read_job(of_surface(write("tet.off", tet_off)));
+  require_readable(input);
+  require_meshable(input);
+  input.path = "in/tet.off";
+  input.surface = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+  require_readable(input);
+  try {
+    require_meshable(input);
+    FAIL() << "took an open surface";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::bad_geometry);
+    EXPECT_THAT(error.what(), HasSubstr("in/tet.off: the surface cannot be meshed"));
+  }
+  input.surface = "OFF\n1 zero";
+  EXPECT_THROW(require_readable(input), InvalidInput);
+}
+
+TEST(JobInput, is_submitted_only_with_a_name_that_a_job_may_have) {
+  JobInput input = describe_job(of_surface("wing.off"));
+  EXPECT_NO_THROW(check_submittable(input));
+  input.job.name = "a\nb";
+  try {
+    check_submittable(input);
+    FAIL() << "took a name of two lines";
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(),
+                 "wing.off: the job takes its name from this file, and a job's name must not "
+                 "contain control characters; rename the file, or give a job file with a `name`");
+  }
+}
+
+TEST(JobInput, is_submitted_only_when_its_sources_fit_into_a_job_file) {
+  JobInput input = describe_job(of_surface("wing.off"));
+  JobSource source;
+  source.corners.push_back({{0.125, 0.25, 0.5}, 0.125, 0.25, 0.5});
+  input.job.sources.assign(20'000, source);
+  const std::size_t size = to_toml(input.job).size();
+  ASSERT_GT(size, largest_job_file);
+  try {
+    check_submittable(input);
+    FAIL() << "took too large a job";
+  } catch (const UsageError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "wing.off: the job with its sources has " + std::to_string(size) +
+                  " bytes, more than the 1048576 allowed: use fewer sources");
+  }
+}
+
+TEST(JobInput, has_a_key_of_its_job_file_and_the_bytes_of_its_surface_not_of_its_path) {
+  JobInput input = describe_job(of_surface("in/wing.off"));
+  input.surface = tet_off;
+  const std::string key = key_of(input);
+  JobInput elsewhere = describe_job(of_surface("out/wing.off"));
+  elsewhere.surface = tet_off;
+  EXPECT_EQ(key_of(elsewhere), key);
+  elsewhere.surface += "\n";
+  EXPECT_NE(key_of(elsewhere), key);
+  input.job.growth = 0.25;
+  EXPECT_NE(key_of(input), key);
+}
+
+TEST_F(JobOfAFile, has_the_background_of_its_sources_unless_it_has_its_own) {
+  write("s.ba3",
+        "t\n1 0 1 0 0\n1 0 0 0\n1 0 0 0.7\n0 1 0 0.7\n0 0 1 0.7\n* points\n1\n"
+        "0.5 0.5 0.5 0.05 0.2 0.4\n");
+  const std::string text = "[geometry]\nsurface = \"wing.off\"\n[spacing]\nsources = \"s.ba3\"\n";
+  EXPECT_EQ(describe_job(of_surface(write("job.toml", text))).job.spacing_default, 0.7);
+  EXPECT_EQ(
+      describe_job(of_surface(write("own.toml", text + "default = 0.3\n"))).job.spacing_default,
+      0.3);
+}
+
+}  // namespace
+}  // namespace tetfarm
