@@ -105,6 +105,7 @@ TEST_F(Checked, voids_and_regions_are_told_apart) {
   EXPECT_THAT(said.out, HasSubstr("\nshells          2\n"));
   EXPECT_THAT(said.out, HasSubstr("\nvoid            "));
   EXPECT_THAT(said.out, HasSubstr("\nregion 1        "));
+  EXPECT_THAT(said.out, HasSubstr(", volume 121.333333\n")) << "without the void";
 }
 
 TEST_F(Checked, something_is_to_be_named) {

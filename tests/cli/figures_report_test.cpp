@@ -131,6 +131,7 @@ TEST(FiguresReport, for_programs_has_every_figure) {
       nlohmann::ordered_json({{"edges", 8}, {"shortest", 0.5}, {"longest", 3.0}, {"mean", 1.25}}));
   EXPECT_EQ(json["near_cuts_figures"]["smallest_height"], 0.125);
   EXPECT_EQ(json["near_cuts_figures"]["radius_ratio_histogram"]["counts"][5], 1);
+  EXPECT_EQ(json["near_cuts_figures"]["radius_ratio_histogram"]["counts"][7], 0);
   EXPECT_EQ(json["away_from_cuts_figures"]["smallest_height"], 0.25);
   EXPECT_EQ(json["away_from_cuts_figures"]["smallest_height_at"],
             nlohmann::ordered_json({4.0, 5.0, 6.0}));

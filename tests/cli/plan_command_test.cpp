@@ -95,6 +95,20 @@ TEST_F(PlanOfACube, has_no_turns_where_the_job_wants_none) {
   EXPECT_EQ(of_kinds.at("mesh"), 4);
 }
 
+TEST_F(PlanOfACube, has_the_memory_of_the_largest_task_of_a_kind) {
+  command_.job.subdomains = 5;
+  const Json plan = json();
+  double largest = 0;
+  double last = 0;
+  for (const Json& node : plan["subdomains"]) {
+    if (node["parts"] != 1) continue;
+    last = node["bytes"];
+    largest = std::max(largest, last);
+  }
+  EXPECT_LT(last, largest) << "or this says nothing";
+  EXPECT_EQ(plan["tasks"]["mesh"]["bytes"], largest);
+}
+
 TEST_F(PlanOfACube, tells_programs_what_the_job_and_each_sub_domain_come_to) {
   const Json plan = json();
   EXPECT_EQ(plan["type"], "plan");

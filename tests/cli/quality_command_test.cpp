@@ -111,7 +111,7 @@ TEST_F(QualityOf, a_grid_of_tets_is_told_to_programs) {
   EXPECT_NEAR(json["enclosed_volume"].get<double>(), 1, 1e-12);
   EXPECT_EQ(json["digest"].get<std::string>().size(), 32U);
   EXPECT_NEAR(json["forced_dihedral_deg"].get<double>(), 45, 1e-9);
-  EXPECT_EQ(json["forced_at"].size(), 3U);
+  EXPECT_EQ(json["forced_at"], Json({0.25, 0.0, 1.0}));
   EXPECT_TRUE(json["complaints"].empty());
   EXPECT_NEAR(json["time_step"].get<double>(), std::sqrt(0.125), 1e-12);
   const auto expect_shapes = [](const Json& shapes) {

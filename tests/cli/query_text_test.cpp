@@ -217,6 +217,12 @@ TEST(QueryText, of_a_task_tells_its_place_its_reasons_its_attempts_and_what_is_m
             "  missing: spacing abc\n");
 }
 
+TEST(QueryText, of_a_task_on_the_right_names_the_sub_domain_on_the_left) {
+  wire::Explanation explanation = waiting_task();
+  explanation.mutable_task()->set_path(7);
+  EXPECT_THAT(explanation_text(explanation), HasSubstr("in the tree: below R, beside RL;"));
+}
+
 TEST(QueryText, of_a_task_that_is_done_tells_how_long_it_took) {
   wire::Explanation explanation = waiting_task();
   explanation.mutable_task()->set_state("done");

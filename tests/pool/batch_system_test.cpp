@@ -358,7 +358,9 @@ TEST(RunCommand, keeps_output_feeds_input_and_ends_what_takes_too_long) {
   const CommandOutcome missing = run_command({{"/no/such/program"}, ""}, 10'000);
   EXPECT_EQ(missing.code, 127);
   EXPECT_THAT(missing.err, HasSubstr("No such file"));
-  EXPECT_EQ(run_command({{"sleep", "60"}, ""}, 100).code, -1);
+  const CommandOutcome late = run_command({{"sleep", "60"}, ""}, 100);
+  EXPECT_EQ(late.code, -1);
+  EXPECT_EQ(late.err, "was killed, or did not answer in time");
 }
 
 TEST(RunCommand, ends_with_a_command_what_the_command_has_started) {

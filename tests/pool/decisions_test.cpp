@@ -540,5 +540,16 @@ TEST_F(Pool, jobs_whose_workers_were_there_may_vanish_without_trouble) {
       << "this one never brought a worker";
 }
 
+TEST_F(Pool, a_job_that_is_not_listed_yet_is_not_taken_back) {
+  start(rules_of(0, 5));
+  farm_.demand = {{0, 1}};
+  step();
+  jobs_.clear();
+  farm_.demand = {};
+  look();
+  now_ms_ += rules_.unwanted_ms;
+  EXPECT_THAT(look().cancel, IsEmpty()) << "the batch system does not know it";
+}
+
 }  // namespace
 }  // namespace tetfarm

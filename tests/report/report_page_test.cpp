@@ -350,5 +350,12 @@ TEST(ReportPage, shows_volumes_by_powers_of_two_also_those_between) {
   EXPECT_THAT(page, HasSubstr(">Volume, % of tets, log<"));
 }
 
+TEST(ReportPage, has_leaves_in_the_order_of_the_tree_at_whatever_depth) {
+  ReportedWork work;
+  work.tasks = {mesh_task(3, 30), mesh_task(5, 50), mesh_task(4, 40)};
+  EXPECT_THAT(estimated_elements_of_leaves(work), ElementsAre(40, 50, 30));
+  EXPECT_THAT(report_page(whole_report()), HasSubstr("<title>0: 1 made</title>"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -240,5 +240,18 @@ TEST(SvgCharts, numbers_change_their_units_where_they_become_long) {
   EXPECT_EQ(short_number(0.1234), "0.123");
 }
 
+TEST(SvgCharts, of_many_decades_have_few_marks) {
+  const std::string svg = svg_of(BarChart{.title = "",
+                                          .names = {"a", "b"},
+                                          .series = {{"", "#111111", {1e-6, 1e6}}},
+                                          .is_logarithmic = true});
+  std::string marks;
+  const std::regex mark("text-anchor=\"end\">([^<]*)<");
+  for (std::sregex_iterator found(svg.begin(), svg.end(), mark), end; found != end; ++found) {
+    marks += (*found)[1].str() + " ";
+  }
+  EXPECT_EQ(marks, "1e-07 0.0001 0.1 100 100 k ");
+}
+
 }  // namespace
 }  // namespace tetfarm

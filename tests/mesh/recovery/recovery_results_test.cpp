@@ -104,7 +104,8 @@ TEST(RecoveryResults, of_generated_boundaries_are_known) {
   for (const auto& [kind, first, last] : generated_surfaces) {
     const auto generators = shapes::surface_generators();
     const auto generator = std::ranges::find_if(
-        generators, [&](const shapes::SurfaceGenerator& g) { return g.name == kind; });
+        generators,
+        [wanted = kind](const shapes::SurfaceGenerator& g) { return g.name == wanted; });
     ASSERT_NE(generator, generators.end()) << kind;
     ResultDigest result;
     for (std::uint64_t seed = first; seed <= last; ++seed) {
