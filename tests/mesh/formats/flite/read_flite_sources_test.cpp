@@ -13,7 +13,7 @@ using testing::SizeIs;
 using testing::ThrowsMessage;
 
 constexpr const char* background =
-    "a title\n1 0 1 1 1 and more\n1 0 0 0\n1 0 0 2.5\n0 1 0 2.5\n0 0 1 2.5D0\n";
+    "a title\n1 0 1 1 1 and more\n1 0 0 0\n1 0 0 2.5\n0 1 0 2.5\n0 0 1 2.5d0\n";
 constexpr const char* sources =
     "* points\n1 nose\n1 2 3 0.1 0.2 0.4 remark\n"
     "* lines\n1\n0 0 0 0.1D-1 0.2 0.4\n1 0 0 0.2 0.3 0.5\n"

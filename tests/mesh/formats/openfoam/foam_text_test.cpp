@@ -76,6 +76,7 @@ TEST(FoamText, dictionaries_give_their_entries_and_pass_over_those_inside) {
       refusal(head + "{ a 1; b { c 2; d { e 3; } } f 1(wall); list of 4; g \"};\"; } END", read),
       "");
   EXPECT_THAT(entries, ElementsAre("a=1", "b={", "f=1", "list=of", "g=\"};\""));
+  EXPECT_THAT(refusal(head + "{ a 1 } } ; } END", read), HasSubstr("expected ;, found }"));
 }
 
 TEST(FoamText, refuses_what_is_binary_or_has_no_header) {
@@ -92,6 +93,7 @@ TEST(FoamText, names_the_line_of_what_is_wrong) {
     file.end_list();
   };
   EXPECT_EQ(refusal(head + "3(0 1 2)", list), "");
+  EXPECT_EQ(refusal(head + "/*/ 9(7) */ 3(0 1 2)", list), "");
   EXPECT_THAT(refusal(head + "2\n(0\nx)", list), HasSubstr("a:4: "));
   EXPECT_THAT(refusal(head + "2\n(0\n3)", list), HasSubstr("a:4: the number 3 is not below 3"));
   EXPECT_THAT(refusal(head + "2\n(0\n-1)", list), HasSubstr("a:4: "));
