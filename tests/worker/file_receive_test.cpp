@@ -75,6 +75,19 @@ TEST_F(FileReceiveTest, a_chunk_that_was_damaged_on_its_way_is_asked_for_again) 
   EXPECT_EQ(file.next(chunk_again_ms + 1), 0U);
 }
 
+TEST_F(FileReceiveTest, a_chunk_of_another_file_is_not_taken) {
+  FileReceive file = receive();
+  EXPECT_EQ(file.next(0), 0U);
+  wire::FileChunk other = chunk(0);
+  other.set_hash(hash128("another").hex());
+  EXPECT_FALSE(file.take(other, 1));
+  other.set_missing(true);
+  EXPECT_FALSE(file.take(other, 1));
+  EXPECT_EQ(file.state(), FileReceive::State::coming);
+  EXPECT_EQ(file.there(), 0U);
+  EXPECT_TRUE(file.take(chunk(0), 1));
+}
+
 TEST_F(FileReceiveTest, an_empty_file_needs_no_chunk_and_a_missing_one_gets_none) {
   EXPECT_EQ(receive("").state(), FileReceive::State::whole);
   FileReceive file = receive();

@@ -62,6 +62,21 @@ TEST_F(Recovery, a_process_that_left_a_connection_idle_is_not_given_tasks_there)
   EXPECT_TRUE(next(current).attempt);
 }
 
+TEST_F(Recovery, what_no_record_may_say_of_a_task_is_a_broken_invariant) {
+  submit();
+  worker_ = new_worker();
+  const SendAssign inspect = next(worker_);
+  ASSERT_TRUE(finish(worker_, inspect));
+  EXPECT_THAT(state_->validate(), IsEmpty());
+  DurableState by_nobody = record_.state();
+  by_nobody.tasks.at(inspect.task).attempt = {};
+  const JobState anew(
+      by_nobody, rules_, [this](const ArtifactRef& file) { return files_.contains(file.hash); },
+      now_);
+  EXPECT_THAT(anew.validate(), testing::ElementsAre("task " + std::to_string(inspect.task.value) +
+                                                    ": done by nobody"));
+}
+
 TEST_F(Recovery, what_a_start_decides_is_recorded_though_the_disk_was_full) {
   submit();
   worker_ = new_worker();

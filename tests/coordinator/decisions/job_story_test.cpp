@@ -228,6 +228,17 @@ TEST_F(JobStory, has_full_disks_once_however_often_they_are_met) {
   EXPECT_EQ(task(TaskId{1}).losses + task(TaskId{1}).crashes, 0U);
 }
 
+TEST_F(JobStory, of_a_full_disk_is_over_with_the_first_result_that_comes) {
+  begin();
+  const SendAssign assign = next(worker_);
+  state_->out_of_resources("No space left on device", now_);
+  EXPECT_TRUE(state_->is_stuck());
+  EXPECT_FALSE(next(worker_).attempt);
+  ASSERT_TRUE(finish(worker_, assign));
+  EXPECT_FALSE(state_->is_stuck());
+  EXPECT_TRUE(next(worker_).attempt);
+}
+
 TEST_F(JobStory, has_files_that_were_lost_and_are_made_again) {
   begin();
   ASSERT_TRUE(finish(worker_, next(worker_)));

@@ -42,6 +42,23 @@ TEST(GraphPartition, parts_are_about_even_and_every_group_is_used) {
   }
 }
 
+TEST(GraphPartition, groups_meet_where_interfaces_have_few_triangles) {
+  // A ring of four leaves of equal work: two neighbours each go together, by their interfaces.
+  for (const std::size_t first : {0, 1}) {
+    SubdomainGraph ring = test::unconnected_leaves(4);
+    for (std::int32_t leaf = 0; leaf < 4; ++leaf) {
+      test::connect(ring, leaf, (leaf + 1) % 4,
+                    leaf % 2 == static_cast<std::int32_t>(first) ? 500 : 20);
+    }
+    for (const PartitionMethod method : {PartitionMethod::recursive, PartitionMethod::k_way}) {
+      const std::vector<std::int32_t> group = partition_graph(ring, 2, method);
+      EXPECT_EQ(group[first], group[first + 1]);
+      EXPECT_EQ(group[first + 2], group[(first + 3) % 4]);
+      EXPECT_NE(group[first], group[first + 2]);
+    }
+  }
+}
+
 TEST(GraphPartition, does_not_depend_on_what_was_drawn_from_rand_before) {
   const SubdomainGraph graph = test::uneven_grid(5, 2, 3);
   for (const PartitionMethod method : methods) {

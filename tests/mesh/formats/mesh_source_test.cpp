@@ -37,6 +37,19 @@ TEST(MeshSource, outline_counts_what_the_parts_have) {
   EXPECT_THAT(outline.region_names, testing::ElementsAre("domain"));
 }
 
+TEST(MeshOutline, is_of_tets_alone_when_it_has_no_other_cells_and_no_quads_on_its_boundary) {
+  MeshOutline outline;
+  outline.tets = 5;
+  outline.boundary_triangles = 8;
+  EXPECT_TRUE(outline.has_tets_alone());
+  MeshOutline with_quads = outline;
+  with_quads.blocks[ElementType::quad].count = 1;
+  EXPECT_FALSE(with_quads.has_tets_alone());
+  MeshOutline with_prisms = outline;
+  with_prisms.blocks[ElementType::prism].count = 1;
+  EXPECT_FALSE(with_prisms.has_tets_alone());
+}
+
 TEST(MeshSource, refuses_a_node_number_that_is_missing) {
   GridSource grid(cut_grid(4));
   for (NumberedPart& part : grid.parts) {

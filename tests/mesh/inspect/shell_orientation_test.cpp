@@ -90,5 +90,15 @@ TEST(ShellOrientation, keeps_shells_apart_that_share_a_vertex) {
   EXPECT_EQ(result.triangle2shell[12], 1);
 }
 
+TEST(ShellOrientation, keeps_shells_apart_that_share_an_edge_of_more_than_two_triangles) {
+  SurfaceMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  const auto result = orient(mesh);
+  EXPECT_THAT(result.triangle2shell, testing::ElementsAre(0, 1, 2));
+  EXPECT_THAT(result.turn, testing::Each(0));
+  EXPECT_FALSE(result.defect);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mesh/core/validate.h"
 #include "tests/support/shapes.h"
 
@@ -70,6 +72,10 @@ TEST(JoinHalves, is_a_valid_mesh_of_the_whole_whose_first_nodes_are_its_own) {
   EXPECT_EQ(joined.nodes.size(), 7U);
   EXPECT_EQ(joined.tets.size(), 8U);
   for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(joined.nodes[v], o.whole.vertices[v]);
+  for (std::size_t t = 0; t < 8; ++t) {
+    const bool has_apex = std::ranges::count(joined.tets[t], t < 4 ? 4 : 5) == 1;
+    EXPECT_TRUE(has_apex) << "tets of the left half come first, tet " << t;
+  }
 }
 
 VolumeOutcome pyramid_of(const Subdomain& half) { return {pyramid_mesh(half), {}}; }

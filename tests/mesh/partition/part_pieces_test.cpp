@@ -179,6 +179,31 @@ TEST_F(PartPiecesOfGrid, keep_the_boundary_beside_the_cells_that_have_it) {
   EXPECT_EQ(after, before);
 }
 
+TEST_F(PartPiecesOfGrid, have_cells_of_each_type_by_region_whichever_sub_domain_comes_first) {
+  const TempFolder folder;
+  PartPieces pieces(1, folder.path());
+  Cells expected;
+  for (std::size_t i = grid_.size(); i-- > 0;) {
+    pieces.add(grid_.parts[i],
+               std::vector<std::int32_t>(static_cast<std::size_t>(cells_of(grid_.parts[i])), 0));
+    add_cells(grid_.parts[i], expected);
+  }
+  const NumberedPart part = pieces.part(0);
+  EXPECT_TRUE(std::ranges::is_sorted(part.region_of_tet));
+  int with_several_regions = 0;
+  for (const ElementType type : cell_block_types) {
+    const std::vector<std::int32_t>& regions = part.blocks[type].regions;
+    EXPECT_TRUE(std::ranges::is_sorted(regions));
+    with_several_regions += !regions.empty() && regions.front() != regions.back() ? 1 : 0;
+  }
+  EXPECT_GT(with_several_regions, 1);
+  Cells cells;
+  add_cells(part, cells);
+  std::sort(cells.begin(), cells.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(cells, expected);
+}
+
 /// Two tets with a face in common.
 NumberedPart two_tets(std::int32_t number, std::int32_t region) {
   NumberedPart part;

@@ -12,18 +12,25 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Parts of nodes alone, by their numbers and places along x.
+/// Somewhere along x, or anywhere.
+struct Place {
+  Place(double x) : at{x, 0, 0} {}
+  Place(const Vec3& p) : at(p) {}
+  Vec3 at;
+};
+
+/// Parts of nodes alone, by their numbers and places.
 class NodesOnly : public MeshSource {
  public:
-  using Nodes = std::vector<std::pair<std::int64_t, double>>;
+  using Nodes = std::vector<std::pair<std::int64_t, Place>>;
   explicit NodesOnly(std::vector<Nodes> parts) : parts_(std::move(parts)) {}
   std::size_t size() const override { return parts_.size(); }
   NumberedPart part(std::size_t i) const override {
     NumberedPart part;
     part.number = static_cast<std::int32_t>(i);
-    for (const auto& [number, x] : parts_.at(i)) {
+    for (const auto& [number, place] : parts_.at(i)) {
       part.local2global.push_back(number);
-      part.nodes.push_back({x, 0, 0});
+      part.nodes.push_back(place.at);
     }
     return part;
   }
@@ -72,6 +79,18 @@ TEST(NodeCheck, names_the_places_of_a_node_that_lies_elsewhere_in_another_part) 
                           "sub-domain 2, 0 apart"));
   EXPECT_EQ(check(source, 2).lines.size(), 2U);
   EXPECT_EQ(check(source, 0).lines.size(), 0U);
+}
+
+TEST(NodeCheck, compares_places_along_each_axis) {
+  const NodesOnly source({{{0, Vec3{1, 2, 3}}, {1, Vec3{1, 2, 3}}, {2, Vec3{1, 2, 3}}},
+                          {{0, Vec3{0, 2, 3}}, {1, Vec3{1, 0, 3}}, {2, Vec3{1, 2, 0}}}});
+  EXPECT_THAT(check(source).lines,
+              ElementsAre("node 0 lies at (1, 2, 3) in sub-domain 0 and at (0, 2, 3) in "
+                          "sub-domain 1, 1 apart",
+                          "node 1 lies at (1, 2, 3) in sub-domain 0 and at (1, 0, 3) in "
+                          "sub-domain 1, 2 apart",
+                          "node 2 lies at (1, 2, 3) in sub-domain 0 and at (1, 2, 0) in "
+                          "sub-domain 1, 3 apart"));
 }
 
 TEST(NodeCheck, tells_a_gap_in_the_numbers_and_the_first_that_is_missing) {
