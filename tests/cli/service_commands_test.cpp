@@ -163,7 +163,8 @@ TEST_F(Served, what_is_not_in_quarantine_is_not_found) {
 
 TEST_F(Served, either_a_job_or_a_host_is_tried_again) {
   for (const auto& [job, host] : {std::pair{"", ""}, {"job-7", "node5"}}) {
-    const Said said = said_by([&] { return retry_command({client(job), 0, host}); });
+    const RetryCommand command{client(job), 0, host};
+    const Said said = said_by([&] { return retry_command(command); });
     EXPECT_EQ(said.code, ExitCode::usage);
     EXPECT_EQ(said.error, "retry: give either a job or --host NAME");
   }

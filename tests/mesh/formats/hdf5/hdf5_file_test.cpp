@@ -73,7 +73,8 @@ TEST(Hdf5Input, refuses_texts_of_any_length_and_rows_of_another) {
   EXPECT_EQ(said_of([&] { file.text_attribute("none", "Type"); }), "no attribute Type of none");
   EXPECT_EQ(said_of([&] { file.text_attribute("rows", "Type"); }), "no attribute Type of rows");
   for (const auto& [first, count] : {std::pair{-1, 1}, {0, -1}, {3, 0}, {1, 2}, {2, 1}}) {
-    EXPECT_EQ(said_of([&] { file.rows("rows", 2).check(first, count); }), "rows ends too early")
+    EXPECT_EQ(said_of([&, from = first, of = count] { file.rows("rows", 2).check(from, of); }),
+              "rows ends too early")
         << first << " " << count;
   }
   EXPECT_EQ(said_of([&] { file.rows("rows", 2).check(2, 0); }), "");
