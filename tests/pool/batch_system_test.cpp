@@ -340,6 +340,8 @@ TEST(Hosts, a_worker_on_this_machine_is_started_found_again_and_ended) {
   const CommandOutcome outcome = run_command(local->submit({2, gib}, {}).front(), 10'000);
   const std::vector<std::string> ids = local->submitted({2, gib}, outcome);
   ASSERT_EQ(ids.size(), 2U) << outcome.err;
+  // Until its shell has become the program a worker is not known by its arguments.
+  for (int i = 0; i < 100 && list().size() < 2; ++i) ::usleep(50'000);
   EXPECT_THAT(list(), UnorderedElementsAreArray(ids));
   run_command(local->cancel({ids[0]}).front(), 10'000);
   for (int i = 0; i < 100 && list().size() > 1; ++i) ::usleep(50'000);
