@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/error_text.h"
 
 namespace tetfarm {
 namespace {
@@ -99,16 +100,6 @@ TEST(AuthorizedKeys, a_line_that_cannot_be_read_lets_nobody_in) {
                           HasSubstr("line 8: its key"), HasSubstr("line 9: its name")));
 }
 
-template <class Action>
-std::string refusal_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST_F(AuthorizedKeysFile, is_begun_with_what_it_is_and_has_a_line_for_each) {
   authorize(path_, peer("anna", Role::submitter, 'a'));
   authorize(path_, peer("node-1", Role::worker, 'b'));
@@ -122,13 +113,13 @@ TEST_F(AuthorizedKeysFile, is_begun_with_what_it_is_and_has_a_line_for_each) {
 
 TEST_F(AuthorizedKeysFile, refuses_with_what_is_wrong) {
   authorize(path_, peer("anna", Role::submitter, 'a'));
-  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("anna", Role::worker, 'b')); }),
+  EXPECT_EQ(error_text_of([&] { authorize(path_, peer("anna", Role::worker, 'b')); }),
             "anna: is already authorised");
-  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("bob", Role::worker, 'a')); }),
+  EXPECT_EQ(error_text_of([&] { authorize(path_, peer("bob", Role::worker, 'a')); }),
             "bob: its key is already authorised, as anna");
-  EXPECT_EQ(refusal_of([&] { authorize(path_, peer("a b", Role::worker, 'c')); }),
+  EXPECT_EQ(error_text_of([&] { authorize(path_, peer("a b", Role::worker, 'c')); }),
             "a b: is not a valid name for a key");
-  EXPECT_EQ(refusal_of([&] { revoke(path_, "bob"); }),
+  EXPECT_EQ(error_text_of([&] { revoke(path_, "bob"); }),
             "bob: no such name or key in " + path_.string());
   try {
     revoke(path_, "submitter");
@@ -137,12 +128,12 @@ TEST_F(AuthorizedKeysFile, refuses_with_what_is_wrong) {
     EXPECT_EQ(error.code(), ExitCode::not_found);
   }
   ::chmod(path_.c_str(), 0664);
-  EXPECT_EQ(refusal_of([&] { read(); }),
+  EXPECT_EQ(error_text_of([&] { read(); }),
             path_.string() +
                 ": other users may write to the list of authorised keys: run chmod 644 on it");
   ::chmod(path_.c_str(), 0644);
-  EXPECT_EQ(refusal_of([&] { read(); }), "");
-  EXPECT_EQ(refusal_of([&] { revoke(folder_.path() / "none", "bob"); }),
+  EXPECT_EQ(error_text_of([&] { read(); }), "");
+  EXPECT_EQ(error_text_of([&] { revoke(folder_.path() / "none", "bob"); }),
             "bob: no such name or key in " + (folder_.path() / "none").string());
 }
 
@@ -150,7 +141,7 @@ TEST_F(AuthorizedKeysFile, of_another_user_is_refused_but_not_that_of_root) {
   authorize(path_, peer("anna", Role::submitter, 'a'));
   if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
   ASSERT_EQ(::chown(path_.c_str(), 65534, 65534), 0);
-  EXPECT_EQ(refusal_of([&] { read(); }),
+  EXPECT_EQ(error_text_of([&] { read(); }),
             path_.string() + ": the list of authorised keys belongs to another user");
 }
 

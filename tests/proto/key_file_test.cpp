@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/error_text.h"
 
 namespace tetfarm {
 namespace {
@@ -107,16 +108,6 @@ TEST_F(KeyFile, a_name_cannot_lead_out_of_the_folder) {
   EXPECT_FALSE(is_key_name(std::string(65, 'a')));
 }
 
-template <class Action>
-std::string refusal_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST_F(KeyFile, is_one_line_of_text_that_says_what_it_is) {
   const KeyPair pair = write_new_key(folder_.path(), "anna");
   EXPECT_EQ(read_file(key()), "tetfarm secret key " + hex_of({pair.secret_bytes}) + "\n");
@@ -130,26 +121,29 @@ TEST_F(KeyFile, is_one_line_of_text_that_says_what_it_is) {
 TEST_F(KeyFile, is_refused_with_what_is_wrong) {
   const std::string path = key().string();
   write_new_key(folder_.path(), "anna");
-  EXPECT_EQ(refusal_of([&] { write_new_key(folder_.path(), "anna"); }),
+  EXPECT_EQ(error_text_of([&] { write_new_key(folder_.path(), "anna"); }),
             path + ": there is already a key; a new one would lock out everyone who uses it");
-  EXPECT_EQ(refusal_of([&] { write_new_key(folder_.path(), "a/b"); }),
+  EXPECT_EQ(error_text_of([&] { write_new_key(folder_.path(), "a/b"); }),
             "a/b: a key's name may only have letters, digits, '.', '_', '-' and '@'");
   std::ofstream(key(), std::ios::trunc) << "tetfarm secret key 12\n";
-  EXPECT_EQ(refusal_of([&] { read_secret_key(key()); }), path + ": is not a secret key of tetfarm");
-  EXPECT_EQ(refusal_of([&] { read_public_key(key()); }), path + ": is not a public key of tetfarm");
+  EXPECT_EQ(error_text_of([&] { read_secret_key(key()); }),
+            path + ": is not a secret key of tetfarm");
+  EXPECT_EQ(error_text_of([&] { read_public_key(key()); }),
+            path + ": is not a public key of tetfarm");
   std::ofstream(key(), std::ios::trunc) << "tetfarm public key " << std::string(64, 'a') << "\n"
                                         << std::string(300, 'x');
-  EXPECT_EQ(refusal_of([&] { read_public_key(key()); }), path + ": is not a public key of tetfarm")
+  EXPECT_EQ(error_text_of([&] { read_public_key(key()); }),
+            path + ": is not a public key of tetfarm")
       << "what is larger than a key is none";
   ::chmod(key().c_str(), 0644);
-  EXPECT_EQ(refusal_of([&] { read_secret_key(key()); }),
+  EXPECT_EQ(error_text_of([&] { read_secret_key(key()); }),
             path +
                 ": other users may read this secret key: run chmod 600 on it, and make a new key "
                 "if anyone has read it");
   const std::filesystem::path none = folder_.path() / "none";
-  EXPECT_EQ(refusal_of([&] { read_secret_key(none); }),
+  EXPECT_EQ(error_text_of([&] { read_secret_key(none); }),
             none.string() + ": cannot open: No such file or directory");
-  EXPECT_EQ(refusal_of([&] { read_public_key(none); }),
+  EXPECT_EQ(error_text_of([&] { read_public_key(none); }),
             none.string() + ": cannot open: No such file or directory");
 }
 
@@ -160,7 +154,7 @@ TEST_F(KeyFile, has_digits_of_sixteen_kinds_in_small_letters) {
   for (const std::string& text :
        {digits.substr(1), digits + "0", "0123456789ABCDEF" + digits.substr(16),
         "g" + digits.substr(1), digits.substr(1) + "g", std::string()}) {
-    EXPECT_EQ(refusal_of([&] { public_key_of_hex(text, "line 7"); }),
+    EXPECT_EQ(error_text_of([&] { public_key_of_hex(text, "line 7"); }),
               "line 7: is not a public key of 64 hexadecimal digits")
         << text;
   }

@@ -4,20 +4,11 @@
 
 #include "base/error.h"
 #include "mesh/decompose/planar_cut.h"
+#include "tests/support/error_text.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
-
-template <class Action>
-std::string refusal_of(const Action& action) {
-  try {
-    action();
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(JobDomain, has_the_outer_boundary_that_the_job_asks_for) {
   JobFile job;
@@ -36,7 +27,7 @@ TEST(JobDomain, has_the_outer_boundary_that_the_job_asks_for) {
     EXPECT_FALSE(outer.is_sketch);
   }
   job.outer_kind = "cube";
-  EXPECT_EQ(refusal_of([&] { outer_boundary_of(job); }),
+  EXPECT_EQ(error_text_of<UsageError>([&] { outer_boundary_of(job); }),
             "[domain] outer: unknown outer boundary \"cube\"");
 }
 
@@ -62,7 +53,7 @@ TEST(JobDomain, has_the_spacing_that_the_job_asks_for) {
   EXPECT_EQ(options.sources[0].corners[0].spacing, 0.125);
   EXPECT_TRUE(spacing_options_of(JobFile{}).inherit_surface);
   job.sources_file = "/data/wing.sou";
-  EXPECT_EQ(refusal_of([&] { spacing_options_of(job); }),
+  EXPECT_EQ(error_text_of<UsageError>([&] { spacing_options_of(job); }),
             "/data/wing.sou: the sources of this file must be in the job itself when it is "
             "submitted");
 }
@@ -90,7 +81,7 @@ TEST(JobDomain, of_a_job_that_is_too_large_is_refused_with_a_size_that_would_do)
   JobFile job;
   job.spacing_default = 0.01;
   job.max_elements = 10'000;
-  EXPECT_THAT(refusal_of([&] { domain_of_job(job, shapes::unit_cube()); }),
+  EXPECT_THAT(error_text_of<UsageError>([&] { domain_of_job(job, shapes::unit_cube()); }),
               testing::MatchesRegex(
                   "spacing: the job would have about [0-9.]+ M elements, more than the 10.0 k that "
                   "it may have .*; `--size 0\\.[0-9]+` would give about [0-9.]+ k"));

@@ -1,4 +1,5 @@
 #include "worker/job_forecast.h"
+#include "tests/support/error_text.h"
 
 #include <gmock/gmock.h>
 
@@ -11,16 +12,6 @@ using ::testing::HasSubstr;
 
 /// What a job of the unit cube comes to whose sizes are even.
 double elements_of_cube(double size) { return 8.5 / (size * size * size); }
-
-template <class Refuse>
-std::string refusal(const Refuse& refuse) {
-  try {
-    refuse();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(JobForecast, names_a_size_that_keeps_the_limit_and_is_not_far_from_it) {
   for (const double most : {1e3, 5e6, 2e9, 1e12}) {
@@ -39,13 +30,13 @@ TEST(JobForecast, names_no_size_where_none_would_do) {
 TEST(JobForecast, refuses_more_elements_than_the_job_may_have) {
   JobFile job;
   const JobLimits limits{1, elements_of_cube, 0};
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 1.99e9, limits); }), "");
-  const std::string said = refusal([&] { require_few_elements(job, 7e10, limits); });
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 1.99e9, limits); }), "");
+  const std::string said = error_text_of([&] { require_few_elements(job, 7e10, limits); });
   EXPECT_THAT(said, HasSubstr("about 70.0 G elements, more than the 2.0 G that it may have"));
   EXPECT_THAT(said, HasSubstr("`--size 0.0017` would give about 1.7 G"));
   EXPECT_THAT(said, HasSubstr("--force"));
   job.max_elements = 1000;
-  EXPECT_THAT(refusal([&] { require_few_elements(job, 1001, limits); }),
+  EXPECT_THAT(error_text_of([&] { require_few_elements(job, 1001, limits); }),
               HasSubstr("more than the 1.0 k"));
 }
 
@@ -53,15 +44,15 @@ TEST(JobForecast, lets_a_forced_job_have_any_number_but_not_more_than_there_can_
   JobFile job;
   job.max_elements = 0;
   const JobLimits limits{1, elements_of_cube, 0};
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 9e11, limits); }), "");
-  EXPECT_THAT(refusal([&] { require_few_elements(job, 1e18, limits); }),
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 9e11, limits); }), "");
+  EXPECT_THAT(error_text_of([&] { require_few_elements(job, 1e18, limits); }),
               HasSubstr("more than the 1.0 T that any job may have"));
 }
 
 TEST(JobForecast, says_when_sizes_are_not_what_is_too_small) {
   JobFile job;
   const JobLimits limits{1, [](double) { return 3e9; }, 0};
-  EXPECT_THAT(refusal([&] { require_few_elements(job, 3e9, limits); }),
+  EXPECT_THAT(error_text_of([&] { require_few_elements(job, 3e9, limits); }),
               HasSubstr("no size is large enough"));
 }
 
@@ -71,16 +62,16 @@ TEST(JobForecast, refuses_what_the_disk_cannot_hold) {
   const JobForecast forecast = forecast_of(job, 1e6, root, 50);
   EXPECT_GT(forecast.disk_bytes, 1e8 * 60);
   JobLimits limits{1, elements_of_cube, 1e9};
-  const std::string said = refusal([&] { require_disk(job, forecast, limits); });
+  const std::string said = error_text_of([&] { require_disk(job, forecast, limits); });
   EXPECT_THAT(said, HasSubstr("of which only 1.0 GB is free"));
   EXPECT_THAT(said, HasSubstr("`--size 0.0"));
   limits.free_bytes = 0;
-  EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }), "") << "not known";
+  EXPECT_EQ(error_text_of([&] { require_disk(job, forecast, limits); }), "") << "not known";
   limits.free_bytes = 2 * forecast.disk_bytes;
-  EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }), "");
+  EXPECT_EQ(error_text_of([&] { require_disk(job, forecast, limits); }), "");
   limits.free_bytes = 1e9;
   job.max_elements = 0;
-  EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }), "") << "forced";
+  EXPECT_EQ(error_text_of([&] { require_disk(job, forecast, limits); }), "") << "forced";
 }
 
 TEST(JobForecast, grows_with_the_job_and_shrinks_its_tasks_with_sub_domains) {
@@ -212,18 +203,18 @@ TEST(JobForecast, refuses_in_whole_sentences) {
   JobFile job;
   job.max_elements = 1'000'000;
   const JobLimits limits{1, elements_of_cube, 1e9};
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 1'000'000, limits); }), "");
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 2e6, limits); }),
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 1'000'000, limits); }), "");
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 2e6, limits); }),
             "spacing: the job would have about 2.0 M elements, more than the 1.0 M that it may "
             "have (`--max-elements` sets the limit, `--force` lifts it); `--size 0.021` would give "
             "about 918 k");
   job.max_elements = 2'000'000'000'000;
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 1.5e12, limits); }),
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 1.5e12, limits); }),
             "spacing: the job would have about 1.5 T elements, more than the 1.0 T that any job "
             "may have; `--size 0.00021` would give about 918 G");
   const JobLimits stubborn{1, [](double) { return 3e9; }, 1e9};
   job.max_elements = 1'000'000;
-  EXPECT_EQ(refusal([&] { require_few_elements(job, 3e9, stubborn); }),
+  EXPECT_EQ(error_text_of([&] { require_few_elements(job, 3e9, stubborn); }),
             "spacing: the job would have about 3.0 G elements, more than the 1.0 M that it may "
             "have (`--max-elements` sets the limit, `--force` lifts it); no size is large enough, "
             "because the surface's own edges or the sources ask for more: make them coarser, or "
@@ -231,12 +222,12 @@ TEST(JobForecast, refuses_in_whole_sentences) {
   JobForecast forecast;
   forecast.elements = 2e7;
   forecast.disk_bytes = 2e9;
-  EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }),
+  EXPECT_EQ(error_text_of([&] { require_disk(job, forecast, limits); }),
             "the job would have about 20.0 M elements and need 2.0 GB of disk, of which only 1.0 "
             "GB is free; `--force` starts it anyway; `--size 0.0095` would give about 9.9 M")
       << "half of the elements on half of the disk";
   forecast.disk_bytes = 1e9;
-  EXPECT_EQ(refusal([&] { require_disk(job, forecast, limits); }), "") << "it just fits";
+  EXPECT_EQ(error_text_of([&] { require_disk(job, forecast, limits); }), "") << "it just fits";
 }
 
 TEST(JobForecast, tries_coarser_sizes_until_one_fits) {

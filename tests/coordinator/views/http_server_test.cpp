@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "tests/base/temp_folder.h"
+#include "tests/coordinator/views/loopback.h"
 
 namespace tetfarm {
 namespace {
@@ -95,17 +96,7 @@ class HttpServerTest : public testing::Test {
     options.exchange_ms = 3000;
     return options;
   }
-  int connect() const {
-    const std::string& address = server_.address();
-    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in where{};
-    where.sin_family = AF_INET;
-    where.sin_port =
-        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-    ::inet_pton(AF_INET, "127.0.0.1", &where.sin_addr);
-    EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&where), sizeof where), 0);
-    return fd;
-  }
+  int connect() const { return connect_to(server_.address()); }
   void turn(std::int64_t ms = 1) {
     now_ms_ += ms;
     std::vector<zmq::pollitem_t> items;
@@ -439,14 +430,7 @@ TEST(HttpServerToken, is_asked_for_without_the_line_end_of_its_file) {
   ::chmod(options.token_file.c_str(), 0600);
   HttpServer server(options);
   const auto answer_to = [&server](const std::string& request) {
-    const std::string& address = server.address();
-    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in where{};
-    where.sin_family = AF_INET;
-    where.sin_port =
-        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-    ::inet_pton(AF_INET, "127.0.0.1", &where.sin_addr);
-    EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&where), sizeof where), 0);
+    const int fd = connect_to(server.address());
     EXPECT_EQ(::send(fd, request.data(), request.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(request.size()));
     server.serve(0, [](const std::string&) { return HttpAnswer{200, "text/plain", "page"}; });

@@ -1,12 +1,12 @@
 #include "coordinator/views/status_server.h"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "tests/coordinator/views/farm_in_rows.h"
+#include "tests/coordinator/views/loopback.h"
 
 namespace tetfarm {
 namespace {
@@ -25,14 +25,7 @@ class StatusServerTest : public FarmInRows {
   /// "STATUS TYPE|BODY".
   std::string page(const std::string& path) { return page(path, database_.history()); }
   std::string page(const std::string& path, const JobHistory& history) {
-    const std::string address = server_.address();
-    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in where{};
-    where.sin_family = AF_INET;
-    where.sin_port =
-        htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
-    ::inet_pton(AF_INET, "127.0.0.1", &where.sin_addr);
-    EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&where), sizeof where), 0);
+    const int fd = connect_to(server_.address());
     const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
     EXPECT_GT(::send(fd, request.data(), request.size(), MSG_NOSIGNAL), 0);
     std::string text;

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <functional>
 #include <numeric>
 
 #include "base/error.h"
@@ -12,19 +11,11 @@
 #include "mesh/artifacts/element_file.h"
 #include "mesh/artifacts/surface_file.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/error_text.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
-
-std::string said(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 template <class T>
 std::string with_number(std::string bytes, std::size_t place, T value) {
@@ -46,7 +37,7 @@ TEST(ArtifactRefusals, of_a_subdomain) {
   one.sides.clear();
   const std::string bytes = subdomain_to_bytes(one);
   const auto said_of = [](const std::string& wrong) {
-    return said([&] { subdomain_from_bytes(wrong, "s"); });
+    return error_text_of([&] { subdomain_from_bytes(wrong, "s"); });
   };
   constexpr std::size_t triangles = 12 + 4 * 8 + 4 * 24;
   EXPECT_EQ(said_of(bytes), "");
@@ -80,7 +71,7 @@ TEST(ArtifactRefusals, of_a_tet_mesh) {
   mesh.tets = {{0, 1, 2, 4}};
   const std::string bytes = tet_mesh_to_bytes(mesh);
   const auto said_of = [&root](const std::string& wrong) {
-    return said([&] { tet_mesh_from_bytes(wrong, root, "m"); });
+    return error_text_of([&] { tet_mesh_from_bytes(wrong, root, "m"); });
   };
   EXPECT_EQ(said_of(bytes), "");
   EXPECT_EQ(said_of(checked_with(bytes, 12, std::uint64_t{5})),
@@ -98,7 +89,7 @@ TEST(ArtifactRefusals, of_a_surface) {
   surface.region_names = {"in"};
   const std::string content(content_of_blocks(surface_to_bytes(surface), "f"));
   const auto said_of = [](const std::string& wrong) {
-    return said([&] { surface_from_bytes(with_block_checksums(wrong), "f"); });
+    return error_text_of([&] { surface_from_bytes(with_block_checksums(wrong), "f"); });
   };
   const SurfaceCounts counts = {4, 4, 4, 2, 4, 1};
   EXPECT_EQ(counts.vertices_at(), 60U);
@@ -120,14 +111,14 @@ TEST(ArtifactRefusals, of_a_surface) {
   EXPECT_EQ(said_of(with_number(content, counts.sides_at() + 28, 1)), "");
   EXPECT_EQ(said_of(content + "x"), "f: has 1 surplus bytes");
   EXPECT_EQ(said_of(content.substr(0, content.size() - 1)), "f: is cut short");
-  EXPECT_EQ(said([&] { pieces_of(surface, {{4}, {}}); }), "the surface has no vertex 4");
-  EXPECT_EQ(said([&] { pieces_of(surface, {{}, {4}}); }), "the surface has no triangle 4");
-  EXPECT_EQ(said([&] { pieces_of(surface, {{3, 0}, {3, 0}}); }), "");
+  EXPECT_EQ(error_text_of([&] { pieces_of(surface, {{4}, {}}); }), "the surface has no vertex 4");
+  EXPECT_EQ(error_text_of([&] { pieces_of(surface, {{}, {4}}); }), "the surface has no triangle 4");
+  EXPECT_EQ(error_text_of([&] { pieces_of(surface, {{3, 0}, {3, 0}}); }), "");
   const TempFolder folder;
   const std::string path = folder.path() / "surface";
   const auto said_of_file = [&](const std::string& wrong, const WantedPieces& wanted) {
     std::ofstream(path, std::ios::binary) << with_block_checksums(wrong);
-    return said([&] { SurfaceFile(path, "f").read(wanted); });
+    return error_text_of([&] { SurfaceFile(path, "f").read(wanted); });
   };
   EXPECT_EQ(said_of_file(content, {{3, 0}, {3, 0}}), "");
   EXPECT_EQ(said_of_file(content, {{4}, {}}), "the surface has no vertex 4");
@@ -152,7 +143,7 @@ TEST(ArtifactRefusals, of_elements) {
   section.tet_owner = {1};
   const auto said_of = [&path](const std::string& bytes, bool reads_core) {
     std::ofstream(path, std::ios::binary) << bytes;
-    return said([&] {
+    return error_text_of([&] {
       ElementFile file(path, "e");
       if (reads_core) {
         file.read_core();
@@ -196,7 +187,7 @@ TEST(ArtifactRefusals, of_shared_nodes) {
   shared.nodes = {{{0, 3}, 0}};
   const std::string bytes = shared_nodes_to_bytes(shared);
   const auto said_of = [](const std::string& wrong) {
-    return said([&] { shared_nodes_from_bytes(wrong, "n"); });
+    return error_text_of([&] { shared_nodes_from_bytes(wrong, "n"); });
   };
   EXPECT_EQ(said_of(bytes), "");
   const std::size_t set = bytes.size() - checksum_size - 4;
@@ -210,7 +201,7 @@ TEST(ArtifactRefusals, of_shared_nodes) {
 TEST(ArtifactRefusals, of_blocks) {
   const std::string bytes = with_block_checksums(std::string(5000, 'x'));
   const auto said_of = [](const std::string& wrong) {
-    return said([&] { content_of_blocks(wrong, "b"); });
+    return error_text_of([&] { content_of_blocks(wrong, "b"); });
   };
   EXPECT_EQ(said_of(bytes), "");
   EXPECT_EQ(said_of(bytes.substr(0, 16)), "b: is cut short");

@@ -1,29 +1,19 @@
 // What is said of tables and texts of a numbering that are wrong: the whole message.
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "base/error.h"
 #include "mesh/assemble/global_numbering.h"
 #include "mesh/assemble/leaf_numbering.h"
+#include "tests/support/error_text.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
 
-std::string said(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 const std::string tree = "cut 1 10\nleaf 2 5 30\nleaf 3 6 40\n";
 
 std::string said_of_table(const std::string& table) {
-  return said([&] { number_globally(shapes::unit_cube(), table); });
+  return error_text_of([&] { number_globally(shapes::unit_cube(), table); });
 }
 
 TEST(NumberingRefusals, name_the_line_of_a_table_that_is_none) {
@@ -58,7 +48,7 @@ TEST(NumberingRefusals, tell_a_tree_that_is_not_whole_from_nodes_that_do_not_exi
 TEST(NumberingRefusals, name_the_node_or_leaf_that_is_not_there) {
   const Numbering numbering = number_globally(shapes::unit_cube(), tree + "dropped 1 3 2\n");
   const auto node = [&](std::uint64_t owner, std::uint32_t index) {
-    return said([&] { global_number(numbering, {owner, index}); });
+    return error_text_of([&] { global_number(numbering, {owner, index}); });
   };
   EXPECT_EQ(node(0, 7), "");
   EXPECT_EQ(node(0, 8), "no node 8 of the surface in the numbering");
@@ -67,7 +57,7 @@ TEST(NumberingRefusals, name_the_node_or_leaf_that_is_not_there) {
   EXPECT_EQ(node(1, 5), "");
   EXPECT_EQ(node(1, 10), "no node 10 of cut or leaf root in the numbering");
   EXPECT_EQ(node(4, 0), "no node 0 of cut or leaf LL in the numbering");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(error_text_of([&] {
               leaf_numbering(numbering, {{4}, 1, {}});
             }),
             "sub-domain LL is not a leaf of the numbering");
@@ -77,7 +67,7 @@ TEST(NumberingRefusals, of_a_text_name_the_file_and_the_line) {
   const std::string text =
       "tetfarm-numbering 1\nsurface 8\nunused 3\ncut 1 10\nleaf 2 5 30 7\nleaf 3 6 40\nend\n";
   const auto said_of_text = [](const std::string& wrong) {
-    return said([&] { numbering_from_text(wrong, "n"); });
+    return error_text_of([&] { numbering_from_text(wrong, "n"); });
   };
   const auto changed = [&text](const std::string& what, const std::string& with) {
     return std::string(text).replace(text.find(what), what.size(), with);

@@ -1,14 +1,13 @@
 // The bytes of portions: what is in them, and all that is said of those that are wrong.
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "mesh/artifacts/checked_bytes.h"
 #include "mesh/assemble/portion.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/error_text.h"
 
 namespace tetfarm {
 namespace {
@@ -107,19 +106,10 @@ std::string forged(std::string bytes, std::size_t place, T value) {
   return finish_checked(std::move(writer));
 }
 
-std::string said(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const CorruptFile& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(PortionFile, says_what_is_wrong_though_the_checksum_is_right) {
   const std::string bytes = portion_to_bytes(small_portion(false));
   const auto said_of = [](const std::string& wrong) {
-    return said([&] { portion_from_bytes(wrong, "p"); });
+    return error_text_of<CorruptFile>([&] { portion_from_bytes(wrong, "p"); });
   };
   EXPECT_EQ(said_of(bytes), "");
   constexpr std::size_t faces = 12 + 2 * 4 + 3 * 8 + 8 * (24 + 8);
@@ -141,7 +131,7 @@ TEST(PortionFile, of_cells_says_what_is_wrong_though_the_checksum_is_right) {
   Portion portion = small_portion(true);
   const std::string bytes = portion_cells_to_bytes(portion);
   const auto said_of = [&](const std::string& wrong) {
-    return said([&] { add_portion_cells(wrong, "c", portion); });
+    return error_text_of<CorruptFile>([&] { add_portion_cells(wrong, "c", portion); });
   };
   EXPECT_EQ(said_of(bytes), "");
   EXPECT_EQ(portion.part.blocks[ElementType::hex].regions, (std::vector<std::int32_t>{2}));
@@ -161,7 +151,7 @@ TEST(PortionFile, tells_its_counts_by_its_first_bytes_alone) {
   const std::string path = folder.path() / "p";
   const auto said_of = [&path](const std::string& bytes) {
     write_file_atomically(path, bytes);
-    return said([&path] { portion_counts(path, "p"); });
+    return error_text_of<CorruptFile>([&path] { portion_counts(path, "p"); });
   };
   const std::string bytes = portion_to_bytes(small_portion(true));
   EXPECT_EQ(said_of(bytes), "");

@@ -11,22 +11,13 @@
 #include "base/file_system.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/assemble/cut_grid.h"
+#include "tests/support/error_text.h"
 #include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
 namespace {
 
 Portion portion_of(const CutGrid& grid, std::uint64_t leaf) { return grid.portion(leaf); }
-
-template <class Make>
-std::string said(const Make& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Portion, survives_its_file_bit_by_bit) {
   const CutGrid grid = cut_grid(4);
@@ -163,7 +154,7 @@ TEST(Portion, a_node_of_the_surface_elsewhere_along_any_axis_is_refused) {
     std::size_t v = 0;
     while (origins.at(v).owner != 0) ++v;
     part.mesh.nodes[v][axis] = std::nextafter(part.mesh.nodes[v][axis], 9);
-    EXPECT_EQ(said([&] { portion_of(grid, 7); }),
+    EXPECT_EQ(error_text_of([&] { portion_of(grid, 7); }),
               "sub-domain RR: a node is not where the input surface has it")
         << axis;
   }
@@ -195,7 +186,7 @@ TEST(Portion, a_node_away_from_where_the_surface_has_it_is_refused) {
                      [](const Origin& origin) { return origin.owner == 0; }) -
         part.subdomain.node_origin.begin());
     if (is_moved) part.mesh.nodes[moved].x = std::nextafter(part.mesh.nodes[moved].x, 2);
-    EXPECT_EQ(said([&] { grid.portion_of(part); }),
+    EXPECT_EQ(error_text_of([&] { grid.portion_of(part); }),
               is_moved ? "sub-domain RL: a node is not where the input surface has it" : "");
   }
 }
@@ -211,13 +202,14 @@ TEST(Portion, a_surface_triangle_with_other_nodes_or_another_orientation_is_refu
   std::swap(turned.subdomain.triangles[t][1], turned.subdomain.triangles[t][2]);
   const std::string other_nodes =
       "sub-domain RL: a surface triangle has other nodes than in the input";
-  EXPECT_EQ(said([&] { grid.portion_of(turned); }), other_nodes);
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(turned); }), other_nodes);
   MeshPart other = good;
   other.subdomain.triangle_origin[t].index ^= 1;
-  EXPECT_EQ(said([&] { grid.portion_of(other); }), other_nodes);
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(other); }), other_nodes);
   MeshPart unknown = good;
   unknown.subdomain.triangle_origin[t].index = 1'000'000;
-  EXPECT_EQ(said([&] { grid.portion_of(unknown); }), "the surface has no triangle 1000000");
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(unknown); }),
+            "the surface has no triangle 1000000");
 }
 
 TEST(Portion, counts_that_differ_from_the_numbering_are_refused) {
@@ -225,13 +217,13 @@ TEST(Portion, counts_that_differ_from_the_numbering_are_refused) {
   MeshPart part = grid.parts.at(6);
   const std::string counts = "sub-domain RL: different counts from the numbering";
   part.mesh.tets.pop_back();
-  EXPECT_EQ(said([&] { grid.portion_of(part); }), counts);
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(part); }), counts);
   part = grid.parts.at(6);
   part.mesh.nodes.emplace_back();
-  EXPECT_EQ(said([&] { grid.portion_of(part); }), counts);
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(part); }), counts);
   part = grid.parts.at(6);
   --part.mesh.boundary_nodes;
-  EXPECT_EQ(said([&] { grid.portion_of(part); }), counts);
+  EXPECT_EQ(error_text_of([&] { grid.portion_of(part); }), counts);
 }
 
 TEST(Portion, a_portion_in_the_place_of_another_is_not_assembled) {
