@@ -1,6 +1,7 @@
 #include "mesh/formats/pvtu/write_pvtu.h"
 
 #include "base/check.h"
+#include "base/error.h"
 #include "base/file_system.h"
 #include "mesh/assemble/output_file.h"
 #include "mesh/core/element_block.h"
@@ -164,6 +165,10 @@ VtuLayout vtu_layout(std::int64_t points, std::int64_t cells_of_piece, std::int6
 void write_pvtu(const MeshSource& source, const MeshOutline&, const std::filesystem::path& path) {
   static_assert(sizeof(Vec3) == 24);
   const std::string stem = path.stem().string();
+  if (stem == path.filename()) {
+    throw UsageError("give the file an ending: the pieces go into a folder of its name without it",
+                     path.string());
+  }
   make_folders(path.parent_path() / stem);
   std::string text = head("PUnstructuredGrid") +
                      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +

@@ -34,6 +34,13 @@ void write_single_file(const MeshSource& source, const MeshOutline& outline, con
   writing.done();
 }
 
+/// A file cannot take the place of a folder.
+void require_name_of_a_file(const Format& format, const fs::path& output) {
+  if (format.layout == FormatLayout::folder || !fs::is_directory(output)) return;
+  throw UsageError("this is a folder; " + std::string(format.name) + " needs the name of a file",
+                   output.string());
+}
+
 std::string all_names() {
   std::string names;
   for (const Format& format : written_formats()) {
@@ -79,6 +86,7 @@ const Format& find_mesh_format(std::string_view name, const fs::path& output) {
 
 ExportCounts export_mesh(const MeshSource& source, const Format& format, const fs::path& output) {
   TF_CHECK(is_written(format));
+  require_name_of_a_file(format, output);
   const MeshOutline outline = outline_of(source);
   TF_CHECK(outline.parts.size() == source.size());
   if (format.layout == FormatLayout::one_file) {

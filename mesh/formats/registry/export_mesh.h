@@ -31,7 +31,8 @@ std::string written_formats_text();
 const Format& find_mesh_format(std::string_view name, const std::filesystem::path& output);
 
 /// One file is wholly there or not at all. Of a format of many files those that others refer to
-/// come last. @throws IoError, InvalidInput, Error when the format cannot hold the mesh.
+/// come last. @throws UsageError when `output` is a folder and the format writes files,
+/// IoError, InvalidInput, Error when the format cannot hold the mesh.
 /// Cost: O(n log n); memory of one part, see the formats.
 ExportCounts export_mesh(const MeshSource& source, const Format& format,
                          const std::filesystem::path& output);
