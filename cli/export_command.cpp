@@ -114,6 +114,7 @@ nlohmann::ordered_json json_of(const ExportCommand& command, const Format& forma
 ExitCode export_command(const ExportCommand& command) {
   keep_freed_memory();
   const Format& format = find_mesh_format(command.format, command.output);
+  require_name_of_a_file(format, command.output);
   require_parts_in(format, command.partitions);
   const std::filesystem::path folder = folder_of(command.output);
   const MeshInput mesh = find_mesh(command.input, command.source, folder);

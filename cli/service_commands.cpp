@@ -32,8 +32,6 @@
 namespace tetfarm {
 namespace {
 
-std::int64_t in_ms(double seconds) { return static_cast<std::int64_t>(seconds * 1000); }
-
 CoordinatorConnection connect(const ClientOptions& client, const std::string& store) {
   return CoordinatorConnection(client.endpoint, read_peer_keys(client.keys, store));
 }

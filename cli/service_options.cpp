@@ -4,11 +4,6 @@
 #include <filesystem>
 
 namespace tetfarm {
-namespace {
-
-std::int64_t ms_of(double seconds) { return static_cast<std::int64_t>(seconds * 1000); }
-
-}  // namespace
 
 CoordinatorOptions coordinator_options(const CoordinatorCommand& command) {
   CoordinatorOptions options;
@@ -21,8 +16,8 @@ CoordinatorOptions coordinator_options(const CoordinatorCommand& command) {
   options.max_workers = command.max_workers;
   options.heartbeat_ms = command.heartbeat_ms;
   options.lease_ms = command.lease_ms;
-  options.task_limit_ms = ms_of(command.task_limit_s);
-  options.first_task_limit_ms = ms_of(command.first_task_limit_s);
+  options.task_limit_ms = in_ms(command.task_limit_s);
+  options.first_task_limit_ms = in_ms(command.first_task_limit_s);
   options.insecure = command.insecure;
   options.one_job = command.one_job;
   options.http_address = command.http_address;
@@ -61,9 +56,9 @@ WorkerOptions worker_options(const WorkerCommand& command, const Environment& en
   options.memory_bytes = command.memory_bytes;
   options.tag = command.tag;
   options.pool_memory_bytes = command.pool_memory_bytes;
-  options.ends_in_ms = command.walltime_s > 0 ? ms_of(command.walltime_s)
+  options.ends_in_ms = command.walltime_s > 0 ? in_ms(command.walltime_s)
                                               : walltime_left_ms(environment, now_wall_ms);
-  options.grace_ms = ms_of(command.grace_s);
+  options.grace_ms = in_ms(command.grace_s);
   return options;
 }
 

@@ -11,6 +11,9 @@
 
 namespace tetfarm {
 
+/// Rounded down.
+inline std::int64_t in_ms(double seconds) { return static_cast<std::int64_t>(seconds * 1000); }
+
 /// It says on standard output where it listens, unless it is to be quiet.
 CoordinatorOptions coordinator_options(const CoordinatorCommand& command);
 

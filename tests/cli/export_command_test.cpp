@@ -138,6 +138,17 @@ TEST_F(Exported, in_parts_is_refused_where_a_file_has_none) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "new"));
 }
 
+TEST(ExportCommand, to_a_folder_is_refused_before_the_mesh_is_looked_for) {
+  const TempFolder folder;
+  ExportCommand command;
+  command.input = "no_such_mesh.vtkhdf";
+  command.output = folder.path().string();
+  command.format = "su2";
+  const Said said = said_by([&] { return export_command(command); });
+  EXPECT_EQ(said.code, ExitCode::usage);
+  EXPECT_EQ(said.error, command.output + ": this is a folder; su2 needs the name of a file");
+}
+
 TEST(ConvertCommand, tells_what_the_surface_is) {
   const TempFolder folder;
   const std::string in = (folder.path() / "tet.off").string();

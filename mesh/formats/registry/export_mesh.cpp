@@ -34,13 +34,6 @@ void write_single_file(const MeshSource& source, const MeshOutline& outline, con
   writing.done();
 }
 
-/// A file cannot take the place of a folder.
-void require_name_of_a_file(const Format& format, const fs::path& output) {
-  if (format.layout == FormatLayout::folder || !fs::is_directory(output)) return;
-  throw UsageError("this is a folder; " + std::string(format.name) + " needs the name of a file",
-                   output.string());
-}
-
 std::string all_names() {
   std::string names;
   for (const Format& format : written_formats()) {
@@ -82,6 +75,12 @@ const Format& find_mesh_format(std::string_view name, const fs::path& output) {
   }
   throw UsageError("unknown format; the formats are " + all_names(),
                    name.empty() ? output.string() : "--format " + std::string(name));
+}
+
+void require_name_of_a_file(const Format& format, const fs::path& output) {
+  if (format.layout == FormatLayout::folder || !fs::is_directory(output)) return;
+  throw UsageError("this is a folder; " + std::string(format.name) + " needs the name of a file",
+                   output.string());
 }
 
 ExportCounts export_mesh(const MeshSource& source, const Format& format, const fs::path& output) {

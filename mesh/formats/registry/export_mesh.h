@@ -30,9 +30,13 @@ std::string written_formats_text();
 /// By name, or by the ending of `output` when the name is empty. @throws UsageError naming all.
 const Format& find_mesh_format(std::string_view name, const std::filesystem::path& output);
 
+/// A file cannot take the place of a folder. @throws UsageError when `output` is one and the format
+/// writes files.
+void require_name_of_a_file(const Format& format, const std::filesystem::path& output);
+
 /// One file is wholly there or not at all. Of a format of many files those that others refer to
-/// come last. @throws UsageError when `output` is a folder and the format writes files,
-/// IoError, InvalidInput, Error when the format cannot hold the mesh.
+/// come last. @throws UsageError as require_name_of_a_file, IoError, InvalidInput, Error when the
+/// format cannot hold the mesh.
 /// Cost: O(n log n); memory of one part, see the formats.
 ExportCounts export_mesh(const MeshSource& source, const Format& format,
                          const std::filesystem::path& output);
