@@ -1,0 +1,57 @@
+#include "mesh/layers/height_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tetfarm {
+namespace {
+
+TEST(HeightLaw, geometric_growth_has_the_closed_sum) {
+  const HeightLaw law{.first = 1e-3, .growth = 1.2, .acceleration = 1, .cap = 1.2, .equal = 1};
+  const double closed = 1e-3 * (std::pow(1.2, 20) - 1) / 0.2;
+  EXPECT_NEAR(total_height(law, 20), closed, 1e-12 * closed);
+  const std::vector<double> levels = levels_of(law, 20);
+  ASSERT_EQ(levels.size(), 21U);
+  EXPECT_EQ(levels[0], 0);
+  EXPECT_EQ(levels[1], 1e-3);
+  EXPECT_NEAR(levels[20], closed, 1e-12 * closed);
+}
+
+TEST(HeightLaw, equal_layers_come_first) {
+  const HeightLaw law{.first = 1, .growth = 2, .acceleration = 1, .cap = 2, .equal = 3};
+  EXPECT_EQ(levels_of(law, 5), (std::vector<double>{0, 1, 2, 3, 5, 9}));
+}
+
+TEST(HeightLaw, accelerated_growth_ends_at_its_cap) {
+  const HeightLaw law{.first = 1, .growth = 2, .acceleration = 1.5, .cap = 4, .equal = 1};
+  // 1, 1*2, 2*3, 6*4 (4.5 is above the cap), 24*4
+  EXPECT_EQ(levels_of(law, 5), (std::vector<double>{0, 1, 3, 9, 33, 129}));
+}
+
+TEST(HeightLaw, layers_until_a_height_end_with_the_first_that_has_it) {
+  const HeightLaw law{.first = 1, .growth = 2, .acceleration = 1, .cap = 2, .equal = 1};
+  EXPECT_EQ(layers_until(law, 8, 100), 4);
+  EXPECT_EQ(layers_until(law, 8.5, 100), 5);
+  EXPECT_EQ(layers_until(law, 8, 3), 3);
+  EXPECT_EQ(layers_until(law, 0.5, 100), 1);
+}
+
+TEST(HeightLaw, fits_into_room_by_growing_less) {
+  const HeightLaw law{.first = 1e-3, .growth = 1.2, .acceleration = 1, .cap = 1.2, .equal = 1};
+  EXPECT_EQ(fitted(law, 20, 1), law);
+  const HeightLaw lower = fitted(law, 20, 0.1);
+  EXPECT_EQ(lower.first, law.first);
+  EXPECT_LT(lower.growth, law.growth);
+  EXPECT_LE(total_height(lower, 20), 0.1);
+  EXPECT_GT(total_height(lower, 20), 0.1 * (1 - 1e-12));
+}
+
+TEST(HeightLaw, does_not_grow_where_even_equal_layers_do_not_fit) {
+  const HeightLaw law{.first = 1, .growth = 1.2, .acceleration = 1.1, .cap = 1.5, .equal = 2};
+  const HeightLaw even = fitted(law, 10, 5);
+  EXPECT_EQ(total_height(even, 5), 5);
+}
+
+}  // namespace
+}  // namespace tetfarm
