@@ -29,6 +29,7 @@ struct MeshPart {
   Subdomain subdomain;
   TetMesh mesh;
   std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
+  ElementBlocks blocks;         ///< cells of layers, by the numbers of the mesh's nodes
 };
 
 /// Of each vertex of a sub-domain as it was cut, whether it is on a triangle of a cut.
