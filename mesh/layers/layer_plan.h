@@ -4,20 +4,18 @@
 ///
 /// Source: thesis 4.4 (extraction lines, figs. 89 to 97). It decides while it advances, layer by
 /// layer, against the whole front; here everything that needs a view of the whole comes first. The
-/// rule of nodes is the thesis's: above a triangle of which three nodes have grown there is a prism,
-/// of two a pyramid, of one a tet, so that no quad is ever on the front.
-/// Validity: every tet into which the cells can be divided is positive, and the top with the rest
-/// of the surface is an embedded closed surface, by exact tests: then the cells tile what lies
-/// between, as none covers a place twice that the two surfaces go round once.
+/// rule of nodes is the thesis's: above a triangle of which three nodes have grown there is a
+/// prism, of two a pyramid, of one a tet, so that no quad is ever on the front. Validity: every tet
+/// into which the cells can be divided is positive, and the top with the rest of the surface is an
+/// embedded closed surface, by exact tests: then the cells tile what lies between, as none covers a
+/// place twice that the two surfaces go round once.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
 #include "mesh/layers/height_law.h"
 #include "mesh/layers/layer_request.h"
@@ -39,7 +37,7 @@ inline constexpr std::array all_stop_reasons = {
     StopReason::fold,     StopReason::crossing, StopReason::neighbour};
 const char* name_of(StopReason reason);
 
-/// The line on which the layers of one node of the wall end. Its point of level i is
+/// On which the layers of one node of the wall end. Its point of level i is
 /// at + levels_of(law, stop)[i] * along; level 0 is the foot.
 struct LayerLine {
   std::int32_t foot = 0;  ///< vertex of the surface
@@ -52,10 +50,16 @@ struct LayerLine {
 };
 
 struct LayerPlan {
-  std::vector<LayerLine> lines;          ///< by their feet, ascending
+  std::vector<LayerLine> lines;           ///< by their feet, ascending
   std::vector<std::int32_t> vertex2line;  ///< -1: no layers are asked for there
   std::vector<std::int32_t> wall;         ///< triangles of the patches with layers, ascending
 };
+
+/// The point of the line at a level. Cost: O(level).
+Vec3 point_of(const LayerLine& line, int level);
+
+/// All points of the line, from its foot to its top. Cost: O(line.stop).
+std::vector<Vec3> points_of(const LayerLine& line);
 
 /// The lines of a wall triangle, in its order.
 std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& surface,
@@ -64,17 +68,5 @@ std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& s
 /// @pre the surface has one region, it is behind every triangle, and check_surface found no
 /// defects; no patch is in two requests. Cost: O(n log n) for n triangles, and O(cells) to prove.
 LayerPlan plan_layers(const SurfaceMesh& surface, std::span<const LayerRequest> requests);
-
-/// What the layers leave of the domain, as a sub-domain of the given path: its boundary is the top
-/// of the layers, and the surface where it has none. Nodes of the top have the origin
-/// {owner_of_top, number}, numbered by the lines that have layers, in their order; its triangles
-/// likewise, by the wall triangles that have cells above them, in the order of `wall`.
-struct UnlayeredDomain {
-  Subdomain root;
-  std::int64_t top_nodes = 0;
-  std::int64_t top_triangles = 0;
-};
-UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surface, TreePath path,
-                                 std::uint64_t owner_of_top);
 
 }  // namespace tetfarm

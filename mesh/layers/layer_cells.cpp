@@ -1,0 +1,71 @@
+#include "mesh/layers/layer_cells.h"
+
+#include <algorithm>
+
+#include "base/array_index.h"
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+using ComponentTet = std::array<std::uint8_t, 4>;
+
+/// The corners of a wall triangle, anticlockwise seen from the layers.
+constexpr std::array<int, 3> seen_from_layers = {0, 2, 1};
+
+/// A triangle with each of the other's corners, the other triangle likewise, and an edge with each
+/// edge opposite but its own.
+constexpr std::array<ComponentTet, 12> prism_tets = {{{0, 1, 2, 3},
+                                                      {0, 1, 2, 4},
+                                                      {0, 1, 2, 5},
+                                                      {3, 5, 4, 0},
+                                                      {3, 5, 4, 1},
+                                                      {3, 5, 4, 2},
+                                                      {0, 1, 5, 4},
+                                                      {0, 1, 5, 3},
+                                                      {1, 2, 3, 5},
+                                                      {1, 2, 3, 4},
+                                                      {2, 0, 4, 3},
+                                                      {2, 0, 4, 5}}};
+/// Of both diagonals of the base.
+constexpr std::array<ComponentTet, 4> pyramid_tets = {
+    {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 1, 3, 4}, {1, 2, 3, 4}}};
+constexpr std::array<ComponentTet, 1> whole_tet = {{{0, 1, 2, 3}}};
+
+}  // namespace
+
+int layers_above(const std::array<int, 3>& stops) {
+  return *std::max_element(stops.begin(), stops.end());
+}
+
+LayerCell layer_cell(const std::array<int, 3>& stops, int layer) {
+  TF_CHECK(layer >= 1 && layer <= layers_above(stops));
+  const auto grows = [&](int corner) { return stops[at(corner)] >= layer; };
+  const auto low = [&](int corner) {
+    return CellNode{corner, std::min(stops[at(corner)], layer - 1)};
+  };
+  const auto high = [&](int corner) { return CellNode{corner, layer}; };
+  // Turned until the first grows, and the last does not where one does not.
+  std::array<int, 3> c = seen_from_layers;
+  while (!grows(c[0]) || (grows(c[2]) && !grows(c[1]))) {
+    std::rotate(c.begin(), c.begin() + 1, c.end());
+  }
+  if (grows(c[1]) && grows(c[2])) {
+    return {ElementType::prism,
+            layer,
+            {low(c[0]), low(c[1]), low(c[2]), high(c[0]), high(c[1]), high(c[2])}};
+  }
+  if (grows(c[1])) {
+    return {ElementType::pyramid, layer, {low(c[0]), high(c[0]), high(c[1]), low(c[1]), low(c[2])}};
+  }
+  return {ElementType::tet, layer, {low(c[0]), low(c[1]), low(c[2]), high(c[0])}};
+}
+
+std::span<const ComponentTet> component_tets(ElementType type) {
+  TF_CHECK(is_cell(type) && type != ElementType::hex);
+  if (type == ElementType::prism) return prism_tets;
+  if (type == ElementType::pyramid) return pyramid_tets;
+  return whole_tet;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,244 @@
+#include "mesh/layers/layer_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+#include "mesh/layers/layer_proof.h"
+#include "mesh/layers/line_room.h"
+#include "mesh/layers/marching_direction.h"
+#include "mesh/layers/wall_graph.h"
+
+namespace tetfarm {
+namespace {
+
+/// A direction that sees its worst face at a smaller cosine serves no layers: the line would be
+/// more than three times as long as the layers are high.
+constexpr double least_visibility = 0.3;
+
+/// From line to line heights rise by at most this share of the distance.
+constexpr double steepest_rise = 0.5;
+
+/// The triangles of the patches with layers, and whose request each is.
+struct Wall {
+  std::vector<std::int32_t> triangles;
+  std::vector<std::int32_t> request;  // of each
+};
+
+Wall wall_of(const SurfaceMesh& surface, std::span<const LayerRequest> requests) {
+  std::vector<std::int32_t> request_of_patch(std::max<std::size_t>(1, surface.patch_names.size()),
+                                             -1);
+  for (std::size_t r = 0; r < requests.size(); ++r) {
+    for (const std::int32_t patch : requests[r].patches) {
+      TF_CHECK(at(patch) < request_of_patch.size() && request_of_patch[at(patch)] < 0);
+      request_of_patch[at(patch)] = static_cast<std::int32_t>(r);
+    }
+  }
+  Wall wall;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const std::int32_t patch = surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[t];
+    const std::int32_t request = request_of_patch[at(patch)];
+    if (request < 0) continue;
+    wall.triangles.push_back(static_cast<std::int32_t>(t));
+    wall.request.push_back(request);
+  }
+  return wall;
+}
+
+/// Into the domain, of length 1.
+Vec3 inward_normal(const SurfaceMesh& surface, std::int32_t triangle) {
+  const Triangle& t = surface.triangles[at(triangle)];
+  const Vec3 a = surface.vertices[at(t[0])];
+  return normalized(cross(surface.vertices[at(t[2])] - a, surface.vertices[at(t[1])] - a));
+}
+
+/// Makes a plan, and keeps what only its making needs.
+class Planning {
+ public:
+  Planning(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
+      : surface_(surface), requests_(requests), wall_(wall_of(surface, requests)) {
+    graph_ = wall_graph(surface, wall_.triangles);
+    plan_.vertex2line = graph_.vertex2line;
+    plan_.wall = graph_.wall;
+    plan_.lines.resize(graph_.feet.size());
+  }
+
+  LayerPlan plan() {
+    find_directions();
+    find_heights();
+    hold_neighbours();
+    prove();
+    return std::move(plan_);
+  }
+
+ private:
+  /// Of lines between two requests the lower one decides.
+  const LayerRequest& request_of(std::size_t line) const {
+    std::int32_t request = static_cast<std::int32_t>(requests_.size());
+    for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(line))) {
+      request = std::min(request, wall_.request[at(f)]);
+    }
+    return requests_[at(request)];
+  }
+
+  void find_directions() {
+    std::vector<Vec3> normals;
+    for (const std::int32_t t : graph_.wall) normals.push_back(inward_normal(surface_, t));
+    std::vector<Vec3> round;
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      line.foot = graph_.feet[i];
+      line.at = surface_.vertices[at(line.foot)];
+      round.clear();
+      for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(i))) {
+        round.push_back(normals[at(f)]);
+      }
+      const MarchingDirection found = marching_direction(round);
+      if (found.visibility >= least_visibility) {
+        line.along = found.direction / found.visibility;
+      } else {
+        line.reason = StopReason::ridge;
+      }
+      if (graph_.at_border[i]) line.reason = StopReason::border;
+    }
+  }
+
+  double mean_edge(std::size_t line) const {
+    const auto neighbours = graph_.neighbours.of(static_cast<std::int32_t>(line));
+    double sum = 0;
+    for (const std::int32_t n : neighbours) {
+      sum += distance(plan_.lines[line].at, plan_.lines[at(n)].at);
+    }
+    return sum / static_cast<double>(neighbours.size());
+  }
+
+  void find_heights() {
+    std::vector<double> wanted;
+    std::vector<Vec3> along;
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      const LayerRequest& request = request_of(i);
+      line.law = request.law;
+      line.wanted = request.count > 0
+                        ? request.count
+                        : layers_until(request.law, isotropic_share * mean_edge(i), most_layers);
+      wanted.push_back(total_height(line.law, line.wanted));
+      along.push_back(line.along);
+      places.push_back(line.at);
+    }
+    const std::vector<double> free = free_ways(surface_, graph_, along, wanted);
+    const std::vector<double> unfolded = fold_heights(surface_, graph_, along, wanted);
+    std::vector<double> room(wanted.size());
+    for (std::size_t i = 0; i < room.size(); ++i) room[i] = std::min(free[i], unfolded[i]);
+    const std::vector<double> own = room;
+    limit_slopes(graph_, places, steepest_rise, room);
+    for (std::size_t i = 0; i < room.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      fit_into(room[i], request_of(i).room, line);
+      if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
+      line.reason = own[i] > room[i]        ? StopReason::neighbour
+                    : free[i] < unfolded[i] ? StopReason::no_room
+                                            : StopReason::fold;
+    }
+  }
+
+  /// Gives the line the layers that the room has for it.
+  static void fit_into(double room, RoomRule rule, LayerLine& line) {
+    if (line.reason != StopReason::complete) return;
+    const double total = total_height(line.law, line.wanted);
+    line.stop = line.wanted;
+    if (total <= room) return;
+    if (rule == RoomRule::scale) {
+      line.law.first *= room / total;
+      return;
+    }
+    if (rule == RoomRule::ratio) line.law = fitted(line.law, line.wanted, room);
+    const std::vector<double> levels = levels_of(line.law, line.wanted);
+    line.stop =
+        static_cast<int>(std::upper_bound(levels.begin(), levels.end(), room) - levels.begin()) - 1;
+  }
+
+  std::vector<int> stops() const {
+    std::vector<int> stops;
+    for (const LayerLine& line : plan_.lines) stops.push_back(line.stop);
+    return stops;
+  }
+
+  void take_stops(const std::vector<int>& stops, StopReason reason) {
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      if (stops[i] == line.stop) continue;
+      TF_CHECK(stops[i] < line.stop);
+      line.stop = stops[i];
+      line.reason = reason;
+    }
+  }
+
+  void hold_neighbours() {
+    std::vector<int> held = stops();
+    limit_steps(graph_, held);
+    take_stops(held, StopReason::neighbour);
+  }
+
+  /// Ends: each round but the last takes layers away.
+  void prove() {
+    for (;;) {
+      const ProofFindings cells = prove_cells(plan_, surface_);
+      if (!cells.holds) {
+        take_stops(cells.stops, StopReason::fold);
+        hold_neighbours();
+        continue;
+      }
+      const ProofFindings top = prove_top(plan_, surface_);
+      if (top.holds) return;
+      take_stops(top.stops, StopReason::crossing);
+      hold_neighbours();
+    }
+  }
+
+  const SurfaceMesh& surface_;
+  std::span<const LayerRequest> requests_;
+  Wall wall_;
+  WallGraph graph_;
+  LayerPlan plan_;
+};
+
+}  // namespace
+
+const char* name_of(StopReason reason) {
+  constexpr std::array<const char*, all_stop_reasons.size()> names = {
+      "complete", "border", "ridge", "no room", "fold", "crossing", "neighbour"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+Vec3 point_of(const LayerLine& line, int level) {
+  TF_CHECK(level >= 0 && level <= line.stop);
+  return line.at + levels_of(line.law, level).back() * line.along;
+}
+
+std::vector<Vec3> points_of(const LayerLine& line) {
+  std::vector<Vec3> points;
+  for (const double level : levels_of(line.law, line.stop)) {
+    points.push_back(line.at + level * line.along);
+  }
+  return points;
+}
+
+std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& surface,
+                                     std::int32_t triangle) {
+  std::array<std::int32_t, 3> lines{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    lines[k] = plan.vertex2line[at(surface.triangles[at(triangle)][k])];
+    TF_CHECK(lines[k] >= 0);
+  }
+  return lines;
+}
+
+LayerPlan plan_layers(const SurfaceMesh& surface, std::span<const LayerRequest> requests) {
+  TF_CHECK(surface.sides.empty() || region_count(surface) == 1);
+  return Planning(surface, requests).plan();
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,32 @@
+/// Whether the layers of a plan are a mesh, and what has to stop earlier so that they are.
+///
+/// Source: none in the thesis, which tests each new point against the front. Two exact conditions
+/// are enough: every tet into which a cell can be divided is positive, and what the layers leave of
+/// the domain is bounded by an embedded closed surface that is turned as before. A point that is on
+/// neither surface then lies in as many cells as the surface of the domain goes round it more often
+/// than that of the rest: in one or none.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/core/surface_mesh.h"
+#include "mesh/layers/layer_plan.h"
+
+namespace tetfarm {
+
+/// For each line the layers that it may keep; those of lines without complaint stay as they are.
+struct ProofFindings {
+  std::vector<int> stops;
+  bool holds = false;  ///< no line has to stop earlier
+};
+
+/// Looks at each cell: the lines of one that is not positive stop below it. Cost: O(cells).
+ProofFindings prove_cells(const LayerPlan& plan, const SurfaceMesh& surface);
+
+/// Looks at the top: where it meets itself or the rest of the surface its lines lose a third of
+/// their layers, one at least. Cost: that of check_surface.
+/// @pre prove_cells holds.
+ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface);
+
+}  // namespace tetfarm

@@ -1,0 +1,108 @@
+#include "mesh/layers/line_room.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/array_index.h"
+#include "base/check.h"
+#include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/triangle_intersection.h"
+
+namespace tetfarm {
+namespace {
+
+bool has_corner(const Triangle& triangle, std::int32_t vertex) {
+  return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
+}
+
+/// The share of the way from p to q at which the plane of the triangle lies; 0 when it holds p.
+double share_before_plane(const Vec3& p, const Vec3& q, const TrianglePoints& t) {
+  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  const double before = dot(normal, t[0] - p);
+  const double whole = dot(normal, q - p);
+  return whole == 0 ? 0 : std::clamp(before / whole, 0.0, 1.0);
+}
+
+/// The first s > 0 at which c0 + c1 s + c2 s² is zero; HUGE_VAL when there is none.
+double first_root(double c0, double c1, double c2) {
+  TF_CHECK(c0 > 0);
+  const double discriminant = c1 * c1 - 4 * c2 * c0;
+  if (discriminant < 0) return HUGE_VAL;
+  // Of c0 x² + c1 x + c2 the largest x = 1 / s, without cancellation.
+  const double q = std::sqrt(discriminant);
+  const double largest = c1 <= 0 ? (-c1 + q) / (2 * c0) : -2 * c2 / (c1 + q);
+  return largest > 0 ? 1 / largest : HUGE_VAL;
+}
+
+/// The height up to which the prism on a triangle keeps its share of the Jacobian at each corner.
+double fold_height(const TrianglePoints& p, const std::array<Vec3, 3>& along) {
+  const Vec3 u = p[1] - p[0];
+  const Vec3 v = p[2] - p[0];
+  const Vec3 du = along[1] - along[0];
+  const Vec3 dv = along[2] - along[0];
+  const Vec3 area = cross(u, v);
+  const Vec3 linear = cross(u, dv) + cross(du, v);
+  const Vec3 square = cross(du, dv);
+  double height = HUGE_VAL;
+  for (const Vec3& direction : along) {
+    const double at_wall = dot(area, direction);
+    if (at_wall == 0) continue;
+    // The wall's normals point out of the domain: its Jacobian is negative.
+    const double sign = at_wall > 0 ? 1 : -1;
+    height =
+        std::min(height, first_root(sign * at_wall * (1 - least_jacobian),
+                                    sign * dot(linear, direction), sign * dot(square, direction)));
+  }
+  return height;
+}
+
+}  // namespace
+
+std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,
+                              std::span<const Vec3> along, std::span<const double> wanted) {
+  TF_CHECK(along.size() == graph.feet.size() && wanted.size() == graph.feet.size());
+  const BoxTree tree(triangle_boxes(surface.vertices, surface.triangles));
+  std::vector<double> ways(wanted.begin(), wanted.end());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (along[i] == Vec3{}) continue;
+    const std::int32_t foot = graph.feet[i];
+    const Vec3 p = surface.vertices[at(foot)];
+    const double reach = wanted[i] / share_of_free_way;
+    const Vec3 q = p + reach * along[i];
+    Box3 box;
+    box.add(p);
+    box.add(q);
+    tree.query(box, [&](std::int32_t t) {
+      const Triangle& triangle = surface.triangles[at(t)];
+      if (has_corner(triangle, foot)) return;
+      const TrianglePoints points = triangle_points(surface.vertices, triangle);
+      if (!segment_meets_triangle(p, q, points)) return;
+      ways[i] = std::min(ways[i], share_of_free_way * reach * share_before_plane(p, q, points));
+    });
+  }
+  return ways;
+}
+
+std::vector<double> fold_heights(const SurfaceMesh& surface, const WallGraph& graph,
+                                 std::span<const Vec3> along, std::span<const double> wanted) {
+  TF_CHECK(along.size() == graph.feet.size() && wanted.size() == graph.feet.size());
+  std::vector<double> heights(wanted.begin(), wanted.end());
+  for (const std::int32_t t : graph.wall) {
+    const Triangle& triangle = surface.triangles[at(t)];
+    std::array<std::int32_t, 3> lines{};
+    std::array<Vec3, 3> directions;
+    bool all_move = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lines[k] = graph.vertex2line[at(triangle[k])];
+      directions[k] = along[at(lines[k])];
+      all_move = all_move && !(directions[k] == Vec3{});
+    }
+    if (!all_move) continue;
+    const double height = fold_height(triangle_points(surface.vertices, triangle), directions);
+    for (const std::int32_t line : lines) heights[at(line)] = std::min(heights[at(line)], height);
+  }
+  return heights;
+}
+
+}  // namespace tetfarm

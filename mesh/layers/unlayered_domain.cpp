@@ -1,0 +1,95 @@
+#include "mesh/layers/unlayered_domain.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+/// The nodes of the surface that are on the boundary still, then the tops of the lines.
+class BoundaryNodes {
+ public:
+  BoundaryNodes(const SurfaceMesh& surface, std::size_t lines)
+      : surface_(surface), of_vertex_(surface.vertices.size(), -1), of_line_(lines, -1) {}
+
+  void use_vertex(std::int32_t vertex) { of_vertex_[at(vertex)] = 0; }
+
+  /// Numbers what is used, and the top of each line that has layers.
+  void number(const LayerPlan& plan, std::uint64_t owner_of_top, Subdomain& root) {
+    for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+      if (of_vertex_[v] < 0) continue;
+      of_vertex_[v] = static_cast<std::int32_t>(root.vertices.size());
+      root.vertices.push_back(surface_.vertices[v]);
+      root.node_origin.push_back({0, static_cast<std::uint32_t>(v)});
+    }
+    std::uint32_t top = 0;
+    for (std::size_t i = 0; i < plan.lines.size(); ++i) {
+      const LayerLine& line = plan.lines[i];
+      if (line.stop == 0) continue;
+      of_line_[i] = static_cast<std::int32_t>(root.vertices.size());
+      root.vertices.push_back(point_of(line, line.stop));
+      root.node_origin.push_back({owner_of_top, top++});
+    }
+  }
+
+  std::int32_t of_vertex(std::int32_t vertex) const { return of_vertex_[at(vertex)]; }
+  std::int32_t top_of(const LayerPlan& plan, std::int32_t line) const {
+    const LayerLine& l = plan.lines[at(line)];
+    return l.stop > 0 ? of_line_[at(line)] : of_vertex(l.foot);
+  }
+
+ private:
+  const SurfaceMesh& surface_;
+  std::vector<std::int32_t> of_vertex_;
+  std::vector<std::int32_t> of_line_;
+};
+
+/// Of each triangle of the surface, whether there are cells above it.
+std::vector<bool> triangles_with_cells(const LayerPlan& plan, const SurfaceMesh& surface) {
+  std::vector<bool> has_cells(surface.triangles.size(), false);
+  for (const std::int32_t t : plan.wall) {
+    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, t);
+    has_cells[at(t)] = std::any_of(lines.begin(), lines.end(),
+                                   [&](std::int32_t l) { return plan.lines[at(l)].stop > 0; });
+  }
+  return has_cells;
+}
+
+}  // namespace
+
+UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surface, TreePath path,
+                                 std::uint64_t owner_of_top) {
+  TF_CHECK(owner_of_top != 0 && plan.vertex2line.size() == surface.vertices.size());
+  UnlayeredDomain domain;
+  Subdomain& root = domain.root;
+  root.path = path;
+  const std::vector<bool> has_cells = triangles_with_cells(plan, surface);
+  BoundaryNodes nodes(surface, plan.lines.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const std::int32_t v : surface.triangles[t]) {
+      const std::int32_t line = plan.vertex2line[at(v)];
+      if (!has_cells[t] || plan.lines[at(line)].stop == 0) nodes.use_vertex(v);
+    }
+  }
+  nodes.number(plan, owner_of_top, root);
+  std::uint32_t top = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    Triangle triangle = surface.triangles[t];
+    for (std::int32_t& v : triangle) {
+      v = has_cells[t] ? nodes.top_of(plan, plan.vertex2line[at(v)]) : nodes.of_vertex(v);
+      TF_CHECK(v >= 0);
+    }
+    root.triangles.push_back(triangle);
+    root.triangle_origin.push_back(has_cells[t] ? Origin{owner_of_top, top++}
+                                                : Origin{0, static_cast<std::uint32_t>(t)});
+  }
+  domain.top_triangles = top;
+  domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(),
+                                   [](const LayerLine& line) { return line.stop > 0; });
+  return domain;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,112 @@
+#include "mesh/layers/wall_graph.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+using RowEntry = std::pair<std::int32_t, std::int32_t>;  // the row, and a number of it
+
+NumberRows rows_of(std::vector<RowEntry> entries, std::size_t rows) {
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  NumberRows result;
+  result.starts.assign(rows + 1, 0);
+  result.numbers.reserve(entries.size());
+  for (const auto& [row, number] : entries) {
+    ++result.starts[at(row) + 1];
+    result.numbers.push_back(number);
+  }
+  for (std::size_t i = 0; i < rows; ++i) result.starts[i + 1] += result.starts[i];
+  return result;
+}
+
+/// Lowers values to at most that of a neighbour plus step(line, neighbour), the lowest first.
+template <class Value, class Step>
+void lower(const WallGraph& graph, std::vector<Value>& values, const Step& step) {
+  TF_CHECK(values.size() == graph.feet.size());
+  using Entry = std::pair<Value, std::int32_t>;
+  std::vector<Entry> all;
+  all.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    all.emplace_back(values[i], static_cast<std::int32_t>(i));
+  }
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
+                                                                       std::move(all));
+  while (!queue.empty()) {
+    const Entry entry = queue.top();
+    queue.pop();
+    if (entry.first != values[at(entry.second)]) continue;
+    for (const std::int32_t next : graph.neighbours.of(entry.second)) {
+      const Value most = entry.first + step(entry.second, next);
+      if (values[at(next)] <= most) continue;
+      values[at(next)] = most;
+      queue.emplace(most, next);
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const std::int32_t> NumberRows::of(std::int32_t row) const {
+  const std::int32_t first = starts[at(row)];
+  return std::span(numbers).subspan(at(first), at(starts[at(row) + 1] - first));
+}
+
+WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall) {
+  WallGraph graph;
+  graph.wall = std::move(wall);
+  graph.vertex2line.assign(surface.vertices.size(), -1);
+  std::vector<bool> is_wall(surface.triangles.size(), false);
+  for (const std::int32_t t : graph.wall) {
+    is_wall[at(t)] = true;
+    for (const std::int32_t v : surface.triangles[at(t)]) graph.vertex2line[at(v)] = 0;
+  }
+  for (std::size_t v = 0; v < graph.vertex2line.size(); ++v) {
+    if (graph.vertex2line[v] < 0) continue;
+    graph.vertex2line[v] = static_cast<std::int32_t>(graph.feet.size());
+    graph.feet.push_back(static_cast<std::int32_t>(v));
+  }
+  graph.at_border.assign(graph.feet.size(), false);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (is_wall[t]) continue;
+    for (const std::int32_t v : surface.triangles[t]) {
+      const std::int32_t line = graph.vertex2line[at(v)];
+      if (line >= 0) graph.at_border[at(line)] = true;
+    }
+  }
+  std::vector<RowEntry> faces;
+  std::vector<RowEntry> neighbours;
+  for (std::size_t i = 0; i < graph.wall.size(); ++i) {
+    const Triangle& triangle = surface.triangles[at(graph.wall[i])];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t line = graph.vertex2line[at(triangle[k])];
+      faces.emplace_back(line, static_cast<std::int32_t>(i));
+      neighbours.emplace_back(line, graph.vertex2line[at(triangle[(k + 1) % 3])]);
+      neighbours.emplace_back(line, graph.vertex2line[at(triangle[(k + 2) % 3])]);
+    }
+  }
+  graph.faces = rows_of(std::move(faces), graph.feet.size());
+  graph.neighbours = rows_of(std::move(neighbours), graph.feet.size());
+  return graph;
+}
+
+void limit_slopes(const WallGraph& graph, std::span<const Vec3> places, double slope,
+                  std::vector<double>& values) {
+  TF_CHECK(places.size() == graph.feet.size() && slope > 0);
+  lower(graph, values, [&](std::int32_t a, std::int32_t b) {
+    return slope * distance(places[at(a)], places[at(b)]);
+  });
+}
+
+void limit_steps(const WallGraph& graph, std::vector<int>& stops) {
+  lower(graph, stops, [](std::int32_t, std::int32_t) { return 1; });
+}
+
+}  // namespace tetfarm

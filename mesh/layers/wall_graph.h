@@ -1,0 +1,46 @@
+/// The wall that layers grow from: its lines, their faces and neighbours, and quantities that may
+/// only rise slowly from line to line.
+///
+/// Source: none in the thesis. A limit that one line has is passed on to its neighbours, and lower
+/// values win: the result is the largest field below the given one that rises no faster than asked.
+/// It is the same whatever the order, as that of a shortest path is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/core/surface_mesh.h"
+#include "mesh/core/vec3.h"
+
+namespace tetfarm {
+
+/// Rows of numbers, one after the other.
+struct NumberRows {
+  std::vector<std::int32_t> starts;  ///< one more than there are rows
+  std::vector<std::int32_t> numbers;
+
+  std::span<const std::int32_t> of(std::int32_t row) const;
+};
+
+struct WallGraph {
+  std::vector<std::int32_t> feet;         ///< of the lines: vertices of the surface, ascending
+  std::vector<std::int32_t> vertex2line;  ///< -1: none
+  std::vector<std::int32_t> wall;         ///< triangles, ascending
+  NumberRows faces;                       ///< of a line: numbers in `wall`
+  NumberRows neighbours;                  ///< of a line: other lines, ascending
+  std::vector<bool> at_border;            ///< of a line: its foot is on another triangle, too
+};
+
+/// @pre `wall` are triangles of the surface, ascending. Cost: O(n log n) for n triangles.
+WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall);
+
+/// Lowers values until none is more than `slope` times the distance above that of a neighbour.
+/// @pre `places` and `values` have one for each line. Cost: O(n log n).
+void limit_slopes(const WallGraph& graph, std::span<const Vec3> places, double slope,
+                  std::vector<double>& values);
+
+/// Lowers stops until none is more than one above that of a neighbour. Cost: O(n log n).
+void limit_steps(const WallGraph& graph, std::vector<int>& stops);
+
+}  // namespace tetfarm
