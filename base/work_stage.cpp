@@ -16,6 +16,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"read", "reading", ""},
     {"check", "checking the surface", ""},
     {"spacing", "building the spacing", ""},
+    {"layers", "planning layers", ""},
     {"cut", "cutting", "planes"},
     {"graph", "graph of sub-domains", "sub-domains"},
     {"join", "joining", "groups"},
@@ -31,6 +32,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"extract", "extracting", ""},
     {"number", "numbering", ""},
     {"write", "writing", ""},
+    {"grow", "growing layers", ""},
     {"assemble", "assembling", "sub-domains"},
 }};
 

@@ -17,6 +17,7 @@ enum class WorkStage : std::uint8_t {
   read,
   check,
   spacing,
+  layers,
   cut,
   graph,
   join,
@@ -32,6 +33,7 @@ enum class WorkStage : std::uint8_t {
   extract,
   number,
   write,
+  grow,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

@@ -123,6 +123,13 @@ void add_volume_of_blocks(const NumberedPart& part, MeshShapes& shapes) {
       });
 }
 
+/// The volumes alone.
+MeshShapes without_shapes(const MeshShapes& shapes) {
+  MeshShapes volumes;
+  for (const RegionShapes& region : shapes.regions) volumes.regions.push_back({region.volume, {}});
+  return volumes;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part) {
@@ -194,6 +201,7 @@ Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumb
   ElementCounts first = numbering.first_other;
   first[ElementType::tet] = numbering.first_tet;
   take_figures(part.is_on_cut, first, portion);
+  if (part.is_of_layers) portion.shapes = without_shapes(portion.shapes);
   return portion;
 }
 

@@ -47,6 +47,8 @@ struct LayerLine {
   int stop = 0;    ///< layers that it has
   int wanted = 0;  ///< layers that were asked for
   StopReason reason = StopReason::complete;
+
+  friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };
 
 struct LayerPlan {
