@@ -16,7 +16,6 @@ constexpr std::array<Words, work_stages> words = {{
     {"read", "reading", ""},
     {"check", "checking the surface", ""},
     {"spacing", "building the spacing", ""},
-    {"layers", "planning layers", ""},
     {"cut", "cutting", "planes"},
     {"graph", "graph of sub-domains", "sub-domains"},
     {"join", "joining", "groups"},
@@ -32,7 +31,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"extract", "extracting", ""},
     {"number", "numbering", ""},
     {"write", "writing", ""},
-    {"grow", "growing layers", ""},
+    {"layers", "growing layers", ""},
     {"assemble", "assembling", "sub-domains"},
 }};
 

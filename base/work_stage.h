@@ -17,7 +17,6 @@ enum class WorkStage : std::uint8_t {
   read,
   check,
   spacing,
-  layers,
   cut,
   graph,
   join,
@@ -33,7 +32,7 @@ enum class WorkStage : std::uint8_t {
   extract,
   number,
   write,
-  grow,
+  layers,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

@@ -31,7 +31,7 @@ void grow_task(TaskIo& io) {
   const auto given = io.given<GrowGiven>();
   SurfaceInput surface(io, given.surface);
   NumberingInput numbering(io, given.numbering, surface);
-  io.progress().begin(WorkStage::grow);
+  io.progress().begin(WorkStage::layers);
   const LayerChunk chunk = io.read(given.layers, layer_chunk_from_bytes);
   const ChunkCounts counts = counts_of(chunk);
   report_cost(io, grow_cost(static_cast<double>(counts.cells())));

@@ -199,7 +199,8 @@ void inspect_task(TaskIo& io) {
   const std::int32_t regions = region_count(domain.surface);
   require_few(regions);
   const std::int64_t parts = parts_of_job(job, size, regions);
-  const JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
+  JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
+  if (domain.layers) add_layers(*domain.layers, forecast);
   require_disk(job, forecast,
                limits_of_job(job, checked.surface, domain_volume(domain.surface),
                              static_cast<double>(given.free_bytes.value_or(0))));

@@ -28,6 +28,11 @@ JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
 
 }  // namespace
 
+void add_layers(const DomainLayers& layers, JobForecast& forecast) {
+  add_layers(static_cast<double>(layers.cells), static_cast<double>(layers.chunks.size()),
+             forecast);
+}
+
 OuterBoundary outer_boundary_of(const JobFile& job) {
   OuterBoundary outer;
   if (job.outer_kind == "box") {

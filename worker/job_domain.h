@@ -44,6 +44,9 @@ struct JobDomain {
   }
 };
 
+/// What the layers add to what a job will come to.
+void add_layers(const DomainLayers& layers, JobForecast& forecast);
+
 /// The job's words in the terms of the mesh rooms. @throws UsageError for an unknown outer
 /// boundary.
 OuterBoundary outer_boundary_of(const JobFile& job);

@@ -298,12 +298,11 @@ std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
 }
 
 void refuse_node(const Origin& origin) {
-  throw Error(
-      ExitCode::failed,
-      "no node " + std::to_string(origin.index) + " of " +
-          (origin.owner == 0 ? "the surface"
-                             : "cut or leaf " + TreePath{owner_in_tree(origin)}.text()) +
-          " in the numbering");
+  throw Error(ExitCode::failed,
+              "no node " + std::to_string(origin.index) + " of " +
+                  (origin.owner == 0 ? "the surface"
+                                     : "cut or leaf " + TreePath{owner_in_tree(origin)}.text()) +
+                  " in the numbering");
 }
 
 std::string numbering_to_text(const Numbering& numbering) {

@@ -4,8 +4,8 @@
 /// passed over), then the nodes of the inter-domain meshes, cut by cut, then the interior nodes,
 /// leaf by leaf. Cuts and leaves come in *tree order*: depth first, a node before its children,
 /// left before right. So a number depends on the place in the tree only, never on who meshed when,
-/// and regions of space have consecutive numbers. Cells of each type are counted by themselves. What
-/// is on top of layers (top_of_layers) is the inter-domain mesh of the root.
+/// and regions of space have consecutive numbers. Cells of each type are counted by themselves.
+/// What is on top of layers (top_of_layers) is the inter-domain mesh of the root.
 #pragma once
 
 #include <array>
@@ -96,8 +96,8 @@ bool comes_before(TreePath a, TreePath b);
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
 /// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES [PYRAMIDS PRISMS]]",
 /// "joined HEAP INTO" (a leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT"
-/// (nodes of that cut or leaf, ascending). Where the triangles of all leaves but one are told, those
-/// of that one follow.
+/// (nodes of that cut or leaf, ascending). Where the triangles of all leaves but one are told,
+/// those of that one follow.
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, and for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);

@@ -257,8 +257,8 @@ NumberingFile::NumberingFile(const std::filesystem::path& path, const std::strin
 }
 
 LeafNumbering NumberingFile::leaf(const LeafQuestion& question) {
-  const auto place = place_of(question.leaf, tables_.leaves,
-                              [this](std::uint64_t i) { return path_of_leaf(i); });
+  const auto place =
+      place_of(question.leaf, tables_.leaves, [this](std::uint64_t i) { return path_of_leaf(i); });
   if (!place) refuse_leaf(question.leaf);
   const LeafWithOthers found = leaf_at(*place);
   const Leaf& leaf = found.leaf;
@@ -310,8 +310,8 @@ NumberingFile::Owner NumberingFile::find_owner(const Origin& origin) {
                                 [this](std::uint64_t i) { return TreePath{cut_at(i).heap}; })) {
     return cut_at(*cut);
   }
-  if (const auto leaf = place_of(path, tables_.leaves,
-                                 [this](std::uint64_t i) { return path_of_leaf(i); })) {
+  if (const auto leaf =
+          place_of(path, tables_.leaves, [this](std::uint64_t i) { return path_of_leaf(i); })) {
     return leaf_at(*leaf).leaf.nodes;
   }
   refuse_node(origin);

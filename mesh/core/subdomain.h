@@ -29,8 +29,8 @@ struct TreePath {
 
 /// Where a node or triangle of a sub-domain's boundary came from. `owner` 0: the input surface, and
 /// `index` is its vertex or triangle number there. top_of_layers: the top of the layers. Otherwise
-/// the inter-domain mesh that cut the sub-domain with heap number `owner`, and `index` is the number
-/// in that mesh.
+/// the inter-domain mesh that cut the sub-domain with heap number `owner`, and `index` is the
+/// number in that mesh.
 struct Origin {
   std::uint64_t owner = 0;
   std::uint32_t index = 0;

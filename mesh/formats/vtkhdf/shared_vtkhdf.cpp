@@ -27,8 +27,8 @@ std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& p
                                    const LeafNumbering& numbering, const VtkhdfNames& names) {
   TF_CHECK(part.number == numbering.number);
   const MeshTotals& whole = numbering.whole;
-  const VtkhdfPlaces places = places_of_cells(
-      file.scratch, whole.subdomains, {0, whole.tets, whole.faces, whole.others}, names);
+  const VtkhdfPlaces places = places_of_cells(file.scratch, whole.subdomains,
+                                              {0, whole.tets, whole.faces, whole.others}, names);
   const VtkhdfCounts others = {0, numbering.first_tet, numbering.first_face.value(),
                                numbering.first_other};
   const VtkhdfBefore before = before_each({&others, 1}).back();
