@@ -43,6 +43,27 @@ TEST(JobText, of_many_subdomains_that_could_not_be_cut_names_a_few) {
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 12);
 }
 
+TEST(JobText, of_a_mesh_with_layers_names_its_cells_and_how_much_of_the_wall_has_them) {
+  wire::JobStatus status;
+  auto& numbers = *status.mutable_numbers();
+  numbers["elements"] = 70;
+  EXPECT_THAT(result_text(status, 1, {}),
+              AllOf(HasSubstr("done       70 tets, "), Not(HasSubstr("layers"))));
+  for (const auto& [name, number] :
+       std::initializer_list<std::pair<const char*, double>>{{"tets", 50},
+                                                             {"pyramids", 0},
+                                                             {"prisms", 20},
+                                                             {"layers_wall_triangles", 12},
+                                                             {"layers_full", 7},
+                                                             {"layers_partial", 3},
+                                                             {"layers_none", 2}}) {
+    numbers[name] = number;
+  }
+  EXPECT_THAT(result_text(status, 1, {}),
+              AllOf(HasSubstr("done       50 tets, 20 prisms, "),
+                    HasSubstr("layers: all on 7 of 12 triangles, fewer on 3, none on 2\n")));
+}
+
 TEST(JobText, says_where_in_the_tree_a_task_in_quarantine_is) {
   wire::StatusReply reply;
   reply.set_workers(1);

@@ -36,6 +36,37 @@ TEST(JobJson, has_figures_of_tets_without_forced_angles_only_where_there_are_suc
             Json({{"elements", 1000}, {"min_dihedral_deg", 14.3}, {"worst_at", {0.5, 0.0, 0.0}}}));
 }
 
+TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_the_wall_has_them) {
+  wire::JobStatus status;
+  auto& numbers = *status.mutable_numbers();
+  numbers["elements"] = 70;
+  EXPECT_FALSE(result_of(status).contains("layers"));
+  EXPECT_FALSE(result_of(status).contains("prisms"));
+  numbers["layers_wall_triangles"] = 12;
+  EXPECT_EQ(result_of(status)["tets"], 70) << "nothing grew";
+  for (const auto& [name, number] :
+       std::initializer_list<std::pair<const char*, double>>{{"tets", 40},
+                                                             {"pyramids", 10},
+                                                             {"prisms", 20},
+                                                             {"layers_full", 7},
+                                                             {"layers_partial", 3},
+                                                             {"layers_none", 2},
+                                                             {"layers_short_no_room", 4},
+                                                             {"layers_short_ridge", 1}}) {
+    numbers[name] = number;
+  }
+  const Json result = result_of(status);
+  EXPECT_EQ(result["elements"], 70);
+  EXPECT_EQ(result["tets"], 40);
+  EXPECT_EQ(result["pyramids"], 10);
+  EXPECT_EQ(result["prisms"], 20);
+  EXPECT_EQ(result["layers"], Json({{"wall_triangles", 12},
+                                    {"full", 7},
+                                    {"partial", 3},
+                                    {"none", 2},
+                                    {"by_reason", {{"no_room", 4}, {"ridge", 1}}}}));
+}
+
 TEST(JobJson, of_regions_has_their_names_volumes_and_figures) {
   wire::JobStatus status;
   (*status.mutable_texts())["region_1_name"] = "fluid";

@@ -109,9 +109,48 @@ TEST(GlobalNumbering, triangles_are_counted_on_as_far_as_all_leaves_before_are_c
   EXPECT_EQ(all.leaves[1].first_face, 7);
   EXPECT_EQ(all.leaves[1].faces, 5);
   EXPECT_EQ(numbering_from_text(numbering_to_text(all), "text").leaves[1].first_face, 7);
-  const Numbering some = number_globally(cube, "cut 1 5\nleaf 2 6 30\nleaf 3 1 1 5\n");
+  const Numbering some =
+      number_globally(cube, "cut 1 5\ncut 2 0\nleaf 4 6 30\nleaf 5 1 1\nleaf 3 1 1 5\n");
   EXPECT_EQ(some.leaves[1].first_face, std::nullopt);
+  EXPECT_EQ(some.leaves[2].first_face, std::nullopt);
+}
+
+TEST(GlobalNumbering, the_only_leaf_without_a_count_of_triangles_has_the_rest) {
+  const SurfaceMesh cube = shapes::unit_cube();
   EXPECT_EQ(number_globally(cube, "leaf 1 1 1\n").leaves[0].faces, 12);
+  const Numbering rest = number_globally(cube, "cut 1 5\nleaf 2 6 30\nleaf 3 1 1 5\n");
+  EXPECT_EQ(rest.leaves[0].faces, 7);
+  EXPECT_EQ(rest.leaves[1].first_face, 7);
+  const Numbering too_many = number_globally(cube, "cut 1 5\nleaf 2 6 30\nleaf 3 1 1 13\n");
+  EXPECT_EQ(too_many.leaves[0].faces, std::nullopt);
+}
+
+constexpr const char* with_layers =
+    "cut 1 90\ncut 2 5\nleaf 4 6 30\nleaf 5 1 40\ncut 3 0\nleaf 6 70 1 8 2 300\n"
+    "leaf 7 80 0 4 10 400\n";
+
+TEST(GlobalNumbering, counts_the_cells_of_layers_type_by_type) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), with_layers);
+  EXPECT_EQ(numbering.tets, 71);
+  EXPECT_EQ(numbering.others[ElementType::pyramid], 12);
+  EXPECT_EQ(numbering.others[ElementType::prism], 700);
+  EXPECT_EQ(numbering.leaves[2].first_tet, 70);
+  EXPECT_EQ(numbering.leaves[2].first_other, ElementCounts{});
+  EXPECT_EQ(numbering.leaves[3].first_other[ElementType::pyramid], 2);
+  EXPECT_EQ(numbering.leaves[3].first_other[ElementType::prism], 300);
+  EXPECT_EQ(numbering.leaves[3].others[ElementType::prism], 400);
+  EXPECT_EQ(numbering_to_text(numbering_from_text(numbering_to_text(numbering), "text")),
+            numbering_to_text(numbering));
+  EXPECT_THAT(numbering_to_text(numbering), testing::HasSubstr("\nleaf 6 70 1 8 2 300\n"));
+  EXPECT_THROW(number_globally(shapes::unit_cube(), "leaf 1 1 1 12 3\n"), Error);
+}
+
+TEST(GlobalNumbering, the_top_of_layers_is_the_cut_of_the_root) {
+  const Numbering numbering = number_globally(shapes::unit_cube(), with_layers);
+  EXPECT_EQ(global_number(numbering, {top_of_layers, 0}), 8);
+  EXPECT_EQ(global_number(numbering, {top_of_layers, 89}), 8 + 89);
+  EXPECT_EQ(global_number(numbering, {2, 0}), 8 + 90);
+  EXPECT_THROW(global_number(numbering, {top_of_layers, 90}), Error);
 }
 
 TEST(GlobalNumbering, refuses_what_is_not_one_whole_tree) {

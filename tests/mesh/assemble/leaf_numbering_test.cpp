@@ -31,10 +31,25 @@ TEST(LeafNumbering, tells_the_leaf_its_place_and_the_sizes_of_the_whole) {
 }
 
 TEST(LeafNumbering, knows_no_first_face_where_not_all_were_counted) {
+  const Numbering numbering = number_globally(
+      shapes::unit_cube(), "cut 1 5\ncut 3 0\nleaf 2 6 30 7\nleaf 6 1 1\nleaf 7 1 1\n");
+  for (const std::uint64_t leaf : {2U, 6U, 7U}) {
+    EXPECT_EQ(leaf_numbering(numbering, {{leaf}, 1, {}}).first_face, std::nullopt) << leaf;
+  }
+}
+
+TEST(LeafNumbering, of_layers_tells_of_cells_of_every_type_and_forces_the_top) {
   const Numbering numbering =
-      number_globally(shapes::unit_cube(), "cut 1 5\nleaf 2 6 30 7\nleaf 3 1 1\n");
-  EXPECT_EQ(leaf_numbering(numbering, {{2}, 1, {}}).first_face, std::nullopt);
-  EXPECT_EQ(leaf_numbering(numbering, {{3}, 1, {}}).first_face, std::nullopt);
+      number_globally(shapes::unit_cube(), "cut 1 9\nleaf 2 6 30\nleaf 3 70 1 8 2 300\n");
+  const std::vector<Origin> nodes = {{top_of_layers, 4}, {0, 7}, {3, 69}};
+  const LeafNumbering chunk = leaf_numbering(numbering, {{3}, 1, nodes});
+  EXPECT_EQ(chunk.others[ElementType::prism], 300);
+  EXPECT_EQ(chunk.first_other, ElementCounts{});
+  EXPECT_EQ(chunk.whole.others[ElementType::pyramid], 2);
+  EXPECT_EQ(chunk.first_tet, 30);
+  EXPECT_EQ(chunk.first_face, 4);
+  EXPECT_THAT(chunk.node_numbers, ElementsAre(8 + 4, 7, 8 + 9 + 6 + 69));
+  EXPECT_THAT(chunk.is_forced, ElementsAre(true, false, false));
 }
 
 TEST(LeafNumbering, refuses_what_is_no_leaf_and_no_node) {

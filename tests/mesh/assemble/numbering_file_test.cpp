@@ -41,6 +41,7 @@ constexpr std::uint64_t counts_at = figures_at + 5 * 8;
 
 NumberingTables tables_of(const Numbering& numbering) {
   NumberingTables tables;
+  tables.has_others = numbering.others != ElementCounts{};
   tables.unused = numbering.unused_vertices.size();
   tables.forced = numbering.forced.size();
   tables.cuts = numbering.cuts.size();
@@ -174,8 +175,39 @@ TEST_F(NumberingFiles, with_tables_that_are_not_those_of_their_text_are_refused_
   }
 }
 
-TEST_F(NumberingFiles, that_lie_never_break_a_leaf) {
-  const Numbering numbering = some_numbering();
+/// Pyramids and prisms beside some tets.
+constexpr const char* table_with_layers =
+    "cut 1 10\ncut 2 20\ncut 3 0\nleaf 4 40 400 4\nleaf 5 50 500 5\nleaf 6 8 9 1 60 600\n"
+    "leaf 7 70 700 3 70 7\ndropped 2 2 2\ndropped 5 1 19\n";
+
+TEST_F(NumberingFiles, of_a_mesh_without_layers_have_the_bytes_that_they_always_had) {
+  std::uint32_t version = 0;
+  for (const auto& [lines, expected] : {std::pair{table, 2U}, {table_with_layers, 3U}}) {
+    const Numbering numbering = number_globally(surface_of_two_regions(), lines);
+    const std::string bytes = numbering_to_bytes(numbering);
+    std::memcpy(&version, bytes.data() + 8, sizeof version);
+    EXPECT_EQ(version, expected);
+    EXPECT_EQ(tables_of(numbering).leaves_at() % 4, 0U);
+  }
+}
+
+TEST_F(NumberingFiles, with_layers_are_refused_where_a_byte_is_another_by_who_reads_all) {
+  const std::string bytes =
+      numbering_to_bytes(number_globally(surface_of_two_regions(), table_with_layers));
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    EXPECT_THROW(numbering_from_bytes(damaged, "f"), CorruptFile) << at;
+  }
+  for (std::size_t size = 0; size < bytes.size(); size += 3) {
+    EXPECT_THROW(numbering_from_bytes(bytes.substr(0, size), "f"), CorruptFile) << size;
+  }
+}
+
+class LyingNumbering : public NumberingFiles, public testing::WithParamInterface<const char*> {};
+
+TEST_P(LyingNumbering, never_breaks_a_leaf) {
+  const Numbering numbering = number_globally(surface_of_two_regions(), GetParam());
   const std::string bytes = numbering_to_bytes(numbering);
   const std::vector<Origin> nodes = {{0, 3}, {1, 4}, {1, 9}, {2, 5}, {5, 40}, {5, 0}, {7, 1}};
   const auto ask = [&](const std::string& forged) {
@@ -197,6 +229,8 @@ TEST_F(NumberingFiles, that_lie_never_break_a_leaf) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(NumberingFiles, LyingNumbering, testing::Values(table, table_with_layers));
 
 TEST_F(NumberingFiles, with_impossible_counts_are_refused) {
   const Numbering numbering = some_numbering();

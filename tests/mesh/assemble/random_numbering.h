@@ -38,6 +38,7 @@ class RandomNumbering {
  public:
   RandomNumbering(const SurfaceMesh& surface, unsigned seed, std::size_t leaves) : random_(seed) {
     counts_faces_ = pick(3) > 0;
+    has_layers_ = counts_faces_ && seed % 2 == 1;
     grow({1}, leaves);
     numbering_ = number_globally(surface, table_);
     vertices_ = static_cast<std::uint32_t>(surface.vertices.size());
@@ -64,6 +65,7 @@ class RandomNumbering {
     if (kind == 0 && !cuts.empty()) return some_node_of(cuts[pick(cuts.size())]);
     if (kind == 1) return some_node_of(leaves[pick(leaves.size())]);
     if (kind == 2 && pick(20) == 0) return {1 + pick(4000), pick(9)};
+    if (kind == 2 && pick(5) == 0) return {top_of_layers, pick(50)};
     return {0, pick(vertices_ + 3)};
   }
 
@@ -115,6 +117,9 @@ class RandomNumbering {
     if (kind == "leaf") {
       table_ += ' ' + std::to_string(pick(500));
       if (counts_faces_) table_ += ' ' + std::to_string(pick(30));
+      if (has_layers_ && pick(3) > 0) {
+        table_ += ' ' + std::to_string(pick(90)) + ' ' + std::to_string(pick(900));
+      }
     }
     table_ += '\n';
     for (std::uint32_t first = pick(30); first < nodes;) {
@@ -126,6 +131,7 @@ class RandomNumbering {
 
   std::mt19937 random_;
   bool counts_faces_ = true;
+  bool has_layers_ = false;
   std::uint64_t last_leaf_ = 0;
   std::string table_;
   std::uint32_t vertices_ = 0;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/mesh/cosmetics/cut_bar.h"
+#include "tests/support/shapes.h"
 
 namespace tetfarm {
 namespace {
@@ -34,6 +35,14 @@ TEST(SubdomainColouring, leaves_in_a_row_take_turns_with_two_colours) {
   for (const ColouredLeaf& leaf : order.leaves) colours.push_back(leaf.colour);
   EXPECT_THAT(colours, ElementsAre(0, 1, 0, 1));
   EXPECT_THAT(heaps(order.leaves[1].neighbours), ElementsAre(4, 6));
+}
+
+TEST(SubdomainColouring, the_top_of_layers_is_no_interface) {
+  Subdomain leaf = root_subdomain(shapes::unit_cube());
+  for (Origin& origin : leaf.triangle_origin) origin.owner = top_of_layers;
+  EXPECT_THAT(interface_nodes(leaf).nodes, IsEmpty());
+  leaf.triangle_origin[0].owner = 2;
+  EXPECT_THAT(interface_nodes(leaf).nodes, SizeIs(3));
 }
 
 TEST(SubdomainColouring, one_common_node_makes_neighbours) {

@@ -178,6 +178,7 @@ struct HybridJob {
     ElementCounts first{};
     first[ElementType::tet] = leaf.first_tet;
     take_figures(std::vector<bool>(last.part.nodes.size()), first, last);
+    leaf.others = last.others;
   }
 
   /// As a file, and through the files of its portions where those go from task to task.

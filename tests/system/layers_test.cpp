@@ -1,0 +1,133 @@
+// Boundary layers through the whole program.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "tests/support/shapes.h"
+#include "tests/support/voxel_surface.h"
+#include "tests/system/farm_cases.h"
+
+namespace tetfarm {
+namespace {
+
+using test::Ended;
+using test::run_program;
+using test::TemporaryFolder;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class RunWithLayers : public ::testing::Test {
+ protected:
+  RunWithLayers() {
+    test::write_contents(folder_.path() / "ball.off",
+                         test::off_of(shapes::sphere({0.5, 0.25, 0}, 1, 3)));
+    write_job("[spacing]\ndefault = 0.15\n");
+  }
+
+  /// Six layers inside the ball.
+  void write_job(const std::string& more) {
+    test::write_contents(folder_.path() / "job.toml",
+                         "[geometry]\nsurface = \"ball.off\"\n[[layers]]\npatches = [\"*\"]\n"
+                         "first_height = 0.01\ncount = 6\n" +
+                             more);
+  }
+
+  nlohmann::json run(const std::string& output, int workers, int subdomains) {
+    const Ended ended =
+        run_program(test::run_words("job.toml", output, workers, subdomains), folder_.path());
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.code == 0 ? test::result_of(ended) : nlohmann::json();
+  }
+
+  /// What `quality` says of a sound mesh.
+  nlohmann::json sound(const std::string& output) {
+    const Ended quality = run_program({"quality", output, "--json"}, folder_.path());
+    EXPECT_EQ(quality.code, 0) << quality.err;
+    return quality.code == 0 ? test::result_of(quality) : nlohmann::json();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunWithLayers, makes_one_sound_mesh_of_prisms_and_tets) {
+  const nlohmann::json result = run("out", 2, 1);
+  const nlohmann::json& layers = result["layers"];
+  EXPECT_EQ(layers["wall_triangles"], 1280);
+  EXPECT_EQ(layers["full"], 1280);
+  EXPECT_EQ(layers["partial"], 0);
+  EXPECT_EQ(layers["none"], 0);
+  EXPECT_EQ(result["prisms"], 6 * 1280);
+  EXPECT_EQ(result["pyramids"], 0);
+  EXPECT_GT(result["tets"], 1000);
+  EXPECT_EQ(result["elements"].get<std::int64_t>(),
+            result["tets"].get<std::int64_t>() + result["prisms"].get<std::int64_t>());
+  EXPECT_EQ(result["boundary_triangles"], 1280);
+  const nlohmann::json quality = sound("out");
+  EXPECT_EQ(quality["digest"], result["digest"]);
+  EXPECT_EQ(quality["nodes"], result["nodes"]);
+}
+
+TEST_F(RunWithLayers, is_the_same_for_any_number_of_workers) {
+  for (const int subdomains : {1, 5}) {
+    const std::string name = std::to_string(subdomains);
+    const nlohmann::json one = run("one" + name, 1, subdomains);
+    const nlohmann::json three = run("three" + name, 3, subdomains);
+    EXPECT_EQ(one["digest"], three["digest"]) << subdomains;
+    EXPECT_EQ(test::contents(folder_.path() / ("one" + name) / "job.vtkhdf"),
+              test::contents(folder_.path() / ("three" + name) / "job.vtkhdf"))
+        << subdomains;
+    EXPECT_EQ(one["prisms"], 6 * 1280);
+    EXPECT_EQ(sound("one" + name)["digest"], one["digest"]);
+  }
+}
+
+TEST_F(RunWithLayers, is_assimilated_and_written_in_every_format_that_tasks_write) {
+  write_job(
+      "[spacing]\ndefault = 0.15\n[decompose.assimilate]\ngroups = 2\n"
+      "[output]\nformats = [\"vtkhdf\", \"lb8.ugrid\"]\n");
+  const nlohmann::json result = run("out", 2, 8);
+  EXPECT_EQ(sound("out/job.vtkhdf")["digest"], result["digest"]);
+  EXPECT_EQ(sound("out/job.lb8.ugrid")["digest"], result["digest"]);
+}
+
+TEST_F(RunWithLayers, goes_on_after_it_was_killed) {
+  const std::string expected = run("whole", 2, 5)["digest"];
+  for (const int kill_after_ms : {300, 700, 1200}) {
+    test::Program first(test::run_words("job.toml", "out", 2, 5), folder_.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(kill_after_ms));
+    for (const pid_t process : test::descendants(first.process())) ::kill(process, SIGKILL);
+    first.signal(SIGKILL);
+    first.wait();
+  }
+  EXPECT_EQ(run("out", 2, 5)["digest"], expected);
+}
+
+TEST_F(RunWithLayers, plan_counts_their_cells) {
+  const Ended plan = run_program({"plan", "job.toml", "--json"}, folder_.path());
+  ASSERT_EQ(plan.code, 0) << plan.err;
+  const nlohmann::json with = test::result_of(plan);
+  EXPECT_EQ(with["tasks"]["grow"]["count"], 1);
+  test::write_contents(folder_.path() / "bare.toml",
+                       "[geometry]\nsurface = \"ball.off\"\n[spacing]\ndefault = 0.15\n");
+  const nlohmann::json without =
+      test::result_of(run_program({"plan", "bare.toml", "--json"}, folder_.path()));
+  EXPECT_FALSE(without["tasks"].contains("grow"));
+  EXPECT_GT(with["estimated_elements"], 6 * 1280);
+}
+
+TEST_F(RunWithLayers, of_several_regions_is_refused_in_words) {
+  const auto cubes =
+      shapes::voxel_surface({{4, 2, 2}, [](int x, int, int) { return x < 2 ? 1 : 2; }});
+  test::write_contents(folder_.path() / "ball.off", test::off_of(cubes.surface));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "job.toml"}, test::run_words("job.toml", "out", 1)}) {
+    const Ended ended = run_program(words, folder_.path());
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.err, AllOf(HasSubstr("[[layers]]"), HasSubstr("bounds 2")));
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
