@@ -4,11 +4,11 @@
 ///
 /// Source: thesis 4.4 (extraction lines, figs. 89 to 97). It decides while it advances, layer by
 /// layer, against the whole front; here everything that needs a view of the whole comes first. The
-/// rule of nodes is the thesis's: above a triangle of which three nodes have grown there is a prism,
-/// of two a pyramid, of one a tet, so that no quad is ever on the front.
-/// Validity: every tet into which the cells can be divided is positive, and the top with the rest
-/// of the surface is an embedded closed surface, by exact tests: then the cells tile what lies
-/// between, as none covers a place twice that the two surfaces go round once.
+/// rule of nodes is the thesis's: above a triangle of which three nodes have grown there is a
+/// prism, of two a pyramid, of one a tet, so that no quad is ever on the front. Validity: every tet
+/// into which the cells can be divided is positive, and the top with the rest of the surface is an
+/// embedded closed surface, by exact tests: then the cells tile what lies between, as none covers a
+/// place twice that the two surfaces go round once.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ struct LayerLine {
 };
 
 struct LayerPlan {
-  std::vector<LayerLine> lines;          ///< by their feet, ascending
+  std::vector<LayerLine> lines;           ///< by their feet, ascending
   std::vector<std::int32_t> vertex2line;  ///< -1: no layers are asked for there
   std::vector<std::int32_t> wall;         ///< triangles of the patches with layers, ascending
 };
