@@ -9,14 +9,15 @@
 #include "base/check.h"
 #include "base/job_name.h"
 #include "mesh/job_file/job_formats.h"
+#include "mesh/job_file/job_layers.h"
 #include "mesh/job_file/job_section.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 12> top_keys = {
-    "version", "name",      "geometry", "domain",    "region",  "spacing",
-    "source",  "decompose", "mesh",     "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 13> top_keys = {
+    "version", "name",      "geometry", "domain",    "region",  "spacing", "source",
+    "layers",  "decompose", "mesh",     "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
@@ -243,6 +244,8 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   }
   for_each_table(top, "source",
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
+  for_each_table(top, "layers",
+                 [&](const toml::node& node) { job.layers.push_back(parse_layers(top, node)); });
   parse_decompose(top.table("decompose", decompose_keys), job);
   parse_mesh(top.table("mesh", mesh_keys), job);
   parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
@@ -253,7 +256,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 14> sections = {
+  const std::array<std::pair<std::string_view, Words>, 15> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
        {"region", region_keys},
@@ -262,6 +265,7 @@ std::vector<std::string> job_file_keys() {
        {"source", line_keys},
        {"source", triangle_keys},
        {"source.corner", corner_keys},
+       {"layers", layers_keys()},
        {"decompose", decompose_keys},
        {"decompose.assimilate", assimilate_keys},
        {"mesh", mesh_keys},

@@ -30,6 +30,27 @@ struct JobRegion {
   bool is_void = false;
 };
 
+/// What the job says of the boundary layers on some patches.
+struct JobLayers {
+  std::vector<std::string> patches;  // names, in which * is any text and ? any letter
+  double first_height = 0;           // 0: by y_plus
+  double y_plus = 0;                 // with the next two: on a flat plate
+  double reynolds = 0;               // of `length`
+  double length = 0;
+  double growth = 1.2;
+  double growth_cap = 0;       // 0: none, and no acceleration
+  double acceleration = 1;     // of the growth, from layer to layer
+  std::int64_t count = 0;      // 0: by total_height
+  double total_height = 0;     // 0 as well: until a layer is as high as most of the edges there
+  std::int64_t equal = 1;      // layers at the wall that do not grow
+  std::string room = "ratio";  // "ratio" | "stop" | "scale"
+  std::string typed;           // as --layers, for messages; canonical text does not have it
+};
+
+/// The most layers that a job may ask for on a patch; mesh/layers/layer_request.h has the same
+/// limit.
+inline constexpr std::int64_t most_layers_of_job = 1000;
+
 /// The most sub-domains, or groups of them, that a job may ask for; tasks/task_contract.h has the
 /// same limit for what tasks tell of them.
 inline constexpr std::int64_t most_subdomains = 1'000'000;
@@ -47,6 +68,7 @@ struct JobFile {
   double growth = 0.3;              // [spacing] growth
   bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
   std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
+  std::vector<JobLayers> layers;    // [[layers]]
   /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
   /// it into `sources` (read_flite_sources.h); canonical text does not name it.
   std::string sources_file;
@@ -70,6 +92,11 @@ double default_outer_factor(std::string_view outer_kind);
 /// "2GiB", "500MB", "1.5 TiB" or plain bytes: a number and B, kB, MB, GB, TB, KiB, MiB, GiB or TiB,
 /// in any case; nothing for any other text, for less than a byte and for more than 2^53.
 std::optional<std::int64_t> parse_memory(std::string_view text);
+
+/// @param typed the value of --layers, "wing_*,tip:first=1e-4,count=20": names of patches, a colon,
+/// and keys of a table [[layers]], of which first_height may be called `first` and total_height
+/// `total`. @throws UsageError "--layers 'TYPED': …"
+JobLayers parse_layers_option(std::string_view typed);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named
 /// like `path` without its folder and ending.

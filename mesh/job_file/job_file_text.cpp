@@ -58,6 +58,37 @@ std::string source_to_toml(const JobSource& source) {
   }
 }
 
+/// "["a", "b"]".
+std::string array_of(const std::vector<std::string>& texts) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + quoted_toml(texts[i]);
+  }
+  return text + "]";
+}
+
+std::string layers_to_toml(const JobLayers& layers) {
+  std::string text = "\n[[layers]]\npatches = " + array_of(layers.patches) + "\n";
+  if (layers.y_plus > 0) {
+    text += "y_plus = " + number(layers.y_plus) + "\nreynolds = " + number(layers.reynolds) +
+            "\nlength = " + number(layers.length) + "\n";
+  } else {
+    text += "first_height = " + number(layers.first_height) + "\n";
+  }
+  text += "growth = " + number(layers.growth) + "\n";
+  if (layers.growth_cap > 0) {
+    text += "growth_cap = " + number(layers.growth_cap) +
+            "\nacceleration = " + number(layers.acceleration) + "\n";
+  }
+  if (layers.total_height > 0) {
+    text += "total_height = " + number(layers.total_height) + "\n";
+  } else {
+    text += "count = " + (layers.count > 0 ? std::to_string(layers.count) : "\"isotropic\"") + "\n";
+  }
+  return text + "equal = " + std::to_string(layers.equal) + "\nroom = " + quoted_toml(layers.room) +
+         "\n";
+}
+
 }  // namespace
 
 std::string to_toml(const JobFile& job) {
@@ -77,6 +108,7 @@ std::string to_toml(const JobFile& job) {
           "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") +
           "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
+  for (const JobLayers& layers : job.layers) text += layers_to_toml(layers);
   text += "\n[decompose]\n";
   if (job.max_memory_bytes > 0) {
     text += "max_memory = " + quoted_toml(std::to_string(job.max_memory_bytes) + "B") + "\n";
@@ -93,11 +125,8 @@ std::string to_toml(const JobFile& job) {
           "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
           "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
           "\nmin_unforced_dihedral = " + number(job.min_unforced_dihedral_deg) +
-          "\n\n[output]\nformats = [";
-  for (std::size_t i = 0; i < job.formats.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + quoted_toml(job.formats[i]);
-  }
-  return text + "]\n";
+          "\n\n[output]\nformats = " + array_of(job.formats) + "\n";
+  return text;
 }
 
 }  // namespace tetfarm

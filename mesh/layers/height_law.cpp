@@ -61,6 +61,27 @@ int layers_until(const HeightLaw& law, double height, int most) {
   return layers;
 }
 
+int layers_within(const HeightLaw& law, double height, int most) {
+  int layers = 0;
+  double total = 0;
+  for_each_height(law, most, [&](double layer) {
+    ++layers;
+    total += layer;
+    return total < height;
+  });
+  return layers;
+}
+
+double height_of_layer(const HeightLaw& law, int layer) {
+  TF_CHECK(layer >= 1);
+  double last = 0;
+  for_each_height(law, layer, [&last](double height) {
+    last = height;
+    return true;
+  });
+  return last;
+}
+
 HeightLaw fitted(const HeightLaw& law, int count, double room) {
   if (total_height(law, count) <= room) return law;
   constexpr int halvings = 60;

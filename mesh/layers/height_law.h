@@ -32,6 +32,12 @@ double total_height(const HeightLaw& law, int count);
 /// The fewest layers, at most `most`, of which the last is at least `height` high.
 int layers_until(const HeightLaw& law, double height, int most);
 
+/// The fewest layers, at most `most`, that are together at least `height` high.
+int layers_within(const HeightLaw& law, double height, int most);
+
+/// How high the layer is. @pre layer >= 1. Cost: O(layer).
+double height_of_layer(const HeightLaw& law, int layer);
+
 /// The law with a lower growth with which `count` layers are as high as `room`, or the same law
 /// where they fit as it is. Where even equal layers do not fit it grows by nothing (growth 1): then
 /// fewer layers fit. By bisection: the total is below `room`, by at most 1e-12 of it.

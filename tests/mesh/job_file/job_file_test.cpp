@@ -59,6 +59,17 @@ corner = [
   { at = [1, 0, 0], spacing = 0.2, inner = 2, outer = 5 },
   { at = [0, 1, 0], spacing = 0.3, inner = 3, outer = 6 },
 ]
+[[layers]]
+patches = ["wing_*", "tip"]
+y_plus = 1
+reynolds = 6e6
+length = 1.5
+growth = 1.1
+growth_cap = 1.5
+acceleration = 1.05
+total_height = 0.01
+equal = 2
+room = "scale"
 [decompose]
 subdomains = 12
 target_elements = 5000000000
@@ -215,6 +226,7 @@ TEST(ParseJobFile, says_where_and_what_is_wrong) {
       {geometry + "surface = \"b.stl\"", "job.toml:3:"},
       {geometry + "[spacing]\ngrwoth = 1",
        "job.toml:4:1: unknown key `grwoth` in [spacing]; did you mean `growth`?"},
+      {geometry + "[[layer]]\n", "job.toml:3:3: unknown key `layer`; did you mean `layers`?"},
       {geometry + "[spacng]\n", "job.toml:3:2: unknown key `spacng`; did you mean `spacing`?"},
       {geometry + "[spacing]\nbanana = 1", "unknown key `banana` in [spacing]"},
       {geometry + "[spacing]\ngrowth = 0", "job.toml:4:10: `growth` must be positive"},
@@ -324,7 +336,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 6);
+  EXPECT_EQ(blocks, 7);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist) {

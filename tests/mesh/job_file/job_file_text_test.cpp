@@ -58,6 +58,25 @@ TEST(JobFileText, has_everything_that_a_job_may_ask_for) {
   job.max_elements = 7'000'000'000;
   const JobSource::Corner corner{{1, 2, 3}, 0.5, 1, 2};
   job.sources = {{{corner}}, {{corner, corner}}, {{corner, corner, corner}}};
+  JobLayers counted;
+  counted.patches = {"wing_*", "a\"b"};
+  counted.first_height = 1e-4;
+  counted.growth_cap = 1.5;
+  counted.acceleration = 1.05;
+  counted.count = 20;
+  counted.equal = 2;
+  counted.typed = "not kept";
+  JobLayers until;
+  until.patches = {"tip"};
+  until.y_plus = 1;
+  until.reynolds = 6e6;
+  until.length = 2.5;
+  until.total_height = 0.01;
+  until.room = "stop";
+  JobLayers isotropic;
+  isotropic.patches = {"*"};
+  isotropic.first_height = 1;
+  job.layers = {counted, until, isotropic};
   job.subdomains = 12;
   job.target_elements = 5000;
   job.plane = "axis";
@@ -114,6 +133,34 @@ corner = [
   { at = [1, 2, 3], spacing = 0.5, inner = 1, outer = 2 },
   { at = [1, 2, 3], spacing = 0.5, inner = 1, outer = 2 },
 ]
+
+[[layers]]
+patches = ["wing_*", "a\"b"]
+first_height = 1e-04
+growth = 1.2
+growth_cap = 1.5
+acceleration = 1.05
+count = 20
+equal = 2
+room = "ratio"
+
+[[layers]]
+patches = ["tip"]
+y_plus = 1
+reynolds = 6e+06
+length = 2.5
+growth = 1.2
+total_height = 0.01
+equal = 1
+room = "stop"
+
+[[layers]]
+patches = ["*"]
+first_height = 1
+growth = 1.2
+count = "isotropic"
+equal = 1
+room = "ratio"
 
 [decompose]
 subdomains = 12

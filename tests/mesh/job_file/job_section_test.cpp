@@ -157,7 +157,10 @@ TEST(JobFileKeys, are_each_there_once) {
       "region.name region.void spacing.default spacing.growth spacing.surface spacing.sources "
       "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
       "source.from source.to source.corner source.corner.at source.corner.spacing "
-      "source.corner.inner source.corner.outer decompose.subdomains decompose.target_elements "
+      "source.corner.inner source.corner.outer layers.patches layers.first_height "
+      "layers.y_plus layers.reynolds layers.length layers.growth layers.growth_cap "
+      "layers.acceleration layers.total_height layers.count layers.equal layers.room "
+      "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "
       "decompose.assimilate.method mesh.points cosmetics.across_cuts quality.min_dihedral "
       "quality.min_unforced_dihedral output.formats ");

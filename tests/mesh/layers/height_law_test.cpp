@@ -37,6 +37,21 @@ TEST(HeightLaw, layers_until_a_height_end_with_the_first_that_has_it) {
   EXPECT_EQ(layers_until(law, 0.5, 100), 1);
 }
 
+TEST(HeightLaw, layers_within_a_height_end_with_the_first_that_reaches_it) {
+  const HeightLaw law{.first = 1, .growth = 2, .acceleration = 1, .cap = 2, .equal = 1};
+  EXPECT_EQ(layers_within(law, 7, 100), 3);
+  EXPECT_EQ(layers_within(law, 7.5, 100), 4);
+  EXPECT_EQ(layers_within(law, 0.5, 100), 1);
+  EXPECT_EQ(layers_within(law, 1e9, 5), 5) << "no more than it may have";
+}
+
+TEST(HeightLaw, tells_how_high_one_layer_is) {
+  const HeightLaw law{.first = 1, .growth = 2, .acceleration = 1, .cap = 2, .equal = 3};
+  EXPECT_EQ(height_of_layer(law, 1), 1);
+  EXPECT_EQ(height_of_layer(law, 3), 1);
+  EXPECT_EQ(height_of_layer(law, 5), 4);
+}
+
 TEST(HeightLaw, fits_into_room_by_growing_less) {
   const HeightLaw law{.first = 1e-3, .growth = 1.2, .acceleration = 1, .cap = 1.2, .equal = 1};
   EXPECT_EQ(fitted(law, 20, 1), law);

@@ -1,0 +1,213 @@
+#include "mesh/job_file/job_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "base/utf8.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::array<std::string_view, 12> table_keys = {
+    "patches",    "first_height", "y_plus",       "reynolds", "length", "growth",
+    "growth_cap", "acceleration", "total_height", "count",    "equal",  "room"};
+constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
+constexpr std::array<std::string_view, 1> counts_in_words = {"isotropic"};
+
+constexpr std::size_t longest_glob = 255;
+constexpr std::size_t most_globs = 1000;
+
+/// What the keys of heights are called: --layers has short names for them.
+struct HeightKeys {
+  std::string_view first = "first_height";
+  std::string_view total = "total_height";
+};
+
+double number_in(const JobSection& section, std::string_view key, double least, double most,
+                 const char* range) {
+  const double value = section.finite(section.node(key), key);
+  if (value < least || value > most) section.fail(key, std::string("must be ") + range);
+  return value;
+}
+
+void need(const JobSection& section, std::string_view key, std::string_view other) {
+  if (section.has(key) && !section.has(other)) {
+    section.fail(key, "needs `" + std::string(other) + "`");
+  }
+}
+
+void exclude(const JobSection& section, std::string_view key, std::string_view other) {
+  if (section.has(key) && section.has(other)) {
+    section.fail(key, "cannot be given together with `" + std::string(other) + "`");
+  }
+}
+
+void parse_first_height(const JobSection& section, std::string_view first, JobLayers& layers) {
+  exclude(section, "y_plus", first);
+  for (const std::string_view key : {"reynolds", "length"}) {
+    need(section, "y_plus", key);
+    need(section, key, "y_plus");
+  }
+  if (section.has("y_plus")) {
+    layers.y_plus = number_in(section, "y_plus", 1e-3, 1e4, "from 0.001 to 10000");
+    layers.reynolds = number_in(section, "reynolds", 1e3, 1e12, "from 1e3 to 1e12");
+    layers.length = section.positive("length");
+    return;
+  }
+  if (!section.has(first)) {
+    section.fail(first, "is missing; give it, or `y_plus` with `reynolds` and `length`");
+  }
+  layers.first_height = section.positive(first);
+}
+
+void parse_growth(const JobSection& section, JobLayers& layers) {
+  if (section.has("growth")) layers.growth = number_in(section, "growth", 1, 2, "from 1 to 2");
+  need(section, "growth_cap", "acceleration");
+  need(section, "acceleration", "growth_cap");
+  if (!section.has("growth_cap")) return;
+  layers.acceleration = number_in(section, "acceleration", 1, 2, "from 1 to 2");
+  layers.growth_cap =
+      number_in(section, "growth_cap", layers.growth, 2, "from `growth` to 2 and not less");
+}
+
+bool grows(const JobLayers& layers) {
+  return layers.growth > 1 || (layers.growth_cap > 1 && layers.acceleration > 1);
+}
+
+void parse_count(const JobSection& section, std::string_view total, JobLayers& layers) {
+  exclude(section, total, "count");
+  if (section.has(total)) {
+    layers.total_height = section.positive(total);
+    if (layers.total_height < layers.first_height) {
+      section.fail(total, "must not be less than the first layer");
+    }
+  } else if (section.has("count") && !section.node("count").is_string()) {
+    layers.count = section.integer("count", 1, most_layers_of_job);
+  } else {
+    if (section.has("count")) section.one_of("count", counts_in_words);
+    if (!grows(layers)) {
+      section.fail("growth", "is 1: no layer becomes as high as the edges; give `count` or `" +
+                                 std::string(total) + "`");
+    }
+  }
+  if (!section.has("equal")) return;
+  layers.equal = section.integer("equal", 1, most_layers_of_job);
+  if (layers.count > 0 && layers.equal > layers.count) {
+    section.fail("equal", "must not be more than `count`");
+  }
+}
+
+void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers& layers) {
+  parse_first_height(section, keys.first, layers);
+  parse_growth(section, layers);
+  parse_count(section, keys.total, layers);
+  if (section.has("room")) layers.room = section.one_of("room", rules_of_room);
+}
+
+/// Takes one more name or pattern; otherwise tells what is wrong with it.
+std::string problem_with_glob(std::string_view glob, std::vector<std::string>& globs) {
+  if (glob.empty()) return "must not hold an empty name";
+  if (!is_utf8(glob)) return "must hold UTF-8";
+  if (glob.size() > longest_glob) return "may hold names of at most 255 bytes";
+  if (globs.size() == most_globs) return "may hold at most 1000 names";
+  if (std::find(globs.begin(), globs.end(), glob) != globs.end()) {
+    return "has \"" + std::string(glob) + "\" twice";
+  }
+  globs.emplace_back(glob);
+  return {};
+}
+
+void parse_patches(const JobSection& section, JobLayers& layers) {
+  for (const toml::node& node : section.array("patches")) {
+    const auto glob = node.value_exact<std::string>();
+    const std::string problem =
+        glob ? problem_with_glob(*glob, layers.patches) : std::string("must hold strings");
+    if (!problem.empty()) section.fail(node.source(), "`patches` " + problem);
+  }
+  if (layers.patches.empty()) {
+    section.fail("patches", "must name at least one patch; \"*\" is all of them");
+  }
+}
+
+/// A number where the text is one.
+void insert_value(toml::table& table, std::string_view key, std::string_view text) {
+  const char* const end = text.data() + text.size();
+  const auto is_all = [end](const std::from_chars_result& result) {
+    return result.ec == std::errc() && result.ptr == end;
+  };
+  std::int64_t whole = 0;
+  double number = 0;
+  if (is_all(std::from_chars(text.data(), end, whole))) {
+    table.insert(key, whole);
+  } else if (is_all(std::from_chars(text.data(), end, number))) {
+    table.insert(key, number);
+  } else {
+    table.insert(key, std::string(text));
+  }
+}
+
+/// What lies between the separators, empty texts too.
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+toml::table table_of_option(std::string_view settings, const std::string& place) {
+  toml::table table;
+  for (const std::string_view setting : split(settings, ',')) {
+    const std::size_t equals = setting.find('=');
+    const std::string_view key = setting.substr(0, equals);
+    if (equals == std::string_view::npos || equals + 1 == setting.size() || key.empty()) {
+      throw UsageError("\"" + std::string(setting) + "\" is not KEY=VALUE", place);
+    }
+    if (table.contains(key)) throw UsageError("`" + std::string(key) + "` is given twice", place);
+    insert_value(table, key, setting.substr(equals + 1));
+  }
+  return table;
+}
+
+}  // namespace
+
+Words layers_keys() { return table_keys; }
+
+JobLayers parse_layers(const JobSection& top, const toml::node& node) {
+  const JobSection section = top.item(node, "layers", table_keys);
+  JobLayers layers;
+  parse_patches(section, layers);
+  parse_heights(section, HeightKeys(), layers);
+  return layers;
+}
+
+JobLayers parse_layers_option(std::string_view typed) {
+  const std::string place = "--layers '" + std::string(typed) + "'";
+  const std::size_t colon = typed.rfind(':');  // patches may have colons in their names
+  if (colon == std::string_view::npos) {
+    throw UsageError("must be PATCH,...:first=HEIGHT,...", place);
+  }
+  JobLayers layers;
+  layers.typed = typed;
+  for (const std::string_view glob : split(typed.substr(0, colon), ',')) {
+    const std::string problem = problem_with_glob(glob, layers.patches);
+    if (!problem.empty()) throw UsageError("the list of patches " + problem, place);
+  }
+  const toml::table table = table_of_option(typed.substr(colon + 1), place);
+  HeightKeys keys;
+  if (!table.contains(keys.first)) keys.first = "first";
+  if (!table.contains(keys.total)) keys.total = "total";
+  std::vector<std::string_view> known(table_keys.begin() + 1, table_keys.end());  // no patches
+  std::replace(known.begin(), known.end(), HeightKeys().first, keys.first);
+  std::replace(known.begin(), known.end(), HeightKeys().total, keys.total);
+  parse_heights(JobSection(table, "", known, place), keys, layers);
+  return layers;
+}
+
+}  // namespace tetfarm
