@@ -31,6 +31,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"extract", "extracting", ""},
     {"number", "numbering", ""},
     {"write", "writing", ""},
+    {"layers", "growing layers", ""},
     {"assemble", "assembling", "sub-domains"},
 }};
 

@@ -32,6 +32,7 @@ enum class WorkStage : std::uint8_t {
   extract,
   number,
   write,
+  layers,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

@@ -27,7 +27,7 @@ struct Estimate {
 
 Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
   const JobDomain domain = domain_of_job(job, checked.surface);
-  return {domain.elements, wanted_parts(job, domain.elements, region_count(domain.surface)),
+  return {domain.all_elements(), wanted_parts(job, domain.elements, region_count(domain.surface)),
           surface_angles_of(domain.surface)};
 }
 

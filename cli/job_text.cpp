@@ -125,14 +125,35 @@ std::string balance_text(const wire::JobStatus& status) {
                 number_of(status, "assimilated_communication_nodes_max"));
 }
 
+/// "1.2M tets"; of a mesh with layers all its cells.
+std::string cells_text(const wire::JobStatus& status) {
+  const auto& numbers = status.numbers();
+  std::string text =
+      short_count(number_of(status, numbers.contains("tets") ? "tets" : "elements")) + " tets";
+  for (const char* name : {"pyramids", "prisms"}) {
+    if (number_of(status, name) > 0) {
+      text += ", " + short_count(number_of(status, name)) + " " + name;
+    }
+  }
+  return text;
+}
+
+/// How much of the wall has the layers that were asked for; empty of a job without layers.
+std::string layers_text(const wire::JobStatus& status) {
+  if (!status.numbers().contains("layers_wall_triangles")) return {};
+  return indented("layers: all on " + short_count(number_of(status, "layers_full")) + " of " +
+                  short_count(number_of(status, "layers_wall_triangles")) +
+                  " triangles, fewer on " + short_count(number_of(status, "layers_partial")) +
+                  ", none on " + short_count(number_of(status, "layers_none")));
+}
+
 }  // namespace
 
 std::string result_text(const wire::JobStatus& said, double seconds,
                         const std::vector<std::filesystem::path>& files, bool is_coloured) {
   const wire::JobStatus status = printable_reply(said);
   std::string text =
-      format("done       %s tets, %s nodes, %s, ",
-             short_count(number_of(status, "elements")).c_str(),
+      format("done       %s, %s nodes, %s, ", cells_text(status).c_str(),
              short_count(number_of(status, "nodes")).c_str(),
              counted(static_cast<std::uint64_t>(number_of(status, "subdomains")), "sub-domain")
                  .c_str()) +
@@ -143,6 +164,7 @@ std::string result_text(const wire::JobStatus& said, double seconds,
   for (const std::string& remark : angle_remarks(surface_angles_of(status))) {
     text += indented(harmless(remark, longest_remark));
   }
+  text += layers_text(status);
   text += near_cuts_text(status);
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
     text += indented(text_of(status, region_prefix(i) + "name") + ": " +

@@ -38,6 +38,8 @@ struct Plan {
   SubdomainSize root;
   std::int64_t groups = 0;
   bool across_cuts = true;
+  std::size_t chunks = 0;  ///< of layers
+  double layer_cells = 0;
   JobForecast forecast;
   TaskTimes times;
 };
@@ -60,6 +62,11 @@ Plan make_plan(const JobInput& input) {
   const auto most_bytes = static_cast<double>(input.job.max_memory_bytes);
   const std::int64_t parts = parts_of_job(input.job, plan.root, region_count(domain.surface));
   plan.forecast = forecast_of(input.job, plan.input_bytes, plan.root, static_cast<double>(parts));
+  if (domain.layers) {
+    add_layers(*domain.layers, plan.forecast);
+    plan.chunks = domain.layers->chunks.size();
+    plan.layer_cells = static_cast<double>(domain.layers->cells);
+  }
   plan.tree = plan_decomposition(
       domain.root, domain.spacing, parts,
       [&](double elements, double triangles, std::int64_t wanted) {
@@ -173,12 +180,15 @@ std::vector<KindCost> cost_of_kinds(const Plan& plan) {
     costs.add(assimilate_cost(triangles, leaves.front().triangles));
   }
   add_leaves(plan, leaves, costs);
+  for (std::size_t i = 0; i < plan.chunks; ++i) {
+    costs.add(grow_cost(plan.layer_cells / static_cast<double>(plan.chunks)));
+  }
   const auto largest = std::max_element(
       leaves.begin(), leaves.end(),
       [](const SubdomainSize& a, const SubdomainSize& b) { return a.elements < b.elements; });
   TF_CHECK(largest != leaves.end());
   costs.add(number_cost(plan.root.triangles));
-  costs.add(assemble_cost(plan.root.triangles, plan.root.elements, *largest));
+  costs.add(assemble_cost(plan.root.triangles, plan.forecast.elements, *largest));
   return costs.of_kinds();
 }
 
@@ -202,7 +212,7 @@ void put(const SecondsRange& seconds, Json& json) {
 void print_json(const JobInput& input, const Plan& plan) {
   Json json = {{"type", "plan"},
                {"name", input.job.name},
-               {"estimated_elements", plan.root.elements},
+               {"estimated_elements", plan.forecast.elements},
                {"disk_bytes", plan.forecast.disk_bytes},
                {"surface_triangles", plan.root.triangles},
                {"needles", plan.root.needles},

@@ -61,6 +61,28 @@ Json unforced_json(const wire::JobStatus& status) {
           {"worst_at", place_of(status, "unforced_worst")}};
 }
 
+/// Of a job with layers: its cells by type, and how much of the wall has what was asked for.
+void add_layers(const wire::JobStatus& status, Json& json) {
+  const auto whole = [&status](const std::string& name) {
+    return static_cast<std::int64_t>(number_of(status, name));
+  };
+  if (!status.numbers().contains("layers_wall_triangles")) return;
+  json["tets"] = whole(status.numbers().contains("tets") ? "tets" : "elements");
+  for (const char* name : {"pyramids", "prisms"}) json[name] = whole(name);
+  Json layers = Json::object();
+  for (const char* name : {"wall_triangles", "full", "partial", "none"}) {
+    layers[name] = whole(std::string("layers_") + name);
+  }
+  const std::string short_lines = "layers_short_";
+  std::map<std::string, std::int64_t> reasons;
+  for (const auto& [name, number] : status.numbers()) {
+    if (!name.starts_with(short_lines)) continue;
+    reasons[name.substr(short_lines.size())] = static_cast<std::int64_t>(number);
+  }
+  layers["by_reason"] = reasons;
+  json["layers"] = layers;
+}
+
 Json gates_json(const wire::JobStatus& status) {
   Json json = Json::array();
   for (const QualityGate& gate : quality_gates_of(status)) {
@@ -126,6 +148,7 @@ std::string result_json(const wire::JobStatus& status, double seconds,
   for (const char* name : {"elements", "nodes", "boundary_triangles", "subdomains"}) {
     json[name] = static_cast<std::int64_t>(number_of(status, name));
   }
+  add_layers(status, json);
   for (const char* name : {"min_dihedral_deg", "max_dihedral_deg", "mean_radius_ratio", "volume"}) {
     json[name] = number_of(status, name);
   }

@@ -10,8 +10,8 @@ struct AssembleGiven {
   TaskFile job;
   TaskFile surface;
   TaskFile numbering;
-  LeafFiles portions;  ///< of every leaf
-  LeafFiles tets;      ///< of every leaf
+  LeafFiles portions;  ///< of every leaf, and of every chunk of layers
+  LeafFiles tets;      ///< the same
 
   static constexpr TaskKind kind = TaskKind::assemble;
   static constexpr ContractSide side = ContractSide::given;

@@ -34,6 +34,8 @@ void InspectMade::describe(ContractFields& fields) {
   fields.count("most_bytes", most_bytes);
   fields.count("needles", needles);
   fields.flag("across_cuts", across_cuts);
+  fields.files("layers:", layers);
+  fields.file("layer_table", layer_table);
 }
 
 }  // namespace tetfarm

@@ -23,7 +23,7 @@ struct InspectGiven {
 struct InspectMade {
   TaskFile surface;
   TaskFile spacing;
-  TaskFile root;                 ///< the whole domain as a sub-domain
+  TaskFile root;                 ///< the whole domain as a sub-domain, but for its layers
   TaskFile settings;             ///< the job file without what makes no difference to a sub-domain
   std::uint64_t parts = 0;       ///< sub-domains that the root is to become, at least 1
   double total_work = 0;         ///< estimated elements
@@ -31,6 +31,9 @@ struct InspectMade {
   std::uint64_t most_bytes = 0;  ///< memory of a task; 0: it does not decide
   std::uint64_t needles = 0;     ///< triangles with a small angle
   bool across_cuts = false;      ///< whether there are turns of cosmetics
+  // Of a job with layers, where `root` is what they leave of the domain:
+  LeafFiles layers;                     ///< the chunks of the layers
+  std::optional<TaskFile> layer_table;  ///< their lines of the numbering's table, and the root's
 
   static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::made;

@@ -19,6 +19,7 @@ constinit const KindContracts number_contracts = contracts_between<NumberGiven, 
 
 void NumberGiven::describe(ContractFields& fields) {
   fields.file("surface", surface);
+  fields.file("layer_table", layer_table);
   fields.file("dropped", dropped);
   fields.files_by_leaf({{"core:", &cores}, {"elements:", &elements}});
   fields.text("table", table);

@@ -22,6 +22,7 @@
   KIND(cosmetic)                 \
   KIND(number)                   \
   KIND(write)                    \
+  KIND(grow)                     \
   KIND(assemble)
 
 namespace tetfarm {

@@ -114,10 +114,12 @@ class ResultFiles {
 TaskCost cost_of(const SurfaceMesh& surface, const Numbering& numbering) {
   SubdomainSize largest;
   for (const LeafNumbers& leaf : numbering.leaves) {
-    largest.elements = std::max(largest.elements, static_cast<double>(leaf.tets));
+    largest.elements =
+        std::max(largest.elements, static_cast<double>(leaf.tets + count_cells(leaf.others)));
   }
   return assemble_cost(static_cast<double>(surface.triangles.size()),
-                       static_cast<double>(numbering.tets), largest);
+                       static_cast<double>(numbering.tets + count_cells(numbering.others)),
+                       largest);
 }
 
 void report_place(TaskIo& io, const std::string& what, const Vec3& at) {
@@ -150,10 +152,16 @@ void report_regions(TaskIo& io, const MeshShapes& shapes, const std::vector<std:
   }
 }
 
-/// Which tets of a .lb8.ugrid are of which region: the format has no place for it, but those of a
-/// region follow one another. A line each: number, first tet, last tet (from 1), name.
-std::string regions_text(const MeshShapes& shapes, const std::vector<std::string>& names) {
+/// Which cells of a .lb8.ugrid are of which region: the format has no place for it, but those of a
+/// region follow one another. A line each: number, first cell, last cell (from 1), name.
+std::string regions_text(const GlobalMeshSummary& summary, const std::vector<std::string>& names) {
+  const MeshShapes& shapes = summary.shapes;
   TF_CHECK(names.size() >= shapes.regions.size());
+  if (shapes.regions.size() == 1) {
+    const std::int64_t cells = summary.tets + count_cells(summary.others);
+    return "1 1 " + std::to_string(cells) + ' ' + names.front() + '\n';
+  }
+  TF_CHECK(count_cells(summary.others) == 0);  // layers grow in one region
   std::string text;
   std::int64_t last = 0;
   for (std::size_t i = 0; i < shapes.regions.size(); ++i) {
@@ -163,6 +171,16 @@ std::string regions_text(const MeshShapes& shapes, const std::vector<std::string
             names[i] + '\n';
   }
   return text;
+}
+
+/// Of a mesh with layers. Its figures of shape are of the tets beyond them.
+void report_cells(TaskIo& io, const GlobalMeshSummary& summary) {
+  if (summary.others == ElementCounts{}) return;
+  io.number("elements", static_cast<double>(summary.tets + count_cells(summary.others)));
+  io.number("tets", static_cast<double>(summary.tets));
+  for (const ElementType type : layer_cell_types) {
+    io.number(std::string(element(type).plural), static_cast<double>(summary.others[type]));
+  }
 }
 
 /// Which angles the surface forces, of the whole of it, however it was cut.
@@ -190,6 +208,7 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
   io.number("boundary_triangles", static_cast<double>(summary.boundary_triangles));
   io.number("subdomains", static_cast<double>(summary.subdomains));
   report_shapes(io, "", summary.shapes.all);
+  report_cells(io, summary);
   if (summary.shapes.near_cuts.tets > 0) {
     report_shapes(io, "near_cuts_", summary.shapes.near_cuts);
     report_shapes(io, "away_from_cuts_", summary.shapes.away_from_cuts);
@@ -227,8 +246,7 @@ void assemble_task(TaskIo& io) {
   if (surface.region_names.empty()) return;
   report_regions(io, summary.shapes, surface.region_names);
   if (std::find(job.formats.begin(), job.formats.end(), "lb8.ugrid") != job.formats.end()) {
-    io.publish(file_name_of_job(job.name, ".regions"),
-               regions_text(summary.shapes, surface.region_names));
+    io.publish(file_name_of_job(job.name, ".regions"), regions_text(summary, surface.region_names));
   }
 }
 

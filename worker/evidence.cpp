@@ -56,8 +56,9 @@ std::string describe_triangle(const Subdomain& subdomain, std::int32_t triangle)
   for (const std::int32_t v : subdomain.triangles[t]) {
     sum += subdomain.vertices[static_cast<std::size_t>(v)];
   }
-  const std::string whose =
-      origin.owner == 0 ? "the input" : "the cut of sub-domain " + TreePath{origin.owner}.text();
+  std::string whose = "the input";
+  if (origin.owner == top_of_layers) whose = "the top of the layers";
+  if (is_of_cut(origin)) whose = "the cut of sub-domain " + TreePath{origin.owner}.text();
   return "triangle " + std::to_string(origin.index) + " of " + whose + " at " +
          coordinates(sum / 3.0);
 }

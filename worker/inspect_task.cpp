@@ -14,6 +14,7 @@
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
+#include "mesh/layers/layer_chunk_file.h"
 #include "tasks/inspect_contract.h"
 #include "worker/evidence.h"
 
@@ -60,6 +61,29 @@ void report_forecast(TaskIo& io, const JobForecast& forecast) {
   io.number("forecast_seconds", forecast.seconds);
 }
 
+/// "layers_wall_triangles", "layers_short_ridge"…: how much of the wall has what was asked for.
+void report_layers(TaskIo& io, const DomainLayers& layers) {
+  const LayerCoverage& coverage = layers.coverage;
+  io.number("layers_wall_triangles", static_cast<double>(coverage.wall_triangles));
+  io.number("layers_full", static_cast<double>(coverage.full));
+  io.number("layers_partial", static_cast<double>(coverage.partial()));
+  io.number("layers_none", static_cast<double>(coverage.none));
+  io.number("layers_cells", static_cast<double>(layers.cells));
+  for (const auto& [reason, lines] : coverage.short_lines) {
+    std::string name = name_of(reason);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    io.number("layers_short_" + name, static_cast<double>(lines));
+  }
+}
+
+void publish_layers(TaskIo& io, const DomainLayers& layers, InspectMade& made) {
+  if (layers.chunks.empty()) return;
+  for (const LayerChunk& chunk : layers.chunks) {
+    made.layers[chunk.path.heap] = io.publish(layer_chunk_to_bytes(chunk));
+  }
+  made.layer_table = io.publish(layer_table(layers.chunks, layers.top_nodes));
+}
+
 static_assert(most_subdomains == most_parts);
 
 /// Each is a sub-domain of its own, if not several.
@@ -102,6 +126,7 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.min_dihedral_deg = defaults.min_dihedral_deg;
   settings.min_unforced_dihedral_deg = defaults.min_unforced_dihedral_deg;
   settings.formats = defaults.formats;
+  settings.layers = defaults.layers;
   return settings;
 }
 
@@ -174,7 +199,8 @@ void inspect_task(TaskIo& io) {
   const std::int32_t regions = region_count(domain.surface);
   require_few(regions);
   const std::int64_t parts = parts_of_job(job, size, regions);
-  const JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
+  JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
+  if (domain.layers) add_layers(*domain.layers, forecast);
   require_disk(job, forecast,
                limits_of_job(job, checked.surface, domain_volume(domain.surface),
                              static_cast<double>(given.free_bytes.value_or(0))));
@@ -190,6 +216,11 @@ void inspect_task(TaskIo& io) {
   made.most_bytes = static_cast<std::uint64_t>(job.max_memory_bytes);
   made.needles = static_cast<std::uint64_t>(size.needles);
   made.across_cuts = job.across_cuts;
+  if (domain.layers) {
+    report_layers(io, *domain.layers);
+    publish_layers(io, *domain.layers, made);
+    io.number("estimated_elements", domain.all_elements());
+  }
   io.made(made);
 }
 

@@ -1,10 +1,14 @@
 #include "worker/job_domain.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/inspect/region_map.h"
+#include "mesh/layers/unlayered_domain.h"
+#include "worker/job_layers.h"
 
 namespace tetfarm {
 namespace {
@@ -13,7 +17,7 @@ JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
   SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
   Subdomain root = root_subdomain(surface);
   const double elements = estimated_elements(root, spacing);
-  return {std::move(surface), std::move(spacing), std::move(root), elements};
+  return {std::move(surface), std::move(spacing), std::move(root), elements, std::nullopt};
 }
 
 JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
@@ -23,6 +27,11 @@ JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
 }
 
 }  // namespace
+
+void add_layers(const DomainLayers& layers, JobForecast& forecast) {
+  add_layers(static_cast<double>(layers.cells), static_cast<double>(layers.chunks.size()),
+             forecast);
+}
 
 OuterBoundary outer_boundary_of(const JobFile& job) {
   OuterBoundary outer;
@@ -70,7 +79,10 @@ JobLimits limits_of_job(const JobFile& job, const SurfaceMesh& checked, double v
   return {volume, elements_with, free_bytes};
 }
 
-JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
+namespace {
+
+/// That of the job but for its layers.
+JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain sketch = sketched_domain(job, checked);
   require_few_elements(job, sketch.elements,
                        limits_of_job(job, checked, domain_volume(sketch.surface), 0));
@@ -79,6 +91,51 @@ JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
   SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
   if (surface.triangles.size() == sketch.surface.triangles.size()) return sketch;
   return domain_inside(std::move(surface), job);
+}
+
+/// Layers grow behind the triangles of a surface that bounds one region.
+void require_one_region(const SurfaceMesh& surface) {
+  const bool has_one =
+      std::all_of(surface.sides.begin(), surface.sides.end(), [](const Sides& sides) {
+        return sides == Sides{1, 0};
+      });
+  if (has_one) return;
+  throw UsageError(
+      "boundary layers grow in a surface that bounds one region, and this one bounds " +
+          std::to_string(region_count(surface)) +
+          ", or has triangles inside them; mesh its regions as surfaces of their own, "
+          "or leave out the layers",
+      "[[layers]]");
+}
+
+void add_layers(const JobFile& job, JobDomain& domain) {
+  const SurfaceMesh& surface = domain.surface;
+  require_one_region(surface);
+  const LayerPlan plan = plan_layers(surface, layer_requests_of(job, surface));
+  DomainLayers layers;
+  layers.coverage = coverage_of(plan, surface);
+  layers.chunks = chunks_of(plan, surface);
+  for (const LayerChunk& chunk : layers.chunks) layers.cells += counts_of(chunk).cells();
+  if (!layers.chunks.empty()) {
+    UnlayeredDomain rest = unlayered_domain(plan, surface, unlayered_path, top_of_layers);
+    layers.top_nodes = rest.top_nodes;
+    domain.root = std::move(rest.root);
+    const SurfaceMesh boundary{domain.root.vertices, domain.root.triangles, {}, {}, {}, {}};
+    domain.spacing = make_spacing_field(boundary, spacing_options_of(job));
+    domain.elements = estimated_elements(domain.root, domain.spacing);
+  }
+  domain.layers = std::move(layers);
+}
+
+}  // namespace
+
+JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
+  JobDomain domain = domain_without_layers(job, checked);
+  if (job.layers.empty()) return domain;
+  add_layers(job, domain);
+  require_few_elements(job, domain.all_elements(),
+                       limits_of_job(job, checked, domain_volume(domain.surface), 0));
+  return domain;
 }
 
 }  // namespace tetfarm

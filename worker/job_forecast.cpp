@@ -15,6 +15,8 @@ namespace {
 /// (docs/measurements/2026-11-subdomains_and_workers.md).
 constexpr double disk_bytes_per_element = 104;
 constexpr double disk_bytes_per_triangle = 250;
+/// Of a cell of layers, nearly always a prism, in its portion, its cells and the result.
+constexpr double disk_bytes_per_layer_cell = 190;
 constexpr int most_trials = 8;
 
 std::string with_prefix(double amount, const char* unit) {
@@ -104,6 +106,15 @@ JobForecast forecast_of(const JobFile& job, double input_bytes, const SubdomainS
   forecast.disk_bytes = input_bytes + 2 * root.spacing_bytes + disk_bytes_per_triangle * triangles +
                         disk_bytes_per_element * root.elements;
   return forecast;
+}
+
+void add_layers(double cells, double tasks, JobForecast& forecast) {
+  if (tasks == 0) return;
+  const TaskCost grow = grow_cost(cells / tasks);
+  forecast.elements += cells;
+  forecast.task_bytes = std::max(forecast.task_bytes, grow.bytes);
+  forecast.disk_bytes += disk_bytes_per_layer_cell * cells;
+  forecast.seconds += tasks * grow.seconds;
 }
 
 std::string forecast_text(const JobForecast& forecast) {

@@ -28,6 +28,9 @@ struct JobForecast {
 JobForecast forecast_of(const JobFile& job, double input_bytes, const SubdomainSize& root,
                         double subdomains);
 
+/// Adds layers, which are grown in so many tasks.
+void add_layers(double cells, double tasks, JobForecast& forecast);
+
 /// "about 1.2M elements in 8 sub-domains, 90 MB of memory a task, 130 MB of disk, 6 s of one core"
 std::string forecast_text(const JobForecast& forecast);
 

@@ -101,6 +101,7 @@ void number_task(TaskIo& io) {
   if (given.order) {
     table = cuts_of(table) + leaves_after_cosmetics(io, given, *given.order, gone);
   }
+  if (given.layer_table) table += io.read(*given.layer_table);
   std::sort(gone.begin(), gone.end());
   table += dropped_lines(gone);
   io.made(NumberMade{io.publish(numbering_to_bytes(number_globally(surface, table)))});

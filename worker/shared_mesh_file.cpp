@@ -1,6 +1,12 @@
 #include "worker/shared_mesh_file.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "base/hash.h"
+#include "mesh/job_file/job_file.h"
+#include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
 
@@ -9,6 +15,18 @@ SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const Tas
   const std::string name = "mesh." + hash128(what).hex() + ".vtkhdf";
   return {io.is_without_shared_store() ? io.scratch_path(name) : io.store().scratch_folder() / name,
           io.scratch_path("frame.vtkhdf")};
+}
+
+void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const SurfaceInput& surface,
+                          const LeafNumbering& numbering, Portion& portion) {
+  const JobFile job = parse_job_file(io.read(mesh.job), "job.toml");
+  const std::vector<std::string> formats = formats_of_tasks(job.formats);
+  const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
+  if (!is_wanted || !numbering.first_face) return;
+  SharedFile file = shared_mesh_file(io, mesh.surface, mesh.numbering);
+  if (io.is_without_shared_store()) file.path.clear();
+  portion.placed =
+      place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
 }
 
 }  // namespace tetfarm

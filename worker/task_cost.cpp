@@ -88,6 +88,8 @@ TaskCost number_cost(double surface_triangles) {
 
 TaskCost write_cost(double elements) { return cost_of(TaskKind::write, {elements}, {elements}); }
 
+TaskCost grow_cost(double cells) { return cost_of(TaskKind::grow, {cells}, {cells}); }
+
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest) {
   return cost_of(TaskKind::assemble, {elements_in_estimate * largest.elements, surface_triangles},
                  {elements, surface_triangles, 0});

@@ -59,6 +59,8 @@ TaskCost cosmetic_cost(double elements, double spacing_bytes);
 TaskCost number_cost(double surface_triangles);
 /// `elements` counted, of the leaf.
 TaskCost write_cost(double elements);
+/// `cells` counted, of the chunk.
+TaskCost grow_cost(double cells);
 /// `largest` is the largest sub-domain, `elements` all of them.
 TaskCost assemble_cost(double surface_triangles, double elements, const SubdomainSize& largest);
 

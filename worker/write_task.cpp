@@ -1,14 +1,11 @@
 #include "worker/write_task.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/assemble/portion.h"
 #include "mesh/assemble/unforced_tets.h"
 #include "mesh/core/subdomain_regions.h"
-#include "mesh/job_file/job_file.h"
-#include "mesh/job_file/job_formats.h"
 #include "tasks/write_contract.h"
 #include "worker/leaf_inputs.h"
 #include "worker/part_after_cosmetics.h"
@@ -36,20 +33,6 @@ MeshPart read_part(const TaskIo& io, const WriteGiven& given, std::int32_t regio
   return part;
 }
 
-/// Where it may, it writes into the file of all. The portion says the same if it may not: the same
-/// inputs give the same bytes, wherever the task runs.
-void place(const TaskIo& io, const WriteGiven& given, const SurfaceInput& surface,
-           const LeafNumbering& numbering, Portion& portion) {
-  const JobFile job = parse_job_file(io.read(given.job), "job.toml");
-  const std::vector<std::string> formats = formats_of_tasks(job.formats);
-  const bool is_wanted = std::find(formats.begin(), formats.end(), "vtkhdf") != formats.end();
-  if (!is_wanted || !numbering.first_face) return;
-  SharedFile file = shared_mesh_file(io, given.surface, given.numbering);
-  if (io.is_without_shared_store()) file.path.clear();
-  portion.placed =
-      place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
-}
-
 /// What the job's gate on unforced angles is judged by, all leaves together.
 void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
   io.number("unforced_elements", static_cast<double>(unforced.tets));
@@ -74,7 +57,7 @@ void write_task(TaskIo& io) {
   const LeafNumbering numbers = numbering.leaf({leaf.path, leaf.region, leaf.node_origin});
   const SurfacePieces pieces = surface.pieces(surface_pieces(leaf));
   Portion portion = make_portion(std::move(part), pieces, numbers);
-  place(io, given, surface, numbers, portion);
+  place_in_shared_file(io, {given.job, given.surface, given.numbering}, surface, numbers, portion);
   io.number("tets", tets);
   report_unforced(io, unforced_tets(portion, numbers.is_forced));
   WriteMade made;

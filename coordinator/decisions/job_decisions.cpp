@@ -7,6 +7,7 @@
 #include "base/tree_path.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/job_state.h"
+#include "coordinator/decisions/layer_graph.h"
 #include "coordinator/decisions/task_rows.h"
 
 namespace tetfarm {
@@ -135,6 +136,7 @@ void JobState::advance(const TaskRow& task, Moment now) {
   TF_CHECK(inspect != nullptr);
   switch (task.kind) {
     case TaskKind::inspect:
+      progress_.set_chunks(task.job, made_by<InspectMade>(task).layers.size());
       carry_out(after_inspect(task), now);
       break;
     case TaskKind::decompose: {
@@ -174,8 +176,10 @@ void JobState::advance(const TaskRow& task, Moment now) {
       break;
     case TaskKind::number:
       write_leaves(task, now);
+      grow_layers(task, now);
       break;
     case TaskKind::write:
+    case TaskKind::grow:
       progress_.note_written(task.job);
       assemble_when_written(task.job, now);
       break;
@@ -244,6 +248,16 @@ void JobState::write_leaves(const TaskRow& number, Moment now) {
   }
 }
 
+/// The same of every chunk of layers.
+void JobState::grow_layers(const TaskRow& number, Moment now) {
+  const TaskRow& inspect = *find_task(number.job, TaskKind::inspect, 0);
+  GrowGiven grow = given_to_grow(inspect, number);
+  for (const auto& [heap, chunk] : made_by<InspectMade>(inspect).layers) {
+    grow.layers = chunk;
+    add_task(new_task(number.job, heap, grow), now);
+  }
+}
+
 void JobState::assemble_when_written(JobId job, Moment now) {
   if (!progress_.is_written(job)) return;
   const TaskRow* inspect = find_task(job, TaskKind::inspect, 0);
@@ -251,7 +265,10 @@ void JobState::assemble_when_written(JobId job, Moment now) {
   const auto find_written = [this, job](std::uint64_t leaf) {
     return find_done(job, TaskKind::write, leaf);
   };
-  add_task(assemble_task(*inspect, *number, tree_of(job), find_written), now);
+  const auto find_grown = [this, job](std::uint64_t chunk) {
+    return find_done(job, TaskKind::grow, chunk);
+  };
+  add_task(assemble_task(*inspect, *number, tree_of(job), find_written, find_grown), now);
 }
 
 /// Whether the job is done and left memory, and its results are there: nothing is to be decided.

@@ -7,6 +7,8 @@
 #include "coordinator/decisions/task_reuse.h"
 #include "coordinator/decisions/task_rows.h"
 #include "tasks/cosmetic_contract.h"
+#include "tasks/grow_contract.h"
+#include "tasks/inspect_contract.h"
 #include "tasks/write_contract.h"
 
 namespace tetfarm {
@@ -24,8 +26,12 @@ void JobState::take_in(const TaskRow& task) {
       task.kind == TaskKind::cosmetic && !made_by<CosmeticMade>(task).elements.hash.empty();
   if (had_turn) progress_.note_turn_over(task.job);
   const bool is_written =
-      task.kind == TaskKind::write && !made_by<WriteMade>(task).portion.hash.empty();
+      (task.kind == TaskKind::write && !made_by<WriteMade>(task).portion.hash.empty()) ||
+      (task.kind == TaskKind::grow && !made_by<GrowMade>(task).portion.hash.empty());
   if (is_written) progress_.note_written(task.job);
+  if (task.kind == TaskKind::inspect) {
+    progress_.set_chunks(task.job, made_by<InspectMade>(task).layers.size());
+  }
   remember_work(task);
 }
 

@@ -310,6 +310,7 @@ class JobState {
   void tree_has_grown(JobId job, Moment now);
   void number_tree(JobId job, Moment now);
   void write_leaves(const TaskRow& number, Moment now);
+  void grow_layers(const TaskRow& number, Moment now);
   void assemble_when_written(JobId job, Moment now);
   void carry_out(const GraphStep& step, Moment now);
   void take_failure(TaskRow& task, WorkerId worker, AttemptId attempt, const TaskFailure& failure,

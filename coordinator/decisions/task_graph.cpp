@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "coordinator/decisions/layer_graph.h"
 #include "coordinator/decisions/task_rows.h"
 #include "tasks/assemble_contract.h"
 #include "tasks/assimilate_contract.h"
@@ -104,6 +105,11 @@ std::optional<std::string> problem_with_order(const OrderGiven& given, const std
   return std::nullopt;
 }
 
+std::optional<std::string> problem_with_inspected(const InspectMade& made) {
+  if (made.parts < 1) return "the number of parts is 0";
+  return problem_with_layers(made);
+}
+
 /// Those that a result of the kind has to have.
 std::vector<std::string> outputs_of(const TaskRow& task, const TaskResult& result) {
   const TaskKindTraits& traits = traits_of(task.kind);
@@ -133,8 +139,8 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
   const TaskWords made = made_words(result.outputs, result.numbers, result.texts);
   const std::string breach = breach_of_made(task.kind, made);
   if (!breach.empty()) return breach;
-  if (task.kind == TaskKind::inspect && from_words<InspectMade>(made).contract.parts < 1) {
-    return "the number of parts is 0";
+  if (task.kind == TaskKind::inspect) {
+    return problem_with_inspected(from_words<InspectMade>(made).contract);
   }
   if (task.kind == TaskKind::assimilate) {
     return problem_with_groups(given_to<AssimilateGiven>(task),
@@ -154,9 +160,10 @@ TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {
 GraphStep after_inspect(const TaskRow& inspect) {
   const auto made = made_by<InspectMade>(inspect);
   GraphStep step;
+  const std::uint64_t root = root_path(made);
   step.subdomains = {
-      new_subdomain(inspect.job, 1, at_least_one(made.parts), made.total_work, made.root)};
-  add_tasks(made, !is_assimilated(inspect), {{1, made.needles}}, step);
+      new_subdomain(inspect.job, root, at_least_one(made.parts), made.total_work, made.root)};
+  add_tasks(made, !is_assimilated(inspect), {{root, made.needles}}, step);
   return step;
 }
 
@@ -213,7 +220,9 @@ bool is_settled(const SubdomainRow& subdomain) {
 NumberGiven given_to_number(const TaskRow& inspect, const TaskRow* assimilate,
                             std::span<const SubdomainRow> tree) {
   NumberGiven given;
-  given.surface = made_by<InspectMade>(inspect).surface;
+  const auto inspected = made_by<InspectMade>(inspect);
+  given.surface = inspected.surface;
+  given.layer_table = inspected.layer_table;
   if (assimilate != nullptr) given.dropped = made_by<AssimilateMade>(*assimilate).dropped;
   for (const SubdomainRow& node : tree) {
     const std::string path = std::to_string(node.path);
@@ -243,7 +252,8 @@ void add_mesh(const TaskRow& mesh, WriteGiven& write) {
 }
 
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
-                      std::span<const SubdomainRow> tree, const FindWritten& find_written) {
+                      std::span<const SubdomainRow> tree, const FindWritten& find_written,
+                      const FindWritten& find_grown) {
   AssembleGiven given;
   given.job = given_to<InspectGiven>(inspect).job;
   given.surface = made_by<InspectMade>(inspect).surface;
@@ -255,6 +265,11 @@ TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
     const auto made = made_by<WriteMade>(*written);
     given.portions[node.path] = made.portion;
     given.tets[node.path] = made.tets;
+  }
+  for (const auto& [heap, chunk] : made_by<InspectMade>(inspect).layers) {
+    const TaskRow* grown = find_grown(heap);
+    TF_CHECK(grown != nullptr);
+    add_grown(*grown, given);
   }
   return new_task(inspect.job, 0, given);
 }

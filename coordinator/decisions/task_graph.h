@@ -3,7 +3,8 @@
 /// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → one write
 /// task per leaf → assemble; before number the tasks of cosmetics across cuts (cosmetic_graph.h),
 /// where the job asks for it. Where the job asks for assimilation, the leaves are joined before
-/// they are meshed (assimilation_graph.h). The graph is a pure function of results; the order in
+/// they are meshed (assimilation_graph.h). Layers are grown beside the write tasks (layer_graph.h).
+/// The graph is a pure function of results; the order in
 /// which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
@@ -83,12 +84,13 @@ WriteGiven given_to_write(const TaskRow& inspect, const TaskRow& number);
 /// @pre `mesh` is that of the leaf, done and without problem.
 void add_mesh(const TaskRow& mesh, WriteGiven& write);
 
-/// The write task of a leaf.
+/// The write task of a leaf, or the grow task of a chunk.
 using FindWritten = std::function<const TaskRow*(std::uint64_t leaf)>;
 
-/// @pre the write task of every leaf of `tree` is done and without problem: `find_written` finds
-/// it.
+/// @pre the write task of every leaf of `tree` and the grow task of every chunk of layers is done
+/// and without problem: `find_written` and `find_grown` find it.
 TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
-                      std::span<const SubdomainRow> tree, const FindWritten& find_written);
+                      std::span<const SubdomainRow> tree, const FindWritten& find_written,
+                      const FindWritten& find_grown);
 
 }  // namespace tetfarm

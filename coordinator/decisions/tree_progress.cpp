@@ -63,7 +63,8 @@ std::vector<std::string> TreeProgress::validate(
   for (const auto& [id, job] : jobs_) {
     const std::string name = "job " + std::to_string(id.value) + ": ";
     if (counts(job) != counts(again.of(id))) broken.push_back(name + "sub-domains are miscounted");
-    if (job.written > job.leaves) broken.push_back(name + "more is written than there are leaves");
+    if (job.written > job.leaves + job.chunks)
+      broken.push_back(name + "more is written than there are leaves");
     if (job.turns && job.turns_over > static_cast<std::int64_t>(job.turns->size())) {
       broken.push_back(name + "more turns are over than there are");
     }

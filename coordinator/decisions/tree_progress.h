@@ -3,7 +3,7 @@
 ///
 /// Invariants, checked by validate():
 ///  1. Sub-domains are counted as their rows say.
-///  2. No more leaves are written than there are.
+///  2. No more leaves are written, and chunks of layers grown, than there are.
 ///  3. No more turns are over than there are.
 /// Cost: O(log jobs), where it is not said.
 #pragma once
@@ -26,7 +26,11 @@ class TreeProgress {
   /// A row is there, or is there no more; one that changes is taken away and added.
   void add(const SubdomainRow& subdomain) { count(subdomain, 1); }
   void take_away(const SubdomainRow& subdomain) { count(subdomain, -1); }
-  /// There is, or was, the portion of one more leaf.
+  /// So many chunks of layers are to be grown.
+  void set_chunks(JobId job, std::size_t chunks) {
+    jobs_[job].chunks = static_cast<std::int64_t>(chunks);
+  }
+  /// There is, or was, the portion of one more leaf or chunk.
   void note_written(JobId job) { ++jobs_[job].written; }
   void note_turn_over(JobId job) { ++jobs_[job].turns_over; }
   /// @pre the job has no order of turns.
@@ -41,7 +45,7 @@ class TreeProgress {
   bool has_open(JobId job) const { return of(job).open > 0; }
   /// Whether none is still to be cut or meshed.
   bool is_settled(JobId job) const { return of(job).unsettled == 0; }
-  bool is_written(JobId job) const { return of(job).written >= of(job).leaves; }
+  bool is_written(JobId job) const { return of(job).written >= of(job).leaves + of(job).chunks; }
   /// Null while nobody has set it.
   const TurnOrder* turns(JobId job) const;
   /// @pre the job has an order of turns.
@@ -57,6 +61,7 @@ class TreeProgress {
     std::int64_t unsettled = 0;  ///< sub-domains still to be cut or meshed
     std::int64_t open = 0;       ///< sub-domains still to be cut
     std::int64_t leaves = 0;
+    std::int64_t chunks = 0;  ///< of layers
     std::int64_t written = 0;
     std::int64_t turns_over = 0;
     std::optional<TurnOrder> turns = {};

@@ -105,7 +105,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     const LeafNumbers& leaf = numbering.leaves[i];
     const Portion portion = read_portion(leaf);
     const NumberedPart& part = portion.part;
-    if (at(part.number) != i || portion.tets != leaf.tets) {
+    if (at(part.number) != i || portion.tets != leaf.tets || portion.others != leaf.others) {
       refuse(leaf, "another portion, or different counts from the numbering");
     }
     meet(portion, leaf, interfaces, digest);

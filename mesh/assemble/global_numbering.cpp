@@ -36,6 +36,43 @@ std::optional<Line> parse_line(std::string_view text) {
 
 bool is_heap_number(std::uint64_t heap) { return heap >= 1 && heap < std::uint64_t{1} << 63; }
 
+constexpr std::size_t words_with_faces = 4;
+constexpr std::size_t words_with_others = words_with_faces + layer_cell_types.size();
+
+bool is_leaf_line(const std::vector<std::uint64_t>& n) {
+  const bool has_words = n.size() + 1 == words_with_faces || n.size() == words_with_faces ||
+                         n.size() == words_with_others;
+  return has_words && is_heap_number(n[0]);
+}
+
+LeafNumbers leaf_of_line(const std::vector<std::uint64_t>& n) {
+  LeafNumbers leaf;
+  leaf.path = {n[0]};
+  leaf.nodes.made = static_cast<std::int64_t>(n[1]);
+  leaf.tets = static_cast<std::int64_t>(n[2]);
+  if (n.size() >= words_with_faces) leaf.faces = static_cast<std::int64_t>(n[3]);
+  for (std::size_t word = words_with_faces; word < n.size(); ++word) {
+    leaf.others[layer_cell_types.at(word - words_with_faces)] = static_cast<std::int64_t>(n[word]);
+  }
+  return leaf;
+}
+
+/// The triangles of the only leaf of which they were not told.
+void count_rest_of_faces(Numbering& numbering) {
+  std::int64_t rest = numbering.faces;
+  LeafNumbers* unknown = nullptr;
+  for (LeafNumbers& leaf : numbering.leaves) {
+    if (leaf.faces) {
+      rest -= *leaf.faces;
+    } else if (unknown == nullptr) {
+      unknown = &leaf;
+    } else {
+      return;
+    }
+  }
+  if (unknown != nullptr && rest >= 0) unknown->faces = rest;
+}
+
 /// The numbers of a line of dropped nodes, to be added when all cuts and leaves are known.
 using Dropped = std::vector<std::uint64_t>;
 
@@ -49,13 +86,8 @@ bool add_line(const Line& line, Numbering& numbering, std::vector<Dropped>& drop
     numbering.cuts.push_back({{n[0]}, {static_cast<std::int64_t>(n[1]), 0, {}}});
     return true;
   }
-  if (line.kind == "leaf" && (n.size() == 3 || n.size() == 4) && is_heap_number(n[0])) {
-    LeafNumbers leaf;
-    leaf.path = {n[0]};
-    leaf.nodes.made = static_cast<std::int64_t>(n[1]);
-    leaf.tets = static_cast<std::int64_t>(n[2]);
-    if (n.size() == 4) leaf.faces = static_cast<std::int64_t>(n[3]);
-    numbering.leaves.push_back(leaf);
+  if (line.kind == "leaf" && is_leaf_line(n)) {
+    numbering.leaves.push_back(leaf_of_line(n));
     return true;
   }
   if (line.kind == "joined" && n.size() == 2 && is_heap_number(n[0]) && is_heap_number(n[1])) {
@@ -114,10 +146,12 @@ void give_numbers(Numbering& numbering) {
     next += cut.nodes.kept();
   }
   std::int64_t next_tet = 0;
+  numbering.others = {};
   std::optional<std::int64_t> next_face = 0;
   for (LeafNumbers& leaf : numbering.leaves) {
     leaf.nodes.first_node = next;
     leaf.first_tet = next_tet;
+    leaf.first_other = numbering.others;
     leaf.first_face = next_face;
     if (next_face && leaf.faces) {
       *next_face += *leaf.faces;
@@ -126,6 +160,7 @@ void give_numbers(Numbering& numbering) {
     }
     next += leaf.nodes.kept();
     next_tet += leaf.tets;
+    for (const ElementType type : layer_cell_types) numbering.others[type] += leaf.others[type];
   }
   numbering.nodes = next;
   numbering.tets = next_tet;
@@ -230,7 +265,7 @@ Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   numbering.surface_nodes =
       static_cast<std::int64_t>(is_used.size() - numbering.unused_vertices.size());
   add_surface_figures(surface, numbering);
-  if (numbering.leaves.size() == 1) numbering.leaves.front().faces = numbering.faces;
+  count_rest_of_faces(numbering);
   give_numbers(numbering);
   return numbering;
 }
@@ -255,7 +290,7 @@ std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
       refuse_node(origin);
     return rank;
   }
-  const OwnedNodes* nodes = find_nodes(numbering, TreePath{origin.owner});
+  const OwnedNodes* nodes = find_nodes(numbering, TreePath{owner_in_tree(origin)});
   if (nodes == nullptr || origin.index >= nodes->made) refuse_node(origin);
   const std::int64_t rank = rank_among_kept(*nodes, origin.index);
   if (rank < 0) refuse_node(origin);
@@ -263,11 +298,11 @@ std::int64_t global_number(const Numbering& numbering, const Origin& origin) {
 }
 
 void refuse_node(const Origin& origin) {
-  throw Error(
-      ExitCode::failed,
-      "no node " + std::to_string(origin.index) + " of " +
-          (origin.owner == 0 ? "the surface" : "cut or leaf " + TreePath{origin.owner}.text()) +
-          " in the numbering");
+  throw Error(ExitCode::failed,
+              "no node " + std::to_string(origin.index) + " of " +
+                  (origin.owner == 0 ? "the surface"
+                                     : "cut or leaf " + TreePath{owner_in_tree(origin)}.text()) +
+                  " in the numbering");
 }
 
 std::string numbering_to_text(const Numbering& numbering) {
@@ -282,8 +317,14 @@ std::string numbering_to_text(const Numbering& numbering) {
   }
   for (const LeafNumbers& leaf : numbering.leaves) {
     text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.nodes.made) + ' ' +
-            std::to_string(leaf.tets) + (leaf.faces ? ' ' + std::to_string(*leaf.faces) : "") +
-            '\n';
+            std::to_string(leaf.tets) + (leaf.faces ? ' ' + std::to_string(*leaf.faces) : "");
+    if (leaf.others != ElementCounts{}) {
+      TF_CHECK(leaf.faces.has_value());  // of layers, whose triangles are known
+      for (const ElementType type : layer_cell_types) {
+        text += ' ' + std::to_string(leaf.others[type]);
+      }
+    }
+    text += '\n';
     add_dropped_text(leaf.path, leaf.nodes, text);
   }
   for (const JoinedLeaf& leaf : numbering.joined) {

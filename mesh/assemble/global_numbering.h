@@ -4,9 +4,11 @@
 /// passed over), then the nodes of the inter-domain meshes, cut by cut, then the interior nodes,
 /// leaf by leaf. Cuts and leaves come in *tree order*: depth first, a node before its children,
 /// left before right. So a number depends on the place in the tree only, never on who meshed when,
-/// and regions of space have consecutive numbers.
+/// and regions of space have consecutive numbers. Cells of each type are counted by themselves.
+/// What is on top of layers (top_of_layers) is the inter-domain mesh of the root.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "mesh/assemble/forced_nodes.h"
+#include "mesh/core/element_block.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
 
@@ -47,13 +50,18 @@ struct CutNumbers {
   OwnedNodes nodes;
 };
 
-/// One sub-domain that was meshed. Its interior nodes are those that its mesh and its turn in
-/// cosmetics made.
+/// The types of cells in a numbering besides tets: those of layers.
+inline constexpr std::array layer_cell_types = {ElementType::pyramid, ElementType::prism};
+
+/// One sub-domain that was meshed, or a chunk of the layers. Its interior nodes are those that its
+/// mesh and its turn in cosmetics made.
 struct LeafNumbers {
   TreePath path;
   OwnedNodes nodes;
   std::int64_t tets = 0;
   std::int64_t first_tet = 0;
+  ElementCounts others{};       ///< of layer_cell_types
+  ElementCounts first_other{};  ///< of the same, in all leaves before
   /// Triangles of the input surface in it, and in all leaves before; nothing where not all were
   /// counted.
   std::optional<std::int64_t> faces;
@@ -75,6 +83,7 @@ struct Numbering {
   std::vector<JoinedLeaf> joined;  ///< in tree order
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
+  ElementCounts others{};  ///< of layer_cell_types
   // Of the surface, for those who see no more of it than their leaf:
   std::int64_t faces = 0;          ///< sides of its triangles that are meshed
   std::int32_t regions = 1;        ///< that it bounds
@@ -85,15 +94,21 @@ struct Numbering {
 bool comes_before(TreePath a, TreePath b);
 
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
-/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES]", "joined HEAP INTO" (a
-/// leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT" (nodes of that cut or
-/// leaf, ascending).
+/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES [PYRAMIDS PRISMS]]",
+/// "joined HEAP INTO" (a leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT"
+/// (nodes of that cut or leaf, ascending). Where the triangles of all leaves but one are told,
+/// those of that one follow.
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, and for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);
 
 /// The figures of the surface, which the text of a numbering does not have. Cost: as forced_nodes.
 void add_surface_figures(const SurfaceMesh& surface, Numbering& numbering);
+
+/// The heap number by which the numbering knows the owner of a node.
+inline std::uint64_t owner_in_tree(const Origin& origin) {
+  return origin.owner == top_of_layers ? TreePath{}.heap : origin.owner;
+}
 
 /// Whether the triangles of the input surface were counted in every leaf.
 bool counts_faces(const Numbering& numbering);

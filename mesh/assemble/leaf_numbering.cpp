@@ -18,15 +18,19 @@ LeafNumbering leaf_numbering(const Numbering& numbering, const LeafQuestion& que
   result.kept_nodes = leaf->nodes.kept();
   result.tets = leaf->tets;
   result.first_tet = leaf->first_tet;
+  result.others = leaf->others;
+  result.first_other = leaf->first_other;
   if (counts_faces(numbering)) result.first_face = leaf->first_face;
   for (const Origin& origin : question.nodes) {
     result.node_numbers.push_back(global_number(numbering, origin));
     const ForcedNode node = {static_cast<std::int32_t>(origin.index), question.region};
-    result.is_forced.push_back(
+    const bool is_forced_by_surface =
         origin.owner == 0 &&
-        std::binary_search(numbering.forced.begin(), numbering.forced.end(), node));
+        std::binary_search(numbering.forced.begin(), numbering.forced.end(), node);
+    result.is_forced.push_back(is_forced_by_surface || origin.owner == top_of_layers);
   }
-  result.whole = {std::ssize(leaves), numbering.tets, numbering.faces, numbering.regions};
+  result.whole = {std::ssize(leaves), numbering.tets, numbering.faces, numbering.regions,
+                  numbering.others};
   return result;
 }
 

@@ -21,6 +21,7 @@ struct MeshTotals {
   std::int64_t tets = 0;
   std::int64_t faces = 0;    ///< triangles of the surface, of both sides where both are meshed
   std::int32_t regions = 1;  ///< of the surface
+  ElementCounts others{};    ///< of layer_cell_types
 
   friend bool operator==(const MeshTotals&, const MeshTotals&) = default;
 };
@@ -31,11 +32,15 @@ struct LeafNumbering {
   std::int64_t kept_nodes = 0;  ///< interior nodes that are in the mesh
   std::int64_t tets = 0;        ///< of the leaf
   std::int64_t first_tet = 0;   ///< tets of the leaves before
+  ElementCounts others{};       ///< cells of other types of the leaf
+  ElementCounts first_other{};  ///< and of the leaves before
   /// Triangles of the input surface in the leaves before; nothing where not all leaves' were
   /// counted.
   std::optional<std::int64_t> first_face;
   std::vector<std::int64_t> node_numbers;  ///< global, of the origins that were asked for
-  std::vector<bool> is_forced;             ///< of the same, in the leaf's region: forced_nodes.h
+  /// Of the same, in the leaf's region: forced_nodes.h. Nodes on top of layers always are: how the
+  /// layers end there is no merit and no fault of the mesh beyond.
+  std::vector<bool> is_forced;
   MeshTotals whole;
 
   friend bool operator==(const LeafNumbering&, const LeafNumbering&) = default;

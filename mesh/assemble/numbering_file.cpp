@@ -1,6 +1,7 @@
 #include "mesh/assemble/numbering_file.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -29,18 +30,40 @@ struct NumberingFile::Leaf {
   std::int64_t first_face = 0;  ///< 0 where not all leaves' were counted
 };
 
+/// And of those of a mesh with layers.
+struct NumberingFile::LeafWithOthers {
+  Leaf leaf;
+  std::array<std::int64_t, layer_cell_types.size()> others{};
+  std::array<std::int64_t, layer_cell_types.size()> first_other{};
+};
+
 namespace {
 
 constexpr std::string_view numbering_magic = "TFNUMB\r\n";
+/// Of a mesh of tets alone, and of one with layers.
 constexpr std::uint32_t numbering_version = 2;
+constexpr std::uint32_t version_with_others = 3;
 constexpr std::string_view text_magic = "tetfarm-numbering 1\n";
 constexpr std::uint64_t owner_size = 5 * 8;
 constexpr std::uint64_t leaf_size = owner_size + 3 * 8;
+constexpr std::uint64_t others_size = layer_cell_types.size() * 8;
 /// Magic, version, sizes of the whole, counts of the tables.
 constexpr std::uint64_t head_size =
     numbering_magic.size() + sizeof numbering_version + 5 * 8 + 5 * 8;
 
 static_assert(sizeof(DroppedRange) == 24 && sizeof(ForcedNode) == 8);
+
+bool has_others(const Numbering& numbering) { return numbering.others != ElementCounts{}; }
+
+void write_counts(const ElementCounts& counts, ByteWriter& writer) {
+  for (const ElementType type : layer_cell_types) writer.number(counts[type]);
+}
+
+ElementCounts counts_of(const std::array<std::int64_t, layer_cell_types.size()>& numbers) {
+  ElementCounts counts{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) counts[layer_cell_types[i]] = numbers[i];
+  return counts;
+}
 
 /// Whether it can be a count or a number of nodes or elements.
 bool is_possible(std::int64_t count) { return count >= 0 && count <= most_in_numbering; }
@@ -50,7 +73,7 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   for (const CutNumbers& cut : numbering.cuts) dropped += cut.nodes.dropped.size();
   for (const LeafNumbers& leaf : numbering.leaves) dropped += leaf.nodes.dropped.size();
   writer.text(numbering_magic);
-  writer.number(numbering_version);
+  writer.number(has_others(numbering) ? version_with_others : numbering_version);
   writer.number(numbering.surface_nodes);
   writer.number(numbering.tets);
   writer.number(numbering.faces);
@@ -61,6 +84,7 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   writer.number<std::uint64_t>(numbering.cuts.size());
   writer.number<std::uint64_t>(numbering.leaves.size());
   writer.number(dropped);
+  if (has_others(numbering)) write_counts(numbering.others, writer);
 }
 
 void write_owner(TreePath path, const OwnedNodes& nodes, std::uint64_t& next_dropped,
@@ -86,6 +110,9 @@ void write_tables(const Numbering& numbering, ByteWriter& writer) {
     writer.number(leaf.tets);
     writer.number(leaf.first_tet);
     writer.number(has_faces ? leaf.first_face.value() : 0);
+    if (!has_others(numbering)) continue;
+    write_counts(leaf.others, writer);
+    write_counts(leaf.first_other, writer);
   }
   for (const CutNumbers& cut : numbering.cuts) writer.array(cut.nodes.dropped);
   for (const LeafNumbers& leaf : numbering.leaves) writer.array(leaf.nodes.dropped);
@@ -107,8 +134,19 @@ struct Head {
   NumberingTables tables;
 };
 
+/// By the version in the first bytes; what else they say is looked at by who reads on.
+bool says_others(std::string_view begin) {
+  return begin.starts_with(begin_checked(numbering_magic, version_with_others).bytes());
+}
+
+/// What follows magic and version.
+ByteReader read_version(std::string_view begin, const std::string& name) {
+  return read_begun(begin, numbering_magic,
+                    says_others(begin) ? version_with_others : numbering_version, name);
+}
+
 Head read_head(std::string_view begin, const std::string& name) {
-  ByteReader reader = read_begun(begin, numbering_magic, numbering_version, name);
+  ByteReader reader = read_version(begin, name);
   Head head;
   head.surface_nodes = reader.number<std::int64_t>();
   head.whole.tets = reader.number<std::int64_t>();
@@ -124,6 +162,13 @@ Head read_head(std::string_view begin, const std::string& name) {
   head.tables.cuts = reader.count();
   head.tables.leaves = reader.count();
   head.tables.dropped = reader.count();
+  head.tables.has_others = says_others(begin);
+  if (head.tables.has_others) {
+    for (const ElementType type : layer_cell_types) {
+      head.whole.others[type] = reader.number<std::int64_t>();
+      if (!is_possible(head.whole.others[type])) reader.fail("has impossible counts");
+    }
+  }
   head.whole.subdomains = static_cast<std::int64_t>(head.tables.leaves);
   if (head.whole.regions == 0 || head.tables.leaves == 0) reader.fail("has no leaf or no region");
   return head;
@@ -156,7 +201,9 @@ std::optional<std::uint64_t> place_of(TreePath path, std::uint64_t count, const 
 
 }  // namespace
 
-std::uint64_t NumberingTables::unused_at() const { return head_size; }
+std::uint64_t NumberingTables::unused_at() const {
+  return head_size + (has_others ? others_size : 0);
+}
 
 std::uint64_t NumberingTables::forced_at() const {
   return unused_at() + sizeof(std::int32_t) * unused;
@@ -166,7 +213,9 @@ std::uint64_t NumberingTables::cuts_at() const { return forced_at() + sizeof(For
 
 std::uint64_t NumberingTables::leaves_at() const { return cuts_at() + owner_size * cuts; }
 
-std::uint64_t NumberingTables::dropped_at() const { return leaves_at() + leaf_size * leaves; }
+std::uint64_t NumberingTables::dropped_at() const {
+  return leaves_at() + (leaf_size + (has_others ? 2 * others_size : 0)) * leaves;
+}
 
 std::uint64_t NumberingTables::text_at() const {
   return dropped_at() + sizeof(DroppedRange) * dropped;
@@ -179,7 +228,7 @@ std::string numbering_to_bytes(const Numbering& numbering) {
 Numbering numbering_from_bytes(std::string_view bytes, const std::string& name) {
   if (is_numbering_text(bytes)) return numbering_from_text(bytes, name);
   // Another kind of file is called that before its checksums are found wrong.
-  read_begun(bytes, numbering_magic, numbering_version, name);
+  read_version(bytes, name);
   const std::string_view content = content_of_blocks(bytes, name);
   const Head head = read_head(content, name);
   if (head.tables.text_at() > content.size()) throw CorruptFile("is cut short", name);
@@ -199,7 +248,7 @@ bool is_numbering_text(std::string_view begin) { return begin.starts_with(text_m
 
 NumberingFile::NumberingFile(const std::filesystem::path& path, const std::string& name)
     : file_(path, name) {
-  const Head head = read_head(file_.read(0, std::min(file_.size(), head_size)), name);
+  const Head head = read_head(file_.read(0, std::min(file_.size(), head_size + others_size)), name);
   tables_ = head.tables;
   whole_ = head.whole;
   surface_nodes_ = head.surface_nodes;
@@ -208,10 +257,11 @@ NumberingFile::NumberingFile(const std::filesystem::path& path, const std::strin
 }
 
 LeafNumbering NumberingFile::leaf(const LeafQuestion& question) {
-  const auto place = place_of(question.leaf, tables_.leaves,
-                              [this](std::uint64_t i) { return TreePath{leaf_at(i).nodes.heap}; });
+  const auto place =
+      place_of(question.leaf, tables_.leaves, [this](std::uint64_t i) { return path_of_leaf(i); });
   if (!place) refuse_leaf(question.leaf);
-  const Leaf leaf = leaf_at(*place);
+  const LeafWithOthers found = leaf_at(*place);
+  const Leaf& leaf = found.leaf;
   LeafNumbering result;
   result.number = static_cast<std::int32_t>(*place);
   result.first_node = leaf.nodes.first_node;
@@ -222,6 +272,8 @@ LeafNumbering NumberingFile::leaf(const LeafQuestion& question) {
   }
   result.tets = leaf.tets;
   result.first_tet = leaf.first_tet;
+  result.others = counts_of(found.others);
+  result.first_other = counts_of(found.first_other);
   if (counts_faces_) result.first_face = leaf.first_face;
   result.whole = whole_;
   add_nodes(question, result);
@@ -246,21 +298,21 @@ void NumberingFile::add_nodes(const LeafQuestion& question, LeafNumbering& resul
       result.is_forced[i] = is_forced({static_cast<std::int32_t>(origin.index), question.region});
       continue;
     }
-    if (origin.owner != owner.heap) owner = find_owner(origin);
+    result.is_forced[i] = origin.owner == top_of_layers;
+    if (owner_in_tree(origin) != owner.heap) owner = find_owner(origin);
     result.node_numbers[i] = number_of(owner, origin);
   }
 }
 
 NumberingFile::Owner NumberingFile::find_owner(const Origin& origin) {
-  const TreePath path{origin.owner};
+  const TreePath path{owner_in_tree(origin)};
   if (const auto cut = place_of(path, tables_.cuts,
                                 [this](std::uint64_t i) { return TreePath{cut_at(i).heap}; })) {
     return cut_at(*cut);
   }
-  if (const auto leaf = place_of(path, tables_.leaves, [this](std::uint64_t i) {
-        return TreePath{leaf_at(i).nodes.heap};
-      })) {
-    return leaf_at(*leaf).nodes;
+  if (const auto leaf =
+          place_of(path, tables_.leaves, [this](std::uint64_t i) { return path_of_leaf(i); })) {
+    return leaf_at(*leaf).leaf.nodes;
   }
   refuse_node(origin);
 }
@@ -270,14 +322,26 @@ NumberingFile::Owner NumberingFile::cut_at(std::uint64_t i) {
   return checked(file_.item<Owner>(tables_.cuts_at(), i));
 }
 
-NumberingFile::Leaf NumberingFile::leaf_at(std::uint64_t i) {
+TreePath NumberingFile::path_of_leaf(std::uint64_t i) { return {leaf_at(i).leaf.nodes.heap}; }
+
+NumberingFile::LeafWithOthers NumberingFile::leaf_at(std::uint64_t i) {
   static_assert(sizeof(Leaf) == leaf_size);
-  const Leaf leaf = file_.item<Leaf>(tables_.leaves_at(), i);
-  if (!is_possible(leaf.tets) || !is_possible(leaf.first_tet) || !is_possible(leaf.first_face)) {
+  static_assert(sizeof(LeafWithOthers) == leaf_size + 2 * others_size);
+  LeafWithOthers found;
+  if (tables_.has_others) {
+    found = file_.item<LeafWithOthers>(tables_.leaves_at(), i);
+  } else {
+    found.leaf = file_.item<Leaf>(tables_.leaves_at(), i);
+  }
+  const Leaf& leaf = found.leaf;
+  std::vector<std::int64_t> counts = {leaf.tets, leaf.first_tet, leaf.first_face};
+  counts.insert(counts.end(), found.others.begin(), found.others.end());
+  counts.insert(counts.end(), found.first_other.begin(), found.first_other.end());
+  if (!std::all_of(counts.begin(), counts.end(), is_possible)) {
     file_.fail("has impossible counts");
   }
   checked(leaf.nodes);
-  return leaf;
+  return found;
 }
 
 const NumberingFile::Owner& NumberingFile::checked(const Owner& owner) const {

@@ -32,6 +32,7 @@ struct NumberingTables {
   std::uint64_t cuts = 0;
   std::uint64_t leaves = 0;
   std::uint64_t dropped = 0;
+  bool has_others = false;  ///< leaves with other cells than tets
 
   std::uint64_t unused_at() const;
   std::uint64_t forced_at() const;
@@ -58,10 +59,12 @@ class NumberingFile {
  private:
   struct Owner;
   struct Leaf;
+  struct LeafWithOthers;
   void add_nodes(const LeafQuestion& question, LeafNumbering& result);
   Owner find_owner(const Origin& origin);
   Owner cut_at(std::uint64_t i);
-  Leaf leaf_at(std::uint64_t i);
+  LeafWithOthers leaf_at(std::uint64_t i);
+  TreePath path_of_leaf(std::uint64_t i);
   const Owner& checked(const Owner& owner) const;
   DroppedRange dropped_range(const Owner& owner, std::uint64_t i);
   std::int64_t number_of(const Owner& owner, const Origin& origin);

@@ -32,7 +32,7 @@ void check_counts(const MeshPart& part, const LeafNumbering& numbering) {
   if (at(mesh.boundary_nodes) != subdomain.vertices.size() ||
       subdomain.node_origin.size() != subdomain.vertices.size() ||
       std::ssize(mesh.nodes) - mesh.boundary_nodes > numbering.kept_nodes ||
-      std::ssize(mesh.tets) != numbering.tets) {
+      std::ssize(mesh.tets) != numbering.tets || counts_of(part.blocks) != numbering.others) {
     refuse(subdomain, "different counts from the numbering");
   }
 }
@@ -123,6 +123,13 @@ void add_volume_of_blocks(const NumberedPart& part, MeshShapes& shapes) {
       });
 }
 
+/// The volumes alone.
+MeshShapes without_shapes(const MeshShapes& shapes) {
+  MeshShapes volumes;
+  for (const RegionShapes& region : shapes.regions) volumes.regions.push_back({region.volume, {}});
+  return volumes;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> regions_of_cells(const NumberedPart& part) {
@@ -160,7 +167,7 @@ std::int64_t boundary_faces_of(const NumberedPart& part) {
 std::vector<bool> nodes_on_cuts(const Subdomain& subdomain) {
   std::vector<bool> is_on_cut(subdomain.vertices.size(), false);
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
-    if (subdomain.triangle_origin[t].owner == 0) continue;
+    if (!is_of_cut(subdomain.triangle_origin[t])) continue;
     for (const std::int32_t v : subdomain.triangles[t]) is_on_cut[at(v)] = true;
   }
   return is_on_cut;
@@ -189,10 +196,12 @@ Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumb
   add_surface_triangles(part.subdomain, surface, portion);
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
+  numbered.blocks = std::move(part.blocks);
   part.is_on_cut.resize(numbered.nodes.size(), false);
-  ElementCounts first{};
+  ElementCounts first = numbering.first_other;
   first[ElementType::tet] = numbering.first_tet;
   take_figures(part.is_on_cut, first, portion);
+  if (part.is_of_layers) portion.shapes = without_shapes(portion.shapes);
   return portion;
 }
 

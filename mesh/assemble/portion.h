@@ -29,6 +29,9 @@ struct MeshPart {
   Subdomain subdomain;
   TetMesh mesh;
   std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
+  ElementBlocks blocks;         ///< cells of layers, by the numbers of the mesh's nodes
+  /// Its tets are as flat as layers are: they have no part in the figures of shape.
+  bool is_of_layers = false;
 };
 
 /// Of each vertex of a sub-domain as it was cut, whether it is on a triangle of a cut.

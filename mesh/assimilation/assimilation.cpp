@@ -122,7 +122,7 @@ class Joining {
       if (last - first == 1) return;
       const Item& a = items[first];
       const Item& b = items[first + 1];
-      if (last - first > 2 || a.origin.owner == 0 || !are_reversed(a, b)) {
+      if (last - first > 2 || !is_of_cut(a.origin) || !are_reversed(a, b)) {
         refuse(leaves_[at(b.leaf)], "a triangle does not match that of another leaf");
       }
       is_shared_[at(a.leaf)][at(a.index)] = true;
@@ -251,7 +251,7 @@ Subdomain join_subdomains(std::span<const Subdomain> leaves) { return Joining(le
 
 void CutNodeMarks::mark(const Subdomain& subdomain, Marks& marks) {
   for (const Origin& origin : subdomain.node_origin) {
-    if (origin.owner == 0) continue;
+    if (!is_of_cut(origin)) continue;
     std::vector<bool>& of_cut = marks[origin.owner];
     if (of_cut.size() <= origin.index) of_cut.resize(origin.index + 1, false);
     of_cut[origin.index] = true;

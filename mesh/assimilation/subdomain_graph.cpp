@@ -17,7 +17,7 @@ std::int32_t interface_nodes_of(const Subdomain& subdomain) {
   std::vector<bool> is_on_cut(subdomain.vertices.size(), false);
   TF_CHECK(subdomain.triangle_origin.size() == subdomain.triangles.size());
   for (std::size_t t = 0; t < subdomain.triangles.size(); ++t) {
-    if (subdomain.triangle_origin[t].owner == 0) continue;
+    if (!is_of_cut(subdomain.triangle_origin[t])) continue;
     for (const std::int32_t v : subdomain.triangles[t])
       is_on_cut[static_cast<std::size_t>(v)] = true;
   }
@@ -31,7 +31,7 @@ void SubdomainGraphBuilder::add(const Subdomain& leaf, double work) {
   graph_.faces.push_back(std::ssize(leaf.triangles));
   graph_.interface_nodes.push_back(interface_nodes_of(leaf));
   for (const Origin& triangle : leaf.triangle_origin) {
-    if (triangle.owner != 0) meet(triangle, number);
+    if (is_of_cut(triangle)) meet(triangle, number);
   }
 }
 

@@ -28,14 +28,25 @@ struct TreePath {
 };
 
 /// Where a node or triangle of a sub-domain's boundary came from. `owner` 0: the input surface, and
-/// `index` is its vertex or triangle number there. Otherwise the inter-domain mesh that cut the
-/// sub-domain with heap number `owner`, and `index` is the number in that mesh.
+/// `index` is its vertex or triangle number there. top_of_layers: the top of the layers. Otherwise
+/// the inter-domain mesh that cut the sub-domain with heap number `owner`, and `index` is the
+/// number in that mesh.
 struct Origin {
   std::uint64_t owner = 0;
   std::uint32_t index = 0;
 
   friend auto operator<=>(const Origin&, const Origin&) = default;
 };
+
+/// The owner of what lies on top of the layers that grow from the input surface (mesh/layers). It
+/// bounds the rest of the domain as the input surface would: nothing but layers is behind it, so
+/// nobody moves its nodes. No sub-domain has that heap number.
+inline constexpr std::uint64_t top_of_layers = std::uint64_t{1} << 63U;
+
+/// Whether an inter-domain mesh made it: there is, or was, a sub-domain on its other side.
+inline bool is_of_cut(const Origin& origin) {
+  return origin.owner != 0 && origin.owner != top_of_layers;
+}
 
 /// Invariants (validate): 1. vertices/node_origin and triangles/triangle_origin have equal lengths;
 /// 2. the surface is closed, every edge used once in each direction (an edge may be shared by more

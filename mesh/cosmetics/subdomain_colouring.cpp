@@ -78,7 +78,7 @@ InterfaceNodes interface_nodes(const Subdomain& leaf) {
   InterfaceNodes result;
   result.path = leaf.path;
   for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-    if (leaf.triangle_origin[t].owner == 0) continue;
+    if (!is_of_cut(leaf.triangle_origin[t])) continue;
     for (const std::int32_t v : leaf.triangles[t]) {
       result.nodes.push_back(leaf.node_origin[static_cast<std::size_t>(v)]);
     }

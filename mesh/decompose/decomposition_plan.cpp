@@ -153,6 +153,7 @@ std::vector<PlannedSubdomain> plan_decomposition(const Subdomain& root, const Sp
                                                  std::int64_t parts, const DecideParts& decide) {
   TF_CHECK(parts >= 1);
   Part whole;
+  whole.path = root.path;
   whole.parts = parts;
   whole.work = samples_of(root, spacing, parts);
   for (const auto& [a, b, c] : root.triangles) {

@@ -16,7 +16,7 @@ std::vector<double> area_in_invalid_zones(const Subdomain& subdomain,
   TF_CHECK(topology.normal.size() == subdomain.triangles.size());
   std::vector<double> area(offsets.size(), 0.0);
   for (std::size_t t = stride / 2; t < subdomain.triangles.size(); t += stride) {
-    if (subdomain.triangle_origin[t].owner != 0) continue;
+    if (is_of_cut(subdomain.triangle_origin[t])) continue;
     const double along = dot(topology.normal[t], unit_normal);
     const double length2 = norm2(topology.normal[t]);
     if (along * along <= cosine_squared * length2) continue;

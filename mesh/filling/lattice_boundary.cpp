@@ -25,7 +25,6 @@ std::uint64_t hash_of(const Vec3& p) {
 class VerticesOfCuts {
  public:
   explicit VerticesOfCuts(const Subdomain& subdomain) : vertices_(subdomain.vertices) {
-    const auto is_of_cut = [](const Origin& origin) { return origin.owner != 0; };
     const auto count = static_cast<std::size_t>(
         std::count_if(subdomain.node_origin.begin(), subdomain.node_origin.end(), is_of_cut));
     if (count == 0) return;

@@ -49,6 +49,8 @@ struct LayerLine {
   /// The vertex at which that is so: its own foot, or that of a line further on, which it may not
   /// rise above by more than a layer from line to line.
   std::int32_t because_of = -1;
+
+  friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };
 
 struct LayerPlan {

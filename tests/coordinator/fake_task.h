@@ -44,9 +44,10 @@ inline TaskRow inspected(double parts) {
   return task;
 }
 
-/// A job file that asks for so many parts and groups; its size tells the make-believe inspect task.
-inline ArtifactRef fake_job(std::uint64_t parts, std::uint64_t groups) {
-  const std::uint64_t size = parts * 1000 + groups;
+/// A job file that asks for so many parts and groups, and for layers that come in so many chunks;
+/// its size tells the make-believe inspect task.
+inline ArtifactRef fake_job(std::uint64_t parts, std::uint64_t groups, std::uint64_t chunks = 0) {
+  const std::uint64_t size = (chunks * 1000 + parts) * 1000 + groups;
   return {"job", hash128("job " + std::to_string(size)).hex(), size};
 }
 
@@ -90,6 +91,16 @@ inline void require_given(const TaskRow& task) {
   if (!breach.empty()) throw std::logic_error(name_of(task.kind) + (": " + breach));
 }
 
+/// Adds the layers of an inspected surface, in chunks that follow one another down the right side.
+inline void add_fake_layers(std::uint64_t chunks, TaskResult& result) {
+  if (chunks == 0) return;
+  result.outputs.push_back(fake_file("layer_table", "layer_table"));
+  for (std::uint64_t heap = 3; chunks > 0; --chunks, heap = 2 * heap + 1) {
+    const std::string name = "layers:" + std::to_string(chunks > 1 ? 2 * heap : heap);
+    result.outputs.push_back(fake_file(name, name));
+  }
+}
+
 inline TaskResult run_fake_task(const TaskRow& task) {
   require_given(task);
   const std::string seed = work_name(task);
@@ -105,7 +116,8 @@ inline TaskResult run_fake_task(const TaskRow& task) {
         result.outputs.push_back(fake_file(name, name));
       }
       const std::uint64_t size = task.inputs.front().size;
-      result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000)},
+      add_fake_layers(size / 1'000'000, result);
+      result.numbers = {{"parts", static_cast<double>(size < 1000 ? 12 : size / 1000 % 1000)},
                         {"groups", static_cast<double>(size < 1000 ? 0 : size % 1000)},
                         {"total_work", 1000},
                         {"most_bytes", 0},
@@ -150,6 +162,10 @@ inline TaskResult run_fake_task(const TaskRow& task) {
     case TaskKind::write:
       add("portion");
       add("tets");
+      break;
+    case TaskKind::grow:
+      add("portion");
+      add("cells");
       break;
     case TaskKind::assemble:
       add("mesh.vtu");

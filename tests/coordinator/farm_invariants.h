@@ -92,7 +92,8 @@ class Invariants {
       const auto is_there = [&](std::uint64_t path) {
         return state.subdomains.contains({node.job, path});
       };
-      EXPECT_TRUE(node.path == 1 || finds(node.path / 2, SubdomainState::cut)) << "an orphan";
+      const std::uint64_t root = chunks_of(state, node.job).empty() ? 1 : 2;
+      EXPECT_TRUE(node.path == root || finds(node.path / 2, SubdomainState::cut)) << "an orphan";
       EXPECT_TRUE(node.state != SubdomainState::cut ||
                   (is_there(2 * node.path) && is_there(2 * node.path + 1)))
           << "half of sub-domain " << node.path << " is missing";
@@ -211,7 +212,21 @@ class Invariants {
     for (const auto& [key, node] : state.subdomains) {
       if (key.first == job && node.state == SubdomainState::leaf) leaves.insert(node.path);
     }
+    leaves.merge(chunks_of(state, job));
     return leaves;
+  }
+
+  /// Of layers.
+  static std::set<std::uint64_t> chunks_of(const DurableState& state, JobId job) {
+    std::set<std::uint64_t> chunks;
+    for (const auto& [id, task] : state.tasks) {
+      if (task.job != job || task.kind != TaskKind::inspect) continue;
+      for (const ArtifactRef& file : task.outputs) {
+        if (!file.name.starts_with("layers:")) continue;
+        chunks.insert(std::stoull(file.name.substr(file.name.find(':') + 1)));
+      }
+    }
+    return chunks;
   }
 
   /// A leaf that is named twice counts as 0, which no leaf is.

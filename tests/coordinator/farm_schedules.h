@@ -74,14 +74,15 @@ inline Trouble trouble_of(std::uint64_t seed) {
   return trouble;
 }
 
-/// One or two jobs of 2 to 12 parts, some assimilated, some with a sub-domain that always fails, or
-/// with one that no worker has the memory for.
+/// One or two jobs of 2 to 12 parts, some assimilated, some with layers, some with a sub-domain
+/// that always fails, or with one that no worker has the memory for.
 inline Wish wish_of(std::uint64_t seed) {
   Random random(seed * 104729);
   Wish wish;
   const std::uint64_t groups = random.chance(0.3) ? 3 : 0;
   const auto parts = static_cast<std::uint64_t>(groups > 0 ? 8 : 2 + random.pick(6));
-  wish.jobs.push_back(fake_job(random.chance(0.1) ? 12 : parts, groups));
+  const auto chunks = static_cast<std::uint64_t>(random.chance(0.3) ? 1 + random.pick(3) : 0);
+  wish.jobs.push_back(fake_job(random.chance(0.1) ? 12 : parts, groups, chunks));
   if (random.chance(0.15)) {
     wish.jobs.push_back(fake_job(2 + static_cast<std::uint64_t>(random.pick(5)), 0));
   }

@@ -32,8 +32,9 @@ TEST(TaskKinds, have_names_and_numbers_of_their_own_by_which_they_are_found) {
 /// Both are kept in databases and said between programs of one protocol version.
 TEST(TaskKinds, keep_the_names_and_numbers_that_they_were_given) {
   const std::map<std::string, std::uint32_t> given = {
-      {"inspect", 1},    {"decompose", 2}, {"mesh", 3},    {"number", 4},   {"assemble", 5},
-      {"assimilate", 6}, {"order", 7},     {"extract", 8}, {"cosmetic", 9}, {"write", 10}};
+      {"inspect", 1},  {"decompose", 2},  {"mesh", 3},  {"number", 4},
+      {"assemble", 5}, {"assimilate", 6}, {"order", 7}, {"extract", 8},
+      {"cosmetic", 9}, {"write", 10},     {"grow", 11}};
   for (const auto& [name, number] : given) {
     const std::optional<TaskKind> kind = task_kind_named(name);
     ASSERT_TRUE(kind) << name;
@@ -75,7 +76,7 @@ TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
               ElementsAre("decompose", "order", "extract", "cosmetic"))
       << "what others wait for is handed out first";
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.rank == 1; }),
-              ElementsAre("inspect", "assimilate", "mesh", "number", "write", "assemble"));
+              ElementsAre("inspect", "assimilate", "mesh", "number", "write", "grow", "assemble"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.shrinks_with_leaf; }),
               ElementsAre("mesh", "extract", "cosmetic"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.needs_whole_tree; }),
@@ -103,6 +104,7 @@ TEST(TaskKinds, have_the_outputs_that_every_result_has) {
   EXPECT_EQ(outputs(TaskKind::cosmetic), "elements");
   EXPECT_EQ(outputs(TaskKind::number), "numbering");
   EXPECT_EQ(outputs(TaskKind::write), "portion tets");
+  EXPECT_EQ(outputs(TaskKind::grow), "portion cells");
   EXPECT_EQ(outputs(TaskKind::assemble), "");
 }
 
@@ -125,6 +127,7 @@ TEST(TaskKinds, cost_what_was_measured) {
            {TaskKind::cosmetic, {0.006, 3e-6, 0, 0}, {4e6, 0, 1, 360, 0, 0}},
            {TaskKind::number, {0.003, 0, 0.45e-6, 0}, {0, 0, 0, 0, 110, 0}},
            {TaskKind::write, {0.006, 0.3e-6, 0, 0}, {4e6, 0, 0, 150, 0, 0}},
+           {TaskKind::grow, {0.006, 1.5e-6, 0, 0}, {4e6, 0, 0, 450, 0, 0}},
            {TaskKind::assemble, {0.006, 0.02e-6, 0.4e-6, 0}, {4e6, 0, 0, 130, 250, 0}}}) {
     const TaskKindTraits& traits = traits_of(costs.kind);
     const TaskMemory& memory = traits.memory;

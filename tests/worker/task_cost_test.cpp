@@ -101,6 +101,7 @@ TEST(TaskCost, is_expected_to_take_what_tasks_of_that_kind_and_size_take) {
   expect(cosmetic_cost(1e6, 2e6), TaskKind::cosmetic, {1e6, 0, 0});
   expect(number_cost(1e5), TaskKind::number, {0, 1e5, 0});
   expect(write_cost(1e6), TaskKind::write, {1e6, 0, 0});
+  expect(grow_cost(1e6), TaskKind::grow, {1e6, 0, 0});
   expect(assemble_cost(1e5, 5e6, size), TaskKind::assemble, {5e6, 1e5, 0});
 }
 

@@ -187,7 +187,8 @@ std::unique_ptr<UgridWriter> write_ugrid(const std::filesystem::path& path,
 std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
                                               const Numbering& numbering,
                                               std::int64_t boundary_triangles) {
-  return write_ugrid(path, {numbering.nodes, boundary_triangles, numbering.tets}, {});
+  return write_ugrid(path, {numbering.nodes, boundary_triangles, numbering.tets, numbering.others},
+                     {});
 }
 
 std::string mapbc_text(const std::vector<std::string>& patch_names) {

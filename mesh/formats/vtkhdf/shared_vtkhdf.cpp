@@ -27,10 +27,11 @@ std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& p
                                    const LeafNumbering& numbering, const VtkhdfNames& names) {
   TF_CHECK(part.number == numbering.number);
   const MeshTotals& whole = numbering.whole;
-  const VtkhdfPlaces places =
-      places_of_cells(file.scratch, whole.subdomains, {0, whole.tets, whole.faces}, names);
-  const std::int64_t faces = numbering.first_face.value();
-  const VtkhdfBefore before = {0, numbering.first_tet + faces, 4 * numbering.first_tet + 3 * faces};
+  const VtkhdfPlaces places = places_of_cells(file.scratch, whole.subdomains,
+                                              {0, whole.tets, whole.faces, whole.others}, names);
+  const VtkhdfCounts others = {0, numbering.first_tet, numbering.first_face.value(),
+                               numbering.first_other};
+  const VtkhdfBefore before = before_each({&others, 1}).back();
   if (file.path.empty()) return write_vtkhdf_cells(places, before, part, nullptr);
   OutputFile output(file.path, OutputFile::Start::as_it_is);
   return write_vtkhdf_cells(places, before, part, &output);

@@ -78,9 +78,10 @@ class JobStateTest : public testing::Test {
     state_->done(worker, assign.task, assign.attempt, result, now_);
     return answer();
   }
-  /// Submits the job of so many parts and groups, as `run` does, and brings it to its end.
-  JobId run_job(std::uint64_t parts, std::uint64_t groups) {
-    const ArtifactRef file = fake_job(parts, groups);
+  /// Submits the job of so many parts, groups and chunks of layers, as `run` does, and brings it to
+  /// its end.
+  JobId run_job(std::uint64_t parts, std::uint64_t groups, std::uint64_t chunks = 0) {
+    const ArtifactRef file = fake_job(parts, groups, chunks);
     files_.insert(file.hash);
     const SubmitAnswer submitted =
         state_->submit({file.hash, "wing", "toml", to_inspect(file, surface_), true}, now_);

@@ -51,6 +51,21 @@ TEST(TreeProgress, it_is_written_when_each_leaf_is) {
   EXPECT_TRUE(progress.is_written(job));
 }
 
+TEST(TreeProgress, it_is_written_when_the_layers_are_grown_too) {
+  TreeProgress progress;
+  progress.set_chunks(job, 2);
+  progress.add(node(2, SubdomainState::leaf, true));
+  progress.note_written(job);
+  progress.note_written(job);
+  EXPECT_FALSE(progress.is_written(job));
+  progress.note_written(job);
+  EXPECT_TRUE(progress.is_written(job));
+  EXPECT_THAT(progress.validate(tree({node(2, SubdomainState::leaf, true)})), IsEmpty());
+  progress.note_written(job);
+  EXPECT_THAT(progress.validate(tree({node(2, SubdomainState::leaf, true)})),
+              ElementsAre("job 1: more is written than there are leaves"));
+}
+
 TEST(TreeProgress, turns_start_anew_with_another_order) {
   TreeProgress progress;
   EXPECT_EQ(progress.turns(job), nullptr);

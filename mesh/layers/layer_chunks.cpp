@@ -1,0 +1,211 @@
+#include "mesh/layers/layer_chunks.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+#include "mesh/geometry/hilbert_order.h"
+#include "mesh/layers/layer_cells.h"
+
+namespace tetfarm {
+namespace {
+
+/// A triangle of the wall with cells above it.
+struct LayeredTriangle {
+  std::int32_t number = 0;  // in the surface
+  std::array<std::int32_t, 3> lines{};
+  std::int64_t cells = 0;
+};
+
+std::vector<LayeredTriangle> layered_triangles(const LayerPlan& plan, const SurfaceMesh& surface) {
+  std::vector<LayeredTriangle> found;
+  std::vector<Vec3> centroids;
+  for (const std::int32_t t : plan.wall) {
+    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, t);
+    std::array<int, 3> stops{};
+    Vec3 sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+      stops[k] = plan.lines[at(lines[k])].stop;
+      sum += plan.lines[at(lines[k])].at;
+    }
+    if (layers_above(stops) == 0) continue;
+    found.push_back({t, lines, layers_above(stops)});
+    centroids.push_back(sum / 3.0);
+  }
+  std::vector<LayeredTriangle> in_order;
+  in_order.reserve(found.size());
+  for (const std::int32_t i : hilbert_order(centroids)) in_order.push_back(found[at(i)]);
+  return in_order;
+}
+
+/// The chunk of each triangle: as even as triangles allow, and none empty.
+std::vector<std::size_t> chunk_of_each(const std::vector<LayeredTriangle>& triangles,
+                                       std::int64_t most_cells) {
+  std::int64_t all = 0;
+  for (const LayeredTriangle& triangle : triangles) all += triangle.cells;
+  const std::int64_t chunks = std::min((all + most_cells - 1) / most_cells, std::ssize(triangles));
+  std::vector<std::size_t> chunk_of;
+  std::int64_t before = 0;
+  std::int64_t last = -1;
+  std::size_t number = 0;
+  for (const LayeredTriangle& triangle : triangles) {
+    const std::int64_t here = before * chunks / all;
+    if (here != last && last >= 0) ++number;
+    last = here;
+    chunk_of.push_back(number);
+    before += triangle.cells;
+  }
+  return chunk_of;
+}
+
+/// A balanced tree: the leaves from left to right, and what is above them.
+struct ChunkTree {
+  std::vector<TreePath> leaves;
+  std::vector<TreePath> inner;
+};
+
+void add_branch(TreePath here, std::size_t leaves, ChunkTree& tree) {
+  if (leaves == 1) {
+    tree.leaves.push_back(here);
+    return;
+  }
+  tree.inner.push_back(here);
+  add_branch(here.left(), leaves - leaves / 2, tree);
+  add_branch(here.right(), leaves / 2, tree);
+}
+
+ChunkTree chunk_tree(std::size_t chunks) {
+  ChunkTree tree;
+  TF_CHECK(chunks > 0);
+  add_branch(layers_path, chunks, tree);
+  return tree;
+}
+
+/// The number of each line's top among those of the lines that have layers.
+std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t next = 0;
+  for (const LayerLine& line : plan.lines) {
+    numbers.push_back(next);
+    if (line.stop > 0) ++next;
+  }
+  return numbers;
+}
+
+/// Fills chunks one after the other, in tree order.
+class ChunkFiller {
+ public:
+  explicit ChunkFiller(const LayerPlan& plan)
+      : plan_(plan),
+        tops_(top_numbers(plan)),
+        owned_(plan.lines.size()),
+        local_(plan.lines.size(), -1) {}
+
+  /// The next chunk is begun.
+  void begin(LayerChunk& chunk) {
+    if (chunk_ != nullptr) {
+      for (const std::int32_t line : lines_) local_[at(line)] = -1;
+    }
+    lines_.clear();
+    next_node_ = 0;
+    chunk_ = &chunk;
+  }
+
+  void add(const LayeredTriangle& triangle) {
+    Triangle local{};
+    for (std::size_t k = 0; k < 3; ++k) local[k] = local_line(triangle.lines[k]);
+    chunk_->triangles.push_back(local);
+    chunk_->surface_triangles.push_back(static_cast<std::uint32_t>(triangle.number));
+  }
+
+ private:
+  struct Owned {
+    std::uint64_t by = 0;
+    std::uint32_t first_node = 0;
+  };
+
+  std::int32_t local_line(std::int32_t line) {
+    std::int32_t& local = local_[at(line)];
+    if (local >= 0) return local;
+    local = static_cast<std::int32_t>(chunk_->lines.size());
+    lines_.push_back(line);
+    ChunkLine& added = chunk_->lines.emplace_back();
+    added.line = plan_.lines[at(line)];
+    added.line.wanted = 0;
+    added.line.reason = StopReason::complete;
+    Owned& owned = owned_[at(line)];
+    if (owned.by == 0) {
+      owned = {chunk_->path.heap, next_node_};
+      next_node_ += static_cast<std::uint32_t>(std::max(0, added.line.stop - 1));
+    }
+    added.owner = owned.by;
+    added.first_node = owned.first_node;
+    added.top = added.line.stop > 0 ? tops_[at(line)] : 0;
+    return local;
+  }
+
+  const LayerPlan& plan_;
+  std::vector<std::uint32_t> tops_;
+  std::vector<Owned> owned_;
+  std::vector<std::int32_t> local_;  // of each line of the plan, in the chunk
+  std::vector<std::int32_t> lines_;  // those of the chunk
+  LayerChunk* chunk_ = nullptr;
+  std::uint32_t next_node_ = 0;
+};
+
+}  // namespace
+
+std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
+                                  std::int64_t most_cells) {
+  TF_CHECK(most_cells > 0);
+  const std::vector<LayeredTriangle> triangles = layered_triangles(plan, surface);
+  if (triangles.empty()) return {};
+  const std::vector<std::size_t> chunk_of = chunk_of_each(triangles, most_cells);
+  const ChunkTree tree = chunk_tree(chunk_of.back() + 1);
+  std::vector<LayerChunk> chunks(tree.leaves.size());
+  ChunkFiller filler(plan);
+  for (std::size_t i = 0, t = 0; i < chunks.size(); ++i) {
+    chunks[i].path = tree.leaves[i];
+    filler.begin(chunks[i]);
+    for (; t < triangles.size() && chunk_of[t] == i; ++t) filler.add(triangles[t]);
+  }
+  return chunks;
+}
+
+ChunkCounts counts_of(const LayerChunk& chunk) {
+  ChunkCounts counts;
+  for (const ChunkLine& line : chunk.lines) {
+    if (line.owner == chunk.path.heap) counts.nodes += std::max(0, line.line.stop - 1);
+  }
+  for (const Triangle& triangle : chunk.triangles) {
+    std::array<int, 3> stops{};
+    for (std::size_t k = 0; k < 3; ++k) stops[k] = chunk.lines[at(triangle[k])].line.stop;
+    // As many lines grow in a layer as have a stop that is not lower.
+    std::sort(stops.begin(), stops.end());
+    counts.prisms += stops[0];
+    counts.pyramids += stops[1] - stops[0];
+    counts.tets += stops[2] - stops[1];
+  }
+  return counts;
+}
+
+std::string layer_table(const std::vector<LayerChunk>& chunks, std::int64_t top_nodes) {
+  const auto cut = [](TreePath path, std::int64_t nodes) {
+    return "cut " + std::to_string(path.heap) + ' ' + std::to_string(nodes) + '\n';
+  };
+  std::string table = cut(TreePath{}, top_nodes);
+  for (const TreePath path : chunk_tree(chunks.size()).inner) table += cut(path, 0);
+  for (const LayerChunk& chunk : chunks) {
+    const ChunkCounts counts = counts_of(chunk);
+    table += "leaf " + std::to_string(chunk.path.heap);
+    for (const std::int64_t count :
+         {counts.nodes, counts.tets, std::ssize(chunk.triangles), counts.pyramids, counts.prisms}) {
+      table += ' ' + std::to_string(count);
+    }
+    table += '\n';
+  }
+  return table;
+}
+
+}  // namespace tetfarm

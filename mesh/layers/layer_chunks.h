@@ -1,0 +1,72 @@
+/// Divides the layers into chunks that are grown one by one, by anybody: each is a leaf of the
+/// tree, and has all that it is made of.
+///
+/// Source: none in the thesis, whose layers are one process's. With layers the root of the tree is
+/// divided without a plane: left of it is what the layers leave of the domain, right of it are the
+/// layers, and their top is the inter-domain mesh between the two. Chunks are the leaves of a
+/// balanced tree there, in the order of a Hilbert curve over the wall. A node within the layers
+/// belongs to the first chunk in tree order that has it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/core/subdomain.h"
+#include "mesh/layers/layer_plan.h"
+
+namespace tetfarm {
+
+/// Where the tree of a domain with layers has what.
+inline constexpr TreePath unlayered_path = {2};
+inline constexpr TreePath layers_path = {3};
+
+/// A chunk has about so many cells at most, however large the wall and however many the layers.
+inline constexpr std::int64_t cells_of_chunk = 200'000;
+
+/// A line as a chunk has it: `line` without what it was asked for.
+struct ChunkLine {
+  LayerLine line;
+  std::uint64_t owner = 0;       ///< the chunk that made its nodes between foot and top
+  std::uint32_t first_node = 0;  ///< the number among the owner's of its node of level 1
+  std::uint32_t top = 0;         ///< the number of its last node among those of the top
+
+  friend bool operator==(const ChunkLine&, const ChunkLine&) = default;
+};
+
+/// Invariants: 1. `triangles` and `surface_triangles` have equal lengths; 2. a triangle has three
+/// different lines, one of them with layers; 3. every line is one of a triangle.
+struct LayerChunk {
+  TreePath path;
+  std::vector<ChunkLine> lines;
+  std::vector<Triangle> triangles;               ///< of the wall, by their lines
+  std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the input surface
+
+  friend bool operator==(const LayerChunk&, const LayerChunk&) = default;
+};
+
+/// What a chunk adds to the mesh; nodes are those that it owns.
+struct ChunkCounts {
+  std::int64_t nodes = 0;
+  std::int64_t tets = 0;
+  std::int64_t pyramids = 0;
+  std::int64_t prisms = 0;
+
+  std::int64_t cells() const { return tets + pyramids + prisms; }
+  friend bool operator==(const ChunkCounts&, const ChunkCounts&) = default;
+};
+
+/// In tree order; none where nothing grows. How many they are depends on the cells alone.
+/// @pre `plan` is of `surface`; most_cells > 0. Cost: O(n log n) for n wall triangles.
+std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
+                                  std::int64_t most_cells = cells_of_chunk);
+
+/// Cost: O(triangles).
+ChunkCounts counts_of(const LayerChunk& chunk);
+
+/// The lines of the numbering's table that tell of the layers (number_globally): of the root, and
+/// of all from layers_path on. @pre `chunks` are those of chunks_of, and some.
+std::string layer_table(const std::vector<LayerChunk>& chunks, std::int64_t top_nodes);
+
+}  // namespace tetfarm

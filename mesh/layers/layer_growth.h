@@ -1,0 +1,34 @@
+/// Grows a chunk of layers: the prisms, pyramids and tets above its triangles of the wall.
+///
+/// Source: thesis 4.4, figs. 89 to 97. There layers advance one after the other; here each line's
+/// points are known by themselves, so the cells above a triangle are made bottom to top, without a
+/// look at others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/core/element_block.h"
+#include "mesh/core/subdomain.h"
+#include "mesh/core/tet_mesh.h"
+#include "mesh/layers/layer_chunks.h"
+
+namespace tetfarm {
+
+/// All nodes are vertices of `subdomain`, with their origins: feet are of the surface, tops of
+/// top_of_layers, those between of the chunk that owns their line. Its triangles are those of the
+/// wall alone.
+struct GrownLayers {
+  Subdomain subdomain;
+  TetMesh mesh;
+  ElementBlocks blocks;  ///< pyramids and prisms, by the numbers of the nodes
+};
+
+/// Cells come triangle by triangle, each from the wall up. Cost: O(cells).
+GrownLayers grow(const LayerChunk& chunk);
+
+/// What is wrong with the cells, a line each, 20 at most: exactly positive has to be each tet of
+/// every division of a cell into tets. Empty when all is well. Cost: O(cells).
+std::vector<std::string> validate(const GrownLayers& layers);
+
+}  // namespace tetfarm

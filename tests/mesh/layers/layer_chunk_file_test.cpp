@@ -1,0 +1,91 @@
+#include "mesh/layers/layer_chunk_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <limits>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "tests/mesh/layers/layered_sphere.h"
+
+namespace tetfarm {
+namespace {
+
+using test::LayeredSphere;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+LayerChunk some_chunk() {
+  const LayeredSphere sphere = LayeredSphere::uneven();
+  return chunks_of(sphere.plan, sphere.surface, 60).at(3);
+}
+
+constexpr std::size_t first_line_at = 8 + 4 + 3 * 8;
+
+/// `bytes` with the number at `offset` replaced and the checksum made right again.
+template <class T>
+std::string forged(std::string bytes, std::size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof value);
+  const Hash128 checksum = hash128(bytes.data(), bytes.size() - 16);
+  std::memcpy(bytes.data() + bytes.size() - 16, &checksum.low, 8);
+  std::memcpy(bytes.data() + bytes.size() - 8, &checksum.high, 8);
+  return bytes;
+}
+
+void expect_refused(const std::string& bytes, const std::string& why) {
+  EXPECT_THAT([&] { layer_chunk_from_bytes(bytes, "chunk"); },
+              ThrowsMessage<CorruptFile>(HasSubstr(why)));
+}
+
+TEST(LayerChunkFile, gives_back_what_was_written) {
+  const LayerChunk chunk = some_chunk();
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+}
+
+TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {
+  const std::string bytes = layer_chunk_to_bytes(some_chunk());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    EXPECT_THROW(layer_chunk_from_bytes(changed, "chunk"), CorruptFile) << i;
+  }
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    EXPECT_THROW(layer_chunk_from_bytes(bytes.substr(0, size), "chunk"), CorruptFile) << size;
+  }
+}
+
+TEST(LayerChunkFile, refuses_lines_that_cannot_be) {
+  const std::string bytes = layer_chunk_to_bytes(some_chunk());
+  const char* what = "has a line that cannot be";
+  expect_refused(forged(bytes, first_line_at, std::int32_t{-1}), what);
+  expect_refused(forged(bytes, first_line_at + 4, std::int32_t{-1}), what);
+  expect_refused(forged(bytes, first_line_at + 4, std::int32_t{most_layers + 1}), what);
+  expect_refused(forged(bytes, first_line_at + 88, std::int32_t{0}), what);
+  expect_refused(forged(bytes, first_line_at + 96, std::uint64_t{0}), what);
+  expect_refused(forged(bytes, first_line_at + 96, std::uint64_t{1} << 63U), what);
+  expect_refused(forged(bytes, first_line_at + 8, std::numeric_limits<double>::quiet_NaN()),
+                 "has a number that is not finite");
+}
+
+TEST(LayerChunkFile, refuses_what_breaks_the_invariants_of_a_chunk) {
+  const LayerChunk chunk = some_chunk();
+  const auto expect_broken = [&](const std::string& why, const auto& break_it) {
+    LayerChunk broken = chunk;
+    break_it(broken);
+    expect_refused(layer_chunk_to_bytes(broken), why);
+  };
+  expect_broken("has no place in a tree", [](LayerChunk& c) { c.path = {0}; });
+  expect_broken("has a triangle with a line that does not exist",
+                [](LayerChunk& c) { c.triangles[0][1] = std::ssize(c.lines) > 0 ? 1 << 30 : 0; });
+  expect_broken("has a triangle without layers above it",
+                [](LayerChunk& c) { c.triangles[0][1] = c.triangles[0][0]; });
+  expect_broken("has a triangle without layers above it", [](LayerChunk& c) {
+    for (ChunkLine& line : c.lines) line.line.stop = 0;
+  });
+  expect_broken("has a line of no triangle",
+                [](LayerChunk& c) { c.lines.push_back(c.lines.front()); });
+}
+
+}  // namespace
+}  // namespace tetfarm

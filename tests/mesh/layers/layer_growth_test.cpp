@@ -1,0 +1,91 @@
+#include "mesh/layers/layer_growth.h"
+
+#include <gmock/gmock.h>
+
+#include "mesh/core/surface_mesh.h"
+#include "tests/mesh/layers/layered_sphere.h"
+
+namespace tetfarm {
+namespace {
+
+using test::GrownWhole;
+using test::LayeredSphere;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// All chunks of so many cells, grown, with the wall and the top on both sides of them.
+GrownWhole whole_of(const LayeredSphere& sphere, std::int64_t cells) {
+  GrownWhole whole;
+  for (const LayerChunk& chunk : chunks_of(sphere.plan, sphere.surface, cells)) {
+    const GrownLayers layers = grow(chunk);
+    EXPECT_THAT(validate(layers), IsEmpty());
+    whole.add(layers);
+    for (const Triangle& triangle : layers.subdomain.triangles) {
+      whole.bound_by(layers.subdomain.node_origin, triangle);
+    }
+  }
+  const Subdomain rest =
+      unlayered_domain(sphere.plan, sphere.surface, unlayered_path, top_of_layers).root;
+  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
+    const auto& [a, b, c] = rest.triangles[t];
+    if (rest.triangle_origin[t].owner != 0) whole.bound_by(rest.node_origin, {a, c, b});
+  }
+  return whole;
+}
+
+double volume_between(const LayeredSphere& sphere) {
+  const Subdomain rest =
+      unlayered_domain(sphere.plan, sphere.surface, unlayered_path, top_of_layers).root;
+  return enclosed_volume(sphere.surface.vertices, sphere.surface.triangles) -
+         enclosed_volume(rest.vertices, rest.triangles);
+}
+
+TEST(LayerGrowth, fills_what_lies_between_wall_and_top_in_however_many_chunks) {
+  for (const LayeredSphere& sphere : {LayeredSphere(), LayeredSphere::uneven()}) {
+    const std::size_t nodes = whole_of(sphere, 1'000'000).nodes();
+    for (const std::int64_t cells : {1'000'000, 300, 20}) {
+      const GrownWhole whole = whole_of(sphere, cells);
+      EXPECT_EQ(whole.open_faces(), 0U);
+      EXPECT_EQ(whole.nodes(), nodes);
+      EXPECT_NEAR(whole.volume(), volume_between(sphere), 1e-12);
+    }
+  }
+}
+
+TEST(LayerGrowth, makes_what_the_chunk_counts) {
+  for (const LayerChunk& chunk :
+       chunks_of(LayeredSphere::uneven().plan, LayeredSphere::uneven().surface, 200)) {
+    const GrownLayers layers = grow(chunk);
+    const ChunkCounts counts = counts_of(chunk);
+    EXPECT_EQ(std::ssize(layers.mesh.tets), counts.tets);
+    EXPECT_EQ(std::ssize(layers.blocks[ElementType::pyramid].regions), counts.pyramids);
+    EXPECT_EQ(std::ssize(layers.blocks[ElementType::prism].regions), counts.prisms);
+    EXPECT_EQ(layers.mesh.boundary_nodes, std::ssize(layers.mesh.nodes));
+    const auto own =
+        std::count_if(layers.subdomain.node_origin.begin(), layers.subdomain.node_origin.end(),
+                      [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
+    EXPECT_LE(own, counts.nodes) << "nodes of lines that it does not own are another's";
+  }
+}
+
+TEST(LayerGrowth, has_cells_of_every_kind_where_lines_end_at_different_levels) {
+  const LayeredSphere sphere = LayeredSphere::uneven();
+  const ChunkCounts counts = counts_of(chunks_of(sphere.plan, sphere.surface).at(0));
+  EXPECT_GT(counts.tets, 0);
+  EXPECT_GT(counts.pyramids, 0);
+  EXPECT_GT(counts.prisms, 0);
+}
+
+TEST(LayerGrowth, names_cells_that_are_flat_or_turned) {
+  const LayeredSphere sphere;
+  LayerChunk chunk = chunks_of(sphere.plan, sphere.surface).at(0);
+  Vec3& along = chunk.lines.at(7).line.along;
+  along = -1.0 * along;
+  const std::vector<std::string> complaints = validate(grow(chunk));
+  ASSERT_THAT(complaints, testing::Not(IsEmpty()));
+  EXPECT_THAT(complaints[0], testing::MatchesRegex("the prism near \\(.*\\) is flat or turned"));
+  EXPECT_THAT(complaints, SizeIs(testing::Le(20)));
+}
+
+}  // namespace
+}  // namespace tetfarm

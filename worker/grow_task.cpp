@@ -1,0 +1,53 @@
+#include "worker/grow_task.h"
+
+#include <utility>
+
+#include "mesh/assemble/portion.h"
+#include "mesh/layers/layer_chunk_file.h"
+#include "mesh/layers/layer_growth.h"
+#include "tasks/grow_contract.h"
+#include "worker/leaf_inputs.h"
+#include "worker/shared_mesh_file.h"
+#include "worker/task_cost.h"
+
+namespace tetfarm {
+namespace {
+
+MeshPart grown_part(const LayerChunk& chunk) {
+  GrownLayers layers = grow(chunk);
+  const std::vector<std::string> complaints = validate(layers);
+  if (!complaints.empty()) throw OwnDefect("the layers are wrong: " + complaints.front(), {});
+  MeshPart part;
+  part.subdomain = std::move(layers.subdomain);
+  part.mesh = std::move(layers.mesh);
+  part.blocks = std::move(layers.blocks);
+  part.is_of_layers = true;
+  return part;
+}
+
+}  // namespace
+
+void grow_task(TaskIo& io) {
+  const auto given = io.given<GrowGiven>();
+  SurfaceInput surface(io, given.surface);
+  NumberingInput numbering(io, given.numbering, surface);
+  io.progress().begin(WorkStage::layers);
+  const LayerChunk chunk = io.read(given.layers, layer_chunk_from_bytes);
+  const ChunkCounts counts = counts_of(chunk);
+  report_cost(io, grow_cost(static_cast<double>(counts.cells())));
+  MeshPart part = grown_part(chunk);
+  const Subdomain& wall = part.subdomain;
+  const LeafNumbering numbers = numbering.leaf({wall.path, wall.region, wall.node_origin});
+  const SurfacePieces pieces = surface.pieces(surface_pieces(wall));
+  Portion portion = make_portion(std::move(part), pieces, numbers);
+  place_in_shared_file(io, {given.job, given.surface, given.numbering}, surface, numbers, portion);
+  io.number("tets", static_cast<double>(counts.tets));
+  io.number("pyramids", static_cast<double>(counts.pyramids));
+  io.number("prisms", static_cast<double>(counts.prisms));
+  GrowMade made;
+  made.portion = io.publish(portion_to_bytes(portion));
+  made.cells = io.publish(portion_cells_to_bytes(portion));
+  io.made(made);
+}
+
+}  // namespace tetfarm
