@@ -14,8 +14,8 @@ namespace tetfarm {
 namespace {
 
 /// A direction that sees its worst face at a smaller cosine serves no layers: the line would be
-/// more than three times as long as the layers are high.
-constexpr double least_visibility = 0.3;
+/// more than ten times as long as the layers are high.
+constexpr double least_visibility = 0.1;
 
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
@@ -66,6 +66,7 @@ class Planning {
 
   LayerPlan plan() {
     find_directions();
+    find_wishes();
     find_heights();
     hold_neighbours();
     prove();
@@ -88,7 +89,7 @@ class Planning {
     std::vector<Vec3> round;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       LayerLine& line = plan_.lines[i];
-      line.foot = graph_.feet[i];
+      line.foot = line.because_of = graph_.feet[i];
       line.at = surface_.vertices[at(line.foot)];
       round.clear();
       for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(i))) {
@@ -113,17 +114,25 @@ class Planning {
     return sum / static_cast<double>(neighbours.size());
   }
 
+  /// Where the edges decide how many layers there are, neighbours want numbers that differ by one.
+  void find_wishes() {
+    std::vector<int> wishes;
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      const LayerRequest& request = request_of(i);
+      plan_.lines[i].law = request.law;
+      wishes.push_back(request.count > 0 ? request.count
+                                         : layers_until(request.law, isotropic_share * mean_edge(i),
+                                                        most_layers));
+    }
+    limit_steps(graph_, wishes);
+    for (std::size_t i = 0; i < wishes.size(); ++i) plan_.lines[i].wanted = wishes[i];
+  }
+
   void find_heights() {
     std::vector<double> wanted;
     std::vector<Vec3> along;
     std::vector<Vec3> places;
-    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
-      LayerLine& line = plan_.lines[i];
-      const LayerRequest& request = request_of(i);
-      line.law = request.law;
-      line.wanted = request.count > 0
-                        ? request.count
-                        : layers_until(request.law, isotropic_share * mean_edge(i), most_layers);
+    for (const LayerLine& line : plan_.lines) {
       wanted.push_back(total_height(line.law, line.wanted));
       along.push_back(line.along);
       places.push_back(line.at);
@@ -132,15 +141,14 @@ class Planning {
     const std::vector<double> unfolded = fold_heights(surface_, graph_, along, wanted);
     std::vector<double> room(wanted.size());
     for (std::size_t i = 0; i < room.size(); ++i) room[i] = std::min(free[i], unfolded[i]);
-    const std::vector<double> own = room;
-    limit_slopes(graph_, places, steepest_rise, room);
+    const std::vector<std::int32_t> sources = limit_slopes(graph_, places, steepest_rise, room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       fit_into(room[i], request_of(i).room, line);
       if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
-      line.reason = own[i] > room[i]        ? StopReason::neighbour
-                    : free[i] < unfolded[i] ? StopReason::no_room
-                                            : StopReason::fold;
+      const std::size_t source = at(sources[i]);
+      line.because_of = graph_.feet[source];
+      line.reason = free[source] < unfolded[source] ? StopReason::no_room : StopReason::fold;
     }
   }
 
@@ -173,13 +181,22 @@ class Planning {
       TF_CHECK(stops[i] < line.stop);
       line.stop = stops[i];
       line.reason = reason;
+      line.because_of = line.foot;
     }
   }
 
   void hold_neighbours() {
     std::vector<int> held = stops();
-    limit_steps(graph_, held);
-    take_stops(held, StopReason::neighbour);
+    const std::vector<std::int32_t> sources = limit_steps(graph_, held);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      if (held[i] == line.stop) continue;
+      // What holds it back may be held back itself, but has its reason by now.
+      const LayerLine& source = plan_.lines[at(sources[i])];
+      line.stop = held[i];
+      line.reason = source.reason;
+      line.because_of = source.because_of;
+    }
   }
 
   /// Ends: each round but the last takes layers away.
@@ -209,7 +226,7 @@ class Planning {
 
 const char* name_of(StopReason reason) {
   constexpr std::array<const char*, all_stop_reasons.size()> names = {
-      "complete", "border", "ridge", "no room", "fold", "crossing", "neighbour"};
+      "complete", "border", "ridge", "no room", "fold", "crossing"};
   return names[static_cast<std::size_t>(reason)];
 }
 

@@ -24,17 +24,16 @@ namespace tetfarm {
 
 /// Why a line has no more layers than it has.
 enum class StopReason : std::uint8_t {
-  complete,   ///< it has all
-  border,     ///< its foot is on a patch without layers
-  ridge,      ///< no single direction sees all faces at its foot
-  no_room,    ///< another part of the surface is opposite
-  fold,       ///< cells would turn over
-  crossing,   ///< the top would cross something
-  neighbour,  ///< a line beside it stopped: neighbours differ by one layer at most
+  complete,  ///< it has all
+  border,    ///< its foot is on a patch without layers
+  ridge,     ///< no single direction sees all faces at its foot
+  no_room,   ///< another part of the surface is opposite
+  fold,      ///< cells would turn over
+  crossing,  ///< the top would cross something
 };
-inline constexpr std::array all_stop_reasons = {
-    StopReason::complete, StopReason::border,   StopReason::ridge,    StopReason::no_room,
-    StopReason::fold,     StopReason::crossing, StopReason::neighbour};
+inline constexpr std::array all_stop_reasons = {StopReason::complete, StopReason::border,
+                                                StopReason::ridge,    StopReason::no_room,
+                                                StopReason::fold,     StopReason::crossing};
 const char* name_of(StopReason reason);
 
 /// On which the layers of one node of the wall end. Its point of level i is
@@ -47,6 +46,9 @@ struct LayerLine {
   int stop = 0;    ///< layers that it has
   int wanted = 0;  ///< layers that were asked for
   StopReason reason = StopReason::complete;
+  /// The vertex at which that is so: its own foot, or that of a line further on, which it may not
+  /// rise above by more than a layer from line to line.
+  std::int32_t because_of = -1;
 
   friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };

@@ -106,7 +106,7 @@ ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface) {
     is_of_layers = true;
     for (const std::int32_t line : lines_of(plan, surface, walls[at(fault)])) {
       const int stop = plan.lines[at(line)].stop;
-      stop_at(line, std::min(stop - 1, stop * 2 / 3), findings);
+      if (stop > 0) stop_at(line, std::min(stop - 1, stop * 2 / 3), findings);
     }
   }
   // Without layers the rest is the surface, which has no defects.

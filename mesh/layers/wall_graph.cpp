@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -28,28 +29,37 @@ NumberRows rows_of(std::vector<RowEntry> entries, std::size_t rows) {
 }
 
 /// Lowers values to at most that of a neighbour plus step(line, neighbour), the lowest first.
+/// Returns whose value each comes from.
 template <class Value, class Step>
-void lower(const WallGraph& graph, std::vector<Value>& values, const Step& step) {
+std::vector<std::int32_t> lower(const WallGraph& graph, std::vector<Value>& values,
+                                const Step& step) {
   TF_CHECK(values.size() == graph.feet.size());
-  using Entry = std::pair<Value, std::int32_t>;
+  struct Entry {
+    Value value;
+    std::int32_t source;
+    std::int32_t line;
+    auto operator<=>(const Entry&) const = default;
+  };
+  std::vector<std::int32_t> sources(values.size());
+  std::iota(sources.begin(), sources.end(), 0);
   std::vector<Entry> all;
   all.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    all.emplace_back(values[i], static_cast<std::int32_t>(i));
-  }
+  for (const std::int32_t line : sources) all.push_back({values[at(line)], line, line});
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(),
                                                                        std::move(all));
   while (!queue.empty()) {
     const Entry entry = queue.top();
     queue.pop();
-    if (entry.first != values[at(entry.second)]) continue;
-    for (const std::int32_t next : graph.neighbours.of(entry.second)) {
-      const Value most = entry.first + step(entry.second, next);
+    if (entry.value != values[at(entry.line)] || entry.source != sources[at(entry.line)]) continue;
+    for (const std::int32_t next : graph.neighbours.of(entry.line)) {
+      const Value most = entry.value + step(entry.line, next);
       if (values[at(next)] <= most) continue;
       values[at(next)] = most;
-      queue.emplace(most, next);
+      sources[at(next)] = entry.source;
+      queue.push({most, entry.source, next});
     }
   }
+  return sources;
 }
 
 }  // namespace
@@ -97,16 +107,16 @@ WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall)
   return graph;
 }
 
-void limit_slopes(const WallGraph& graph, std::span<const Vec3> places, double slope,
-                  std::vector<double>& values) {
+std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const Vec3> places,
+                                       double slope, std::vector<double>& values) {
   TF_CHECK(places.size() == graph.feet.size() && slope > 0);
-  lower(graph, values, [&](std::int32_t a, std::int32_t b) {
+  return lower(graph, values, [&](std::int32_t a, std::int32_t b) {
     return slope * distance(places[at(a)], places[at(b)]);
   });
 }
 
-void limit_steps(const WallGraph& graph, std::vector<int>& stops) {
-  lower(graph, stops, [](std::int32_t, std::int32_t) { return 1; });
+std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::vector<int>& stops) {
+  return lower(graph, stops, [](std::int32_t, std::int32_t) { return 1; });
 }
 
 }  // namespace tetfarm

@@ -35,12 +35,14 @@ struct WallGraph {
 /// @pre `wall` are triangles of the surface, ascending. Cost: O(n log n) for n triangles.
 WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall);
 
-/// Lowers values until none is more than `slope` times the distance above that of a neighbour.
+/// Lowers values until none is more than `slope` times the distance above that of a neighbour. Of
+/// each line the one whose value decided: itself, where its own did; of equals the lowest.
 /// @pre `places` and `values` have one for each line. Cost: O(n log n).
-void limit_slopes(const WallGraph& graph, std::span<const Vec3> places, double slope,
-                  std::vector<double>& values);
+std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const Vec3> places,
+                                       double slope, std::vector<double>& values);
 
-/// Lowers stops until none is more than one above that of a neighbour. Cost: O(n log n).
-void limit_steps(const WallGraph& graph, std::vector<int>& stops);
+/// Lowers stops until none is more than one above that of a neighbour; the same of each line.
+/// Cost: O(n log n).
+std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::vector<int>& stops);
 
 }  // namespace tetfarm

@@ -1,0 +1,155 @@
+#include "mesh/layers/layer_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/mesh/layers/layered_surfaces.h"
+#include "tests/support/generated_surfaces.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+LayerPlan plan_of(const SurfaceMesh& surface, const LayerRequest& request) {
+  return plan_layers(surface, std::span(&request, 1));
+}
+
+TEST(LayerPlan, in_a_sphere_every_triangle_has_all_layers_and_lines_run_to_the_centre) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 3);
+  const LayerPlan plan = plan_of(sphere, test::request_of_all(sphere, 1e-3, 15));
+  const test::LayerFigures figures = test::expect_valid_layers(plan, sphere);
+  EXPECT_EQ(figures.full, std::ssize(sphere.triangles));
+  EXPECT_EQ(figures.prisms, 15 * std::ssize(sphere.triangles));
+  EXPECT_EQ(figures.pyramids + figures.tets, 0);
+  for (const LayerLine& line : plan.lines) {
+    EXPECT_GT(dot(normalized(line.along), -normalized(line.at)), 0.999);
+  }
+}
+
+TEST(LayerPlan, in_a_cube_the_first_height_is_kept_at_edges_and_corners) {
+  const SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 8);
+  const LayerPlan plan = plan_of(cube, test::request_of_all(cube, 1e-3, 10));
+  const test::LayerFigures figures = test::expect_valid_layers(plan, cube);
+  EXPECT_EQ(figures.full, std::ssize(cube.triangles));
+  for (const LayerLine& line : plan.lines) {
+    const Vec3 p = point_of(line, 1);
+    double nearest = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      nearest = std::min({nearest, p[axis], 1 - p[axis]});
+    }
+    EXPECT_NEAR(nearest, 1e-3, 1e-15);
+  }
+}
+
+TEST(LayerPlan, without_a_count_layers_grow_until_they_are_as_high_as_the_edges_are_long) {
+  const SurfaceMesh spheres = shapes::nested_spheres(3);
+  LayerRequest request = test::request_of_all(spheres, 1e-3, 0);
+  const LayerPlan plan = plan_of(spheres, request);
+  EXPECT_GT(test::expect_valid_layers(plan, spheres).full, 0);
+  for (const LayerLine& line : plan.lines) {
+    EXPECT_GE(line.wanted, 10);
+    EXPECT_LE(line.wanted, 40);
+  }
+}
+
+/// Two parallel walls that are nearer than the layers of both are high.
+SurfaceMesh slit(double height) { return shapes::box({0, 0, 0}, {1, 1, height}, 10); }
+
+TEST(LayerPlan, in_a_slit_layers_keep_their_first_height_and_grow_less) {
+  const SurfaceMesh surface = slit(0.02);
+  const LayerPlan plan = plan_of(surface, test::request_of_all(surface, 5e-4, 10));
+  test::expect_valid_layers(plan, surface);
+  for (const LayerLine& line : plan.lines) {
+    EXPECT_EQ(line.law.first, 5e-4);
+    EXPECT_LE(point_of(line, line.stop).z, 0.02 * 0.4 + 1e-12 + (line.at.z > 0 ? 0.02 : 0));
+  }
+}
+
+TEST(LayerPlan, room_stop_keeps_the_growth_and_room_scale_the_number_of_layers) {
+  const SurfaceMesh surface = slit(0.02);
+  LayerRequest request = test::request_of_all(surface, 5e-4, 12);
+  request.room = RoomRule::stop;
+  const LayerPlan stopped = plan_of(surface, request);
+  test::expect_valid_layers(stopped, surface);
+  request.room = RoomRule::scale;
+  const LayerPlan scaled = plan_of(surface, request);
+  test::expect_valid_layers(scaled, surface);
+  bool is_some_stopped = false;
+  bool is_some_scaled = false;
+  for (std::size_t i = 0; i < stopped.lines.size(); ++i) {
+    EXPECT_EQ(stopped.lines[i].law, request.law);
+    is_some_stopped = is_some_stopped || stopped.lines[i].stop < 12;
+    EXPECT_EQ(scaled.lines[i].law.growth, request.law.growth);
+    is_some_scaled = is_some_scaled || scaled.lines[i].law.first < 4e-4;
+  }
+  EXPECT_TRUE(is_some_stopped);
+  EXPECT_TRUE(is_some_scaled);
+}
+
+TEST(LayerPlan, layers_taper_towards_a_patch_without_any) {
+  SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 8);
+  cube.patch_names = {"wall", "inlet"};
+  cube.patch_of_triangle.clear();
+  for (const Triangle& t : cube.triangles) {
+    const auto is_high = [&](std::int32_t v) { return cube.vertices[at(v)].z > 0.99; };
+    cube.patch_of_triangle.push_back(is_high(t[0]) && is_high(t[1]) && is_high(t[2]) ? 1 : 0);
+  }
+  LayerRequest request = test::request_of_all(cube, 1e-3, 5);
+  request.patches = {0};
+  const LayerPlan plan = plan_of(cube, request);
+  const test::LayerFigures figures = test::expect_valid_layers(plan, cube);
+  EXPECT_GT(figures.pyramids, 0);
+  EXPECT_GT(figures.tets, 0);
+  for (const LayerLine& line : plan.lines) {
+    const int rows = static_cast<int>(std::lround((1 - line.at.z) * 8));
+    EXPECT_EQ(line.stop, std::min(rows, 5)) << "at z = " << line.at.z;
+    if (line.stop == 5) continue;
+    EXPECT_EQ(line.reason, StopReason::border);
+    EXPECT_GT(cube.vertices[at(line.because_of)].z, 0.99);
+  }
+}
+
+TEST(LayerPlan, of_two_requests_each_patch_has_its_own) {
+  SurfaceMesh spheres = shapes::nested_spheres(2);
+  spheres.patch_names = {"outer", "inner"};
+  spheres.patch_of_triangle.clear();
+  for (const Triangle& t : spheres.triangles) {
+    spheres.patch_of_triangle.push_back(norm(spheres.vertices[at(t[0])]) > 0.6 ? 0 : 1);
+  }
+  LayerRequest outer = test::request_of_all(spheres, 1e-3, 4);
+  LayerRequest inner = test::request_of_all(spheres, 2e-3, 7);
+  outer.patches = {0};
+  inner.patches = {1};
+  const std::vector<LayerRequest> requests = {outer, inner};
+  const LayerPlan plan = plan_layers(spheres, requests);
+  test::expect_valid_layers(plan, spheres);
+  for (const LayerLine& line : plan.lines) {
+    EXPECT_EQ(line.stop, norm(line.at) > 0.6 ? 4 : 7);
+    EXPECT_EQ(line.law.first, norm(line.at) > 0.6 ? 1e-3 : 2e-3);
+  }
+}
+
+TEST(LayerPlan, is_a_mesh_on_every_generated_surface) {
+  std::int64_t surfaces = 0;
+  std::int64_t cells = 0;
+  for (const shapes::SurfaceGenerator& generator : shapes::surface_generators()) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const CheckedSurface checked = check_surface(generator.make(seed, 1));
+      if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+      const SurfaceMesh& surface = checked.surface;
+      const LayerRequest request =
+          test::request_of_all(surface, 0.02 * checked.report.median_edge, seed % 2 == 0 ? 8 : 0);
+      SCOPED_TRACE(std::string(generator.name) + ", seed " + std::to_string(seed));
+      const test::LayerFigures figures =
+          test::expect_valid_layers(plan_of(surface, request), surface);
+      ++surfaces;
+      cells += figures.prisms + figures.pyramids + figures.tets;
+    }
+  }
+  EXPECT_GT(surfaces, 250);
+  EXPECT_GT(cells, 100'000);
+}
+
+}  // namespace
+}  // namespace tetfarm

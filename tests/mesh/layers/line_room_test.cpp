@@ -1,0 +1,76 @@
+#include "mesh/layers/line_room.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "base/array_index.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+WallGraph graph_of(const SurfaceMesh& surface) {
+  std::vector<std::int32_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return wall_graph(surface, all);
+}
+
+TEST(LineRoom, free_way_is_a_share_of_the_distance_to_what_is_opposite) {
+  const SurfaceMesh slab = shapes::box({0, 0, 0}, {1, 1, 0.5}, 4);
+  const WallGraph graph = graph_of(slab);
+  std::vector<Vec3> along;
+  for (const std::int32_t v : graph.feet) {
+    const Vec3 p = slab.vertices[at(v)];
+    const bool is_below = p.z == 0 && p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1;
+    along.push_back(is_below ? Vec3{0, 0, 2} : Vec3{});
+  }
+  const std::vector<double> wanted(along.size(), 3);
+  const std::vector<double> ways = free_ways(slab, graph, along, wanted);
+  int looked = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    // A height of 0.25 takes it all across, as its lines are twice as long as they are high.
+    EXPECT_NEAR(ways[i], along[i] == Vec3{} ? 3 : 0.1, 1e-15);
+    looked += along[i] == Vec3{} ? 0 : 1;
+  }
+  EXPECT_EQ(looked, 9);
+}
+
+TEST(LineRoom, free_way_is_not_less_than_wanted_where_nothing_is_near) {
+  const SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 2);
+  const WallGraph graph = graph_of(cube);
+  std::vector<Vec3> along;
+  for (const std::int32_t v : graph.feet) {
+    along.push_back(normalized(Vec3{0.5, 0.5, 0.5} - cube.vertices[at(v)]));
+  }
+  const std::vector<double> wanted(along.size(), 0.1);
+  EXPECT_EQ(free_ways(cube, graph, along, wanted), wanted);
+}
+
+/// Lines to the centre of a sphere leave so much of the area at a height h: (1 - h)².
+TEST(LineRoom, cells_fold_where_their_jacobian_is_a_share_of_that_at_the_wall) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 3);
+  const WallGraph graph = graph_of(sphere);
+  std::vector<Vec3> along;
+  for (const std::int32_t v : graph.feet) along.push_back(-sphere.vertices[at(v)]);
+  const std::vector<double> wanted(along.size(), 10);
+  for (const double height : fold_heights(sphere, graph, along, wanted)) {
+    EXPECT_NEAR((1 - height) * (1 - height), least_jacobian, 1e-9);
+  }
+}
+
+TEST(LineRoom, lines_that_part_never_fold) {
+  const SurfaceMesh spheres =
+      shapes::between(shapes::sphere({0, 0, 0}, 3, 1), shapes::sphere({0, 0, 0}, 1, 3));
+  const WallGraph graph = graph_of(spheres);
+  std::vector<Vec3> along;
+  for (const std::int32_t v : graph.feet) {
+    const Vec3 p = spheres.vertices[at(v)];
+    along.push_back(norm(p) > 2 ? Vec3{} : p);
+  }
+  const std::vector<double> wanted(along.size(), 0.7);
+  EXPECT_EQ(fold_heights(spheres, graph, along, wanted), wanted);
+}
+
+}  // namespace
+}  // namespace tetfarm

@@ -1,0 +1,92 @@
+#include "mesh/layers/wall_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/array_index.h"
+#include "tests/support/shapes.h"
+
+namespace tetfarm {
+namespace {
+
+std::vector<std::int32_t> all_triangles(const SurfaceMesh& surface) {
+  std::vector<std::int32_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::vector<Vec3> places_of(const SurfaceMesh& surface, const WallGraph& graph) {
+  std::vector<Vec3> places;
+  for (const std::int32_t v : graph.feet) places.push_back(surface.vertices[at(v)]);
+  return places;
+}
+
+TEST(WallGraph, has_a_line_for_each_vertex_of_the_wall_and_tells_those_at_its_border) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  const std::vector<std::int32_t> wall = {0, 1};
+  const WallGraph graph = wall_graph(cube, wall);
+  EXPECT_EQ(graph.feet.size(), 4U);
+  for (std::size_t i = 0; i < graph.feet.size(); ++i) {
+    EXPECT_EQ(graph.vertex2line[at(graph.feet[i])], static_cast<std::int32_t>(i));
+    EXPECT_TRUE(graph.at_border[i]);
+  }
+  const WallGraph whole = wall_graph(cube, all_triangles(cube));
+  EXPECT_EQ(whole.feet.size(), 8U);
+  EXPECT_EQ(std::count(whole.at_border.begin(), whole.at_border.end(), true), 0);
+}
+
+TEST(WallGraph, neighbours_are_the_ends_of_edges_each_once) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
+  const WallGraph graph = wall_graph(sphere, all_triangles(sphere));
+  std::size_t ends = 0;
+  for (std::int32_t i = 0; i < std::ssize(graph.feet); ++i) {
+    const auto neighbours = graph.neighbours.of(i);
+    EXPECT_TRUE(std::is_sorted(neighbours.begin(), neighbours.end()));
+    EXPECT_EQ(graph.faces.of(i).size(), neighbours.size());  // round a node of a closed surface
+    ends += neighbours.size();
+  }
+  EXPECT_EQ(ends, 3 * sphere.triangles.size());
+}
+
+TEST(WallGraph, limited_values_are_the_largest_that_rise_no_faster) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
+  const WallGraph graph = wall_graph(sphere, all_triangles(sphere));
+  const std::vector<Vec3> places = places_of(sphere, graph);
+  std::vector<double> values(places.size(), 1);
+  values[17] = 0.1;
+  const std::vector<std::int32_t> sources = limit_slopes(graph, places, 0.25, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double most = 1;
+    for (const std::int32_t n : graph.neighbours.of(static_cast<std::int32_t>(i))) {
+      most = std::min(most, values[at(n)] + 0.25 * distance(places[i], places[at(n)]));
+    }
+    if (i != 17) {
+      EXPECT_DOUBLE_EQ(values[i], most);
+    }
+    EXPECT_EQ(sources[i], values[i] < 1 ? 17 : static_cast<std::int32_t>(i));
+  }
+  EXPECT_EQ(values[17], 0.1);
+}
+
+TEST(WallGraph, steps_between_neighbours_become_one) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 3);
+  const WallGraph graph = wall_graph(sphere, all_triangles(sphere));
+  std::vector<int> stops(graph.feet.size(), 20);
+  stops[3] = 0;
+  stops[100] = 5;
+  const std::vector<std::int32_t> sources = limit_steps(graph, stops);
+  EXPECT_EQ(stops[3], 0);
+  for (std::int32_t i = 0; i < std::ssize(stops); ++i) {
+    int least = 20;
+    for (const std::int32_t n : graph.neighbours.of(i)) least = std::min(least, stops[at(n)] + 1);
+    if (i != 3 && i != 100) {
+      EXPECT_EQ(stops[at(i)], least);
+    }
+    EXPECT_TRUE(sources[at(i)] == i || sources[at(i)] == 3 || sources[at(i)] == 100);
+  }
+}
+
+}  // namespace
+}  // namespace tetfarm
