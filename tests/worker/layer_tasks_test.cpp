@@ -1,0 +1,136 @@
+// The tasks of a job with layers, one after the other.
+#include <gmock/gmock.h>
+
+#include "mesh/formats/registry/open_mesh.h"
+#include "mesh/quality/mesh_check.h"
+#include "tests/support/shapes.h"
+#include "tests/worker/task_chain.h"
+#include "worker/grow_task.h"
+
+namespace tetfarm {
+namespace {
+
+using test::TaskChain;
+using testing::HasSubstr;
+
+class LayerTasks : public TaskChain {
+ protected:
+  /// Five layers inside a ball.
+  static JobFile layered_job(std::int64_t subdomains) {
+    JobFile job = job_of(subdomains);
+    job.spacing_default = 0.3;
+    JobLayers layers;
+    layers.patches = {"*"};
+    layers.first_height = 0.02;
+    layers.count = 5;
+    job.layers = {layers};
+    return job;
+  }
+
+  /// The chunks of an inspected job, by heap number.
+  Files chunks_of(const wire::Envelope& inspected) {
+    Files chunks;
+    for (const wire::Artifact& artifact : inspected.done().outputs()) {
+      if (!artifact.name().starts_with("layers:")) continue;
+      chunks[artifact.name().substr(artifact.name().find(':') + 1)] = artifact;
+    }
+    return chunks;
+  }
+
+  /// All tasks but for the last, and what that is given.
+  Files prepared(const JobFile& job, const SurfaceMesh& given) {
+    const wire::Envelope inspected = inspect(job, given);
+    EXPECT_TRUE(inspected.has_done()) << inspected.failed().message();
+    const wire::Artifact surface = output(inspected, "surface");
+    const wire::Artifact spacing = output(inspected, "spacing");
+    std::string table;
+    files_ = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
+    const auto parts = static_cast<std::int64_t>(inspected.done().numbers().at("parts"));
+    EXPECT_TRUE(settle(output(inspected, "root"), 2, parts, spacing, table, files_))
+        << last_.failed().message();
+    const wire::Envelope numbered =
+        run(number_task, {{"surface", surface}, {"layer_table", output(inspected, "layer_table")}},
+            {{"table", table}});
+    files_["numbering"] = output(numbered, "numbering");
+    Files all = written(files_);
+    for (const auto& [heap, chunk] : chunks_of(inspected)) {
+      last_ = grow(chunk);
+      all["portion:" + heap] = output(last_, "portion");
+      all["tets:" + heap] = output(last_, "cells");
+    }
+    return all;
+  }
+
+  wire::Envelope grow(const wire::Artifact& chunk) {
+    return run(grow_task, {{"job", files_.at("job")},
+                           {"surface", files_.at("surface")},
+                           {"numbering", files_.at("numbering")},
+                           {"layers", chunk}});
+  }
+
+  void expect_sound(const wire::Envelope& assembled, const std::string& name) {
+    const std::string path = folder_ + "/" + name;
+    std::filesystem::copy_file(store_.path_of(output(assembled, name).hash()), path,
+                               std::filesystem::copy_options::overwrite_existing);
+    const auto source = open_mesh(path, folder_);
+    const MeshCheckResult result = check_mesh(*source);
+    EXPECT_THAT(result.complaints, testing::IsEmpty()) << name;
+    EXPECT_EQ(result.digest.hex(), assembled.done().texts().at("digest")) << name;
+  }
+
+  Files files_;
+};
+
+TEST_F(LayerTasks, make_one_sound_mesh_of_layers_and_tets) {
+  const SurfaceMesh ball = shapes::sphere({1, 2, 3}, 1, 2);
+  for (const std::int64_t subdomains : {1, 3}) {
+    const wire::Envelope assembled = run(assemble_task, prepared(layered_job(subdomains), ball));
+    ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+    const auto& numbers = assembled.done().numbers();
+    EXPECT_EQ(numbers.at("prisms"), 5 * 320);
+    EXPECT_EQ(numbers.at("elements"), numbers.at("tets") + numbers.at("prisms"));
+    EXPECT_GT(numbers.at("min_dihedral_deg"), 1) << "of the tets beyond the layers";
+    EXPECT_NEAR(numbers.at("volume"), domain_volume(ball), 1e-9);
+    expect_sound(assembled, "ball.vtkhdf");
+    expect_sound(assembled, "ball.lb8.ugrid");
+  }
+}
+
+TEST_F(LayerTasks, place_their_cells_in_the_file_of_all_where_all_is_counted) {
+  prepared(layered_job(1), shapes::sphere({0, 0, 0}, 1, 2));
+  const Portion portion = portion_from_bytes(bytes(output(last_, "portion")), "portion");
+  EXPECT_EQ(portion.placed.size(), 6U) << "an array each";
+  EXPECT_EQ(portion.others[ElementType::prism], 5 * 320);
+  EXPECT_EQ(portion.shapes.all.tets, 0);
+}
+
+TEST_F(LayerTasks, refuse_a_damaged_chunk) {
+  const JobFile job = layered_job(1);
+  const SurfaceMesh ball = shapes::sphere({0, 0, 0}, 1, 2);
+  prepared(job, ball);
+  const wire::Artifact chunk = chunks_of(inspect(job, ball)).at("3");
+  std::string broken = bytes(chunk);
+  broken[broken.size() / 2] = static_cast<char>(broken[broken.size() / 2] ^ 1);
+  const wire::Envelope refused = grow(publish(broken));
+  ASSERT_TRUE(refused.has_failed());
+  EXPECT_THAT(refused.failed().message(), HasSubstr("has a wrong checksum"));
+  EXPECT_EQ(refused.failed().damaged_inputs_size(), 1);
+}
+
+TEST_F(LayerTasks, are_those_of_a_job_without_layers_where_nothing_can_grow) {
+  JobFile job = layered_job(1);
+  job.layers[0].first_height = 0.3;
+  job.layers[0].count = 900;
+  job.layers[0].growth = 1;
+  job.layers[0].room = "stop";
+  SurfaceMesh thin = shapes::box({0, 0, 0}, {1, 1, 0.01}, 2);
+  const wire::Envelope inspected = inspect(job, thin);
+  ASSERT_TRUE(inspected.has_done()) << inspected.failed().message();
+  EXPECT_THAT(chunks_of(inspected), testing::IsEmpty());
+  const Subdomain root = subdomain_from_bytes(bytes(output(inspected, "root")), "root");
+  EXPECT_EQ(root.path.heap, 1U);
+  EXPECT_EQ(inspected.done().numbers().at("layers_none"), thin.triangles.size());
+}
+
+}  // namespace
+}  // namespace tetfarm
