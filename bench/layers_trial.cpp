@@ -43,6 +43,14 @@ double jacobian_of_wall(const TrianglePoints& t) {
 void print_plan(const LayerPlan& plan, const SurfaceMesh& surface) {
   std::map<std::string, int> reasons;
   for (const LayerLine& line : plan.lines) ++reasons[name_of(line.reason)];
+  int shown = 0;
+  for (const LayerLine& line : plan.lines) {
+    if (line.reason == StopReason::complete || line.because_of != line.foot || shown++ > 14)
+      continue;
+    std::printf("%s: vertex %d (%g %g %g) stop %d, growth %g, along %g later %g\n",
+                name_of(line.reason), line.foot, line.at.x, line.at.y, line.at.z, line.stop,
+                line.law.growth, norm(line.along), norm(line.later));
+  }
   std::printf("lines:");
   for (const auto& [name, count] : reasons) std::printf(" %s %d", name.c_str(), count);
   std::array<std::int64_t, 3> counts{};

@@ -18,9 +18,11 @@ constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 void write_line(const ChunkLine& line, ByteWriter& writer) {
   writer.number(line.line.foot);
   writer.number(line.line.stop);
-  for (const Vec3& v : {line.line.at, line.line.along}) {
+  for (const Vec3& v : {line.line.at, line.line.along, line.line.later}) {
     for (const double x : {v.x, v.y, v.z}) writer.number(x);
   }
+  writer.number(line.line.bends_from);
+  writer.number(line.line.bends_to);
   const HeightLaw& law = line.line.law;
   for (const double x : {law.first, law.growth, law.acceleration, law.cap}) writer.number(x);
   writer.number(law.equal);
@@ -47,6 +49,9 @@ ChunkLine read_line(ByteReader& reader) {
   line.line.stop = reader.number<std::int32_t>();
   line.line.at = read_vector(reader);
   line.line.along = read_vector(reader);
+  line.line.later = read_vector(reader);
+  line.line.bends_from = read_finite(reader);
+  line.line.bends_to = read_finite(reader);
   HeightLaw& law = line.line.law;
   for (double* x : {&law.first, &law.growth, &law.acceleration, &law.cap}) *x = read_finite(reader);
   law.equal = reader.number<std::int32_t>();

@@ -135,6 +135,7 @@ class ChunkFiller {
     added.line.wanted = 0;
     added.line.reason = StopReason::complete;
     added.line.because_of = -1;
+    added.line.because_of = -1;
     Owned& owned = owned_[at(line)];
     if (owned.by == 0) {
       owned = {chunk_->path.heap, next_node_};

@@ -17,6 +17,11 @@ namespace {
 /// more than ten times as long as the layers are high.
 constexpr double least_visibility = 0.1;
 
+/// Rounds in which directions away from the wall become more like their neighbours', and the share
+/// of what a line sees of its worst face that it keeps.
+constexpr int smoothing_rounds = 10;
+constexpr double share_of_visibility = 0.6;
+
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
 
@@ -53,6 +58,13 @@ Vec3 inward_normal(const SurfaceMesh& surface, std::int32_t triangle) {
   return normalized(cross(surface.vertices[at(t[2])] - a, surface.vertices[at(t[1])] - a));
 }
 
+/// The smallest cosine between the direction and a normal.
+double visibility(const Vec3& direction, const std::vector<Vec3>& normals) {
+  double least = 1;
+  for (const Vec3& normal : normals) least = std::min(least, dot(direction, normal));
+  return least;
+}
+
 /// Makes a plan, and keeps what only its making needs.
 class Planning {
  public:
@@ -66,6 +78,7 @@ class Planning {
 
   LayerPlan plan() {
     find_directions();
+    smooth_directions();
     find_wishes();
     find_heights();
     hold_neighbours();
@@ -83,25 +96,56 @@ class Planning {
     return requests_[at(request)];
   }
 
-  void find_directions() {
-    std::vector<Vec3> normals;
-    for (const std::int32_t t : graph_.wall) normals.push_back(inward_normal(surface_, t));
+  /// Of the faces at a line.
+  std::vector<Vec3> normals_at(std::size_t line) const {
     std::vector<Vec3> round;
+    for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(line))) {
+      round.push_back(normals_[at(f)]);
+    }
+    return round;
+  }
+
+  void find_directions() {
+    for (const std::int32_t t : graph_.wall) normals_.push_back(inward_normal(surface_, t));
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       line.foot = line.because_of = graph_.feet[i];
       line.at = surface_.vertices[at(line.foot)];
-      round.clear();
-      for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(i))) {
-        round.push_back(normals[at(f)]);
-      }
-      const MarchingDirection found = marching_direction(round);
+      const MarchingDirection found = marching_direction(normals_at(i));
       if (found.visibility >= least_visibility) {
         line.along = found.direction / found.visibility;
       } else {
         line.reason = StopReason::ridge;
       }
       if (graph_.at_border[i]) line.reason = StopReason::border;
+    }
+  }
+
+  /// Away from the wall lines lean as their neighbours do, where they still see their own faces.
+  void smooth_directions() {
+    std::vector<Vec3> directions;
+    std::vector<double> least;
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      const Vec3 direction = normalized(plan_.lines[i].along);
+      directions.push_back(direction);
+      least.push_back(share_of_visibility * visibility(direction, normals_at(i)));
+    }
+    for (int round = 0; round < smoothing_rounds; ++round) {
+      std::vector<Vec3> smoother = directions;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (directions[i] == Vec3{}) continue;
+        Vec3 sum;
+        for (const std::int32_t n : graph_.neighbours.of(static_cast<std::int32_t>(i))) {
+          sum += directions[at(n)];
+        }
+        const Vec3 direction = normalized(directions[i] + normalized(sum));
+        if (visibility(direction, normals_at(i)) >= least[i]) smoother[i] = direction;
+      }
+      directions = std::move(smoother);
+    }
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (directions[i] == Vec3{}) continue;
+      plan_.lines[i].later = directions[i] / visibility(directions[i], normals_at(i));
     }
   }
 
@@ -134,7 +178,7 @@ class Planning {
     std::vector<Vec3> places;
     for (const LayerLine& line : plan_.lines) {
       wanted.push_back(total_height(line.law, line.wanted));
-      along.push_back(line.along);
+      along.push_back(line.later);
       places.push_back(line.at);
     }
     const std::vector<double> free = free_ways(surface_, graph_, along, wanted);
@@ -144,6 +188,8 @@ class Planning {
     const std::vector<std::int32_t> sources = limit_slopes(graph_, places, steepest_rise, room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
+      line.bends_from = line.law.first;
+      line.bends_to = room[i];
       fit_into(room[i], request_of(i).room, line);
       if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
       const std::size_t source = at(sources[i]);
@@ -174,11 +220,16 @@ class Planning {
     return stops;
   }
 
+  /// A line that is to stop for its cells is made straight first, where it is not.
   void take_stops(const std::vector<int>& stops, StopReason reason) {
     for (std::size_t i = 0; i < stops.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       if (stops[i] == line.stop) continue;
       TF_CHECK(stops[i] < line.stop);
+      if (reason == StopReason::fold && line.later != line.along) {
+        line.later = line.along;
+        continue;
+      }
       line.stop = stops[i];
       line.reason = reason;
       line.because_of = line.foot;
@@ -199,7 +250,7 @@ class Planning {
     }
   }
 
-  /// Ends: each round but the last takes layers away.
+  /// Ends: each round but the last takes layers away, or makes lines straight.
   void prove() {
     for (;;) {
       const ProofFindings cells = prove_cells(plan_, surface_);
@@ -216,11 +267,19 @@ class Planning {
   }
 
   const SurfaceMesh& surface_;
+  std::vector<Vec3> normals_;  // of the wall triangles, inwards
   std::span<const LayerRequest> requests_;
   Wall wall_;
   WallGraph graph_;
   LayerPlan plan_;
 };
+
+Vec3 point_at(const LayerLine& line, double height) {
+  if (height <= line.bends_from) return line.at + height * line.along;
+  const double way = line.bends_to - line.bends_from;
+  const double w = height < line.bends_to ? (height - line.bends_from) / way : 1;
+  return line.at + height * (line.along + w * w * (3 - 2 * w) * (line.later - line.along));
+}
 
 }  // namespace
 
@@ -232,13 +291,13 @@ const char* name_of(StopReason reason) {
 
 Vec3 point_of(const LayerLine& line, int level) {
   TF_CHECK(level >= 0 && level <= line.stop);
-  return line.at + levels_of(line.law, level).back() * line.along;
+  return point_at(line, levels_of(line.law, level).back());
 }
 
 std::vector<Vec3> points_of(const LayerLine& line) {
   std::vector<Vec3> points;
-  for (const double level : levels_of(line.law, line.stop)) {
-    points.push_back(line.at + level * line.along);
+  for (const double height : levels_of(line.law, line.stop)) {
+    points.push_back(point_at(line, height));
   }
   return points;
 }

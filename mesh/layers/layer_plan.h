@@ -36,12 +36,16 @@ inline constexpr std::array all_stop_reasons = {StopReason::complete, StopReason
                                                 StopReason::fold,     StopReason::crossing};
 const char* name_of(StopReason reason);
 
-/// On which the layers of one node of the wall end. Its point of level i is
-/// at + levels_of(law, stop)[i] * along; level 0 is the foot.
+/// On which the layers of one node of the wall end. Its point at a height s, one of
+/// levels_of(law, stop), is at + s * d. There d is `along` for s up to `bends_from`, `later` from
+/// `bends_to` on, and between the two it turns from one to the other as 3 w^2 - 2 w^3 does.
 struct LayerLine {
   std::int32_t foot = 0;  ///< vertex of the surface
   Vec3 at;
   Vec3 along;  ///< so long that a step of 1 is at least 1 away from every face at the foot
+  Vec3 later;  ///< likewise
+  double bends_from = 0;
+  double bends_to = 0;
   HeightLaw law;
   int stop = 0;    ///< layers that it has
   int wanted = 0;  ///< layers that were asked for

@@ -61,9 +61,9 @@ TEST(LayerChunkFile, refuses_lines_that_cannot_be) {
   expect_refused(forged(bytes, first_line_at, std::int32_t{-1}), what);
   expect_refused(forged(bytes, first_line_at + 4, std::int32_t{-1}), what);
   expect_refused(forged(bytes, first_line_at + 4, std::int32_t{most_layers + 1}), what);
-  expect_refused(forged(bytes, first_line_at + 88, std::int32_t{0}), what);
-  expect_refused(forged(bytes, first_line_at + 96, std::uint64_t{0}), what);
-  expect_refused(forged(bytes, first_line_at + 96, std::uint64_t{1} << 63U), what);
+  expect_refused(forged(bytes, first_line_at + 128, std::int32_t{0}), what);
+  expect_refused(forged(bytes, first_line_at + 136, std::uint64_t{0}), what);
+  expect_refused(forged(bytes, first_line_at + 136, std::uint64_t{1} << 63U), what);
   expect_refused(forged(bytes, first_line_at + 8, std::numeric_limits<double>::quiet_NaN()),
                  "has a number that is not finite");
 }

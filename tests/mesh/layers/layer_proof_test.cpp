@@ -17,6 +17,7 @@ LayerPlan plan_with(const SurfaceMesh& surface, double height, int layers) {
   for (LayerLine& line : plan.lines) {
     line.law = {.first = height, .growth = 1, .acceleration = 1, .cap = 1, .equal = 1};
     line.stop = line.wanted = layers;
+    line.later = line.along;
   }
   return plan;
 }
@@ -51,7 +52,7 @@ TEST(LayerProof, a_top_that_went_through_itself_is_found_by_how_it_is_turned) {
   // Mirrored at the centre: embedded, but inside out; that its cells are negative is not asked.
   const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 1);
   LayerPlan plan = plan_with(sphere, 0.5, 3);
-  for (LayerLine& line : plan.lines) line.along = -line.at;
+  for (LayerLine& line : plan.lines) line.along = line.later = -line.at;
   EXPECT_FALSE(prove_top(plan, sphere).holds);
 }
 
