@@ -141,10 +141,16 @@ std::string cells_text(const wire::JobStatus& status) {
 /// How much of the wall has the layers that were asked for; empty of a job without layers.
 std::string layers_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("layers_wall_triangles")) return {};
+  const double with_first = number_of(status, "layers_with_first");
+  const auto percent = [&](const char* name) {
+    return format("%.2f %%", with_first > 0 ? 100 * number_of(status, name) / with_first : 0);
+  };
   return indented("layers: all on " + short_count(number_of(status, "layers_full")) + " of " +
                   short_count(number_of(status, "layers_wall_triangles")) +
                   " triangles, fewer on " + short_count(number_of(status, "layers_partial")) +
-                  ", none on " + short_count(number_of(status, "layers_none")));
+                  ", none on " + short_count(number_of(status, "layers_none")) +
+                  "; first height within 2 % on " + percent("layers_first_within_2") +
+                  ", within 10 % on " + percent("layers_first_within_10"));
 }
 
 }  // namespace

@@ -73,13 +73,19 @@ void add_layers(const wire::JobStatus& status, Json& json) {
   for (const char* name : {"wall_triangles", "full", "partial", "none"}) {
     layers[name] = whole(std::string("layers_") + name);
   }
-  const std::string short_lines = "layers_short_";
+  const std::string of_reason = "layers_short_";
   std::map<std::string, std::int64_t> reasons;
   for (const auto& [name, number] : status.numbers()) {
-    if (!name.starts_with(short_lines)) continue;
-    reasons[name.substr(short_lines.size())] = static_cast<std::int64_t>(number);
+    if (!name.starts_with(of_reason)) continue;
+    reasons[name.substr(of_reason.size())] = static_cast<std::int64_t>(number);
   }
   layers["by_reason"] = reasons;
+  const double with_first = number_of(status, "layers_with_first");
+  for (const char* share : {"2", "10"}) {
+    const double within = number_of(status, std::string("layers_first_within_") + share);
+    layers[std::string("first_height_within_") + share + "_percent"] =
+        with_first > 0 ? 100 * within / with_first : 0;
+  }
   json["layers"] = layers;
 }
 

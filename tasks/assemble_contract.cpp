@@ -22,6 +22,7 @@ void AssembleGiven::describe(ContractFields& fields) {
   fields.file("surface", surface);
   fields.file("numbering", numbering);
   fields.files_by_leaf({{"portion:", &portions}, {"tets:", &tets}});
+  fields.file("layer_map", layer_map);
 }
 
 void AssembleMade::describe(ContractFields& /*fields*/) {}

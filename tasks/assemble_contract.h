@@ -1,6 +1,8 @@
 /// The contract of assemble: puts the portions in a row.
 #pragma once
 
+#include <optional>
+
 #include "tasks/task_contract.h"
 #include "tasks/task_kind.h"
 
@@ -10,8 +12,9 @@ struct AssembleGiven {
   TaskFile job;
   TaskFile surface;
   TaskFile numbering;
-  LeafFiles portions;  ///< of every leaf, and of every chunk of layers
-  LeafFiles tets;      ///< the same
+  LeafFiles portions;                 ///< of every leaf, and of every chunk of layers
+  LeafFiles tets;                     ///< the same
+  std::optional<TaskFile> layer_map;  ///< of a job with layers, to be among its results
 
   static constexpr TaskKind kind = TaskKind::assemble;
   static constexpr ContractSide side = ContractSide::given;

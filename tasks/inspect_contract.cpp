@@ -36,6 +36,7 @@ void InspectMade::describe(ContractFields& fields) {
   fields.flag("across_cuts", across_cuts);
   fields.files("layers:", layers);
   fields.file("layer_table", layer_table);
+  fields.file("layer_map", layer_map);
 }
 
 }  // namespace tetfarm

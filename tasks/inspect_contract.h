@@ -34,6 +34,7 @@ struct InspectMade {
   // Of a job with layers, where `root` is what they leave of the domain:
   LeafFiles layers;                     ///< the chunks of the layers
   std::optional<TaskFile> layer_table;  ///< their lines of the numbering's table, and the root's
+  std::optional<TaskFile> layer_map;    ///< for people: what each triangle of the wall has
 
   static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::made;

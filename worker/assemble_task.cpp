@@ -243,6 +243,9 @@ void assemble_task(TaskIo& io) {
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, files.writers());
   files.publish();
   report(io, summary, surface, job);
+  if (given.layer_map) {
+    io.publish(file_name_of_job(job.name, ".layers.vtp"), io.read(*given.layer_map));
+  }
   if (surface.region_names.empty()) return;
   report_regions(io, summary.shapes, surface.region_names);
   if (std::find(job.formats.begin(), job.formats.end(), "lb8.ugrid") != job.formats.end()) {

@@ -69,14 +69,18 @@ void report_layers(TaskIo& io, const DomainLayers& layers) {
   io.number("layers_partial", static_cast<double>(coverage.partial()));
   io.number("layers_none", static_cast<double>(coverage.none));
   io.number("layers_cells", static_cast<double>(layers.cells));
-  for (const auto& [reason, lines] : coverage.short_lines) {
+  io.number("layers_with_first", static_cast<double>(coverage.with_first));
+  io.number("layers_first_within_2", static_cast<double>(coverage.first_within_2));
+  io.number("layers_first_within_10", static_cast<double>(coverage.first_within_10));
+  for (const auto& [reason, triangles] : coverage.short_of_layers) {
     std::string name = name_of(reason);
     std::replace(name.begin(), name.end(), ' ', '_');
-    io.number("layers_short_" + name, static_cast<double>(lines));
+    io.number("layers_short_" + name, static_cast<double>(triangles));
   }
 }
 
 void publish_layers(TaskIo& io, const DomainLayers& layers, InspectMade& made) {
+  made.layer_map = io.publish(layers.map);
   if (layers.chunks.empty()) return;
   for (const LayerChunk& chunk : layers.chunks) {
     made.layers[chunk.path.heap] = io.publish(layer_chunk_to_bytes(chunk));

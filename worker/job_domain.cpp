@@ -113,7 +113,9 @@ void add_layers(const JobFile& job, JobDomain& domain) {
   require_one_region(surface);
   const LayerPlan plan = plan_layers(surface, layer_requests_of(job, surface));
   DomainLayers layers;
-  layers.coverage = coverage_of(plan, surface);
+  const std::vector<WallLayers> walls = wall_layers(plan, surface);
+  layers.coverage = coverage_of(walls);
+  layers.map = layer_map_vtp(walls, plan, surface);
   layers.chunks = chunks_of(plan, surface);
   for (const LayerChunk& chunk : layers.chunks) layers.cells += counts_of(chunk).cells();
   if (!layers.chunks.empty()) {

@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include <string>
+
 #include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
 #include "mesh/inspect/outer_boundary.h"
@@ -28,6 +30,7 @@ struct DomainLayers {
   std::int64_t top_nodes = 0;
   std::int64_t cells = 0;
   LayerCoverage coverage;
+  std::string map;  ///< for people: layer_map_vtp
 };
 
 struct JobDomain {

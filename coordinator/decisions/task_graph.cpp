@@ -258,6 +258,7 @@ TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
   given.job = given_to<InspectGiven>(inspect).job;
   given.surface = made_by<InspectMade>(inspect).surface;
   given.numbering = made_by<NumberMade>(number).numbering;
+  given.layer_map = made_by<InspectMade>(inspect).layer_map;
   for (const SubdomainRow& node : tree) {
     if (node.state != SubdomainState::leaf) continue;
     const TaskRow* written = find_written(node.path);

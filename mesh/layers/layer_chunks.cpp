@@ -133,6 +133,7 @@ class ChunkFiller {
     ChunkLine& added = chunk_->lines.emplace_back();
     added.line = plan_.lines[at(line)];
     added.line.wanted = 0;
+    added.line.first_wanted = 0;
     added.line.reason = StopReason::complete;
     added.line.because_of = -1;
     added.line.because_of = -1;

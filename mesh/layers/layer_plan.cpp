@@ -164,6 +164,7 @@ class Planning {
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       const LayerRequest& request = request_of(i);
       plan_.lines[i].law = request.law;
+      plan_.lines[i].first_wanted = request.law.first;
       wishes.push_back(request.count > 0 ? request.count
                                          : layers_until(request.law, isotropic_share * mean_edge(i),
                                                         most_layers));

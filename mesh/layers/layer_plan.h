@@ -47,8 +47,9 @@ struct LayerLine {
   double bends_from = 0;
   double bends_to = 0;
   HeightLaw law;
-  int stop = 0;    ///< layers that it has
-  int wanted = 0;  ///< layers that were asked for
+  int stop = 0;             ///< layers that it has
+  int wanted = 0;           ///< layers that were asked for
+  double first_wanted = 0;  ///< the first height that was asked for
   StopReason reason = StopReason::complete;
   /// The vertex at which that is so: its own foot, or that of a line further on, which it may not
   /// rise above by more than a layer from line to line.

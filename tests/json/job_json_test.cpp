@@ -51,6 +51,9 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
                                                              {"layers_full", 7},
                                                              {"layers_partial", 3},
                                                              {"layers_none", 2},
+                                                             {"layers_with_first", 10},
+                                                             {"layers_first_within_2", 5},
+                                                             {"layers_first_within_10", 9},
                                                              {"layers_short_no_room", 4},
                                                              {"layers_short_ridge", 1}}) {
     numbers[name] = number;
@@ -64,7 +67,9 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
                                     {"full", 7},
                                     {"partial", 3},
                                     {"none", 2},
-                                    {"by_reason", {{"no_room", 4}, {"ridge", 1}}}}));
+                                    {"by_reason", {{"no_room", 4}, {"ridge", 1}}},
+                                    {"first_height_within_2_percent", 50.0},
+                                    {"first_height_within_10_percent", 90.0}}));
 }
 
 TEST(JobJson, of_regions_has_their_names_volumes_and_figures) {

@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "tests/mesh/layers/layered_surfaces.h"
+#include "tests/support/cad_surfaces.h"
+#include "tests/support/generated_surfaces.h"
+
+namespace tetfarm {
+namespace {
+
+class ManyLayeredSurfaces : public testing::TestWithParam<shapes::SurfaceGenerator> {};
+
+/// Layers of any height and number: thin ones, and such as are higher than there is room.
+TEST_P(ManyLayeredSurfaces, have_layers_that_are_a_mesh) {
+  std::int64_t planned = 0;
+  std::int64_t cells = 0;
+  for (std::uint64_t seed = 100; seed < 550; ++seed) {
+    SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
+    const CheckedSurface checked = check_surface(GetParam().make(seed, 1));
+    if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+    const SurfaceMesh& surface = checked.surface;
+    const double share = seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 0.02 : 0.3;
+    LayerRequest request =
+        test::request_of_all(surface, share * checked.report.median_edge, seed % 2 == 0 ? 6 : 0);
+    request.room = static_cast<RoomRule>(seed / 3 % 3);
+    const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
+    const test::LayerFigures figures = test::expect_valid_layers(plan, surface);
+    cells += figures.prisms + figures.pyramids + figures.tets;
+    ++planned;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(planned, 250);
+  EXPECT_GT(cells, 10 * planned);
+}
+
+std::vector<shapes::SurfaceGenerator> all_generators() {
+  std::vector<shapes::SurfaceGenerator> all(shapes::surface_generators().begin(),
+                                            shapes::surface_generators().end());
+  all.insert(all.end(), shapes::cad_surface_generators().begin(),
+             shapes::cad_surface_generators().end());
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Generators, ManyLayeredSurfaces, testing::ValuesIn(all_generators()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace tetfarm
