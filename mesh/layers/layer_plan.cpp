@@ -22,6 +22,9 @@ constexpr double least_visibility = 0.1;
 constexpr int smoothing_rounds = 10;
 constexpr double share_of_visibility = 0.6;
 
+/// Rounds of the proof in which lines lose no more layers than they must.
+constexpr int patient_rounds = 30;
+
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
 
@@ -251,19 +254,26 @@ class Planning {
     }
   }
 
-  /// Ends: each round but the last takes layers away, or makes lines straight.
+  /// Ends: each round but the last takes layers away, or makes lines straight; from some round on
+  /// a line that has to stop earlier loses all its layers.
   void prove() {
-    for (;;) {
-      const ProofFindings cells = prove_cells(plan_, surface_);
-      if (!cells.holds) {
-        take_stops(cells.stops, StopReason::fold);
-        hold_neighbours();
-        continue;
+    for (int round = 0;; ++round) {
+      StopReason reason = StopReason::fold;
+      ProofFindings findings = prove_cells(plan_, surface_);
+      if (findings.holds) {
+        reason = StopReason::crossing;
+        findings = prove_top(plan_, surface_);
       }
-      const ProofFindings top = prove_top(plan_, surface_);
-      if (top.holds) return;
-      take_stops(top.stops, StopReason::crossing);
+      if (findings.holds) return;
+      if (round >= patient_rounds) give_up_lines(findings.stops);
+      take_stops(findings.stops, reason);
       hold_neighbours();
+    }
+  }
+
+  void give_up_lines(std::vector<int>& stops) const {
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      if (stops[i] < plan_.lines[i].stop) stops[i] = 0;
     }
   }
 
