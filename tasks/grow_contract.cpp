@@ -12,7 +12,7 @@ constinit const TaskKindTraits grow_traits = {
     .trace_colour = "rail_animation",
     .outputs = {"portion", "cells"},
     .seconds = {.of = {0.006, 1.5e-6, 0, 0}},
-    .memory = {.fixed = 4e6, .of_element = 450},
+    .memory = {.fixed = 4e6, .of_element = 200},
 };
 
 constinit const KindContracts grow_contracts = contracts_between<GrowGiven, GrowMade>;
