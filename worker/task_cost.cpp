@@ -15,8 +15,8 @@ constexpr double process_bytes = 19e6;
 /// Elements that come out for each estimated one, at most but for the smallest sub-domains.
 constexpr double elements_in_estimate = 1.15;
 
-/// To plan the layers of a triangle, and divide them into chunks, takes as much memory as to inspect
-/// so many.
+/// To plan the layers of a triangle, and divide them into chunks, takes as much memory as to
+/// inspect so many.
 constexpr double triangles_in_planned_one = 3;
 
 /// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
