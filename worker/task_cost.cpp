@@ -17,7 +17,7 @@ constexpr double elements_in_estimate = 1.15;
 
 /// To plan the layers of a triangle, and divide them into chunks, takes as much memory as to
 /// inspect so many.
-constexpr double triangles_in_planned_one = 3;
+constexpr double triangles_in_planned_one = 2;
 
 /// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
 /// leaves these are all, and as many again of the neighbours.
