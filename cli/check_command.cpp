@@ -6,12 +6,14 @@
 #include "base/counted.h"
 #include "cli/commands.h"
 #include "cli/job_input.h"
+#include "cli/layers_report.h"
 #include "json/json_line.h"
 #include "json/surface_angles.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/inspect/defect_text.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
+#include "worker/job_layers.h"
 
 namespace tetfarm {
 namespace {
@@ -23,12 +25,13 @@ struct Estimate {
   double elements = 0;
   std::int64_t subdomains = 0;
   SurfaceAngles angles;  ///< that the domain's boundary forces
+  std::vector<LayerFigures> layers;
 };
 
 Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
   const JobDomain domain = domain_of_job(job, checked.surface);
   return {domain.all_elements(), wanted_parts(job, domain.elements, region_count(domain.surface)),
-          surface_angles_of(domain.surface)};
+          surface_angles_of(domain.surface), layer_figures_of(job, domain.surface)};
 }
 
 Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -101,6 +104,7 @@ ExitCode check_command(const CheckOptions& options) {
     throw UsageError("give a surface, a job file, or --store DIR", "check");
   RunOptions job_options;
   job_options.input = options.input;
+  job_options.layers = options.layers;
   const JobInput input = read_job(job_options);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
   const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
@@ -116,7 +120,11 @@ ExitCode check_command(const CheckOptions& options) {
       json["remarks"].push_back(remark);
       if (!options.json) print_remark(remark);
     }
+    if (!coming.layers.empty()) json["layers"] = layers_json(coming.layers);
     if (!options.json) {
+      for (const LayerFigures& layers : coming.layers) {
+        std::printf("layers          %s\n", layers_text(layers).c_str());
+      }
       std::printf("elements        about %.3g, in %s\n", coming.elements,
                   counted(static_cast<std::uint64_t>(coming.subdomains), "sub-domain").c_str());
     }

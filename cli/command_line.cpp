@@ -41,6 +41,18 @@ void add_progress(CLI::App& app, ProgressStyle& style) {
       ->option_text("auto|plain|none");
 }
 
+/// @param more of its help
+CLI::Option* add_layers(CLI::App& app, std::vector<std::string>& layers, const std::string& more) {
+  return app
+      .add_option(
+          "--layers", layers,
+          "Boundary layers on patches, such as 'wing_*,tip:first=1e-4,growth=1.2,count=20'; "
+          "quotes keep the shell from taking * for files; may be repeated" +
+              more)
+      ->allow_extra_args(false)
+      ->option_text("PATCH,...:KEY=VALUE,...");
+}
+
 void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("INPUT", job.input,
                  "A closed surface (" + readable_surfaces() + "; also .gz) or a job file (.toml)")
@@ -69,6 +81,7 @@ void add_job(CLI::App& app, RunOptions& job) {
                  "Edge length on the outer boundary (default: as --growth and --size allow)")
       ->check(positive_number())
       ->option_text("H");
+  add_layers(app, job.layers, "");
   CLI::Option* most =
       app.add_option("--max-elements", job.max_elements,
                      "Refuse a job that would have more elements (default 2000000000)")
@@ -98,6 +111,7 @@ class Parser {
     add_export();
     add_render();
     add_shape();
+    add_spacing();
     add_clients();
     add_viewers();
     add_operators();
@@ -158,11 +172,13 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
+    CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* store = sub.add_option("--store", check_.store,
                                         "Instead, check that the files of this store (or output "
                                         "folder of a run) are present and intact")
                              ->option_text("DIR")
-                             ->excludes(input);
+                             ->excludes(input)
+                             ->excludes(layers);
     sub.add_option("--database", check_.database,
                    "Folder of the store's database (default: the store)")
         ->option_text("DIR")
@@ -321,6 +337,24 @@ class Parser {
         ->option_text("G");
   }
 
+  void add_spacing() {
+    CLI::App& sub = add("spacing", "Show how high the first boundary layer has to be for a y+",
+                        "tetfarm spacing --y-plus 1 --reynolds 6e6 --length 1", spacing_);
+    sub.add_option("--y-plus", spacing_.y_plus,
+                   "Wanted y+ of the first node off the wall (default 1)")
+        ->check(number_between(1e-3, 1e4))
+        ->option_text("Y");
+    sub.add_option("--reynolds", spacing_.reynolds, "Reynolds number of the length")
+        ->required()
+        ->check(number_between(1e3, 1e12))
+        ->option_text("RE");
+    sub.add_option("--length", spacing_.length, "Distance from the leading edge of the flat plate")
+        ->required()
+        ->check(positive_number())
+        ->option_text("L");
+    add_json(sub, spacing_.json);
+  }
+
   void add_clients() {
     CLI::App& submit =
         add("submit", "Submit a job to a coordinator",
@@ -394,6 +428,7 @@ class Parser {
   ConvertCommand convert_;
   RenderCommand render_;
   ShapeCommand shape_;
+  SpacingCommand spacing_;
   SubmitCommand submit_;
   Views views_;
   WaitCommand wait_;

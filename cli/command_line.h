@@ -26,6 +26,7 @@ struct RunOptions {
   std::optional<double> growth;
   std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
   std::optional<double> outer_size;
+  std::vector<std::string> layers;  ///< each "PATCH,...:KEY=VALUE,..."
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
@@ -38,9 +39,10 @@ struct RunOptions {
 
 struct CheckOptions {
   std::string input;
-  std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
-  std::string store;         ///< instead of an input: a store or the folder of a run
-  std::string database;      ///< of the store: the folder of its database, "": the store
+  std::vector<std::string> layers;  ///< as of RunOptions
+  std::string defects_file;         ///< a file or a folder; "": NAME.defects.vtp here
+  std::string store;                ///< instead of an input: a store or the folder of a run
+  std::string database;             ///< of the store: the folder of its database, "": the store
   bool json = false;
 };
 
@@ -118,6 +120,14 @@ struct ShapeCommand {
   std::string output;  ///< .off or .stl
   double spacing = 0.1;
   double growth = 0.2;
+};
+
+/// The height of the first layer by the y+ on a flat plate.
+struct SpacingCommand {
+  double y_plus = 1;
+  double reynolds = 0;  ///< of the length
+  double length = 0;
+  bool json = false;
 };
 
 struct StatusCommand {
@@ -291,7 +301,8 @@ using Command =
                  CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
-                 ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand>;
+                 ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
+                 SpacingCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -40,6 +40,9 @@ ExitCode render_command(const RenderCommand& command);
 /// Writes a closed surface that is made by formula.
 ExitCode shape_command(const ShapeCommand& command);
 
+/// Prints how high the first layer on a flat plate has to be.
+ExitCode spacing_command(const SpacingCommand& command);
+
 // What is going on; of a running coordinator, or of a store at rest.
 ExitCode status_command(const StatusCommand& command);
 ExitCode jobs_command(const JobsCommand& command);

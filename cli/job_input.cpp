@@ -15,6 +15,8 @@
 #include "mesh/inspect/defect_text.h"
 #include "mesh/job_file/toml_limits.h"
 #include "worker/inspect_task.h"
+#include "worker/job_domain.h"
+#include "worker/job_layers.h"
 
 namespace tetfarm {
 namespace {
@@ -51,6 +53,20 @@ void set_max_memory(JobFile& job, const std::string& text) {
   job.max_memory_bytes = *bytes;
   job.subdomains = 0;
   job.groups = 0;
+}
+
+void set_layers(JobFile& job, const std::vector<std::string>& typed) {
+  if (typed.empty()) return;
+  job.layers.clear();
+  for (const std::string& text : typed) job.layers.push_back(parse_layers_option(text));
+}
+
+/// As far as it can be told of a surface that need not have been checked.
+void require_layers(const JobFile& job, const SurfaceMesh& surface) {
+  if (job.layers.empty()) return;
+  OuterBoundary outer = outer_boundary_of(job);
+  outer.is_sketch = true;
+  layer_requests_of(job, add_outer_boundary(surface, outer, job.growth));
 }
 
 std::string without_ending(const std::string& name, const std::string& ending) {
@@ -99,6 +115,7 @@ JobInput describe_job(const RunOptions& options) {
   if (options.growth) job.growth = *options.growth;
   if (options.outer) set_outer(job, *options.outer);
   if (options.outer_size) set_outer_size(job, *options.outer_size);
+  set_layers(job, options.layers);
   if (options.max_elements) job.max_elements = *options.max_elements;
   if (options.force) job.max_elements = 0;
   if (!options.formats.empty()) {
@@ -133,13 +150,17 @@ void check_submittable(const JobInput& input) {
   }
 }
 
-void require_readable(const JobInput& input) { read_surface_bytes(input.surface, input.path); }
+void require_readable(const JobInput& input) {
+  require_layers(input.job, read_surface_bytes(input.surface, input.path));
+}
 
 void require_meshable(const JobInput& input) {
   const CheckedSurface checked =
       check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
-  if (checked.report.defects.empty()) return;
-  throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
+  if (!checked.report.defects.empty()) {
+    throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
+  }
+  require_layers(input.job, checked.surface);
 }
 
 std::string key_of(const JobInput& input) {

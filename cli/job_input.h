@@ -25,8 +25,9 @@ JobInput describe_job(const RunOptions& options);
 /// the surface's file, is none that a job may have, or its job file is too large.
 void check_submittable(const JobInput& input);
 
-/// Whether the surface's bytes are those of a surface. @throws InvalidInput naming the path as the
-/// user wrote it. Cost: O(n).
+/// Whether the surface's bytes are those of a surface, and whether it has the patches that layers
+/// are to grow on. @throws InvalidInput naming the path as the user wrote it, UsageError as
+/// layer_requests_of does. Cost: O(n).
 void require_readable(const JobInput& input);
 
 /// The same, and whether it can be meshed: all that `check` would refuse. @throws Error

@@ -139,7 +139,7 @@ std::string cells_text(const wire::JobStatus& status) {
 }
 
 /// How much of the wall has the layers that were asked for; empty of a job without layers.
-std::string layers_text(const wire::JobStatus& status) {
+std::string wall_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("layers_wall_triangles")) return {};
   const double with_first = number_of(status, "layers_with_first");
   const auto percent = [&](const char* name) {
@@ -170,7 +170,7 @@ std::string result_text(const wire::JobStatus& said, double seconds,
   for (const std::string& remark : angle_remarks(surface_angles_of(status))) {
     text += indented(harmless(remark, longest_remark));
   }
-  text += layers_text(status);
+  text += wall_text(status);
   text += near_cuts_text(status);
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
     text += indented(text_of(status, region_prefix(i) + "name") + ": " +

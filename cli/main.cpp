@@ -40,6 +40,7 @@ struct Execute {
   ExitCode operator()(const ConvertCommand& command) const { return convert_command(command); }
   ExitCode operator()(const RenderCommand& command) const { return render_command(command); }
   ExitCode operator()(const ShapeCommand& command) const { return shape_command(command); }
+  ExitCode operator()(const SpacingCommand& command) const { return spacing_command(command); }
   ExitCode operator()(const StatusCommand& command) const { return status_command(command); }
   ExitCode operator()(const WaitCommand& command) const { return wait_command(command); }
   ExitCode operator()(const CancelCommand& command) const { return cancel_command(command); }

@@ -10,6 +10,7 @@
 #include "base/mebibytes.h"
 #include "cli/commands.h"
 #include "cli/job_input.h"
+#include "cli/layers_report.h"
 #include "cli/progress_display.h"
 #include "cli/seen_times.h"
 #include "json/json_line.h"
@@ -22,6 +23,7 @@
 #include "tasks/task_kind.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
+#include "worker/job_layers.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -42,6 +44,7 @@ struct Plan {
   double layer_cells = 0;
   JobForecast forecast;
   TaskTimes times;
+  std::vector<LayerFigures> layers;
 };
 
 Plan make_plan(const JobInput& input) {
@@ -52,6 +55,7 @@ Plan make_plan(const JobInput& input) {
   }
   const JobDomain domain = domain_of_job(input.job, checked.surface);
   Plan plan;
+  plan.layers = layer_figures_of(input.job, domain.surface);
   plan.groups = input.job.groups;
   plan.across_cuts = input.job.across_cuts;
   plan.input_bytes = static_cast<double>(input.surface.size());
@@ -221,6 +225,7 @@ void print_json(const JobInput& input, const Plan& plan) {
   const std::vector<KindCost> kinds = cost_of_kinds(plan);
   put(sum_of(kinds), json);
   json["learnt_from_tasks"] = plan.times.learnt();
+  if (!plan.layers.empty()) json["layers"] = layers_json(plan.layers);
   json["subdomains"] = Json::array();
   for (const PlannedSubdomain& node : plan.tree) {
     const TaskCost cost = cost_of_node(plan, node);
@@ -267,6 +272,10 @@ void print_text(const Plan& plan, const std::string& store) {
     std::printf("%-12s %8zu %16.0f %12.2f   %s\n", kind.name, kind.count, kind.bytes / 1e6,
                 kind.seconds.expected, range_text(kind.seconds.low, kind.seconds.high).c_str());
   }
+  for (const LayerFigures& layers : plan.layers) {
+    std::printf("\nlayers on %s", layers_text(layers).c_str());
+  }
+  if (!plan.layers.empty()) std::printf("\n");
   const SecondsRange sum = sum_of(kinds);
   JobForecast forecast = plan.forecast;
   forecast.seconds = sum.expected;

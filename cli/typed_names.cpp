@@ -22,6 +22,8 @@ void name_as_typed(wire::JobStatus& end, const RunOptions& options, const JobInp
     message = input.path + ": " + message;
   } else if (!options.max_memory.empty() && take_away(message, "[decompose] max_memory: ")) {
     message = "--max-memory " + options.max_memory + ": " + message;
+  } else if (!options.layers.empty() && take_away(message, "[[layers]]")) {
+    message = "--layers" + message;
   }
   end.set_message(message);
 }

@@ -11,8 +11,8 @@ constinit const TaskKindTraits grow_traits = {
     .colour = "#b8860b",
     .trace_colour = "rail_animation",
     .outputs = {"portion", "cells"},
-    .seconds = {.of = {0.006, 1.5e-6, 0, 0}},
-    .memory = {.fixed = 4e6, .of_element = 450},
+    .seconds = {.of = {0.006, 0.8e-6, 0, 0}},
+    .memory = {.fixed = 4e6, .of_element = 200},
 };
 
 constinit const KindContracts grow_contracts = contracts_between<GrowGiven, GrowMade>;

@@ -198,7 +198,8 @@ void inspect_task(TaskIo& io) {
       static_cast<double>(spacing_bytes.size()),
       static_cast<double>(needle_count(domain.root.vertices, domain.root.triangles))};
   require_room(job, input_bytes, size);
-  report_cost(io, inspect_cost(input_bytes, size));
+  const auto wall = domain.layers ? domain.layers->coverage.wall_triangles : 0;
+  report_cost(io, inspect_cost(input_bytes, size, static_cast<double>(wall)));
   report_numbers(io, domain.surface, checked.report);
   const std::int32_t regions = region_count(domain.surface);
   require_few(regions);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "base/check.h"
@@ -22,20 +21,9 @@ constexpr std::size_t most_named = 10;
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-/// Ten at most.
-std::string names_text(std::span<const std::string> names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i) {
-    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
-  }
-  if (names.size() > most_named)
-    text += " and " + std::to_string(names.size() - most_named) + " more";
-  return text;
-}
-
 /// Where it stands, as it was typed.
 std::string place_of(const JobLayers& layers) {
-  return layers.typed.empty() ? "[[layers]] of " + names_text(layers.patches)
+  return layers.typed.empty() ? "[[layers]] of " + patches_text(layers.patches)
                               : "--layers '" + layers.typed + "'";
 }
 
@@ -59,7 +47,7 @@ std::span<const std::string> names_on_offer(const JobFile& job, std::span<const 
     text +=
         "no patch: the surface has only " + in_quotes(names.front()) + ", and \"*\" is all of it";
   } else {
-    text += "none of the patches " + names_text(names);
+    text += "none of the patches " + patches_text(names);
     const std::vector<std::string_view> words(names.begin(), names.end());
     const std::string_view nearest = nearest_word(glob, words);
     if (!nearest.empty()) text += "; did you mean " + in_quotes(nearest) + "?";
@@ -247,6 +235,16 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
 }
 
 }  // namespace
+
+std::string patches_text(std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i) {
+    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+  }
+  if (names.size() > most_named)
+    text += " and " + std::to_string(names.size() - most_named) + " more";
+  return text;
+}
 
 bool matches_glob(std::string_view glob, std::string_view text) {
   const auto next_letter = [text](std::size_t at) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "mesh/layers/layer_request.h"
 
 namespace tetfarm {
+
+/// "\"wing\", \"tip\" and 3 more": the first ten.
+std::string patches_text(std::span<const std::string> names);
 
 /// Whether all of `text` is like `glob`, in which * stands for any text and ? for any letter of
 /// UTF-8. Cost: O(|glob| |text|).

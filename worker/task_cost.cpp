@@ -15,6 +15,10 @@ constexpr double process_bytes = 19e6;
 /// Elements that come out for each estimated one, at most but for the smallest sub-domains.
 constexpr double elements_in_estimate = 1.15;
 
+/// To plan the layers of a triangle, and divide them into chunks, takes as much memory as to
+/// inspect so many.
+constexpr double triangles_in_planned_one = 2;
+
 /// What a turn reads, at most: elements near the cuts of a leaf on both sides of them. Of small
 /// leaves these are all, and as many again of the neighbours.
 constexpr double turn_elements_of_leaf = 2.5;
@@ -33,8 +37,9 @@ TaskCost cost_of(TaskKind kind, const MemorySize& memory, const TaskSize& size) 
   return {bytes_of(kind, memory), usual_seconds(kind, size).expected, kind, size};
 }
 
-TaskCost inspect_cost(double input_bytes, const SubdomainSize& root) {
-  return cost_of(TaskKind::inspect, {0, root.triangles, root.spacing_bytes, input_bytes},
+TaskCost inspect_cost(double input_bytes, const SubdomainSize& root, double wall_triangles) {
+  const double triangles = root.triangles + triangles_in_planned_one * wall_triangles;
+  return cost_of(TaskKind::inspect, {0, triangles, root.spacing_bytes, input_bytes},
                  {root.elements, root.triangles, root.needles});
 }
 

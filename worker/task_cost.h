@@ -45,7 +45,8 @@ struct MemorySize {
 /// By the traits of the kind. Cost: O(1).
 TaskCost cost_of(TaskKind kind, const MemorySize& memory, const TaskSize& size);
 
-TaskCost inspect_cost(double input_bytes, const SubdomainSize& root);
+/// `wall_triangles` are those on which layers are planned.
+TaskCost inspect_cost(double input_bytes, const SubdomainSize& root, double wall_triangles = 0);
 TaskCost decompose_cost(const SubdomainSize& size);
 TaskCost mesh_cost(const SubdomainSize& size);
 /// `triangles` of all leaves together, and of the largest group when joined.

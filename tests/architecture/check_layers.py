@@ -58,7 +58,7 @@ ROOMS = {
     "json": ["base", "mesh/assemble", "mesh/core", "mesh/inspect", "proto", "tasks"],
     "cli": ["base", "coordinator", "coordinator/views", "json", "mesh/core", "mesh/decompose",
             "mesh/formats", "mesh/formats/flite", "mesh/formats/list", "mesh/formats/registry",
-            "mesh/formats/surfaces", "mesh/inspect", "mesh/job_file", "mesh/partition",
+            "mesh/formats/surfaces", "mesh/inspect", "mesh/job_file", "mesh/layers", "mesh/partition",
             "mesh/quality", "mesh/render", "mesh/shapes", "mesh/spacing", "pool", "proto", "report", "store",
             "tasks", "worker"],
 }

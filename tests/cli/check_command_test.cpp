@@ -108,6 +108,33 @@ TEST_F(Checked, voids_and_regions_are_told_apart) {
   EXPECT_THAT(said.out, HasSubstr(", volume 121.333333\n")) << "without the void";
 }
 
+TEST_F(Checked, layers_are_told_with_what_they_come_to) {
+  CheckOptions options;
+  options.input = write("tet.off", tet_off);
+  options.layers = {"*:first=0.125,growth=2,count=3"};
+  const Said said = said_by([&] { return check_command(options); });
+  EXPECT_EQ(said.error, "");
+  EXPECT_THAT(said.out,
+              HasSubstr("\nlayers          \"surface\": 3 layers, 0.125 to 0.5 high, 0.875 "
+                        "together; median edge 1.414, isotropic from layer 5\n"));
+  options.json = true;
+  const json told = json::parse(said_by([&] { return check_command(options); }).out);
+  ASSERT_EQ(told["layers"].size(), 1U);
+  EXPECT_EQ(told["layers"][0]["total_height"], 0.875);
+  options.layers = {"wing:first=0.1"};
+  const Said refused = said_by([&] { return check_command(options); });
+  EXPECT_EQ(refused.code, ExitCode::usage);
+  EXPECT_THAT(refused.error, HasSubstr("\"wing\" matches no patch"));
+}
+
+TEST_F(Checked, layers_of_a_job_file_are_told_as_well) {
+  write("tet.off", tet_off);
+  const Said said = check(write("job.toml",
+                                "[geometry]\nsurface = \"tet.off\"\n[[layers]]\n"
+                                "patches = [\"*\"]\nfirst_height = 0.1\n"));
+  EXPECT_THAT(said.out, HasSubstr("\nlayers          \"surface\": 15 layers, 0.1 to "));
+}
+
 TEST_F(Checked, something_is_to_be_named) {
   const Said said = check("");
   EXPECT_EQ(said.code, ExitCode::usage);

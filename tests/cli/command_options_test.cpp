@@ -14,10 +14,11 @@ using ::testing::HasSubstr;
 using CommandOptions = PlainEnvironment;
 
 /// What `run`, `plan` and `submit` take.
-const std::vector<std::string> job_words = {"wing.stl",  "--size",         "0.5",   "--growth",
-                                            "0.2",       "--outer",        "box:3", "--outer-size",
-                                            "0.25",      "--max-elements", "7",     "--format",
-                                            "vtkhdf,su2"};
+const std::vector<std::string> job_words = {
+    "wing.stl", "--size",     "0.5",          "--growth", "0.2",
+    "--outer",  "box:3",      "--outer-size", "0.25",     "--max-elements",
+    "7",        "--format",   "vtkhdf,su2",   "--layers", "wing_*,tip:first=1e-4,count=20",
+    "--layers", "[a]:first=1"};
 
 void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.input, "wing.stl");
@@ -27,6 +28,7 @@ void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.outer_size, 0.25);
   EXPECT_EQ(job.max_elements, 7);
   EXPECT_THAT(job.formats, ElementsAre("vtkhdf", "su2"));
+  EXPECT_THAT(job.layers, ElementsAre("wing_*,tip:first=1e-4,count=20", "[a]:first=1"));
   EXPECT_FALSE(job.force);
 }
 
@@ -65,7 +67,7 @@ TEST_F(CommandOptions, of_a_run_that_says_nothing_else) {
   EXPECT_FALSE(run.subdomains || run.groups || run.size || run.growth || run.outer);
   EXPECT_FALSE(run.outer_size || run.max_elements);
   EXPECT_FALSE(run.force || run.json);
-  EXPECT_TRUE(run.formats.empty());
+  EXPECT_TRUE(run.formats.empty() && run.layers.empty());
   EXPECT_EQ(run.progress, ProgressStyle::automatic);
   EXPECT_EQ(run.grace_s, 5);
 }
@@ -116,6 +118,16 @@ TEST_F(CommandOptions, of_a_check) {
   EXPECT_EQ(of_store.database, "d");
   EXPECT_EQ(of_store.input, "");
   EXPECT_FALSE(of_store.json);
+}
+
+TEST_F(CommandOptions, of_layers_leave_the_words_after_them_to_others) {
+  const auto run = parsed_as<RunOptions>({"run", "--layers", "a:first=1", "wing.stl"});
+  EXPECT_EQ(run.input, "wing.stl");
+  EXPECT_THAT(run.layers, ElementsAre("a:first=1"));
+  const auto check = parsed_as<CheckOptions>(
+      {"check", "--layers", "a:first=1", "--layers", "b:first=2", "wing.stl"});
+  EXPECT_EQ(check.input, "wing.stl");
+  EXPECT_THAT(check.layers, ElementsAre("a:first=1", "b:first=2"));
 }
 
 TEST_F(CommandOptions, of_gc) {
@@ -232,6 +244,18 @@ TEST_F(CommandOptions, of_a_shape) {
   EXPECT_EQ(all.growth, 0.7);
 }
 
+TEST_F(CommandOptions, of_a_spacing) {
+  const auto least = parsed_as<SpacingCommand>({"spacing", "--reynolds", "6e6", "--length", "2.5"});
+  EXPECT_EQ(least.y_plus, 1);
+  EXPECT_EQ(least.reynolds, 6e6);
+  EXPECT_EQ(least.length, 2.5);
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<SpacingCommand>(
+      {"spacing", "--y-plus", "30", "--reynolds", "1e3", "--length", "1", "--json"});
+  EXPECT_EQ(all.y_plus, 30);
+  EXPECT_TRUE(all.json);
+}
+
 TEST_F(CommandOptions, of_those_that_act_on_a_farm) {
   const auto wait =
       parsed_as<WaitCommand>({"wait", "job-7", "-o", "d", "--store", "s", "--connect", "tcp://h:1",
@@ -303,6 +327,14 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {{"shape", "wing"}, "--output is required"},
       {{"shape", "wing", "-o", "w", "--spacing", "0"}, "--spacing" + positive + "0"},
       {{"shape", "wing", "-o", "w", "--growth", "0"}, "--growth" + positive + "0"},
+      {{"spacing", "--length", "1"}, "--reynolds is required"},
+      {{"spacing", "--reynolds", "6e6"}, "--length is required"},
+      {{"spacing", "--reynolds", "10", "--length", "1"},
+       "--reynolds: must be a number from 1000 to 1e+12, not 10"},
+      {{"spacing", "--reynolds", "6e6", "--length", "0"}, "--length" + positive + "0"},
+      {{"spacing", "--reynolds", "6e6", "--length", "1", "--y-plus", "0"},
+       "--y-plus: must be a number from 0.001 to 10000, not 0"},
+      {{"check", "--store", "s", "--layers", "a:first=1"}, "--layers excludes --store"},
       {{"submit", "a.stl"}, "--connect is required"},
       {farm({"submit", "a.stl", "--store", "s", "--coordinator-reads"}),
        "--store excludes --coordinator-reads"},
@@ -341,6 +373,7 @@ TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
                     HasSubstr("for none (default 0.9)")));
   EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
                                            HasSubstr("away from the wing (default 0.2)")));
+  EXPECT_THAT(help_words({"spacing"}), HasSubstr("off the wall (default 1)"));
   EXPECT_THAT(help_words({"submit"}), HasSubstr("wait for an answer (default 10)"));
 }
 
@@ -354,7 +387,7 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
        {"run",    "check",       "gc",      "plan",   "quality", "export", "convert", "render",
         "shape",  "submit",      "wait",    "cancel", "jobs",    "status", "tasks",   "workers",
         "events", "logs",        "explain", "trace",  "report",  "backup", "restore", "retry",
-        "drain",  "coordinator", "worker",  "pool",   "keys"}) {
+        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

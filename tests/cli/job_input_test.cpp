@@ -6,6 +6,7 @@
 #include "base/file_system.h"
 #include "mesh/job_file/toml_limits.h"
 #include "tests/base/temp_folder.h"
+#include "tests/support/error_text.h"
 
 namespace tetfarm {
 namespace {
@@ -70,7 +71,11 @@ TEST(JobInput, takes_each_option_of_a_job) {
   options.outer_size = 0.25;
   options.max_elements = 7;
   options.formats = {"su2", "vtkhdf"};
+  options.layers = {"wing_*:first=1e-4", "tip:first=2e-4,count=7"};
   const JobFile job = describe_job(options).job;
+  ASSERT_EQ(job.layers.size(), 2U);
+  EXPECT_THAT(job.layers[0].patches, ElementsAre("wing_*"));
+  EXPECT_EQ(job.layers[1].count, 7);
   EXPECT_EQ(job.subdomains, 8);
   EXPECT_EQ(job.groups, 4);
   EXPECT_EQ(job.spacing_default, 0.5);
@@ -129,6 +134,8 @@ TEST(JobInput, says_what_is_wrong_with_an_option) {
             }),
             "");
   EXPECT_EQ(with([](RunOptions& options) { options.groups = 4; }), "") << "as many as come";
+  EXPECT_EQ(with([](RunOptions& options) { options.layers = {"wing:frist=1"}; }),
+            "--layers 'wing:frist=1': unknown key `frist`; did you mean `first`?");
   EXPECT_EQ(with([](RunOptions& options) { options.formats = {"su3"}; }),
             "--format su3: unknown format; did you mean su2?");
   EXPECT_THAT(refusal(of_surface("wing.xyz")), HasSubstr("unsupported file type `.xyz`"));
@@ -164,6 +171,38 @@ TEST_F(JobOfAFile, options_win_over_it) {
   RunOptions groups = of_surface(options.input);
   groups.groups = 2;
   EXPECT_EQ(describe_job(groups).job.max_memory_bytes, 0);
+}
+
+TEST_F(JobOfAFile, has_its_own_layers_unless_the_command_line_has_others) {
+  RunOptions options =
+      of_surface(write("job.toml",
+                       "[geometry]\nsurface = \"wing.off\"\n[[layers]]\npatches = [\"a\"]\n"
+                       "first_height = 1\n[[layers]]\npatches = [\"b\"]\nfirst_height = 2\n"));
+  EXPECT_EQ(describe_job(options).job.layers.size(), 2U);
+  options.layers = {"c:first=3"};
+  const JobFile changed = describe_job(options).job;
+  ASSERT_EQ(changed.layers.size(), 1U);
+  EXPECT_EQ(changed.layers[0].first_height, 3);
+}
+
+TEST_F(JobOfAFile, of_layers_that_its_surface_has_no_place_for_is_refused_as_typed) {
+  const auto refusals = [this](const std::string& layers) {
+    RunOptions options = of_surface(write("tet.off", tet_off));
+    options.layers = {layers};
+    const JobInput input = read_job(options);
+    const std::string said = error_text_of<UsageError>([&] { require_readable(input); });
+    EXPECT_EQ(error_text_of<UsageError>([&] { require_meshable(input); }), said);
+    return said;
+  };
+  EXPECT_EQ(refusals("*:first=0.1"), "");
+  EXPECT_THAT(refusals("wing:first=0.1"),
+              HasSubstr("--layers 'wing:first=0.1': \"wing\" matches no patch"));
+  EXPECT_THAT(refusals("*:first=9"), HasSubstr("the first layer would be 9 high"));
+  EXPECT_THAT(refusals("outer_box:first=0.1"), HasSubstr("matches no patch"));
+  RunOptions outside = of_surface((folder_.path() / "tet.off").string());
+  outside.outer = "box";
+  outside.layers = {"outer_box:first=0.1"};
+  EXPECT_NO_THROW(require_readable(read_job(outside)));
 }
 
 TEST_F(JobOfAFile, an_amount_of_memory_takes_the_place_of_numbers) {

@@ -153,6 +153,20 @@ TEST_F(Newcomer, of_cfd_asks_for_formats_of_solvers) {
   EXPECT_FALSE(std::filesystem::exists(folder_->path() / "m.jpg"));
 }
 
+TEST_F(Newcomer, of_cfd_asks_for_boundary_layers) {
+  expect({
+      {{"spacing", "--reynolds", "6e6", "--length", "1"}, 0, {"first height    4.457e-06, for y+"}},
+      {{"check", "duct.stl", "--layers", "*:first=0.01"}, 0, {"layers          \"", "isotropic"}},
+      {{"run", "duct.stl", "-o", "o5", "--layers", "flap:first=0.01"}, 2, {"\"flap\" matches n"}},
+      {{"run", "duct.stl", "-o", "o5", "--layers", "*"}, 2, {"--layers '*': must be PATCH,..."}},
+      {{"plan", "duct.stl", "--layers", "*:first=10"},
+       2,
+       {"would be 10 high, ", "median edge of these"}},
+      {{"run", "duct.stl", "-o", "o5", "--layers", "*:thickness=1"}, 2, {"unknown key `thick"}},
+  });
+  EXPECT_FALSE(std::filesystem::exists(folder_->path() / "o5")) << "nothing is started";
+}
+
 TEST_F(Newcomer, of_electromagnetics_gives_numbers_that_cannot_be) {
   const std::string a_number = "must be a number above 0, not ";
   expect({

@@ -194,6 +194,15 @@ TEST_F(PlanOfACube, ends_with_its_range_and_where_the_times_come_from) {
   EXPECT_THAT(page, Not(HasSubstr("have an angle below")));
 }
 
+TEST_F(PlanOfACube, tells_what_layers_come_to) {
+  EXPECT_THAT(text(), Not(HasSubstr("layers")));
+  EXPECT_FALSE(json().contains("layers"));
+  command_.job.layers = {"*:first=0.01,growth=1.5,count=3"};
+  EXPECT_THAT(text(), HasSubstr("\nlayers on \"surface\": 3 layers, 0.01 to 0.0225 high, 0.0475 "
+                                "together; median edge 1, isotropic from layer 12\n"));
+  EXPECT_EQ(json()["layers"][0]["layers"], 3);
+}
+
 TEST_F(PlanOfACube, of_a_surface_that_cannot_be_meshed_is_none) {
   std::string open = cube_off;
   open.replace(open.find("8 12 0"), 6, "8 11 0");

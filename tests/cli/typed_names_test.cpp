@@ -36,6 +36,22 @@ TEST(TypedNames, of_a_limit_of_memory_are_those_of_the_command_line_where_it_was
   EXPECT_EQ(said("inspect: spacing: too many", ExitCode::usage, "1MB"), "spacing: too many");
 }
 
+TEST(TypedNames, of_layers_are_those_of_the_command_line_where_they_were_given_there) {
+  JobInput input;
+  RunOptions options;
+  wire::JobStatus end;
+  const auto said_of_layers = [&] {
+    end.set_state("failed");
+    end.set_exit_code(static_cast<int>(ExitCode::usage));
+    end.set_message("inspect: [[layers]] of \"a\": too high");
+    name_as_typed(end, options, input);
+    return end.message();
+  };
+  EXPECT_EQ(said_of_layers(), "[[layers]] of \"a\": too high");
+  options.layers = {"a:first=1"};
+  EXPECT_EQ(said_of_layers(), "--layers of \"a\": too high");
+}
+
 TEST(TypedNames, are_left_to_other_tasks_and_other_ends) {
   const std::string message = "mesh: wing.stl: lost";
   EXPECT_EQ(said(message, ExitCode::bad_geometry), message);

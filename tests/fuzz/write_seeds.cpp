@@ -133,6 +133,20 @@ void write_job_files(const fs::path& folder) {
   for (std::size_t corners = 1; corners <= 3; ++corners) {
     job.sources.push_back({std::vector<JobSource::Corner>(corners, corner), 0});
   }
+  JobLayers layers;
+  layers.patches = {"wing_*", "tip"};
+  layers.first_height = 1e-4;
+  layers.growth_cap = 1.5;
+  layers.acceleration = 1.05;
+  layers.count = 20;
+  job.layers = {layers};
+  layers = {};
+  layers.patches = {"t?p"};
+  layers.y_plus = 1;
+  layers.reynolds = 6e6;
+  layers.length = 1;
+  layers.total_height = 0.01;
+  job.layers.push_back(layers);
   job.formats = {"vtkhdf", "lb8.ugrid"};
   write(folder / "rich", to_toml(job));
 }

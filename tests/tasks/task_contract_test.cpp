@@ -15,6 +15,7 @@
 #include "tasks/cosmetic_contract.h"
 #include "tasks/decompose_contract.h"
 #include "tasks/extract_contract.h"
+#include "tasks/grow_contract.h"
 #include "tasks/inspect_contract.h"
 #include "tasks/mesh_contract.h"
 #include "tasks/number_contract.h"
@@ -59,7 +60,7 @@ std::vector<Side> all_sides() {
   std::set<std::string> of_write = leaves;
   of_write.insert("colours");
   std::set<std::string> of_number = leaves;
-  of_number.insert({"dropped", "order"});
+  of_number.insert({"layer_table", "dropped", "order"});
   const auto each = [](const std::string& prefix) {
     return std::set<std::string>{prefix + "4", prefix + "9223372036854775807"};
   };
@@ -67,11 +68,15 @@ std::vector<Side> all_sides() {
   turns.merge(each("had_turn:"));
   std::set<std::string> portions = each("portion:");
   portions.merge(each("tets:"));
+  std::set<std::string> of_layers = each("layers:");
+  of_layers.insert("layer_table");
   return {
       side_of("inspect given", InspectGiven{file("j"), file("i"), 5},
               {"input_surface", "free_bytes"}),
-      side_of("inspect made", InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3,
-                                          2, 1U << 30U, 9, true}),
+      side_of("inspect made",
+              InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3, 2, 1U << 30U, 9,
+                          true, two, file("l")},
+              of_layers),
       side_of("decompose given", DecomposeGiven{file("j"), file("s"), file("p"), 3, 4, 1000, 5, 6},
               {"most_bytes", "needles"}),
       side_of("decompose made", DecomposeMade{DecomposeMade::Halves{half, half, 17}, "a reason"},
@@ -86,7 +91,8 @@ std::vector<Side> all_sides() {
       side_of("extract made", ExtractMade{file("e")}),
       side_of("cosmetic given", CosmeticGiven{file("p"), file("o"), two, two, "4 0\n"}, turns),
       side_of("cosmetic made", CosmeticMade{file("e")}),
-      side_of("number given", NumberGiven{file("s"), file("d"), two, two, "cut 1 5\n", "4 0\n"},
+      side_of("number given",
+              NumberGiven{file("s"), file("l"), file("d"), two, two, "cut 1 5\n", "4 0\n"},
               of_number),
       side_of("number made", NumberMade{file("n")}),
       side_of("write given",
@@ -100,6 +106,8 @@ std::vector<Side> all_sides() {
                          "4 0\n"},
               of_write),
       side_of("write made", WriteMade{file("p"), file("t")}),
+      side_of("grow given", GrowGiven{file("j"), file("s"), file("n"), file("l")}),
+      side_of("grow made", GrowMade{file("p"), file("c")}),
       side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two}, portions),
   };
 }
@@ -232,7 +240,7 @@ std::vector<std::string> names_in(const TaskWords& words) {
 /// Rows of older versions have these orders, and a task that is run again has to make the same.
 TEST(TaskContracts, name_files_of_leaves_leaf_by_leaf_in_the_order_that_they_always_had) {
   const LeafFiles three = {{4, file("a")}, {5, file("b")}, {6, file("c")}};
-  EXPECT_THAT(names_in(to_words(NumberGiven{file("s"), {}, three, three, "", {}})),
+  EXPECT_THAT(names_in(to_words(NumberGiven{file("s"), {}, {}, three, three, "", {}})),
               ElementsAre("surface", "core:4", "elements:4", "core:5", "elements:5", "core:6",
                           "elements:6"));
   EXPECT_THAT(names_in(to_words(CosmeticGiven{

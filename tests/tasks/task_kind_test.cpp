@@ -127,7 +127,7 @@ TEST(TaskKinds, cost_what_was_measured) {
            {TaskKind::cosmetic, {0.006, 3e-6, 0, 0}, {4e6, 0, 1, 360, 0, 0}},
            {TaskKind::number, {0.003, 0, 0.45e-6, 0}, {0, 0, 0, 0, 110, 0}},
            {TaskKind::write, {0.006, 0.3e-6, 0, 0}, {4e6, 0, 0, 150, 0, 0}},
-           {TaskKind::grow, {0.006, 1.5e-6, 0, 0}, {4e6, 0, 0, 450, 0, 0}},
+           {TaskKind::grow, {0.006, 0.8e-6, 0, 0}, {4e6, 0, 0, 200, 0, 0}},
            {TaskKind::assemble, {0.006, 0.02e-6, 0.4e-6, 0}, {4e6, 0, 0, 130, 250, 0}}}) {
     const TaskKindTraits& traits = traits_of(costs.kind);
     const TaskMemory& memory = traits.memory;

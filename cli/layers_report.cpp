@@ -1,0 +1,47 @@
+#include "cli/layers_report.h"
+
+#include <array>
+#include <cstdio>
+
+#include "base/counted.h"
+
+namespace tetfarm {
+namespace {
+
+std::string four_digits(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", number);
+  return text.data();
+}
+
+}  // namespace
+
+std::string layers_text(const LayerFigures& figures) {
+  const std::string patches = patches_text(figures.patches);
+  if (figures.triangles == 0) return patches + ": no triangles";
+  const std::string isotropic =
+      figures.isotropic_layer == 0
+          ? "never isotropic"
+          : "isotropic from layer " + std::to_string(figures.isotropic_layer);
+  return patches + ": " + counted(static_cast<std::uint64_t>(figures.layers), "layer") + ", " +
+         four_digits(figures.first_height) + " to " + four_digits(figures.last_height) + " high, " +
+         four_digits(figures.total_height) + " together; median edge " +
+         four_digits(figures.median_edge) + ", " + isotropic;
+}
+
+nlohmann::ordered_json layers_json(std::span<const LayerFigures> all) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const LayerFigures& figures : all) {
+    json.push_back({{"patches", figures.patches},
+                    {"triangles", figures.triangles},
+                    {"median_edge", figures.median_edge},
+                    {"layers", figures.layers},
+                    {"first_height", figures.first_height},
+                    {"last_height", figures.last_height},
+                    {"total_height", figures.total_height},
+                    {"isotropic_layer", figures.isotropic_layer}});
+  }
+  return json;
+}
+
+}  // namespace tetfarm
