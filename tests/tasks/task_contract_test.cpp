@@ -68,14 +68,15 @@ std::vector<Side> all_sides() {
   turns.merge(each("had_turn:"));
   std::set<std::string> portions = each("portion:");
   portions.merge(each("tets:"));
+  portions.insert("layer_map");
   std::set<std::string> of_layers = each("layers:");
-  of_layers.insert("layer_table");
+  of_layers.insert({"layer_table", "layer_map"});
   return {
       side_of("inspect given", InspectGiven{file("j"), file("i"), 5},
               {"input_surface", "free_bytes"}),
       side_of("inspect made",
               InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3, 2, 1U << 30U, 9,
-                          true, two, file("l")},
+                          true, two, file("l"), file("m")},
               of_layers),
       side_of("decompose given", DecomposeGiven{file("j"), file("s"), file("p"), 3, 4, 1000, 5, 6},
               {"most_bytes", "needles"}),
@@ -108,7 +109,8 @@ std::vector<Side> all_sides() {
       side_of("write made", WriteMade{file("p"), file("t")}),
       side_of("grow given", GrowGiven{file("j"), file("s"), file("n"), file("l")}),
       side_of("grow made", GrowMade{file("p"), file("c")}),
-      side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two}, portions),
+      side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two, file("m")},
+              portions),
   };
 }
 
@@ -282,7 +284,8 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
   const std::map<std::string, std::string> names = {
       {"inspect given", "job input_surface | free_bytes |"},
       {"inspect made",
-       "surface spacing root settings | | across_cuts groups most_bytes needles parts total_work"},
+       "surface spacing root settings layers: layer_table layer_map | | across_cuts groups "
+       "most_bytes needles parts total_work"},
       {"decompose given",
        "job subdomain spacing | left_parts most_bytes needles right_parts work |"},
       {"decompose made",
@@ -298,11 +301,13 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
       {"extract made", "elements | |"},
       {"cosmetic given", "spacing own waits: had_turn: | colours |"},
       {"cosmetic made", "elements | |"},
-      {"number given", "surface dropped core: elements: | order table |"},
+      {"number given", "surface layer_table dropped core: elements: | order table |"},
       {"number made", "numbering | |"},
       {"write given", "job surface numbering subdomain mesh core: elements: | colours |"},
       {"write made", "portion tets | |"},
-      {"assemble given", "job surface numbering portion: tets: | |"}};
+      {"grow given", "job surface numbering layers | |"},
+      {"grow made", "portion cells | |"},
+      {"assemble given", "job surface numbering portion: tets: layer_map | |"}};
   for (const Side& side : all_sides()) {
     std::string text;
     std::set<std::string> seen;
