@@ -118,6 +118,7 @@ TEST(JobLayers, say_where_and_what_is_wrong) {
       {first + "growth = 1",
        "job.toml:6:10: `growth` is 1: no layer becomes as high as the edges; "
        "give `count` or `total_height`"},
+      {first + "growth = 1\ngrowth_cap = 1.5\nacceleration = 1", "`growth` is 1: no layer becomes"},
       {first + "growth_cap = 1.5", "`growth_cap` needs `acceleration`"},
       {first + "acceleration = 1.5", "`acceleration` needs `growth_cap`"},
       {first + "growth_cap = 1.1\nacceleration = 1.05", "`growth_cap` must be from `growth` to 2"},
