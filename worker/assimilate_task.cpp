@@ -49,7 +49,7 @@ void report_balance(TaskIo& io, const std::string& what, std::span<const double>
   io.number(what + "_mean", balance.mean);
 }
 
-std::string text_of(const std::vector<DroppedNodes>& dropped) {
+std::string dropped_text(const std::vector<DroppedNodes>& dropped) {
   std::string text;
   for (const auto& [cut, first, count] : dropped) {
     text += "dropped " + std::to_string(cut.heap) + " " + std::to_string(first) + " " +
@@ -103,7 +103,7 @@ GroupFigures join_groups(TaskIo& io, const AssimilateGiven& given,
     figures.most_communication_nodes = std::max(figures.most_communication_nodes, communication);
     made.group_files[group.path.heap] = io.publish(subdomain_to_bytes(group));
   }
-  made.dropped = io.publish(text_of(nodes.dropped()));
+  made.dropped = io.publish(dropped_text(nodes.dropped()));
   io.made(made);
   return figures;
 }

@@ -42,7 +42,7 @@ namespace {
 constexpr std::string_view numbering_magic = "TFNUMB\r\n";
 /// Of a mesh of tets alone, and of one with layers.
 constexpr std::uint32_t numbering_version = 2;
-constexpr std::uint32_t version_with_others = 3;
+constexpr std::uint32_t numbering_version_with_others = 3;
 constexpr std::string_view text_magic = "tetfarm-numbering 1\n";
 constexpr std::uint64_t owner_size = 5 * 8;
 constexpr std::uint64_t leaf_size = owner_size + 3 * 8;
@@ -73,7 +73,7 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   for (const CutNumbers& cut : numbering.cuts) dropped += cut.nodes.dropped.size();
   for (const LeafNumbers& leaf : numbering.leaves) dropped += leaf.nodes.dropped.size();
   writer.text(numbering_magic);
-  writer.number(has_others(numbering) ? version_with_others : numbering_version);
+  writer.number(has_others(numbering) ? numbering_version_with_others : numbering_version);
   writer.number(numbering.surface_nodes);
   writer.number(numbering.tets);
   writer.number(numbering.faces);
@@ -135,14 +135,15 @@ struct Head {
 };
 
 /// By the version in the first bytes; what else they say is looked at by who reads on.
-bool says_others(std::string_view begin) {
-  return begin.starts_with(begin_checked(numbering_magic, version_with_others).bytes());
+bool numbering_says_others(std::string_view begin) {
+  return begin.starts_with(begin_checked(numbering_magic, numbering_version_with_others).bytes());
 }
 
 /// What follows magic and version.
 ByteReader read_version(std::string_view begin, const std::string& name) {
-  return read_begun(begin, numbering_magic,
-                    says_others(begin) ? version_with_others : numbering_version, name);
+  return read_begun(
+      begin, numbering_magic,
+      numbering_says_others(begin) ? numbering_version_with_others : numbering_version, name);
 }
 
 Head read_head(std::string_view begin, const std::string& name) {
@@ -162,7 +163,7 @@ Head read_head(std::string_view begin, const std::string& name) {
   head.tables.cuts = reader.count();
   head.tables.leaves = reader.count();
   head.tables.dropped = reader.count();
-  head.tables.has_others = says_others(begin);
+  head.tables.has_others = numbering_says_others(begin);
   if (head.tables.has_others) {
     for (const ElementType type : layer_cell_types) {
       head.whole.others[type] = reader.number<std::int64_t>();

@@ -31,7 +31,7 @@ class CheckContractNames(unittest.TestCase):
         self.assertEqual({kind for kind, _ in contracts}, set(kinds))
         self.assertEqual(len(contracts), 2 * len(kinds))
         self.assertEqual(contracts["number", "Given"],
-                         {"surface": "file", "dropped": "file", "core:": "files", "elements:": "files",
+                         {"surface": "file", "layer_table": "file", "dropped": "file", "core:": "files", "elements:": "files",
                           "table": "text", "order": "text"})
         self.assertIn("across_cuts", contracts["inspect", "Made"])
         self.assertIn("reason", contracts["decompose", "Made"])
