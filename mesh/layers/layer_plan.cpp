@@ -286,6 +286,7 @@ class Planning {
 };
 
 Vec3 point_at(const LayerLine& line, double height) {
+  if (height == 0) return line.at;  // to the bit, also where it is a negative zero
   if (height <= line.bends_from) return line.at + height * line.along;
   const double way = line.bends_to - line.bends_from;
   const double w = height < line.bends_to ? (height - line.bends_from) / way : 1;

@@ -110,6 +110,24 @@ TEST(LayerPlan, layers_taper_towards_a_patch_without_any) {
   }
 }
 
+TEST(LayerPlan, lines_begin_at_the_very_bits_of_the_surface) {
+  SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
+  for (Vec3& p : sphere.vertices) {
+    if (p.x == 0) p.x = -0.0;
+  }
+  const LayerPlan plan = plan_of(sphere, test::request_of_all(sphere, 1e-3, 5));
+  int negative_zeros = 0;
+  for (const LayerLine& line : plan.lines) {
+    const Vec3& p = sphere.vertices[at(line.foot)];
+    for (const Vec3& foot : {point_of(line, 0), points_of(line).front()}) {
+      EXPECT_EQ(std::signbit(foot.x), std::signbit(p.x));
+      EXPECT_EQ(foot, p);
+    }
+    negative_zeros += p.x == 0 ? 1 : 0;
+  }
+  EXPECT_GT(negative_zeros, 0);
+}
+
 /// Round a concave edge lines lean towards the open, so that the layers there get higher.
 TEST(LayerPlan, lines_bend_away_from_concave_edges_above_the_first_layer) {
   const SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 8);
