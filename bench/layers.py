@@ -37,7 +37,7 @@ CASES = {
     "hull-isotropic": ("dtc_hull/dtc_hull.off.gz", "surface:first=1e-3,growth=1.25", ["--outer", "box:3"]),
     "prime": ("prime_open_duct/prime_open_duct.msh.gz", "pec:first=1e-4,growth=1.2,count=15", ["--outer", "box:3"]),
     "cessna": ("cessna210/cessna210.msh.gz", "surf0:first=1e-4,growth=1.2,count=15", ["--outer", "box:3"]),
-    "almond": ("nasa_almond_tenth/nasa_almond_tenth.msh.gz", "*:first=1e-4,growth=1.2,count=10", ["--outer", "box:3"]),
+    "almond": ("nasa_almond_tenth/NasaAlmondTenthWavelengthv2.stl", "*:first=1e-4,growth=1.2,count=10", ["--outer", "box:3"]),
 }
 
 TET, WEDGE = 10, 13
