@@ -69,6 +69,7 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "extract | extracting: 1 of 2\n"
             "number | numbering: 1 of 2\n"
             "write | writing: 1 of 2\n"
+            "layers | growing layers: 1 of 2\n"
             "assemble | assembling: 1 of 2 sub-domains\n");
 }
 

@@ -56,12 +56,17 @@ TEST(JobText, of_a_mesh_with_layers_names_its_cells_and_how_much_of_the_wall_has
                                                              {"layers_wall_triangles", 12},
                                                              {"layers_full", 7},
                                                              {"layers_partial", 3},
-                                                             {"layers_none", 2}}) {
+                                                             {"layers_none", 2},
+                                                             {"layers_with_first", 8},
+                                                             {"layers_first_within_2", 6},
+                                                             {"layers_first_within_10", 8}}) {
     numbers[name] = number;
   }
-  EXPECT_THAT(result_text(status, 1, {}),
-              AllOf(HasSubstr("done       50 tets, 20 prisms, "),
-                    HasSubstr("layers: all on 7 of 12 triangles, fewer on 3, none on 2\n")));
+  EXPECT_THAT(
+      result_text(status, 1, {}),
+      AllOf(HasSubstr("done       50 tets, 20 prisms, "),
+            HasSubstr("layers: all on 7 of 12 triangles, fewer on 3, none on 2; first height "
+                      "within 2 % on 75.00 %, within 10 % on 100.00 %\n")));
 }
 
 TEST(JobText, says_where_in_the_tree_a_task_in_quarantine_is) {

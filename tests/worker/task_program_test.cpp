@@ -93,9 +93,9 @@ TEST_F(TaskProgram, does_the_task_of_its_number_and_says_what_it_does_on_the_way
 
 TEST_F(TaskProgram, has_a_body_for_each_kind_and_for_no_other_number) {
   using testing::StartsWith;
-  const std::array<const char*, 11> names = {"",        "inspect",  "decompose",  "mesh",
+  const std::array<const char*, 12> names = {"",        "inspect",  "decompose",  "mesh",
                                              "number",  "assemble", "assimilate", "order",
-                                             "extract", "cosmetic", "write"};
+                                             "extract", "cosmetic", "write",      "grow"};
   for (std::uint32_t kind = 1; kind < names.size(); ++kind) {
     start_.mutable_assign()->set_kind(kind);
     if (kind == 7) continue;  // it may be given nothing
@@ -105,8 +105,8 @@ TEST_F(TaskProgram, has_a_body_for_each_kind_and_for_no_other_number) {
     EXPECT_THAT(said[0].failed().message(), StartsWith("the task to " + std::string(names[kind]) +
                                                        " cannot be done: the file '"));
   }
-  start_.mutable_assign()->set_kind(11);
-  EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 11");
+  start_.mutable_assign()->set_kind(12);
+  EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 12");
   start_.mutable_assign()->set_kind(0);
   EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 0");
 }
