@@ -208,8 +208,9 @@ class Planning {
     const double total = total_height(line.law, line.wanted);
     line.stop = line.wanted;
     if (total <= room) return;
-    if (rule == RoomRule::scale) {
-      line.law.first *= room / total;
+    const double scaled = line.law.first * (room / total);
+    if (rule == RoomRule::scale && scaled > 0) {
+      line.law.first = scaled;
       return;
     }
     if (rule == RoomRule::ratio) line.law = fitted(line.law, line.wanted, room);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/generated_surfaces.h"
@@ -85,6 +88,29 @@ TEST(LayerPlan, room_stop_keeps_the_growth_and_room_scale_the_number_of_layers) 
   }
   EXPECT_TRUE(is_some_stopped);
   EXPECT_TRUE(is_some_scaled);
+}
+
+/// Where solids touch along an edge, the way from a node of the one ends at once, in the other.
+TEST(LayerPlan, where_there_is_no_room_at_all_scaling_makes_no_layers) {
+  const auto generators = shapes::surface_generators();
+  const auto voxels = std::find_if(generators.begin(), generators.end(), [](const auto& generator) {
+    return std::string_view(generator.name) == "voxels";
+  });
+  ASSERT_NE(voxels, generators.end());
+  int bare = 0;
+  for (std::uint64_t seed = 100; seed < 250; ++seed) {
+    const CheckedSurface checked = check_surface(voxels->make(seed, 1));
+    if (!checked.report.defects.empty()) continue;
+    LayerRequest request =
+        test::request_of_all(checked.surface, 0.3 * checked.report.median_edge, 6);
+    request.room = RoomRule::scale;
+    const LayerPlan plan = plan_of(checked.surface, request);
+    test::expect_valid_layers(plan, checked.surface);
+    for (const LayerLine& line : plan.lines) {
+      bare += line.stop == 0 && line.reason == StopReason::no_room ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bare, 0);
 }
 
 TEST(LayerPlan, layers_taper_towards_a_patch_without_any) {
