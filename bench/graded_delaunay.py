@@ -15,6 +15,8 @@ import itertools
 import random
 import sys
 
+from graded_templates import balance, cell_at
+
 CORNERS = list(itertools.product((0, 1), repeat=3))
 FINEST = 4
 SCALE = 2 ** (FINEST + 3)
@@ -27,17 +29,6 @@ def children(cell):
     return [(level + 1, 2 * x + i, 2 * y + j, 2 * z + k) for i, j, k in CORNERS]
 
 
-def cell_at(cells, level, x, y, z):
-    """The leaf that holds this cell; None outside, "finer" where it is divided."""
-    if min(x, y, z) < 0 or max(x, y, z) >= 2**level:
-        return None
-    while level >= 0:
-        if (level, x, y, z) in cells:
-            return (level, x, y, z)
-        level, x, y, z = level - 1, x >> 1, y >> 1, z >> 1
-    return "finer"
-
-
 def random_octree(seed):
     chance, cells, stack = random.Random(seed), set(), [(0, 0, 0, 0)]
     while stack:
@@ -46,17 +37,7 @@ def random_octree(seed):
             stack.extend(children(cell))
         else:
             cells.add(cell)
-    work = sorted(cells)
-    while work:
-        cell = work.pop()
-        if cell not in cells:
-            continue
-        for step in itertools.product((-1, 0, 1), repeat=3):
-            other = cell_at(cells, cell[0], *(c + s for c, s in zip(cell[1:], step)))
-            if other and other != "finer" and other[0] < cell[0] - 1:
-                cells.discard(other)
-                cells.update(children(other))
-                work.extend(children(other) + [cell])
+    balance(cells)
     return cells
 
 

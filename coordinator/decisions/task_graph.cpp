@@ -255,10 +255,11 @@ TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
                       std::span<const SubdomainRow> tree, const FindWritten& find_written,
                       const FindWritten& find_grown) {
   AssembleGiven given;
+  const auto inspected = made_by<InspectMade>(inspect);
   given.job = given_to<InspectGiven>(inspect).job;
-  given.surface = made_by<InspectMade>(inspect).surface;
+  given.surface = inspected.surface;
   given.numbering = made_by<NumberMade>(number).numbering;
-  given.layer_map = made_by<InspectMade>(inspect).layer_map;
+  given.layer_map = inspected.layer_map;
   for (const SubdomainRow& node : tree) {
     if (node.state != SubdomainState::leaf) continue;
     const TaskRow* written = find_written(node.path);
@@ -267,7 +268,7 @@ TaskRow assemble_task(const TaskRow& inspect, const TaskRow& number,
     given.portions[node.path] = made.portion;
     given.tets[node.path] = made.tets;
   }
-  for (const auto& [heap, chunk] : made_by<InspectMade>(inspect).layers) {
+  for (const auto& [heap, chunk] : inspected.layers) {
     const TaskRow* grown = find_grown(heap);
     TF_CHECK(grown != nullptr);
     add_grown(*grown, given);

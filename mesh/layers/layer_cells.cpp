@@ -4,6 +4,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 namespace {
@@ -66,6 +67,13 @@ std::span<const ComponentTet> component_tets(ElementType type) {
   if (type == ElementType::prism) return prism_tets;
   if (type == ElementType::pyramid) return pyramid_tets;
   return whole_tet;
+}
+
+bool is_positive(ElementType type, std::span<const Vec3> nodes) {
+  const auto tets = component_tets(type);
+  return std::all_of(tets.begin(), tets.end(), [nodes](const ComponentTet& tet) {
+    return orient3d(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]) > 0;
+  });
 }
 
 }  // namespace tetfarm

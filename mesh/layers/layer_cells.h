@@ -11,6 +11,7 @@
 #include <span>
 
 #include "mesh/core/elements.h"
+#include "mesh/core/vec3.h"
 
 namespace tetfarm {
 
@@ -38,5 +39,9 @@ int layers_above(const std::array<int, 3>& stops);
 
 /// The tets of every division of a cell into tets that has no further node, by the cell's nodes.
 std::span<const std::array<std::uint8_t, 4>> component_tets(ElementType type);
+
+/// Whether each of them is positive, by an exact test. @pre `nodes` has those of the type, at
+/// least.
+bool is_positive(ElementType type, std::span<const Vec3> nodes);
 
 }  // namespace tetfarm

@@ -7,7 +7,6 @@
 #include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/core/complaints.h"
-#include "mesh/geometry/predicates.h"
 #include "mesh/layers/layer_cells.h"
 
 namespace tetfarm {
@@ -50,12 +49,10 @@ void add_cell(ElementType type, std::span<const std::int32_t> nodes, std::int32_
 
 void check_cell(const std::vector<Vec3>& points, ElementType type,
                 std::span<const std::int32_t> nodes, Complaints& complaints) {
-  const auto is_positive = [&](const std::array<std::uint8_t, 4>& tet) {
-    const auto p = [&](std::size_t k) { return points[at(nodes[tet[k]])]; };
-    return orient3d(p(0), p(1), p(2), p(3)) > 0;
-  };
-  const auto tets = component_tets(type);
-  if (complaints.full() || std::all_of(tets.begin(), tets.end(), is_positive)) return;
+  if (complaints.full()) return;
+  std::array<Vec3, 6> places;
+  for (std::size_t k = 0; k < nodes.size(); ++k) places[k] = points[at(nodes[k])];
+  if (is_positive(type, places)) return;
   complaints.add("the " + std::string(element(type).name) + " near " +
                  text_of(points[at(nodes.front())]) + " is flat or turned");
 }

@@ -61,13 +61,6 @@ Vec3 inward_normal(const SurfaceMesh& surface, std::int32_t triangle) {
   return normalized(cross(surface.vertices[at(t[2])] - a, surface.vertices[at(t[1])] - a));
 }
 
-/// The smallest cosine between the direction and a normal.
-double visibility(const Vec3& direction, const std::vector<Vec3>& normals) {
-  double least = 1;
-  for (const Vec3& normal : normals) least = std::min(least, dot(direction, normal));
-  return least;
-}
-
 /// Makes a plan, and keeps what only its making needs.
 class Planning {
  public:

@@ -5,7 +5,6 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
-#include "mesh/geometry/predicates.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_cells.h"
 #include "mesh/layers/unlayered_domain.h"
@@ -15,22 +14,19 @@ namespace {
 
 using Column = std::array<std::vector<Vec3>, 3>;  // the points of the three lines
 
-bool is_positive(const LayerCell& cell, const Column& points) {
+bool has_positive_tets(const LayerCell& cell, const Column& points) {
   std::array<Vec3, 6> p;
   for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
     p[k] = points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)];
   }
-  const auto tets = component_tets(cell.type);
-  return std::all_of(tets.begin(), tets.end(), [&p](const auto& tet) {
-    return orient3d(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]) > 0;
-  });
+  return is_positive(cell.type, p);
 }
 
 /// The layers above a wall triangle below the first cell that is not positive.
 int positive_layers(const std::array<int, 3>& stops, const Column& points) {
   const int layers = layers_above(stops);
   for (int layer = 1; layer <= layers; ++layer) {
-    if (!is_positive(layer_cell(stops, layer), points)) return layer - 1;
+    if (!has_positive_tets(layer_cell(stops, layer), points)) return layer - 1;
   }
   return layers;
 }

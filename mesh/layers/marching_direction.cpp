@@ -56,13 +56,16 @@ Cone cone_of(std::span<const Vec3> normals) {
 
 }  // namespace
 
+double visibility(const Vec3& direction, std::span<const Vec3> normals) {
+  double least = 1;
+  for (const Vec3& normal : normals) least = std::min(least, dot(direction, normal));
+  return least;
+}
+
 MarchingDirection marching_direction(std::span<const Vec3> normals) {
   TF_CHECK(!normals.empty());
   const Cone cone = cone_of(normals);
-  MarchingDirection best{cone.axis, 1};
-  for (const Vec3& normal : normals) {
-    best.visibility = std::min(best.visibility, dot(cone.axis, normal));
-  }
+  const MarchingDirection best{cone.axis, visibility(cone.axis, normals)};
   if (best.visibility <= rounding) return {};
   return best;
 }

@@ -18,6 +18,9 @@ struct MarchingDirection {
   double visibility = 0;  ///< the smallest cosine between it and a normal
 };
 
+/// The smallest cosine between the direction, of length 1, and a normal; 1 without any.
+double visibility(const Vec3& direction, std::span<const Vec3> normals);
+
 /// @pre at least one normal, all of length 1. Cost: O(n) for n normals in the order of a fan,
 /// O(n^3) at worst.
 MarchingDirection marching_direction(std::span<const Vec3> normals);
