@@ -87,7 +87,8 @@ class ResultFiles {
     if (format == "vtkhdf") {
       vtkhdf_ = std::make_unique<SharedVtkhdf>(
           shared_file(), counts_of(io_, given_, numbering_),
-          VtkhdfNames{surface_.patch_names, surface_.region_names}, [this](std::size_t i) {
+          VtkhdfNames{surface_.patch_names, surface_.region_names, marks_of_job(job_)},
+          [this](std::size_t i) {
             const LeafNumbers& leaf = numbering_.leaves.at(i);
             Portion portion = read_portion(io_, given_, leaf);
             read_cells(io_, given_, leaf, portion);

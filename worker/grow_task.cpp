@@ -21,6 +21,7 @@ MeshPart grown_part(const LayerChunk& chunk) {
   part.subdomain = std::move(layers.subdomain);
   part.mesh = std::move(layers.mesh);
   part.blocks = std::move(layers.blocks);
+  part.marks = std::move(layers.marks);
   part.is_of_layers = true;
   return part;
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
@@ -17,6 +16,11 @@ SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const Tas
           io.scratch_path("frame.vtkhdf")};
 }
 
+std::vector<CellMark> marks_of_job(const JobFile& job) {
+  if (job.layers.empty()) return {};
+  return {CellMark::layer};
+}
+
 void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const SurfaceInput& surface,
                           const LeafNumbering& numbering, Portion& portion) {
   const JobFile job = parse_job_file(io.read(mesh.job), "job.toml");
@@ -26,7 +30,8 @@ void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const Surfac
   SharedFile file = shared_mesh_file(io, mesh.surface, mesh.numbering);
   if (io.is_without_shared_store()) file.path.clear();
   portion.placed =
-      place_cells(file, portion.part, numbering, {surface.patch_names(), surface.region_names()});
+      place_cells(file, portion.part, numbering,
+                  {surface.patch_names(), surface.region_names(), marks_of_job(job)});
 }
 
 }  // namespace tetfarm

@@ -1,7 +1,10 @@
 /// Which file of the store the write and grow tasks of a job and its assemble task fill together.
 #pragma once
 
+#include <vector>
+
 #include "mesh/formats/vtkhdf/shared_vtkhdf.h"
+#include "mesh/job_file/job_file.h"
 #include "worker/leaf_inputs.h"
 #include "worker/task_io.h"
 
@@ -11,6 +14,9 @@ namespace tetfarm {
 /// places, so no two meshes share one; who runs without a shared store has one that nobody else
 /// sees.
 SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const TaskFile& numbering);
+
+/// The marks that the cells of a job have.
+std::vector<CellMark> marks_of_job(const JobFile& job);
 
 /// What a mesh is written by.
 struct SharedMesh {

@@ -197,6 +197,7 @@ Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumb
   numbered.nodes = std::move(part.mesh.nodes);
   numbered.tets = std::move(part.mesh.tets);
   numbered.blocks = std::move(part.blocks);
+  numbered.marks = std::move(part.marks);
   part.is_on_cut.resize(numbered.nodes.size(), false);
   ElementCounts first = numbering.first_other;
   first[ElementType::tet] = numbering.first_tet;

@@ -16,6 +16,7 @@
 #include "mesh/assemble/leaf_numbering.h"
 #include "mesh/assemble/mesh_digest.h"
 #include "mesh/assemble/mesh_shapes.h"
+#include "mesh/core/cell_marks.h"
 #include "mesh/core/element_block.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
@@ -30,6 +31,7 @@ struct MeshPart {
   TetMesh mesh;
   std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
   ElementBlocks blocks;         ///< cells of layers, by the numbers of the mesh's nodes
+  CellMarks marks;              ///< of those and of the tets
   /// Its tets are as flat as layers are: they have no part in the figures of shape.
   bool is_of_layers = false;
 };
@@ -52,6 +54,7 @@ struct NumberedPart {
   std::vector<Triangle> faces;  ///< local node numbers
   std::vector<std::int32_t> patch_of_face;
   ElementBlocks blocks;  ///< the other elements; cells of a type by region, as tets are
+  CellMarks marks;       ///< known where layers are grown, and where a file has them
   std::vector<std::int64_t> local2global;
 
   std::int32_t region_of(std::size_t tet) const {

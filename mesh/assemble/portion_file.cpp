@@ -18,6 +18,7 @@ constexpr std::uint32_t portion_version = 2;
 constexpr std::uint32_t version_with_others = 3;
 constexpr std::uint32_t cells_version = 1;
 constexpr std::uint32_t cells_version_with_others = 2;
+constexpr std::uint32_t cells_version_with_marks = 3;
 constexpr std::size_t other_types = cell_block_types.size() + face_block_types.size();
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
@@ -87,8 +88,36 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
 }
 
 /// By the version in the first bytes; what else they say is looked at by who reads on.
+bool says_version(std::string_view bytes, std::string_view magic, std::uint32_t version) {
+  return bytes.starts_with(begin_checked(magic, version).bytes());
+}
+
 bool says_others(std::string_view bytes) {
-  return bytes.starts_with(begin_checked(portion_magic, version_with_others).bytes());
+  return says_version(bytes, portion_magic, version_with_others);
+}
+
+std::uint32_t version_without_marks(const ElementCounts& others) {
+  return others != ElementCounts{} ? cells_version_with_others : cells_version;
+}
+
+/// Each is told of every cell, or of none.
+void write_marks(const NumberedPart& part, ByteWriter& writer) {
+  for (const CellMark mark : all_cell_marks) {
+    const std::vector<std::int32_t>& values = part.marks[mark];
+    TF_CHECK(values.empty() || std::ssize(values) == cells_of(part));
+    writer.number<std::uint64_t>(values.size());
+    writer.array(values);
+  }
+}
+
+CellMarks read_marks(std::int64_t cells, ByteReader& reader) {
+  CellMarks marks;
+  for (const CellMark mark : all_cell_marks) {
+    const std::size_t count = reader.count();
+    if (count != 0 && count != at(cells)) reader.fail("has marks of some cells only");
+    marks[mark] = reader.array<std::int32_t>(count);
+  }
+  return marks;
 }
 
 void write_other_counts(const ElementCounts& others, ByteWriter& writer) {
@@ -240,9 +269,9 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
 std::string portion_cells_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
   TF_CHECK(std::ssize(part.tets) == portion.tets);
-  const bool has_others = portion.others != ElementCounts{};
-  ByteWriter writer =
-      begin_checked(cells_magic, has_others ? cells_version_with_others : cells_version);
+  ByteWriter writer = begin_checked(cells_magic, part.marks.empty()
+                                                         ? version_without_marks(portion.others)
+                                                         : cells_version_with_marks);
   writer.number(part.number);
   writer.number<std::uint64_t>(part.tets.size());
   writer.array(part.tets);
@@ -250,13 +279,15 @@ std::string portion_cells_to_bytes(const Portion& portion) {
     TF_CHECK(std::ssize(part.blocks[type].regions) == portion.others[type]);
     writer.array(part.blocks[type].nodes);
   }
+  if (!part.marks.empty()) write_marks(part, writer);
   return finish_checked(std::move(writer));
 }
 
 void add_portion_cells(std::string_view bytes, const std::string& name, Portion& portion) {
-  const bool has_others = portion.others != ElementCounts{};
-  ByteReader reader = read_checked(bytes, cells_magic,
-                                   has_others ? cells_version_with_others : cells_version, name);
+  const bool has_marks = says_version(bytes, cells_magic, cells_version_with_marks);
+  const std::uint32_t version =
+      has_marks ? cells_version_with_marks : version_without_marks(portion.others);
+  ByteReader reader = read_checked(bytes, cells_magic, version, name);
   NumberedPart& part = portion.part;
   const auto number = reader.number<std::int32_t>();
   const std::size_t tets = reader.count();
@@ -268,6 +299,7 @@ void add_portion_cells(std::string_view bytes, const std::string& name, Portion&
   for (const ElementType type : cell_block_types) {
     part.blocks[type] = read_block(type, portion.others[type], part, reader);
   }
+  part.marks = has_marks ? read_marks(cells_of(part), reader) : CellMarks{};
   reader.expect_end();
 }
 

@@ -24,6 +24,8 @@ class MeshSource {
   virtual bool knows_subdomains() const { return true; }
   /// Whether `part` may be called while another thread writes a mesh.
   virtual bool takes_threads() const { return false; }
+  /// Which marks the parts have, if not all cells have 0.
+  virtual std::vector<CellMark> cell_marks() const { return {}; }
   /// What is wrong with what the file has beside its parts, a line each.
   virtual std::vector<std::string> complaints() const { return {}; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none

@@ -57,10 +57,20 @@ void check_cell(const std::vector<Vec3>& points, ElementType type,
                  text_of(points[at(nodes.front())]) + " is flat or turned");
 }
 
+/// Marks are told of tets first, then of the blocks' cells.
+std::vector<std::int32_t> in_order_of_cells(const ByType<std::vector<std::int32_t>>& of_type) {
+  std::vector<std::int32_t> marks = of_type[ElementType::tet];
+  for (const ElementType type : cell_block_types) {
+    marks.insert(marks.end(), of_type[type].begin(), of_type[type].end());
+  }
+  return marks;
+}
+
 }  // namespace
 
 GrownLayers grow(const LayerChunk& chunk) {
   GrownLayers layers;
+  ByType<std::vector<std::int32_t>> layer_of_cells;
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
   layers.subdomain.path = chunk.path;
   const std::vector<std::int32_t> first = add_nodes(chunk, layers);
@@ -81,8 +91,10 @@ GrownLayers grow(const LayerChunk& chunk) {
                      [&feet](const CellNode& n) { return feet[at(n.corner)] + n.level; });
       add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
                layers);
+      layer_of_cells[cell.type].push_back(layer);
     }
   }
+  layers.marks[CellMark::layer] = in_order_of_cells(layer_of_cells);
   return layers;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/core/cell_marks.h"
 #include "mesh/core/element_block.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
@@ -22,6 +23,7 @@ struct GrownLayers {
   Subdomain subdomain;
   TetMesh mesh;
   ElementBlocks blocks;  ///< pyramids and prisms, by the numbers of the nodes
+  CellMarks marks;       ///< the layer of each cell
 };
 
 /// Cells come triangle by triangle, each from the wall up. Cost: O(cells).

@@ -1,6 +1,8 @@
 // The tasks of a job with layers, one after the other.
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/support/shapes.h"
@@ -78,6 +80,25 @@ class LayerTasks : public TaskChain {
     EXPECT_EQ(result.digest.hex(), assembled.done().texts().at("digest")) << name;
   }
 
+  /// Of the five layers and of nothing else.
+  void expect_marks(const std::string& path) const {
+    const auto source = open_mesh(path, folder_);
+    EXPECT_EQ(source->cell_marks(), std::vector{CellMark::layer});
+    std::map<std::int32_t, int> cells_of_layer;
+    for (std::size_t i = 0; i < source->size(); ++i) {
+      const NumberedPart part = source->part(i);
+      const std::vector<std::int32_t>& layers = part.marks[CellMark::layer];
+      ASSERT_EQ(std::ssize(layers), cells_of(part));
+      for (std::size_t c = 0; c < layers.size(); ++c) {
+        EXPECT_EQ(layers[c] == 0, c < part.tets.size()) << "tets are beyond the layers";
+        ++cells_of_layer[layers[c]];
+      }
+    }
+    cells_of_layer.erase(0);
+    EXPECT_EQ(cells_of_layer,
+              (std::map<std::int32_t, int>{{1, 320}, {2, 320}, {3, 320}, {4, 320}, {5, 320}}));
+  }
+
   Files files_;
 };
 
@@ -93,13 +114,14 @@ TEST_F(LayerTasks, make_one_sound_mesh_of_layers_and_tets) {
     EXPECT_NEAR(numbers.at("volume"), domain_volume(ball), 1e-9);
     expect_sound(assembled, "ball.vtkhdf");
     expect_sound(assembled, "ball.lb8.ugrid");
+    expect_marks(folder_ + "/ball.vtkhdf");
   }
 }
 
 TEST_F(LayerTasks, place_their_cells_in_the_file_of_all_where_all_is_counted) {
   prepared(layered_job(1), shapes::sphere({0, 0, 0}, 1, 2));
   const Portion portion = portion_from_bytes(bytes(output(last_, "portion")), "portion");
-  EXPECT_EQ(portion.placed.size(), 6U) << "an array each";
+  EXPECT_EQ(portion.placed.size(), 7U) << "an array each";
   EXPECT_EQ(portion.others[ElementType::prism], 5 * 320);
   EXPECT_EQ(portion.shapes.all.tets, 0);
 }

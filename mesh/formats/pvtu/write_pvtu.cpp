@@ -25,6 +25,12 @@ constexpr std::array<Array, 3> cells = {
 constexpr std::array<Array, 3> cell_data = {
     {{"Int32", "subdomain", 1}, {"Int32", "region", 1}, {"Int32", "patch", 1}}};
 
+std::vector<Array> cell_data_with(const std::vector<CellMark>& marks) {
+  std::vector<Array> arrays(cell_data.begin(), cell_data.end());
+  for (const CellMark mark : marks) arrays.push_back({"Int32", name_of(mark), 1});
+  return arrays;
+}
+
 std::string described(const char* tag, const Array& array) {
   return std::string("<") + tag + " type=\"" + array.type + "\" Name=\"" + array.name +
          "\" NumberOfComponents=\"" + std::to_string(array.components) + "\"";
@@ -80,7 +86,16 @@ std::int64_t connected_nodes(const NumberedPart& part) {
   return static_cast<std::int64_t>(nodes);
 }
 
-void write_arrays(const NumberedPart& part, AppendedData data) {
+std::vector<std::int32_t> mark_of_cells(const NumberedPart& part, CellMark mark,
+                                        std::size_t count) {
+  std::vector<std::int32_t> values = part.marks[mark];
+  TF_CHECK(values.empty() || std::ssize(values) == cells_of(part));
+  values.resize(count, 0);
+  return values;
+}
+
+void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks,
+                  AppendedData data) {
   TF_CHECK(part.local2global.size() == part.nodes.size());
   TF_CHECK(part.patch_of_face.size() == part.faces.size());
   const auto cells_of_part = static_cast<std::size_t>(cells_of(part));
@@ -118,12 +133,14 @@ void write_arrays(const NumberedPart& part, AppendedData data) {
     patches.insert(patches.end(), of_type.begin(), of_type.end());
   }
   data.add(patches);
+  for (const CellMark mark : marks) data.add(mark_of_cells(part, mark, count));
 }
 
-void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
+void write_piece(const NumberedPart& part, const std::vector<CellMark>& marks,
+                 const std::filesystem::path& path) {
   const std::int64_t cells_of_piece = cells_of(part) + boundary_faces_of(part);
   const VtuLayout layout =
-      vtu_layout(std::ssize(part.nodes), cells_of_piece, connected_nodes(part));
+      vtu_layout(std::ssize(part.nodes), cells_of_piece, connected_nodes(part), marks.size());
   std::size_t next = 0;
   const auto array = [&](const Array& what) {
     return described("DataArray", what) + " format=\"appended\" offset=\"" +
@@ -138,11 +155,11 @@ void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
   text += "</PointData>\n<Cells>\n";
   for (const Array& what : cells) text += array(what);
   text += "</Cells>\n<CellData>\n";
-  for (const Array& what : cell_data) text += array(what);
+  for (const Array& what : cell_data_with(marks)) text += array(what);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   OutputFile file(path);
   file.write(0, text);
-  write_arrays(part, {file, std::ssize(text), layout});
+  write_arrays(part, marks, {file, std::ssize(text), layout});
   // The line's end belongs there: meshio looks for the last one to find the end of the data.
   file.write(std::ssize(text) + layout.bytes, std::string_view("\n</AppendedData>\n</VTKFile>\n"));
   file.finish();
@@ -150,13 +167,14 @@ void write_piece(const NumberedPart& part, const std::filesystem::path& path) {
 
 }  // namespace
 
-VtuLayout vtu_layout(std::int64_t points, std::int64_t cells_of_piece, std::int64_t cell_nodes) {
+VtuLayout vtu_layout(std::int64_t points, std::int64_t cells_of_piece, std::int64_t cell_nodes,
+                     std::size_t marks) {
   VtuLayout layout;
-  std::size_t next = 0;
-  for (const std::int64_t bytes :
-       {24 * points, 8 * points, 8 * cell_nodes, 8 * cells_of_piece, cells_of_piece,
-        4 * cells_of_piece, 4 * cells_of_piece, 4 * cells_of_piece}) {
-    layout.arrays[next++] = {layout.bytes, bytes};
+  std::vector<std::int64_t> sizes = {24 * points, 8 * points, 8 * cell_nodes, 8 * cells_of_piece,
+                                     cells_of_piece};
+  sizes.resize(sizes.size() + cell_data.size() + marks, 4 * cells_of_piece);
+  for (const std::int64_t bytes : sizes) {
+    layout.arrays.push_back({layout.bytes, bytes});
     layout.bytes += VtuLayout::length_bytes + bytes;
   }
   return layout;
@@ -170,15 +188,16 @@ void write_pvtu(const MeshSource& source, const MeshOutline&, const std::filesys
                      path.string());
   }
   make_folders(path.parent_path() / stem);
+  const std::vector<CellMark> marks = source.cell_marks();
   std::string text = head("PUnstructuredGrid") +
                      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
                      described("PDataArray", points) + "/>\n</PPoints>\n<PPointData>\n" +
                      described("PDataArray", node_number) + "/>\n</PPointData>\n<PCellData>\n";
-  for (const Array& what : cell_data) text += described("PDataArray", what) + "/>\n";
+  for (const Array& what : cell_data_with(marks)) text += described("PDataArray", what) + "/>\n";
   text += "</PCellData>\n";
   for (std::size_t i = 0; i < source.size(); ++i) {
     const std::string piece = stem + "/" + stem + "_" + std::to_string(i) + ".vtu";
-    write_piece(source.part(i), path.parent_path() / piece);
+    write_piece(source.part(i), marks, path.parent_path() / piece);
     text += "<Piece Source=\"" + piece + "\"/>\n";
   }
   write_file_atomically(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");

@@ -1,6 +1,7 @@
 #include "mesh/formats/vtkhdf/read_vtkhdf.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "base/array_index.h"
@@ -46,7 +47,10 @@ struct KnownArrays {
   bool node_numbers = false;
   bool patches = false;
   bool regions = false;
+  std::vector<CellMark> marks;
 };
+
+std::string path_of(CellMark mark) { return std::string("VTKHDF/CellData/") + name_of(mark); }
 
 Hdf5Input open_mesh(const std::filesystem::path& path) {
   Hdf5Input file(path.string());
@@ -57,8 +61,12 @@ Hdf5Input open_mesh(const std::filesystem::path& path) {
 }
 
 KnownArrays known_arrays(const Hdf5Input& file) {
-  return {file.has("VTKHDF/PointData/GlobalNodeId"), file.has("VTKHDF/CellData/patch"),
-          file.has("VTKHDF/CellData/region")};
+  KnownArrays known{file.has("VTKHDF/PointData/GlobalNodeId"), file.has("VTKHDF/CellData/patch"),
+                    file.has("VTKHDF/CellData/region"), {}};
+  if (!file.has("Tetfarm")) return known;  // what others call so may be anything
+  std::copy_if(all_cell_marks.begin(), all_cell_marks.end(), std::back_inserter(known.marks),
+               [&file](CellMark mark) { return file.has(path_of(mark)); });
+  return known;
 }
 
 void read_points(const Hdf5Input& file, const VtkhdfPartition& here, bool has_numbers,
@@ -134,12 +142,34 @@ CountedPart count_part(const Hdf5Input& file, const VtkhdfPartition& here,
   return counted;
 }
 
+/// The file may have its cells in any order, and boundary faces between them.
+void read_marks(const Hdf5Input& file, const VtkhdfPartition& here,
+                const std::vector<CellMark>& marks, NumberedPart& part) {
+  if (marks.empty()) return;
+  const auto types = file.slice<std::uint8_t>("VTKHDF/Types", here.first_cell, here.cells);
+  for (const CellMark mark : marks) {
+    const auto values = file.slice<std::int32_t>(path_of(mark), here.first_cell, here.cells);
+    ByType<std::vector<std::int32_t>> of_type;
+    for (std::size_t cell = 0; cell < types.size(); ++cell) {
+      if (const auto type = type_of(ElementCodes::vtk, types[cell])) {
+        of_type[*type].push_back(values[cell]);
+      }
+    }
+    std::vector<std::int32_t>& of_cells = part.marks[mark];
+    of_cells = std::move(of_type[ElementType::tet]);
+    for (const ElementType type : cell_block_types) {
+      of_cells.insert(of_cells.end(), of_type[type].begin(), of_type[type].end());
+    }
+  }
+}
+
 NumberedPart read_part(const Hdf5Input& file, const VtkhdfPartition& here,
                        const KnownArrays& known) {
   CountedPart counted = count_part(file, here, known);
   counted.part.tets.reserve(at(counted.tets));
   counted.part.faces.reserve(at(counted.faces));
   VtkhdfCells(file, here).read_nodes(counted.part);
+  read_marks(file, here, known.marks, counted.part);
   return std::move(counted.part);
 }
 
@@ -213,6 +243,9 @@ VtkhdfParts::~VtkhdfParts() = default;
 std::size_t VtkhdfParts::size() const { return content_->partitions.size(); }
 bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers; }
 void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
+
+const std::vector<CellMark>& VtkhdfParts::cell_marks() const {
+  return content_->known.marks; }
 
 NumberedPart VtkhdfParts::part(std::size_t i) const {
   return read_part(content_->file, content_->partitions.at(i), content_->known);

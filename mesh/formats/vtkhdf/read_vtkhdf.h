@@ -31,6 +31,8 @@ class VtkhdfParts {
   /// Of the patches and of regions 1, 2, …; empty when the file has none.
   std::vector<std::string> patch_names() const;
   std::vector<std::string> region_names() const;
+  /// Which marks the cells have; other programs' files have none.
+  const std::vector<CellMark>& cell_marks() const;
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

@@ -58,6 +58,7 @@ void SharedVtkhdf::write_frame() {
       {places_.subdomains, 4 * all.cells},   {places_.regions, 4 * all.cells},
       {places_.patches, 4 * all.cells},      {places_.points, 24 * all.points},
       {places_.node_numbers, 8 * all.points}};
+  for (const auto& mark : places_.marks) rooms.emplace_back(mark.second, 4 * all.cells);
   std::sort(rooms.begin(), rooms.end());
   const auto size = static_cast<std::int64_t>(size_of_file(path_.scratch).value());
   rooms.emplace_back(size, 0);

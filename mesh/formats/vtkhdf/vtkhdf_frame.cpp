@@ -1,5 +1,7 @@
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
 
+#include <array>
+
 #include "base/check.h"
 #include "base/file_system.h"
 #include "mesh/assemble/part_cells.h"
@@ -52,7 +54,8 @@ void begin_frame(const VtkhdfNames& names, Hdf5Output& file) {
 }
 
 /// `all` is what `partitions` have together.
-VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, Hdf5Output& file) {
+VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all,
+                      std::span<const CellMark> marks, Hdf5Output& file) {
   TF_CHECK(partitions >= 0);
   VtkhdfPlaces places;
   places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
@@ -61,6 +64,10 @@ VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, Hdf5Outp
   places.subdomains = file.room_for<std::int32_t>("VTKHDF/CellData/subdomain", all.cells);
   places.regions = file.room_for<std::int32_t>("VTKHDF/CellData/region", all.cells);
   places.patches = file.room_for<std::int32_t>("VTKHDF/CellData/patch", all.cells);
+  for (const CellMark mark : marks) {
+    const std::string name = std::string("VTKHDF/CellData/") + name_of(mark);
+    places.marks.emplace_back(mark, file.room_for<std::int32_t>(name, all.cells));
+  }
   places.points = file.room_for<double>("VTKHDF/Points", all.points, 3);
   places.node_numbers = file.room_for<std::int64_t>("VTKHDF/PointData/GlobalNodeId", all.points);
   return places;
@@ -89,13 +96,22 @@ VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
   const auto words_of_cells = [&](std::int64_t array) {
     return VtkhdfPlace{array + 4 * before.cells, 4 * cells};
   };
+  std::vector<VtkhdfPlace> marks;
+  for (const auto& mark : places.marks) marks.push_back(words_of_cells(mark.second));
   return {.connectivity = {places.connectivity + 8 * before.ids, 8 * ids_of(counts)},
           // A partition has one offset more than cells.
           .offsets = {places.offsets + 8 * (before.cells + number), 8 * (cells + 1)},
           .types = {places.types + before.cells, cells},
           .subdomains = words_of_cells(places.subdomains),
           .regions = words_of_cells(places.regions),
-          .patches = words_of_cells(places.patches)};
+          .patches = words_of_cells(places.patches),
+          .marks = std::move(marks)};
+}
+
+std::vector<VtkhdfPlace> VtkhdfCellPlaces::in_order() const {
+  std::vector<VtkhdfPlace> places = {connectivity, offsets, types, subdomains, regions, patches};
+  places.insert(places.end(), marks.begin(), marks.end());
+  return places;
 }
 
 VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
@@ -103,7 +119,7 @@ VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
   Hdf5Output file(path.string());
   begin_frame(names, file);
   add_counts(parts, file);
-  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), file);
+  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), names.marks, file);
   file.close();
   return places;
 }
@@ -113,7 +129,7 @@ VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t 
   Hdf5Output file(scratch.string());
   begin_frame(names, file);
   for (const char* counts : arrays_of_counts) file.room_for<std::int64_t>(counts, partitions);
-  const VtkhdfPlaces places = add_room(partitions, {0, cells_of(all), ids_of(all)}, file);
+  const VtkhdfPlaces places = add_room(partitions, {0, cells_of(all), ids_of(all)}, names.marks, file);
   file.close();
   remove_file(scratch);
   return places;

@@ -4,11 +4,11 @@
 /// of partitions, cells and their nodes alone: they are known before all points are counted.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/assemble/portion.h"
@@ -35,6 +35,7 @@ struct VtkhdfPlaces {
   std::int64_t subdomains = 0;
   std::int64_t regions = 0;
   std::int64_t patches = 0;
+  std::vector<std::pair<CellMark, std::int64_t>> marks;
   std::int64_t points = 0;
   std::int64_t node_numbers = 0;
 };
@@ -63,21 +64,21 @@ struct VtkhdfCellPlaces {
   VtkhdfPlace subdomains;
   VtkhdfPlace regions;
   VtkhdfPlace patches;
+  std::vector<VtkhdfPlace> marks;  ///< in the order of the file's
 
   /// As they follow one another in the file.
-  std::array<VtkhdfPlace, 6> in_order() const {
-    return {connectivity, offsets, types, subdomains, regions, patches};
-  }
+  std::vector<VtkhdfPlace> in_order() const;
 };
 
 /// Of partition `number`, which has `counts` and comes behind `before`; its points do not count.
 VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
                              const VtkhdfBefore& before, const VtkhdfCounts& counts);
 
-/// Names that a file has once.
+/// What a file has once.
 struct VtkhdfNames {
   std::vector<std::string> patches;
-  std::vector<std::string> regions;  ///< none: one region
+  std::vector<std::string> regions = {};  ///< none: one region
+  std::vector<CellMark> marks = {};       ///< arrays of these; of a part that does not know them, zeros
 };
 
 /// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.

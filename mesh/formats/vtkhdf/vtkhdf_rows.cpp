@@ -103,6 +103,18 @@ FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, Outp
   return regions.finish();
 }
 
+FileRange write_mark(const VtkhdfPlace& place, CellMark mark, const NumberedPart& part,
+                     OutputFile* file) {
+  const std::vector<std::int32_t>& of_cells = part.marks[mark];
+  const auto cells = static_cast<std::size_t>(cells_of(part));
+  TF_CHECK(of_cells.empty() || of_cells.size() == cells);
+  Row<std::int32_t> values(file, place);
+  if (of_cells.empty()) values.add(cells, 0);
+  for (const std::int32_t value : of_cells) values.add(value);
+  values.add(static_cast<std::size_t>(boundary_faces_of(part)), 0);
+  return values.finish();
+}
+
 }  // namespace
 
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
@@ -139,6 +151,9 @@ std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const Vtkh
     for (const std::int32_t patch : part.blocks[type].patches) patches.add(patch);
   }
   written.push_back(patches.finish());
+  for (std::size_t i = 0; i < places.marks.size(); ++i) {
+    written.push_back(write_mark(here.marks[i], places.marks[i].first, part, file));
+  }
   return written;
 }
 

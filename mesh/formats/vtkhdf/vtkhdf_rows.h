@@ -11,7 +11,7 @@
 namespace tetfarm {
 
 /// The arrays of cells. Returns what was written, in the order of the file; without a file, what
-/// would be. @throws IoError. Cost: O(n), 53 bytes a cell; constant memory.
+/// would be. @throws IoError. Cost: O(n), 53 bytes a cell and 4 for each mark; constant memory.
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                                           const NumberedPart& part, OutputFile* file);
 

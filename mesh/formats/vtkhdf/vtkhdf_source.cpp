@@ -17,6 +17,7 @@ class VtkhdfSource : public MeshSource {
   NumberedPart part(std::size_t i) const override { return parts_.part(i); }
   CountedPart counted_part(std::size_t i) const override { return parts_.count(i); }
   bool takes_threads() const override { return hdf5_takes_threads(); }
+  std::vector<CellMark> cell_marks() const override { return parts_.cell_marks(); }
   std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
   std::vector<std::string> region_names() const override { return parts_.region_names(); }
 

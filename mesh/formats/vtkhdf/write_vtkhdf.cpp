@@ -12,11 +12,10 @@ namespace {
 class VtkhdfWriter : public GlobalMeshWriter {
  public:
   VtkhdfWriter(const std::filesystem::path& path, std::span<const VtkhdfCounts> parts,
-               const std::vector<std::string>& patch_names,
-               const std::vector<std::string>& region_names)
+               const VtkhdfNames& names)
       : parts_(parts.begin(), parts.end()),
         before_(before_each(parts)),
-        places_(write_vtkhdf_frame(path, parts, {patch_names, region_names})),
+        places_(write_vtkhdf_frame(path, parts, names)),
         file_(path, OutputFile::Start::as_it_is) {
     // HDF5 knows its files by their first eight bytes: until the last is written it is none.
     file_.write(0, std::string(hdf5_signature.size(), '\0'));
@@ -48,9 +47,8 @@ class VtkhdfWriter : public GlobalMeshWriter {
 
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
                                                std::span<const VtkhdfCounts> parts,
-                                               const std::vector<std::string>& patch_names,
-                                               const std::vector<std::string>& region_names) {
-  return std::make_unique<VtkhdfWriter>(path, parts, patch_names, region_names);
+                                               const VtkhdfNames& names) {
+  return std::make_unique<VtkhdfWriter>(path, parts, names);
 }
 
 }  // namespace tetfarm

@@ -8,8 +8,6 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/formats/vtkhdf/vtkhdf_frame.h"
@@ -21,7 +19,6 @@ namespace tetfarm {
 /// @throws IoError, also later from the writer; Error when a part has other counts.
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
                                                std::span<const VtkhdfCounts> parts,
-                                               const std::vector<std::string>& patch_names,
-                                               const std::vector<std::string>& region_names = {});
+                                               const VtkhdfNames& names);
 
 }  // namespace tetfarm

@@ -19,7 +19,7 @@ GlobalMesh grid_in_memory() {
   const CutGrid grid = cut_grid(3);
   const TempFolder folder;
   const auto writer =
-      write_vtkhdf(folder.path() / "grid.vtkhdf", grid.counts(), grid.surface.patch_names);
+      write_vtkhdf(folder.path() / "grid.vtkhdf", grid.counts(), {grid.surface.patch_names});
   for (const LeafNumbers& leaf : grid.numbering().leaves) writer->add(grid.reader()(leaf).part);
   writer->finish();
   return read_global_mesh(folder.path() / "grid.vtkhdf");

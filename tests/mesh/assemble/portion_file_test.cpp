@@ -146,6 +146,28 @@ TEST(PortionFile, of_cells_says_what_is_wrong_though_the_checksum_is_right) {
             "c: has the format version 1, not 2");
 }
 
+TEST(PortionFile, of_cells_gives_back_their_marks) {
+  Portion portion = small_portion(true);
+  portion.part.marks[CellMark::layer] = {4, 7};
+  const std::string bytes = portion_cells_to_bytes(portion);
+  EXPECT_NE(bytes, portion_cells_to_bytes(small_portion(true)));
+  Portion read = portion_from_bytes(portion_to_bytes(portion), "p");
+  add_portion_cells(bytes, "c", read);
+  EXPECT_EQ(read.part.marks, portion.part.marks);
+  EXPECT_EQ(read.part.tets, portion.part.tets);
+  const std::size_t count = bytes.size() - checksum_size - 2 * 4 - 8;
+  EXPECT_EQ(error_text_of<CorruptFile>(
+                [&] { add_portion_cells(forged(bytes, count, std::uint64_t{1}), "c", read); }),
+            "c: has marks of some cells only");
+}
+
+TEST(PortionFile, of_cells_without_marks_are_without_them_also_behind_others_with) {
+  Portion portion = small_portion(true);
+  portion.part.marks[CellMark::layer] = {4, 7};
+  add_portion_cells(portion_cells_to_bytes(small_portion(true)), "c", portion);
+  EXPECT_TRUE(portion.part.marks.empty());
+}
+
 TEST(PortionFile, tells_its_counts_by_its_first_bytes_alone) {
   const TempFolder folder;
   const std::string path = folder.path() / "p";

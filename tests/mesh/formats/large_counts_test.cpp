@@ -192,7 +192,7 @@ TEST_P(LargeCounts, vtkhdf_goes_on_behind_them_and_is_read_there) {
   const std::array counts = {
       largest, largest, largest,
       VtkhdfCounts{std::ssize(part.nodes), std::ssize(part.tets), std::ssize(part.faces)}};
-  const auto writer = write_vtkhdf(path, counts, {"inner", "outer"});
+  const auto writer = write_vtkhdf(path, counts, {{"inner", "outer"}});
   writer->add(part);
   writer->finish();
   const VtkhdfParts parts(path);

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "mesh/core/surface_mesh.h"
 #include "tests/mesh/layers/layered_sphere.h"
 
@@ -66,6 +68,32 @@ TEST(LayerGrowth, makes_what_the_chunk_counts) {
                       [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
     EXPECT_LE(own, counts.nodes) << "nodes of lines that it does not own are another's";
   }
+}
+
+/// Of each node how many layers it is above the wall: a line's nodes follow its foot.
+std::vector<std::int32_t> levels_of_nodes(const GrownLayers& layers) {
+  std::vector<std::int32_t> levels;
+  for (const Origin& origin : layers.subdomain.node_origin) {
+    levels.push_back(origin.owner == 0 ? 0 : levels.back() + 1);
+  }
+  return levels;
+}
+
+TEST(LayerGrowth, marks_each_cell_with_the_layer_that_its_highest_node_is_on) {
+  const LayeredSphere sphere = LayeredSphere::uneven();
+  const GrownLayers layers = grow(chunks_of(sphere.plan, sphere.surface).at(0));
+  const std::vector<std::int32_t> levels = levels_of_nodes(layers);
+  std::vector<std::int32_t> highest;
+  const auto add = [&](std::span<const std::int32_t> nodes) {
+    std::int32_t level = 0;
+    for (const std::int32_t v : nodes) level = std::max(level, levels.at(static_cast<std::size_t>(v)));
+    highest.push_back(level);
+  };
+  for (const Tet& tet : layers.mesh.tets) add(tet);
+  for_each_block_cell(layers.blocks, [&](ElementType, std::span<const std::int32_t> nodes,
+                                         std::int32_t) { add(nodes); });
+  EXPECT_EQ(layers.marks[CellMark::layer], highest);
+  EXPECT_EQ(*std::max_element(highest.begin(), highest.end()), 5);
 }
 
 TEST(LayerGrowth, has_cells_of_every_kind_where_lines_end_at_different_levels) {

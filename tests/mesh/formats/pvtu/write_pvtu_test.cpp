@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/mesh/formats/marked_grid.h"
 #include "tests/mesh/formats/read_back.h"
 
 namespace tetfarm {
@@ -43,6 +44,22 @@ TEST(WritePvtu, pieces_together_are_the_mesh) {
     patches.large();
     for (std::size_t t = 0; t < part.tets.size(); ++t) ASSERT_EQ(patches.small(), -1);
     for (const std::int32_t patch : part.patch_of_face) ASSERT_EQ(patches.small(), patch);
+  }
+}
+
+TEST(WritePvtu, marks_of_cells_are_an_array_of_their_own_which_boundary_faces_have_0_in) {
+  const TempFolder folder;
+  const MarkedGrid grid;
+  const std::string pieces = read_file(export_as(grid, folder, "", "a.pvtu"));
+  EXPECT_THAT(pieces, testing::HasSubstr(
+                          R"(<PDataArray type="Int32" Name="layer" NumberOfComponents="1"/>)"));
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const NumberedPart& part = grid.parts[i];
+    FileNumbers marks =
+        array(read_file(folder.path() / ("a/a_" + std::to_string(i) + ".vtu")), "layer");
+    EXPECT_EQ(marks.large(), (cells_of(part) + boundary_faces_of(part)) * 4);
+    for (std::int64_t c = 0; c < cells_of(part); ++c) ASSERT_EQ(marks.small(), c + 1);
+    for (std::int64_t f = 0; f < boundary_faces_of(part); ++f) ASSERT_EQ(marks.small(), 0);
   }
 }
 

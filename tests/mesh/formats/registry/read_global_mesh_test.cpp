@@ -25,7 +25,7 @@ using testing::IsEmpty;
 struct Files {
   explicit Files(const CutGrid& grid) {
     const Numbering numbering = grid.numbering();
-    const auto first = write_vtkhdf(vtkhdf, grid.counts(), grid.surface.patch_names);
+    const auto first = write_vtkhdf(vtkhdf, grid.counts(), {grid.surface.patch_names});
     const auto second = write_ugrid(ugrid, numbering, std::ssize(grid.surface.triangles));
     const std::array<GlobalMeshWriter*, 2> writers = {first.get(), second.get()};
     summary = assemble_global_mesh(grid.surface, numbering, grid.reader(), writers);
@@ -95,7 +95,7 @@ TEST(MeshFiles, a_vtkhdf_file_that_was_not_finished_is_refused) {
   const TempFolder folder;
   const std::filesystem::path path = folder.path() / "grid.vtkhdf";
   {
-    const auto writer = write_vtkhdf(path, grid.counts(), grid.surface.patch_names);
+    const auto writer = write_vtkhdf(path, grid.counts(), {grid.surface.patch_names});
     for (const NumberedPart& part : parts_of(grid)) writer->add(part);
   }
   EXPECT_THROW(read_global_mesh(path), InvalidInput);
@@ -108,7 +108,7 @@ TEST(MeshFiles, parts_of_a_vtkhdf_file_may_come_in_any_order) {
   std::vector<std::string> bytes;
   for (int i = 0; i < 2; ++i) {
     const std::filesystem::path path = folder.path() / std::to_string(i);
-    const auto writer = write_vtkhdf(path, grid.counts(), grid.surface.patch_names);
+    const auto writer = write_vtkhdf(path, grid.counts(), {grid.surface.patch_names});
     for (const NumberedPart& part : parts) writer->add(part);
     writer->finish();
     bytes.push_back(read_file(path));
@@ -122,7 +122,7 @@ TEST(MeshFiles, a_part_with_other_counts_than_announced_is_not_written) {
   const TempFolder folder;
   std::vector<VtkhdfCounts> counts = grid.counts();
   ++counts[1].faces;
-  const auto writer = write_vtkhdf(folder.path() / "a.vtkhdf", counts, grid.surface.patch_names);
+  const auto writer = write_vtkhdf(folder.path() / "a.vtkhdf", counts, {grid.surface.patch_names});
   EXPECT_THROW(writer->add(parts_of(grid)[1]), Error);
 }
 

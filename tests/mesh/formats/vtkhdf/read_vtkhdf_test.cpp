@@ -10,6 +10,7 @@
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/every_kind_mesh.h"
 #include "tests/mesh/formats/hdf5_edit.h"
+#include "tests/mesh/formats/marked_grid.h"
 #include "tests/mesh/formats/mesh_listing.h"
 
 namespace tetfarm {
@@ -207,6 +208,29 @@ TEST(ReadVtkhdf, counts_what_a_partition_has_without_reading_it) {
   EXPECT_EQ(counted.part.blocks[ElementType::pyramid].regions, (std::vector<std::int32_t>{2, 3}));
   EXPECT_EQ(counted.part.nodes, parts.part(1).nodes);
   EXPECT_EQ(counted.part.patch_of_face, parts.part(1).patch_of_face);
+}
+
+TEST(ReadVtkhdf, gives_back_the_marks_of_cells) {
+  const TempFolder folder;
+  const MarkedGrid grid;
+  const std::string path = folder.path() / "a.vtkhdf";
+  export_mesh(grid, find_mesh_format("", path), path);
+  const auto read = open_mesh(path);
+  EXPECT_EQ(read->cell_marks(), grid.cell_marks());
+  ASSERT_EQ(read->size(), grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    EXPECT_EQ(read->part(i).marks, grid.parts[i].marks);
+  }
+}
+
+TEST(ReadVtkhdf, an_array_of_another_program_that_is_called_like_a_mark_is_none) {
+  const TempFolder folder;
+  const std::string path = folder.path() / "a.vtkhdf";
+  export_mesh(MarkedGrid(), find_mesh_format("", path), path);
+  remove_from_hdf5(path, "Tetfarm");
+  const auto read = open_mesh(path);
+  EXPECT_TRUE(read->cell_marks().empty());
+  EXPECT_TRUE(read->part(0).marks.empty());
 }
 
 }  // namespace

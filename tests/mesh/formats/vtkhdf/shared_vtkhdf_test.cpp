@@ -25,7 +25,7 @@ class SharedVtkhdfFile : public testing::Test {
     count_faces();
     for (const LeafNumbers& leaf : numbering_.leaves) parts_.push_back(grid_.reader()(leaf).part);
     const auto writer = write_vtkhdf(folder_.path() / "alone", grid_.counts(),
-                                     grid_.surface.patch_names, grid_.surface.region_names);
+                                     {grid_.surface.patch_names, grid_.surface.region_names});
     for (const NumberedPart& part : parts_) writer->add(part);
     writer->finish();
   }

@@ -1,0 +1,44 @@
+/// Whole numbers that tell the cells of layers apart, for who reads the mesh: a solver, or a person
+/// who looks at it.
+///
+/// Source: none in the thesis. A mesh without layers has none of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tetfarm {
+
+enum class CellMark : std::uint8_t {
+  layer,  ///< from the wall, which the first is on; 0: beyond the layers
+};
+inline constexpr std::array all_cell_marks = {CellMark::layer};
+
+/// As files have it.
+constexpr const char* name_of(CellMark mark) {
+  constexpr std::array<const char*, all_cell_marks.size()> names = {"layer"};
+  return names[static_cast<std::size_t>(mark)];
+}
+
+/// Of each cell of a part, tets and then those in blocks, type after type; none: 0 of all.
+class CellMarks {
+ public:
+  std::vector<std::int32_t>& operator[](CellMark mark) { return of_[static_cast<std::size_t>(mark)]; }
+  const std::vector<std::int32_t>& operator[](CellMark mark) const {
+    return of_[static_cast<std::size_t>(mark)];
+  }
+  bool empty() const {
+    for (const auto& values : of_) {
+      if (!values.empty()) return false;
+    }
+    return true;
+  }
+  friend bool operator==(const CellMarks&, const CellMarks&) = default;
+
+ private:
+  std::array<std::vector<std::int32_t>, all_cell_marks.size()> of_;
+};
+
+}  // namespace tetfarm
