@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view chunk_magic = "TFLAYR\r\n";
 constexpr std::uint32_t chunk_version = 1;
+constexpr std::uint32_t chunk_version_with_tets = 2;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
 void write_line(const ChunkLine& line, ByteWriter& writer) {
@@ -86,28 +87,56 @@ void check_triangles(const LayerChunk& chunk, const ByteReader& reader) {
   }
 }
 
+bool has_lines_in_tets(const LayerChunk& chunk) {
+  return std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                     [](const ChunkLine& line) { return line.line.in_tets; });
+}
+
+/// By the version in the first bytes; what else they say is looked at by who reads on.
+bool says_which_are_in_tets(std::string_view bytes) {
+  return bytes.starts_with(begin_checked(chunk_magic, chunk_version_with_tets).bytes());
+}
+
+void read_which_are_in_tets(ByteReader& reader, LayerChunk& chunk) {
+  for (ChunkLine& line : chunk.lines) {
+    const auto in_tets = reader.number<std::uint32_t>();
+    if (in_tets > 1) reader.fail("has a line that cannot be");
+    line.line.in_tets = in_tets == 1;
+  }
+}
+
 }  // namespace
 
 std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
-  ByteWriter writer = begin_checked(chunk_magic, chunk_version);
+  const bool has_tets = has_lines_in_tets(chunk);
+  ByteWriter writer =
+      begin_checked(chunk_magic, has_tets ? chunk_version_with_tets : chunk_version);
   writer.number(chunk.path.heap);
   writer.number<std::uint64_t>(chunk.lines.size());
   writer.number<std::uint64_t>(chunk.triangles.size());
   for (const ChunkLine& line : chunk.lines) write_line(line, writer);
+  if (has_tets) {
+    for (const ChunkLine& line : chunk.lines) {
+      writer.number<std::uint32_t>(line.line.in_tets ? 1 : 0);
+    }
+  }
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
 }
 
 LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader = read_checked(bytes, chunk_magic, chunk_version, name);
+  const bool has_tets = says_which_are_in_tets(bytes);
+  ByteReader reader =
+      read_checked(bytes, chunk_magic, has_tets ? chunk_version_with_tets : chunk_version, name);
   LayerChunk chunk;
   chunk.path = {reader.number<std::uint64_t>()};
   if (chunk.path.heap == 0 || chunk.path.heap >= heaps_end) reader.fail("has no place in a tree");
   const std::size_t lines = reader.count();
   const std::size_t triangles = reader.count();
   for (std::size_t i = 0; i < lines; ++i) chunk.lines.push_back(read_line(reader));
+  if (has_tets) read_which_are_in_tets(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

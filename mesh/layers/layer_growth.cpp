@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "mesh/core/complaints.h"
 #include "mesh/layers/layer_cells.h"
+#include "mesh/layers/prism_division.h"
 
 namespace tetfarm {
 namespace {
@@ -47,6 +48,14 @@ void add_cell(ElementType type, std::span<const std::int32_t> nodes, std::int32_
   block.regions.push_back(region);
 }
 
+/// By the numbers of the feet, which neighbours see alike, whatever chunk they are in.
+void add_divided_prism(const std::array<std::int32_t, 3>& feet, std::span<const std::int32_t> nodes,
+                       GrownLayers& layers) {
+  for (const auto& tet : tets_of_prism(feet)) {
+    layers.mesh.tets.push_back({nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]});
+  }
+}
+
 void check_cell(const std::vector<Vec3>& points, ElementType type,
                 std::span<const std::int32_t> nodes, Complaints& complaints) {
   if (complaints.full()) return;
@@ -79,6 +88,14 @@ GrownLayers grow(const LayerChunk& chunk) {
       std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
       std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
                      [&feet](const CellNode& n) { return feet[at(n.corner)] + n.level; });
+      if (cell.type == ElementType::prism && is_in_tets(chunk, lines)) {
+        std::array<std::int32_t, 3> surface_feet{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          surface_feet[k] = chunk.lines[at(lines[at(cell.nodes[k].corner)])].line.foot;
+        }
+        add_divided_prism(surface_feet, nodes, layers);
+        continue;
+      }
       add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
                layers);
     }
