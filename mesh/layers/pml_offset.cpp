@@ -8,6 +8,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/inspect/surface_check.h"
@@ -260,17 +261,21 @@ SurfaceMesh moved_outwards(const SurfaceMesh& surface, std::span<const Vec3> dir
     moved.vertices[v] += thickness * directions[v];
   }
   const CheckedSurface checked = check_surface({moved.vertices, moved.triangles, {}, {}, {}, {}});
-  const auto fail = [&](const std::string& what) {
+  const auto fail = [&](std::size_t triangle, const std::string& what) {
     throw UsageError("the outer boundary cannot be moved outwards by " + text_of(thickness) +
-                         ", the thickness of all of them: " + what +
+                         ", the thickness of all layers: triangle " + std::to_string(triangle) +
+                         " at " + text_of(surface.vertices[at(surface.triangles[triangle][0])]) +
+                         " would " + what +
                          "; give fewer or lower layers, or a convex outer boundary",
                      place);
   };
-  if (!checked.report.defects.empty()) fail(checked.report.defects.front().message);
+  for (const SurfaceDefect& defect : checked.report.defects) {
+    TF_CHECK(!defect.triangles.empty());
+    fail(static_cast<std::size_t>(defect.triangles.front()),
+         "be part of a " + defect.kind + " of " + counted(defect.triangles.size(), "triangle"));
+  }
   for (std::size_t t = 0; t < moved.triangles.size(); ++t) {
-    if (checked.surface.triangles[t] == moved.triangles[t]) continue;
-    fail("triangle " + std::to_string(t) + " at " +
-         text_of(surface.vertices[at(moved.triangles[t][0])]) + " would be turned over");
+    if (checked.surface.triangles[t] != moved.triangles[t]) fail(t, "be turned over");
   }
   return moved;
 }
