@@ -26,12 +26,14 @@ struct Estimate {
   std::int64_t subdomains = 0;
   SurfaceAngles angles;  ///< that the domain's boundary forces
   std::vector<LayerFigures> layers;
+  std::optional<PmlFigures> pml;
 };
 
 Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
   const JobDomain domain = domain_of_job(job, checked.surface);
   return {domain.all_elements(), wanted_parts(job, domain.elements, region_count(domain.surface)),
-          surface_angles_of(domain.surface), layer_figures_of(job, domain.surface)};
+          surface_angles_of(domain.surface), layer_figures_of(job, domain.surface),
+          domain.layers ? domain.layers->pml : std::nullopt};
 }
 
 Json report_json(const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -105,6 +107,7 @@ ExitCode check_command(const CheckOptions& options) {
   RunOptions job_options;
   job_options.input = options.input;
   job_options.layers = options.layers;
+  job_options.pml = options.pml;
   const JobInput input = read_job(job_options);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
   const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
@@ -121,7 +124,9 @@ ExitCode check_command(const CheckOptions& options) {
       if (!options.json) print_remark(remark);
     }
     if (!coming.layers.empty()) json["layers"] = layers_json(coming.layers);
+    if (coming.pml) json["pml"] = pml_json(*coming.pml);
     if (!options.json) {
+      if (coming.pml) std::printf("pml             %s\n", pml_text(*coming.pml).c_str());
       for (const LayerFigures& layers : coming.layers) {
         std::printf("layers          %s\n", layers_text(layers).c_str());
       }

@@ -53,6 +53,14 @@ CLI::Option* add_layers(CLI::App& app, std::vector<std::string>& layers, const s
       ->option_text("PATCH,...:KEY=VALUE,...");
 }
 
+CLI::Option* add_pml(CLI::App& app, std::string& pml) {
+  return app
+      .add_option("--pml", pml,
+                  "Absorbing layers outside of the outer boundary, such as 'outer:layers=10', with "
+                  "height=H and elements=prisms or tets")
+      ->option_text("PATCH,...[:KEY=VALUE,...]");
+}
+
 void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("INPUT", job.input,
                  "A closed surface (" + readable_surfaces() + "; also .gz) or a job file (.toml)")
@@ -82,6 +90,7 @@ void add_job(CLI::App& app, RunOptions& job) {
       ->check(positive_number())
       ->option_text("H");
   add_layers(app, job.layers, "");
+  add_pml(app, job.pml);
   CLI::Option* most =
       app.add_option("--max-elements", job.max_elements,
                      "Refuse a job that would have more elements (default 2000000000)")
@@ -173,12 +182,14 @@ class Parser {
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
+    CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* store = sub.add_option("--store", check_.store,
                                         "Instead, check that the files of this store (or output "
                                         "folder of a run) are present and intact")
                              ->option_text("DIR")
                              ->excludes(input)
-                             ->excludes(layers);
+                             ->excludes(layers)
+                             ->excludes(pml);
     sub.add_option("--database", check_.database,
                    "Folder of the store's database (default: the store)")
         ->option_text("DIR")

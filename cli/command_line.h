@@ -27,6 +27,7 @@ struct RunOptions {
   std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
   std::optional<double> outer_size;
   std::vector<std::string> layers;  ///< each "PATCH,...:KEY=VALUE,..."
+  std::string pml;                  ///< the same, or "PATCH,..."; "": as the job file says
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
@@ -40,6 +41,7 @@ struct RunOptions {
 struct CheckOptions {
   std::string input;
   std::vector<std::string> layers;  ///< as of RunOptions
+  std::string pml;                  ///< likewise
   std::string defects_file;         ///< a file or a folder; "": NAME.defects.vtp here
   std::string store;                ///< instead of an input: a store or the folder of a run
   std::string database;             ///< of the store: the folder of its database, "": the store

@@ -17,6 +17,7 @@
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_pml.h"
 
 namespace tetfarm {
 namespace {
@@ -63,10 +64,12 @@ void set_layers(JobFile& job, const std::vector<std::string>& typed) {
 
 /// As far as it can be told of a surface that need not have been checked.
 void require_layers(const JobFile& job, const SurfaceMesh& surface) {
-  if (job.layers.empty()) return;
+  if (job.layers.empty() && !job.pml) return;
   OuterBoundary outer = outer_boundary_of(job);
   outer.is_sketch = true;
-  layer_requests_of(job, add_outer_boundary(surface, outer, job.growth));
+  const SurfaceMesh domain = add_outer_boundary(surface, outer, job.growth);
+  layer_requests_of(job, domain);
+  if (job.pml) pml_patches_of(job, domain);
 }
 
 std::string without_ending(const std::string& name, const std::string& ending) {
@@ -116,6 +119,7 @@ JobInput describe_job(const RunOptions& options) {
   if (options.outer) set_outer(job, *options.outer);
   if (options.outer_size) set_outer_size(job, *options.outer_size);
   set_layers(job, options.layers);
+  if (!options.pml.empty()) job.pml = parse_pml_option(options.pml);
   if (options.max_elements) job.max_elements = *options.max_elements;
   if (options.force) job.max_elements = 0;
   if (!options.formats.empty()) {

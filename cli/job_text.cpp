@@ -153,6 +153,16 @@ std::string wall_text(const wire::JobStatus& status) {
                   ", within 10 % on " + percent("layers_first_within_10"));
 }
 
+/// Empty of a job without absorbing layers.
+std::string pml_result_text(const wire::JobStatus& status) {
+  if (!status.numbers().contains("pml_layers")) return {};
+  const char* of_cells = number_of(status, "pml_prisms") > 0 ? "prisms" : "tets";
+  return indented(format("pml: %.0f layers, %.4g high, %.4g together, ",
+                         number_of(status, "pml_layers"), number_of(status, "pml_height"),
+                         number_of(status, "pml_thickness")) +
+                  short_count(number_of(status, "pml_cells")) + " " + of_cells);
+}
+
 }  // namespace
 
 std::string result_text(const wire::JobStatus& said, double seconds,
@@ -171,6 +181,7 @@ std::string result_text(const wire::JobStatus& said, double seconds,
     text += indented(harmless(remark, longest_remark));
   }
   text += wall_text(status);
+  text += pml_result_text(status);
   text += near_cuts_text(status);
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {
     text += indented(text_of(status, region_prefix(i) + "name") + ": " +

@@ -44,4 +44,21 @@ nlohmann::ordered_json layers_json(std::span<const LayerFigures> all) {
   return json;
 }
 
+std::string pml_text(const PmlFigures& figures) {
+  const auto of = [](std::int64_t number, const char* what) {
+    return counted(static_cast<std::uint64_t>(number), what);
+  };
+  return patches_text(figures.patches) + ": " + of(figures.layers, "layer") + ", " +
+         four_digits(figures.height) + " high, " + four_digits(figures.thickness) + " together; " +
+         of(figures.triangles, "triangle") + ", " +
+         (figures.tets > 0 ? of(figures.tets, "tet") : of(figures.prisms, "prism"));
+}
+
+nlohmann::ordered_json pml_json(const PmlFigures& figures) {
+  return {{"patches", figures.patches}, {"layers", figures.layers},
+          {"height", figures.height},   {"thickness", figures.thickness},
+          {"cells", figures.cells()},   {"tets", figures.tets},
+          {"prisms", figures.prisms},   {"outer_triangles", figures.triangles}};
+}
+
 }  // namespace tetfarm

@@ -45,6 +45,7 @@ struct Plan {
   JobForecast forecast;
   TaskTimes times;
   std::vector<LayerFigures> layers;
+  std::optional<PmlFigures> pml;
 };
 
 Plan make_plan(const JobInput& input) {
@@ -68,6 +69,7 @@ Plan make_plan(const JobInput& input) {
   plan.forecast = forecast_of(input.job, plan.input_bytes, plan.root, static_cast<double>(parts));
   if (domain.layers) {
     add_layers(*domain.layers, plan.forecast);
+    plan.pml = domain.layers->pml;
     plan.chunks = domain.layers->chunks.size();
     plan.layer_cells = static_cast<double>(domain.layers->cells);
   }
@@ -226,6 +228,7 @@ void print_json(const JobInput& input, const Plan& plan) {
   put(sum_of(kinds), json);
   json["learnt_from_tasks"] = plan.times.learnt();
   if (!plan.layers.empty()) json["layers"] = layers_json(plan.layers);
+  if (plan.pml) json["pml"] = pml_json(*plan.pml);
   json["subdomains"] = Json::array();
   for (const PlannedSubdomain& node : plan.tree) {
     const TaskCost cost = cost_of_node(plan, node);
@@ -275,7 +278,8 @@ void print_text(const Plan& plan, const std::string& store) {
   for (const LayerFigures& layers : plan.layers) {
     std::printf("\nlayers on %s", layers_text(layers).c_str());
   }
-  if (!plan.layers.empty()) std::printf("\n");
+  if (plan.pml) std::printf("\npml on %s", pml_text(*plan.pml).c_str());
+  if (!plan.layers.empty() || plan.pml) std::printf("\n");
   const SecondsRange sum = sum_of(kinds);
   JobForecast forecast = plan.forecast;
   forecast.seconds = sum.expected;

@@ -24,6 +24,8 @@ void name_as_typed(wire::JobStatus& end, const RunOptions& options, const JobInp
     message = "--max-memory " + options.max_memory + ": " + message;
   } else if (!options.layers.empty() && take_away(message, "[[layers]]")) {
     message = "--layers" + message;
+  } else if (!options.pml.empty() && take_away(message, "[[pml]]")) {
+    message = "--pml" + message;
   }
   end.set_message(message);
 }

@@ -61,14 +61,30 @@ Json unforced_json(const wire::JobStatus& status) {
           {"worst_at", place_of(status, "unforced_worst")}};
 }
 
+Json pml_json(const wire::JobStatus& status) {
+  Json json = Json::object();
+  json["layers"] = static_cast<std::int64_t>(number_of(status, "pml_layers"));
+  for (const char* name : {"height", "thickness"}) {
+    json[name] = number_of(status, std::string("pml_") + name);
+  }
+  for (const char* name : {"cells", "tets", "prisms", "outer_triangles"}) {
+    json[name] = static_cast<std::int64_t>(number_of(status, std::string("pml_") + name));
+  }
+  return json;
+}
+
 /// Of a job with layers: its cells by type, and how much of the wall has what was asked for.
 void add_layers(const wire::JobStatus& status, Json& json) {
   const auto whole = [&status](const std::string& name) {
     return static_cast<std::int64_t>(number_of(status, name));
   };
-  if (!status.numbers().contains("layers_wall_triangles")) return;
+  const bool has_boundary_layers = status.numbers().contains("layers_wall_triangles");
+  const bool has_pml = status.numbers().contains("pml_layers");
+  if (!has_boundary_layers && !has_pml) return;
   json["tets"] = whole(status.numbers().contains("tets") ? "tets" : "elements");
   for (const char* name : {"pyramids", "prisms"}) json[name] = whole(name);
+  if (has_pml) json["pml"] = pml_json(status);
+  if (!has_boundary_layers) return;
   Json layers = Json::object();
   for (const char* name : {"wall_triangles", "full", "partial", "none"}) {
     layers[name] = whole(std::string("layers_") + name);

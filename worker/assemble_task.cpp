@@ -176,7 +176,9 @@ std::string regions_text(const GlobalMeshSummary& summary, const std::vector<std
 
 /// Of a mesh with layers. Its figures of shape are of the tets beyond them.
 void report_cells(TaskIo& io, const GlobalMeshSummary& summary) {
-  if (summary.others == ElementCounts{}) return;
+  const bool has_layers =
+      summary.others != ElementCounts{} || summary.tets != summary.shapes.all.tets;
+  if (!has_layers) return;
   io.number("elements", static_cast<double>(summary.tets + count_cells(summary.others)));
   io.number("tets", static_cast<double>(summary.tets));
   for (const ElementType type : layer_cell_types) {

@@ -79,8 +79,18 @@ void report_layers(TaskIo& io, const DomainLayers& layers) {
   }
 }
 
+void report_pml(TaskIo& io, const PmlFigures& pml) {
+  io.number("pml_layers", pml.layers);
+  io.number("pml_height", pml.height);
+  io.number("pml_thickness", pml.thickness);
+  io.number("pml_cells", static_cast<double>(pml.cells()));
+  io.number("pml_tets", static_cast<double>(pml.tets));
+  io.number("pml_prisms", static_cast<double>(pml.prisms));
+  io.number("pml_outer_triangles", static_cast<double>(pml.triangles));
+}
+
 void publish_layers(TaskIo& io, const DomainLayers& layers, InspectMade& made) {
-  made.layer_map = io.publish(layers.map);
+  if (!layers.map.empty()) made.layer_map = io.publish(layers.map);
   if (layers.chunks.empty()) return;
   for (const LayerChunk& chunk : layers.chunks) {
     made.layers[chunk.path.heap] = io.publish(layer_chunk_to_bytes(chunk));
@@ -131,6 +141,7 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.min_unforced_dihedral_deg = defaults.min_unforced_dihedral_deg;
   settings.formats = defaults.formats;
   settings.layers = defaults.layers;
+  settings.pml = defaults.pml;
   return settings;
 }
 
@@ -198,7 +209,8 @@ void inspect_task(TaskIo& io) {
       static_cast<double>(spacing_bytes.size()),
       static_cast<double>(needle_count(domain.root.vertices, domain.root.triangles))};
   require_room(job, input_bytes, size);
-  const auto wall = domain.layers ? domain.layers->coverage.wall_triangles : 0;
+  auto wall = domain.layers ? domain.layers->coverage.wall_triangles : 0;
+  if (domain.layers && domain.layers->pml) wall += domain.layers->pml->triangles;
   report_cost(io, inspect_cost(input_bytes, size, static_cast<double>(wall)));
   report_numbers(io, domain.surface, checked.report);
   const std::int32_t regions = region_count(domain.surface);
@@ -222,7 +234,8 @@ void inspect_task(TaskIo& io) {
   made.needles = static_cast<std::uint64_t>(size.needles);
   made.across_cuts = job.across_cuts;
   if (domain.layers) {
-    report_layers(io, *domain.layers);
+    if (!job.layers.empty()) report_layers(io, *domain.layers);
+    if (domain.layers->pml) report_pml(io, *domain.layers->pml);
     publish_layers(io, *domain.layers, made);
     io.number("estimated_elements", domain.all_elements());
   }

@@ -94,28 +94,51 @@ JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) 
 }
 
 /// Layers grow behind the triangles of a surface that bounds one region.
-void require_one_region(const SurfaceMesh& surface) {
+void require_one_region(const JobFile& job, const SurfaceMesh& surface) {
   const bool has_one =
       std::all_of(surface.sides.begin(), surface.sides.end(), [](const Sides& sides) {
         return sides == Sides{1, 0};
       });
   if (has_one) return;
-  throw UsageError(
-      "boundary layers grow in a surface that bounds one region, and this one bounds " +
-          std::to_string(region_count(surface)) +
-          ", or has triangles inside them; mesh its regions as surfaces of their own, "
-          "or leave out the layers",
-      "[[layers]]");
+  throw UsageError("layers grow in a surface that bounds one region, and this one bounds " +
+                       std::to_string(region_count(surface)) +
+                       ", or has triangles inside them; mesh its regions as surfaces of their own, "
+                       "or leave out the layers",
+                   job.layers.empty() ? "[[pml]]" : "[[layers]]");
 }
 
-void add_layers(const JobFile& job, JobDomain& domain) {
+/// Of the walls of boundary layers alone: absorbing ones have all layers, or there is no plan.
+LayerCoverage coverage_without(const std::vector<std::int32_t>& pml_patches,
+                               const SurfaceMesh& surface, std::vector<WallLayers> walls) {
+  std::erase_if(walls, [&](const WallLayers& wall) {
+    const std::int32_t patch =
+        surface.patch_of_triangle.empty()
+            ? 0
+            : surface.patch_of_triangle[static_cast<std::size_t>(wall.triangle)];
+    return std::binary_search(pml_patches.begin(), pml_patches.end(), patch);
+  });
+  return coverage_of(walls);
+}
+
+void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domain) {
   const SurfaceMesh& surface = domain.surface;
-  require_one_region(surface);
-  const LayerPlan plan = plan_layers(surface, layer_requests_of(job, surface));
+  require_one_region(job, surface);
+  std::vector<LayerRequest> requests = layer_requests_of(job, surface);
   DomainLayers layers;
+  std::vector<std::int32_t> pml_patches;
+  if (job.pml) {
+    PmlBlock block = pml_block_of(job, surface);
+    require_few_elements(job, domain.elements + static_cast<double>(block.figures.cells()),
+                         limits_of_job(job, checked, domain_volume(surface), 0));
+    pml_patches = block.request.patches;
+    layers.pml = std::move(block.figures);
+    requests.push_back(std::move(block.request));
+    domain.surface = std::move(block.surface);
+  }
+  const LayerPlan plan = plan_layers(surface, requests);
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
-  layers.coverage = coverage_of(walls);
-  layers.map = layer_map_vtp(walls, plan, surface);
+  layers.coverage = coverage_without(pml_patches, surface, walls);
+  if (!job.layers.empty()) layers.map = layer_map_vtp(walls, plan, surface);
   layers.chunks = chunks_of(plan, surface);
   for (const LayerChunk& chunk : layers.chunks) layers.cells += counts_of(chunk).cells();
   if (!layers.chunks.empty()) {
@@ -133,8 +156,8 @@ void add_layers(const JobFile& job, JobDomain& domain) {
 
 JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain domain = domain_without_layers(job, checked);
-  if (job.layers.empty()) return domain;
-  add_layers(job, domain);
+  if (job.layers.empty() && !job.pml) return domain;
+  add_layers(job, checked, domain);
   require_few_elements(job, domain.all_elements(),
                        limits_of_job(job, checked, domain_volume(domain.surface), 0));
   return domain;

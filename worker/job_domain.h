@@ -21,6 +21,7 @@
 #include "mesh/layers/layer_coverage.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/job_forecast.h"
+#include "worker/job_pml.h"
 
 namespace tetfarm {
 
@@ -29,12 +30,13 @@ struct DomainLayers {
   std::vector<LayerChunk> chunks;  ///< none where nothing grows
   std::int64_t top_nodes = 0;
   std::int64_t cells = 0;
-  LayerCoverage coverage;
-  std::string map;  ///< for people: layer_map_vtp
+  LayerCoverage coverage;  ///< of boundary layers alone
+  std::string map;         ///< for people: layer_map_vtp; empty without boundary layers
+  std::optional<PmlFigures> pml = {};
 };
 
 struct JobDomain {
-  SurfaceMesh surface;  ///< with the outer boundary
+  SurfaceMesh surface;  ///< with the outer boundary, which is that of absorbing layers
   // Of what the layers leave:
   SpacingField spacing;
   Subdomain root;
@@ -57,7 +59,7 @@ SpacingOptions spacing_options_of(const JobFile& job);
 
 /// @pre `checked` is a surface without defects. @throws UsageError when it would have more elements
 /// than the job may have, when layers are to grow in several regions, or as add_outer_boundary and
-/// layer_requests_of do; InvalidInput as make_spacing_field does.
+/// layer_requests_of and pml_block_of do; InvalidInput as make_spacing_field does.
 /// Cost: that of the spacing field, twice when the outer boundary is large, once more with layers,
 /// and theirs (plan_layers); nine times as much when the job is refused.
 JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked);

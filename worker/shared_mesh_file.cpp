@@ -17,8 +17,10 @@ SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const Tas
 }
 
 std::vector<CellMark> marks_of_job(const JobFile& job) {
-  if (job.layers.empty()) return {};
-  return {CellMark::layer};
+  std::vector<CellMark> marks;
+  if (!job.layers.empty()) marks.push_back(CellMark::layer);
+  if (job.pml) marks.push_back(CellMark::pml_depth);
+  return marks;
 }
 
 void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const SurfaceInput& surface,

@@ -64,10 +64,11 @@ void add_estimate(const TaskRow& inspect, JobSummary& summary) {
     const auto found = inspect.numbers.find(name);
     if (found != inspect.numbers.end()) summary.numbers[name] = found->second;
   }
-  constexpr const char* of_layers = "layers_";
-  for (auto number = inspect.numbers.lower_bound(of_layers);
-       number != inspect.numbers.end() && number->first.starts_with(of_layers); ++number) {
-    summary.numbers.insert(*number);
+  for (const char* start : {"layers_", "pml_"}) {
+    for (auto number = inspect.numbers.lower_bound(start);
+         number != inspect.numbers.end() && number->first.starts_with(start); ++number) {
+      summary.numbers.insert(*number);
+    }
   }
 }
 

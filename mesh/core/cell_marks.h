@@ -12,13 +12,14 @@
 namespace tetfarm {
 
 enum class CellMark : std::uint8_t {
-  layer,  ///< from the wall, which the first is on; 0: beyond the layers
+  layer,      ///< of boundary layers, from the wall, which the first is on; 0: beyond them
+  pml_depth,  ///< of absorbing layers, from the inside, where the first is; 0: within them
 };
-inline constexpr std::array all_cell_marks = {CellMark::layer};
+inline constexpr std::array all_cell_marks = {CellMark::layer, CellMark::pml_depth};
 
 /// As files have it.
 constexpr const char* name_of(CellMark mark) {
-  constexpr std::array<const char*, all_cell_marks.size()> names = {"layer"};
+  constexpr std::array<const char*, all_cell_marks.size()> names = {"layer", "pml_depth"};
   return names[static_cast<std::size_t>(mark)];
 }
 

@@ -15,9 +15,9 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 13> top_keys = {
-    "version", "name",      "geometry", "domain",    "region",  "spacing", "source",
-    "layers",  "decompose", "mesh",     "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 14> top_keys = {
+    "version", "name", "geometry",  "domain", "region",    "spacing", "source",
+    "layers",  "pml",  "decompose", "mesh",   "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
@@ -246,6 +246,14 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
   for_each_table(top, "layers",
                  [&](const toml::node& node) { job.layers.push_back(parse_layers(top, node)); });
+  for_each_table(top, "pml", [&](const toml::node& node) {
+    if (job.pml) {
+      top.fail(node.source(),
+               "a second `[[pml]]`: a job has one block of absorbing layers; name "
+               "all of its patches in one");
+    }
+    job.pml = parse_pml(top, node);
+  });
   parse_decompose(top.table("decompose", decompose_keys), job);
   parse_mesh(top.table("mesh", mesh_keys), job);
   parse_cosmetics(top.table("cosmetics", cosmetics_keys), job);
@@ -256,7 +264,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 15> sections = {
+  const std::array<std::pair<std::string_view, Words>, 16> sections = {
       {{"geometry", geometry_keys},
        {"domain", domain_keys},
        {"region", region_keys},
@@ -266,6 +274,7 @@ std::vector<std::string> job_file_keys() {
        {"source", triangle_keys},
        {"source.corner", corner_keys},
        {"layers", layers_keys()},
+       {"pml", pml_keys()},
        {"decompose", decompose_keys},
        {"decompose.assimilate", assimilate_keys},
        {"mesh", mesh_keys},

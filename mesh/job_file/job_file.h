@@ -47,6 +47,15 @@ struct JobLayers {
   std::string typed;           // as --layers, for messages; canonical text does not have it
 };
 
+/// What the job says of absorbing layers outside of its outer boundary.
+struct JobPml {
+  std::vector<std::string> patches;  // as of JobLayers
+  std::int64_t layers = 10;
+  double height = 0;              // of each; 0: the median edge of the patches
+  std::string elements = "tets";  // "tets" | "prisms"
+  std::string typed;              // as --pml, for messages; canonical text does not have it
+};
+
 /// The most layers that a job may ask for on a patch; mesh/layers/layer_request.h has the same
 /// limit.
 inline constexpr std::int64_t most_layers_of_job = 1000;
@@ -69,6 +78,7 @@ struct JobFile {
   bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
   std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
   std::vector<JobLayers> layers;    // [[layers]]
+  std::optional<JobPml> pml;        // [[pml]], one at most
   /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
   /// it into `sources` (read_flite_sources.h); canonical text does not name it.
   std::string sources_file;
@@ -97,6 +107,10 @@ std::optional<std::int64_t> parse_memory(std::string_view text);
 /// and keys of a table [[layers]], of which first_height may be called `first` and total_height
 /// `total`. @throws UsageError "--layers 'TYPED': …"
 JobLayers parse_layers_option(std::string_view typed);
+
+/// @param typed the value of --pml, "outer:layers=10,height=0.1", or names of patches alone: the
+/// same of a table [[pml]]. @throws UsageError "--pml 'TYPED': …"
+JobPml parse_pml_option(std::string_view typed);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named
 /// like `path` without its folder and ending.

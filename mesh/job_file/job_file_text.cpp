@@ -89,6 +89,13 @@ std::string layers_to_toml(const JobLayers& layers) {
          "\n";
 }
 
+std::string pml_to_toml(const JobPml& pml) {
+  return "\n[[pml]]\npatches = " + array_of(pml.patches) +
+         "\nlayers = " + std::to_string(pml.layers) +
+         "\nheight = " + (pml.height > 0 ? number(pml.height) : "\"spacing\"") +
+         "\ncorners = \"mitre\"\nelements = " + quoted_toml(pml.elements) + "\n";
+}
+
 }  // namespace
 
 std::string to_toml(const JobFile& job) {
@@ -109,6 +116,7 @@ std::string to_toml(const JobFile& job) {
           "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
   for (const JobLayers& layers : job.layers) text += layers_to_toml(layers);
+  if (job.pml) text += pml_to_toml(*job.pml);
   text += "\n[decompose]\n";
   if (job.max_memory_bytes > 0) {
     text += "max_memory = " + quoted_toml(std::to_string(job.max_memory_bytes) + "B") + "\n";

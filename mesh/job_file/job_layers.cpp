@@ -15,6 +15,11 @@ namespace {
 constexpr std::array<std::string_view, 12> table_keys = {
     "patches",    "first_height", "y_plus",       "reynolds", "length", "growth",
     "growth_cap", "acceleration", "total_height", "count",    "equal",  "room"};
+constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",
+                                                         "elements"};
+constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
+constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
+constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
 constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
 constexpr std::array<std::string_view, 1> counts_in_words = {"isotropic"};
 
@@ -121,16 +126,29 @@ std::string problem_with_glob(std::string_view glob, std::vector<std::string>& g
   return {};
 }
 
-void parse_patches(const JobSection& section, JobLayers& layers) {
+void parse_block(const JobSection& section, JobPml& pml) {
+  if (section.has("layers")) pml.layers = section.integer("layers", 1, most_layers_of_job);
+  if (section.has("height") && section.node("height").is_string()) {
+    section.one_of("height", heights_in_words);
+  } else if (section.has("height")) {
+    pml.height = section.positive("height");
+  }
+  if (section.has("corners")) section.one_of("corners", pml_corners);
+  if (section.has("elements")) pml.elements = section.one_of("elements", pml_elements);
+}
+
+std::vector<std::string> parse_patches(const JobSection& section) {
+  std::vector<std::string> globs;
   for (const toml::node& node : section.array("patches")) {
     const auto glob = node.value_exact<std::string>();
     const std::string problem =
-        glob ? problem_with_glob(*glob, layers.patches) : std::string("must hold strings");
+        glob ? problem_with_glob(*glob, globs) : std::string("must hold strings");
     if (!problem.empty()) section.fail(node.source(), "`patches` " + problem);
   }
-  if (layers.patches.empty()) {
+  if (globs.empty()) {
     section.fail("patches", "must name at least one patch; \"*\" is all of them");
   }
+  return globs;
 }
 
 /// A number where the text is one.
@@ -175,6 +193,15 @@ toml::table table_of_option(std::string_view settings, const std::string& place)
   return table;
 }
 
+std::vector<std::string> patches_of_option(std::string_view names, const std::string& place) {
+  std::vector<std::string> globs;
+  for (const std::string_view glob : split(names, ',')) {
+    const std::string problem = problem_with_glob(glob, globs);
+    if (!problem.empty()) throw UsageError("the list of patches " + problem, place);
+  }
+  return globs;
+}
+
 }  // namespace
 
 Words layers_keys() { return table_keys; }
@@ -182,7 +209,7 @@ Words layers_keys() { return table_keys; }
 JobLayers parse_layers(const JobSection& top, const toml::node& node) {
   const JobSection section = top.item(node, "layers", table_keys);
   JobLayers layers;
-  parse_patches(section, layers);
+  layers.patches = parse_patches(section);
   parse_heights(section, HeightKeys(), layers);
   return layers;
 }
@@ -195,10 +222,7 @@ JobLayers parse_layers_option(std::string_view typed) {
   }
   JobLayers layers;
   layers.typed = typed;
-  for (const std::string_view glob : split(typed.substr(0, colon), ',')) {
-    const std::string problem = problem_with_glob(glob, layers.patches);
-    if (!problem.empty()) throw UsageError("the list of patches " + problem, place);
-  }
+  layers.patches = patches_of_option(typed.substr(0, colon), place);
   const toml::table table = table_of_option(typed.substr(colon + 1), place);
   HeightKeys keys;
   if (!table.contains(keys.first)) keys.first = "first";
@@ -208,6 +232,32 @@ JobLayers parse_layers_option(std::string_view typed) {
   std::replace(known.begin(), known.end(), HeightKeys().total, keys.total);
   parse_heights(JobSection(table, "", known, place), keys, layers);
   return layers;
+}
+
+Words pml_keys() { return keys_of_pml; }
+
+JobPml parse_pml(const JobSection& top, const toml::node& node) {
+  const JobSection section = top.item(node, "pml", keys_of_pml);
+  JobPml pml;
+  pml.patches = parse_patches(section);
+  parse_block(section, pml);
+  return pml;
+}
+
+JobPml parse_pml_option(std::string_view typed) {
+  const std::string place = "--pml '" + std::string(typed) + "'";
+  const std::size_t colon = typed.rfind(':');
+  const bool has_settings =
+      colon != std::string_view::npos && typed.find('=', colon) != std::string_view::npos;
+  const std::string_view names = has_settings ? typed.substr(0, colon) : typed;
+  JobPml pml;
+  pml.typed = typed;
+  pml.patches = patches_of_option(names, place);
+  if (!has_settings) return pml;
+  const toml::table table = table_of_option(typed.substr(colon + 1), place);
+  const Words known = std::span(keys_of_pml).subspan(1);  // no patches
+  parse_block(JobSection(table, "", known, place), pml);
+  return pml;
 }
 
 }  // namespace tetfarm

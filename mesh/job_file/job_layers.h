@@ -1,5 +1,6 @@
-/// The boundary layers that a job asks for: a table [[layers]] of the job file. --layers of the
-/// command line says the same in one word and has the same checks (parse_layers_option).
+/// The layers that a job asks for: boundary layers, a table [[layers]] of the job file, and
+/// absorbing layers, a table [[pml]]. --layers and --pml of the command line say the same in one
+/// word and have the same checks (parse_layers_option, parse_pml_option).
 #pragma once
 
 #include "mesh/job_file/job_file.h"
@@ -12,5 +13,9 @@ Words layers_keys();
 
 /// @throws UsageError as JobSection does.
 JobLayers parse_layers(const JobSection& top, const toml::node& node);
+
+/// The same of a table [[pml]].
+Words pml_keys();
+JobPml parse_pml(const JobSection& top, const toml::node& node);
 
 }  // namespace tetfarm

@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::string_view chunk_magic = "TFLAYR\r\n";
 constexpr std::uint32_t chunk_version = 1;
+constexpr std::uint32_t chunk_version_with_kinds = 2;
+/// What a line of another kind than that of boundary layers is.
+constexpr std::uint32_t in_tets_bit = 1;
+constexpr std::uint32_t of_pml_bit = 2;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
 void write_line(const ChunkLine& line, ByteWriter& writer) {
@@ -86,28 +90,58 @@ void check_triangles(const LayerChunk& chunk, const ByteReader& reader) {
   }
 }
 
+bool has_kinds_of_lines(const LayerChunk& chunk) {
+  return std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                     [](const ChunkLine& line) { return line.line.of_pml || line.line.in_tets; });
+}
+
+/// By the version in the first bytes; what else they say is looked at by who reads on.
+bool says_kinds(std::string_view bytes) {
+  return bytes.starts_with(begin_checked(chunk_magic, chunk_version_with_kinds).bytes());
+}
+
+void read_kinds(ByteReader& reader, LayerChunk& chunk) {
+  for (ChunkLine& line : chunk.lines) {
+    const auto kind = reader.number<std::uint32_t>();
+    if (kind > (in_tets_bit | of_pml_bit)) reader.fail("has a line that cannot be");
+    line.line.in_tets = (kind & in_tets_bit) != 0;
+    line.line.of_pml = (kind & of_pml_bit) != 0;
+  }
+}
+
 }  // namespace
 
 std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
-  ByteWriter writer = begin_checked(chunk_magic, chunk_version);
+  const bool has_kinds = has_kinds_of_lines(chunk);
+  ByteWriter writer =
+      begin_checked(chunk_magic, has_kinds ? chunk_version_with_kinds : chunk_version);
   writer.number(chunk.path.heap);
   writer.number<std::uint64_t>(chunk.lines.size());
   writer.number<std::uint64_t>(chunk.triangles.size());
   for (const ChunkLine& line : chunk.lines) write_line(line, writer);
+  if (has_kinds) {
+    for (const ChunkLine& line : chunk.lines) {
+      writer.number<std::uint32_t>((line.line.in_tets ? in_tets_bit : 0) |
+                                   (line.line.of_pml ? of_pml_bit : 0));
+    }
+  }
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
 }
 
 LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& name) {
-  ByteReader reader = read_checked(bytes, chunk_magic, chunk_version, name);
+  const bool has_kinds = says_kinds(bytes);
+  ByteReader reader =
+      read_checked(bytes, chunk_magic, has_kinds ? chunk_version_with_kinds : chunk_version, name);
   LayerChunk chunk;
   chunk.path = {reader.number<std::uint64_t>()};
   if (chunk.path.heap == 0 || chunk.path.heap >= heaps_end) reader.fail("has no place in a tree");
   const std::size_t lines = reader.count();
   const std::size_t triangles = reader.count();
   for (std::size_t i = 0; i < lines; ++i) chunk.lines.push_back(read_line(reader));
+  if (has_kinds) read_kinds(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

@@ -11,6 +11,8 @@
 namespace tetfarm {
 namespace {
 
+constexpr std::int64_t tets_in_prism = 3;
+
 /// A triangle of the wall with cells above it.
 struct LayeredTriangle {
   std::int32_t number = 0;  // in the surface
@@ -30,7 +32,10 @@ std::vector<LayeredTriangle> layered_triangles(const LayerPlan& plan, const Surf
       sum += plan.lines[at(lines[k])].at;
     }
     if (layers_above(stops) == 0) continue;
-    found.push_back({t, lines, layers_above(stops)});
+    const bool in_tets = std::all_of(lines.begin(), lines.end(), [&plan](std::int32_t line) {
+      return plan.lines[at(line)].in_tets;
+    });
+    found.push_back({t, lines, layers_above(stops) * (in_tets ? tets_in_prism : 1)});
     centroids.push_back(sum / 3.0);
   }
   std::vector<LayeredTriangle> in_order;
@@ -136,7 +141,6 @@ class ChunkFiller {
     added.line.first_wanted = 0;
     added.line.reason = StopReason::complete;
     added.line.because_of = -1;
-    added.line.because_of = -1;
     Owned& owned = owned_[at(line)];
     if (owned.by == 0) {
       owned = {chunk_->path.heap, next_node_};
@@ -176,6 +180,16 @@ std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surf
   return chunks;
 }
 
+bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.of_pml; });
+}
+
+bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.in_tets; });
+}
+
 ChunkCounts counts_of(const LayerChunk& chunk) {
   ChunkCounts counts;
   for (const ChunkLine& line : chunk.lines) {
@@ -186,7 +200,9 @@ ChunkCounts counts_of(const LayerChunk& chunk) {
     for (std::size_t k = 0; k < 3; ++k) stops[k] = chunk.lines[at(triangle[k])].line.stop;
     // As many lines grow in a layer as have a stop that is not lower.
     std::sort(stops.begin(), stops.end());
-    counts.prisms += stops[0];
+    const bool in_tets = is_in_tets(chunk, triangle);
+    counts.prisms += in_tets ? 0 : stops[0];
+    counts.tets += in_tets ? tets_in_prism * stops[0] : 0;
     counts.pyramids += stops[1] - stops[0];
     counts.tets += stops[2] - stops[1];
   }

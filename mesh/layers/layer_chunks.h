@@ -35,6 +35,7 @@ struct ChunkLine {
   friend bool operator==(const ChunkLine&, const ChunkLine&) = default;
 };
 
+/// A prism all of whose lines are in_tets is three tets.
 /// Invariants: 1. `triangles` and `surface_triangles` have equal lengths; 2. a triangle has three
 /// different lines, one of them with layers; 3. every line is one of a triangle.
 struct LayerChunk {
@@ -61,6 +62,13 @@ struct ChunkCounts {
 /// @pre `plan` is of `surface`; most_cells > 0. Cost: O(n log n) for n wall triangles.
 std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                   std::int64_t most_cells = cells_of_chunk);
+
+/// Whether the cells above the triangle are of absorbing layers. Those are whole: the lines of a
+/// triangle have all the same number of them.
+bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle);
+
+/// Whether the prisms above the triangle are divided into tets.
+bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle);
 
 /// Cost: O(triangles).
 ChunkCounts counts_of(const LayerChunk& chunk);

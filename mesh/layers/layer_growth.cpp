@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "mesh/core/complaints.h"
 #include "mesh/layers/layer_cells.h"
+#include "mesh/layers/prism_division.h"
 
 namespace tetfarm {
 namespace {
@@ -47,6 +48,14 @@ void add_cell(ElementType type, std::span<const std::int32_t> nodes, std::int32_
   block.regions.push_back(region);
 }
 
+/// By the numbers of the feet, which neighbours see alike, whatever chunk they are in.
+void add_divided_prism(const std::array<std::int32_t, 3>& feet, std::span<const std::int32_t> nodes,
+                       GrownLayers& layers) {
+  for (const auto& tet : tets_of_prism(feet)) {
+    layers.mesh.tets.push_back({nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]});
+  }
+}
+
 void check_cell(const std::vector<Vec3>& points, ElementType type,
                 std::span<const std::int32_t> nodes, Complaints& complaints) {
   if (complaints.full()) return;
@@ -57,20 +66,64 @@ void check_cell(const std::vector<Vec3>& points, ElementType type,
                  text_of(points[at(nodes.front())]) + " is flat or turned");
 }
 
-/// Marks are told of tets first, then of the blocks' cells.
-std::vector<std::int32_t> in_order_of_cells(const ByType<std::vector<std::int32_t>>& of_type) {
-  std::vector<std::int32_t> marks = of_type[ElementType::tet];
-  for (const ElementType type : cell_block_types) {
-    marks.insert(marks.end(), of_type[type].begin(), of_type[type].end());
+/// The marks of cells that come in any order of types.
+class Marking {
+ public:
+  void add(ElementType type, CellMark mark, int value, int cells = 1) {
+    for (const CellMark each : all_cell_marks) {
+      std::vector<std::int32_t>& values = marks_[type][each];
+      values.resize(values.size() + static_cast<std::size_t>(cells), each == mark ? value : 0);
+    }
+    is_known_[static_cast<std::size_t>(mark)] = true;
   }
-  return marks;
+  /// Tets first, then the cells of the blocks.
+  CellMarks in_order() const {
+    CellMarks marks;
+    for (const CellMark mark : all_cell_marks) {
+      if (!is_known_[static_cast<std::size_t>(mark)]) continue;
+      marks[mark] = marks_[ElementType::tet][mark];
+      for (const ElementType type : cell_block_types) {
+        const std::vector<std::int32_t>& of_type = marks_[type][mark];
+        marks[mark].insert(marks[mark].end(), of_type.begin(), of_type.end());
+      }
+    }
+    return marks;
+  }
+
+ private:
+  ByType<CellMarks> marks_;
+  std::array<bool, all_cell_marks.size()> is_known_{};
+};
+
+/// One layer above a triangle of the wall.
+void add_layer(const LayerChunk& chunk, const Triangle& lines, const Triangle& feet,
+               const LayerCell& cell, GrownLayers& layers, Marking& marking) {
+  const bool is_absorbing = is_of_pml(chunk, lines);
+  const CellMark mark = is_absorbing ? CellMark::pml_depth : CellMark::layer;
+  const int number =
+      is_absorbing ? chunk.lines[at(lines[0])].line.stop - cell.layer + 1 : cell.layer;
+  std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
+  std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
+                 [&feet](const CellNode& n) { return feet[at(n.corner)] + n.level; });
+  if (cell.type == ElementType::prism && is_in_tets(chunk, lines)) {
+    std::array<std::int32_t, 3> surface_feet{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      surface_feet[k] = chunk.lines[at(lines[at(cell.nodes[k].corner)])].line.foot;
+    }
+    add_divided_prism(surface_feet, nodes, layers);
+    marking.add(ElementType::tet, mark, number, 3);
+    return;
+  }
+  add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
+           layers);
+  marking.add(cell.type, mark, number);
 }
 
 }  // namespace
 
 GrownLayers grow(const LayerChunk& chunk) {
   GrownLayers layers;
-  ByType<std::vector<std::int32_t>> layer_of_cells;
+  Marking marking;
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
   layers.subdomain.path = chunk.path;
   const std::vector<std::int32_t> first = add_nodes(chunk, layers);
@@ -85,16 +138,10 @@ GrownLayers grow(const LayerChunk& chunk) {
     layers.subdomain.triangles.push_back(feet);
     layers.subdomain.triangle_origin.push_back({0, chunk.surface_triangles[t]});
     for (int layer = 1; layer <= layers_above(stops); ++layer) {
-      const LayerCell cell = layer_cell(stops, layer);
-      std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
-      std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
-                     [&feet](const CellNode& n) { return feet[at(n.corner)] + n.level; });
-      add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
-               layers);
-      layer_of_cells[cell.type].push_back(layer);
+      add_layer(chunk, lines, feet, layer_cell(stops, layer), layers, marking);
     }
   }
-  layers.marks[CellMark::layer] = in_order_of_cells(layer_of_cells);
+  layers.marks = marking.in_order();
   return layers;
 }
 

@@ -23,7 +23,7 @@ struct GrownLayers {
   Subdomain subdomain;
   TetMesh mesh;
   ElementBlocks blocks;  ///< pyramids and prisms, by the numbers of the nodes
-  CellMarks marks;       ///< the layer of each cell
+  CellMarks marks;       ///< of each cell its layer, or its depth in a PML
 };
 
 /// Cells come triangle by triangle, each from the wall up. Cost: O(cells).

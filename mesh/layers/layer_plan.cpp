@@ -1,10 +1,13 @@
 #include "mesh/layers/layer_plan.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "base/error.h"
+#include "mesh/core/complaints.h"
 #include "mesh/layers/layer_proof.h"
 #include "mesh/layers/line_room.h"
 #include "mesh/layers/marching_direction.h"
@@ -92,6 +95,8 @@ class Planning {
     return requests_[at(request)];
   }
 
+  bool follows_ways(std::size_t line) const { return !request_of(line).ways.empty(); }
+
   /// Of the faces at a line.
   std::vector<Vec3> normals_at(std::size_t line) const {
     std::vector<Vec3> round;
@@ -107,6 +112,13 @@ class Planning {
       LayerLine& line = plan_.lines[i];
       line.foot = line.because_of = graph_.feet[i];
       line.at = surface_.vertices[at(line.foot)];
+      if (follows_ways(i)) {
+        line.along = line.later = request_of(i).ways[at(line.foot)];
+        line.of_pml = true;
+        line.in_tets = request_of(i).in_tets;
+        TF_CHECK(!graph_.at_border[i] && !(line.along == Vec3{}));
+        continue;
+      }
       const MarchingDirection found = marching_direction(normals_at(i));
       if (found.visibility >= least_visibility) {
         line.along = found.direction / found.visibility;
@@ -122,6 +134,11 @@ class Planning {
     std::vector<Vec3> directions;
     std::vector<double> least;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      if (follows_ways(i)) {
+        directions.emplace_back();
+        least.push_back(0);
+        continue;
+      }
       const Vec3 direction = normalized(plan_.lines[i].along);
       directions.push_back(direction);
       least.push_back(share_of_visibility * visibility(direction, normals_at(i)));
@@ -173,9 +190,10 @@ class Planning {
     std::vector<double> wanted;
     std::vector<Vec3> along;
     std::vector<Vec3> places;
-    for (const LayerLine& line : plan_.lines) {
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      const LayerLine& line = plan_.lines[i];
       wanted.push_back(total_height(line.law, line.wanted));
-      along.push_back(line.later);
+      along.push_back(follows_ways(i) ? Vec3{} : line.later);
       places.push_back(line.at);
     }
     const std::vector<double> free = free_ways(surface_, graph_, along, wanted);
@@ -224,6 +242,7 @@ class Planning {
       LayerLine& line = plan_.lines[i];
       if (stops[i] == line.stop) continue;
       TF_CHECK(stops[i] < line.stop);
+      if (follows_ways(i)) refuse(line, reason);
       if (reason == StopReason::fold && line.later != line.along) {
         line.later = line.along;
         continue;
@@ -232,6 +251,15 @@ class Planning {
       line.reason = reason;
       line.because_of = line.foot;
     }
+  }
+
+  [[noreturn]] static void refuse(const LayerLine& line, StopReason reason) {
+    throw UsageError(
+        std::string("all of them have to be whole, and at ") + text_of(point_of(line, line.stop)) +
+            (reason == StopReason::fold ? " their cells would turn over"
+                                        : " they would meet other layers, or the surface") +
+            "; give fewer or lower layers",
+        "absorbing layers");
   }
 
   void hold_neighbours() {

@@ -54,6 +54,8 @@ struct LayerLine {
   /// The vertex at which that is so: its own foot, or that of a line further on, which it may not
   /// rise above by more than a layer from line to line.
   std::int32_t because_of = -1;
+  bool of_pml = false;   ///< its layers absorb, and lie outside of what the domain was
+  bool in_tets = false;  ///< prisms whose lines are all like this are divided into three tets
 
   friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };
@@ -75,7 +77,9 @@ std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& s
                                      std::int32_t triangle);
 
 /// @pre the surface has one region, it is behind every triangle, and check_surface found no
-/// defects; no patch is in two requests. Cost: O(n log n) for n triangles, and O(cells) to prove.
+/// defects; no patch is in two requests; patches with ways are whole shells. @throws UsageError
+/// where lines with ways given could not have all layers. Cost: O(n log n) for n triangles, and
+/// O(cells) to prove.
 LayerPlan plan_layers(const SurfaceMesh& surface, std::span<const LayerRequest> requests);
 
 }  // namespace tetfarm

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/core/vec3.h"
 #include "mesh/layers/height_law.h"
 
 namespace tetfarm {
@@ -26,6 +27,11 @@ struct LayerRequest {
   /// Layers that are wanted; 0: until one is as high as `isotropic_share` of the edges there.
   int count = 0;
   RoomRule room = RoomRule::ratio;
+  /// Of layers that have to be whole, such as absorbing ones: for each vertex of the surface the
+  /// way that its line goes for each unit of height, and no other. Empty: lines go where there is
+  /// room, as far as there is.
+  std::vector<Vec3> ways;
+  bool in_tets = false;  ///< each prism is divided into three tets
 };
 
 /// The last of the layers is as high as this share of the edges at its foot, where a job does not

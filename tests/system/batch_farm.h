@@ -103,6 +103,23 @@ class BatchFarm : public ::testing::Test {
 
   std::uint64_t lost_attempts() { return status().value("attempts_lost", std::uint64_t{0}); }
 
+  /// Kills what runs tasks while some run, by `kill`, until an attempt is lost: one that dies
+  /// between two tasks loses none.
+  bool loses_an_attempt(const std::function<void()>& kill) {
+    constexpr int most_rounds = 8;
+    constexpr double longer_than_a_lease = 8;
+    const auto is_working = [this] {
+      const nlohmann::json now = status();
+      return now.is_object() && now.value("tasks_running", std::uint64_t{0}) > 0;
+    };
+    for (int round = 0; round < most_rounds; ++round) {
+      if (!comes_true(60, is_working)) return false;
+      kill();
+      if (comes_true(longer_than_a_lease, [this] { return lost_attempts() > 0; })) return true;
+    }
+    return false;
+  }
+
   void expect_the_mesh_of_a_local_run() {
     const Ended ended =
         ask({"wait", job_, "-o", "out", "--store", "store", "--json", "--progress", "none"});

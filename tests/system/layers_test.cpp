@@ -1,6 +1,7 @@
 // Boundary layers through the whole program.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -115,6 +116,49 @@ TEST_F(RunWithLayers, plan_counts_their_cells) {
       test::result_of(run_program({"plan", "bare.toml", "--json"}, folder_.path()));
   EXPECT_FALSE(without["tasks"].contains("grow"));
   EXPECT_GT(with["estimated_elements"], 6 * 1280);
+}
+
+TEST_F(RunWithLayers, grows_absorbing_layers_outside_of_a_box_beside_those_of_the_body) {
+  write_job(
+      "growth = 1\n[domain]\nouter = \"box\"\nfactor = 2\nspacing = 0.5\n"
+      "[[pml]]\npatches = [\"outer\"]\nlayers = 4\nheight = 0.25\n");
+  const nlohmann::json result = run("out", 2, 3);
+  ASSERT_FALSE(result.is_null());
+  EXPECT_EQ(result["layers"]["full"], 1280);
+  const nlohmann::json& pml = result["pml"];
+  const auto outside = pml["outer_triangles"].get<std::int64_t>();
+  EXPECT_EQ(pml["layers"], 4);
+  EXPECT_EQ(pml["thickness"], 1);
+  EXPECT_EQ(pml["tets"], 12 * outside);
+  EXPECT_EQ(pml["prisms"], 0);
+  EXPECT_EQ(pml["cells"], pml["tets"]);
+  EXPECT_EQ(result["prisms"], 6 * 1280) << "of the body alone";
+  EXPECT_EQ(result["boundary_triangles"], 1280 + outside);
+  const SurfaceMesh ball = shapes::sphere({0.5, 0.25, 0}, 1, 3);
+  EXPECT_NEAR(result["volume"].get<double>(),
+              6 * 6 * 6 - enclosed_volume(ball.vertices, ball.triangles), 1e-9);
+  const nlohmann::json quality = sound("out");
+  EXPECT_EQ(quality["digest"], result["digest"]);
+  EXPECT_EQ(run("again", 1, 3)["digest"], result["digest"]);
+  const nlohmann::json plan =
+      test::result_of(run_program({"plan", "job.toml", "--json"}, folder_.path()));
+  EXPECT_EQ(plan["pml"]["cells"], pml["cells"]);
+}
+
+TEST_F(RunWithLayers, counts_the_tets_of_absorbing_layers_that_the_command_line_asks_for) {
+  std::vector<std::string> words = test::run_words("ball.off", "out", 2, 2);
+  words.insert(words.end(), {"--pml", "surface:layers=3,height=0.1", "--size", "0.3"});
+  const Ended ended = run_program(words, folder_.path());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = test::result_of(ended);
+  EXPECT_EQ(result["pml"]["tets"], 9 * 1280);
+  EXPECT_FALSE(result.contains("layers")) << "there are no boundary layers";
+  EXPECT_EQ(result["elements"], result["tets"]);
+  EXPECT_EQ(sound("out")["tets"], result["tets"]);
+  words.back() = "0.31";
+  std::replace(words.begin(), words.end(), std::string("surface:layers=3,height=0.1"),
+               std::string("surfac"));
+  EXPECT_THAT(run_program(words, folder_.path()).err, HasSubstr("did you mean \"surface\"?"));
 }
 
 TEST_F(RunWithLayers, of_several_regions_is_refused_in_words) {

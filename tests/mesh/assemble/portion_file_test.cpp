@@ -155,10 +155,19 @@ TEST(PortionFile, of_cells_gives_back_their_marks) {
   add_portion_cells(bytes, "c", read);
   EXPECT_EQ(read.part.marks, portion.part.marks);
   EXPECT_EQ(read.part.tets, portion.part.tets);
-  const std::size_t count = bytes.size() - checksum_size - 2 * 4 - 8;
+  const std::size_t count = bytes.size() - checksum_size - 8 - 2 * 4 - 8;
   EXPECT_EQ(error_text_of<CorruptFile>(
                 [&] { add_portion_cells(forged(bytes, count, std::uint64_t{1}), "c", read); }),
             "c: has marks of some cells only");
+}
+
+TEST(PortionFile, of_cells_tells_each_mark_apart) {
+  Portion portion = small_portion(true);
+  portion.part.marks[CellMark::pml_depth] = {5, 6};
+  Portion read = portion_from_bytes(portion_to_bytes(portion), "p");
+  add_portion_cells(portion_cells_to_bytes(portion), "c", read);
+  EXPECT_TRUE(read.part.marks[CellMark::layer].empty());
+  EXPECT_EQ(read.part.marks[CellMark::pml_depth], (std::vector<std::int32_t>{5, 6}));
 }
 
 TEST(PortionFile, of_cells_without_marks_are_without_them_also_behind_others_with) {

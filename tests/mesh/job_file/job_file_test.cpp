@@ -336,7 +336,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 7);
+  EXPECT_EQ(blocks, 8);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist) {

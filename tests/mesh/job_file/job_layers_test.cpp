@@ -29,6 +29,68 @@ std::string refusal_of_option(const std::string& typed) {
 
 const std::string of_wing = "patches = [\"wing\"]\n";  // line 4
 
+JobPml pml_of(const std::string& keys) {
+  const JobFile job =
+      parse_job_file("[geometry]\nsurface = \"a.stl\"\n[[pml]]\n" + keys, "job.toml");
+  return job.pml.value();
+}
+
+std::string refusal_of_pml(const std::string& keys) {
+  return error_text_of<UsageError>([&] { pml_of(keys); });
+}
+
+TEST(JobPml, has_defaults_for_all_but_patches) {
+  const JobPml pml = pml_of("patches = [\"far\"]");
+  EXPECT_THAT(pml.patches, ElementsAre("far"));
+  EXPECT_EQ(pml.layers, 10);
+  EXPECT_EQ(pml.height, 0) << "the median edge";
+  EXPECT_EQ(pml.elements, "tets");
+}
+
+TEST(JobPml, takes_every_key_and_is_the_same_in_canonical_text) {
+  const JobPml pml = pml_of(
+      "patches = [\"far_*\", \"lid\"]\nlayers = 7\nheight = 0.25\ncorners = \"mitre\"\n"
+      "elements = \"prisms\"");
+  EXPECT_EQ(pml.layers, 7);
+  EXPECT_EQ(pml.height, 0.25);
+  EXPECT_EQ(pml.elements, "prisms");
+  JobFile job;
+  job.name = "a";
+  job.surface = "/a.stl";
+  for (const JobPml& one : {pml, pml_of("patches = [\"far\"]\nheight = \"spacing\"")}) {
+    job.pml = one;
+    const JobFile again = parse_job_file(to_toml(job), "/job.toml");
+    EXPECT_EQ(again.pml->patches, one.patches);
+    EXPECT_EQ(again.pml->layers, one.layers);
+    EXPECT_EQ(again.pml->height, one.height);
+    EXPECT_EQ(again.pml->elements, one.elements);
+  }
+}
+
+TEST(JobPml, refuses_what_it_cannot_be) {
+  EXPECT_THAT(refusal_of_pml("layers = 3"), HasSubstr("patches"));
+  const std::string far = "patches = [\"far\"]\n";
+  EXPECT_THAT(refusal_of_pml(far + "layers = 0"), HasSubstr("layers"));
+  EXPECT_THAT(refusal_of_pml(far + "height = 0"), HasSubstr("height"));
+  EXPECT_THAT(refusal_of_pml(far + "height = \"edge\""), HasSubstr("spacing"));
+  EXPECT_THAT(refusal_of_pml(far + "corners = \"block\""), HasSubstr("mitre"));
+  EXPECT_THAT(refusal_of_pml(far + "elements = \"hexes\""), HasSubstr("prisms"));
+  EXPECT_THAT(refusal_of_pml(far + "first_height = 1"), HasSubstr("first_height"));
+  EXPECT_THAT(refusal_of_pml(far + "[[pml]]\n" + far), HasSubstr("one block"));
+}
+
+TEST(JobPml, is_said_in_one_word_on_the_command_line) {
+  const JobPml pml = parse_pml_option("far_*,lid:layers=7,height=0.25,elements=prisms");
+  EXPECT_THAT(pml.patches, ElementsAre("far_*", "lid"));
+  EXPECT_EQ(pml.layers, 7);
+  EXPECT_EQ(pml.height, 0.25);
+  EXPECT_EQ(pml.elements, "prisms");
+  EXPECT_THAT(parse_pml_option("far").patches, ElementsAre("far"));
+  EXPECT_EQ(parse_pml_option("far:height=spacing").height, 0);
+  EXPECT_THAT(error_text_of<UsageError>([] { parse_pml_option("far:layer=7"); }),
+              HasSubstr("--pml 'far:layer=7'"));
+}
+
 TEST(JobLayers, have_defaults_for_all_but_patches_and_first_height) {
   const JobLayers layers = layers_of(of_wing + "first_height = 1e-4");
   EXPECT_THAT(layers.patches, ElementsAre("wing"));

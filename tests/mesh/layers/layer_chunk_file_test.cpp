@@ -43,6 +43,20 @@ TEST(LayerChunkFile, gives_back_what_was_written) {
   EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
 }
 
+TEST(LayerChunkFile, tells_which_lines_are_in_tets_or_absorb_in_a_version_of_its_own) {
+  LayerChunk chunk = some_chunk();
+  EXPECT_EQ(layer_chunk_to_bytes(chunk)[8], 1);
+  chunk.lines.at(2).line.of_pml = true;
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+  chunk.lines.at(2).line.in_tets = true;
+  chunk.lines.at(0).line.in_tets = true;
+  const std::string bytes = layer_chunk_to_bytes(chunk);
+  EXPECT_EQ(bytes[8], 2);
+  EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
+  const std::size_t flags = first_line_at + chunk.lines.size() * 148;
+  expect_refused(forged<std::uint32_t>(bytes, flags, 4), "has a line that cannot be");
+}
+
 TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {
   const std::string bytes = layer_chunk_to_bytes(some_chunk());
   for (std::size_t i = 0; i < bytes.size(); ++i) {

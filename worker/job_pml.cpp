@@ -1,0 +1,150 @@
+#include "worker/job_pml.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "base/check.h"
+#include "base/edit_distance.h"
+#include "base/error.h"
+#include "mesh/core/complaints.h"
+#include "mesh/formats/patch_names.h"
+#include "mesh/layers/pml_offset.h"
+#include "worker/job_layers.h"
+
+namespace tetfarm {
+namespace {
+
+std::string pml_place(const JobPml& pml) {
+  return pml.typed.empty() ? "[[pml]] patches" : "--pml '" + pml.typed + "'";
+}
+
+std::vector<std::string> all_patch_names(const SurfaceMesh& surface) {
+  if (!surface.patch_of_triangle.empty()) return surface.patch_names;
+  return {std::string(unnamed_patch)};
+}
+
+[[noreturn]] void refuse_unknown_patch(const JobPml& pml, std::string_view glob,
+                                       const std::vector<std::string>& names) {
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  const std::string_view nearest = nearest_word(glob, words);
+  std::string text =
+      "\"" + std::string(glob) + "\" matches none of the patches " + patches_text(names);
+  if (!nearest.empty()) text += "; did you mean \"" + std::string(nearest) + "\"?";
+  throw UsageError(text, pml_place(pml));
+}
+
+/// The name "outer" is short for that of the boundary that the job puts round a body.
+bool names_patch(const JobFile& job, std::string_view glob, const std::vector<std::string>& names,
+                 std::size_t patch) {
+  const bool is_added = job.outer_kind != "none" && patch + 1 == names.size();
+  if (is_added && glob == "outer") return true;
+  return matches_glob(glob, names[patch]) && (!is_added || glob.starts_with("outer"));
+}
+
+void require_no_other_layers(const JobFile& job, const SurfaceMesh& surface,
+                             const std::vector<std::string>& names,
+                             const std::vector<std::int32_t>& patches) {
+  for (const LayerRequest& request : layer_requests_of(job, surface)) {
+    for (const std::int32_t patch : request.patches) {
+      if (!std::binary_search(patches.begin(), patches.end(), patch)) continue;
+      throw UsageError("the patch \"" + names[static_cast<std::size_t>(patch)] +
+                           "\" is to have boundary layers as well; a patch has one kind of layers",
+                       pml_place(*job.pml));
+    }
+  }
+}
+
+std::vector<Triangle> triangles_on(const SurfaceMesh& surface,
+                                   const std::vector<std::int32_t>& patches) {
+  std::vector<Triangle> found;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const std::int32_t patch = surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[t];
+    if (std::binary_search(patches.begin(), patches.end(), patch)) {
+      found.push_back(surface.triangles[t]);
+    }
+  }
+  return found;
+}
+
+/// The upper one; every triangle counts its three.
+double median_edge_of(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+  std::vector<double> edges;
+  for (const Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.push_back(distance(vertices[static_cast<std::size_t>(t.at(i))],
+                               vertices[static_cast<std::size_t>(t.at((i + 1) % 3))]));
+    }
+  }
+  TF_CHECK(!edges.empty());
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
+  return *middle;
+}
+
+LayerRequest request_of_pml(const JobPml& pml, std::vector<std::int32_t> patches, double height) {
+  LayerRequest request;
+  request.patches = std::move(patches);
+  request.law = {.first = height, .growth = 1, .acceleration = 1, .cap = 1, .equal = 1};
+  request.count = static_cast<int>(pml.layers);
+  request.in_tets = pml.elements == "tets";
+  return request;
+}
+
+PmlFigures figures_of(const LayerRequest& request, const SurfaceMesh& surface,
+                      std::size_t triangles) {
+  constexpr std::int64_t tets_of_each = 3;
+  PmlFigures figures;
+  const std::vector<std::string> names = all_patch_names(surface);
+  for (const std::int32_t patch : request.patches) {
+    figures.patches.push_back(names[static_cast<std::size_t>(patch)]);
+  }
+  figures.layers = request.count;
+  figures.height = request.law.first;
+  figures.thickness = total_height(request.law, request.count);
+  figures.triangles = static_cast<std::int64_t>(triangles);
+  const std::int64_t prisms = figures.triangles * figures.layers;
+  (request.in_tets ? figures.tets : figures.prisms) =
+      request.in_tets ? tets_of_each * prisms : prisms;
+  return figures;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> pml_patches_of(const JobFile& job, const SurfaceMesh& surface) {
+  TF_CHECK(job.pml.has_value());
+  const std::vector<std::string> names = all_patch_names(surface);
+  std::vector<std::int32_t> patches;
+  for (const std::string& glob : job.pml->patches) {
+    const std::size_t before = patches.size();
+    for (std::size_t patch = 0; patch < names.size(); ++patch) {
+      if (names_patch(job, glob, names, patch)) patches.push_back(static_cast<std::int32_t>(patch));
+    }
+    if (patches.size() == before) refuse_unknown_patch(*job.pml, glob, names);
+  }
+  std::sort(patches.begin(), patches.end());
+  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+  require_no_other_layers(job, surface, names, patches);
+  return patches;
+}
+
+PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
+  const std::vector<std::int32_t> patches = pml_patches_of(job, surface);
+  const JobPml& pml = *job.pml;
+  const std::vector<Triangle> triangles = triangles_on(surface, patches);
+  if (triangles.empty()) throw UsageError("these patches have no triangles", pml_place(pml));
+  const double height = pml.height > 0 ? pml.height : median_edge_of(surface.vertices, triangles);
+  PmlBlock block;
+  block.request = request_of_pml(pml, patches, height);
+  block.figures = figures_of(block.request, surface, triangles.size());
+  if (!std::isfinite(block.figures.thickness)) {
+    throw UsageError("so many layers that are so high have no finite height", pml_place(pml));
+  }
+  const std::vector<Vec3> outwards = pml_directions(surface, patches);
+  block.surface = moved_outwards(surface, outwards, block.figures.thickness);
+  for (const Vec3& way : outwards) block.request.ways.push_back(-way);
+  return block;
+}
+
+}  // namespace tetfarm
