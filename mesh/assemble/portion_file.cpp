@@ -269,9 +269,9 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
 std::string portion_cells_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
   TF_CHECK(std::ssize(part.tets) == portion.tets);
-  ByteWriter writer = begin_checked(cells_magic, part.marks.empty()
-                                                         ? version_without_marks(portion.others)
-                                                         : cells_version_with_marks);
+  ByteWriter writer =
+      begin_checked(cells_magic, part.marks.empty() ? version_without_marks(portion.others)
+                                                    : cells_version_with_marks);
   writer.number(part.number);
   writer.number<std::uint64_t>(part.tets.size());
   writer.array(part.tets);

@@ -26,7 +26,9 @@ constexpr const char* name_of(CellMark mark) {
 /// Of each cell of a part, tets and then those in blocks, type after type; none: 0 of all.
 class CellMarks {
  public:
-  std::vector<std::int32_t>& operator[](CellMark mark) { return of_[static_cast<std::size_t>(mark)]; }
+  std::vector<std::int32_t>& operator[](CellMark mark) {
+    return of_[static_cast<std::size_t>(mark)];
+  }
   const std::vector<std::int32_t>& operator[](CellMark mark) const {
     return of_[static_cast<std::size_t>(mark)];
   }

@@ -200,6 +200,7 @@ NumberedPart RenumberedMesh::part(std::size_t i) const {
     if (numbers[v] < 0) numbers[v] = shared_[shared(part.local2global[v]).value()].number;
   }
   part.local2global = std::move(numbers);
+  part.marks = {};  // of cells in another order
   put_in_order(part);
   sort_tets(part);
   for (const ElementType type : cell_block_types) sort_block(type, part.blocks[type]);

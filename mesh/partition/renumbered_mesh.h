@@ -22,7 +22,7 @@ enum class NodeNumbering {
 };
 
 /// The parts of `source`, each with its nodes by rising new number, and its cells of each type
-/// region by region by the lowest of their nodes, then the next.
+/// region by region by the lowest of their nodes, then the next. They lose their marks.
 class RenumberedMesh : public MeshSource {
  public:
   /// Reads each part three times. The same mesh gets the same numbers.

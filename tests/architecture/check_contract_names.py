@@ -26,6 +26,7 @@ FIGURES = {
     "worker/inspect_task.cpp": {"settings", "surface"},
     # One of several such figures; a key of the job file.
     "worker/assemble_task.cpp": {"elements"},
+    "worker/job_pml.cpp": {"tets"},
     "worker/job_forecast.cpp": {"spacing"},
     # What a finite state of the worker is called.
     "worker/decisions/worker_phases.cpp": {"left"},

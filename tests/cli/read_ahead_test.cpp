@@ -20,6 +20,7 @@ class NumberedParts : public MeshSource {
     return part;
   }
   bool takes_threads() const override { return true; }
+  std::vector<CellMark> cell_marks() const override { return {CellMark::pml_depth}; }
   std::vector<std::string> patch_names() const override { return {}; }
   std::vector<std::string> region_names() const override { return {}; }
 
@@ -33,6 +34,11 @@ TEST(ReadAhead, gives_the_parts_in_whatever_order_they_are_asked_for) {
     EXPECT_EQ(mesh.part(i).number, static_cast<std::int32_t>(i));
     EXPECT_EQ(mesh.part(i).nodes.front().x, static_cast<double>(i));
   }
+}
+
+TEST(ReadAhead, has_the_marks_that_the_mesh_has) {
+  const ReadAhead mesh(std::make_unique<NumberedParts>(99));
+  EXPECT_EQ(mesh.cell_marks(), std::vector{CellMark::pml_depth});
 }
 
 TEST(ReadAhead, a_part_that_cannot_be_read_fails_when_it_is_asked_for) {

@@ -65,9 +65,14 @@ class BatchFarm : public ::testing::Test {
     if (endpoint_.empty()) endpoint_ = endpoint_of(*coordinator_);
   }
 
+  /// Squares along an edge of the box: a job of half a million tets, which a farm does in seconds,
+  /// and one of two million, whose tasks are still there when something was killed.
+  static constexpr int small_job = 36;
+  static constexpr int larger_job = 64;
+
   /// The job, and the digest that it must have.
-  void submit_job() {
-    const std::string input = sphere_in_box(folder_, 36, 4);
+  void submit_job(int box_squares) {
+    const std::string input = sphere_in_box(folder_, box_squares, 4);
     const Ended local = run_program(run_words(input, "local", 2, 8), folder_);
     digest_ = digest_of(local);
     ASSERT_EQ(digest_.size(), 32U) << local.err;

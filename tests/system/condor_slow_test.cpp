@@ -26,7 +26,6 @@ class CondorFarm : public test::BatchFarm {
                  "LD_LIBRARY_PATH=" + folder() + "/lib",
                  folder() + "/tetfarm"};
     start_coordinator(folder_of_test_.path());
-    submit_job();
   }
   void TearDown() override {
     if (is_up_) farm("down", folder());
@@ -66,6 +65,7 @@ class CondorFarm : public test::BatchFarm {
 };
 
 TEST_F(CondorFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
+  submit_job(small_job);
   const test::JobCounter counter([this] { return jobs(); });
   const auto pool = start_pool();
   expect_the_mesh_of_a_local_run();
@@ -76,6 +76,7 @@ TEST_F(CondorFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
 }
 
 TEST_F(CondorFarm, gives_the_same_mesh_without_a_shared_folder) {
+  submit_job(small_job);
   has_shared_store_ = false;
   const auto pool = start_pool();
   expect_the_mesh_of_a_local_run();
@@ -83,6 +84,7 @@ TEST_F(CondorFarm, gives_the_same_mesh_without_a_shared_folder) {
 }
 
 TEST_F(CondorFarm, goes_on_when_workers_are_vacated) {
+  submit_job(larger_job);
   const auto pool = start_pool();
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3) && !running(1).empty(); }));
   condor("condor_vacate_job " + running(1));
@@ -93,6 +95,7 @@ TEST_F(CondorFarm, goes_on_when_workers_are_vacated) {
 }
 
 TEST_F(CondorFarm, goes_on_when_starters_the_queue_the_coordinator_and_the_pool_are_killed) {
+  submit_job(larger_job);
   auto pool = start_pool();
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3); }));
   const test::JobCounter counter([this] { return jobs(); });

@@ -22,7 +22,6 @@ class SlurmFarm : public test::BatchFarm {
         farm("up", "3 " + std::to_string(port) + " " + std::to_string(::getpid()));
     ASSERT_EQ(up.code, 0) << up.err;
     start_coordinator(folder_of_test_.path());
-    submit_job();
   }
   void TearDown() override {
     if (!slurm_.empty()) farm("down", "");
@@ -45,6 +44,7 @@ class SlurmFarm : public test::BatchFarm {
 };
 
 TEST_F(SlurmFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
+  submit_job(small_job);
   const test::JobCounter counter([] { return jobs(); });
   const auto pool = this->pool("slurm", {});
   expect_the_mesh_of_a_local_run();
@@ -57,6 +57,7 @@ TEST_F(SlurmFarm, gives_the_mesh_of_a_local_run_and_lets_its_workers_go) {
 }
 
 TEST_F(SlurmFarm, gives_the_same_mesh_without_a_shared_folder) {
+  submit_job(small_job);
   has_shared_store_ = false;
   const auto pool = this->pool("slurm", {});
   expect_the_mesh_of_a_local_run();
@@ -64,6 +65,7 @@ TEST_F(SlurmFarm, gives_the_same_mesh_without_a_shared_folder) {
 }
 
 TEST_F(SlurmFarm, goes_on_through_preemption_and_a_signal_of_the_operator) {
+  submit_job(small_job);
   const auto pool = this->pool("slurm", {});
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3); }));
   shell("scancel --batch --signal=TERM " + running());
@@ -75,6 +77,7 @@ TEST_F(SlurmFarm, goes_on_through_preemption_and_a_signal_of_the_operator) {
 }
 
 TEST_F(SlurmFarm, goes_on_when_a_node_dies) {
+  submit_job(larger_job);
   const auto pool = this->pool("slurm", {});
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3) && !running().empty(); }));
   const std::string node = shell("squeue -h -r -j " + running() + " -o %N | tr -d '\\n'");
@@ -84,6 +87,7 @@ TEST_F(SlurmFarm, goes_on_when_a_node_dies) {
 }
 
 TEST_F(SlurmFarm, goes_on_when_controller_coordinator_and_pool_are_killed) {
+  submit_job(small_job);
   const test::JobCounter counter([] { return jobs(); });
   auto pool = this->pool("slurm", {});
   ASSERT_TRUE(comes_true(120, [&] { return has_done(3); }));

@@ -94,8 +94,7 @@ std::vector<std::int32_t> mark_of_cells(const NumberedPart& part, CellMark mark,
   return values;
 }
 
-void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks,
-                  AppendedData data) {
+void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks, AppendedData data) {
   TF_CHECK(part.local2global.size() == part.nodes.size());
   TF_CHECK(part.patch_of_face.size() == part.faces.size());
   const auto cells_of_part = static_cast<std::size_t>(cells_of(part));

@@ -61,8 +61,10 @@ Hdf5Input open_mesh(const std::filesystem::path& path) {
 }
 
 KnownArrays known_arrays(const Hdf5Input& file) {
-  KnownArrays known{file.has("VTKHDF/PointData/GlobalNodeId"), file.has("VTKHDF/CellData/patch"),
-                    file.has("VTKHDF/CellData/region"), {}};
+  KnownArrays known{file.has("VTKHDF/PointData/GlobalNodeId"),
+                    file.has("VTKHDF/CellData/patch"),
+                    file.has("VTKHDF/CellData/region"),
+                    {}};
   if (!file.has("Tetfarm")) return known;  // what others call so may be anything
   std::copy_if(all_cell_marks.begin(), all_cell_marks.end(), std::back_inserter(known.marks),
                [&file](CellMark mark) { return file.has(path_of(mark)); });
@@ -244,8 +246,7 @@ std::size_t VtkhdfParts::size() const { return content_->partitions.size(); }
 bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers; }
 void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
 
-const std::vector<CellMark>& VtkhdfParts::cell_marks() const {
-  return content_->known.marks; }
+const std::vector<CellMark>& VtkhdfParts::cell_marks() const { return content_->known.marks; }
 
 NumberedPart VtkhdfParts::part(std::size_t i) const {
   return read_part(content_->file, content_->partitions.at(i), content_->known);

@@ -119,7 +119,8 @@ VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
   Hdf5Output file(path.string());
   begin_frame(names, file);
   add_counts(parts, file);
-  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), names.marks, file);
+  const VtkhdfPlaces places =
+      add_room(std::ssize(parts), before_each(parts).back(), names.marks, file);
   file.close();
   return places;
 }
@@ -129,7 +130,8 @@ VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t 
   Hdf5Output file(scratch.string());
   begin_frame(names, file);
   for (const char* counts : arrays_of_counts) file.room_for<std::int64_t>(counts, partitions);
-  const VtkhdfPlaces places = add_room(partitions, {0, cells_of(all), ids_of(all)}, names.marks, file);
+  const VtkhdfPlaces places =
+      add_room(partitions, {0, cells_of(all), ids_of(all)}, names.marks, file);
   file.close();
   remove_file(scratch);
   return places;

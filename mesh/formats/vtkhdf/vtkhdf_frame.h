@@ -78,7 +78,7 @@ VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
 struct VtkhdfNames {
   std::vector<std::string> patches;
   std::vector<std::string> regions = {};  ///< none: one region
-  std::vector<CellMark> marks = {};       ///< arrays of these; of a part that does not know them, zeros
+  std::vector<CellMark> marks = {};  ///< arrays of these; of a part that does not know them, zeros
 };
 
 /// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.

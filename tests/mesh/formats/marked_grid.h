@@ -1,4 +1,5 @@
-/// A grid of cells of every type whose cells have marks: the number of each among those of its part.
+/// A grid of cells of every type whose cells have marks: the number of each among those of its
+/// part.
 #pragma once
 
 #include <numeric>

@@ -86,7 +86,8 @@ TEST(LayerGrowth, marks_each_cell_with_the_layer_that_its_highest_node_is_on) {
   std::vector<std::int32_t> highest;
   const auto add = [&](std::span<const std::int32_t> nodes) {
     std::int32_t level = 0;
-    for (const std::int32_t v : nodes) level = std::max(level, levels.at(static_cast<std::size_t>(v)));
+    for (const std::int32_t v : nodes)
+      level = std::max(level, levels.at(static_cast<std::size_t>(v)));
     highest.push_back(level);
   };
   for (const Tet& tet : layers.mesh.tets) add(tet);
