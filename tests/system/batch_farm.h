@@ -66,9 +66,9 @@ class BatchFarm : public ::testing::Test {
   }
 
   /// Squares along an edge of the box: a job of half a million tets, which a farm does in seconds,
-  /// and one of two million, whose tasks are still there when something was killed.
+  /// and one of four million, whose tasks are still there when something was killed.
   static constexpr int small_job = 36;
-  static constexpr int larger_job = 64;
+  static constexpr int larger_job = 80;
 
   /// The job, and the digest that it must have.
   void submit_job(int box_squares) {
@@ -108,21 +108,18 @@ class BatchFarm : public ::testing::Test {
 
   std::uint64_t lost_attempts() { return status().value("attempts_lost", std::uint64_t{0}); }
 
-  /// Kills what runs tasks while some run, by `kill`, until an attempt is lost: one that dies
-  /// between two tasks loses none.
-  bool loses_an_attempt(const std::function<void()>& kill) {
-    constexpr int most_rounds = 8;
-    constexpr double longer_than_a_lease = 8;
+  /// Kills what runs tasks while some run, by `kill`, which says whether there was something, until
+  /// an attempt is lost: one that dies between two tasks loses none.
+  bool loses_an_attempt(const std::function<bool()>& kill) {
+    constexpr double longer_than_a_lease = 5;
     const auto is_working = [this] {
       const nlohmann::json now = status();
       return now.is_object() && now.value("tasks_running", std::uint64_t{0}) > 0;
     };
-    for (int round = 0; round < most_rounds; ++round) {
-      if (!comes_true(60, is_working)) return false;
-      kill();
-      if (comes_true(longer_than_a_lease, [this] { return lost_attempts() > 0; })) return true;
-    }
-    return false;
+    const auto is_one_lost = [this] { return lost_attempts() > 0; };
+    return comes_true(120, [&] {
+      return is_working() && kill() && comes_true(longer_than_a_lease, is_one_lost);
+    });
   }
 
   void expect_the_mesh_of_a_local_run() {
