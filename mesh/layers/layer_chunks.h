@@ -30,9 +30,19 @@ struct ChunkLine {
   LayerLine line;
   std::uint64_t owner = 0;       ///< the chunk that made its nodes between foot and top
   std::uint32_t first_node = 0;  ///< the number among the owner's of its node of level 1
-  std::uint32_t top = 0;         ///< the number of its last node among those of the top
+  std::uint32_t top = 0;         ///< the number of its last node among those of the top, but where
+                                 ///< that is a vertex of the surface (LayerLine::vertices)
 
   friend bool operator==(const ChunkLine&, const ChunkLine&) = default;
+};
+
+/// A LayerSide as a chunk has it: from line to line as its triangle of the wall has them.
+struct ChunkSide {
+  std::array<std::int32_t, 2> lines{};
+  std::int32_t patch = 0;
+  std::int32_t last = -1;
+
+  friend bool operator==(const ChunkSide&, const ChunkSide&) = default;
 };
 
 /// A prism all of whose lines are in_tets is three tets.
@@ -43,6 +53,7 @@ struct LayerChunk {
   std::vector<ChunkLine> lines;
   std::vector<Triangle> triangles;               ///< of the wall, by their lines
   std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the input surface
+  std::vector<ChunkSide> sides;
 
   friend bool operator==(const LayerChunk&, const LayerChunk&) = default;
 };

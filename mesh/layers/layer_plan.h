@@ -56,14 +56,32 @@ struct LayerLine {
   std::int32_t because_of = -1;
   bool of_pml = false;   ///< its layers absorb, and lie outside of what the domain was
   bool in_tets = false;  ///< prisms whose lines are all like this are divided into three tets
+  /// So many of its last points are vertices of the surface, `first_vertex` and those that follow:
+  /// of a line that runs in a plane its top, and the point below where a triangle there has it.
+  int vertices = 0;
+  std::int32_t first_vertex = -1;
 
   friend bool operator==(const LayerLine&, const LayerLine&) = default;
+};
+
+/// An edge of the wall from which layers grow along a plane: their sides there are boundary quads,
+/// as many as the lower of the two lines has layers.
+struct LayerSide {
+  std::int32_t triangle = 0;  ///< of the wall
+  int corner = 0;             ///< the edge runs from there to the next corner of the triangle
+  std::int32_t patch = 0;     ///< of the plane
+  /// The triangle of the surface above the quads, where one of the lines has a layer more: its
+  /// corners are the lower line's top, and the other's last two points. -1: none.
+  std::int32_t last = -1;
+
+  friend bool operator==(const LayerSide&, const LayerSide&) = default;
 };
 
 struct LayerPlan {
   std::vector<LayerLine> lines;           ///< by their feet, ascending
   std::vector<std::int32_t> vertex2line;  ///< -1: no layers are asked for there
   std::vector<std::int32_t> wall;         ///< triangles of the patches with layers, ascending
+  std::vector<LayerSide> sides;           ///< by triangle and corner, ascending
 };
 
 /// The point of the line at a level. Cost: O(level).
