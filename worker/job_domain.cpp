@@ -135,10 +135,17 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
     requests.push_back(std::move(block.request));
     domain.surface = std::move(block.surface);
   }
-  const LayerPlan plan = plan_layers(surface, requests);
+  LayerPlan plan = plan_layers(surface, requests);
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
   layers.coverage = coverage_without(pml_patches, surface, walls);
   if (!job.layers.empty()) layers.map = layer_map_vtp(walls, plan, surface);
+  std::optional<PlaneRetreat> retreat = retreat_planes(
+      surface, plan, [&domain](const Vec3& place) { return domain.spacing.at(place); });
+  if (retreat) {
+    layers.planes = retreat->figures;
+    plan = std::move(retreat->plan);
+    domain.surface = std::move(retreat->surface);
+  }
   layers.chunks = chunks_of(plan, surface);
   for (const LayerChunk& chunk : layers.chunks) layers.cells += counts_of(chunk).cells();
   if (!layers.chunks.empty()) {

@@ -19,6 +19,7 @@
 #include "mesh/job_file/job_file.h"
 #include "mesh/layers/layer_chunks.h"
 #include "mesh/layers/layer_coverage.h"
+#include "mesh/layers/plane_retreat.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/job_forecast.h"
 #include "worker/job_pml.h"
@@ -33,10 +34,13 @@ struct DomainLayers {
   LayerCoverage coverage;  ///< of boundary layers alone
   std::string map;         ///< for people: layer_map_vtp; empty without boundary layers
   std::optional<PmlFigures> pml = {};
+  RetreatFigures planes = {};  ///< none where layers run in no plane
 };
 
 struct JobDomain {
-  SurfaceMesh surface;  ///< with the outer boundary, which is that of absorbing layers
+  /// With the outer boundary, which is that of absorbing layers, and with planes that begin where
+  /// layers end: what is between is the layers' sides.
+  SurfaceMesh surface;
   // Of what the layers leave:
   SpacingField spacing;
   Subdomain root;

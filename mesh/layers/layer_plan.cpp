@@ -12,6 +12,7 @@
 #include "mesh/layers/line_room.h"
 #include "mesh/layers/marching_direction.h"
 #include "mesh/layers/wall_graph.h"
+#include "mesh/layers/wall_planes.h"
 
 namespace tetfarm {
 namespace {
@@ -70,6 +71,7 @@ class Planning {
   Planning(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
       : surface_(surface), requests_(requests), wall_(wall_of(surface, requests)) {
     graph_ = wall_graph(surface, wall_.triangles);
+    planes_ = wall_planes(surface, graph_);
     plan_.vertex2line = graph_.vertex2line;
     plan_.wall = graph_.wall;
     plan_.lines.resize(graph_.feet.size());
@@ -119,13 +121,15 @@ class Planning {
         TF_CHECK(!graph_.at_border[i] && !(line.along == Vec3{}));
         continue;
       }
-      const MarchingDirection found = marching_direction(normals_at(i));
-      if (found.visibility >= least_visibility) {
-        line.along = found.direction / found.visibility;
+      const Vec3 direction =
+          planes_.held(i, marching_direction(with_images(normals_at(i), planes_, i)).direction);
+      const double seen = visibility(direction, normals_at(i));
+      if (seen >= least_visibility) {
+        line.along = direction / seen;
       } else {
         line.reason = StopReason::ridge;
       }
-      if (graph_.at_border[i]) line.reason = StopReason::border;
+      if (graph_.at_border[i] && !planes_.holds(i)) line.reason = StopReason::border;
     }
   }
 
@@ -151,7 +155,7 @@ class Planning {
         for (const std::int32_t n : graph_.neighbours.of(static_cast<std::int32_t>(i))) {
           sum += directions[at(n)];
         }
-        const Vec3 direction = normalized(directions[i] + normalized(sum));
+        const Vec3 direction = planes_.held(i, normalized(directions[i] + normalized(sum)));
         if (visibility(direction, normals_at(i)) >= least[i]) smoother[i] = direction;
       }
       directions = std::move(smoother);
@@ -196,7 +200,7 @@ class Planning {
       along.push_back(follows_ways(i) ? Vec3{} : line.later);
       places.push_back(line.at);
     }
-    const std::vector<double> free = free_ways(surface_, graph_, along, wanted);
+    const std::vector<double> free = free_ways(surface_, graph_, planes_, along, wanted);
     const std::vector<double> unfolded = fold_heights(surface_, graph_, along, wanted);
     std::vector<double> room(wanted.size());
     for (std::size_t i = 0; i < room.size(); ++i) room[i] = std::min(free[i], unfolded[i]);
@@ -284,7 +288,7 @@ class Planning {
       ProofFindings findings = prove_cells(plan_, surface_);
       if (findings.holds) {
         reason = StopReason::crossing;
-        findings = prove_top(plan_, surface_);
+        findings = prove_top(plan_, surface_, planes_);
       }
       if (findings.holds) return;
       if (round >= patient_rounds) give_up_lines(findings.stops);
@@ -304,6 +308,7 @@ class Planning {
   std::span<const LayerRequest> requests_;
   Wall wall_;
   WallGraph graph_;
+  WallPlanes planes_;
   LayerPlan plan_;
 };
 

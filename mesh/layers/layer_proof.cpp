@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_cells.h"
+#include "mesh/layers/plane_retreat.h"
 #include "mesh/layers/unlayered_domain.h"
 
 namespace tetfarm {
@@ -45,16 +46,39 @@ void stop_at(std::int32_t line, int stop, ProofFindings& findings) {
   findings.holds = false;
 }
 
-/// Of each top triangle of the domain that is left, the wall triangle below; else -1.
-std::vector<std::int32_t> walls_below(const LayerPlan& plan, const Subdomain& root) {
-  std::vector<bool> is_wall(root.triangles.size(), false);
-  std::vector<std::int32_t> walls(root.triangles.size(), -1);
-  for (const std::int32_t t : plan.wall) is_wall[at(t)] = true;
-  for (std::size_t t = 0; t < walls.size(); ++t) {
-    if (is_wall[t] && root.triangle_origin[t].owner != 0) walls[t] = static_cast<std::int32_t>(t);
+/// The lines that have brought a triangle of the surface to where it is in the rest: its own, when
+/// it is of the wall, or those that run in its plane to a corner of it.
+class LinesBehind {
+ public:
+  LinesBehind(const LayerPlan& plan, const SurfaceMesh& surface)
+      : plan_(plan),
+        surface_(surface),
+        line_of_top_(surface.vertices.size(), -1),
+        is_wall_(surface.triangles.size(), false) {
+    for (const std::int32_t t : plan.wall) is_wall_[at(t)] = true;
+    for (std::size_t i = 0; i < plan.lines.size(); ++i) {
+      const LayerLine& line = plan.lines[i];
+      for (int k = 0; k < line.vertices; ++k) {
+        line_of_top_[at(line.first_vertex + k)] = static_cast<std::int32_t>(i);
+      }
+    }
   }
-  return walls;
-}
+
+  std::vector<std::int32_t> of(std::int32_t t) const {
+    std::vector<std::int32_t> lines;
+    for (const std::int32_t v : surface_.triangles[at(t)]) {
+      const std::int32_t line = is_wall_[at(t)] ? plan_.vertex2line[at(v)] : line_of_top_[at(v)];
+      if (line >= 0 && plan_.lines[at(line)].stop > 0) lines.push_back(line);
+    }
+    return lines;
+  }
+
+ private:
+  const LayerPlan& plan_;
+  const SurfaceMesh& surface_;
+  std::vector<std::int32_t> line_of_top_;  // of each vertex that is a line's; -1: of none
+  std::vector<bool> is_wall_;
+};
 
 /// The triangles of the rest that meet others, or are turned: the layers below went too far.
 std::vector<std::int64_t> faults_of(const SurfaceMesh& rest) {
@@ -88,25 +112,42 @@ ProofFindings prove_cells(const LayerPlan& plan, const SurfaceMesh& surface) {
   return findings;
 }
 
-ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface) {
-  ProofFindings findings = findings_of(plan);
-  const Subdomain root = unlayered_domain(plan, surface, TreePath{2}, 1).root;
-  const std::vector<std::int32_t> walls = walls_below(plan, root);
+namespace {
+
+/// The line is to lose a third of its layers, one at least.
+void lower(const LayerPlan& plan, std::int32_t line, ProofFindings& findings) {
+  const int stop = plan.lines[at(line)].stop;
+  if (stop > 0) stop_at(line, std::min(stop - 1, stop * 2 / 3), findings);
+}
+
+/// @param plan, surface after planes have retreated.
+void find_crossings(const LayerPlan& plan, const SurfaceMesh& surface, ProofFindings& findings) {
+  const UnlayeredDomain domain = unlayered_domain(plan, surface, TreePath{2}, 1);
   SurfaceMesh rest;
-  rest.vertices = root.vertices;
-  rest.triangles = root.triangles;
-  bool is_of_layers = false;
+  rest.vertices = domain.root.vertices;
+  rest.triangles = domain.root.triangles;
   const std::vector<std::int64_t> faults = faults_of(rest);
+  if (faults.empty()) return;
+  const LinesBehind lines(plan, surface);
   for (const std::int64_t fault : faults) {
-    if (walls[at(fault)] < 0) continue;
-    is_of_layers = true;
-    for (const std::int32_t line : lines_of(plan, surface, walls[at(fault)])) {
-      const int stop = plan.lines[at(line)].stop;
-      if (stop > 0) stop_at(line, std::min(stop - 1, stop * 2 / 3), findings);
-    }
+    for (const std::int32_t line : lines.of(domain.stands_for[at(fault)])) lower(plan, line, findings);
   }
   // Without layers the rest is the surface, which has no defects.
-  TF_CHECK(faults.empty() || is_of_layers);
+  TF_CHECK(!findings.holds);
+}
+
+}  // namespace
+
+ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface,
+                        const WallPlanes& planes) {
+  ProofFindings findings = findings_of(plan);
+  if (!runs_in_plane(plan, planes)) {
+    find_crossings(plan, surface, findings);
+    return findings;
+  }
+  const PlaneRetreat retreat = retreat_planes(surface, planes, plan, {});
+  for (const std::int32_t line : retreat.tangled) lower(plan, line, findings);
+  if (retreat.tangled.empty()) find_crossings(retreat.plan, retreat.surface, findings);
   return findings;
 }
 

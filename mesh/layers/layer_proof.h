@@ -12,6 +12,7 @@
 
 #include "mesh/core/surface_mesh.h"
 #include "mesh/layers/layer_plan.h"
+#include "mesh/layers/wall_planes.h"
 
 namespace tetfarm {
 
@@ -25,8 +26,10 @@ struct ProofFindings {
 ProofFindings prove_cells(const LayerPlan& plan, const SurfaceMesh& surface);
 
 /// Looks at the top: where it meets itself or the rest of the surface its lines lose a third of
-/// their layers, one at least. Cost: that of check_surface.
-/// @pre prove_cells holds.
-ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface);
+/// their layers, one at least, and so do lines that leave no region of their planes.
+/// Cost: that of check_surface, and that of retreat_planes.
+/// @pre prove_cells holds; `planes` are those of the plan's lines.
+ProofFindings prove_top(const LayerPlan& plan, const SurfaceMesh& surface,
+                        const WallPlanes& planes);
 
 }  // namespace tetfarm

@@ -16,6 +16,12 @@ bool has_corner(const Triangle& triangle, std::int32_t vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
 }
 
+/// Whether the triangle is of a plane that the line stays in.
+bool is_held_by(const WallPlanes& planes, std::size_t line, std::int32_t triangle) {
+  const std::int32_t plane = planes.plane_of_triangle[at(triangle)];
+  return plane >= 0 && (planes.of_line[line][0] == plane || planes.of_line[line][1] == plane);
+}
+
 /// The share of the way from p to q at which the plane of the triangle lies; 0 when it holds p.
 double share_before_plane(const Vec3& p, const Vec3& q, const TrianglePoints& t) {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
@@ -60,7 +66,7 @@ double fold_height(const TrianglePoints& p, const std::array<Vec3, 3>& along) {
 }  // namespace
 
 std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,
-                              std::span<const Vec3> along, std::span<const double> wanted) {
+                              const WallPlanes& planes, std::span<const Vec3> along, std::span<const double> wanted) {
   TF_CHECK(along.size() == graph.feet.size() && wanted.size() == graph.feet.size());
   const BoxTree tree(triangle_boxes(surface.vertices, surface.triangles));
   std::vector<double> ways(wanted.begin(), wanted.end());
@@ -75,7 +81,7 @@ std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph
     box.add(q);
     tree.query(box, [&](std::int32_t t) {
       const Triangle& triangle = surface.triangles[at(t)];
-      if (has_corner(triangle, foot)) return;
+      if (has_corner(triangle, foot) || is_held_by(planes, i, t)) return;
       const TrianglePoints points = triangle_points(surface.vertices, triangle);
       if (!segment_meets_triangle(p, q, points)) return;
       ways[i] = std::min(ways[i], share_of_free_way * reach * share_before_plane(p, q, points));

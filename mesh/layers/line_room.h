@@ -12,6 +12,7 @@
 
 #include "mesh/core/surface_mesh.h"
 #include "mesh/layers/wall_graph.h"
+#include "mesh/layers/wall_planes.h"
 
 namespace tetfarm {
 
@@ -20,11 +21,12 @@ inline constexpr double share_of_free_way = 0.4;
 /// A cell keeps so much of its Jacobian at the wall.
 inline constexpr double least_jacobian = 0.3;
 
-/// The free way's share of each line, or `wanted` where that is less.
+/// The free way's share of each line, or `wanted` where that is less. Planes that a line stays in
+/// are not in its way.
 /// @pre `along` and `wanted` have one for each line; a zero vector does not move.
 /// Cost: the boxes round each line.
 std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,
-                              std::span<const Vec3> along, std::span<const double> wanted);
+                              const WallPlanes& planes, std::span<const Vec3> along, std::span<const double> wanted);
 
 /// The height at which a cell at the line keeps least_jacobian, or `wanted` where that is less.
 /// Cost: O(n).

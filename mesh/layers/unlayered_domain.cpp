@@ -9,6 +9,9 @@
 namespace tetfarm {
 namespace {
 
+/// @pre the line's top is a vertex of the surface.
+std::int32_t top_vertex(const LayerLine& line) { return line.first_vertex + line.vertices - 1; }
+
 /// The nodes of the surface that are on the boundary still, then the tops of the lines.
 class BoundaryNodes {
  public:
@@ -29,6 +32,10 @@ class BoundaryNodes {
     for (std::size_t i = 0; i < plan.lines.size(); ++i) {
       const LayerLine& line = plan.lines[i];
       if (line.stop == 0) continue;
+      if (line.vertices > 0) {
+        of_line_[i] = of_vertex(top_vertex(line));
+        continue;
+      }
       of_line_[i] = static_cast<std::int32_t>(root.vertices.size());
       root.vertices.push_back(point_of(line, line.stop));
       root.node_origin.push_back({owner_of_top, top++});
@@ -46,6 +53,15 @@ class BoundaryNodes {
   std::vector<std::int32_t> of_vertex_;
   std::vector<std::int32_t> of_line_;
 };
+
+/// Of each triangle of the surface, whether it is the last of a side of the layers.
+std::vector<bool> triangles_of_sides(const LayerPlan& plan, const SurfaceMesh& surface) {
+  std::vector<bool> is_of_side(surface.triangles.size(), false);
+  for (const LayerSide& side : plan.sides) {
+    if (side.last >= 0) is_of_side[at(side.last)] = true;
+  }
+  return is_of_side;
+}
 
 /// Of each triangle of the surface, whether there are cells above it.
 std::vector<bool> triangles_with_cells(const LayerPlan& plan, const SurfaceMesh& surface) {
@@ -67,28 +83,37 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   Subdomain& root = domain.root;
   root.path = path;
   const std::vector<bool> has_cells = triangles_with_cells(plan, surface);
+  const std::vector<bool> is_of_side = triangles_of_sides(plan, surface);
   BoundaryNodes nodes(surface, plan.lines.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (is_of_side[t]) continue;
     for (const std::int32_t v : surface.triangles[t]) {
       const std::int32_t line = plan.vertex2line[at(v)];
-      if (!has_cells[t] || plan.lines[at(line)].stop == 0) nodes.use_vertex(v);
+      if (!has_cells[t] || plan.lines[at(line)].stop == 0) {
+        nodes.use_vertex(v);
+      } else if (plan.lines[at(line)].vertices > 0) {
+        nodes.use_vertex(top_vertex(plan.lines[at(line)]));
+      }
     }
   }
   nodes.number(plan, owner_of_top, root);
   std::uint32_t top = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (is_of_side[t]) continue;
     Triangle triangle = surface.triangles[t];
     for (std::int32_t& v : triangle) {
       v = has_cells[t] ? nodes.top_of(plan, plan.vertex2line[at(v)]) : nodes.of_vertex(v);
       TF_CHECK(v >= 0);
     }
     root.triangles.push_back(triangle);
+    domain.stands_for.push_back(static_cast<std::int32_t>(t));
     root.triangle_origin.push_back(has_cells[t] ? Origin{owner_of_top, top++}
                                                 : Origin{0, static_cast<std::uint32_t>(t)});
   }
   domain.top_triangles = top;
-  domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(),
-                                   [](const LayerLine& line) { return line.stop > 0; });
+  domain.top_nodes =
+      std::count_if(plan.lines.begin(), plan.lines.end(),
+                    [](const LayerLine& line) { return line.stop > 0 && line.vertices == 0; });
   return domain;
 }
 

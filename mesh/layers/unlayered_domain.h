@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "mesh/core/subdomain.h"
 #include "mesh/core/surface_mesh.h"
@@ -13,11 +14,13 @@
 namespace tetfarm {
 
 /// A sub-domain whose boundary is the top of the layers, and the surface where there are none.
-/// Nodes of the top have the origin {owner_of_top, number}, numbered by the lines that have layers,
-/// in their order; its triangles likewise, by the wall triangles that have cells above them, in the
-/// order of `wall`. Triangles keep the order of the surface.
+/// Nodes of the top have the origin {owner_of_top, number}, numbered by the lines that have layers
+/// and whose tops are no vertices of the surface, in their order; its triangles likewise, by the
+/// wall triangles that have cells above them, in the order of `wall`. Triangles keep the order of
+/// the surface; those of the sides of layers are not among them.
 struct UnlayeredDomain {
   Subdomain root;
+  std::vector<std::int32_t> stands_for;  ///< of each triangle of the root, that of the surface
   std::int64_t top_nodes = 0;
   std::int64_t top_triangles = 0;
 };

@@ -30,7 +30,7 @@ ROOMS = {
     "mesh/filling": ["base", "mesh/core", "mesh/geometry", "mesh/spacing"],
     "mesh/volume": ["base", "mesh/core", "mesh/cosmetics", "mesh/filling", "mesh/geometry", "mesh/recovery",
                     "mesh/spacing"],
-    "mesh/layers": ["base", "mesh/artifacts", "mesh/core", "mesh/geometry", "mesh/inspect"],
+    "mesh/layers": ["base", "mesh/artifacts", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/planar"],
     "mesh/library": ["base", "mesh/core", "mesh/decompose", "mesh/inspect", "mesh/spacing", "mesh/volume"],
     "mesh/assemble": ["base", "mesh/artifacts", "mesh/core"],
     "mesh/formats": ["base", "mesh/assemble", "mesh/core"],

@@ -22,11 +22,15 @@ LayerPlan plan_with(const SurfaceMesh& surface, double height, int layers) {
   return plan;
 }
 
+WallPlanes planes_of(const LayerPlan& plan, const SurfaceMesh& surface) {
+  return wall_planes(surface, wall_graph(surface, plan.wall));
+}
+
 TEST(LayerProof, holds_of_layers_that_tile) {
   const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
   const LayerPlan plan = plan_with(sphere, 0.1, 5);
   EXPECT_TRUE(prove_cells(plan, sphere).holds);
-  EXPECT_TRUE(prove_top(plan, sphere).holds);
+  EXPECT_TRUE(prove_top(plan, sphere, planes_of(plan, sphere)).holds);
 }
 
 TEST(LayerProof, lines_stop_below_the_first_cell_that_is_not_positive) {
@@ -42,8 +46,9 @@ TEST(LayerProof, lines_whose_top_meets_another_lose_a_third) {
   const SurfaceMesh spheres = shapes::nested_spheres(2);
   const LayerPlan plan = plan_with(spheres, 0.05, 6);
   ASSERT_TRUE(prove_cells(plan, spheres).holds);
-  EXPECT_TRUE(prove_top(plan_with(spheres, 0.05, 4), spheres).holds);
-  const ProofFindings found = prove_top(plan, spheres);
+  const LayerPlan lower = plan_with(spheres, 0.05, 4);
+  EXPECT_TRUE(prove_top(lower, spheres, planes_of(lower, spheres)).holds);
+  const ProofFindings found = prove_top(plan, spheres, planes_of(plan, spheres));
   EXPECT_FALSE(found.holds);
   EXPECT_EQ(*std::min_element(found.stops.begin(), found.stops.end()), 4);
 }
@@ -53,7 +58,7 @@ TEST(LayerProof, a_top_that_went_through_itself_is_found_by_how_it_is_turned) {
   const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 1);
   LayerPlan plan = plan_with(sphere, 0.5, 3);
   for (LayerLine& line : plan.lines) line.along = line.later = -line.at;
-  EXPECT_FALSE(prove_top(plan, sphere).holds);
+  EXPECT_FALSE(prove_top(plan, sphere, planes_of(plan, sphere)).holds);
 }
 
 }  // namespace

@@ -36,6 +36,28 @@ struct LayerFigures {
   std::int64_t full = 0;  ///< wall triangles with all layers
 };
 
+/// What the surface encloses with the quads of the layers' sides.
+inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
+  SurfaceMesh closed = surface;
+  for (const LayerSide& side : plan.sides) {
+    const Triangle& nodes = surface.triangles[at(side.triangle)];
+    std::array<std::vector<Vec3>, 2> points;
+    for (std::size_t k = 0; k < 2; ++k) {
+      points[k] = points_of(plan.lines[at(
+          plan.vertex2line[at(nodes[(at(side.corner) + k) % 3])])]);
+    }
+    for (std::size_t i = 1; i < std::min(points[0].size(), points[1].size()); ++i) {
+      const auto first = static_cast<std::int32_t>(closed.vertices.size());
+      for (const auto& line : points) {
+        closed.vertices.insert(closed.vertices.end(), {line[i - 1], line[i]});
+      }
+      closed.triangles.push_back({first + 2, first, first + 1});
+      closed.triangles.push_back({first + 2, first + 1, first + 3});
+    }
+  }
+  return enclosed_volume(closed.vertices, closed.triangles);
+}
+
 /// Every component tet is positive, stops differ by one at most, a line that has fewer layers than
 /// wanted tells why, and what is left is a domain without defects, turned as the surface was, of
 /// the volume that the cells leave.
@@ -81,7 +103,7 @@ inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh
   const CheckedSurface checked = check_surface(top);
   EXPECT_TRUE(checked.report.defects.empty());
   EXPECT_EQ(checked.surface.triangles, top.triangles);
-  const double whole = enclosed_volume(surface.vertices, surface.triangles);
+  const double whole = volume_within(plan, surface);
   const double left = enclosed_volume(top.vertices, top.triangles);
   // Both volumes that are subtracted are rounded.
   EXPECT_NEAR(static_cast<double>(volume), whole - left, 1e-8 * whole);

@@ -26,7 +26,7 @@ TEST(LineRoom, free_way_is_a_share_of_the_distance_to_what_is_opposite) {
     along.push_back(is_below ? Vec3{0, 0, 2} : Vec3{});
   }
   const std::vector<double> wanted(along.size(), 3);
-  const std::vector<double> ways = free_ways(slab, graph, along, wanted);
+  const std::vector<double> ways = free_ways(slab, graph, wall_planes(slab, graph), along, wanted);
   int looked = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     // A height of 0.25 takes it all across, as its lines are twice as long as they are high.
@@ -44,7 +44,7 @@ TEST(LineRoom, free_way_is_not_less_than_wanted_where_nothing_is_near) {
     along.push_back(normalized(Vec3{0.5, 0.5, 0.5} - cube.vertices[at(v)]));
   }
   const std::vector<double> wanted(along.size(), 0.1);
-  EXPECT_EQ(free_ways(cube, graph, along, wanted), wanted);
+  EXPECT_EQ(free_ways(cube, graph, wall_planes(cube, graph), along, wanted), wanted);
 }
 
 /// Lines to the centre of a sphere leave so much of the area at a height h: (1 - h)².
