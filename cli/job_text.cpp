@@ -153,6 +153,17 @@ std::string wall_text(const wire::JobStatus& status) {
                   ", within 10 % on " + percent("layers_first_within_10"));
 }
 
+/// What became of the planes that layers run in; empty where they run in none.
+std::string planes_text(const wire::JobStatus& status) {
+  if (!status.numbers().contains("layers_planes")) return {};
+  return indented(
+      "planes: layers run in " + short_count(number_of(status, "layers_planes")) + ", whose " +
+      short_count(number_of(status, "layers_plane_triangles_before")) +
+      " triangles are replaced by " +
+      short_count(number_of(status, "layers_plane_triangles_after")) + " and " +
+      short_count(number_of(status, "layers_plane_quads")) + " quads");
+}
+
 /// Empty of a job without absorbing layers.
 std::string pml_result_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("pml_layers")) return {};
@@ -181,6 +192,7 @@ std::string result_text(const wire::JobStatus& said, double seconds,
     text += indented(harmless(remark, longest_remark));
   }
   text += wall_text(status);
+  text += planes_text(status);
   text += pml_result_text(status);
   text += near_cuts_text(status);
   for (int i = 1; status.texts().contains(region_prefix(i) + "name"); ++i) {

@@ -102,6 +102,12 @@ void add_layers(const wire::JobStatus& status, Json& json) {
     layers[std::string("first_height_within_") + share + "_percent"] =
         with_first > 0 ? 100 * within / with_first : 0;
   }
+  if (status.numbers().contains("layers_planes")) {
+    for (const char* name :
+         {"planes", "plane_triangles_before", "plane_triangles_after", "plane_quads"}) {
+      layers[name] = whole(std::string("layers_") + name);
+    }
+  }
   json["layers"] = layers;
 }
 

@@ -44,11 +44,12 @@ double target_elements(const JobFile& job, double elements) {
                                  : leaf_elements(elements);
 }
 
-void report_numbers(TaskIo& io, const SurfaceMesh& surface, const SurfaceReport& report) {
+void report_numbers(TaskIo& io, const JobDomain& domain, const SurfaceReport& report) {
+  const SurfaceMesh& surface = domain.surface;
   io.number("input_triangles", static_cast<double>(surface.triangles.size()));
   io.number("shells", static_cast<double>(report.shells.size()));
   io.number("input_smallest_angle_deg", report.smallest_angle_deg);
-  io.number("domain_volume", domain_volume(surface));
+  io.number("domain_volume", domain.volume);
   io.number("regions", region_count(surface));
   std::string remarks;
   for (const std::string& remark : report.remarks) remarks += remark + "\n";
@@ -77,6 +78,16 @@ void report_layers(TaskIo& io, const DomainLayers& layers) {
     std::replace(name.begin(), name.end(), ' ', '_');
     io.number("layers_short_" + name, static_cast<double>(triangles));
   }
+}
+
+/// "layers_planes", "layers_plane_quads"…: what was changed of patches without layers.
+void report_planes(TaskIo& io, const RetreatFigures& planes) {
+  if (planes.planes == 0) return;
+  io.number("layers_planes", static_cast<double>(planes.planes));
+  io.number("layers_plane_triangles_before", static_cast<double>(planes.triangles_before));
+  io.number("layers_plane_triangles_after",
+            static_cast<double>(planes.triangles_after + planes.side_triangles));
+  io.number("layers_plane_quads", static_cast<double>(planes.quads));
 }
 
 void report_pml(TaskIo& io, const PmlFigures& pml) {
@@ -212,14 +223,14 @@ void inspect_task(TaskIo& io) {
   auto wall = domain.layers ? domain.layers->coverage.wall_triangles : 0;
   if (domain.layers && domain.layers->pml) wall += domain.layers->pml->triangles;
   report_cost(io, inspect_cost(input_bytes, size, static_cast<double>(wall)));
-  report_numbers(io, domain.surface, checked.report);
+  report_numbers(io, domain, checked.report);
   const std::int32_t regions = region_count(domain.surface);
   require_few(regions);
   const std::int64_t parts = parts_of_job(job, size, regions);
   JobForecast forecast = forecast_of(job, input_bytes, size, static_cast<double>(parts));
   if (domain.layers) add_layers(*domain.layers, forecast);
   require_disk(job, forecast,
-               limits_of_job(job, checked.surface, domain_volume(domain.surface),
+               limits_of_job(job, checked.surface, domain.volume,
                              static_cast<double>(given.free_bytes.value_or(0))));
   report_forecast(io, forecast);
   InspectMade made;
@@ -235,6 +246,7 @@ void inspect_task(TaskIo& io) {
   made.across_cuts = job.across_cuts;
   if (domain.layers) {
     if (!job.layers.empty()) report_layers(io, *domain.layers);
+    report_planes(io, domain.layers->planes);
     if (domain.layers->pml) report_pml(io, *domain.layers->pml);
     publish_layers(io, *domain.layers, made);
     io.number("estimated_elements", domain.all_elements());

@@ -17,7 +17,8 @@ JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
   SpacingField spacing = make_spacing_field(surface, spacing_options_of(job));
   Subdomain root = root_subdomain(surface);
   const double elements = estimated_elements(root, spacing);
-  return {std::move(surface), std::move(spacing), std::move(root), elements, std::nullopt};
+  const double volume = domain_volume(surface);
+  return {std::move(surface), std::move(spacing), std::move(root), elements, volume, std::nullopt};
 }
 
 JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
@@ -85,7 +86,7 @@ namespace {
 JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain sketch = sketched_domain(job, checked);
   require_few_elements(job, sketch.elements,
-                       limits_of_job(job, checked, domain_volume(sketch.surface), 0));
+                       limits_of_job(job, checked, sketch.volume, 0));
   const OuterBoundary outer = outer_boundary_of(job);
   if (outer.kind == OuterBoundary::Kind::none) return sketch;
   SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
@@ -129,11 +130,12 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
   if (job.pml) {
     PmlBlock block = pml_block_of(job, surface);
     require_few_elements(job, domain.elements + static_cast<double>(block.figures.cells()),
-                         limits_of_job(job, checked, domain_volume(surface), 0));
+                         limits_of_job(job, checked, domain.volume, 0));
     pml_patches = block.request.patches;
     layers.pml = std::move(block.figures);
     requests.push_back(std::move(block.request));
     domain.surface = std::move(block.surface);
+    domain.volume = domain_volume(domain.surface);
   }
   LayerPlan plan = plan_layers(surface, requests);
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
@@ -166,7 +168,7 @@ JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
   if (job.layers.empty() && !job.pml) return domain;
   add_layers(job, checked, domain);
   require_few_elements(job, domain.all_elements(),
-                       limits_of_job(job, checked, domain_volume(domain.surface), 0));
+                       limits_of_job(job, checked, domain.volume, 0));
   return domain;
 }
 

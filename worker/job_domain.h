@@ -45,6 +45,7 @@ struct JobDomain {
   SpacingField spacing;
   Subdomain root;
   double elements = 0;  ///< estimated
+  double volume = 0;    ///< of all that is meshed, layers included
   /// Nothing where the job asks for none.
   std::optional<DomainLayers> layers = {};
 

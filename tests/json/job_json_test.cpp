@@ -70,6 +70,15 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
                                     {"by_reason", {{"no_room", 4}, {"ridge", 1}}},
                                     {"first_height_within_2_percent", 50.0},
                                     {"first_height_within_10_percent", 90.0}}));
+  numbers["layers_planes"] = 2;
+  numbers["layers_plane_triangles_before"] = 30;
+  numbers["layers_plane_triangles_after"] = 25;
+  numbers["layers_plane_quads"] = 60;
+  const Json layers = result_of(status)["layers"];
+  EXPECT_EQ(layers["planes"], 2);
+  EXPECT_EQ(layers["plane_triangles_before"], 30);
+  EXPECT_EQ(layers["plane_triangles_after"], 25);
+  EXPECT_EQ(layers["plane_quads"], 60);
 }
 
 TEST(JobJson, of_regions_has_their_names_volumes_and_figures) {

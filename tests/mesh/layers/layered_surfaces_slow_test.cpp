@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "mesh/layers/plane_retreat.h"
+#include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/cad_surfaces.h"
 #include "tests/support/generated_surfaces.h"
@@ -30,6 +32,36 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_are_a_mesh) {
   }
   EXPECT_GT(planned, 250);
   EXPECT_GT(cells, 10 * planned);
+}
+
+/// The same with flat pieces of each surface that do not grow.
+TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
+  std::int64_t planned = 0;
+  std::int64_t with_planes = 0;
+  for (std::uint64_t seed = 100; seed < 400; ++seed) {
+    SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
+    const CheckedSurface checked =
+        check_surface(test::with_flat_patches(GetParam().make(seed, 1), seed));
+    if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+    const SurfaceMesh& surface = checked.surface;
+    const double share = seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 0.02 : 0.3;
+    LayerRequest request =
+        test::request_of({0}, share * checked.report.median_edge, seed % 2 == 0 ? 6 : 0);
+    request.room = static_cast<RoomRule>(seed / 3 % 3);
+    const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
+    const double size = checked.report.median_edge;
+    const auto retreat = retreat_planes(surface, plan, [size](const Vec3&) { return size; });
+    if (retreat) {
+      test::expect_valid_layers(retreat->plan, retreat->surface);
+      ++with_planes;
+    } else {
+      test::expect_valid_layers(plan, surface);
+    }
+    ++planned;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(planned, 150);
+  EXPECT_GT(with_planes, planned / 10) << planned;
 }
 
 std::vector<shapes::SurfaceGenerator> all_generators() {

@@ -8,6 +8,7 @@
 #include "mesh/core/triangle_angles.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_surfaces.h"
+#include "tests/support/generated_surfaces.h"
 
 namespace tetfarm {
 namespace {
@@ -139,6 +140,27 @@ TEST(PlaneRetreat, layers_that_would_fill_a_plane_leave_some_of_it) {
   ASSERT_TRUE(retreat.has_value());
   test::expect_valid_layers(retreat->plan, retreat->surface);
   EXPECT_GT(retreat->figures.triangles_after, 0);
+}
+
+TEST(PlaneRetreat, leaves_a_mesh_beside_flat_patches_of_every_generated_surface) {
+  std::int64_t with_planes = 0;
+  for (const shapes::SurfaceGenerator& generator : shapes::surface_generators()) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(std::string(generator.name) + ", seed " + std::to_string(seed));
+      const CheckedSurface checked =
+          check_surface(test::with_flat_patches(generator.make(seed, 1), seed));
+      if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+      const double size = checked.report.median_edge;
+      const LayerPlan plan =
+          plan_of(checked.surface, test::request_of({0}, (seed % 2 == 0 ? 0.02 : 0.2) * size, 5));
+      const auto retreat =
+          retreat_planes(checked.surface, plan, [size](const Vec3&) { return size; });
+      if (!retreat) continue;
+      test::expect_valid_layers(retreat->plan, retreat->surface);
+      ++with_planes;
+    }
+  }
+  EXPECT_GT(with_planes, 30);
 }
 
 }  // namespace
