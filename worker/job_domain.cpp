@@ -1,6 +1,7 @@
 #include "worker/job_domain.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -85,8 +86,7 @@ namespace {
 /// That of the job but for its layers.
 JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain sketch = sketched_domain(job, checked);
-  require_few_elements(job, sketch.elements,
-                       limits_of_job(job, checked, sketch.volume, 0));
+  require_few_elements(job, sketch.elements, limits_of_job(job, checked, sketch.volume, 0));
   const OuterBoundary outer = outer_boundary_of(job);
   if (outer.kind == OuterBoundary::Kind::none) return sketch;
   SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
@@ -141,8 +141,11 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
   const std::vector<WallLayers> walls = wall_layers(plan, surface);
   layers.coverage = coverage_without(pml_patches, surface, walls);
   if (!job.layers.empty()) layers.map = layer_map_vtp(walls, plan, surface);
-  std::optional<PlaneRetreat> retreat = retreat_planes(
-      surface, plan, [&domain](const Vec3& place) { return domain.spacing.at(place); });
+  std::optional<PlaneRetreat> retreat = retreat_planes(surface, plan, [&job](const auto& round) {
+    const auto field =
+        std::make_shared<SpacingField>(make_spacing_field(round, spacing_options_of(job)));
+    return [field](const Vec3& place) { return field->at(place); };
+  });
   if (retreat) {
     layers.planes = retreat->figures;
     plan = std::move(retreat->plan);
@@ -167,8 +170,7 @@ JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain domain = domain_without_layers(job, checked);
   if (job.layers.empty() && !job.pml) return domain;
   add_layers(job, checked, domain);
-  require_few_elements(job, domain.all_elements(),
-                       limits_of_job(job, checked, domain.volume, 0));
+  require_few_elements(job, domain.all_elements(), limits_of_job(job, checked, domain.volume, 0));
   return domain;
 }
 

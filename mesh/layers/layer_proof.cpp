@@ -130,7 +130,8 @@ void find_crossings(const LayerPlan& plan, const SurfaceMesh& surface, ProofFind
   if (faults.empty()) return;
   const LinesBehind lines(plan, surface);
   for (const std::int64_t fault : faults) {
-    for (const std::int32_t line : lines.of(domain.stands_for[at(fault)])) lower(plan, line, findings);
+    for (const std::int32_t line : lines.of(domain.stands_for[at(fault)]))
+      lower(plan, line, findings);
   }
   // Without layers the rest is the surface, which has no defects.
   TF_CHECK(!findings.holds);

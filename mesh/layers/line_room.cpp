@@ -66,7 +66,8 @@ double fold_height(const TrianglePoints& p, const std::array<Vec3, 3>& along) {
 }  // namespace
 
 std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,
-                              const WallPlanes& planes, std::span<const Vec3> along, std::span<const double> wanted) {
+                              const WallPlanes& planes, std::span<const Vec3> along,
+                              std::span<const double> wanted) {
   TF_CHECK(along.size() == graph.feet.size() && wanted.size() == graph.feet.size());
   const BoxTree tree(triangle_boxes(surface.vertices, surface.triangles));
   std::vector<double> ways(wanted.begin(), wanted.end());

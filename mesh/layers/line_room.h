@@ -26,7 +26,8 @@ inline constexpr double least_jacobian = 0.3;
 /// @pre `along` and `wanted` have one for each line; a zero vector does not move.
 /// Cost: the boxes round each line.
 std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,
-                              const WallPlanes& planes, std::span<const Vec3> along, std::span<const double> wanted);
+                              const WallPlanes& planes, std::span<const Vec3> along,
+                              std::span<const double> wanted);
 
 /// The height at which a cell at the line keeps least_jacobian, or `wanted` where that is less.
 /// Cost: O(n).

@@ -11,6 +11,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "mesh/planar/constrained_delaunay.h"
@@ -302,7 +303,7 @@ class Retreat {
   /// The new border of a plane, by the vertices of the new surface.
   struct Loops {
     PlanarRegion region;
-    std::vector<std::int32_t> vertices;  // of each point
+    std::vector<std::int32_t> vertices;              // of each point
     std::vector<std::array<std::int32_t, 2>> lines;  // of each edge those at its ends; -1: none
   };
 
@@ -336,8 +337,8 @@ class Retreat {
     PlanarMesh mesh;
     std::optional<PlanarFailure> failure;
     if (spacing) {
-      PlanarResult result = mesh_region(
-          loops.region, [&](const Vec2& point) { return spacing(here.lift(point)); });
+      PlanarResult result =
+          mesh_region(loops.region, [&](const Vec2& point) { return spacing(here.lift(point)); });
       mesh = std::move(result.mesh);
       failure = std::move(result.failure);
     } else {
@@ -401,7 +402,7 @@ class Retreat {
   const SurfaceMesh& surface_;
   const WallPlanes& planes_;
   const LayerPlan& plan_;
-  std::vector<bool> is_left_;  // of each plane, whether it is triangulated anew
+  std::vector<bool> is_left_;               // of each plane, whether it is triangulated anew
   std::vector<std::int32_t> old2new_;       // of each vertex; -1: left out
   std::vector<std::int32_t> run_past_by_;   // of each vertex the line, or -1
   std::vector<std::int32_t> new_triangle_;  // of each triangle; -1: left out
@@ -425,18 +426,79 @@ PlaneRetreat retreat_planes(const SurfaceMesh& surface, const WallPlanes& planes
       .make(spacing, std::vector<bool>(planes.planes.size(), true));
 }
 
+namespace {
+
+/// Old triangles of planes count for the spacing from so many heights of the layers on.
+constexpr double heights_to_old_plane = 2;
+
+/// The triangles of the planes that no line is near.
+std::vector<std::int32_t> far_triangles(const SurfaceMesh& surface, const WallPlanes& planes,
+                                        const LayerPlan& plan) {
+  std::vector<Box3> near;
+  for (std::size_t i = 0; i < plan.lines.size(); ++i) {
+    const LayerLine& line = plan.lines[i];
+    if (line.stop == 0 || !planes.holds(i)) continue;
+    const double reach = heights_to_old_plane * distance(line.at, point_of(line, line.stop));
+    const Vec3 round{reach, reach, reach};
+    near.push_back({line.at - round, line.at + round});
+  }
+  const BoxTree tree(near);
+  std::vector<std::int32_t> far;
+  for (const WallPlane& plane : planes.planes) {
+    for (const std::int32_t t : plane.triangles) {
+      Box3 box;
+      for (const std::int32_t v : surface.triangles[at(t)]) box.add(surface.vertices[at(v)]);
+      bool is_near = false;
+      tree.query(box, [&is_near](std::int32_t) { is_near = true; });
+      if (!is_near) far.push_back(t);
+    }
+  }
+  return far;
+}
+
+/// What the spacing within the planes is made from.
+SurfaceMesh surface_for_spacing(const SurfaceMesh& surface, const WallPlanes& planes,
+                                const LayerPlan& plan, const PlaneRetreat& unfilled) {
+  const UnlayeredDomain rest = unlayered_domain(unfilled.plan, unfilled.surface, TreePath{2}, 1);
+  const auto of_planes = std::ssize(unfilled.surface.triangles) - unfilled.figures.triangles_after;
+  SurfaceMesh round;
+  round.vertices = rest.root.vertices;
+  for (std::size_t t = 0; t < rest.root.triangles.size(); ++t) {
+    if (rest.stands_for[t] < of_planes) round.triangles.push_back(rest.root.triangles[t]);
+  }
+  for (const std::int32_t t : far_triangles(surface, planes, plan)) {
+    Triangle nodes = surface.triangles[at(t)];
+    for (std::int32_t& v : nodes) {
+      round.vertices.push_back(surface.vertices[at(v)]);
+      v = static_cast<std::int32_t>(round.vertices.size()) - 1;
+    }
+    round.triangles.push_back(nodes);
+  }
+  return round;
+}
+
+/// Whether what the layers leave is a domain.
+bool leaves_domain(const PlaneRetreat& made) {
+  const Subdomain root = unlayered_domain(made.plan, made.surface, TreePath{2}, 1).root;
+  const SurfaceMesh rest{root.vertices, root.triangles, {}, {}, {}, {}};
+  return check_surface(rest).report.defects.empty();
+}
+
+}  // namespace
+
 std::optional<PlaneRetreat> retreat_planes(const SurfaceMesh& surface, const LayerPlan& plan,
-                                           const PlaneSpacing& spacing) {
+                                           const MakePlaneSpacing& make_spacing) {
   const WallPlanes planes = wall_planes(surface, wall_graph(surface, plan.wall));
   if (!runs_in_plane(plan, planes)) return std::nullopt;
+  const PlaneRetreat unfilled = retreat_planes(surface, planes, plan, PlaneSpacing{});
+  TF_CHECK(unfilled.tangled.empty());
+  const PlaneSpacing spacing = make_spacing(surface_for_spacing(surface, planes, plan, unfilled));
   PlaneRetreat made = retreat_planes(surface, planes, plan, spacing);
   TF_CHECK(made.tangled.empty());
   std::vector<bool> has_axis;
   for (const WallPlane& plane : planes.planes) has_axis.push_back(plane.axis >= 0);
-  if (std::find(has_axis.begin(), has_axis.end(), false) == has_axis.end()) return made;
-  const Subdomain root = unlayered_domain(made.plan, made.surface, TreePath{2}, 1).root;
-  const SurfaceMesh rest{root.vertices, root.triangles, {}, {}, {}, {}};
-  if (check_surface(rest).report.defects.empty()) return made;
+  const bool all_have = std::find(has_axis.begin(), has_axis.end(), false) == has_axis.end();
+  if (all_have || leaves_domain(made)) return made;
   return Retreat(surface, planes, plan).make(spacing, has_axis);
 }
 

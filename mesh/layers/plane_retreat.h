@@ -22,6 +22,9 @@ namespace tetfarm {
 /// Target edge length at a point; empty: no nodes are wanted within the planes.
 using PlaneSpacing = std::function<double(const Vec3&)>;
 
+/// Makes a spacing from triangles whose edges it is to take on; they need not be a closed surface.
+using MakePlaneSpacing = std::function<PlaneSpacing(const SurfaceMesh&)>;
+
 struct RetreatFigures {
   std::int64_t planes = 0;            ///< that layers run in
   std::int64_t triangles_before = 0;  ///< of these planes
@@ -49,9 +52,12 @@ bool runs_in_plane(const LayerPlan& plan, const WallPlanes& planes);
 PlaneRetreat retreat_planes(const SurfaceMesh& surface, const WallPlanes& planes,
                             const LayerPlan& plan, const PlaneSpacing& spacing);
 
-/// The same of a plan of plan_layers; nothing where no line runs in a plane. Where nodes within a
-/// plane that has no axis would not fit to what is round it, it has none.
+/// The same of a plan of plan_layers; nothing where no line runs in a plane. The spacing is made
+/// from what bounds the rest without the planes, so that nodes within a plane fit to the top of the
+/// layers, and from old triangles of the planes that are further from the wall than twice the
+/// height of the layers. Where nodes within a plane that has no axis would not fit to what is round
+/// it, it has none.
 std::optional<PlaneRetreat> retreat_planes(const SurfaceMesh& surface, const LayerPlan& plan,
-                            const PlaneSpacing& spacing);
+                                           const MakePlaneSpacing& make_spacing);
 
 }  // namespace tetfarm

@@ -111,9 +111,9 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
                                                 : Origin{0, static_cast<std::uint32_t>(t)});
   }
   domain.top_triangles = top;
-  domain.top_nodes =
-      std::count_if(plan.lines.begin(), plan.lines.end(),
-                    [](const LayerLine& line) { return line.stop > 0 && line.vertices == 0; });
+  domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(), [](const LayerLine& line) {
+    return line.stop > 0 && line.vertices == 0;
+  });
   return domain;
 }
 

@@ -100,7 +100,8 @@ class PlaneSearch {
         if (n >= 0 && is_wall_[at(n)]) borders_[at(patch_of(surface_, triangle))] = true;
       }
     }
-    for (const Box3& box : boxes) tolerance_.push_back(box.empty() ? 0 : flatness * norm(box.size()));
+    for (const Box3& box : boxes)
+      tolerance_.push_back(box.empty() ? 0 : flatness * norm(box.size()));
   }
 
   /// Triangles of the patches that border the wall, the largest first: they know best how their
@@ -302,8 +303,7 @@ WallPlanes wall_planes(const SurfaceMesh& surface, const WallGraph& graph) {
   for (std::size_t i = 0; i < found.of_line.size(); ++i) {
     const auto [first, second] = found.of_line[i];
     if (is_free[i] && second >= 0) {
-      const double cosine =
-          dot(found.planes[at(first)].normal, found.planes[at(second)].normal);
+      const double cosine = dot(found.planes[at(first)].normal, found.planes[at(second)].normal);
       is_free[i] = std::abs(cosine) <= cos_of_ridge;
     }
     if (!is_free[i]) found.of_line[i] = no_planes;
@@ -317,7 +317,8 @@ std::vector<Vec3> with_images(std::vector<Vec3> normals, const WallPlanes& plane
   for (const std::int32_t plane : planes.of_line[line]) {
     if (plane < 0) continue;
     const std::size_t own = normals.size();
-    for (std::size_t i = 0; i < own; ++i) normals.push_back(image(normals[i], planes.planes[at(plane)]));
+    for (std::size_t i = 0; i < own; ++i)
+      normals.push_back(image(normals[i], planes.planes[at(plane)]));
   }
   return normals;
 }

@@ -27,8 +27,8 @@ struct WallPlane {
   std::int32_t patch = 0;
   std::vector<std::int32_t> triangles;  ///< of the surface, ascending
   std::vector<PlaneBorder> border;
-  Vec3 normal;                          ///< of length 1, out of the domain
-  Vec3 at;                              ///< a point of it
+  Vec3 normal;    ///< of length 1, out of the domain
+  Vec3 at;        ///< a point of it
   int axis = -1;  ///< 0, 1, 2: the coordinate that all its points have in common, exactly
 
   /// The part of a direction that lies in the plane; exactly, where it has an axis.

@@ -28,9 +28,8 @@ inline SurfaceMesh box_with_patches(const Vec3& low, const Vec3& high, int n) {
   box.patch_names = {"floor", "ceiling", "west", "east", "south", "north"};
   for (const Triangle& triangle : box.triangles) {
     const auto all_at = [&](int axis, double place) {
-      return std::all_of(triangle.begin(), triangle.end(), [&](std::int32_t v) {
-        return box.vertices[at(v)][axis] == place;
-      });
+      return std::all_of(triangle.begin(), triangle.end(),
+                         [&](std::int32_t v) { return box.vertices[at(v)][axis] == place; });
     };
     std::int32_t patch = all_at(2, low.z) ? 0 : all_at(2, high.z) ? 1 : all_at(0, low.x) ? 2 : 3;
     if (all_at(1, low.y)) patch = 4;

@@ -43,8 +43,7 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
     const Triangle& nodes = surface.triangles[at(side.triangle)];
     std::array<std::vector<Vec3>, 2> points;
     for (std::size_t k = 0; k < 2; ++k) {
-      points[k] = points_of(plan.lines[at(
-          plan.vertex2line[at(nodes[(at(side.corner) + k) % 3])])]);
+      points[k] = points_of(plan.lines[at(plan.vertex2line[at(nodes[(at(side.corner) + k) % 3])])]);
     }
     for (std::size_t i = 1; i < std::min(points[0].size(), points[1].size()); ++i) {
       const auto first = static_cast<std::int32_t>(closed.vertices.size());

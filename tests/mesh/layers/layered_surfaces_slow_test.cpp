@@ -50,7 +50,8 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
     request.room = static_cast<RoomRule>(seed / 3 % 3);
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
     const double size = checked.report.median_edge;
-    const auto retreat = retreat_planes(surface, plan, [size](const Vec3&) { return size; });
+    const auto retreat = retreat_planes(
+        surface, plan, [size](const SurfaceMesh&) { return [size](const Vec3&) { return size; }; });
     if (retreat) {
       test::expect_valid_layers(retreat->plan, retreat->surface);
       ++with_planes;

@@ -13,7 +13,10 @@
 namespace tetfarm {
 namespace {
 
-const PlaneSpacing eighth = [](const Vec3&) { return 0.125; };
+/// Everywhere the same.
+MakePlaneSpacing spacing_of(double size) {
+  return [size](const SurfaceMesh&) { return [size](const Vec3&) { return size; }; };
+}
 
 LayerPlan plan_of(const SurfaceMesh& surface, const LayerRequest& request) {
   return plan_layers(surface, std::span(&request, 1));
@@ -32,10 +35,10 @@ std::map<std::int32_t, double> areas_of(const SurfaceMesh& surface, const LayerP
   }
   for (const LayerSide& side : plan.sides) {
     const Triangle& nodes = surface.triangles[at(side.triangle)];
-    const std::vector<Vec3> a = points_of(
-        plan.lines[at(plan.vertex2line[at(nodes[at(side.corner)])])]);
-    const std::vector<Vec3> b = points_of(
-        plan.lines[at(plan.vertex2line[at(nodes[at((side.corner + 1) % 3)])])]);
+    const std::vector<Vec3> a =
+        points_of(plan.lines[at(plan.vertex2line[at(nodes[at(side.corner)])])]);
+    const std::vector<Vec3> b =
+        points_of(plan.lines[at(plan.vertex2line[at(nodes[at((side.corner + 1) % 3)])])]);
     for (std::size_t i = 1; i < std::min(a.size(), b.size()); ++i) {
       areas[side.patch] += area(a[i - 1], b[i - 1], b[i]) + area(a[i - 1], b[i], a[i]);
     }
@@ -45,7 +48,7 @@ std::map<std::int32_t, double> areas_of(const SurfaceMesh& surface, const LayerP
 
 void expect_unit_box(const SurfaceMesh& box, const LayerRequest& request) {
   const LayerPlan plan = plan_of(box, request);
-  const auto retreat = retreat_planes(box, plan, eighth);
+  const auto retreat = retreat_planes(box, plan, spacing_of(0.125));
   ASSERT_TRUE(retreat.has_value());
   const test::LayerFigures figures = test::expect_valid_layers(retreat->plan, retreat->surface);
   EXPECT_EQ(figures.full, std::ssize(plan.wall));
@@ -59,7 +62,7 @@ TEST(PlaneRetreat, over_the_floor_of_a_box_all_layers_reach_its_four_sides) {
   const LayerRequest request = test::request_of({test::floor_patch}, 0.01, 12);
   expect_unit_box(box, request);
   const LayerPlan plan = plan_of(box, request);
-  const auto retreat = retreat_planes(box, plan, eighth);
+  const auto retreat = retreat_planes(box, plan, spacing_of(0.125));
   EXPECT_EQ(retreat->figures.planes, 4);
   EXPECT_EQ(retreat->figures.quads, 4 * 8 * 12);
   EXPECT_EQ(retreat->figures.side_triangles, 0);
@@ -85,7 +88,7 @@ TEST(PlaneRetreat, along_an_edge_between_two_walls_lines_stay_in_the_plane_at_it
 TEST(PlaneRetreat, points_of_a_plane_have_its_coordinate_to_the_last_bit) {
   const SurfaceMesh box = test::box_with_patches({0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}, 8);
   const LayerPlan plan = plan_of(box, test::request_of({test::floor_patch}, 0.01, 12));
-  const auto retreat = retreat_planes(box, plan, eighth);
+  const auto retreat = retreat_planes(box, plan, spacing_of(0.125));
   ASSERT_TRUE(retreat.has_value());
   std::int64_t looked = 0;
   for (std::size_t t = 0; t < retreat->surface.triangles.size(); ++t) {
@@ -109,7 +112,7 @@ TEST(PlaneRetreat, where_stops_differ_a_triangle_ends_the_quads) {
   }
   LayerPlan plan = plan_of(box, test::request_of({test::floor_patch}, 0.01, 3));
   // The eastern floor is a plane in which no line can run: it is not across from the wall.
-  const auto retreat = retreat_planes(box, plan, eighth);
+  const auto retreat = retreat_planes(box, plan, spacing_of(0.125));
   ASSERT_TRUE(retreat.has_value());
   test::expect_valid_layers(retreat->plan, retreat->surface);
   EXPECT_GT(retreat->figures.side_triangles, 0);
@@ -128,7 +131,7 @@ TEST(PlaneRetreat, where_stops_differ_a_triangle_ends_the_quads) {
 TEST(PlaneRetreat, a_surface_that_is_all_wall_has_no_planes) {
   const SurfaceMesh box = test::box_with_patches({0, 0, 0}, {1, 1, 1}, 4);
   const LayerPlan plan = plan_of(box, test::request_of_all(box, 0.01, 3));
-  EXPECT_FALSE(retreat_planes(box, plan, eighth).has_value());
+  EXPECT_FALSE(retreat_planes(box, plan, spacing_of(0.125)).has_value());
 }
 
 TEST(PlaneRetreat, layers_that_would_fill_a_plane_leave_some_of_it) {
@@ -136,7 +139,7 @@ TEST(PlaneRetreat, layers_that_would_fill_a_plane_leave_some_of_it) {
   const SurfaceMesh slit = test::box_with_patches({0, 0, 0}, {1, 1, 0.05}, 8);
   const LayerPlan plan =
       plan_of(slit, test::request_of({test::floor_patch, test::ceiling_patch}, 0.005, 12));
-  const auto retreat = retreat_planes(slit, plan, eighth);
+  const auto retreat = retreat_planes(slit, plan, spacing_of(0.125));
   ASSERT_TRUE(retreat.has_value());
   test::expect_valid_layers(retreat->plan, retreat->surface);
   EXPECT_GT(retreat->figures.triangles_after, 0);
@@ -153,8 +156,7 @@ TEST(PlaneRetreat, leaves_a_mesh_beside_flat_patches_of_every_generated_surface)
       const double size = checked.report.median_edge;
       const LayerPlan plan =
           plan_of(checked.surface, test::request_of({0}, (seed % 2 == 0 ? 0.02 : 0.2) * size, 5));
-      const auto retreat =
-          retreat_planes(checked.surface, plan, [size](const Vec3&) { return size; });
+      const auto retreat = retreat_planes(checked.surface, plan, spacing_of(size));
       if (!retreat) continue;
       test::expect_valid_layers(retreat->plan, retreat->surface);
       ++with_planes;
