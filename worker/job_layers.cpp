@@ -228,6 +228,7 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
     }
     request.count = count_of(layers, request.law);
     request.room = room_of(layers);
+    request.step = static_cast<int>(layers.step);
     require_use(layers, request, found.footings[i]);
     found.requests.push_back(std::move(request));
   }

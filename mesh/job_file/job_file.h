@@ -43,6 +43,7 @@ struct JobLayers {
   std::int64_t count = 0;      // 0: by total_height
   double total_height = 0;     // 0 as well: until a layer is as high as most of the edges there
   std::int64_t equal = 1;      // layers at the wall that do not grow
+  std::int64_t step = 1;       // layers by which lines of an edge may differ
   std::string room = "ratio";  // "ratio" | "stop" | "scale"
   std::string typed;           // as --layers, for messages; canonical text does not have it
 };

@@ -85,8 +85,8 @@ std::string layers_to_toml(const JobLayers& layers) {
   } else {
     text += "count = " + (layers.count > 0 ? std::to_string(layers.count) : "\"isotropic\"") + "\n";
   }
-  return text + "equal = " + std::to_string(layers.equal) + "\nroom = " + quoted_toml(layers.room) +
-         "\n";
+  text += "equal = " + std::to_string(layers.equal) + "\nroom = " + quoted_toml(layers.room) + "\n";
+  return layers.step == 1 ? text : text + "step = " + std::to_string(layers.step) + "\n";
 }
 
 std::string pml_to_toml(const JobPml& pml) {

@@ -13,8 +13,8 @@ namespace tetfarm {
 namespace {
 
 constexpr std::array<std::string_view, 12> table_keys = {
-    "patches",    "first_height", "y_plus",       "reynolds", "length", "growth",
-    "growth_cap", "acceleration", "total_height", "count",    "equal",  "room"};
+    "patches",      "first_height", "y_plus", "reynolds", "length", "growth", "growth_cap",
+    "acceleration", "total_height", "count",  "equal",    "room",   "step"};
 constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",
                                                          "elements"};
 constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
@@ -111,6 +111,7 @@ void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers&
   parse_growth(section, layers);
   parse_count(section, keys.total, layers);
   if (section.has("room")) layers.room = section.one_of("room", rules_of_room);
+  if (section.has("step")) layers.step = section.integer("step", 1, most_layers_of_job);
 }
 
 /// Takes one more name or pattern; otherwise tells what is wrong with it.

@@ -175,18 +175,20 @@ class Planning {
     return sum / static_cast<double>(neighbours.size());
   }
 
-  /// Where the edges decide how many layers there are, neighbours want numbers that differ by one.
+  /// Where the edges decide how many layers there are, neighbours want numbers that differ by no
+  /// more than their stops may.
   void find_wishes() {
     std::vector<int> wishes;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       const LayerRequest& request = request_of(i);
       plan_.lines[i].law = request.law;
       plan_.lines[i].first_wanted = request.law.first;
+      steps_.push_back(request.step);
       wishes.push_back(request.count > 0 ? request.count
                                          : layers_until(request.law, isotropic_share * mean_edge(i),
                                                         most_layers));
     }
-    limit_steps(graph_, wishes);
+    limit_steps(graph_, steps_, wishes);
     for (std::size_t i = 0; i < wishes.size(); ++i) plan_.lines[i].wanted = wishes[i];
   }
 
@@ -268,7 +270,7 @@ class Planning {
 
   void hold_neighbours() {
     std::vector<int> held = stops();
-    const std::vector<std::int32_t> sources = limit_steps(graph_, held);
+    const std::vector<std::int32_t> sources = limit_steps(graph_, steps_, held);
     for (std::size_t i = 0; i < held.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       if (held[i] == line.stop) continue;
@@ -307,6 +309,7 @@ class Planning {
   std::vector<Vec3> normals_;  // of the wall triangles, inwards
   std::span<const LayerRequest> requests_;
   Wall wall_;
+  std::vector<int> steps_;  // of each line: LayerRequest::step
   WallGraph graph_;
   WallPlanes planes_;
   LayerPlan plan_;

@@ -57,7 +57,7 @@ struct LayerLine {
   bool of_pml = false;   ///< its layers absorb, and lie outside of what the domain was
   bool in_tets = false;  ///< prisms whose lines are all like this are divided into three tets
   /// So many of its last points are vertices of the surface, `first_vertex` and those that follow:
-  /// of a line that runs in a plane its top, and the point below where a triangle there has it.
+  /// of a line that runs in a plane its top, and the points below that triangles there have.
   int vertices = 0;
   std::int32_t first_vertex = -1;
 
@@ -70,8 +70,9 @@ struct LayerSide {
   std::int32_t triangle = 0;  ///< of the wall
   int corner = 0;             ///< the edge runs from there to the next corner of the triangle
   std::int32_t patch = 0;     ///< of the plane
-  /// The triangle of the surface above the quads, where one of the lines has a layer more: its
-  /// corners are the lower line's top, and the other's last two points. -1: none.
+  /// Where one of the lines has layers more, as many triangles of the surface above the quads, from
+  /// this one upwards: the corners of each are the lower line's top and two points of the other.
+  /// -1: none.
   std::int32_t last = -1;
 
   friend bool operator==(const LayerSide&, const LayerSide&) = default;

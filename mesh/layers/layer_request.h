@@ -27,6 +27,7 @@ struct LayerRequest {
   /// Layers that are wanted; 0: until one is as high as `isotropic_share` of the edges there.
   int count = 0;
   RoomRule room = RoomRule::ratio;
+  int step = 1;  ///< by so many layers the lines at the ends of an edge differ at most
   /// Of layers that have to be whole, such as absorbing ones: for each vertex of the surface the
   /// way that its line goes for each unit of height, and no other. Empty: lines go where there is
   /// room, as far as there is.

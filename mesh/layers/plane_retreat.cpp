@@ -235,9 +235,9 @@ class Retreat {
     for (const LayerSide& side : made_.plan.sides) {
       const auto [a, b] = lines_of_side(side);
       for (const auto& [higher, lower] : {std::pair{a, b}, std::pair{b, a}}) {
-        const int stop = line(higher).stop;
-        TF_CHECK(stop <= line(lower).stop + 1);
-        if (stop > line(lower).stop && stop > 1) lines[at(higher)].vertices = 2;
+        // Its points from the lower line's top on; feet are vertices as they are.
+        const int needed = line(higher).stop - std::max(line(lower).stop, 1) + 1;
+        lines[at(higher)].vertices = std::max(lines[at(higher)].vertices, needed);
       }
     }
     std::vector<Vec3>& vertices = made_.surface.vertices;
@@ -271,12 +271,21 @@ class Retreat {
       const int quads = std::min(line(a).stop, line(b).stop);
       made_.figures.quads += quads;
       if (line(a).stop == line(b).stop) continue;
-      const std::int32_t higher = line(a).stop > quads ? a : b;
       side.last = static_cast<std::int32_t>(made_.surface.triangles.size());
-      add_triangle({vertex_of(a, quads), vertex_of(b, quads), vertex_of(higher, quads + 1)},
-                   side.patch);
-      ++made_.figures.side_triangles;
+      for (int level = quads; level < line(a).stop; ++level) {
+        add_side_triangle({vertex_of(a, level), vertex_of(b, quads), vertex_of(a, level + 1)},
+                          side);
+      }
+      for (int level = quads; level < line(b).stop; ++level) {
+        add_side_triangle({vertex_of(a, quads), vertex_of(b, level), vertex_of(b, level + 1)},
+                          side);
+      }
     }
+  }
+
+  void add_side_triangle(const Triangle& triangle, const LayerSide& side) {
+    add_triangle(triangle, side.patch);
+    ++made_.figures.side_triangles;
   }
 
   std::int32_t vertex_of(std::int32_t number, int level) const {

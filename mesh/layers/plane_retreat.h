@@ -47,8 +47,8 @@ struct PlaneRetreat {
 /// Whether some line with layers runs in a plane.
 bool runs_in_plane(const LayerPlan& plan, const WallPlanes& planes);
 
-/// @pre planes and plan are of the surface, of one region; neighbours' stops differ by one at most.
-/// Cost: O(n) for n triangles, and mesh_region of each plane.
+/// @pre planes and plan are of the surface, of one region. Cost: O(n) for n triangles, and
+/// mesh_region of each plane.
 PlaneRetreat retreat_planes(const SurfaceMesh& surface, const WallPlanes& planes,
                             const LayerPlan& plan, const PlaneSpacing& spacing);
 

@@ -1,6 +1,7 @@
 #include "mesh/layers/unlayered_domain.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "base/array_index.h"
@@ -58,7 +59,11 @@ class BoundaryNodes {
 std::vector<bool> triangles_of_sides(const LayerPlan& plan, const SurfaceMesh& surface) {
   std::vector<bool> is_of_side(surface.triangles.size(), false);
   for (const LayerSide& side : plan.sides) {
-    if (side.last >= 0) is_of_side[at(side.last)] = true;
+    if (side.last < 0) continue;
+    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, side.triangle);
+    const int difference = plan.lines[at(lines[at(side.corner)])].stop -
+                           plan.lines[at(lines[at((side.corner + 1) % 3)])].stop;
+    for (int i = 0; i < std::abs(difference); ++i) is_of_side[at(side.last + i)] = true;
   }
   return is_of_side;
 }

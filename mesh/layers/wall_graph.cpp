@@ -115,8 +115,12 @@ std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const V
   });
 }
 
-std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::vector<int>& stops) {
-  return lower(graph, stops, [](std::int32_t, std::int32_t) { return 1; });
+std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::span<const int> most,
+                                      std::vector<int>& stops) {
+  TF_CHECK(most.size() == graph.feet.size());
+  return lower(graph, stops, [most](std::int32_t a, std::int32_t b) {
+    return std::min(most[at(a)], most[at(b)]);
+  });
 }
 
 }  // namespace tetfarm

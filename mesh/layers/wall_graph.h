@@ -41,8 +41,9 @@ WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall)
 std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const Vec3> places,
                                        double slope, std::vector<double>& values);
 
-/// Lowers stops until none is more than one above that of a neighbour; the same of each line.
-/// Cost: O(n log n).
-std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::vector<int>& stops);
+/// Lowers stops until none is higher above that of a neighbour than the smaller of their `most`;
+/// the same of each line. @pre `most` are positive. Cost: O(n log n).
+std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::span<const int> most,
+                                      std::vector<int>& stops);
 
 }  // namespace tetfarm

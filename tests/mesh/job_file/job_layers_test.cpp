@@ -109,7 +109,7 @@ TEST(JobLayers, have_defaults_for_all_but_patches_and_first_height) {
 TEST(JobLayers, take_every_key) {
   const JobLayers counted = layers_of(
       "patches = [\"wing_*\", \"t?p\"]\nfirst_height = 2\ngrowth = 1.25\ncount = 20\nequal = 3\n"
-      "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"");
+      "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"\nstep = 5");
   EXPECT_THAT(counted.patches, ElementsAre("wing_*", "t?p"));
   EXPECT_EQ(counted.first_height, 2);
   EXPECT_EQ(counted.growth, 1.25);
@@ -118,6 +118,7 @@ TEST(JobLayers, take_every_key) {
   EXPECT_EQ(counted.growth_cap, 1.5);
   EXPECT_EQ(counted.acceleration, 1.05);
   EXPECT_EQ(counted.room, "stop");
+  EXPECT_EQ(counted.step, 5);
   const JobLayers by_y_plus = layers_of(
       of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nroom = \"scale\"");
   EXPECT_EQ(by_y_plus.first_height, 0);
@@ -194,6 +195,7 @@ TEST(JobLayers, say_where_and_what_is_wrong) {
        "job.toml:7:16: `total_height` cannot be given together with `count`"},
       {first + "total_height = 0.5", "`total_height` must not be less than the first layer"},
       {first + "equal = 0", "`equal` must be at least 1"},
+      {first + "step = 0", "`step` must be at least 1"},
       {first + "equal = 4\ncount = 3", "`equal` must not be more than `count`"},
       {first + "room = \"shrink\"",
        "`room` is \"shrink\", not one of \"ratio\", \"stop\", \"scale\""},
@@ -212,7 +214,7 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
        {of_wing + "first_height = 1e-4",
         of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nequal = 4",
         std::string("patches = [\"a\\\"b\", \"*\"]\nfirst_height = 1\ngrowth = 1.1\ncount = 7\n"
-                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"")}) {
+                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"\nstep = 2")}) {
     const JobFile job = parse_job_file(before + keys, "/jobs/job.toml");
     const std::string written = to_toml(job);
     const JobFile again = parse_job_file(written, "/jobs/job.toml");
@@ -231,6 +233,7 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
     EXPECT_EQ(a.total_height, b.total_height);
     EXPECT_EQ(a.equal, b.equal);
     EXPECT_EQ(a.room, b.room);
+    EXPECT_EQ(a.step, b.step);
   }
 }
 

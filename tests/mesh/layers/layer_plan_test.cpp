@@ -140,6 +140,31 @@ TEST(LayerPlan, layers_taper_towards_a_curved_patch_without_any) {
   }
 }
 
+TEST(LayerPlan, with_larger_steps_a_line_that_stops_holds_fewer_back) {
+  SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 8);
+  cube.patch_names = {"wall", "inlet"};
+  for (std::size_t t = 0; t < cube.triangles.size(); ++t) {
+    const Triangle& nodes = cube.triangles[t];
+    const bool is_high = std::all_of(nodes.begin(), nodes.end(),
+                                     [&](std::int32_t v) { return cube.vertices[at(v)].z > 0.99; });
+    cube.patch_of_triangle[t] = is_high ? 1 : 0;
+  }
+  for (Vec3& p : cube.vertices) {
+    if (p.z > 0.99) p.z += p.x * (1 - p.x) * p.y * (1 - p.y);  // curved: no plane
+  }
+  LayerRequest request = test::request_of_all(cube, 1e-3, 5);
+  request.patches = {0};
+  const LayerPlan one = plan_of(cube, request);
+  request.step = 3;
+  const LayerPlan three = plan_of(cube, request);
+  const std::int64_t full = test::expect_valid_layers(one, cube, 1).full;
+  EXPECT_GT(test::expect_valid_layers(three, cube, 3).full, full);
+  for (const LayerLine& line : three.lines) {
+    const int rows = static_cast<int>(std::lround((1 - line.at.z) * 8));
+    EXPECT_EQ(line.stop, std::min(3 * rows, 5)) << "at z = " << line.at.z;
+  }
+}
+
 TEST(LayerPlan, lines_begin_at_the_very_bits_of_the_surface) {
   SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
   for (Vec3& p : sphere.vertices) {

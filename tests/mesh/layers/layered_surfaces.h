@@ -57,10 +57,11 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   return enclosed_volume(closed.vertices, closed.triangles);
 }
 
-/// Every component tet is positive, stops differ by one at most, a line that has fewer layers than
-/// wanted tells why, and what is left is a domain without defects, turned as the surface was, of
-/// the volume that the cells leave.
-inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh& surface) {
+/// Every component tet is positive, stops differ by `step` at most, a line that has fewer layers
+/// than wanted tells why, and what is left is a domain without defects, turned as the surface was,
+/// of the volume that the cells leave.
+inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh& surface,
+                                        int step = 1) {
   LayerFigures figures;
   long double volume = 0;
   for (const std::int32_t t : plan.wall) {
@@ -76,7 +77,7 @@ inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh
       EXPECT_LE(line.stop, line.wanted);
       EXPECT_EQ(line.reason == StopReason::complete, line.stop == line.wanted)
           << name_of(line.reason) << ' ' << line.stop << ' ' << line.wanted;
-      EXPECT_LE(std::abs(line.stop - plan.lines[at(lines[(k + 1) % 3])].stop), 1);
+      EXPECT_LE(std::abs(line.stop - plan.lines[at(lines[(k + 1) % 3])].stop), step);
     }
     figures.full += is_full ? 1 : 0;
     for (int layer = 1; layer <= layers_above(stops); ++layer) {

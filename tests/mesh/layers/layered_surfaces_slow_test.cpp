@@ -24,8 +24,9 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_are_a_mesh) {
     LayerRequest request =
         test::request_of_all(surface, share * checked.report.median_edge, seed % 2 == 0 ? 6 : 0);
     request.room = static_cast<RoomRule>(seed / 3 % 3);
+    request.step = seed % 5 == 0 ? 3 : 1;
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
-    const test::LayerFigures figures = test::expect_valid_layers(plan, surface);
+    const test::LayerFigures figures = test::expect_valid_layers(plan, surface, request.step);
     cells += figures.prisms + figures.pyramids + figures.tets;
     ++planned;
     if (HasFailure()) return;
@@ -48,15 +49,16 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
     LayerRequest request =
         test::request_of({0}, share * checked.report.median_edge, seed % 2 == 0 ? 6 : 0);
     request.room = static_cast<RoomRule>(seed / 3 % 3);
+    request.step = seed % 5 == 0 ? 3 : 1;
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
     const double size = checked.report.median_edge;
     const auto retreat = retreat_planes(
         surface, plan, [size](const SurfaceMesh&) { return [size](const Vec3&) { return size; }; });
     if (retreat) {
-      test::expect_valid_layers(retreat->plan, retreat->surface);
+      test::expect_valid_layers(retreat->plan, retreat->surface, request.step);
       ++with_planes;
     } else {
-      test::expect_valid_layers(plan, surface);
+      test::expect_valid_layers(plan, surface, request.step);
     }
     ++planned;
     if (HasFailure()) return;

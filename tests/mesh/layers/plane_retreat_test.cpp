@@ -147,6 +147,7 @@ TEST(PlaneRetreat, layers_that_would_fill_a_plane_leave_some_of_it) {
 
 TEST(PlaneRetreat, leaves_a_mesh_beside_flat_patches_of_every_generated_surface) {
   std::int64_t with_planes = 0;
+  std::int64_t steep = 0;
   for (const shapes::SurfaceGenerator& generator : shapes::surface_generators()) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       SCOPED_TRACE(std::string(generator.name) + ", seed " + std::to_string(seed));
@@ -154,15 +155,19 @@ TEST(PlaneRetreat, leaves_a_mesh_beside_flat_patches_of_every_generated_surface)
           check_surface(test::with_flat_patches(generator.make(seed, 1), seed));
       if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
       const double size = checked.report.median_edge;
-      const LayerPlan plan =
-          plan_of(checked.surface, test::request_of({0}, (seed % 2 == 0 ? 0.02 : 0.2) * size, 5));
+      LayerRequest request = test::request_of({0}, (seed % 2 == 0 ? 0.02 : 0.2) * size, 5);
+      request.step = seed % 4 < 2 ? 1 : 4;
+      const LayerPlan plan = plan_of(checked.surface, request);
       const auto retreat = retreat_planes(checked.surface, plan, spacing_of(size));
       if (!retreat) continue;
-      test::expect_valid_layers(retreat->plan, retreat->surface);
+      test::expect_valid_layers(retreat->plan, retreat->surface, request.step);
+      steep += std::any_of(retreat->plan.lines.begin(), retreat->plan.lines.end(),
+                           [](const LayerLine& line) { return line.vertices > 2; });
       ++with_planes;
     }
   }
   EXPECT_GT(with_planes, 30);
+  EXPECT_GT(steep, 0);
 }
 
 }  // namespace

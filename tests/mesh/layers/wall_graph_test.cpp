@@ -70,13 +70,27 @@ TEST(WallGraph, limited_values_are_the_largest_that_rise_no_faster) {
   EXPECT_EQ(values[17], 0.1);
 }
 
+TEST(WallGraph, the_smaller_step_of_two_neighbours_holds_between_them) {
+  const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 2);
+  const WallGraph graph = wall_graph(sphere, all_triangles(sphere));
+  std::vector<int> stops(graph.feet.size(), 50);
+  stops[3] = 0;
+  std::vector<int> most(stops.size(), 4);
+  const std::int32_t slow = graph.neighbours.of(3).front();
+  most[at(slow)] = 2;
+  limit_steps(graph, most, stops);
+  EXPECT_EQ(stops[at(slow)], 2);
+  EXPECT_EQ(stops[at(graph.neighbours.of(3).back())], 4);
+}
+
 TEST(WallGraph, steps_between_neighbours_become_one) {
   const SurfaceMesh sphere = shapes::sphere({0, 0, 0}, 1, 3);
   const WallGraph graph = wall_graph(sphere, all_triangles(sphere));
   std::vector<int> stops(graph.feet.size(), 20);
   stops[3] = 0;
   stops[100] = 5;
-  const std::vector<std::int32_t> sources = limit_steps(graph, stops);
+  const std::vector<std::int32_t> sources =
+      limit_steps(graph, std::vector<int>(stops.size(), 1), stops);
   EXPECT_EQ(stops[3], 0);
   for (std::int32_t i = 0; i < std::ssize(stops); ++i) {
     int least = 20;
