@@ -181,7 +181,8 @@ void report_cells(TaskIo& io, const GlobalMeshSummary& summary) {
   if (!has_layers) return;
   io.number("elements", static_cast<double>(summary.tets + count_cells(summary.others)));
   io.number("tets", static_cast<double>(summary.tets));
-  for (const ElementType type : layer_cell_types) {
+  for (const ElementType type : layer_types) {
+    if (!is_cell(type) && summary.others[type] == 0) continue;
     io.number(std::string(element(type).plural), static_cast<double>(summary.others[type]));
   }
 }

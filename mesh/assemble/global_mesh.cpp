@@ -88,6 +88,22 @@ void add_triangles(const NumberedPart& part, MeshDigest& digest) {
   }
 }
 
+/// What the quads add to the volume that the surface encloses: the surface has none of them. Of the
+/// two ways to divide a quad, the mean.
+double volume_behind_quads(const NumberedPart& part, const Vec3& origin) {
+  double sum = 0;
+  for_each_block_face(part.blocks, [&](ElementType, std::span<const std::int32_t> face,
+                                       std::int32_t, std::int32_t) {
+    std::array<Vec3, 4> p;
+    TF_CHECK(face.size() == p.size());
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = part.nodes[at(face[k])] - origin;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      sum += dot(p[k], cross(p[(k + 1) % p.size()], p[(k + 2) % p.size()]));
+    }
+  });
+  return sum / 12;
+}
+
 }  // namespace
 
 GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numbering& numbering,
@@ -101,6 +117,8 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
   Interfaces interfaces(surface, numbering);
   MeshDigest digest;
   std::uint64_t face_sum = 0;
+  const Vec3 origin = bounding_box(surface.vertices).centre();
+  summary.enclosed_volume = domain_volume(surface);
   for (std::size_t i = 0; i < numbering.leaves.size(); ++i) {
     const LeafNumbers& leaf = numbering.leaves[i];
     const Portion portion = read_portion(leaf);
@@ -116,6 +134,7 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
     add_triangles(part, digest);
     add_shapes(portion.shapes, summary.shapes);
     face_sum += portion.face_sum;
+    summary.enclosed_volume += volume_behind_quads(part, origin);
     for (GlobalMeshWriter* writer : writers) writer->add(part);
   }
   interfaces.finish();
@@ -124,7 +143,6 @@ GlobalMeshSummary assemble_global_mesh(const SurfaceMesh& surface, const Numberi
                 "the parts do not fit together: faces of neighbours differ, or their nodes");
   }
   for (const RegionShapes& region : summary.shapes.regions) summary.volume += region.volume;
-  summary.enclosed_volume = domain_volume(surface);
   if (!(std::abs(summary.volume - summary.enclosed_volume) <= 1e-9 * summary.enclosed_volume)) {
     throw Error(ExitCode::failed,
                 "the volumes of the elements do not add up to that of the domain");

@@ -35,7 +35,7 @@ struct GlobalMeshSummary {
   std::int64_t boundary_triangles = 0;
   std::int32_t subdomains = 0;
   double volume = 0;           ///< of the cells
-  double enclosed_volume = 0;  ///< of the surface
+  double enclosed_volume = 0;  ///< of the surface, and of the quads beside layers
   MeshShapes shapes;
   Hash128 digest;  ///< see mesh_digest.h
 };

@@ -37,11 +37,12 @@ std::optional<Line> parse_line(std::string_view text) {
 bool is_heap_number(std::uint64_t heap) { return heap >= 1 && heap < std::uint64_t{1} << 63; }
 
 constexpr std::size_t words_with_faces = 4;
-constexpr std::size_t words_with_others = words_with_faces + layer_cell_types.size();
+constexpr std::size_t words_with_others = words_with_faces + layer_types_without_sides;
+constexpr std::size_t words_with_sides = words_with_faces + layer_types.size();
 
 bool is_leaf_line(const std::vector<std::uint64_t>& n) {
   const bool has_words = n.size() + 1 == words_with_faces || n.size() == words_with_faces ||
-                         n.size() == words_with_others;
+                         n.size() == words_with_others || n.size() == words_with_sides;
   return has_words && is_heap_number(n[0]);
 }
 
@@ -52,7 +53,7 @@ LeafNumbers leaf_of_line(const std::vector<std::uint64_t>& n) {
   leaf.tets = static_cast<std::int64_t>(n[2]);
   if (n.size() >= words_with_faces) leaf.faces = static_cast<std::int64_t>(n[3]);
   for (std::size_t word = words_with_faces; word < n.size(); ++word) {
-    leaf.others[layer_cell_types.at(word - words_with_faces)] = static_cast<std::int64_t>(n[word]);
+    leaf.others[layer_types.at(word - words_with_faces)] = static_cast<std::int64_t>(n[word]);
   }
   return leaf;
 }
@@ -160,7 +161,7 @@ void give_numbers(Numbering& numbering) {
     }
     next += leaf.nodes.kept();
     next_tet += leaf.tets;
-    for (const ElementType type : layer_cell_types) numbering.others[type] += leaf.others[type];
+    for (const ElementType type : layer_types) numbering.others[type] += leaf.others[type];
   }
   numbering.nodes = next;
   numbering.tets = next_tet;
@@ -227,6 +228,11 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 }
 
 }  // namespace
+
+std::size_t told_layer_types(const ElementCounts& counts) {
+  if (counts == ElementCounts{}) return 0;
+  return counts[layer_types.back()] > 0 ? layer_types.size() : layer_types_without_sides;
+}
 
 bool comes_before(TreePath a, TreePath b) {
   const int difference = a.depth() - b.depth();
@@ -318,11 +324,10 @@ std::string numbering_to_text(const Numbering& numbering) {
   for (const LeafNumbers& leaf : numbering.leaves) {
     text += "leaf " + std::to_string(leaf.path.heap) + ' ' + std::to_string(leaf.nodes.made) + ' ' +
             std::to_string(leaf.tets) + (leaf.faces ? ' ' + std::to_string(*leaf.faces) : "");
-    if (leaf.others != ElementCounts{}) {
-      TF_CHECK(leaf.faces.has_value());  // of layers, whose triangles are known
-      for (const ElementType type : layer_cell_types) {
-        text += ' ' + std::to_string(leaf.others[type]);
-      }
+    const std::size_t told = told_layer_types(leaf.others);
+    TF_CHECK(told == 0 || leaf.faces.has_value());  // of layers, whose triangles are known
+    for (std::size_t i = 0; i < told; ++i) {
+      text += ' ' + std::to_string(leaf.others[layer_types.at(i)]);
     }
     text += '\n';
     add_dropped_text(leaf.path, leaf.nodes, text);

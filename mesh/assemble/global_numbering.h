@@ -50,8 +50,14 @@ struct CutNumbers {
   OwnedNodes nodes;
 };
 
-/// The types of cells in a numbering besides tets: those of layers.
-inline constexpr std::array layer_cell_types = {ElementType::pyramid, ElementType::prism};
+/// The types in a numbering besides tets and triangles: those of layers. The last is of their sides
+/// in planes, which few meshes have.
+inline constexpr std::array layer_types = {ElementType::pyramid, ElementType::prism,
+                                           ElementType::quad};
+inline constexpr std::size_t layer_types_without_sides = layer_types.size() - 1;
+
+/// How many of the types a file of such counts has to tell of; 0: none.
+std::size_t told_layer_types(const ElementCounts& counts);
 
 /// One sub-domain that was meshed, or a chunk of the layers. Its interior nodes are those that its
 /// mesh and its turn in cosmetics made.
@@ -60,7 +66,7 @@ struct LeafNumbers {
   OwnedNodes nodes;
   std::int64_t tets = 0;
   std::int64_t first_tet = 0;
-  ElementCounts others{};       ///< of layer_cell_types
+  ElementCounts others{};       ///< of layer_types
   ElementCounts first_other{};  ///< of the same, in all leaves before
   /// Triangles of the input surface in it, and in all leaves before; nothing where not all were
   /// counted.
@@ -83,7 +89,7 @@ struct Numbering {
   std::vector<JoinedLeaf> joined;  ///< in tree order
   std::int64_t nodes = 0;
   std::int64_t tets = 0;
-  ElementCounts others{};  ///< of layer_cell_types
+  ElementCounts others{};  ///< of layer_types
   // Of the surface, for those who see no more of it than their leaf:
   std::int64_t faces = 0;          ///< sides of its triangles that are meshed
   std::int32_t regions = 1;        ///< that it bounds
@@ -94,10 +100,10 @@ struct Numbering {
 bool comes_before(TreePath a, TreePath b);
 
 /// The table that the coordinator makes from the answers of the tasks, in any order, a line each:
-/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES [PYRAMIDS PRISMS]]",
-/// "joined HEAP INTO" (a leaf that was joined with the leaf INTO), or "dropped HEAP FIRST COUNT"
-/// (nodes of that cut or leaf, ascending). Where the triangles of all leaves but one are told,
-/// those of that one follow.
+/// "cut HEAP INTERDOMAIN_NODES", "leaf HEAP INTERIOR_NODES TETS [TRIANGLES [PYRAMIDS PRISMS
+/// [QUADS]]]", "joined HEAP INTO" (a leaf that was joined with the leaf INTO), or "dropped HEAP
+/// FIRST COUNT" (nodes of that cut or leaf, ascending). Where the triangles of all leaves but one
+/// are told, those of that one follow.
 /// @throws Error when a line is not such a one, or the lines are not one whole binary tree.
 /// Cost: O(n log n) for n lines, and for the surface.
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table);

@@ -21,7 +21,7 @@ struct MeshTotals {
   std::int64_t tets = 0;
   std::int64_t faces = 0;    ///< triangles of the surface, of both sides where both are meshed
   std::int32_t regions = 1;  ///< of the surface
-  ElementCounts others{};    ///< of layer_cell_types
+  ElementCounts others{};    ///< of layer_types
 
   friend bool operator==(const MeshTotals&, const MeshTotals&) = default;
 };
@@ -32,7 +32,7 @@ struct LeafNumbering {
   std::int64_t kept_nodes = 0;  ///< interior nodes that are in the mesh
   std::int64_t tets = 0;        ///< of the leaf
   std::int64_t first_tet = 0;   ///< tets of the leaves before
-  ElementCounts others{};       ///< cells of other types of the leaf
+  ElementCounts others{};       ///< elements of layer_types of the leaf
   ElementCounts first_other{};  ///< and of the leaves before
   /// Triangles of the input surface in the leaves before; nothing where not all leaves' were
   /// counted.

@@ -33,36 +33,42 @@ struct NumberingFile::Leaf {
 /// And of those of a mesh with layers.
 struct NumberingFile::LeafWithOthers {
   Leaf leaf;
-  std::array<std::int64_t, layer_cell_types.size()> others{};
-  std::array<std::int64_t, layer_cell_types.size()> first_other{};
+  std::array<std::int64_t, layer_types.size()> others{};
+  std::array<std::int64_t, layer_types.size()> first_other{};
 };
 
 namespace {
 
 constexpr std::string_view numbering_magic = "TFNUMB\r\n";
-/// Of a mesh of tets alone, and of one with layers.
-constexpr std::uint32_t numbering_version = 2;
-constexpr std::uint32_t numbering_version_with_others = 3;
+/// Of a mesh of tets alone, of one with layers, and of one whose layers have sides in planes.
+constexpr std::array<std::uint32_t, 3> numbering_versions = {2, 3, 4};
+constexpr std::array<std::size_t, numbering_versions.size()> types_of_version = {
+    0, layer_types_without_sides, layer_types.size()};
 constexpr std::string_view text_magic = "tetfarm-numbering 1\n";
 constexpr std::uint64_t owner_size = 5 * 8;
 constexpr std::uint64_t leaf_size = owner_size + 3 * 8;
-constexpr std::uint64_t others_size = layer_cell_types.size() * 8;
 /// Magic, version, sizes of the whole, counts of the tables.
-constexpr std::uint64_t head_size =
-    numbering_magic.size() + sizeof numbering_version + 5 * 8 + 5 * 8;
+constexpr std::uint64_t head_size = numbering_magic.size() + sizeof(std::uint32_t) + 5 * 8 + 5 * 8;
 
 static_assert(sizeof(DroppedRange) == 24 && sizeof(ForcedNode) == 8);
 
-bool has_others(const Numbering& numbering) { return numbering.others != ElementCounts{}; }
+constexpr std::uint64_t size_of_others(std::uint64_t types) { return 8 * types; }
 
-void write_counts(const ElementCounts& counts, ByteWriter& writer) {
-  for (const ElementType type : layer_cell_types) writer.number(counts[type]);
+void write_counts(const ElementCounts& counts, std::size_t types, ByteWriter& writer) {
+  for (std::size_t i = 0; i < types; ++i) writer.number(counts[layer_types.at(i)]);
 }
 
-ElementCounts counts_of(const std::array<std::int64_t, layer_cell_types.size()>& numbers) {
+ElementCounts counts_of(const std::array<std::int64_t, layer_types.size()>& numbers) {
   ElementCounts counts{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) counts[layer_cell_types[i]] = numbers[i];
+  for (std::size_t i = 0; i < numbers.size(); ++i) counts[layer_types[i]] = numbers[i];
   return counts;
+}
+
+/// Its place among the versions.
+std::size_t version_of(const Numbering& numbering) {
+  const auto found = std::find(types_of_version.begin(), types_of_version.end(),
+                               told_layer_types(numbering.others));
+  return static_cast<std::size_t>(found - types_of_version.begin());
 }
 
 /// Whether it can be a count or a number of nodes or elements.
@@ -73,7 +79,7 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   for (const CutNumbers& cut : numbering.cuts) dropped += cut.nodes.dropped.size();
   for (const LeafNumbers& leaf : numbering.leaves) dropped += leaf.nodes.dropped.size();
   writer.text(numbering_magic);
-  writer.number(has_others(numbering) ? numbering_version_with_others : numbering_version);
+  writer.number(numbering_versions.at(version_of(numbering)));
   writer.number(numbering.surface_nodes);
   writer.number(numbering.tets);
   writer.number(numbering.faces);
@@ -84,7 +90,7 @@ void write_head(const Numbering& numbering, ByteWriter& writer) {
   writer.number<std::uint64_t>(numbering.cuts.size());
   writer.number<std::uint64_t>(numbering.leaves.size());
   writer.number(dropped);
-  if (has_others(numbering)) write_counts(numbering.others, writer);
+  write_counts(numbering.others, told_layer_types(numbering.others), writer);
 }
 
 void write_owner(TreePath path, const OwnedNodes& nodes, std::uint64_t& next_dropped,
@@ -105,14 +111,14 @@ void write_tables(const Numbering& numbering, ByteWriter& writer) {
     write_owner(cut.path, cut.nodes, next_dropped, writer);
   }
   const bool has_faces = counts_faces(numbering);
+  const std::size_t types = told_layer_types(numbering.others);
   for (const LeafNumbers& leaf : numbering.leaves) {
     write_owner(leaf.path, leaf.nodes, next_dropped, writer);
     writer.number(leaf.tets);
     writer.number(leaf.first_tet);
     writer.number(has_faces ? leaf.first_face.value() : 0);
-    if (!has_others(numbering)) continue;
-    write_counts(leaf.others, writer);
-    write_counts(leaf.first_other, writer);
+    write_counts(leaf.others, types, writer);
+    write_counts(leaf.first_other, types, writer);
   }
   for (const CutNumbers& cut : numbering.cuts) writer.array(cut.nodes.dropped);
   for (const LeafNumbers& leaf : numbering.leaves) writer.array(leaf.nodes.dropped);
@@ -134,16 +140,19 @@ struct Head {
   NumberingTables tables;
 };
 
-/// By the version in the first bytes; what else they say is looked at by who reads on.
-bool numbering_says_others(std::string_view begin) {
-  return begin.starts_with(begin_checked(numbering_magic, numbering_version_with_others).bytes());
+/// By the first bytes; what else they say is looked at by who reads on.
+std::size_t version_that_is_said(std::string_view begin) {
+  for (std::size_t i = numbering_versions.size() - 1; i > 0; --i) {
+    if (begin.starts_with(begin_checked(numbering_magic, numbering_versions.at(i)).bytes()))
+      return i;
+  }
+  return 0;
 }
 
 /// What follows magic and version.
 ByteReader read_version(std::string_view begin, const std::string& name) {
-  return read_begun(
-      begin, numbering_magic,
-      numbering_says_others(begin) ? numbering_version_with_others : numbering_version, name);
+  return read_begun(begin, numbering_magic, numbering_versions.at(version_that_is_said(begin)),
+                    name);
 }
 
 Head read_head(std::string_view begin, const std::string& name) {
@@ -163,12 +172,11 @@ Head read_head(std::string_view begin, const std::string& name) {
   head.tables.cuts = reader.count();
   head.tables.leaves = reader.count();
   head.tables.dropped = reader.count();
-  head.tables.has_others = numbering_says_others(begin);
-  if (head.tables.has_others) {
-    for (const ElementType type : layer_cell_types) {
-      head.whole.others[type] = reader.number<std::int64_t>();
-      if (!is_possible(head.whole.others[type])) reader.fail("has impossible counts");
-    }
+  head.tables.others = types_of_version.at(version_that_is_said(begin));
+  for (std::size_t i = 0; i < head.tables.others; ++i) {
+    std::int64_t& count = head.whole.others[layer_types.at(i)];
+    count = reader.number<std::int64_t>();
+    if (!is_possible(count)) reader.fail("has impossible counts");
   }
   head.whole.subdomains = static_cast<std::int64_t>(head.tables.leaves);
   if (head.whole.regions == 0 || head.tables.leaves == 0) reader.fail("has no leaf or no region");
@@ -202,9 +210,7 @@ std::optional<std::uint64_t> place_of(TreePath path, std::uint64_t count, const 
 
 }  // namespace
 
-std::uint64_t NumberingTables::unused_at() const {
-  return head_size + (has_others ? others_size : 0);
-}
+std::uint64_t NumberingTables::unused_at() const { return head_size + size_of_others(others); }
 
 std::uint64_t NumberingTables::forced_at() const {
   return unused_at() + sizeof(std::int32_t) * unused;
@@ -215,7 +221,7 @@ std::uint64_t NumberingTables::cuts_at() const { return forced_at() + sizeof(For
 std::uint64_t NumberingTables::leaves_at() const { return cuts_at() + owner_size * cuts; }
 
 std::uint64_t NumberingTables::dropped_at() const {
-  return leaves_at() + (leaf_size + (has_others ? 2 * others_size : 0)) * leaves;
+  return leaves_at() + (leaf_size + 2 * size_of_others(others)) * leaves;
 }
 
 std::uint64_t NumberingTables::text_at() const {
@@ -249,7 +255,8 @@ bool is_numbering_text(std::string_view begin) { return begin.starts_with(text_m
 
 NumberingFile::NumberingFile(const std::filesystem::path& path, const std::string& name)
     : file_(path, name) {
-  const Head head = read_head(file_.read(0, std::min(file_.size(), head_size + others_size)), name);
+  const Head head = read_head(
+      file_.read(0, std::min(file_.size(), head_size + size_of_others(layer_types.size()))), name);
   tables_ = head.tables;
   whole_ = head.whole;
   surface_nodes_ = head.surface_nodes;
@@ -327,12 +334,25 @@ TreePath NumberingFile::path_of_leaf(std::uint64_t i) { return {leaf_at(i).leaf.
 
 NumberingFile::LeafWithOthers NumberingFile::leaf_at(std::uint64_t i) {
   static_assert(sizeof(Leaf) == leaf_size);
-  static_assert(sizeof(LeafWithOthers) == leaf_size + 2 * others_size);
   LeafWithOthers found;
-  if (tables_.has_others) {
-    found = file_.item<LeafWithOthers>(tables_.leaves_at(), i);
-  } else {
+  const auto read = [&]<std::size_t types>(const std::array<std::int64_t, types>&) {
+    struct Entry {
+      Leaf leaf;
+      std::array<std::int64_t, types> others;
+      std::array<std::int64_t, types> first_other;
+    };
+    static_assert(sizeof(Entry) == leaf_size + 2 * size_of_others(types));
+    const auto entry = file_.item<Entry>(tables_.leaves_at(), i);
+    found.leaf = entry.leaf;
+    std::copy(entry.others.begin(), entry.others.end(), found.others.begin());
+    std::copy(entry.first_other.begin(), entry.first_other.end(), found.first_other.begin());
+  };
+  if (tables_.others == 0) {
     found.leaf = file_.item<Leaf>(tables_.leaves_at(), i);
+  } else if (tables_.others == layer_types_without_sides) {
+    read(std::array<std::int64_t, layer_types_without_sides>{});
+  } else {
+    read(std::array<std::int64_t, layer_types.size()>{});
   }
   const Leaf& leaf = found.leaf;
   std::vector<std::int64_t> counts = {leaf.tets, leaf.first_tet, leaf.first_face};

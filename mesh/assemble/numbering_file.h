@@ -32,7 +32,7 @@ struct NumberingTables {
   std::uint64_t cuts = 0;
   std::uint64_t leaves = 0;
   std::uint64_t dropped = 0;
-  bool has_others = false;  ///< leaves with other cells than tets
+  std::uint64_t others = 0;  ///< so many of layer_types are told of each leaf
 
   std::uint64_t unused_at() const;
   std::uint64_t forced_at() const;

@@ -12,7 +12,7 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 12> table_keys = {
+constexpr std::array<std::string_view, 13> table_keys = {
     "patches",      "first_height", "y_plus", "reynolds", "length", "growth", "growth_cap",
     "acceleration", "total_height", "count",  "equal",    "room",   "step"};
 constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",

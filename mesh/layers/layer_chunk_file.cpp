@@ -1,7 +1,10 @@
 #include "mesh/layers/layer_chunk_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include "base/array_index.h"
@@ -14,6 +17,8 @@ namespace {
 constexpr std::string_view chunk_magic = "TFLAYR\r\n";
 constexpr std::uint32_t chunk_version = 1;
 constexpr std::uint32_t chunk_version_with_kinds = 2;
+/// Kinds, and what lies in planes.
+constexpr std::uint32_t chunk_version_with_sides = 3;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
@@ -95,9 +100,75 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
                      [](const ChunkLine& line) { return line.line.of_pml || line.line.in_tets; });
 }
 
-/// By the version in the first bytes; what else they say is looked at by who reads on.
-bool says_kinds(std::string_view bytes) {
-  return bytes.starts_with(begin_checked(chunk_magic, chunk_version_with_kinds).bytes());
+std::uint32_t version_for(const LayerChunk& chunk) {
+  const bool has_sides = !chunk.sides.empty() ||
+                         std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                                     [](const ChunkLine& l) { return l.line.vertices > 0; });
+  if (has_sides) return chunk_version_with_sides;
+  return has_kinds_of_lines(chunk) ? chunk_version_with_kinds : chunk_version;
+}
+
+/// By the first bytes; what else they say is looked at by who reads on.
+std::uint32_t version_of(std::string_view bytes) {
+  for (const std::uint32_t version : {chunk_version_with_sides, chunk_version_with_kinds}) {
+    if (bytes.starts_with(begin_checked(chunk_magic, version).bytes())) return version;
+  }
+  return chunk_version;
+}
+
+void write_sides(const LayerChunk& chunk, ByteWriter& writer) {
+  for (const ChunkLine& line : chunk.lines) {
+    writer.number<std::int32_t>(line.line.vertices);
+    writer.number(line.line.first_vertex);
+  }
+  writer.number<std::uint64_t>(chunk.sides.size());
+  for (const ChunkSide& side : chunk.sides) {
+    for (const std::int32_t line : side.lines) writer.number(line);
+    writer.number(side.patch);
+    writer.number(side.last);
+  }
+}
+
+void read_sides(ByteReader& reader, LayerChunk& chunk) {
+  for (ChunkLine& line : chunk.lines) {
+    line.line.vertices = reader.number<std::int32_t>();
+    line.line.first_vertex = reader.number<std::int32_t>();
+    const bool is_right = line.line.vertices >= 0 && line.line.vertices <= line.line.stop &&
+                          (line.line.vertices > 0 ? line.line.first_vertex >= 0
+                                                  : line.line.first_vertex == -1);
+    if (!is_right) reader.fail("has a line that cannot be");
+  }
+  const std::size_t sides = reader.count();
+  for (std::size_t i = 0; i < sides; ++i) {
+    ChunkSide& side = chunk.sides.emplace_back();
+    for (std::int32_t& line : side.lines) line = reader.number<std::int32_t>();
+    side.patch = reader.number<std::int32_t>();
+    side.last = reader.number<std::int32_t>();
+  }
+}
+
+/// Whether the line's points from this level on, feet apart, are vertices of the surface.
+bool is_of_surface_from(const LayerLine& line, int level) {
+  return level > line.stop || std::max(level, 1) > line.stop - line.vertices;
+}
+
+/// @pre triangles are right.
+void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
+  std::set<std::array<std::int32_t, 2>> edges;
+  for (const Triangle& t : chunk.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.insert({t[k], t[(k + 1) % 3]});
+  }
+  for (const ChunkSide& side : chunk.sides) {
+    if (edges.erase(side.lines) == 0) reader.fail("has a side that is at no edge");
+    const LayerLine& a = chunk.lines[at(side.lines[0])].line;
+    const LayerLine& b = chunk.lines[at(side.lines[1])].line;
+    const int quads = std::min(a.stop, b.stop);
+    const bool is_right =
+        side.patch >= 0 && (a.stop == b.stop ? side.last == -1 : side.last >= 0) &&
+        side.last <= std::numeric_limits<std::int32_t>::max() - most_layers &&
+        (a.stop == b.stop || (is_of_surface_from(a, quads) && is_of_surface_from(b, quads)));
+    if (!is_right) reader.fail("has a side that cannot be");
+  }
 }
 
 void read_kinds(ByteReader& reader, LayerChunk& chunk) {
@@ -113,39 +184,40 @@ void read_kinds(ByteReader& reader, LayerChunk& chunk) {
 
 std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
-  const bool has_kinds = has_kinds_of_lines(chunk);
-  ByteWriter writer =
-      begin_checked(chunk_magic, has_kinds ? chunk_version_with_kinds : chunk_version);
+  const std::uint32_t version = version_for(chunk);
+  ByteWriter writer = begin_checked(chunk_magic, version);
   writer.number(chunk.path.heap);
   writer.number<std::uint64_t>(chunk.lines.size());
   writer.number<std::uint64_t>(chunk.triangles.size());
   for (const ChunkLine& line : chunk.lines) write_line(line, writer);
-  if (has_kinds) {
+  if (version >= chunk_version_with_kinds) {
     for (const ChunkLine& line : chunk.lines) {
       writer.number<std::uint32_t>((line.line.in_tets ? in_tets_bit : 0) |
                                    (line.line.of_pml ? of_pml_bit : 0));
     }
   }
+  if (version >= chunk_version_with_sides) write_sides(chunk, writer);
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
 }
 
 LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& name) {
-  const bool has_kinds = says_kinds(bytes);
-  ByteReader reader =
-      read_checked(bytes, chunk_magic, has_kinds ? chunk_version_with_kinds : chunk_version, name);
+  const std::uint32_t version = version_of(bytes);
+  ByteReader reader = read_checked(bytes, chunk_magic, version, name);
   LayerChunk chunk;
   chunk.path = {reader.number<std::uint64_t>()};
   if (chunk.path.heap == 0 || chunk.path.heap >= heaps_end) reader.fail("has no place in a tree");
   const std::size_t lines = reader.count();
   const std::size_t triangles = reader.count();
   for (std::size_t i = 0; i < lines; ++i) chunk.lines.push_back(read_line(reader));
-  if (has_kinds) read_kinds(reader, chunk);
+  if (version >= chunk_version_with_kinds) read_kinds(reader, chunk);
+  if (version >= chunk_version_with_sides) read_sides(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();
   check_triangles(chunk, reader);
+  check_sides(chunk, reader);
   return chunk;
 }
 

@@ -1,6 +1,7 @@
 #include "mesh/layers/layer_chunks.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "base/array_index.h"
@@ -87,13 +88,13 @@ ChunkTree chunk_tree(std::size_t chunks) {
   return tree;
 }
 
-/// The number of each line's top among those of the lines that have layers.
+/// The number of each line's top among those of the lines whose tops are no vertices of the surface.
 std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
   std::vector<std::uint32_t> numbers;
   std::uint32_t next = 0;
   for (const LayerLine& line : plan.lines) {
     numbers.push_back(next);
-    if (line.stop > 0) ++next;
+    if (line.stop > 0 && line.vertices == 0) ++next;
   }
   return numbers;
 }
@@ -122,6 +123,7 @@ class ChunkFiller {
     for (std::size_t k = 0; k < 3; ++k) local[k] = local_line(triangle.lines[k]);
     chunk_->triangles.push_back(local);
     chunk_->surface_triangles.push_back(static_cast<std::uint32_t>(triangle.number));
+    add_sides(triangle.number, local);
   }
 
  private:
@@ -129,6 +131,17 @@ class ChunkFiller {
     std::uint64_t by = 0;
     std::uint32_t first_node = 0;
   };
+
+  void add_sides(std::int32_t triangle, const Triangle& local) {
+    auto side = std::lower_bound(
+        plan_.sides.begin(), plan_.sides.end(), triangle,
+        [](const LayerSide& a, std::int32_t number) { return a.triangle < number; });
+    for (; side != plan_.sides.end() && side->triangle == triangle; ++side) {
+      chunk_->sides.push_back({{local[at(side->corner)], local[at((side->corner + 1) % 3)]},
+                               side->patch,
+                               side->last});
+    }
+  }
 
   std::int32_t local_line(std::int32_t line) {
     std::int32_t& local = local_[at(line)];
@@ -144,11 +157,11 @@ class ChunkFiller {
     Owned& owned = owned_[at(line)];
     if (owned.by == 0) {
       owned = {chunk_->path.heap, next_node_};
-      next_node_ += static_cast<std::uint32_t>(std::max(0, added.line.stop - 1));
+      next_node_ += static_cast<std::uint32_t>(inner_points(added.line));
     }
     added.owner = owned.by;
     added.first_node = owned.first_node;
-    added.top = added.line.stop > 0 ? tops_[at(line)] : 0;
+    added.top = added.line.stop > 0 && added.line.vertices == 0 ? tops_[at(line)] : 0;
     return local;
   }
 
@@ -180,6 +193,15 @@ std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surf
   return chunks;
 }
 
+int inner_points(const LayerLine& line) {
+  return std::max(0, line.stop - std::max(line.vertices, 1));
+}
+
+int last_triangles(const LayerChunk& chunk, const ChunkSide& side) {
+  return std::abs(chunk.lines[at(side.lines[0])].line.stop -
+                  chunk.lines[at(side.lines[1])].line.stop);
+}
+
 bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle) {
   return std::all_of(triangle.begin(), triangle.end(),
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.of_pml; });
@@ -193,7 +215,13 @@ bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle) {
 ChunkCounts counts_of(const LayerChunk& chunk) {
   ChunkCounts counts;
   for (const ChunkLine& line : chunk.lines) {
-    if (line.owner == chunk.path.heap) counts.nodes += std::max(0, line.line.stop - 1);
+    if (line.owner == chunk.path.heap) counts.nodes += inner_points(line.line);
+  }
+  counts.triangles = std::ssize(chunk.surface_triangles);
+  for (const ChunkSide& side : chunk.sides) {
+    counts.quads += std::min(chunk.lines[at(side.lines[0])].line.stop,
+                             chunk.lines[at(side.lines[1])].line.stop);
+    counts.triangles += last_triangles(chunk, side);
   }
   for (const Triangle& triangle : chunk.triangles) {
     std::array<int, 3> stops{};
@@ -219,9 +247,10 @@ std::string layer_table(const std::vector<LayerChunk>& chunks, std::int64_t top_
     const ChunkCounts counts = counts_of(chunk);
     table += "leaf " + std::to_string(chunk.path.heap);
     for (const std::int64_t count :
-         {counts.nodes, counts.tets, std::ssize(chunk.triangles), counts.pyramids, counts.prisms}) {
+         {counts.nodes, counts.tets, counts.triangles, counts.pyramids, counts.prisms}) {
       table += ' ' + std::to_string(count);
     }
+    if (counts.quads > 0) table += ' ' + std::to_string(counts.quads);
     table += '\n';
   }
   return table;

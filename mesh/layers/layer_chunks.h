@@ -64,6 +64,8 @@ struct ChunkCounts {
   std::int64_t tets = 0;
   std::int64_t pyramids = 0;
   std::int64_t prisms = 0;
+  std::int64_t quads = 0;      ///< sides in planes
+  std::int64_t triangles = 0;  ///< of the surface: of the wall, and those of sides
 
   std::int64_t cells() const { return tets + pyramids + prisms; }
   friend bool operator==(const ChunkCounts&, const ChunkCounts&) = default;
@@ -73,6 +75,12 @@ struct ChunkCounts {
 /// @pre `plan` is of `surface`; most_cells > 0. Cost: O(n log n) for n wall triangles.
 std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                   std::int64_t most_cells = cells_of_chunk);
+
+/// How many points of the line are neither of the surface nor of the top: those of levels 1, 2, …
+int inner_points(const LayerLine& line);
+
+/// How many triangles of the surface are above the quads of a side.
+int last_triangles(const LayerChunk& chunk, const ChunkSide& side);
 
 /// Whether the cells above the triangle are of absorbing layers. Those are whole: the lines of a
 /// triangle have all the same number of them.

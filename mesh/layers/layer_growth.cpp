@@ -15,6 +15,10 @@ namespace {
 
 Origin origin_of(const ChunkLine& line, int level) {
   if (level == 0) return {0, static_cast<std::uint32_t>(line.line.foot)};
+  const int below_surface = line.line.stop - line.line.vertices;  // levels that are no vertices
+  if (level > below_surface) {
+    return {0, static_cast<std::uint32_t>(line.line.first_vertex + level - below_surface - 1)};
+  }
   if (level == line.line.stop) return {top_of_layers, line.top};
   return {line.owner, line.first_node + static_cast<std::uint32_t>(level - 1)};
 }
@@ -119,6 +123,37 @@ void add_layer(const LayerChunk& chunk, const Triangle& lines, const Triangle& f
   marking.add(cell.type, mark, number);
 }
 
+/// The boundary beside the layers: normals out of the domain, as the plane has them.
+void add_side(const LayerChunk& chunk, const ChunkSide& side, const std::vector<std::int32_t>& first,
+              GrownLayers& layers) {
+  // The triangle of the wall runs from the first line to the second, its neighbour in the plane
+  // back.
+  const std::int32_t from = side.lines[1];
+  const std::int32_t to = side.lines[0];
+  const auto node = [&first](std::int32_t line, int level) { return first[at(line)] + level; };
+  const int from_stop = chunk.lines[at(from)].line.stop;
+  const int to_stop = chunk.lines[at(to)].line.stop;
+  const int quads = std::min(from_stop, to_stop);
+  ElementBlock& block = layers.blocks[ElementType::quad];
+  for (int level = 0; level < quads; ++level) {
+    block.nodes.insert(block.nodes.end(), {node(from, level), node(to, level), node(to, level + 1),
+                                           node(from, level + 1)});
+    block.regions.push_back(layers.subdomain.region);
+    block.patches.push_back(side.patch);
+  }
+  auto last = static_cast<std::uint32_t>(side.last);
+  const auto add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+    layers.subdomain.triangles.push_back({a, b, c});
+    layers.subdomain.triangle_origin.push_back({0, last++});
+  };
+  for (int level = quads; level < from_stop; ++level) {
+    add_triangle(node(from, level), node(to, quads), node(from, level + 1));
+  }
+  for (int level = quads; level < to_stop; ++level) {
+    add_triangle(node(from, quads), node(to, level), node(to, level + 1));
+  }
+}
+
 }  // namespace
 
 GrownLayers grow(const LayerChunk& chunk) {
@@ -141,6 +176,7 @@ GrownLayers grow(const LayerChunk& chunk) {
       add_layer(chunk, lines, feet, layer_cell(stops, layer), layers, marking);
     }
   }
+  for (const ChunkSide& side : chunk.sides) add_side(chunk, side, first, layers);
   layers.marks = marking.in_order();
   return layers;
 }

@@ -17,12 +17,12 @@
 namespace tetfarm {
 
 /// All nodes are vertices of `subdomain`, with their origins: feet are of the surface, tops of
-/// top_of_layers, those between of the chunk that owns their line. Its triangles are those of the
-/// wall alone.
+/// top_of_layers, those between of the chunk that owns their line; of lines in planes the last ones
+/// are of the surface. Its triangles are those of the wall, then those of sides.
 struct GrownLayers {
   Subdomain subdomain;
   TetMesh mesh;
-  ElementBlocks blocks;  ///< pyramids and prisms, by the numbers of the nodes
+  ElementBlocks blocks;  ///< pyramids, prisms and quads of sides, by the numbers of the nodes
   CellMarks marks;       ///< of each cell its layer, or its depth in a PML
 };
 

@@ -104,9 +104,9 @@ TEST(WallPlanes, hold_a_direction_in_them) {
   for (std::size_t i = 0; i < graph.feet.size(); ++i) {
     const Vec3 held = planes.held(i, aslant);
     const Vec3 p = box.vertices[at(graph.feet[i])];
-    if (!graph.at_border[i]) EXPECT_EQ(held, aslant);
-    if (p.x == 0 || p.x == 1) EXPECT_EQ(held.x, 0);
-    if (p.y == 0 || p.y == 1) EXPECT_EQ(held.y, 0);
+    EXPECT_EQ(held == aslant, !graph.at_border[i]);
+    EXPECT_EQ(held.x == 0, p.x == 0 || p.x == 1);
+    EXPECT_EQ(held.y == 0, p.y == 0 || p.y == 1);
     EXPECT_NEAR(norm(held), 1, 1e-15);
   }
 }
