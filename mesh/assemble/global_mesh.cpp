@@ -1,7 +1,9 @@
 #include "mesh/assemble/global_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "base/array_index.h"
 #include "base/check.h"

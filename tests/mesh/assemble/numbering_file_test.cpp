@@ -41,7 +41,7 @@ constexpr std::uint64_t counts_at = figures_at + 5 * 8;
 
 NumberingTables tables_of(const Numbering& numbering) {
   NumberingTables tables;
-  tables.has_others = numbering.others != ElementCounts{};
+  tables.others = told_layer_types(numbering.others);
   tables.unused = numbering.unused_vertices.size();
   tables.forced = numbering.forced.size();
   tables.cuts = numbering.cuts.size();
@@ -180,9 +180,14 @@ constexpr const char* table_with_layers =
     "cut 1 10\ncut 2 20\ncut 3 0\nleaf 4 40 400 4\nleaf 5 50 500 5\nleaf 6 8 9 1 60 600\n"
     "leaf 7 70 700 3 70 7\ndropped 2 2 2\ndropped 5 1 19\n";
 
+/// And quads where layers run in planes: of one chunk, another has none.
+constexpr const char* table_with_sides =
+    "cut 1 10\ncut 2 20\ncut 3 0\nleaf 4 40 400 4\nleaf 5 50 500 5\nleaf 6 8 9 1 60 600 66\n"
+    "leaf 7 70 700 3 70 7\ndropped 2 2 2\ndropped 5 1 19\n";
+
 TEST_F(NumberingFiles, of_a_mesh_without_layers_have_the_bytes_that_they_always_had) {
   std::uint32_t version = 0;
-  for (const auto& [lines, expected] : {std::pair{table, 2U}, {table_with_layers, 3U}}) {
+  for (const auto& [lines, expected] : {std::pair{table, 2U}, {table_with_layers, 3U}, {table_with_sides, 4U}}) {
     const Numbering numbering = number_globally(surface_of_two_regions(), lines);
     const std::string bytes = numbering_to_bytes(numbering);
     std::memcpy(&version, bytes.data() + 8, sizeof version);
@@ -192,16 +197,31 @@ TEST_F(NumberingFiles, of_a_mesh_without_layers_have_the_bytes_that_they_always_
 }
 
 TEST_F(NumberingFiles, with_layers_are_refused_where_a_byte_is_another_by_who_reads_all) {
-  const std::string bytes =
-      numbering_to_bytes(number_globally(surface_of_two_regions(), table_with_layers));
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    std::string damaged = bytes;
-    damaged[at] = static_cast<char>(damaged[at] ^ 1);
-    EXPECT_THROW(numbering_from_bytes(damaged, "f"), CorruptFile) << at;
+  for (const char* lines : {table_with_layers, table_with_sides}) {
+    const std::string bytes = numbering_to_bytes(number_globally(surface_of_two_regions(), lines));
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ 1);
+      EXPECT_THROW(numbering_from_bytes(damaged, "f"), CorruptFile) << at;
+    }
+    for (std::size_t size = 0; size < bytes.size(); size += 3) {
+      EXPECT_THROW(numbering_from_bytes(bytes.substr(0, size), "f"), CorruptFile) << size;
+    }
   }
-  for (std::size_t size = 0; size < bytes.size(); size += 3) {
-    EXPECT_THROW(numbering_from_bytes(bytes.substr(0, size), "f"), CorruptFile) << size;
+}
+
+TEST_F(NumberingFiles, tell_a_leaf_of_its_quads_and_of_those_before) {
+  const Numbering numbering = number_globally(surface_of_two_regions(), table_with_sides);
+  NumberingFile file = open(numbering_to_bytes(numbering));
+  EXPECT_EQ(file.whole().others[ElementType::quad], 66);
+  for (const std::uint64_t heap : {4U, 5U, 6U, 7U}) {
+    const LeafQuestion question = {{heap}, 1, {}};
+    EXPECT_EQ(file.leaf(question), leaf_numbering(numbering, question)) << heap;
   }
+  EXPECT_EQ(file.leaf({{6}, 1, {}}).others[ElementType::quad], 66);
+  EXPECT_EQ(file.leaf({{7}, 1, {}}).others[ElementType::quad], 0);
+  EXPECT_EQ(file.leaf({{7}, 1, {}}).first_other[ElementType::quad], 66);
+  EXPECT_EQ(file.leaf({{7}, 1, {}}).first_other[ElementType::prism], 600);
 }
 
 class LyingNumbering : public NumberingFiles, public testing::WithParamInterface<const char*> {};
@@ -230,7 +250,7 @@ TEST_P(LyingNumbering, never_breaks_a_leaf) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(NumberingFiles, LyingNumbering, testing::Values(table, table_with_layers));
+INSTANTIATE_TEST_SUITE_P(NumberingFiles, LyingNumbering, testing::Values(table, table_with_layers, table_with_sides));
 
 TEST_F(NumberingFiles, with_impossible_counts_are_refused) {
   const Numbering numbering = some_numbering();

@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_sphere.h"
 
 namespace tetfarm {
@@ -19,6 +21,17 @@ using testing::ThrowsMessage;
 LayerChunk some_chunk() {
   const LayeredSphere sphere = LayeredSphere::uneven();
   return chunks_of(sphere.plan, sphere.surface, 60).at(3);
+}
+
+/// Those with lines in planes.
+std::vector<LayerChunk> chunks_with_sides() {
+  const test::LayeredBox box(2);
+  std::vector<LayerChunk> chunks = chunks_of(box.plan, box.surface, 60);
+  std::erase_if(chunks, [](const LayerChunk& chunk) {
+    return std::none_of(chunk.lines.begin(), chunk.lines.end(),
+                        [](const ChunkLine& line) { return line.line.vertices > 0; });
+  });
+  return chunks;
 }
 
 constexpr std::size_t first_line_at = 8 + 4 + 3 * 8;
@@ -55,6 +68,52 @@ TEST(LayerChunkFile, tells_which_lines_are_in_tets_or_absorb_in_a_version_of_its
   EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
   const std::size_t flags = first_line_at + chunk.lines.size() * 148;
   expect_refused(forged<std::uint32_t>(bytes, flags, 4), "has a line that cannot be");
+}
+
+TEST(LayerChunkFile, tells_what_lies_in_planes_in_a_version_of_its_own) {
+  for (const LayerChunk& chunk : chunks_with_sides()) {
+    const std::string bytes = layer_chunk_to_bytes(chunk);
+    EXPECT_EQ(bytes[8], 3);
+    EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
+  }
+}
+
+TEST(LayerChunkFile, refuses_sides_that_cannot_be) {
+  int broken = 0;
+  for (const LayerChunk& chunk : chunks_with_sides()) {
+    const auto expect_broken = [&](const std::string& why, const auto& break_it) {
+      LayerChunk copy = chunk;
+      break_it(copy);
+      expect_refused(layer_chunk_to_bytes(copy), why);
+      ++broken;
+    };
+    const char* line = "has a line that cannot be";
+    expect_broken(line, [](LayerChunk& c) { c.lines[0].line.vertices = -1; });
+    expect_broken(line, [](LayerChunk& c) {
+      c.lines[0].line.vertices = c.lines[0].line.stop + 1;
+      c.lines[0].line.first_vertex = 0;
+    });
+    expect_broken(line, [](LayerChunk& c) {
+      c.lines[0].line.stop = c.lines[0].line.vertices = 1;
+      c.lines[0].line.first_vertex = -1;
+    });
+    expect_broken("has a side that is at no edge",
+                  [](LayerChunk& c) { c.sides.push_back({{0, 0}, 1, -1}); });
+    if (chunk.sides.empty()) continue;
+    expect_broken("has a side that is at no edge",
+                  [](LayerChunk& c) { c.sides.push_back(c.sides.front()); });
+    expect_broken("has a side that cannot be", [](LayerChunk& c) { c.sides[0].patch = -1; });
+    expect_broken("has a side that cannot be",
+                  [](LayerChunk& c) { c.sides[0].last = c.sides[0].last < 0 ? 0 : -1; });
+    if (chunk.sides[0].last < 0) continue;
+    expect_broken("has a side that cannot be", [](LayerChunk& c) {
+      for (const std::int32_t l : c.sides[0].lines) {
+        c.lines.at(static_cast<std::size_t>(l)).line.vertices = 0;
+        c.lines.at(static_cast<std::size_t>(l)).line.first_vertex = -1;
+      }
+    });
+  }
+  EXPECT_GT(broken, 20);
 }
 
 TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {

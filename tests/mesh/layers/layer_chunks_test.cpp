@@ -31,8 +31,10 @@ TEST(LayerChunks, a_small_wall_is_one_chunk_right_of_the_root) {
   const std::vector<LayerChunk> chunks = chunks_of(sphere.plan, sphere.surface);
   ASSERT_THAT(heaps_of(chunks), ElementsAre(3));
   EXPECT_EQ(chunks[0].triangles.size(), sphere.surface.triangles.size());
-  EXPECT_EQ(counts_of(chunks[0]), (ChunkCounts{std::ssize(sphere.surface.vertices) * 4, 0, 0,
-                                               std::ssize(sphere.surface.triangles) * 5}));
+  const std::int64_t triangles = std::ssize(sphere.surface.triangles);
+  EXPECT_EQ(counts_of(chunks[0]), (ChunkCounts{.nodes = std::ssize(sphere.surface.vertices) * 4,
+                                               .prisms = triangles * 5,
+                                               .triangles = triangles}));
 }
 
 TEST(LayerChunks, are_as_many_as_the_cells_ask_for_and_about_even) {

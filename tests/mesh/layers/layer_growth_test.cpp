@@ -4,19 +4,23 @@
 
 #include <algorithm>
 
+#include "base/array_index.h"
 #include "mesh/core/surface_mesh.h"
+#include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_sphere.h"
 
 namespace tetfarm {
 namespace {
 
 using test::GrownWhole;
+using test::LayeredBox;
 using test::LayeredSphere;
 using testing::IsEmpty;
 using testing::SizeIs;
 
 /// All chunks of so many cells, grown, with the wall and the top on both sides of them.
-GrownWhole whole_of(const LayeredSphere& sphere, std::int64_t cells) {
+template <class Layered>
+GrownWhole whole_of(const Layered& sphere, std::int64_t cells) {
   GrownWhole whole;
   for (const LayerChunk& chunk : chunks_of(sphere.plan, sphere.surface, cells)) {
     const GrownLayers layers = grow(chunk);
@@ -25,6 +29,10 @@ GrownWhole whole_of(const LayeredSphere& sphere, std::int64_t cells) {
     for (const Triangle& triangle : layers.subdomain.triangles) {
       whole.bound_by(layers.subdomain.node_origin, triangle);
     }
+    for_each_block_face(layers.blocks, [&](ElementType, std::span<const std::int32_t> quad,
+                                           std::int32_t, std::int32_t) {
+      whole.bound_by_quad(layers.subdomain.node_origin, quad);
+    });
   }
   const Subdomain rest =
       unlayered_domain(sphere.plan, sphere.surface, unlayered_path, top_of_layers).root;
@@ -52,6 +60,60 @@ TEST(LayerGrowth, fills_what_lies_between_wall_and_top_in_however_many_chunks) {
       EXPECT_NEAR(whole.volume(), volume_between(sphere), 1e-12);
     }
   }
+}
+
+TEST(LayerGrowth, closes_its_sides_in_planes_with_quads_and_triangles) {
+  for (const int step : {1, 3}) {
+    const LayeredBox box(step);
+    const std::size_t nodes = whole_of(box, 1'000'000).nodes();
+    for (const std::int64_t cells : {1'000'000, 100, 10}) {
+      const GrownWhole whole = whole_of(box, cells);
+      EXPECT_EQ(whole.open_faces(), 0U);
+      EXPECT_EQ(whole.nodes(), nodes);
+    }
+  }
+}
+
+/// Places in the surface and in the chunks that share it.
+TEST(LayerGrowth, has_nodes_and_triangles_of_the_surface_where_the_surface_has_them) {
+  const LayeredBox box(3);
+  std::int64_t above_the_wall = 0;
+  for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 100)) {
+    const GrownLayers layers = grow(chunk);
+    const Subdomain& grown = layers.subdomain;
+    for (std::size_t v = 0; v < grown.vertices.size(); ++v) {
+      if (grown.node_origin[v].owner != 0) continue;
+      EXPECT_EQ(grown.vertices[v], box.surface.vertices.at(grown.node_origin[v].index));
+    }
+    for (std::size_t t = 0; t < grown.triangles.size(); ++t) {
+      Triangle nodes{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Origin& origin = grown.node_origin[at(grown.triangles[t][k])];
+        EXPECT_EQ(origin.owner, 0U);
+        nodes[k] = static_cast<std::int32_t>(origin.index);
+      }
+      EXPECT_EQ(nodes, box.surface.triangles.at(grown.triangle_origin[t].index));
+      above_the_wall += t >= chunk.triangles.size() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(above_the_wall, 0);
+}
+
+TEST(LayerGrowth, makes_what_the_chunk_counts_also_beside_planes) {
+  const LayeredBox box;
+  std::int64_t quads = 0;
+  for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 100)) {
+    const GrownLayers layers = grow(chunk);
+    const ChunkCounts counts = counts_of(chunk);
+    EXPECT_EQ(std::ssize(layers.blocks[ElementType::quad].regions), counts.quads);
+    EXPECT_EQ(std::ssize(layers.subdomain.triangles), counts.triangles);
+    const auto own = std::count_if(
+        layers.subdomain.node_origin.begin(), layers.subdomain.node_origin.end(),
+        [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
+    EXPECT_EQ(own, counts.nodes);
+    quads += counts.quads;
+  }
+  EXPECT_GT(quads, 0);
 }
 
 TEST(LayerGrowth, makes_what_the_chunk_counts) {

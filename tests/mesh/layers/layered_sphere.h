@@ -56,6 +56,11 @@ class GrownWhole {
   void bound_by(const std::vector<Origin>& origins, Triangle triangle) {
     take_face({origins[at(triangle[0])], origins[at(triangle[2])], origins[at(triangle[1])]});
   }
+  void bound_by_quad(const std::vector<Origin>& origins, std::span<const std::int32_t> quad) {
+    Face face;
+    for (const std::int32_t v : quad) face.insert(face.begin(), origins[at(v)]);
+    take_face(face);
+  }
   /// How many faces are left that nobody is on the other side of.
   std::size_t open_faces() const { return open_.size(); }
   std::size_t nodes() const { return places_.size(); }

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "mesh/core/triangle_angles.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
+#include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/generated_surfaces.h"
 
@@ -101,31 +103,24 @@ TEST(PlaneRetreat, points_of_a_plane_have_its_coordinate_to_the_last_bit) {
   EXPECT_GT(looked, 100);
 }
 
-TEST(PlaneRetreat, where_stops_differ_a_triangle_ends_the_quads) {
-  // Layers from the floor only on its western half: towards the other half they get fewer.
-  SurfaceMesh box = test::box_with_patches({0, 0, 0}, {1, 1, 1}, 8);
-  box.patch_names.emplace_back("eastern floor");
-  for (std::size_t t = 0; t < box.triangles.size(); ++t) {
-    double x = 0;
-    for (const std::int32_t v : box.triangles[t]) x += box.vertices[at(v)].x / 3;
-    if (box.patch_of_triangle[t] == 0 && x > 0.5) box.patch_of_triangle[t] = 6;
+TEST(PlaneRetreat, where_stops_differ_triangles_end_the_quads) {
+  for (const int step : {1, 3}) {
+    const test::LayeredBox box(step);
+    test::expect_valid_layers(box.plan, box.surface, step);
+    int largest = 0;
+    for (const LayerSide& side : box.plan.sides) {
+      const Triangle& nodes = box.surface.triangles[at(side.triangle)];
+      const auto stop = [&](int corner) {
+        return box.plan.lines[at(box.plan.vertex2line[at(nodes[at(corner % 3)])])].stop;
+      };
+      EXPECT_EQ(side.last >= 0, stop(side.corner) != stop(side.corner + 1));
+      largest = std::max(largest, std::abs(stop(side.corner) - stop(side.corner + 1)));
+    }
+    EXPECT_EQ(largest, step);
+    const auto areas = areas_of(box.surface, box.plan);
+    EXPECT_NEAR(areas.at(4), 1, 1e-12);
+    EXPECT_NEAR(areas.at(5), 1, 1e-12);
   }
-  LayerPlan plan = plan_of(box, test::request_of({test::floor_patch}, 0.01, 3));
-  // The eastern floor is a plane in which no line can run: it is not across from the wall.
-  const auto retreat = retreat_planes(box, plan, spacing_of(0.125));
-  ASSERT_TRUE(retreat.has_value());
-  test::expect_valid_layers(retreat->plan, retreat->surface);
-  EXPECT_GT(retreat->figures.side_triangles, 0);
-  for (const LayerSide& side : retreat->plan.sides) {
-    const Triangle& nodes = retreat->surface.triangles[at(side.triangle)];
-    const auto stop = [&](int corner) {
-      return retreat->plan.lines[at(retreat->plan.vertex2line[at(nodes[at(corner % 3)])])].stop;
-    };
-    EXPECT_EQ(side.last >= 0, stop(side.corner) != stop(side.corner + 1));
-  }
-  const auto areas = areas_of(retreat->surface, retreat->plan);
-  EXPECT_NEAR(areas.at(4), 1, 1e-12);
-  EXPECT_NEAR(areas.at(5), 1, 1e-12);
 }
 
 TEST(PlaneRetreat, a_surface_that_is_all_wall_has_no_planes) {
