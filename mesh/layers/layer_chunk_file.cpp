@@ -101,9 +101,9 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
 }
 
 std::uint32_t version_for(const LayerChunk& chunk) {
-  const bool has_sides = !chunk.sides.empty() ||
-                         std::any_of(chunk.lines.begin(), chunk.lines.end(),
-                                     [](const ChunkLine& l) { return l.line.vertices > 0; });
+  const bool has_sides =
+      !chunk.sides.empty() || std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                                          [](const ChunkLine& l) { return l.line.vertices > 0; });
   if (has_sides) return chunk_version_with_sides;
   return has_kinds_of_lines(chunk) ? chunk_version_with_kinds : chunk_version;
 }
@@ -133,9 +133,9 @@ void read_sides(ByteReader& reader, LayerChunk& chunk) {
   for (ChunkLine& line : chunk.lines) {
     line.line.vertices = reader.number<std::int32_t>();
     line.line.first_vertex = reader.number<std::int32_t>();
-    const bool is_right = line.line.vertices >= 0 && line.line.vertices <= line.line.stop &&
-                          (line.line.vertices > 0 ? line.line.first_vertex >= 0
-                                                  : line.line.first_vertex == -1);
+    const bool is_right =
+        line.line.vertices >= 0 && line.line.vertices <= line.line.stop &&
+        (line.line.vertices > 0 ? line.line.first_vertex >= 0 : line.line.first_vertex == -1);
     if (!is_right) reader.fail("has a line that cannot be");
   }
   const std::size_t sides = reader.count();

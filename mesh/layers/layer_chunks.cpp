@@ -88,7 +88,8 @@ ChunkTree chunk_tree(std::size_t chunks) {
   return tree;
 }
 
-/// The number of each line's top among those of the lines whose tops are no vertices of the surface.
+/// The number of each line's top among those of the lines whose tops are no vertices of the
+/// surface.
 std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
   std::vector<std::uint32_t> numbers;
   std::uint32_t next = 0;
@@ -137,9 +138,8 @@ class ChunkFiller {
         plan_.sides.begin(), plan_.sides.end(), triangle,
         [](const LayerSide& a, std::int32_t number) { return a.triangle < number; });
     for (; side != plan_.sides.end() && side->triangle == triangle; ++side) {
-      chunk_->sides.push_back({{local[at(side->corner)], local[at((side->corner + 1) % 3)]},
-                               side->patch,
-                               side->last});
+      chunk_->sides.push_back(
+          {{local[at(side->corner)], local[at((side->corner + 1) % 3)]}, side->patch, side->last});
     }
   }
 

@@ -124,8 +124,8 @@ void add_layer(const LayerChunk& chunk, const Triangle& lines, const Triangle& f
 }
 
 /// The boundary beside the layers: normals out of the domain, as the plane has them.
-void add_side(const LayerChunk& chunk, const ChunkSide& side, const std::vector<std::int32_t>& first,
-              GrownLayers& layers) {
+void add_side(const LayerChunk& chunk, const ChunkSide& side,
+              const std::vector<std::int32_t>& first, GrownLayers& layers) {
   // The triangle of the wall runs from the first line to the second, its neighbour in the plane
   // back.
   const std::int32_t from = side.lines[1];

@@ -11,9 +11,12 @@
 namespace tetfarm {
 namespace {
 
-/// So far from its plane a point of a flat piece may be, as a share of the extent of its patch:
-/// files of text have six digits.
-constexpr double flatness = 1e-6;
+/// So far from its plane a point of a flat piece may be, as a share of the largest coordinate of
+/// its patch: many files of text have six digits.
+constexpr double flatness = 1e-5;
+
+/// So much further from the plane of a single triangle, which is known less well.
+constexpr double flatness_of_seed = 100;
 
 /// Of the angle that counts as a ridge, between two planes or within a patch: 20 degrees.
 constexpr double cos_of_ridge = 0.9396926207859084;
@@ -75,7 +78,7 @@ class PlaneSearch {
     for (const std::int32_t seed : seeds()) {
       if (piece_of_[at(seed)] != not_asked) continue;
       WallPlane plane = flood(seed);
-      if (!ends_at_ridges(plane) || !borders_wall(plane)) continue;
+      if (!is_flat(plane) || !ends_at_ridges(plane) || !borders_wall(plane)) continue;
       take_axis(plane);
       find_border(plane);
       for (const std::int32_t t : plane.triangles) {
@@ -88,20 +91,21 @@ class PlaneSearch {
  private:
   void find_patches() {
     const std::size_t patches = std::max<std::size_t>(1, surface_.patch_names.size());
-    std::vector<Box3> boxes(patches);
+    tolerance_.assign(patches, 0);
     borders_.assign(patches, false);
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       const auto triangle = static_cast<std::int32_t>(t);
       if (is_wall_[t]) continue;
       for (const std::int32_t v : surface_.triangles[t]) {
-        boxes[at(patch_of(surface_, triangle))].add(surface_.vertices[at(v)]);
+        double& tolerance = tolerance_[at(patch_of(surface_, triangle))];
+        for (int axis = 0; axis < 3; ++axis) {
+          tolerance = std::max(tolerance, flatness * std::abs(surface_.vertices[at(v)][axis]));
+        }
       }
       for (const std::int32_t n : neighbours_[t]) {
         if (n >= 0 && is_wall_[at(n)]) borders_[at(patch_of(surface_, triangle))] = true;
       }
     }
-    for (const Box3& box : boxes)
-      tolerance_.push_back(box.empty() ? 0 : flatness * norm(box.size()));
   }
 
   /// Triangles of the patches that border the wall, the largest first: they know best how their
@@ -119,12 +123,11 @@ class PlaneSearch {
     return seeds;
   }
 
-  bool lies_in(const WallPlane& plane, std::int32_t triangle) const {
+  bool lies_in(const WallPlane& plane, std::int32_t triangle, double tolerance) const {
     const Triangle& nodes = surface_.triangles[at(triangle)];
     return dot(area_vector(surface_, triangle), plane.normal) > 0 &&
            std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t v) {
-             return std::abs(dot(plane.normal, surface_.vertices[at(v)] - plane.at)) <=
-                    tolerance_[at(plane.patch)];
+             return std::abs(dot(plane.normal, surface_.vertices[at(v)] - plane.at)) <= tolerance;
            });
   }
 
@@ -133,19 +136,45 @@ class PlaneSearch {
     plane.patch = patch_of(surface_, seed);
     plane.normal = normalized(area_vector(surface_, seed));
     plane.at = surface_.vertices[at(surface_.triangles[at(seed)][0])];
+    const double loose = flatness_of_seed * tolerance_[at(plane.patch)];
     const std::int32_t piece = next_piece_++;
     piece_of_[at(seed)] = piece;
     plane.triangles = {seed};
     for (std::size_t i = 0; i < plane.triangles.size(); ++i) {
       for (const std::int32_t n : neighbours_[at(plane.triangles[i])]) {
         if (n < 0 || is_wall_[at(n)] || piece_of_[at(n)] != not_asked) continue;
-        if (patch_of(surface_, n) != plane.patch || !lies_in(plane, n)) continue;
+        if (patch_of(surface_, n) != plane.patch || !lies_in(plane, n, loose)) continue;
         piece_of_[at(n)] = piece;
         plane.triangles.push_back(n);
       }
     }
     std::sort(plane.triangles.begin(), plane.triangles.end());
+    fit(plane);
     return plane;
+  }
+
+  /// To all of its triangles, each by its area.
+  void fit(WallPlane& plane) const {
+    Vec3 normal;
+    Vec3 moment;
+    double area = 0;
+    for (const std::int32_t t : plane.triangles) {
+      const Vec3 vector = area_vector(surface_, t);
+      const double twice = norm(vector);
+      normal += vector;
+      area += twice;
+      for (const std::int32_t v : surface_.triangles[at(t)]) {
+        moment += twice / 3 * surface_.vertices[at(v)];
+      }
+    }
+    plane.normal = normalized(normal);
+    plane.at = moment / area;
+  }
+
+  bool is_flat(const WallPlane& plane) const {
+    return std::all_of(plane.triangles.begin(), plane.triangles.end(), [&](std::int32_t t) {
+      return lies_in(plane, t, tolerance_[at(plane.patch)]);
+    });
   }
 
   bool ends_at_ridges(const WallPlane& plane) const {
@@ -179,16 +208,19 @@ class PlaneSearch {
   }
 
   void take_axis(WallPlane& plane) const {
+    const Vec3 first =
+        surface_.vertices[at(surface_.triangles[at(plane.triangles.front())].front())];
     for (int axis = 0; axis < 3; ++axis) {
       const bool is_common =
           std::all_of(plane.triangles.begin(), plane.triangles.end(), [&](std::int32_t t) {
             const Triangle& nodes = surface_.triangles[at(t)];
             return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t v) {
-              return surface_.vertices[at(v)][axis] == plane.at[axis];
+              return surface_.vertices[at(v)][axis] == first[axis];
             });
           });
       if (!is_common) continue;
       plane.axis = axis;
+      plane.at = first;
       const double sign = plane.normal[axis] > 0 ? 1 : -1;
       plane.normal = {};
       plane.normal[axis] = sign;

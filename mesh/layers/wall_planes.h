@@ -2,8 +2,8 @@
 /// and outlets, the sides of a box.
 ///
 /// Source: none in the thesis, where the whole boundary of the viscous region grows layers. A piece
-/// is flat when its points are as near to a plane as the digits of a file let them be, and where it
-/// ends within its patch there is a ridge: so a piece of a curved patch is none.
+/// is flat when its points are as near to a plane as six digits let them be, and where it ends
+/// within its patch there is a ridge: so a piece of a curved patch is none.
 #pragma once
 
 #include <array>

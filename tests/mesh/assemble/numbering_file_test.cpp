@@ -187,7 +187,8 @@ constexpr const char* table_with_sides =
 
 TEST_F(NumberingFiles, of_a_mesh_without_layers_have_the_bytes_that_they_always_had) {
   std::uint32_t version = 0;
-  for (const auto& [lines, expected] : {std::pair{table, 2U}, {table_with_layers, 3U}, {table_with_sides, 4U}}) {
+  for (const auto& [lines, expected] :
+       {std::pair{table, 2U}, {table_with_layers, 3U}, {table_with_sides, 4U}}) {
     const Numbering numbering = number_globally(surface_of_two_regions(), lines);
     const std::string bytes = numbering_to_bytes(numbering);
     std::memcpy(&version, bytes.data() + 8, sizeof version);
@@ -250,7 +251,8 @@ TEST_P(LyingNumbering, never_breaks_a_leaf) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(NumberingFiles, LyingNumbering, testing::Values(table, table_with_layers, table_with_sides));
+INSTANTIATE_TEST_SUITE_P(NumberingFiles, LyingNumbering,
+                         testing::Values(table, table_with_layers, table_with_sides));
 
 TEST_F(NumberingFiles, with_impossible_counts_are_refused) {
   const Numbering numbering = some_numbering();

@@ -97,8 +97,9 @@ TEST(LayerChunkFile, refuses_sides_that_cannot_be) {
       c.lines[0].line.stop = c.lines[0].line.vertices = 1;
       c.lines[0].line.first_vertex = -1;
     });
-    expect_broken("has a side that is at no edge",
-                  [](LayerChunk& c) { c.sides.push_back({{0, 0}, 1, -1}); });
+    expect_broken("has a side that is at no edge", [](LayerChunk& c) {
+      c.sides.push_back({{0, 0}, 1, -1});
+    });
     if (chunk.sides.empty()) continue;
     expect_broken("has a side that is at no edge",
                   [](LayerChunk& c) { c.sides.push_back(c.sides.front()); });

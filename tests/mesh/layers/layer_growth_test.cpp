@@ -107,9 +107,9 @@ TEST(LayerGrowth, makes_what_the_chunk_counts_also_beside_planes) {
     const ChunkCounts counts = counts_of(chunk);
     EXPECT_EQ(std::ssize(layers.blocks[ElementType::quad].regions), counts.quads);
     EXPECT_EQ(std::ssize(layers.subdomain.triangles), counts.triangles);
-    const auto own = std::count_if(
-        layers.subdomain.node_origin.begin(), layers.subdomain.node_origin.end(),
-        [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
+    const auto own =
+        std::count_if(layers.subdomain.node_origin.begin(), layers.subdomain.node_origin.end(),
+                      [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
     EXPECT_EQ(own, counts.nodes);
     quads += counts.quads;
   }

@@ -25,9 +25,8 @@ struct LayeredBox {
     LayerRequest request = request_of({floor_patch}, 0.01, 5);
     request.step = step;
     std::optional<PlaneRetreat> retreat =
-        retreat_planes(box, plan_layers(box, {&request, 1}), [](const SurfaceMesh&) {
-          return [](const Vec3&) { return 0.125; };
-        });
+        retreat_planes(box, plan_layers(box, {&request, 1}),
+                       [](const SurfaceMesh&) { return [](const Vec3&) { return 0.125; }; });
     surface = std::move(retreat.value().surface);
     plan = std::move(retreat.value().plan);
   }

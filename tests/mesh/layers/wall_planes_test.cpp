@@ -53,9 +53,9 @@ TEST(WallPlanes, of_one_patch_are_two_where_it_has_a_ridge) {
 }
 
 TEST(WallPlanes, are_found_where_the_digits_of_a_file_have_moved_their_points) {
-  SurfaceMesh box = test::turned(test::box_with_patches({0, 0, 0}, {1, 1, 1}, 4));
+  SurfaceMesh box = test::turned(test::box_with_patches({0, 0, 0}, {2, 2, 2}, 20));
   for (Vec3& p : box.vertices) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * 1e7) / 1e7;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * 1e5) / 1e5;  // six digits
   }
   const WallPlanes planes = wall_planes(box, graph_of(box, test::floor_patch));
   EXPECT_EQ(planes.planes.size(), 4U);
