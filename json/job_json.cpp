@@ -73,7 +73,8 @@ Json pml_json(const wire::JobStatus& status) {
   return json;
 }
 
-/// Of a job with layers: its cells by type, and how much of the wall has what was asked for.
+/// Of a job with layers: its cells by type, its boundary quads where there are some, and how much
+/// of the wall has what was asked for.
 void add_layers(const wire::JobStatus& status, Json& json) {
   const auto whole = [&status](const std::string& name) {
     return static_cast<std::int64_t>(number_of(status, name));
@@ -83,6 +84,7 @@ void add_layers(const wire::JobStatus& status, Json& json) {
   if (!has_boundary_layers && !has_pml) return;
   json["tets"] = whole(status.numbers().contains("tets") ? "tets" : "elements");
   for (const char* name : {"pyramids", "prisms"}) json[name] = whole(name);
+  if (status.numbers().contains("quads")) json["boundary_quads"] = whole("quads");
   if (has_pml) json["pml"] = pml_json(status);
   if (!has_boundary_layers) return;
   Json layers = Json::object();

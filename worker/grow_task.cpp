@@ -45,6 +45,7 @@ void grow_task(TaskIo& io) {
   io.number("tets", static_cast<double>(counts.tets));
   io.number("pyramids", static_cast<double>(counts.pyramids));
   io.number("prisms", static_cast<double>(counts.prisms));
+  if (counts.quads > 0) io.number("quads", static_cast<double>(counts.quads));
   GrowMade made;
   made.portion = io.publish(portion_to_bytes(portion));
   made.cells = io.publish(portion_cells_to_bytes(portion));

@@ -30,7 +30,7 @@ struct MeshPart {
   Subdomain subdomain;
   TetMesh mesh;
   std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
-  ElementBlocks blocks;         ///< cells of layers, by the numbers of the mesh's nodes
+  ElementBlocks blocks;         ///< of layers, by the numbers of the mesh's nodes
   CellMarks marks;              ///< of those and of the tets
   /// Its tets are as flat as layers are: they have no part in the figures of shape.
   bool is_of_layers = false;
@@ -40,8 +40,8 @@ struct MeshPart {
 std::vector<bool> nodes_on_cuts(const Subdomain& subdomain);
 
 /// A part with its global numbers: what is written and hashed. Faces are the triangles of the input
-/// surface that the part has, normals out of the part's region. What Tetfarm meshes has tets and
-/// triangles alone; what was read may have other elements besides, and its boundary quads.
+/// surface that the part has, normals out of the part's region. Layers, and what was read, may have
+/// other elements besides, and boundary quads.
 struct NumberedPart {
   std::int32_t number = 0;  ///< of the sub-domain, from 0 in tree order
   std::int32_t region = 1;  ///< of all of it, but where the next two are not empty

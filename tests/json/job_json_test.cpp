@@ -70,6 +70,9 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
                                     {"by_reason", {{"no_room", 4}, {"ridge", 1}}},
                                     {"first_height_within_2_percent", 50.0},
                                     {"first_height_within_10_percent", 90.0}}));
+  EXPECT_FALSE(result.contains("boundary_quads"));
+  numbers["quads"] = 60;
+  EXPECT_EQ(result_of(status)["boundary_quads"], 60);
   numbers["layers_planes"] = 2;
   numbers["layers_plane_triangles_before"] = 30;
   numbers["layers_plane_triangles_after"] = 25;

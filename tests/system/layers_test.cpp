@@ -6,6 +6,7 @@
 #include <csignal>
 #include <thread>
 
+#include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
 #include "tests/system/farm_cases.h"
@@ -159,6 +160,36 @@ TEST_F(RunWithLayers, counts_the_tets_of_absorbing_layers_that_the_command_line_
   std::replace(words.begin(), words.end(), std::string("surface:layers=3,height=0.1"),
                std::string("surfac"));
   EXPECT_THAT(run_program(words, folder_.path()).err, HasSubstr("did you mean \"surface\"?"));
+}
+
+TEST_F(RunWithLayers, end_on_planes_with_quads_whatever_the_workers_and_kills) {
+  test::write_contents(folder_.path() / "box.obj",
+                       test::obj_of(test::box_with_patches({0, 0, 0}, {1, 1, 1}, 8)));
+  test::write_contents(folder_.path() / "job.toml",
+                       "[geometry]\nsurface = \"box.obj\"\n[[layers]]\npatches = [\"floor\"]\n"
+                       "first_height = 0.005\ncount = 9\n[output]\n"
+                       "formats = [\"vtkhdf\", \"lb8.ugrid\"]\n");
+  const nlohmann::json result = run("out", 2, 4);
+  ASSERT_FALSE(result.is_null());
+  EXPECT_EQ(result["prisms"], 9 * 128);
+  EXPECT_EQ(result["boundary_quads"], 9 * 32);
+  EXPECT_EQ(result["layers"]["full"], 128);
+  EXPECT_EQ(result["layers"]["planes"], 4);
+  EXPECT_EQ(result["layers"]["plane_triangles_before"], 4 * 128);
+  EXPECT_EQ(result["layers"]["plane_quads"], 9 * 32);
+  EXPECT_NEAR(result["volume"].get<double>(), 1, 1e-12);
+  const std::string digest = result["digest"];
+  EXPECT_EQ(sound("out/job.vtkhdf")["digest"], digest);
+  EXPECT_EQ(sound("out/job.lb8.ugrid")["digest"], digest);
+  EXPECT_EQ(run("one", 1, 4)["digest"], digest);
+  for (const int kill_after_ms : {200, 500, 900}) {
+    test::Program first(test::run_words("job.toml", "killed", 2, 4), folder_.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(kill_after_ms));
+    for (const pid_t process : test::descendants(first.process())) ::kill(process, SIGKILL);
+    first.signal(SIGKILL);
+    first.wait();
+  }
+  EXPECT_EQ(run("killed", 2, 4)["digest"], digest);
 }
 
 TEST_F(RunWithLayers, of_several_regions_is_refused_in_words) {

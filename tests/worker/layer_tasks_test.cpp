@@ -5,6 +5,7 @@
 
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
+#include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/support/shapes.h"
 #include "tests/worker/task_chain.h"
 #include "worker/grow_task.h"
@@ -41,7 +42,10 @@ class LayerTasks : public TaskChain {
 
   /// All tasks but for the last, and what that is given.
   Files prepared(const JobFile& job, const SurfaceMesh& given) {
-    const wire::Envelope inspected = inspect(job, given);
+    return prepared(job, inspect(job, given));
+  }
+
+  Files prepared(const JobFile& job, const wire::Envelope& inspected) {
     EXPECT_TRUE(inspected.has_done()) << inspected.failed().message();
     const wire::Artifact surface = output(inspected, "surface");
     const wire::Artifact spacing = output(inspected, "spacing");
@@ -115,6 +119,25 @@ TEST_F(LayerTasks, make_one_sound_mesh_of_layers_and_tets) {
     expect_sound(assembled, "ball.vtkhdf");
     expect_sound(assembled, "ball.lb8.ugrid");
     expect_marks(folder_ + "/ball.vtkhdf");
+  }
+}
+
+TEST_F(LayerTasks, end_on_planes_with_quads_that_close_the_mesh) {
+  for (const std::int64_t subdomains : {1, 3}) {
+    JobFile job = layered_job(subdomains);
+    job.surface = "box.obj";
+    job.layers[0].patches = {"floor"};
+    const std::string box = test::obj_of(test::box_with_patches({0, 0, 0}, {1, 1, 1}, 6));
+    const wire::Envelope inspected =
+        run(inspect_task, {{"job", publish(to_toml(job))}, {"input_surface", publish(box)}});
+    const wire::Envelope assembled = run(assemble_task, prepared(job, inspected));
+    ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+    const auto& numbers = assembled.done().numbers();
+    EXPECT_EQ(numbers.at("prisms"), 5 * 72);
+    EXPECT_EQ(numbers.at("quads"), 5 * 4 * 6);
+    EXPECT_NEAR(numbers.at("volume"), 1, 1e-12);
+    expect_sound(assembled, "box.vtkhdf");
+    expect_sound(assembled, "box.lb8.ugrid");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,22 @@ inline SurfaceMesh box_with_patches(const Vec3& low, const Vec3& high, int n) {
     box.patch_of_triangle.push_back(patch);
   }
   return box;
+}
+
+/// With its patches as groups.
+inline std::string obj_of(const SurfaceMesh& surface) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const Vec3& p : surface.vertices) text << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (std::size_t patch = 0; patch < surface.patch_names.size(); ++patch) {
+    text << "g " << surface.patch_names[patch] << '\n';
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      if (surface.patch_of_triangle[t] != static_cast<std::int32_t>(patch)) continue;
+      const auto& [a, b, c] = surface.triangles[t];
+      text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    }
+  }
+  return text.str();
 }
 
 /// About an oblique axis, so that no side keeps a coordinate.
