@@ -1,6 +1,7 @@
 #include "mesh/layers/layer_plan.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/layers/layer_proof.h"
+#include "mesh/layers/line_lean.h"
 #include "mesh/layers/line_room.h"
 #include "mesh/layers/marching_direction.h"
 #include "mesh/layers/wall_graph.h"
@@ -21,10 +23,9 @@ namespace {
 /// more than ten times as long as the layers are high.
 constexpr double least_visibility = 0.1;
 
-/// Rounds in which directions away from the wall become more like their neighbours', and the share
-/// of what a line sees of its worst face that it keeps.
-constexpr int smoothing_rounds = 10;
-constexpr double share_of_visibility = 0.6;
+/// Where lines lose layers because of how they lean, those so many edges round them try the other
+/// ways.
+constexpr int edges_to_lean = 3;
 
 /// Rounds of the proof in which lines lose no more layers than they must.
 constexpr int patient_rounds = 30;
@@ -79,15 +80,32 @@ class Planning {
 
   LayerPlan plan() {
     find_directions();
-    smooth_directions();
+    find_leans();
     find_wishes();
-    find_heights();
-    hold_neighbours();
-    prove();
+    begun_ = plan_;
+    Leans leans(plan_.lines.size(), 0);
+    grow_by(leans);
+    for (std::size_t way = 1; way < all_leans.size(); ++way) {
+      const std::vector<std::vector<std::int32_t>> places = places_of_stops();
+      if (places.empty()) break;
+      const LayerPlan before = plan_;
+      grow_by(with_others(leans, places, way));
+      // Each place for itself: what serves one may cost another layers.
+      const std::vector<std::vector<std::int32_t>> served = places_served(places, before);
+      Leans some = with_others(leans, served, way);
+      if (served.size() < places.size()) grow_by(some);
+      if (missing_layers(plan_) < missing_layers(before)) {
+        leans = std::move(some);
+      } else {
+        plan_ = before;
+      }
+    }
     return std::move(plan_);
   }
 
  private:
+  using Leans = std::vector<std::size_t>;  // of each line, in all_leans
+
   /// Of lines between two requests the lower one decides.
   const LayerRequest& request_of(std::size_t line) const {
     std::int32_t request = static_cast<std::int32_t>(requests_.size());
@@ -99,21 +117,13 @@ class Planning {
 
   bool follows_ways(std::size_t line) const { return !request_of(line).ways.empty(); }
 
-  /// Of the faces at a line.
-  std::vector<Vec3> normals_at(std::size_t line) const {
-    std::vector<Vec3> round;
-    for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(line))) {
-      round.push_back(normals_[at(f)]);
-    }
-    return round;
-  }
-
   void find_directions() {
     for (const std::int32_t t : graph_.wall) normals_.push_back(inward_normal(surface_, t));
+    for (const std::int32_t foot : graph_.feet) places_.push_back(surface_.vertices[at(foot)]);
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       line.foot = line.because_of = graph_.feet[i];
-      line.at = surface_.vertices[at(line.foot)];
+      line.at = places_[i];
       if (follows_ways(i)) {
         line.along = line.later = request_of(i).ways[at(line.foot)];
         line.of_pml = true;
@@ -121,9 +131,10 @@ class Planning {
         TF_CHECK(!graph_.at_border[i] && !(line.along == Vec3{}));
         continue;
       }
+      const std::vector<Vec3> normals = normals_at(ground(), i);
       const Vec3 direction =
-          planes_.held(i, marching_direction(with_images(normals_at(i), planes_, i)).direction);
-      const double seen = visibility(direction, normals_at(i));
+          planes_.held(i, marching_direction(with_images(normals, planes_, i)).direction);
+      const double seen = visibility(direction, normals);
       if (seen >= least_visibility) {
         line.along = direction / seen;
       } else {
@@ -133,37 +144,81 @@ class Planning {
     }
   }
 
-  /// Away from the wall lines lean as their neighbours do, where they still see their own faces.
-  void smooth_directions() {
-    std::vector<Vec3> directions;
-    std::vector<double> least;
+  /// How lines go on above the first layer, in each of the ways; those with ways of their own stay.
+  void find_leans() {
+    std::vector<Vec3> along;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
-      if (follows_ways(i)) {
-        directions.emplace_back();
-        least.push_back(0);
-        continue;
+      along.push_back(follows_ways(i) ? Vec3{} : plan_.lines[i].along);
+    }
+    for (const Lean lean : all_leans) leans_.push_back(leaning(ground(), along, lean));
+  }
+
+  LineGround ground() const { return {graph_, planes_, normals_, places_}; }
+
+  /// Gives the lines what layers they can have.
+  void grow_by(const Leans& leans) {
+    plan_ = begun_;
+    for (std::size_t i = 0; i < leans.size(); ++i) {
+      if (!follows_ways(i)) plan_.lines[i].later = leans_[leans[i]][i];
+    }
+    find_heights();
+    hold_neighbours();
+    prove();
+  }
+
+  static std::int64_t missing_layers(const LayerPlan& plan) {
+    std::int64_t missing = 0;
+    for (const LayerLine& line : plan.lines) missing += line.wanted - line.stop;
+    return missing;
+  }
+
+  /// The lines round each one whose cells fold, or whose top crosses something.
+  std::vector<std::vector<std::int32_t>> places_of_stops() const {
+    std::set<std::int32_t> sources;
+    for (const LayerLine& line : plan_.lines) {
+      if (line.reason != StopReason::fold && line.reason != StopReason::crossing) continue;
+      sources.insert(graph_.vertex2line[at(line.because_of)]);
+    }
+    std::vector<std::vector<std::int32_t>> places;
+    for (const std::int32_t source : sources) places.push_back(lines_round(source));
+    return places;
+  }
+
+  std::vector<std::int32_t> lines_round(std::int32_t line) const {
+    std::set<std::int32_t> round = {line};
+    for (int edge = 0; edge < edges_to_lean; ++edge) {
+      const std::set<std::int32_t> before = round;
+      for (const std::int32_t near : before) {
+        const auto neighbours = graph_.neighbours.of(near);
+        round.insert(neighbours.begin(), neighbours.end());
       }
-      const Vec3 direction = normalized(plan_.lines[i].along);
-      directions.push_back(direction);
-      least.push_back(share_of_visibility * visibility(direction, normals_at(i)));
     }
-    for (int round = 0; round < smoothing_rounds; ++round) {
-      std::vector<Vec3> smoother = directions;
-      for (std::size_t i = 0; i < directions.size(); ++i) {
-        if (directions[i] == Vec3{}) continue;
-        Vec3 sum;
-        for (const std::int32_t n : graph_.neighbours.of(static_cast<std::int32_t>(i))) {
-          sum += directions[at(n)];
-        }
-        const Vec3 direction = planes_.held(i, normalized(directions[i] + normalized(sum)));
-        if (visibility(direction, normals_at(i)) >= least[i]) smoother[i] = direction;
+    return {round.begin(), round.end()};
+  }
+
+  /// The places that have more layers now.
+  std::vector<std::vector<std::int32_t>> places_served(
+      const std::vector<std::vector<std::int32_t>>& places, const LayerPlan& before) const {
+    std::vector<std::vector<std::int32_t>> served;
+    for (const std::vector<std::int32_t>& place : places) {
+      int gained = 0;
+      for (const std::int32_t line : place) {
+        gained += plan_.lines[at(line)].stop - before.lines[at(line)].stop;
       }
-      directions = std::move(smoother);
+      if (gained > 0) served.push_back(place);
     }
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      if (directions[i] == Vec3{}) continue;
-      plan_.lines[i].later = directions[i] / visibility(directions[i], normals_at(i));
+    return served;
+  }
+
+  static Leans with_others(Leans leans, const std::vector<std::vector<std::int32_t>>& places,
+                           std::size_t further) {
+    const Leans before = leans;
+    for (const std::vector<std::int32_t>& place : places) {
+      for (const std::int32_t line : place) {
+        leans[at(line)] = (before[at(line)] + further) % all_leans.size();
+      }
     }
+    return leans;
   }
 
   double mean_edge(std::size_t line) const {
@@ -306,12 +361,15 @@ class Planning {
   }
 
   const SurfaceMesh& surface_;
-  std::vector<Vec3> normals_;  // of the wall triangles, inwards
+  std::vector<Vec3> normals_;             // of the wall triangles, inwards
+  std::vector<Vec3> places_;              // of the feet
+  std::vector<std::vector<Vec3>> leans_;  // in each way, of each line LayerLine::later
   std::span<const LayerRequest> requests_;
   Wall wall_;
   std::vector<int> steps_;  // of each line: LayerRequest::step
   WallGraph graph_;
   WallPlanes planes_;
+  LayerPlan begun_;  // without layers
   LayerPlan plan_;
 };
 

@@ -1,0 +1,67 @@
+#include "mesh/layers/line_lean.h"
+
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+#include "mesh/layers/marching_direction.h"
+
+namespace tetfarm {
+namespace {
+
+/// Rounds in which directions become more like their neighbours', and the share of what a line sees
+/// of its worst face that it keeps.
+constexpr int smoothing_rounds = 10;
+constexpr double share_of_visibility = 0.6;
+
+/// What the neighbours' directions come to; zero where none moves.
+Vec3 mean_of_neighbours(const LineGround& ground, const std::vector<Vec3>& directions,
+                        std::int32_t line, Lean lean) {
+  Vec3 sum;
+  for (const std::int32_t n : ground.graph.neighbours.of(line)) {
+    if (lean == Lean::as_nearest) {
+      sum += directions[at(n)] / distance(ground.places[at(line)], ground.places[at(n)]);
+    } else {
+      sum += directions[at(n)];
+    }
+  }
+  return normalized(sum);
+}
+
+}  // namespace
+
+std::vector<Vec3> normals_at(const LineGround& ground, std::size_t line) {
+  std::vector<Vec3> round;
+  for (const std::int32_t f : ground.graph.faces.of(static_cast<std::int32_t>(line))) {
+    round.push_back(ground.normals[at(f)]);
+  }
+  return round;
+}
+
+std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along, Lean lean) {
+  TF_CHECK(along.size() == ground.graph.feet.size() && ground.places.size() == along.size());
+  if (lean == Lean::straight) return {along.begin(), along.end()};
+  std::vector<Vec3> directions;
+  std::vector<double> least;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    directions.push_back(normalized(along[i]));
+    least.push_back(share_of_visibility * visibility(directions[i], normals_at(ground, i)));
+  }
+  for (int round = 0; round < smoothing_rounds; ++round) {
+    std::vector<Vec3> smoother = directions;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (directions[i] == Vec3{}) continue;
+      const Vec3 mean = mean_of_neighbours(ground, directions, static_cast<std::int32_t>(i), lean);
+      const Vec3 direction = ground.planes.held(i, normalized(directions[i] + mean));
+      if (visibility(direction, normals_at(ground, i)) >= least[i]) smoother[i] = direction;
+    }
+    directions = std::move(smoother);
+  }
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (directions[i] == Vec3{}) continue;
+    directions[i] = directions[i] / visibility(directions[i], normals_at(ground, i));
+  }
+  return directions;
+}
+
+}  // namespace tetfarm
