@@ -17,6 +17,8 @@
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/job_file/job_file.h"
+#include "mesh/layers/layer_chunk_file.h"
+#include "mesh/layers/layer_growth.h"
 #include "mesh/spacing/spacing_field.h"
 #include "proto/authorized_keys.h"
 #include "tests/fuzz/fuzz_targets.h"
@@ -150,8 +152,21 @@ void read_file_in_blocks(const std::string& bytes) {
   }
 }
 
+/// What is read must be written as it was read, but in no later version than it takes, and grow
+/// what it counts.
+void read_layer_chunk(const std::string& bytes) {
+  const LayerChunk chunk = layer_chunk_from_bytes(bytes, "layers");
+  const std::string again = layer_chunk_to_bytes(chunk);
+  TF_CHECK(again == bytes || again.size() < bytes.size());
+  TF_CHECK(layer_chunk_from_bytes(again, "layers") == chunk);
+  const GrownLayers layers = grow(chunk);
+  const ChunkCounts counts = counts_of(chunk);
+  TF_CHECK(std::ssize(layers.mesh.tets) == counts.tets);
+  TF_CHECK(std::ssize(layers.blocks[ElementType::quad].regions) == counts.quads);
+}
+
 using Read = void (*)(const std::string&);
-const std::array<Read, 12> kinds = {
+const std::array<Read, 13> kinds = {
     [](const std::string& bytes) { read_file_in_blocks(bytes); },
     [](const std::string& bytes) { subdomain_from_bytes(with_checksum_last(bytes), "subdomain"); },
     [](const std::string& bytes) { read_tets(with_checksum_last(bytes)); },
@@ -166,6 +181,7 @@ const std::array<Read, 12> kinds = {
     [](const std::string& bytes) { read_surface_bytes(bytes, "a.msh"); },
     [](const std::string& bytes) { unpack_gzip(bytes, "a.gz"); },
     [](const std::string& bytes) { parse_authorized_keys(bytes); },
+    [](const std::string& bytes) { read_layer_chunk(with_checksum_last(bytes)); },
 };
 
 }  // namespace

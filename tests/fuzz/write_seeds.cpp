@@ -12,11 +12,13 @@
 #include "mesh/assemble/numbering_file.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/job_file/job_file.h"
+#include "mesh/layers/layer_chunk_file.h"
 #include "mesh/spacing/spacing_field.h"
 #include "proto/file_chunks.h"
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "tasks/failure_cause.h"
+#include "tests/mesh/layers/layered_box.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -189,6 +191,8 @@ void write_artifacts(const fs::path& folder) {
       "1 0 0\n0 1 0\n$EndNodes\n$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n",
       0);
   put("keys", 11, std::string(64, 'a') + " worker one # x\n", 0);
+  const test::LayeredBox box;
+  put("layers", 12, layer_chunk_to_bytes(chunks_of(box.plan, box.surface, 20).at(0)), 16);
 }
 
 }  // namespace

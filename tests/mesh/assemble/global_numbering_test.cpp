@@ -145,6 +145,18 @@ TEST(GlobalNumbering, counts_the_cells_of_layers_type_by_type) {
   EXPECT_THROW(number_globally(shapes::unit_cube(), "leaf 1 1 1 12 3\n"), Error);
 }
 
+TEST(GlobalNumbering, counts_quads_of_the_boundary_where_a_leaf_has_some) {
+  const Numbering numbering =
+      number_globally(shapes::unit_cube(),
+                      "cut 1 9\nleaf 2 6 30\ncut 3 0\nleaf 6 70 1 8 2 3 4\nleaf 7 80 0 4 5 6\n");
+  EXPECT_EQ(numbering.others[ElementType::quad], 4);
+  EXPECT_EQ(numbering.leaves[2].first_other[ElementType::quad], 4);
+  const std::string text = numbering_to_text(numbering);
+  EXPECT_THAT(text, testing::HasSubstr("\nleaf 6 70 1 8 2 3 4\nleaf 7 80 0 4 5 6\n"));
+  EXPECT_EQ(numbering_to_text(numbering_from_text(text, "text")), text);
+  EXPECT_THROW(number_globally(shapes::unit_cube(), "leaf 1 1 1 12 3 4 5 6\n"), Error);
+}
+
 TEST(GlobalNumbering, the_top_of_layers_is_the_cut_of_the_root) {
   const Numbering numbering = number_globally(shapes::unit_cube(), with_layers);
   EXPECT_EQ(global_number(numbering, {top_of_layers, 0}), 8);

@@ -39,6 +39,7 @@ class RandomNumbering {
   RandomNumbering(const SurfaceMesh& surface, unsigned seed, std::size_t leaves) : random_(seed) {
     counts_faces_ = pick(3) > 0;
     has_layers_ = counts_faces_ && seed % 2 == 1;
+    has_quads_ = has_layers_ && seed % 4 == 1;
     grow({1}, leaves);
     numbering_ = number_globally(surface, table_);
     vertices_ = static_cast<std::uint32_t>(surface.vertices.size());
@@ -119,6 +120,7 @@ class RandomNumbering {
       if (counts_faces_) table_ += ' ' + std::to_string(pick(30));
       if (has_layers_ && pick(3) > 0) {
         table_ += ' ' + std::to_string(pick(90)) + ' ' + std::to_string(pick(900));
+        if (has_quads_ && pick(2) > 0) table_ += ' ' + std::to_string(pick(500));
       }
     }
     table_ += '\n';
@@ -132,6 +134,7 @@ class RandomNumbering {
   std::mt19937 random_;
   bool counts_faces_ = true;
   bool has_layers_ = false;
+  bool has_quads_ = false;
   std::uint64_t last_leaf_ = 0;
   std::string table_;
   std::uint32_t vertices_ = 0;
