@@ -22,6 +22,8 @@ constexpr std::uint32_t chunk_version_with_sides = 3;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
+/// The largest first of as many numbers in the surface as a line can have layers.
+constexpr std::int32_t last_first = std::numeric_limits<std::int32_t>::max() - most_layers;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
 void write_line(const ChunkLine& line, ByteWriter& writer) {
@@ -133,9 +135,10 @@ void read_sides(ByteReader& reader, LayerChunk& chunk) {
   for (ChunkLine& line : chunk.lines) {
     line.line.vertices = reader.number<std::int32_t>();
     line.line.first_vertex = reader.number<std::int32_t>();
-    const bool is_right =
-        line.line.vertices >= 0 && line.line.vertices <= line.line.stop &&
-        (line.line.vertices > 0 ? line.line.first_vertex >= 0 : line.line.first_vertex == -1);
+    const bool is_right = line.line.vertices >= 0 && line.line.vertices <= line.line.stop &&
+                          (line.line.vertices > 0
+                               ? line.line.first_vertex >= 0 && line.line.first_vertex <= last_first
+                               : line.line.first_vertex == -1);
     if (!is_right) reader.fail("has a line that cannot be");
   }
   const std::size_t sides = reader.count();
@@ -165,7 +168,7 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
     const int quads = std::min(a.stop, b.stop);
     const bool is_right =
         side.patch >= 0 && (a.stop == b.stop ? side.last == -1 : side.last >= 0) &&
-        side.last <= std::numeric_limits<std::int32_t>::max() - most_layers &&
+        side.last <= last_first &&
         (a.stop == b.stop || (is_of_surface_from(a, quads) && is_of_surface_from(b, quads)));
     if (!is_right) reader.fail("has a side that cannot be");
   }
