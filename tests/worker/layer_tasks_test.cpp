@@ -125,6 +125,7 @@ TEST_F(LayerTasks, make_one_sound_mesh_of_layers_and_tets) {
 TEST_F(LayerTasks, end_on_planes_with_quads_that_close_the_mesh) {
   for (const std::int64_t subdomains : {1, 3}) {
     JobFile job = layered_job(subdomains);
+    job.name = "box";
     job.surface = "box.obj";
     job.layers[0].patches = {"floor"};
     const std::string box = test::obj_of(test::box_with_patches({0, 0, 0}, {1, 1, 1}, 6));
