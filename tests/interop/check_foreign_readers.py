@@ -3,9 +3,9 @@
 
 check_foreign_readers.py PROGRAM
 
-Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, exports it to every format, and in 5 parts to
-those that have parts, and has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the files: counts and
-volume must be those of the mesh. Prints a table. `./dev test interop` gets the
+Meshes the ONERA M6 wing of $TETFARM_DATA in 16 sub-domains, without and with boundary layers, exports it to every format,
+and in 5 parts to those that have parts, and has VTK, meshio, gmsh, cgnscheck, OpenFOAM and code_saturne's preprocessor read the
+files: counts and volume must be those of the mesh. Prints tables. `./dev test interop` gets the
 programs from Debian first. Ends with 77 when the data or a program is missing, and with 1 when a reader refuses a file or
 finds another mesh.
 """
@@ -23,6 +23,7 @@ import tempfile
 PREPROCESSOR = "/usr/lib/code_saturne/cs_preprocess"
 SUBDOMAINS = 16
 PARTITIONS = 5
+LAYERS = "wing_*,te,tip:first=1e-4,growth=1.2,count=15"
 # Where Debian puts what OpenFOAM looks up; without it no program of it starts.
 ENVIRONMENT = {**os.environ, "WM_PROJECT_DIR": "/usr/share/openfoam"}
 SKIPPED = 77
@@ -113,15 +114,19 @@ def with_gmsh(export, name):
     return {**read, "elements": int(number(r"(\d+) elements", said))}
 
 
-def with_gmsh_parts(export, name):
-    """All split files merged: gmsh keeps a shared node for each file, so they count by place."""
+def gmsh_parts_merged(export, name):
+    """All split files in one file, in which gmsh keeps a shared node for each of them."""
     stem = name.rsplit(".", 1)[0]
     parts = [f"{stem}_{i}.msh" for i in range(1, export.parts + 1)]
     text = "".join(f'Merge "{part}";\n' for part in parts)
     text += 'Mesh.SaveAll=1;\nMesh.MshFileVersion=2.2;\nSave "merged.msh";\n'
     (export.folder / "merge.geo").write_text(text)
     run(["gmsh", "-0", "merge.geo"], export.folder)
-    found = library(export, "meshio-places", "merged.msh")
+    return "merged.msh"
+
+
+def with_gmsh_parts(export, name):
+    found = library(export, "meshio-places", gmsh_parts_merged(export, name))
     export.compare(found)
     return found
 
@@ -295,6 +300,12 @@ def mixed(which, *left_out):
     return check
 
 
+def mixed_with_gmsh_parts(export, name):
+    found = library(export, "meshio-mixed-places", gmsh_parts_merged(export, name))
+    export.compare(found)
+    return found
+
+
 def mixed_with_preprocessor(export, name):
     said = run([PREPROCESSOR, "--out", "saturne.out", name], export.folder)
     found = {"nodes": number(r"Number of vertices[ :]+(\d+)", said),
@@ -360,12 +371,31 @@ MIXED_CHECKS = [
 ]
 
 
-def mixed_table(export):
-    """The same as table() for a mesh of all types."""
+def mixed_with_reconstruct(export, name):
+    run(["reconstructParMesh", "-constant", "-mergeTol", "1e-9"], export.folder / name)
+    found = mixed_counts(check_mesh(export, name, ("checkMesh", "-allTopology"))[1], "nodes")
+    export.compare(found)
+    return found
+
+
+# Of a mesh with boundary layers: also what is said of many parts.
+LAYERED_CHECKS = MIXED_CHECKS + [
+    ("cgns", "m.cgns", "meshio", mixed("meshio-mixed", "volume", "triangles", "quads")),  # no surface
+    ("msh41-split", "parts.msh", "gmsh, all parts", mixed_with_gmsh_parts),
+    ("msh41-ghosts", "ghosts.msh", "gmsh, each part", with_gmsh_ghosts),
+    ("openfoam-decomposed", "parts", "OpenFOAM reconstructParMesh, checkMesh", mixed_with_reconstruct),
+    ("openfoam-decomposed", "parts", "OpenFOAM potentialFoam, parallel", with_potential_foam),
+]
+
+
+def mixed_table(export, title, checks, formats=None):
+    """The same as table() for a mesh of several types of cells."""
     wrong = 0
-    print("\nall types of cells:\n")
+    print(f"\n{title}:\n")
     print("| format | read by | " + " | ".join(KINDS) + " | |\n|---|---|" + "--:|" * len(KINDS) + "---|")
-    for form, name, reader, check in MIXED_CHECKS:
+    for form, name, reader, check in checks:
+        if formats and form not in formats:
+            continue
         try:
             export.write(form, name)
             found, said = check(export, name), "the same"
@@ -373,18 +403,18 @@ def mixed_table(export):
             found, said = {}, f"WRONG: {error}"
             wrong += 1
         counts = " | ".join(f"{int(found[what])}" if what in found else "" for what in KINDS)
-        print(f"| `{form}` | {reader} | {counts} | {said} |", flush=True)
+        print(f"| `{form}` | {reader} | {counts} | {said}{more_of(found)} |", flush=True)
     return wrong
 
 
-def mixed_export(program, folder):
-    export = Export(program, pathlib.Path(__file__).resolve().parent / "all_types.msh", folder, 2)
+def mixed_export(program, mesh, folder, parts, options=()):
+    export = Export(program, mesh, folder, parts, options)
     mesh = export.mesh
     for kind in ("pyramids", "prisms", "hexes"):
-        export.expected[kind] = mesh[kind]["count"]
-    export.expected["quads"] = mesh["boundary_quads"]
+        export.expected[kind] = mesh.get(kind, {"count": 0})["count"]
+    export.expected["quads"] = mesh.get("boundary_quads", 0)
     export.expected["cells"] = sum(export.expected[k] for k in ("tets", "pyramids", "prisms", "hexes"))
-    export.expected["boundary faces"] = mesh["boundary_triangles"] + mesh["boundary_quads"]
+    export.expected["boundary faces"] = mesh["boundary_triangles"] + export.expected["quads"]
     return export
 
 
@@ -410,10 +440,27 @@ def table(export, formats=None):
             wrong += 1
         counts = " | ".join(f"{int(found[what])}" if what in found else ""
                             for what in ("nodes", "tets", "triangles"))
-        more = f", continuity error {found['continuity']:.2g}" if "continuity" in found else ""
-        more += f", {found['ghosts']} ghosts" if "ghosts" in found else ""
-        print(f"| `{form}` | {reader} | {counts} | {said}{more} |", flush=True)
+        print(f"| `{form}` | {reader} | {counts} | {said}{more_of(found)} |", flush=True)
     return wrong
+
+
+def more_of(found):
+    """What some checks tell besides counts."""
+    more = f", continuity error {found['continuity']:.2g}" if "continuity" in found else ""
+    return more + (f", {found['ghosts']} ghosts" if "ghosts" in found else "")
+
+
+def layered_tables(program, surface, folder):
+    """A mesh with boundary layers, as it was meshed and in even parts; how many checks went wrong."""
+    run([program, "run", surface, "--subdomains", SUBDOMAINS, "--layers", LAYERS, "-o", "layered", "--progress", "none"],
+        folder)
+    parts = json.loads(run([program, "quality", folder / "layered", "--json"], folder))["subdomains"]
+    as_meshed = mixed_export(program, folder / "layered", folder / "layers_as_meshed", parts)
+    in_parts = mixed_export(program, folder / "layered", folder / "layers_in_parts", PARTITIONS,
+                            ["--partitions", PARTITIONS])
+    print("\nexpected:", as_meshed.expected)
+    return (mixed_table(as_meshed, f"boundary layers, {parts} parts", LAYERED_CHECKS)
+            + mixed_table(in_parts, f"boundary layers, {PARTITIONS} parts", LAYERED_CHECKS, WITH_PARTS))
 
 
 def main():
@@ -433,8 +480,11 @@ def main():
         as_meshed = Export(program, folder / "out", folder / "as_meshed", SUBDOMAINS)
         in_parts = Export(program, folder / "out", folder / "in_parts", PARTITIONS, ["--partitions", PARTITIONS])
         print("expected:", as_meshed.expected)
-        all_types = mixed_export(program, folder / "all_types")
-        wrong = table(as_meshed) + table(in_parts, WITH_PARTS) + mixed_table(all_types)
+        all_types = mixed_export(program, pathlib.Path(__file__).resolve().parent / "all_types.msh",
+                                 folder / "all_types", 2)
+        wrong = table(as_meshed) + table(in_parts, WITH_PARTS)
+        wrong += mixed_table(all_types, "all types of cells", MIXED_CHECKS)
+        wrong += layered_tables(program, surface, folder)
         return 1 if wrong else 0
 
 

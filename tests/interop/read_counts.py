@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Reads a mesh with a library that is not ours and prints what it found as JSON.
 
-read_counts.py vtk|meshio|meshio-places FILE; the last counts nodes by place. Needs Debian's python3-vtk9 and python3-meshio, so it runs with the
+read_counts.py vtk|meshio|meshio-places|vtk-mixed|meshio-mixed|meshio-mixed-places FILE; "mixed" knows all types of cells,
+"places" counts nodes by place. Needs Debian's python3-vtk9 and python3-meshio, so it runs with the
 system's Python.
 """
 
@@ -82,10 +83,13 @@ def from_meshio(name):
             "volume": volume_of(mesh.points, tets)}
 
 
-def from_meshio_by_places(name):
-    import meshio
+def by_places(read):
+    """What `read` finds, with the places of nodes counted instead of the nodes."""
+    def counted(name):
+        import meshio
 
-    return {**from_meshio(name), "nodes": len(numpy.unique(meshio.read(name).points, axis=0))}
+        return {**read(name), "nodes": len(numpy.unique(meshio.read(name).points, axis=0))}
+    return counted
 
 
 def grids_of(name):
@@ -143,6 +147,7 @@ def from_vtk(name):
 
 
 if __name__ == "__main__":
-    libraries = {"vtk": from_vtk, "meshio": from_meshio, "meshio-places": from_meshio_by_places,
-                 "vtk-mixed": mixed_from_vtk, "meshio-mixed": mixed_from_meshio}
+    libraries = {"vtk": from_vtk, "meshio": from_meshio, "meshio-places": by_places(from_meshio),
+                 "vtk-mixed": mixed_from_vtk, "meshio-mixed": mixed_from_meshio,
+                 "meshio-mixed-places": by_places(mixed_from_meshio)}
     print(json.dumps(libraries[sys.argv[1]](sys.argv[2])))
