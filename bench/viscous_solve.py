@@ -29,16 +29,19 @@ CASE = ROOT / "examples" / "viscous_flow"
 # Where Debian puts what OpenFOAM looks up; without it no program of it starts.
 ENVIRONMENT = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
 CHORD, SPAN = 1.0, 2.0
+TRAILING_EDGE = 0.01  # a sharp one makes prisms that lean along its wake
 PATCHES = ("wing", "tip")
 
 
 def half_thickness(x):
-    """NACA 0012 with a closed trailing edge."""
-    return 0.6 * (0.2969 * math.sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))
+    """NACA 0012 with a closed trailing edge, and then opened to TRAILING_EDGE in proportion to x."""
+    closed = 0.6 * (0.2969 * math.sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))
+    return closed + TRAILING_EDGE / 2 * x
 
 
 def stations(n):
-    """Of n edges along the chord: shortest at the leading edge, half as long as amidships at the trailing edge."""
+    """Of n edges along the chord, as long on the surface at the leading edge as they are at the trailing edge, half of
+    the longest."""
     t = [i / n for i in range(n + 1)]
     return [0.25 * (1 - math.cos(math.pi * s)) + 0.5 * (1 - math.cos(math.pi * s / 2)) for s in t]
 
@@ -61,18 +64,17 @@ def strip(lower, upper):
 def tip_row(x, y, spacing):
     """From the lower to the upper side; one point where the section is closed."""
     z = half_thickness(x)
-    if z < 1e-12:
+    if x == 0:
         return [(x, y, 0.0)]
     n = max(1, round(2 * z / spacing))
-    return [(x, y, z * (2 * i / n - 1)) for i in range(n)] + [(x, y, z)]
+    return [(x, y, -z)] + [(x, y, z * (2 * i / n - 1)) for i in range(1, n)] + [(x, y, z)]
 
 
 def wing(n):
     """Triangles of each patch; n edges along the chord on either side."""
     x = stations(n)
-    spacing = 1.4 * CHORD / n
-    ring = [(s, -half_thickness(s)) for s in reversed(x)] + [(s, half_thickness(s)) for s in x[1:-1]]
-    ring = [(a, 0.0 if abs(b) < 1e-12 else b) for a, b in ring]
+    spacing = CHORD / n
+    ring = [(s, -half_thickness(s)) for s in reversed(x)] + [(s, half_thickness(s)) for s in x[1:]]
     ring.append(ring[0])
     rows = [-SPAN / 2 + SPAN * i / round(SPAN / spacing) for i in range(round(SPAN / spacing) + 1)]
     sides = []
@@ -273,8 +275,8 @@ def main():
     parser.add_argument("--reynolds", type=float, default=1e6)
     parser.add_argument("--incidence", type=float, default=4, help="degrees")
     parser.add_argument("--growth", type=float, default=1.2)
-    parser.add_argument("--layers", type=int, default=26, help="how many")
-    parser.add_argument("--chord-edges", type=int, default=32, help="edges along the chord, on either side")
+    parser.add_argument("--layers", type=int, default=24, help="how many")
+    parser.add_argument("--chord-edges", type=int, default=28, help="edges along the chord, on either side")
     parser.add_argument("--iterations", type=int, default=500)
     parser.add_argument("--subdomains", type=int, default=16)
     parser.add_argument("--processes", type=int, default=2)
