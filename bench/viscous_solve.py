@@ -5,7 +5,7 @@
                            [--subdomains 16] [--processes 2] [--keep FOLDER]
 
 The wing is a NACA 0012 section of chord 1 m along a span of 2 m, with flat tips, in a sphere of ten times its size. The case
-is that of examples/viscous_flow: simpleFoam with kOmegaSST down to the wall, in as many processes as the mesh is exported
+is that of examples/viscous_flow: simpleFoam with kOmegaSST and wall functions, in as many processes as the mesh is exported
 in parts. --y-plus is asked for where the solver has its first value, at half the height of the first layer. Prints a table
 in Markdown, of area and of faces. Needs OpenFOAM (Debian: openfoam, openmpi-bin) and numpy.
 """
@@ -253,7 +253,7 @@ def report(options, case, result, meshing, solving):
     times = [path.name for path in (case / "processor0").iterdir() if re.fullmatch(r"[1-9]\d*", path.name)]
     last = max(times, key=int)
     faces = np.concatenate([wall_faces(case / f"processor{i}", last) for i in range(options.processes)])
-    print(f"mesh: {result['elements']} tets, {result.get('prisms', 0)} prisms, {result.get('pyramids', 0)} pyramids; "
+    print(f"mesh: {result['tets']} tets, {result.get('prisms', 0)} prisms, {result.get('pyramids', 0)} pyramids; "
           f"{len(faces)} wall faces; meshed in {meshing:.0f} s, solved in {solving:.0f} s, {last} iterations")
     check = (case / "log.checkMesh").read_text(encoding="utf-8")
     for line in re.findall(r"(?m)^.*(?:non-orthogonality Max|severely|skewness|aspect ratio|Mesh OK|Failed).*$", check):
