@@ -112,11 +112,8 @@ void require_one_region(const JobFile& job, const SurfaceMesh& surface) {
 LayerCoverage coverage_without(const std::vector<std::int32_t>& pml_patches,
                                const SurfaceMesh& surface, std::vector<WallLayers> walls) {
   std::erase_if(walls, [&](const WallLayers& wall) {
-    const std::int32_t patch =
-        surface.patch_of_triangle.empty()
-            ? 0
-            : surface.patch_of_triangle[static_cast<std::size_t>(wall.triangle)];
-    return std::binary_search(pml_patches.begin(), pml_patches.end(), patch);
+    return std::binary_search(pml_patches.begin(), pml_patches.end(),
+                              patch_of(surface, static_cast<std::size_t>(wall.triangle)));
   });
   return coverage_of(walls);
 }

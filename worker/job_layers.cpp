@@ -104,10 +104,7 @@ std::vector<Footing> footings_of(const JobFile& job, const SurfaceMesh& surface,
   std::vector<std::vector<double>> edges(job.layers.size());
   const auto vertices = static_cast<std::int64_t>(surface.vertices.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::size_t patch = surface.patch_of_triangle.empty()
-                                  ? 0
-                                  : static_cast<std::size_t>(surface.patch_of_triangle[t]);
-    const Match& match = match_of_patch.at(patch);
+    const Match& match = match_of_patch.at(static_cast<std::size_t>(patch_of(surface, t)));
     const Triangle& nodes = surface.triangles[t];
     const bool is_sound = std::all_of(
         nodes.begin(), nodes.end(), [vertices](std::int32_t v) { return v >= 0 && v < vertices; });

@@ -60,8 +60,7 @@ std::vector<Triangle> triangles_on(const SurfaceMesh& surface,
                                    const std::vector<std::int32_t>& patches) {
   std::vector<Triangle> found;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::int32_t patch = surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[t];
-    if (std::binary_search(patches.begin(), patches.end(), patch)) {
+    if (std::binary_search(patches.begin(), patches.end(), patch_of(surface, t))) {
       found.push_back(surface.triangles[t]);
     }
   }

@@ -15,6 +15,10 @@ ByteWriter begin_checked(std::string_view magic, std::uint32_t version, std::siz
   return writer;
 }
 
+bool says_version(std::string_view bytes, std::string_view magic, std::uint32_t version) {
+  return bytes.starts_with(begin_checked(magic, version).bytes());
+}
+
 std::string finish_checked(ByteWriter writer) {
   writer.hash(hash128(writer.bytes()));
   return writer.take();

@@ -15,6 +15,8 @@ constexpr std::size_t checksum_size = 16;
 /// Magic and version are written. `rest` is what will follow but for the checksum, bytes, where
 /// that is known: then nothing is copied while it grows.
 ByteWriter begin_checked(std::string_view magic, std::uint32_t version, std::size_t rest = 0);
+/// Whether the bytes begin like that; what else they say is looked at by who reads on.
+bool says_version(std::string_view bytes, std::string_view magic, std::uint32_t version);
 /// Adds the checksum.
 std::string finish_checked(ByteWriter writer);
 

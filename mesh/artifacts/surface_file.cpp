@@ -176,7 +176,7 @@ SurfacePieces pieces_of(const SurfaceMesh& surface, const WantedPieces& wanted) 
   for (const std::uint32_t t : wanted.triangles) {
     check_piece("triangle", t, surface.triangles.size());
     pieces.triangles.push_back(surface.triangles[t]);
-    pieces.patches.push_back(surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[t]);
+    pieces.patches.push_back(patch_of(surface, t));
     pieces.sides.push_back(sides_of(surface, t));
   }
   return pieces;

@@ -90,20 +90,17 @@ void add_triangles(const NumberedPart& part, MeshDigest& digest) {
   }
 }
 
-/// What the quads add to the volume that the surface encloses: the surface has none of them. Of the
-/// two ways to divide a quad, the mean.
+/// What the quads add to the volume that the surface encloses: the surface has none of them.
 double volume_behind_quads(const NumberedPart& part, const Vec3& origin) {
-  double sum = 0;
+  long double sum = 0;
   for_each_block_face(part.blocks, [&](ElementType, std::span<const std::int32_t> face,
                                        std::int32_t, std::int32_t) {
-    std::array<Vec3, 4> p;
-    TF_CHECK(face.size() == p.size());
-    for (std::size_t k = 0; k < p.size(); ++k) p[k] = part.nodes[at(face[k])] - origin;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      sum += dot(p[k], cross(p[(k + 1) % p.size()], p[(k + 2) % p.size()]));
-    }
+    std::array<Vec3, most_face_nodes> corners;
+    std::transform(face.begin(), face.end(), corners.begin(),
+                   [&part](std::int32_t v) { return part.nodes[at(v)]; });
+    sum += cone_volume(origin, {corners.data(), face.size()});
   });
-  return sum / 12;
+  return static_cast<double>(sum);
 }
 
 }  // namespace

@@ -143,8 +143,7 @@ struct Head {
 /// By the first bytes; what else they say is looked at by who reads on.
 std::size_t version_that_is_said(std::string_view begin) {
   for (std::size_t i = numbering_versions.size() - 1; i > 0; --i) {
-    if (begin.starts_with(begin_checked(numbering_magic, numbering_versions.at(i)).bytes()))
-      return i;
+    if (says_version(begin, numbering_magic, numbering_versions.at(i))) return i;
   }
   return 0;
 }

@@ -87,11 +87,6 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
   }
 }
 
-/// By the version in the first bytes; what else they say is looked at by who reads on.
-bool says_version(std::string_view bytes, std::string_view magic, std::uint32_t version) {
-  return bytes.starts_with(begin_checked(magic, version).bytes());
-}
-
 bool says_others(std::string_view bytes) {
   return says_version(bytes, portion_magic, version_with_others);
 }

@@ -38,6 +38,11 @@ inline Sides sides_of(const SurfaceMesh& surface, std::size_t triangle) {
   return surface.sides.empty() ? Sides{1, 0} : surface.sides[triangle];
 }
 
+/// 0 where the surface has no patches.
+inline std::int32_t patch_of(const SurfaceMesh& surface, std::size_t triangle) {
+  return surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[triangle];
+}
+
 /// Between how many regions of the domain the triangle lies: 0 (inside what is not meshed), 1,
 /// or 2.
 inline int meshed_sides(const SurfaceMesh& surface, std::size_t triangle) {

@@ -113,7 +113,7 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
   for (const std::uint32_t version : {chunk_version_with_sides, chunk_version_with_kinds}) {
-    if (bytes.starts_with(begin_checked(chunk_magic, version).bytes())) return version;
+    if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;
 }

@@ -50,8 +50,7 @@ Wall wall_of(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
   }
   Wall wall;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::int32_t patch = surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[t];
-    const std::int32_t request = request_of_patch[at(patch)];
+    const std::int32_t request = request_of_patch[at(patch_of(surface, t))];
     if (request < 0) continue;
     wall.triangles.push_back(static_cast<std::int32_t>(t));
     wall.request.push_back(request);

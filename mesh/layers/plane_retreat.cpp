@@ -264,7 +264,7 @@ class Retreat {
       new_triangle_[t] = static_cast<std::int32_t>(made_.surface.triangles.size());
       Triangle nodes = surface_.triangles[t];
       for (std::int32_t& v : nodes) v = old2new_[at(v)];
-      add_triangle(nodes, surface_.patch_of_triangle.empty() ? 0 : surface_.patch_of_triangle[t]);
+      add_triangle(nodes, patch_of(surface_, t));
     }
     for (LayerSide& side : made_.plan.sides) {
       const auto [a, b] = lines_of_side(side);

@@ -28,10 +28,6 @@ constexpr double longest_corner = 4;
 /// A sphere's faces look away from its centre.
 constexpr double least_facing = 0.9;
 
-std::int32_t patch_of(const SurfaceMesh& surface, std::size_t triangle) {
-  return surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[triangle];
-}
-
 std::vector<std::int32_t> triangles_of(const SurfaceMesh& surface,
                                        std::span<const std::int32_t> patches) {
   std::vector<std::int32_t> found;

@@ -30,10 +30,6 @@ Vec3 area_vector(const SurfaceMesh& surface, std::int32_t triangle) {
   return cross(surface.vertices[at(t[1])] - a, surface.vertices[at(t[2])] - a);
 }
 
-std::int32_t patch_of(const SurfaceMesh& surface, std::int32_t triangle) {
-  return surface.patch_of_triangle.empty() ? 0 : surface.patch_of_triangle[at(triangle)];
-}
-
 /// Across each edge of a triangle, the triangle there. @pre the surface is closed and of one
 /// region.
 std::vector<std::array<std::int32_t, 3>> neighbours_of(const SurfaceMesh& surface) {
@@ -94,16 +90,15 @@ class PlaneSearch {
     tolerance_.assign(patches, 0);
     borders_.assign(patches, false);
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      const auto triangle = static_cast<std::int32_t>(t);
       if (is_wall_[t]) continue;
       for (const std::int32_t v : surface_.triangles[t]) {
-        double& tolerance = tolerance_[at(patch_of(surface_, triangle))];
+        double& tolerance = tolerance_[at(patch_of(surface_, t))];
         for (int axis = 0; axis < 3; ++axis) {
           tolerance = std::max(tolerance, flatness * std::abs(surface_.vertices[at(v)][axis]));
         }
       }
       for (const std::int32_t n : neighbours_[t]) {
-        if (n >= 0 && is_wall_[at(n)]) borders_[at(patch_of(surface_, triangle))] = true;
+        if (n >= 0 && is_wall_[at(n)]) borders_[at(patch_of(surface_, t))] = true;
       }
     }
   }
@@ -114,7 +109,7 @@ class PlaneSearch {
     std::vector<std::pair<double, std::int32_t>> by_area;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       const auto triangle = static_cast<std::int32_t>(t);
-      if (is_wall_[t] || !borders_[at(patch_of(surface_, triangle))]) continue;
+      if (is_wall_[t] || !borders_[at(patch_of(surface_, t))]) continue;
       by_area.emplace_back(-norm2(area_vector(surface_, triangle)), triangle);
     }
     std::sort(by_area.begin(), by_area.end());
@@ -133,7 +128,7 @@ class PlaneSearch {
 
   WallPlane flood(std::int32_t seed) {
     WallPlane plane;
-    plane.patch = patch_of(surface_, seed);
+    plane.patch = patch_of(surface_, at(seed));
     plane.normal = normalized(area_vector(surface_, seed));
     plane.at = surface_.vertices[at(surface_.triangles[at(seed)][0])];
     const double loose = flatness_of_seed * tolerance_[at(plane.patch)];
@@ -143,7 +138,7 @@ class PlaneSearch {
     for (std::size_t i = 0; i < plane.triangles.size(); ++i) {
       for (const std::int32_t n : neighbours_[at(plane.triangles[i])]) {
         if (n < 0 || is_wall_[at(n)] || piece_of_[at(n)] != not_asked) continue;
-        if (patch_of(surface_, n) != plane.patch || !lies_in(plane, n, loose)) continue;
+        if (patch_of(surface_, at(n)) != plane.patch || !lies_in(plane, n, loose)) continue;
         piece_of_[at(n)] = piece;
         plane.triangles.push_back(n);
       }
@@ -182,7 +177,7 @@ class PlaneSearch {
     return std::all_of(plane.triangles.begin(), plane.triangles.end(), [&](std::int32_t t) {
       return std::all_of(neighbours_[at(t)].begin(), neighbours_[at(t)].end(), [&](std::int32_t n) {
         if (n < 0 || is_wall_[at(n)] || piece_of_[at(n)] == piece) return true;
-        if (patch_of(surface_, n) != plane.patch) return true;
+        if (patch_of(surface_, at(n)) != plane.patch) return true;
         return dot(normalized(area_vector(surface_, n)), plane.normal) <= cos_of_ridge;
       });
     });
