@@ -1,6 +1,7 @@
 #include "mesh/layers/layer_plan.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -79,31 +80,23 @@ class Planning {
 
   LayerPlan plan() {
     find_directions();
-    find_leans();
     find_wishes();
+    find_lean(Lean::as_neighbours);
     begun_ = plan_;
     Leans leans(plan_.lines.size(), 0);
-    grow_by(leans);
+    if (const std::optional<UsageError> refusal = grow_by(leans)) throw *refusal;
     for (std::size_t way = 1; way < all_leans.size(); ++way) {
-      const std::vector<std::vector<std::int32_t>> places = places_of_stops();
+      const Places places = places_of_stops();
       if (places.empty()) break;
-      const LayerPlan before = plan_;
-      grow_by(with_others(leans, places, way));
-      // Each place for itself: what serves one may cost another layers.
-      const std::vector<std::vector<std::int32_t>> served = places_served(places, before);
-      Leans some = with_others(leans, served, way);
-      if (served.size() < places.size()) grow_by(some);
-      if (missing_layers(plan_) < missing_layers(before)) {
-        leans = std::move(some);
-      } else {
-        plan_ = before;
-      }
+      while (leans_.size() < all_leans.size()) find_lean(all_leans.at(leans_.size()));
+      try_way(way, places, leans);
     }
     return std::move(plan_);
   }
 
  private:
-  using Leans = std::vector<std::size_t>;  // of each line, in all_leans
+  using Leans = std::vector<std::size_t>;                 // of each line, in all_leans
+  using Places = std::vector<std::vector<std::int32_t>>;  // the lines of each
 
   /// Of lines between two requests the lower one decides.
   const LayerRequest& request_of(std::size_t line) const {
@@ -143,26 +136,43 @@ class Planning {
     }
   }
 
-  /// How lines go on above the first layer, in each of the ways; those with ways of their own stay.
-  void find_leans() {
+  /// How lines go on above the first layer in the next way; those with ways of their own stay.
+  void find_lean(Lean lean) {
     std::vector<Vec3> along;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       along.push_back(follows_ways(i) ? Vec3{} : plan_.lines[i].along);
     }
-    for (const Lean lean : all_leans) leans_.push_back(leaning(ground(), along, lean));
+    leans_.push_back(leaning(ground(), along, lean));
   }
 
   LineGround ground() const { return {graph_, planes_, normals_, places_}; }
 
-  /// Gives the lines what layers they can have.
-  void grow_by(const Leans& leans) {
+  /// Lets the lines at these places lean so many ways further, where that leaves more layers.
+  void try_way(std::size_t way, const Places& places, Leans& leans) {
+    const LayerPlan before = plan_;
+    if (!grow_by(with_others(leans, places, way))) {
+      // Each place for itself: what serves one may cost another layers.
+      const Places served = places_served(places, before);
+      Leans some = with_others(leans, served, way);
+      const bool is_whole = served.size() == places.size() || (!served.empty() && !grow_by(some));
+      if (is_whole && missing_layers(plan_) < missing_layers(before)) {
+        leans = std::move(some);
+        return;
+      }
+    }
+    plan_ = before;
+  }
+
+  /// Gives the lines what layers they can have. Returns why not, where lines that have to have all
+  /// cannot.
+  std::optional<UsageError> grow_by(const Leans& leans) {
     plan_ = begun_;
     for (std::size_t i = 0; i < leans.size(); ++i) {
       if (!follows_ways(i)) plan_.lines[i].later = leans_[leans[i]][i];
     }
     find_heights();
     hold_neighbours();
-    prove();
+    return prove();
   }
 
   static std::int64_t missing_layers(const LayerPlan& plan) {
@@ -172,13 +182,13 @@ class Planning {
   }
 
   /// The lines round each one whose cells fold, or whose top crosses something.
-  std::vector<std::vector<std::int32_t>> places_of_stops() const {
+  Places places_of_stops() const {
     std::set<std::int32_t> sources;
     for (const LayerLine& line : plan_.lines) {
       if (line.reason != StopReason::fold && line.reason != StopReason::crossing) continue;
       sources.insert(graph_.vertex2line[at(line.because_of)]);
     }
-    std::vector<std::vector<std::int32_t>> places;
+    Places places;
     for (const std::int32_t source : sources) places.push_back(lines_round(source));
     return places;
   }
@@ -196,9 +206,8 @@ class Planning {
   }
 
   /// The places that have more layers now.
-  std::vector<std::vector<std::int32_t>> places_served(
-      const std::vector<std::vector<std::int32_t>>& places, const LayerPlan& before) const {
-    std::vector<std::vector<std::int32_t>> served;
+  Places places_served(const Places& places, const LayerPlan& before) const {
+    Places served;
     for (const std::vector<std::int32_t>& place : places) {
       int gained = 0;
       for (const std::int32_t line : place) {
@@ -209,8 +218,7 @@ class Planning {
     return served;
   }
 
-  static Leans with_others(Leans leans, const std::vector<std::vector<std::int32_t>>& places,
-                           std::size_t further) {
+  static Leans with_others(Leans leans, const Places& places, std::size_t further) {
     const Leans before = leans;
     for (const std::vector<std::int32_t>& place : places) {
       for (const std::int32_t line : place) {
@@ -249,18 +257,16 @@ class Planning {
   void find_heights() {
     std::vector<double> wanted;
     std::vector<Vec3> along;
-    std::vector<Vec3> places;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       const LayerLine& line = plan_.lines[i];
       wanted.push_back(total_height(line.law, line.wanted));
       along.push_back(follows_ways(i) ? Vec3{} : line.later);
-      places.push_back(line.at);
     }
     const std::vector<double> free = free_ways(surface_, graph_, planes_, along, wanted);
     const std::vector<double> unfolded = fold_heights(surface_, graph_, along, wanted);
     std::vector<double> room(wanted.size());
     for (std::size_t i = 0; i < room.size(); ++i) room[i] = std::min(free[i], unfolded[i]);
-    const std::vector<std::int32_t> sources = limit_slopes(graph_, places, steepest_rise, room);
+    const std::vector<std::int32_t> sources = limit_slopes(graph_, places_, steepest_rise, room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       line.bends_from = line.law.first;
@@ -296,13 +302,14 @@ class Planning {
     return stops;
   }
 
-  /// A line that is to stop for its cells is made straight first, where it is not.
-  void take_stops(const std::vector<int>& stops, StopReason reason) {
+  /// A line that is to stop for its cells is made straight first, where it is not. Returns why not,
+  /// where one has to have all its layers.
+  std::optional<UsageError> take_stops(const std::vector<int>& stops, StopReason reason) {
     for (std::size_t i = 0; i < stops.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       if (stops[i] == line.stop) continue;
       TF_CHECK(stops[i] < line.stop);
-      if (follows_ways(i)) refuse(line, reason);
+      if (follows_ways(i)) return refusal_of(line, reason);
       if (reason == StopReason::fold && line.later != line.along) {
         line.later = line.along;
         continue;
@@ -311,10 +318,11 @@ class Planning {
       line.reason = reason;
       line.because_of = line.foot;
     }
+    return std::nullopt;
   }
 
-  [[noreturn]] static void refuse(const LayerLine& line, StopReason reason) {
-    throw UsageError(
+  static UsageError refusal_of(const LayerLine& line, StopReason reason) {
+    return UsageError(
         std::string("all of them have to be whole, and at ") + text_of(point_of(line, line.stop)) +
             (reason == StopReason::fold ? " their cells would turn over"
                                         : " they would meet other layers, or the surface") +
@@ -337,8 +345,8 @@ class Planning {
   }
 
   /// Ends: each round but the last takes layers away, or makes lines straight; from some round on
-  /// a line that has to stop earlier loses all its layers.
-  void prove() {
+  /// a line that has to stop earlier loses all its layers. Returns as grow_by does.
+  std::optional<UsageError> prove() {
     for (int round = 0;; ++round) {
       StopReason reason = StopReason::fold;
       ProofFindings findings = prove_cells(plan_, surface_);
@@ -346,9 +354,9 @@ class Planning {
         reason = StopReason::crossing;
         findings = prove_top(plan_, surface_, planes_);
       }
-      if (findings.holds) return;
+      if (findings.holds) return std::nullopt;
       if (round >= patient_rounds) give_up_lines(findings.stops);
-      take_stops(findings.stops, reason);
+      if (auto refusal = take_stops(findings.stops, reason)) return refusal;
       hold_neighbours();
     }
   }
@@ -362,7 +370,7 @@ class Planning {
   const SurfaceMesh& surface_;
   std::vector<Vec3> normals_;             // of the wall triangles, inwards
   std::vector<Vec3> places_;              // of the feet
-  std::vector<std::vector<Vec3>> leans_;  // in each way, of each line LayerLine::later
+  std::vector<std::vector<Vec3>> leans_;  // in each way so far, of each line LayerLine::later
   std::span<const LayerRequest> requests_;
   Wall wall_;
   std::vector<int> steps_;  // of each line: LayerRequest::step
