@@ -23,7 +23,7 @@ Vec3 middle_of_shortest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// As messages may show it: the surface comes from a stranger.
-std::string patch_of(const SurfaceMesh& surface, std::size_t triangle) {
+std::string shown_patch(const SurfaceMesh& surface, std::size_t triangle) {
   if (triangle >= surface.patch_of_triangle.size()) return {};
   const auto patch = static_cast<std::size_t>(surface.patch_of_triangle[triangle]);
   if (patch >= surface.patch_names.size()) return {};
@@ -66,7 +66,7 @@ SmallAngles small_angles(const SurfaceMesh& surface) {
     if (angle < very_small_deg) ++result.below_1_deg;
     if (result.worst.size() == worst_kept && angle >= result.worst.back().angle_deg) continue;
     take({static_cast<std::int64_t>(t), angle, middle_of_shortest_edge(at(u), at(v), at(w)),
-          patch_of(surface, t)},
+          shown_patch(surface, t)},
          result.worst);
   }
   return result;

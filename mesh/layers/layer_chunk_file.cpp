@@ -150,9 +150,9 @@ void read_sides(ByteReader& reader, LayerChunk& chunk) {
   }
 }
 
-/// Whether the line's points from this level on, feet apart, are vertices of the surface.
-bool is_of_surface_from(const LayerLine& line, int level) {
-  return level > line.stop || std::max(level, 1) > line.stop - line.vertices;
+/// Whether the line's points above so many quads, and that at their end, are of the surface.
+bool ends_on_surface(const LayerLine& line, int quads) {
+  return vertex_at(line, std::min(line.stop, std::max(quads, 1))) >= 0;
 }
 
 /// @pre triangles are right.
@@ -169,7 +169,7 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
     const bool is_right =
         side.patch >= 0 && (a.stop == b.stop ? side.last == -1 : side.last >= 0) &&
         side.last <= last_first &&
-        (a.stop == b.stop || (is_of_surface_from(a, quads) && is_of_surface_from(b, quads)));
+        (a.stop == b.stop || (ends_on_surface(a, quads) && ends_on_surface(b, quads)));
     if (!is_right) reader.fail("has a side that cannot be");
   }
 }

@@ -1,7 +1,6 @@
 #include "mesh/layers/layer_chunks.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "base/array_index.h"
@@ -100,6 +99,11 @@ std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
   return numbers;
 }
 
+/// How many points of the line are neither of the surface nor of the top: those of levels 1, 2, …
+int inner_points(const LayerLine& line) {
+  return std::max(0, line.stop - std::max(line.vertices, 1));
+}
+
 /// Fills chunks one after the other, in tree order.
 class ChunkFiller {
  public:
@@ -193,15 +197,6 @@ std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surf
   return chunks;
 }
 
-int inner_points(const LayerLine& line) {
-  return std::max(0, line.stop - std::max(line.vertices, 1));
-}
-
-int last_triangles(const LayerChunk& chunk, const ChunkSide& side) {
-  return std::abs(chunk.lines[at(side.lines[0])].line.stop -
-                  chunk.lines[at(side.lines[1])].line.stop);
-}
-
 bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle) {
   return std::all_of(triangle.begin(), triangle.end(),
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.of_pml; });
@@ -219,9 +214,10 @@ ChunkCounts counts_of(const LayerChunk& chunk) {
   }
   counts.triangles = std::ssize(chunk.surface_triangles);
   for (const ChunkSide& side : chunk.sides) {
-    counts.quads += std::min(chunk.lines[at(side.lines[0])].line.stop,
-                             chunk.lines[at(side.lines[1])].line.stop);
-    counts.triangles += last_triangles(chunk, side);
+    const auto [lower, higher] = std::minmax(chunk.lines[at(side.lines[0])].line.stop,
+                                             chunk.lines[at(side.lines[1])].line.stop);
+    counts.quads += lower;
+    counts.triangles += higher - lower;
   }
   for (const Triangle& triangle : chunk.triangles) {
     std::array<int, 3> stops{};

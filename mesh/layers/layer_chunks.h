@@ -52,7 +52,7 @@ struct LayerChunk {
   TreePath path;
   std::vector<ChunkLine> lines;
   std::vector<Triangle> triangles;               ///< of the wall, by their lines
-  std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the input surface
+  std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the surface
   std::vector<ChunkSide> sides;
 
   friend bool operator==(const LayerChunk&, const LayerChunk&) = default;
@@ -75,12 +75,6 @@ struct ChunkCounts {
 /// @pre `plan` is of `surface`; most_cells > 0. Cost: O(n log n) for n wall triangles.
 std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                   std::int64_t most_cells = cells_of_chunk);
-
-/// How many points of the line are neither of the surface nor of the top: those of levels 1, 2, …
-int inner_points(const LayerLine& line);
-
-/// How many triangles of the surface are above the quads of a side.
-int last_triangles(const LayerChunk& chunk, const ChunkSide& side);
 
 /// Whether the cells above the triangle are of absorbing layers. Those are whole: the lines of a
 /// triangle have all the same number of them.

@@ -14,11 +14,8 @@ namespace tetfarm {
 namespace {
 
 Origin origin_of(const ChunkLine& line, int level) {
-  if (level == 0) return {0, static_cast<std::uint32_t>(line.line.foot)};
-  const int below_surface = line.line.stop - line.line.vertices;  // levels that are no vertices
-  if (level > below_surface) {
-    return {0, static_cast<std::uint32_t>(line.line.first_vertex + level - below_surface - 1)};
-  }
+  const std::int32_t vertex = vertex_at(line.line, level);
+  if (vertex >= 0) return {0, static_cast<std::uint32_t>(vertex)};
   if (level == line.line.stop) return {top_of_layers, line.top};
   return {line.owner, line.first_node + static_cast<std::uint32_t>(level - 1)};
 }

@@ -91,6 +91,14 @@ Vec3 point_of(const LayerLine& line, int level);
 /// All points of the line, from its foot to its top. Cost: O(line.stop).
 std::vector<Vec3> points_of(const LayerLine& line);
 
+/// The vertex of the surface that the point of the line at that level is; -1 where it is none.
+/// @pre 0 <= level <= line.stop.
+inline std::int32_t vertex_at(const LayerLine& line, int level) {
+  if (level == 0) return line.foot;
+  const int below_surface = line.stop - line.vertices;  // the levels that are no vertices
+  return level > below_surface ? line.first_vertex + level - below_surface - 1 : -1;
+}
+
 /// The lines of a wall triangle, in its order.
 std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                      std::int32_t triangle);

@@ -19,7 +19,7 @@ bool has_corner(const Triangle& triangle, std::int32_t vertex) {
 /// Whether the triangle is of a plane that the line stays in.
 bool is_held_by(const WallPlanes& planes, std::size_t line, std::int32_t triangle) {
   const std::int32_t plane = planes.plane_of_triangle[at(triangle)];
-  return plane >= 0 && (planes.of_line[line][0] == plane || planes.of_line[line][1] == plane);
+  return plane >= 0 && planes.hold_in(line, plane);
 }
 
 /// The share of the way from p to q at which the plane of the triangle lies; 0 when it holds p.

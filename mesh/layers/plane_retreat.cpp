@@ -98,9 +98,10 @@ class Retreat {
 
   /// @param is_filled whether a plane is to have nodes within it.
   PlaneRetreat make(const PlaneSpacing& spacing, const std::vector<bool>& is_filled) {
+    keep_vertices_of_rest();
     run_past_vertices();
     if (made_.tangled.empty()) {
-      keep_vertices();
+      number_vertices();
       find_sides();
       add_line_vertices();
       add_triangles();
@@ -131,9 +132,7 @@ class Retreat {
     const std::int32_t here =
         run_past_by_[at(vertex)] >= 0 ? run_past_by_[at(vertex)] : plan_.vertex2line[at(vertex)];
     if (here < 0 || line(here).stop == 0) return -1;
-    const auto [first, second] = planes_.of_line[at(here)];
-    const auto p = static_cast<std::int32_t>(plane);
-    return first == p || second == p ? here : -1;
+    return planes_.hold_in(at(here), static_cast<std::int32_t>(plane)) ? here : -1;
   }
 
   /// What stands for a vertex of the plane's old border in its new one.
@@ -141,26 +140,21 @@ class Retreat {
     const std::int32_t from = line_from(vertex, plane);
     if (from < 0) return old2new_[at(vertex)];
     const LayerLine& l = made_.plan.lines[at(from)];
-    return l.first_vertex + l.vertices - 1;
+    return vertex_at(l, l.stop);
   }
 
   /// Lines along the seam of two planes leave out what they run past.
   void run_past_vertices() {
-    std::vector<bool> is_needed(surface_.vertices.size(), false);
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      if (is_left(static_cast<std::int32_t>(t))) continue;
-      for (const std::int32_t v : surface_.triangles[t]) is_needed[at(v)] = true;
-    }
     const PlaneSeams seams(planes_);
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       if (plan_.lines[i].stop == 0 || planes_.of_line[i][1] < 0) continue;
-      if (!runs_past(static_cast<std::int32_t>(i), seams, is_needed)) {
+      if (!runs_past(static_cast<std::int32_t>(i), seams)) {
         made_.tangled.push_back(static_cast<std::int32_t>(i));
       }
     }
   }
 
-  bool runs_past(std::int32_t number, const PlaneSeams& seams, const std::vector<bool>& is_needed) {
+  bool runs_past(std::int32_t number, const PlaneSeams& seams) {
     const LayerLine& along = line(number);
     const Vec3 top = point_of(along, along.stop);
     const double reach = distance(along.at, top) +
@@ -172,18 +166,22 @@ class Retreat {
           seams.next(planes_.of_line[at(number)], here, before);
       if (!next) return false;
       if (distance(along.at, surface_.vertices[at(*next)]) >= reach) return true;
-      if (is_needed[at(*next)] || run_past_by_[at(*next)] >= 0) return false;
+      if (old2new_[at(*next)] >= 0 || run_past_by_[at(*next)] >= 0) return false;
       run_past_by_[at(*next)] = number;
       before = std::exchange(here, *next);
     }
   }
 
-  /// Those of triangles that stay, and of the borders.
-  void keep_vertices() {
+  /// Those of triangles that stay.
+  void keep_vertices_of_rest() {
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       if (is_left(static_cast<std::int32_t>(t))) continue;
       for (const std::int32_t v : surface_.triangles[t]) old2new_[at(v)] = 0;
     }
+  }
+
+  /// Those of the borders too, and numbers all.
+  void number_vertices() {
     for (std::size_t p = 0; p < is_left_.size(); ++p) {
       if (!is_left_[p]) continue;
       for (const PlaneBorder& border : planes_.planes[p].border) {
@@ -290,10 +288,7 @@ class Retreat {
 
   std::int32_t vertex_of(std::int32_t number, int level) const {
     const LayerLine& l = made_.plan.lines[at(number)];
-    if (level == 0) return old2new_[at(l.foot)];
-    const int first = l.stop - l.vertices + 1;
-    TF_CHECK(level >= first && level <= l.stop);
-    return l.first_vertex + level - first;
+    return level == 0 ? old2new_[at(l.foot)] : vertex_at(l, level);
   }
 
   void renumber_plan() {
@@ -399,9 +394,7 @@ class Retreat {
     }
     if (made_.tangled.size() > before) return;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
-      const auto [first, second] = planes_.of_line[i];
-      const auto p = static_cast<std::int32_t>(plane);
-      if (plan_.lines[i].stop > 0 && (first == p || second == p)) {
+      if (plan_.lines[i].stop > 0 && planes_.hold_in(i, static_cast<std::int32_t>(plane))) {
         made_.tangled.push_back(static_cast<std::int32_t>(i));
       }
     }

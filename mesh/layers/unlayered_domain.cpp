@@ -10,9 +10,6 @@
 namespace tetfarm {
 namespace {
 
-/// @pre the line's top is a vertex of the surface.
-std::int32_t top_vertex(const LayerLine& line) { return line.first_vertex + line.vertices - 1; }
-
 /// The nodes of the surface that are on the boundary still, then the tops of the lines.
 class BoundaryNodes {
  public:
@@ -34,7 +31,7 @@ class BoundaryNodes {
       const LayerLine& line = plan.lines[i];
       if (line.stop == 0) continue;
       if (line.vertices > 0) {
-        of_line_[i] = of_vertex(top_vertex(line));
+        of_line_[i] = of_vertex(vertex_at(line, line.stop));
         continue;
       }
       of_line_[i] = static_cast<std::int32_t>(root.vertices.size());
@@ -93,12 +90,13 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (is_of_side[t]) continue;
     for (const std::int32_t v : surface.triangles[t]) {
-      const std::int32_t line = plan.vertex2line[at(v)];
-      if (!has_cells[t] || plan.lines[at(line)].stop == 0) {
+      if (!has_cells[t]) {
         nodes.use_vertex(v);
-      } else if (plan.lines[at(line)].vertices > 0) {
-        nodes.use_vertex(top_vertex(plan.lines[at(line)]));
+        continue;
       }
+      const LayerLine& line = plan.lines[at(plan.vertex2line[at(v)])];
+      const std::int32_t top = vertex_at(line, line.stop);
+      if (top >= 0) nodes.use_vertex(top);
     }
   }
   nodes.number(plan, owner_of_top, root);

@@ -50,6 +50,10 @@ struct WallPlanes {
   std::vector<PlanesOfLine> of_line;
 
   bool holds(std::size_t line) const { return of_line[line][0] >= 0; }
+  /// Whether the line stays in that plane. @pre plane >= 0.
+  bool hold_in(std::size_t line, std::int32_t plane) const {
+    return of_line[line][0] == plane || of_line[line][1] == plane;
+  }
   /// The direction of length 1 next to this one that stays in the planes of the line, or the
   /// direction itself. Zero where there is none.
   Vec3 held(std::size_t line, const Vec3& direction) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <initializer_list>
 #include <thread>
 
 #include "tests/mesh/layers/boxes_with_planes.h"
@@ -41,6 +42,17 @@ class RunWithLayers : public ::testing::Test {
         run_program(test::run_words("job.toml", output, workers, subdomains), folder_.path());
     EXPECT_EQ(ended.code, 0) << ended.err;
     return ended.code == 0 ? test::result_of(ended) : nlohmann::json();
+  }
+
+  /// Runs that are killed with all their processes after so many milliseconds, one after the other.
+  void kill_runs(const std::string& output, int subdomains, std::initializer_list<int> after_ms) {
+    for (const int ms : after_ms) {
+      test::Program run(test::run_words("job.toml", output, 2, subdomains), folder_.path());
+      std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+      for (const pid_t process : test::descendants(run.process())) ::kill(process, SIGKILL);
+      run.signal(SIGKILL);
+      run.wait();
+    }
   }
 
   /// What `quality` says of a sound mesh.
@@ -96,13 +108,7 @@ TEST_F(RunWithLayers, is_assimilated_and_written_in_every_format_that_tasks_writ
 
 TEST_F(RunWithLayers, goes_on_after_it_was_killed) {
   const std::string expected = run("whole", 2, 5)["digest"];
-  for (const int kill_after_ms : {300, 700, 1200}) {
-    test::Program first(test::run_words("job.toml", "out", 2, 5), folder_.path());
-    std::this_thread::sleep_for(std::chrono::milliseconds(kill_after_ms));
-    for (const pid_t process : test::descendants(first.process())) ::kill(process, SIGKILL);
-    first.signal(SIGKILL);
-    first.wait();
-  }
+  kill_runs("out", 5, {300, 700, 1200});
   EXPECT_EQ(run("out", 2, 5)["digest"], expected);
 }
 
@@ -182,13 +188,7 @@ TEST_F(RunWithLayers, end_on_planes_with_quads_whatever_the_workers_and_kills) {
   EXPECT_EQ(sound("out/job.vtkhdf")["digest"], digest);
   EXPECT_EQ(sound("out/job.lb8.ugrid")["digest"], digest);
   EXPECT_EQ(run("one", 1, 4)["digest"], digest);
-  for (const int kill_after_ms : {200, 500, 900}) {
-    test::Program first(test::run_words("job.toml", "killed", 2, 4), folder_.path());
-    std::this_thread::sleep_for(std::chrono::milliseconds(kill_after_ms));
-    for (const pid_t process : test::descendants(first.process())) ::kill(process, SIGKILL);
-    first.signal(SIGKILL);
-    first.wait();
-  }
+  kill_runs("killed", 4, {200, 500, 900});
   EXPECT_EQ(run("killed", 2, 4)["digest"], digest);
 }
 
