@@ -16,12 +16,15 @@ std::string folder_line(const PoolSettings& settings) {
   return "d=\"/tmp/tetfarm-pool-$(id -u)-" + settings.name + "\"\n";
 }
 
-/// The shell function `is_ours FILE`: sets $pid and $bytes; whether that process is the worker.
-std::string check_function(const PoolSettings& settings, const std::string& host) {
-  return "is_ours() {\n  read -r pid bytes <\"$1\" || return 1\n"
-         "  { tr '\\0' ' ' <\"/proc/$pid/cmdline\"; } 2>/dev/null |\n    grep -q -- \"--tag " +
-         settings.name + "/" + host + "/${1##*/} \"\n}\n";
-}
+/// Shell functions. `started PID` prints when that process started, in ticks since the machine did,
+/// and nothing if it has ended. `is_ours FILE` sets $pid and $bytes and tells whether that worker
+/// is there: a number that went to another process has another start. A command line would not do:
+/// a process has none of its own until it has become its program.
+constexpr const char* process_functions =
+    "started() {\n  set -- $(sed 's/.*) //' \"/proc/$1/stat\" 2>/dev/null)\n"
+    "  case \"$1\" in '' | Z | X) ;; *) echo \"${20}\" ;; esac\n}\n"
+    "is_ours() {\n  read -r pid bytes start <\"$1\" || return 1\n"
+    "  [ -n \"$start\" ] && [ \"$(started \"$pid\")\" = \"$start\" ]\n}\n";
 
 std::string host_of(const std::string& job) { return job.substr(0, job.find('/')); }
 
@@ -66,7 +69,7 @@ std::vector<ShellCommand> Hosts::submit(const WorkerOrder& order,
     const std::string job = host.name + "/$name";
     const std::string log = settings_.logs + "/tetfarm-" + settings_.name + "-" + host.name + "-";
     script +=
-        on(host, folder_line(settings_) +
+        on(host, folder_line(settings_) + process_functions +
                      "mkdir -p -m 700 \"$d\" && [ -O \"$d\" ] || exit 1\ni=0\nwhile [ $i -lt " +
                      std::to_string(count) +
                      " ]; do\n  i=$((i + 1))\n"
@@ -74,8 +77,10 @@ std::vector<ShellCommand> Hosts::submit(const WorkerOrder& order,
                      "  setsid nohup " +
                      shell_line(worker_words(settings_, order.bytes), settings_, job) + " >" +
                      quoted(log) + "$name.log 2>&1 </dev/null &\n  echo \"$! " +
-                     std::to_string(order.bytes) + "\" >\"$d/$name\" && echo \"started " + job +
-                     "\"\ndone\n");
+                     std::to_string(order.bytes) +
+                     " $(started $!)\" >\"$d/.$name\" && mv \"$d/.$name\" \"$d/$name\" &&\n"
+                     "    echo \"started " +
+                     job + "\"\ndone\n");
   }
   if (script.empty()) return {};
   return {{{"sh", "-s"}, script + "wait\n"}};
@@ -95,7 +100,7 @@ std::vector<ShellCommand> Hosts::list() const {
   std::string script;
   for (const Host& host : hosts_) {
     script +=
-        on(host, folder_line(settings_) + check_function(settings_, host.name) +
+        on(host, folder_line(settings_) + process_functions +
                      "for f in \"$d\"/*; do\n  case ${f##*/} in '*' | *.*) continue ;; esac\n"
                      "  if is_ours \"$f\"; then echo \"job " +
                      host.name + "/${f##*/} $bytes\"; else rm -f \"$f\" \"$f.told\"; fi\ndone\n" +
@@ -137,7 +142,7 @@ std::vector<ShellCommand> Hosts::cancel(const std::vector<std::string>& jobs) co
       if (host_of(job) == host.name) names += " " + quoted(job.substr(host.name.size() + 1));
     }
     if (names.empty()) continue;
-    script += on(host, folder_line(settings_) + check_function(settings_, host.name) +
+    script += on(host, folder_line(settings_) + process_functions +
                            "for name in" + names +
                            "; do\n  f=\"$d/$name\"\n  is_ours \"$f\" || continue\n"
                            "  if [ -f \"$f.told\" ]; then kill -KILL \"$pid\"; else kill -TERM "
