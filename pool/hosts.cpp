@@ -142,8 +142,7 @@ std::vector<ShellCommand> Hosts::cancel(const std::vector<std::string>& jobs) co
       if (host_of(job) == host.name) names += " " + quoted(job.substr(host.name.size() + 1));
     }
     if (names.empty()) continue;
-    script += on(host, folder_line(settings_) + process_functions +
-                           "for name in" + names +
+    script += on(host, folder_line(settings_) + process_functions + "for name in" + names +
                            "; do\n  f=\"$d/$name\"\n  is_ours \"$f\" || continue\n"
                            "  if [ -f \"$f.told\" ]; then kill -KILL \"$pid\"; else kill -TERM "
                            "\"$pid\" && : >\"$f.told\"; fi\ndone\n");

@@ -340,7 +340,8 @@ TEST(Hosts, a_worker_on_this_machine_is_started_found_again_and_ended) {
   const CommandOutcome outcome = run_command(local->submit({2, gib}, {}).front(), 10'000);
   const std::vector<std::string> ids = local->submitted({2, gib}, outcome);
   ASSERT_EQ(ids.size(), 2U) << outcome.err;
-  EXPECT_THAT(list(), UnorderedElementsAreArray(ids)) << "at once, as a process that is to become it";
+  EXPECT_THAT(list(), UnorderedElementsAreArray(ids))
+      << "at once, as a process that is to become it";
   const std::string files = "/tmp/tetfarm-pool-" + std::to_string(::geteuid()) + "-" + with.name;
   std::ofstream(files + "/other") << ::getpid() << " 77 1\n";
   EXPECT_THAT(list(), UnorderedElementsAreArray(ids)) << "not who has a worker's number after it";
