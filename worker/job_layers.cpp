@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/check.h"
@@ -226,6 +227,9 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
     request.count = count_of(layers, request.law);
     request.room = room_of(layers);
     request.step = static_cast<int>(layers.step);
+    if (layers.fan_angle < no_fan_angle) {
+      request.fan_cosine = std::cos(layers.fan_angle / 180 * std::numbers::pi);
+    }
     require_use(layers, request, found.footings[i]);
     found.requests.push_back(std::move(request));
   }

@@ -30,6 +30,9 @@ struct JobRegion {
   bool is_void = false;
 };
 
+/// Faces do not turn away from each other by more: no edge has several lines.
+inline constexpr double no_fan_angle = 180;
+
 /// What the job says of the boundary layers on some patches.
 struct JobLayers {
   std::vector<std::string> patches;  // names, in which * is any text and ? any letter
@@ -44,6 +47,7 @@ struct JobLayers {
   double total_height = 0;     // 0 as well: until a layer is as high as most of the edges there
   std::int64_t equal = 1;      // layers at the wall that do not grow
   std::int64_t step = 1;       // layers by which lines of an edge may differ
+  double fan_angle = 60;       // degrees between faces from which edges have several lines
   std::string room = "ratio";  // "ratio" | "stop" | "scale"
   std::string typed;           // as --layers, for messages; canonical text does not have it
 };

@@ -86,7 +86,11 @@ std::string layers_to_toml(const JobLayers& layers) {
     text += "count = " + (layers.count > 0 ? std::to_string(layers.count) : "\"isotropic\"") + "\n";
   }
   text += "equal = " + std::to_string(layers.equal) + "\nroom = " + quoted_toml(layers.room) + "\n";
-  return layers.step == 1 ? text : text + "step = " + std::to_string(layers.step) + "\n";
+  if (layers.step != 1) text += "step = " + std::to_string(layers.step) + "\n";
+  if (layers.fan_angle != JobLayers{}.fan_angle) {
+    text += "fan_angle = " + number(layers.fan_angle) + "\n";
+  }
+  return text;
 }
 
 std::string pml_to_toml(const JobPml& pml) {

@@ -12,9 +12,9 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 13> table_keys = {
+constexpr std::array<std::string_view, 14> table_keys = {
     "patches",      "first_height", "y_plus", "reynolds", "length", "growth", "growth_cap",
-    "acceleration", "total_height", "count",  "equal",    "room",   "step"};
+    "acceleration", "total_height", "count",  "equal",    "room",   "step",   "fan_angle"};
 constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",
                                                          "elements"};
 constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
@@ -112,6 +112,9 @@ void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers&
   parse_count(section, keys.total, layers);
   if (section.has("room")) layers.room = section.one_of("room", rules_of_room);
   if (section.has("step")) layers.step = section.integer("step", 1, most_layers_of_job);
+  if (section.has("fan_angle")) {
+    layers.fan_angle = number_in(section, "fan_angle", 30, no_fan_angle, "from 30 to 180");
+  }
 }
 
 /// Takes one more name or pattern; otherwise tells what is wrong with it.

@@ -39,12 +39,13 @@ int layers_above(const std::array<int, 3>& stops) {
   return *std::max_element(stops.begin(), stops.end());
 }
 
-LayerCell layer_cell(const std::array<int, 3>& stops, int layer) {
-  TF_CHECK(layer >= 1 && layer <= layers_above(stops));
-  const auto grows = [&](int corner) { return stops[at(corner)] >= layer; };
-  const auto low = [&](int corner) {
-    return CellNode{corner, std::min(stops[at(corner)], layer - 1)};
-  };
+namespace {
+
+/// The cell where those of three lines go on that `grow`, from the levels that they have reached.
+LayerCell cell_between(const std::array<int, 3>& reached, const std::array<bool, 3>& grow,
+                       int layer) {
+  const auto grows = [&](int corner) { return grow[at(corner)]; };
+  const auto low = [&](int corner) { return CellNode{corner, reached[at(corner)]}; };
   const auto high = [&](int corner) { return CellNode{corner, layer}; };
   // Turned until the first grows, and the last does not where one does not.
   std::array<int, 3> c = seen_from_layers;
@@ -60,6 +61,36 @@ LayerCell layer_cell(const std::array<int, 3>& stops, int layer) {
     return {ElementType::pyramid, layer, {low(c[0]), high(c[0]), high(c[1]), low(c[1]), low(c[2])}};
   }
   return {ElementType::tet, layer, {low(c[0]), low(c[1]), low(c[2]), high(c[0])}};
+}
+
+}  // namespace
+
+LayerCell layer_cell(const std::array<int, 3>& stops, int layer) {
+  TF_CHECK(layer >= 1 && layer <= layers_above(stops));
+  std::array<int, 3> reached{};
+  std::array<bool, 3> grow{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    reached[k] = std::min(stops[k], layer - 1);
+    grow[k] = stops[k] >= layer;
+  }
+  return cell_between(reached, grow, layer);
+}
+
+CellsOfLayer cells_of_layer(const LayerColumn& column, int layer) {
+  std::array<int, 3> reached{};
+  std::array<int, 3> reached_early{};
+  std::array<bool, 3> first{};
+  std::array<bool, 3> then{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool grows = column.stops[k] >= layer;
+    first[k] = grows && column.early[k];
+    then[k] = grows && !column.early[k];
+    reached[k] = std::min(column.stops[k], layer - 1);
+    reached_early[k] = first[k] ? layer : reached[k];
+  }
+  const std::array<bool, 3> none{};
+  if (first == none || then == none) return {{layer_cell(column.stops, layer)}, 1};
+  return {{cell_between(reached, first, layer), cell_between(reached_early, then, layer)}, 2};
 }
 
 std::span<const ComponentTet> component_tets(ElementType type) {

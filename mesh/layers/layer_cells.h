@@ -34,6 +34,25 @@ struct LayerCell {
 /// @pre some stop is at least `layer`. The triangle's normal points away from the layers.
 LayerCell layer_cell(const std::array<int, 3>& stops, int layer);
 
+/// The lines above a triangle: how many layers each has, and which are early (LayerLine).
+struct LayerColumn {
+  std::array<int, 3> stops{};
+  std::array<bool, 3> early{};
+};
+
+/// One cell, or two where some of the lines that go on are early: first these do, and then the
+/// others, so that what is beside an early line is pyramids and tets.
+struct CellsOfLayer {
+  std::array<LayerCell, 2> cells{};
+  std::size_t count = 0;
+
+  auto begin() const { return cells.begin(); }
+  auto end() const { return cells.begin() + static_cast<std::ptrdiff_t>(count); }
+};
+
+/// @pre as layer_cell.
+CellsOfLayer cells_of_layer(const LayerColumn& column, int layer);
+
 /// How many layers there are above the triangle.
 int layers_above(const std::array<int, 3>& stops);
 

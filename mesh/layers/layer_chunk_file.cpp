@@ -19,9 +19,12 @@ constexpr std::uint32_t chunk_version = 1;
 constexpr std::uint32_t chunk_version_with_kinds = 2;
 /// Kinds, and what lies in planes.
 constexpr std::uint32_t chunk_version_with_sides = 3;
+/// All that, and fans.
+constexpr std::uint32_t chunk_version_with_fans = 4;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
+constexpr std::uint32_t early_bit = 4;
 /// The largest first of as many numbers in the surface as a line can have layers.
 constexpr std::int32_t last_first = std::numeric_limits<std::int32_t>::max() - most_layers;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
@@ -92,8 +95,11 @@ void check_triangles(const LayerChunk& chunk, const ByteReader& reader) {
       reader.fail("has a triangle without layers above it");
     }
   }
+  for (const ChunkFan& fan : chunk.fans) {
+    for (const std::int32_t line : fan) is_used[at(line)] = true;
+  }
   if (std::find(is_used.begin(), is_used.end(), false) != is_used.end()) {
-    reader.fail("has a line of no triangle");
+    reader.fail("has a line of no triangle, nor of a fan");
   }
 }
 
@@ -103,6 +109,10 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
 }
 
 std::uint32_t version_for(const LayerChunk& chunk) {
+  const bool has_fans =
+      !chunk.fans.empty() || std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                                         [](const ChunkLine& l) { return l.line.early; });
+  if (has_fans) return chunk_version_with_fans;
   const bool has_sides =
       !chunk.sides.empty() || std::any_of(chunk.lines.begin(), chunk.lines.end(),
                                           [](const ChunkLine& l) { return l.line.vertices > 0; });
@@ -112,7 +122,8 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
-  for (const std::uint32_t version : {chunk_version_with_sides, chunk_version_with_kinds}) {
+  for (const std::uint32_t version :
+       {chunk_version_with_fans, chunk_version_with_sides, chunk_version_with_kinds}) {
     if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;
@@ -174,10 +185,49 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
   }
 }
 
-void read_kinds(ByteReader& reader, LayerChunk& chunk) {
+void write_fans(const LayerChunk& chunk, ByteWriter& writer) {
+  writer.number<std::uint64_t>(chunk.fans.size());
+  writer.array(chunk.fans);
+}
+
+/// Two lines of one foot, which begin together.
+bool are_of_one_foot(const LayerLine& a, const LayerLine& b) {
+  return a.foot == b.foot && (a.stop > 0) == (b.stop > 0) && a.early == b.early;
+}
+
+bool is_fan(const LayerChunk& chunk, const ChunkFan& fan) {
+  const PieceLines lines = lines_of(chunk, fan);
+  if (fan[0] == fan[1] || !are_of_one_foot(*lines[0], *lines[1]) ||
+      !are_of_one_foot(*lines[2], *lines[3])) {
+    return false;
+  }
+  const bool to_one = fan[2] == fan[3];
+  const bool begin_together = lines[0]->stop > 0 && lines[2]->stop > 0 && !lines[0]->early;
+  const bool is_corner = lines[0]->foot == lines[2]->foot;
+  if (is_corner) {
+    return to_one && fan[2] != fan[0] && fan[2] != fan[1] &&
+           are_of_one_foot(*lines[0], *lines[2]) && lines[0]->stop > 0;
+  }
+  return !(to_one && begin_together) && !base_cells(lines).empty();
+}
+
+void read_fans(ByteReader& reader, LayerChunk& chunk) {
+  chunk.fans = reader.array<ChunkFan>(reader.count());
+  for (const ChunkFan& fan : chunk.fans) {
+    for (const std::int32_t line : fan) {
+      if (line < 0 || at(line) >= chunk.lines.size()) {
+        reader.fail("has a fan with a line that does not exist");
+      }
+    }
+    if (!is_fan(chunk, fan)) reader.fail("has a fan that cannot be");
+  }
+}
+
+void read_kinds(ByteReader& reader, std::uint32_t bits, LayerChunk& chunk) {
   for (ChunkLine& line : chunk.lines) {
     const auto kind = reader.number<std::uint32_t>();
-    if (kind > (in_tets_bit | of_pml_bit)) reader.fail("has a line that cannot be");
+    if (kind > bits) reader.fail("has a line that cannot be");
+    line.line.early = (kind & early_bit) != 0;
     line.line.in_tets = (kind & in_tets_bit) != 0;
     line.line.of_pml = (kind & of_pml_bit) != 0;
   }
@@ -196,10 +246,12 @@ std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   if (version >= chunk_version_with_kinds) {
     for (const ChunkLine& line : chunk.lines) {
       writer.number<std::uint32_t>((line.line.in_tets ? in_tets_bit : 0) |
-                                   (line.line.of_pml ? of_pml_bit : 0));
+                                   (line.line.of_pml ? of_pml_bit : 0) |
+                                   (line.line.early ? early_bit : 0));
     }
   }
   if (version >= chunk_version_with_sides) write_sides(chunk, writer);
+  if (version >= chunk_version_with_fans) write_fans(chunk, writer);
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
@@ -214,8 +266,12 @@ LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& nam
   const std::size_t lines = reader.count();
   const std::size_t triangles = reader.count();
   for (std::size_t i = 0; i < lines; ++i) chunk.lines.push_back(read_line(reader));
-  if (version >= chunk_version_with_kinds) read_kinds(reader, chunk);
+  if (version >= chunk_version_with_kinds) {
+    const std::uint32_t old_bits = in_tets_bit | of_pml_bit;
+    read_kinds(reader, version >= chunk_version_with_fans ? old_bits | early_bit : old_bits, chunk);
+  }
   if (version >= chunk_version_with_sides) read_sides(reader, chunk);
+  if (version >= chunk_version_with_fans) read_fans(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

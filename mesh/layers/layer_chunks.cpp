@@ -6,55 +6,81 @@
 #include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/geometry/hilbert_order.h"
-#include "mesh/layers/layer_cells.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int64_t tets_in_prism = 3;
 
-/// A triangle of the wall with cells above it.
-struct LayeredTriangle {
-  std::int32_t number = 0;  // in the surface
+/// A triangle of the wall with cells above it, or a piece of a fan with cells.
+struct Layered {
+  std::int32_t number = 0;  // of the triangle in the surface, or of the piece in the plan
+  bool is_fan = false;
   std::array<std::int32_t, 3> lines{};
   std::int64_t cells = 0;
 };
 
-std::vector<LayeredTriangle> layered_triangles(const LayerPlan& plan, const SurfaceMesh& surface) {
-  std::vector<LayeredTriangle> found;
-  std::vector<Vec3> centroids;
-  for (const std::int32_t t : plan.wall) {
-    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, t);
+/// What there is, along a Hilbert curve.
+class LayeredPlaces {
+ public:
+  LayeredPlaces(const LayerPlan& plan, const SurfaceMesh& surface) : plan_(plan) {
+    for (const std::int32_t t : plan.wall) add_triangle(t, lines_of(plan, surface, t));
+    for (std::size_t i = 0; i < plan.fans.size(); ++i) add_fan(static_cast<std::int32_t>(i));
+  }
+
+  std::vector<Layered> in_order() const {
+    std::vector<Layered> in_order;
+    in_order.reserve(found_.size());
+    for (const std::int32_t i : hilbert_order(centroids_)) in_order.push_back(found_[at(i)]);
+    return in_order;
+  }
+
+ private:
+  void add_triangle(std::int32_t t, const std::array<std::int32_t, 3>& lines) {
     std::array<int, 3> stops{};
     Vec3 sum;
+    bool in_tets = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      stops[k] = plan.lines[at(lines[k])].stop;
-      sum += plan.lines[at(lines[k])].at;
+      const LayerLine& line = plan_.lines[at(lines[k])];
+      stops[k] = line.stop;
+      sum += line.at;
+      in_tets = in_tets && line.in_tets;
     }
-    if (layers_above(stops) == 0) continue;
-    const bool in_tets = std::all_of(lines.begin(), lines.end(), [&plan](std::int32_t line) {
-      return plan.lines[at(line)].in_tets;
-    });
-    found.push_back({t, lines, layers_above(stops) * (in_tets ? tets_in_prism : 1)});
-    centroids.push_back(sum / 3.0);
+    if (layers_above(stops) == 0) return;
+    found_.push_back({t, false, lines, layers_above(stops) * (in_tets ? tets_in_prism : 1)});
+    centroids_.push_back(sum / 3.0);
   }
-  std::vector<LayeredTriangle> in_order;
-  in_order.reserve(found.size());
-  for (const std::int32_t i : hilbert_order(centroids)) in_order.push_back(found[at(i)]);
-  return in_order;
-}
+
+  void add_fan(std::int32_t number) {
+    const FanPiece& piece = plan_.fans[at(number)];
+    const PieceLines lines = lines_of(plan_, piece);
+    auto cells = std::ssize(base_cells(lines));
+    if (cells == 0) return;
+    for (const Triangle& t : open_triangles(plan_, piece)) {
+      cells += std::max({plan_.lines[at(t[0])].stop, plan_.lines[at(t[1])].stop,
+                         plan_.lines[at(t[2])].stop}) -
+               1;
+    }
+    found_.push_back({number, true, {}, cells});
+    centroids_.push_back((lines[0]->at + lines[2]->at) / 2.0);
+  }
+
+  const LayerPlan& plan_;
+  std::vector<Layered> found_;
+  std::vector<Vec3> centroids_;
+};
 
 /// The chunk of each triangle: as even as triangles allow, and none empty.
-std::vector<std::size_t> chunk_of_each(const std::vector<LayeredTriangle>& triangles,
+std::vector<std::size_t> chunk_of_each(const std::vector<Layered>& triangles,
                                        std::int64_t most_cells) {
   std::int64_t all = 0;
-  for (const LayeredTriangle& triangle : triangles) all += triangle.cells;
+  for (const Layered& triangle : triangles) all += triangle.cells;
   const std::int64_t chunks = std::min((all + most_cells - 1) / most_cells, std::ssize(triangles));
   std::vector<std::size_t> chunk_of;
   std::int64_t before = 0;
   std::int64_t last = -1;
   std::size_t number = 0;
-  for (const LayeredTriangle& triangle : triangles) {
+  for (const Layered& triangle : triangles) {
     const std::int64_t here = before * chunks / all;
     if (here != last && last >= 0) ++number;
     last = here;
@@ -123,7 +149,21 @@ class ChunkFiller {
     chunk_ = &chunk;
   }
 
-  void add(const LayeredTriangle& triangle) {
+  void add(const Layered& layered) {
+    if (layered.is_fan) {
+      add_fan(plan_.fans[at(layered.number)]);
+    } else {
+      add_triangle(layered);
+    }
+  }
+
+ private:
+  void add_fan(const FanPiece& piece) {
+    chunk_->fans.push_back({local_line(piece.from[0]), local_line(piece.from[1]),
+                            local_line(piece.to[0]), local_line(piece.to[1])});
+  }
+
+  void add_triangle(const Layered& triangle) {
     Triangle local{};
     for (std::size_t k = 0; k < 3; ++k) local[k] = local_line(triangle.lines[k]);
     chunk_->triangles.push_back(local);
@@ -131,7 +171,6 @@ class ChunkFiller {
     add_sides(triangle.number, local);
   }
 
- private:
   struct Owned {
     std::uint64_t by = 0;
     std::uint32_t first_node = 0;
@@ -183,7 +222,7 @@ class ChunkFiller {
 std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                   std::int64_t most_cells) {
   TF_CHECK(most_cells > 0);
-  const std::vector<LayeredTriangle> triangles = layered_triangles(plan, surface);
+  const std::vector<Layered> triangles = LayeredPlaces(plan, surface).in_order();
   if (triangles.empty()) return {};
   const std::vector<std::size_t> chunk_of = chunk_of_each(triangles, most_cells);
   const ChunkTree tree = chunk_tree(chunk_of.back() + 1);
@@ -197,6 +236,22 @@ std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surf
   return chunks;
 }
 
+LayerColumn column_of(const LayerChunk& chunk, const Triangle& triangle) {
+  LayerColumn column;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LayerLine& line = chunk.lines[at(triangle[k])].line;
+    column.stops[k] = line.stop;
+    column.early[k] = line.early;
+  }
+  return column;
+}
+
+PieceLines lines_of(const LayerChunk& chunk, const ChunkFan& fan) {
+  PieceLines lines{};
+  for (std::size_t k = 0; k < fan.size(); ++k) lines[k] = &chunk.lines[at(fan[k])].line;
+  return lines;
+}
+
 bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle) {
   return std::all_of(triangle.begin(), triangle.end(),
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.of_pml; });
@@ -207,11 +262,55 @@ bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle) {
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.in_tets; });
 }
 
+namespace {
+
+void count_cell(ElementType type, ChunkCounts& counts) {
+  counts.prisms += type == ElementType::prism ? 1 : 0;
+  counts.pyramids += type == ElementType::pyramid ? 1 : 0;
+  counts.tets += type == ElementType::tet ? 1 : 0;
+}
+
+/// Those above a triangle without the first `below` layers.
+void count_column(const LayerColumn& column, int below, bool in_tets, ChunkCounts& counts) {
+  if (column.early[0] != column.early[1] || column.early[1] != column.early[2]) {
+    for (int layer = below + 1; layer <= layers_above(column.stops); ++layer) {
+      for (const LayerCell& cell : cells_of_layer(column, layer)) count_cell(cell.type, counts);
+    }
+    return;
+  }
+  // As many lines grow in a layer as have a stop that is not lower.
+  std::array<int, 3> stops = column.stops;
+  std::sort(stops.begin(), stops.end());
+  for (int& stop : stops) stop = std::max(stop, below);
+  const int prisms = stops[0] - below;
+  counts.prisms += in_tets ? 0 : prisms;
+  counts.tets += in_tets ? tets_in_prism * prisms : 0;
+  counts.pyramids += stops[1] - stops[0];
+  counts.tets += stops[2] - stops[1];
+}
+
+void count_fan(const LayerChunk& chunk, const ChunkFan& fan, ChunkCounts& counts) {
+  const PieceLines lines = lines_of(chunk, fan);
+  for (const FanCell& cell : base_cells(lines)) count_cell(cell.type, counts);
+  counts.nodes += has_centre(lines) ? 1 : 0;
+  for (const auto& [i, j, k] : open_triangles(lines)) {
+    count_column(column_of(chunk, {fan[i], fan[j], fan[k]}), 1, false, counts);
+  }
+}
+
+}  // namespace
+
+std::int64_t nodes_of_lines(const LayerChunk& chunk) {
+  std::int64_t nodes = 0;
+  for (const ChunkLine& line : chunk.lines) {
+    if (line.owner == chunk.path.heap) nodes += inner_points(line.line);
+  }
+  return nodes;
+}
+
 ChunkCounts counts_of(const LayerChunk& chunk) {
   ChunkCounts counts;
-  for (const ChunkLine& line : chunk.lines) {
-    if (line.owner == chunk.path.heap) counts.nodes += inner_points(line.line);
-  }
+  counts.nodes = nodes_of_lines(chunk);
   counts.triangles = std::ssize(chunk.surface_triangles);
   for (const ChunkSide& side : chunk.sides) {
     const auto [lower, higher] = std::minmax(chunk.lines[at(side.lines[0])].line.stop,
@@ -220,16 +319,9 @@ ChunkCounts counts_of(const LayerChunk& chunk) {
     counts.triangles += higher - lower;
   }
   for (const Triangle& triangle : chunk.triangles) {
-    std::array<int, 3> stops{};
-    for (std::size_t k = 0; k < 3; ++k) stops[k] = chunk.lines[at(triangle[k])].line.stop;
-    // As many lines grow in a layer as have a stop that is not lower.
-    std::sort(stops.begin(), stops.end());
-    const bool in_tets = is_in_tets(chunk, triangle);
-    counts.prisms += in_tets ? 0 : stops[0];
-    counts.tets += in_tets ? tets_in_prism * stops[0] : 0;
-    counts.pyramids += stops[1] - stops[0];
-    counts.tets += stops[2] - stops[1];
+    count_column(column_of(chunk, triangle), 0, is_in_tets(chunk, triangle), counts);
   }
+  for (const ChunkFan& fan : chunk.fans) count_fan(chunk, fan, counts);
   return counts;
 }
 

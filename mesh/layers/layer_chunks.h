@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "mesh/core/subdomain.h"
+#include "mesh/layers/layer_cells.h"
+#include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_plan.h"
 
 namespace tetfarm {
@@ -45,15 +47,20 @@ struct ChunkSide {
   friend bool operator==(const ChunkSide&, const ChunkSide&) = default;
 };
 
+/// The lines of a FanPiece, as base_cells takes them.
+using ChunkFan = std::array<std::int32_t, 4>;
+
 /// A prism all of whose lines are in_tets is three tets.
 /// Invariants: 1. `triangles` and `surface_triangles` have equal lengths; 2. a triangle has three
-/// different lines, one of them with layers; 3. every line is one of a triangle.
+/// different lines, one of them with layers; 3. every line is one of a triangle or of a fan; 4. a
+/// fan has cells, and its lines are as base_cells takes them.
 struct LayerChunk {
   TreePath path;
   std::vector<ChunkLine> lines;
   std::vector<Triangle> triangles;               ///< of the wall, by their lines
   std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the surface
   std::vector<ChunkSide> sides;
+  std::vector<ChunkFan> fans;  ///< their nodes in the middle come after those of all lines
 
   friend bool operator==(const LayerChunk&, const LayerChunk&) = default;
 };
@@ -76,12 +83,21 @@ struct ChunkCounts {
 std::vector<LayerChunk> chunks_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                   std::int64_t most_cells = cells_of_chunk);
 
+/// The layers above a triangle.
+LayerColumn column_of(const LayerChunk& chunk, const Triangle& triangle);
+
+/// As layer_fan.h has them.
+PieceLines lines_of(const LayerChunk& chunk, const ChunkFan& fan);
+
 /// Whether the cells above the triangle are of absorbing layers. Those are whole: the lines of a
 /// triangle have all the same number of them.
 bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle);
 
 /// Whether the prisms above the triangle are divided into tets.
 bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle);
+
+/// Of the nodes that the chunk owns those of its lines; those in the middle of fans follow.
+std::int64_t nodes_of_lines(const LayerChunk& chunk);
 
 /// Cost: O(triangles).
 ChunkCounts counts_of(const LayerChunk& chunk);

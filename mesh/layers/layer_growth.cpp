@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
 
 #include "base/array_index.h"
@@ -20,20 +21,53 @@ Origin origin_of(const ChunkLine& line, int level) {
   return {line.owner, line.first_node + static_cast<std::uint32_t>(level - 1)};
 }
 
-/// Adds the nodes of all lines; the number of each line's foot, which the others follow.
-std::vector<std::int32_t> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
-  std::vector<std::int32_t> first;
+/// The numbers of a line's nodes: those of level 1 and up follow each other.
+struct LineNodes {
+  std::int32_t foot = 0;
+  std::int32_t first = 0;
+
+  std::int32_t at_level(int level) const { return level == 0 ? foot : first + level - 1; }
+};
+
+void add_node(const Vec3& place, const Origin& origin, GrownLayers& layers) {
+  layers.mesh.nodes.push_back(place);
+  layers.subdomain.node_origin.push_back(origin);
+}
+
+/// Adds the nodes of all lines: a foot, which several may have, with the first of them.
+std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
+  std::vector<LineNodes> nodes;
+  std::map<std::int32_t, std::int32_t> shared;  // node of each foot that fans have
+  for (const ChunkFan& fan : chunk.fans) {
+    for (const std::int32_t line : fan) shared.emplace(chunk.lines[at(line)].line.foot, -1);
+  }
   for (const ChunkLine& line : chunk.lines) {
-    first.push_back(static_cast<std::int32_t>(layers.mesh.nodes.size()));
+    auto next = static_cast<std::int32_t>(layers.mesh.nodes.size());
+    const auto foot = shared.find(line.line.foot);
+    const bool is_there = foot != shared.end() && foot->second >= 0;
+    if (foot != shared.end() && !is_there) foot->second = next;
+    nodes.push_back({is_there ? foot->second : next, is_there ? next : next + 1});
     int level = 0;
     for (const Vec3& point : points_of(line.line)) {
-      layers.mesh.nodes.push_back(point);
-      layers.subdomain.node_origin.push_back(origin_of(line, level++));
+      if (level > 0 || !is_there) add_node(point, origin_of(line, level), layers);
+      ++level;
     }
   }
-  layers.mesh.boundary_nodes = static_cast<std::int32_t>(layers.mesh.nodes.size());
-  layers.subdomain.vertices = layers.mesh.nodes;
-  return first;
+  return nodes;
+}
+
+/// Adds those in the middle of pieces of fans; of each piece its own, or -1.
+std::vector<std::int32_t> add_centres(const LayerChunk& chunk, GrownLayers& layers) {
+  std::vector<std::int32_t> centres;
+  auto next = static_cast<std::uint32_t>(nodes_of_lines(chunk));
+  for (const ChunkFan& fan : chunk.fans) {
+    const PieceLines lines = lines_of(chunk, fan);
+    centres.push_back(-1);
+    if (!has_centre(lines)) continue;
+    centres.back() = static_cast<std::int32_t>(layers.mesh.nodes.size());
+    add_node(base_points(lines)[fan_centre], {chunk.path.heap, next++}, layers);
+  }
+  return centres;
 }
 
 void add_cell(ElementType type, std::span<const std::int32_t> nodes, std::int32_t region,
@@ -97,15 +131,17 @@ class Marking {
 };
 
 /// One layer above a triangle of the wall.
-void add_layer(const LayerChunk& chunk, const Triangle& lines, const Triangle& feet,
-               const LayerCell& cell, GrownLayers& layers, Marking& marking) {
+void add_layer(const LayerChunk& chunk, const Triangle& lines,
+               const std::vector<LineNodes>& line_nodes, const LayerCell& cell, GrownLayers& layers,
+               Marking& marking) {
   const bool is_absorbing = is_of_pml(chunk, lines);
   const CellMark mark = is_absorbing ? CellMark::pml_depth : CellMark::layer;
   const int number =
       is_absorbing ? chunk.lines[at(lines[0])].line.stop - cell.layer + 1 : cell.layer;
   std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
-  std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
-                 [&feet](const CellNode& n) { return feet[at(n.corner)] + n.level; });
+  std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(), [&](const CellNode& n) {
+    return line_nodes[at(lines[at(n.corner)])].at_level(n.level);
+  });
   if (cell.type == ElementType::prism && is_in_tets(chunk, lines)) {
     std::array<std::int32_t, 3> surface_feet{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -120,14 +156,38 @@ void add_layer(const LayerChunk& chunk, const Triangle& lines, const Triangle& f
   marking.add(cell.type, mark, number);
 }
 
+/// The first layer of a piece of a fan.
+void add_base(const LayerChunk& chunk, const ChunkFan& fan,
+              const std::vector<LineNodes>& line_nodes, std::int32_t centre, GrownLayers& layers,
+              Marking& marking) {
+  std::array<std::int32_t, fan_nodes> numbers{};
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    const int level = std::min(chunk.lines[at(fan[k])].line.stop, 1);
+    numbers[k] = line_nodes[at(fan[k])].at_level(level);
+  }
+  numbers[fan_foot_from] = line_nodes[at(fan[0])].foot;
+  numbers[fan_foot_to] = line_nodes[at(fan[2])].foot;
+  numbers[fan_centre] = centre;
+  for (const FanCell& cell : base_cells(lines_of(chunk, fan))) {
+    std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
+    std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
+                   [&numbers](std::uint8_t n) { return numbers[n]; });
+    add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
+             layers);
+    marking.add(cell.type, CellMark::layer, 1);
+  }
+}
+
 /// The boundary beside the layers: normals out of the domain, as the plane has them.
 void add_side(const LayerChunk& chunk, const ChunkSide& side,
-              const std::vector<std::int32_t>& first, GrownLayers& layers) {
+              const std::vector<LineNodes>& line_nodes, GrownLayers& layers) {
   // The triangle of the wall runs from the first line to the second, its neighbour in the plane
   // back.
   const std::int32_t from = side.lines[1];
   const std::int32_t to = side.lines[0];
-  const auto node = [&first](std::int32_t line, int level) { return first[at(line)] + level; };
+  const auto node = [&line_nodes](std::int32_t line, int level) {
+    return line_nodes[at(line)].at_level(level);
+  };
   const int from_stop = chunk.lines[at(from)].line.stop;
   const int to_stop = chunk.lines[at(to)].line.stop;
   const int quads = std::min(from_stop, to_stop);
@@ -158,22 +218,33 @@ GrownLayers grow(const LayerChunk& chunk) {
   Marking marking;
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
   layers.subdomain.path = chunk.path;
-  const std::vector<std::int32_t> first = add_nodes(chunk, layers);
-  for (std::size_t t = 0; t < chunk.triangles.size(); ++t) {
-    const Triangle& lines = chunk.triangles[t];
-    std::array<int, 3> stops{};
-    Triangle feet{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      stops[k] = chunk.lines[at(lines[k])].line.stop;
-      feet[k] = first[at(lines[k])];
+  const std::vector<LineNodes> line_nodes = add_nodes(chunk, layers);
+  const std::vector<std::int32_t> centres = add_centres(chunk, layers);
+  layers.mesh.boundary_nodes = static_cast<std::int32_t>(layers.mesh.nodes.size());
+  layers.subdomain.vertices = layers.mesh.nodes;
+  const auto add_column = [&](const Triangle& lines, int from) {
+    const LayerColumn column = column_of(chunk, lines);
+    for (int layer = from; layer <= layers_above(column.stops); ++layer) {
+      for (const LayerCell& cell : cells_of_layer(column, layer)) {
+        add_layer(chunk, lines, line_nodes, cell, layers, marking);
+      }
     }
+  };
+  for (std::size_t t = 0; t < chunk.triangles.size(); ++t) {
+    Triangle feet = chunk.triangles[t];
+    for (std::int32_t& line : feet) line = line_nodes[at(line)].foot;
     layers.subdomain.triangles.push_back(feet);
     layers.subdomain.triangle_origin.push_back({0, chunk.surface_triangles[t]});
-    for (int layer = 1; layer <= layers_above(stops); ++layer) {
-      add_layer(chunk, lines, feet, layer_cell(stops, layer), layers, marking);
+    add_column(chunk.triangles[t], 1);
+  }
+  for (std::size_t i = 0; i < chunk.fans.size(); ++i) {
+    const ChunkFan& fan = chunk.fans[i];
+    add_base(chunk, fan, line_nodes, centres[i], layers, marking);
+    for (const auto& [a, b, c] : open_triangles(lines_of(chunk, fan))) {
+      add_column({fan[a], fan[b], fan[c]}, 2);
     }
   }
-  for (const ChunkSide& side : chunk.sides) add_side(chunk, side, first, layers);
+  for (const ChunkSide& side : chunk.sides) add_side(chunk, side, line_nodes, layers);
   layers.marks = marking.in_order();
   return layers;
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/layers/layer_proof.h"
+#include "mesh/layers/line_fans.h"
 #include "mesh/layers/line_lean.h"
 #include "mesh/layers/line_room.h"
 #include "mesh/layers/marching_direction.h"
@@ -19,10 +20,6 @@
 
 namespace tetfarm {
 namespace {
-
-/// A direction that sees its worst face at a smaller cosine serves no layers: the line would be
-/// more than ten times as long as the layers are high.
-constexpr double least_visibility = 0.1;
 
 /// Where lines lose layers because of how they lean, those so many edges round them try the other
 /// ways.
@@ -71,16 +68,15 @@ class Planning {
  public:
   Planning(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
       : surface_(surface), requests_(requests), wall_(wall_of(surface, requests)) {
-    graph_ = wall_graph(surface, wall_.triangles);
-    planes_ = wall_planes(surface, graph_);
-    plan_.vertex2line = graph_.vertex2line;
-    plan_.wall = graph_.wall;
-    plan_.lines.resize(graph_.feet.size());
+    for (const std::int32_t t : wall_.triangles) normals_.push_back(inward_normal(surface_, t));
+    set_graph(wall_graph(surface, wall_.triangles));
+    find_requests();
   }
 
   LayerPlan plan() {
     find_directions();
     find_wishes();
+    if (find_fans()) find_wishes();
     find_lean(Lean::as_neighbours);
     begun_ = plan_;
     Leans leans(plan_.lines.size(), 0);
@@ -98,20 +94,34 @@ class Planning {
   using Leans = std::vector<std::size_t>;                 // of each line, in all_leans
   using Places = std::vector<std::vector<std::int32_t>>;  // the lines of each
 
-  /// Of lines between two requests the lower one decides.
-  const LayerRequest& request_of(std::size_t line) const {
-    std::int32_t request = static_cast<std::int32_t>(requests_.size());
-    for (const std::int32_t f : graph_.faces.of(static_cast<std::int32_t>(line))) {
-      request = std::min(request, wall_.request[at(f)]);
+  void set_graph(WallGraph graph) {
+    graph_ = std::move(graph);
+    planes_ = wall_planes(surface_, graph_);
+    plan_.vertex2line = graph_.vertex2line;
+    plan_.wall = graph_.wall;
+    plan_.lines.resize(graph_.feet.size());
+    places_.clear();
+    for (const std::int32_t foot : graph_.feet) places_.push_back(surface_.vertices[at(foot)]);
+  }
+
+  /// Of feet between two requests the lower one decides.
+  void find_requests() {
+    request_of_foot_.assign(surface_.vertices.size(), std::ssize(requests_));
+    for (std::size_t i = 0; i < wall_.triangles.size(); ++i) {
+      for (const std::int32_t v : surface_.triangles[at(wall_.triangles[i])]) {
+        std::ptrdiff_t& request = request_of_foot_[at(v)];
+        request = std::min<std::ptrdiff_t>(request, wall_.request[i]);
+      }
     }
-    return requests_[at(request)];
+  }
+
+  const LayerRequest& request_of(std::size_t line) const {
+    return requests_[at(request_of_foot_[at(graph_.feet[line])])];
   }
 
   bool follows_ways(std::size_t line) const { return !request_of(line).ways.empty(); }
 
   void find_directions() {
-    for (const std::int32_t t : graph_.wall) normals_.push_back(inward_normal(surface_, t));
-    for (const std::int32_t foot : graph_.feet) places_.push_back(surface_.vertices[at(foot)]);
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       line.foot = line.because_of = graph_.feet[i];
@@ -134,6 +144,35 @@ class Planning {
       }
       if (graph_.at_border[i] && !planes_.holds(i)) line.reason = StopReason::border;
     }
+  }
+
+  /// Where edges are sharp, lines become several. Returns whether there are such places.
+  bool find_fans() {
+    std::vector<FanWish> wishes;
+    std::vector<Vec3> along;
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      const LayerLine& line = plan_.lines[i];
+      const LayerRequest& request = request_of(i);
+      along.push_back(line.along);
+      wishes.push_back(
+          {follows_ways(i) || request.in_tets ? -1 : request.fan_cosine, line.law, line.wanted});
+    }
+    LineFans fans = line_fans(surface_, graph_, normals_, along, wishes);
+    if (fans.pieces.empty()) return false;
+    const std::vector<LayerLine> single = std::move(plan_.lines);
+    const std::vector<std::int32_t> single_at = graph_.vertex2line;
+    set_graph(with_fans(graph_, fans.feet, fans.corners, fans.pieces));
+    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      line = single[at(single_at[at(graph_.feet[i])])];
+      if (!graph_.is_of_fan(i)) continue;
+      line.along = line.later = fans.along[i];
+      line.early = fans.early[i];
+      line.reason = StopReason::complete;
+    }
+    plan_.fans = std::move(fans.pieces);
+    plan_.fan_corners = std::move(fans.corners);
+    return true;
   }
 
   /// How lines go on above the first layer in the next way; those with ways of their own stay.
@@ -231,16 +270,20 @@ class Planning {
   double mean_edge(std::size_t line) const {
     const auto neighbours = graph_.neighbours.of(static_cast<std::int32_t>(line));
     double sum = 0;
+    std::ptrdiff_t edges = 0;
     for (const std::int32_t n : neighbours) {
-      sum += distance(plan_.lines[line].at, plan_.lines[at(n)].at);
+      if (graph_.feet[at(n)] == graph_.feet[line]) continue;
+      sum += distance(places_[line], places_[at(n)]);
+      ++edges;
     }
-    return sum / static_cast<double>(neighbours.size());
+    return sum / static_cast<double>(edges);
   }
 
   /// Where the edges decide how many layers there are, neighbours want numbers that differ by no
   /// more than their stops may.
   void find_wishes() {
     std::vector<int> wishes;
+    steps_.clear();
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
       const LayerRequest& request = request_of(i);
       plan_.lines[i].law = request.law;
@@ -373,7 +416,8 @@ class Planning {
   std::vector<std::vector<Vec3>> leans_;  // in each way so far, of each line LayerLine::later
   std::span<const LayerRequest> requests_;
   Wall wall_;
-  std::vector<int> steps_;  // of each line: LayerRequest::step
+  std::vector<std::ptrdiff_t> request_of_foot_;  // of each vertex of the surface
+  std::vector<int> steps_;                       // of each line: LayerRequest::step
   WallGraph graph_;
   WallPlanes planes_;
   LayerPlan begun_;  // without layers
@@ -416,7 +460,20 @@ std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& s
     lines[k] = plan.vertex2line[at(surface.triangles[at(triangle)][k])];
     TF_CHECK(lines[k] >= 0);
   }
+  auto corner =
+      std::lower_bound(plan.fan_corners.begin(), plan.fan_corners.end(), FanCorner{triangle, 0, 0});
+  for (; corner != plan.fan_corners.end() && corner->triangle == triangle; ++corner) {
+    lines[at(corner->corner)] = corner->line;
+  }
   return lines;
+}
+
+WallGraph graph_of(const LayerPlan& plan, const SurfaceMesh& surface) {
+  WallGraph graph = wall_graph(surface, plan.wall);
+  if (plan.fans.empty()) return graph;
+  std::vector<std::int32_t> feet;
+  for (const LayerLine& line : plan.lines) feet.push_back(line.foot);
+  return with_fans(graph, std::move(feet), plan.fan_corners, plan.fans);
 }
 
 LayerPlan plan_layers(const SurfaceMesh& surface, std::span<const LayerRequest> requests) {

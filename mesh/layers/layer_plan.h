@@ -17,8 +17,10 @@
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
+#include "mesh/layers/fan_piece.h"
 #include "mesh/layers/height_law.h"
 #include "mesh/layers/layer_request.h"
+#include "mesh/layers/wall_graph.h"
 
 namespace tetfarm {
 
@@ -60,6 +62,8 @@ struct LayerLine {
   /// of a line that runs in a plane its top, and the points below that triangles there have.
   int vertices = 0;
   std::int32_t first_vertex = -1;
+  /// In each layer it goes on before its neighbours that are not early: the end of a fan.
+  bool early = false;
 
   friend bool operator==(const LayerLine&, const LayerLine&) = default;
 };
@@ -80,9 +84,11 @@ struct LayerSide {
 
 struct LayerPlan {
   std::vector<LayerLine> lines;           ///< by their feet, ascending
-  std::vector<std::int32_t> vertex2line;  ///< -1: no layers are asked for there
+  std::vector<std::int32_t> vertex2line;  ///< the first there; -1: no layers are asked for
   std::vector<std::int32_t> wall;         ///< triangles of the patches with layers, ascending
   std::vector<LayerSide> sides;           ///< by triangle and corner, ascending
+  std::vector<FanPiece> fans;             ///< edge by edge, corner by corner
+  std::vector<FanCorner> fan_corners;     ///< ascending
 };
 
 /// The point of the line at a level. Cost: O(level).
@@ -102,6 +108,9 @@ inline std::int32_t vertex_at(const LayerLine& line, int level) {
 /// The lines of a wall triangle, in its order.
 std::array<std::int32_t, 3> lines_of(const LayerPlan& plan, const SurfaceMesh& surface,
                                      std::int32_t triangle);
+
+/// The wall of the plan with its lines. Cost: O(n log n).
+WallGraph graph_of(const LayerPlan& plan, const SurfaceMesh& surface);
 
 /// @pre the surface has one region, it is behind every triangle, and check_surface found no
 /// defects; no patch is in two requests; patches with ways are whole shells. @throws UsageError

@@ -7,30 +7,12 @@
 #include "base/check.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_cells.h"
+#include "mesh/layers/layer_fan.h"
 #include "mesh/layers/plane_retreat.h"
 #include "mesh/layers/unlayered_domain.h"
 
 namespace tetfarm {
 namespace {
-
-using Column = std::array<std::vector<Vec3>, 3>;  // the points of the three lines
-
-bool has_positive_tets(const LayerCell& cell, const Column& points) {
-  std::array<Vec3, 6> p;
-  for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
-    p[k] = points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)];
-  }
-  return is_positive(cell.type, p);
-}
-
-/// The layers above a wall triangle below the first cell that is not positive.
-int positive_layers(const std::array<int, 3>& stops, const Column& points) {
-  const int layers = layers_above(stops);
-  for (int layer = 1; layer <= layers; ++layer) {
-    if (!has_positive_tets(layer_cell(stops, layer), points)) return layer - 1;
-  }
-  return layers;
-}
 
 ProofFindings findings_of(const LayerPlan& plan) {
   ProofFindings findings;
@@ -66,14 +48,19 @@ class LinesBehind {
 
   std::vector<std::int32_t> of(std::int32_t t) const {
     std::vector<std::int32_t> lines;
-    for (const std::int32_t v : surface_.triangles[at(t)]) {
-      const std::int32_t line = is_wall_[at(t)] ? plan_.vertex2line[at(v)] : line_of_top_[at(v)];
-      if (line >= 0 && plan_.lines[at(line)].stop > 0) lines.push_back(line);
+    if (is_wall_[at(t)]) {
+      for (const std::int32_t line : lines_of(plan_, surface_, t)) add(line, lines);
+      return lines;
     }
+    for (const std::int32_t v : surface_.triangles[at(t)]) add(line_of_top_[at(v)], lines);
     return lines;
   }
 
  private:
+  void add(std::int32_t line, std::vector<std::int32_t>& lines) const {
+    if (line >= 0 && plan_.lines[at(line)].stop > 0) lines.push_back(line);
+  }
+
   const LayerPlan& plan_;
   const SurfaceMesh& surface_;
   std::vector<std::int32_t> line_of_top_;  // of each vertex that is a line's; -1: of none
@@ -97,17 +84,63 @@ std::vector<std::int64_t> faults_of(const SurfaceMesh& rest) {
 
 }  // namespace
 
+namespace {
+
+/// Looks at the cells above a triangle from a layer on.
+void prove_column(const LayerPlan& plan, const std::array<std::int32_t, 3>& numbers, int from,
+                  ProofFindings& findings) {
+  std::array<const LayerLine*, 3> lines{};
+  for (std::size_t k = 0; k < 3; ++k) lines[k] = &plan.lines[at(numbers[k])];
+  const int most = positive_layers(lines, from);
+  for (const std::int32_t line : numbers) stop_at(line, most, findings);
+}
+
+}  // namespace
+
+int positive_layers(const std::array<const LayerLine*, 3>& lines, int from) {
+  LayerColumn column;
+  std::array<std::vector<Vec3>, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    column.stops[k] = lines[k]->stop;
+    column.early[k] = lines[k]->early;
+    points[k] = points_of(*lines[k]);
+  }
+  const int layers = layers_above(column.stops);
+  for (int layer = from; layer <= layers; ++layer) {
+    for (const LayerCell& cell : cells_of_layer(column, layer)) {
+      std::array<Vec3, 6> p;
+      for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
+        p[k] = points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)];
+      }
+      if (!is_positive(cell.type, p)) return layer - 1;
+    }
+  }
+  return layers;
+}
+
+bool has_positive_base(const PieceLines& lines) {
+  const std::array<Vec3, fan_nodes> points = base_points(lines);
+  const std::vector<FanCell> cells = base_cells(lines);
+  return std::all_of(cells.begin(), cells.end(), [&points](const FanCell& cell) {
+    std::array<Vec3, 5> p;
+    for (std::size_t k = 0; k < nodes_of(cell.type); ++k) p[k] = points[cell.nodes[k]];
+    return is_positive(cell.type, p);
+  });
+}
+
 ProofFindings prove_cells(const LayerPlan& plan, const SurfaceMesh& surface) {
   ProofFindings findings = findings_of(plan);
   for (const std::int32_t t : plan.wall) {
-    const std::array<std::int32_t, 3> lines = lines_of(plan, surface, t);
-    std::array<int, 3> stops{};
-    for (std::size_t k = 0; k < 3; ++k) stops[k] = plan.lines[at(lines[k])].stop;
-    if (layers_above(stops) == 0) continue;
-    Column points;
-    for (std::size_t k = 0; k < 3; ++k) points[k] = points_of(plan.lines[at(lines[k])]);
-    const int most = positive_layers(stops, points);
-    for (const std::int32_t line : lines) stop_at(line, most, findings);
+    prove_column(plan, lines_of(plan, surface, t), 1, findings);
+  }
+  for (const FanPiece& piece : plan.fans) {
+    if (!has_positive_base(lines_of(plan, piece))) {
+      for (const std::int32_t line : piece.from) stop_at(line, 0, findings);
+      for (const std::int32_t line : piece.to) stop_at(line, 0, findings);
+    }
+    for (const auto& [a, b, c] : open_triangles(plan, piece)) {
+      prove_column(plan, {a, b, c}, 2, findings);
+    }
   }
   return findings;
 }
@@ -129,7 +162,13 @@ void find_crossings(const LayerPlan& plan, const SurfaceMesh& surface, ProofFind
   const std::vector<std::int64_t> faults = faults_of(rest);
   if (faults.empty()) return;
   const LinesBehind lines(plan, surface);
+  const std::int64_t first_of_fans = std::ssize(rest.triangles) - std::ssize(domain.lines_of_fans);
   for (const std::int64_t fault : faults) {
+    if (fault >= first_of_fans) {
+      for (const std::int32_t line : domain.lines_of_fans[at(fault - first_of_fans)])
+        lower(plan, line, findings);
+      continue;
+    }
     for (const std::int32_t line : lines.of(domain.stands_for[at(fault)]))
       lower(plan, line, findings);
   }

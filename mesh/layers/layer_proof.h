@@ -7,10 +7,12 @@
 /// than that of the rest: in one or none.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
+#include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_plan.h"
 #include "mesh/layers/wall_planes.h"
 
@@ -21,6 +23,13 @@ struct ProofFindings {
   std::vector<int> stops;
   bool holds = false;  ///< no line has to stop earlier
 };
+
+/// How many layers above a triangle with these lines lie below the first cell, from layer `from`
+/// on, that is not positive: all of them, where each is. Cost: O(layers).
+int positive_layers(const std::array<const LayerLine*, 3>& lines, int from);
+
+/// Whether the first layer of a piece of a fan is positive.
+bool has_positive_base(const PieceLines& lines);
 
 /// Looks at each cell: the lines of one that is not positive stop below it. Cost: O(cells).
 ProofFindings prove_cells(const LayerPlan& plan, const SurfaceMesh& surface);

@@ -33,6 +33,8 @@ struct LayerRequest {
   /// room, as far as there is.
   std::vector<Vec3> ways;
   bool in_tets = false;  ///< each prism is divided into three tets
+  /// Of the angle between faces above which convex edges have several lines at a foot; -1: none.
+  double fan_cosine = -1;
 };
 
 /// The last of the layers is as high as this share of the edges at its foot, where a job does not

@@ -50,7 +50,7 @@ std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along,
   for (int round = 0; round < smoothing_rounds; ++round) {
     std::vector<Vec3> smoother = directions;
     for (std::size_t i = 0; i < directions.size(); ++i) {
-      if (directions[i] == Vec3{}) continue;
+      if (directions[i] == Vec3{} || ground.graph.is_of_fan(i)) continue;
       const Vec3 mean = mean_of_neighbours(ground, directions, static_cast<std::int32_t>(i), lean);
       const Vec3 direction = ground.planes.held(i, normalized(directions[i] + mean));
       if (visibility(direction, normals_at(ground, i)) >= least[i]) smoother[i] = direction;
@@ -59,6 +59,10 @@ std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along,
   }
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (directions[i] == Vec3{}) continue;
+    if (ground.graph.is_of_fan(i)) {
+      directions[i] = along[i];
+      continue;
+    }
     directions[i] = directions[i] / visibility(directions[i], normals_at(ground, i));
   }
   return directions;

@@ -37,7 +37,8 @@ struct LineGround {
 std::vector<Vec3> normals_at(const LineGround& ground, std::size_t line);
 
 /// The directions that the lines turn to, as long as LayerLine::later is. `along` are those at the
-/// wall; where it is zero the line does not move, and has no say. Cost: O(n).
+/// wall; where it is zero the line does not move, and has no say; lines of fans
+/// are straight. Cost: O(n).
 std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along, Lean lean);
 
 }  // namespace tetfarm

@@ -95,13 +95,12 @@ std::vector<double> fold_heights(const SurfaceMesh& surface, const WallGraph& gr
                                  std::span<const Vec3> along, std::span<const double> wanted) {
   TF_CHECK(along.size() == graph.feet.size() && wanted.size() == graph.feet.size());
   std::vector<double> heights(wanted.begin(), wanted.end());
-  for (const std::int32_t t : graph.wall) {
-    const Triangle& triangle = surface.triangles[at(t)];
-    std::array<std::int32_t, 3> lines{};
+  for (std::size_t i = 0; i < graph.wall.size(); ++i) {
+    const Triangle& triangle = surface.triangles[at(graph.wall[i])];
+    const Triangle& lines = graph.wall_lines[i];
     std::array<Vec3, 3> directions;
     bool all_move = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      lines[k] = graph.vertex2line[at(triangle[k])];
       directions[k] = along[at(lines[k])];
       all_move = all_move && !(directions[k] == Vec3{});
     }

@@ -13,6 +13,10 @@
 
 namespace tetfarm {
 
+/// A direction that sees its worst face at a smaller cosine serves no layers: the line would be
+/// more than ten times as long as the layers are high.
+inline constexpr double least_visibility = 0.1;
+
 struct MarchingDirection {
   Vec3 direction;         ///< of length 1; zero where no direction sees all faces
   double visibility = 0;  ///< the smallest cosine between it and a normal

@@ -298,9 +298,12 @@ class Retreat {
       LayerLine& l = plan.lines[i];
       l.foot = old2new_[at(l.foot)];
       if (l.because_of >= 0) l.because_of = old2new_[at(l.because_of)];
-      plan.vertex2line[at(l.foot)] = static_cast<std::int32_t>(i);
+      std::int32_t& first = plan.vertex2line[at(l.foot)];
+      if (first < 0) first = static_cast<std::int32_t>(i);
     }
     for (std::int32_t& t : plan.wall) t = new_triangle_[at(t)];
+    for (FanCorner& corner : plan.fan_corners) corner.triangle = new_triangle_[at(corner.triangle)];
+    for (FanPiece& piece : plan.fans) piece.beside = new_triangle_[at(piece.beside)];
     for (LayerSide& side : plan.sides) side.triangle = new_triangle_[at(side.triangle)];
   }
 
@@ -490,7 +493,7 @@ bool leaves_domain(const PlaneRetreat& made) {
 
 std::optional<PlaneRetreat> retreat_planes(const SurfaceMesh& surface, const LayerPlan& plan,
                                            const MakePlaneSpacing& make_spacing) {
-  const WallPlanes planes = wall_planes(surface, wall_graph(surface, plan.wall));
+  const WallPlanes planes = wall_planes(surface, graph_of(plan, surface));
   if (!runs_in_plane(plan, planes)) return std::nullopt;
   const PlaneRetreat unfilled = retreat_planes(surface, planes, plan, PlaneSpacing{});
   TF_CHECK(unfilled.tangled.empty());

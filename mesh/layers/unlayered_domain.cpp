@@ -6,6 +6,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/layers/layer_fan.h"
 
 namespace tetfarm {
 namespace {
@@ -41,9 +42,12 @@ class BoundaryNodes {
   }
 
   std::int32_t of_vertex(std::int32_t vertex) const { return of_vertex_[at(vertex)]; }
-  std::int32_t top_of(const LayerPlan& plan, std::int32_t line) const {
-    const LayerLine& l = plan.lines[at(line)];
-    return l.stop > 0 ? of_line_[at(line)] : of_vertex(l.foot);
+  Triangle tops_of(const LayerPlan& plan, Triangle lines) const {
+    for (std::int32_t& line : lines) {
+      const LayerLine& l = plan.lines[at(line)];
+      line = l.stop > 0 ? of_line_[at(line)] : of_vertex(l.foot);
+    }
+    return lines;
   }
 
  private:
@@ -89,12 +93,12 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   BoundaryNodes nodes(surface, plan.lines.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (is_of_side[t]) continue;
-    for (const std::int32_t v : surface.triangles[t]) {
-      if (!has_cells[t]) {
-        nodes.use_vertex(v);
-        continue;
-      }
-      const LayerLine& line = plan.lines[at(plan.vertex2line[at(v)])];
+    if (!has_cells[t]) {
+      for (const std::int32_t v : surface.triangles[t]) nodes.use_vertex(v);
+      continue;
+    }
+    for (const std::int32_t number : lines_of(plan, surface, static_cast<std::int32_t>(t))) {
+      const LayerLine& line = plan.lines[at(number)];
       const std::int32_t top = vertex_at(line, line.stop);
       if (top >= 0) nodes.use_vertex(top);
     }
@@ -104,14 +108,25 @@ UnlayeredDomain unlayered_domain(const LayerPlan& plan, const SurfaceMesh& surfa
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (is_of_side[t]) continue;
     Triangle triangle = surface.triangles[t];
-    for (std::int32_t& v : triangle) {
-      v = has_cells[t] ? nodes.top_of(plan, plan.vertex2line[at(v)]) : nodes.of_vertex(v);
-      TF_CHECK(v >= 0);
+    if (has_cells[t]) {
+      const auto [a, b, c] = lines_of(plan, surface, static_cast<std::int32_t>(t));
+      triangle = nodes.tops_of(plan, {a, b, c});
+    } else {
+      for (std::int32_t& v : triangle) v = nodes.of_vertex(v);
     }
+    TF_CHECK(*std::min_element(triangle.begin(), triangle.end()) >= 0);
     root.triangles.push_back(triangle);
     domain.stands_for.push_back(static_cast<std::int32_t>(t));
     root.triangle_origin.push_back(has_cells[t] ? Origin{owner_of_top, top++}
                                                 : Origin{0, static_cast<std::uint32_t>(t)});
+  }
+  for (const FanPiece& piece : plan.fans) {
+    for (const Triangle& lines : open_triangles(plan, piece)) {
+      root.triangles.push_back(nodes.tops_of(plan, lines));
+      domain.stands_for.push_back(piece.beside);
+      domain.lines_of_fans.push_back(lines);
+      root.triangle_origin.push_back({owner_of_top, top++});
+    }
   }
   domain.top_triangles = top;
   domain.top_nodes = std::count_if(plan.lines.begin(), plan.lines.end(), [](const LayerLine& line) {

@@ -17,10 +17,11 @@ namespace tetfarm {
 /// Nodes of the top have the origin {owner_of_top, number}, numbered by the lines that have layers
 /// and whose tops are no vertices of the surface, in their order; its triangles likewise, by the
 /// wall triangles that have cells above them, in the order of `wall`. Triangles keep the order of
-/// the surface; those of the sides of layers are not among them.
+/// the surface; those of the sides of layers are not among them. What is open of fans comes last.
 struct UnlayeredDomain {
   Subdomain root;
   std::vector<std::int32_t> stands_for;  ///< of each triangle of the root, that of the surface
+  std::vector<Triangle> lines_of_fans;   ///< of the last triangles of the root
   std::int64_t top_nodes = 0;
   std::int64_t top_triangles = 0;
 };

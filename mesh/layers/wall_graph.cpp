@@ -62,6 +62,32 @@ std::vector<std::int32_t> lower(const WallGraph& graph, std::vector<Value>& valu
   return sources;
 }
 
+/// Finds faces and neighbours.
+void connect(WallGraph& graph, std::span<const FanPiece> pieces) {
+  std::vector<RowEntry> faces;
+  std::vector<RowEntry> neighbours;
+  const auto add_pair = [&neighbours](std::int32_t a, std::int32_t b) {
+    if (a == b) return;
+    neighbours.emplace_back(a, b);
+    neighbours.emplace_back(b, a);
+  };
+  for (std::size_t i = 0; i < graph.wall.size(); ++i) {
+    const Triangle& lines = graph.wall_lines[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      faces.emplace_back(lines[k], static_cast<std::int32_t>(i));
+      add_pair(lines[k], lines[(k + 1) % 3]);
+    }
+  }
+  for (const FanPiece& piece : pieces) {
+    for (std::size_t k = 0; k < 2; ++k) add_pair(piece.from[k], piece.to[k]);
+    add_pair(piece.from[0], piece.from[1]);
+    add_pair(piece.to[0], piece.to[1]);
+    add_pair(piece.from[0], piece.to[1]);
+  }
+  graph.faces = rows_of(std::move(faces), graph.feet.size());
+  graph.neighbours = rows_of(std::move(neighbours), graph.feet.size());
+}
+
 }  // namespace
 
 std::span<const std::int32_t> NumberRows::of(std::int32_t row) const {
@@ -91,20 +117,39 @@ WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall)
       if (line >= 0) graph.at_border[at(line)] = true;
     }
   }
-  std::vector<RowEntry> faces;
-  std::vector<RowEntry> neighbours;
-  for (std::size_t i = 0; i < graph.wall.size(); ++i) {
-    const Triangle& triangle = surface.triangles[at(graph.wall[i])];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t line = graph.vertex2line[at(triangle[k])];
-      faces.emplace_back(line, static_cast<std::int32_t>(i));
-      neighbours.emplace_back(line, graph.vertex2line[at(triangle[(k + 1) % 3])]);
-      neighbours.emplace_back(line, graph.vertex2line[at(triangle[(k + 2) % 3])]);
-    }
+  for (const std::int32_t t : graph.wall) {
+    Triangle lines = surface.triangles[at(t)];
+    for (std::int32_t& line : lines) line = graph.vertex2line[at(line)];
+    graph.wall_lines.push_back(lines);
   }
-  graph.faces = rows_of(std::move(faces), graph.feet.size());
-  graph.neighbours = rows_of(std::move(neighbours), graph.feet.size());
+  connect(graph, {});
   return graph;
+}
+
+WallGraph with_fans(const WallGraph& graph, std::vector<std::int32_t> feet,
+                    std::span<const FanCorner> corners, std::span<const FanPiece> pieces) {
+  WallGraph fanned;
+  fanned.wall = graph.wall;
+  fanned.vertex2line.assign(graph.vertex2line.size(), -1);
+  fanned.feet = std::move(feet);
+  std::vector<std::int32_t> new_line(graph.feet.size(), -1);  // the first at the foot
+  for (std::size_t i = fanned.feet.size(); i-- > 0;) {
+    const std::int32_t old = graph.vertex2line[at(fanned.feet[i])];
+    new_line[at(old)] = fanned.vertex2line[at(fanned.feet[i])] = static_cast<std::int32_t>(i);
+  }
+  for (const std::int32_t foot : fanned.feet) {
+    fanned.at_border.push_back(graph.at_border[at(graph.vertex2line[at(foot)])]);
+  }
+  for (Triangle lines : graph.wall_lines) {
+    for (std::int32_t& line : lines) line = new_line[at(line)];
+    fanned.wall_lines.push_back(lines);
+  }
+  for (const FanCorner& corner : corners) {
+    const auto wall = std::lower_bound(graph.wall.begin(), graph.wall.end(), corner.triangle);
+    fanned.wall_lines[at(wall - graph.wall.begin())][at(corner.corner)] = corner.line;
+  }
+  connect(fanned, pieces);
+  return fanned;
 }
 
 std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const Vec3> places,
@@ -118,8 +163,8 @@ std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const V
 std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::span<const int> most,
                                       std::vector<int>& stops) {
   TF_CHECK(most.size() == graph.feet.size());
-  return lower(graph, stops, [most](std::int32_t a, std::int32_t b) {
-    return std::min(most[at(a)], most[at(b)]);
+  return lower(graph, stops, [&](std::int32_t a, std::int32_t b) {
+    return graph.feet[at(a)] == graph.feet[at(b)] ? 0 : std::min(most[at(a)], most[at(b)]);
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include "mesh/core/surface_mesh.h"
 #include "mesh/core/vec3.h"
+#include "mesh/layers/fan_piece.h"
 
 namespace tetfarm {
 
@@ -25,15 +26,28 @@ struct NumberRows {
 
 struct WallGraph {
   std::vector<std::int32_t> feet;         ///< of the lines: vertices of the surface, ascending
-  std::vector<std::int32_t> vertex2line;  ///< -1: none
+  std::vector<std::int32_t> vertex2line;  ///< the first there; -1: none
   std::vector<std::int32_t> wall;         ///< triangles, ascending
+  std::vector<Triangle> wall_lines;       ///< of each its lines
   NumberRows faces;                       ///< of a line: numbers in `wall`
   NumberRows neighbours;                  ///< of a line: other lines, ascending
   std::vector<bool> at_border;            ///< of a line: its foot is on another triangle, too
+
+  /// Whether the line is one of several at its foot.
+  bool is_of_fan(std::size_t line) const {
+    return (line > 0 && feet[line - 1] == feet[line]) ||
+           (line + 1 < feet.size() && feet[line + 1] == feet[line]);
+  }
 };
 
 /// @pre `wall` are triangles of the surface, ascending. Cost: O(n log n) for n triangles.
 WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall);
+
+/// The same with several lines at some feet. @param feet of the lines, ascending: the feet of
+/// `graph`, some of them more than once. @param corners, pieces by these lines; feet of fans are
+/// not at the border. Cost: O(n log n).
+WallGraph with_fans(const WallGraph& graph, std::vector<std::int32_t> feet,
+                    std::span<const FanCorner> corners, std::span<const FanPiece> pieces);
 
 /// Lowers values until none is more than `slope` times the distance above that of a neighbour. Of
 /// each line the one whose value decided: itself, where its own did; of equals the lowest.
@@ -41,8 +55,9 @@ WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall)
 std::vector<std::int32_t> limit_slopes(const WallGraph& graph, std::span<const Vec3> places,
                                        double slope, std::vector<double>& values);
 
-/// Lowers stops until none is higher above that of a neighbour than the smaller of their `most`;
-/// the same of each line. @pre `most` are positive. Cost: O(n log n).
+/// Lowers stops until none is higher above that of a neighbour than the smaller of their `most`,
+/// and lines of one foot have equal ones; returns the same of each line. @pre `most` are positive.
+/// Cost: O(n log n).
 std::vector<std::int32_t> limit_steps(const WallGraph& graph, std::span<const int> most,
                                       std::vector<int>& stops);
 

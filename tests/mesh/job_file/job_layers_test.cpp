@@ -109,7 +109,8 @@ TEST(JobLayers, have_defaults_for_all_but_patches_and_first_height) {
 TEST(JobLayers, take_every_key) {
   const JobLayers counted = layers_of(
       "patches = [\"wing_*\", \"t?p\"]\nfirst_height = 2\ngrowth = 1.25\ncount = 20\nequal = 3\n"
-      "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"\nstep = 5");
+      "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"\nstep = 5\n"
+      "fan_angle = 45");
   EXPECT_THAT(counted.patches, ElementsAre("wing_*", "t?p"));
   EXPECT_EQ(counted.first_height, 2);
   EXPECT_EQ(counted.growth, 1.25);
@@ -119,6 +120,7 @@ TEST(JobLayers, take_every_key) {
   EXPECT_EQ(counted.acceleration, 1.05);
   EXPECT_EQ(counted.room, "stop");
   EXPECT_EQ(counted.step, 5);
+  EXPECT_EQ(counted.fan_angle, 45);
   const JobLayers by_y_plus = layers_of(
       of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nroom = \"scale\"");
   EXPECT_EQ(by_y_plus.first_height, 0);
@@ -234,6 +236,7 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
     EXPECT_EQ(a.equal, b.equal);
     EXPECT_EQ(a.room, b.room);
     EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(a.fan_angle, b.fan_angle);
   }
 }
 

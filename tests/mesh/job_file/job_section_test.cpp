@@ -160,6 +160,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "source.corner.inner source.corner.outer layers.patches layers.first_height "
       "layers.y_plus layers.reynolds layers.length layers.growth layers.growth_cap "
       "layers.acceleration layers.total_height layers.count layers.equal layers.room layers.step "
+      "layers.fan_angle "
       "pml.patches pml.layers pml.height pml.corners pml.elements "
       "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_sphere.h"
 
@@ -115,6 +116,50 @@ TEST(LayerChunkFile, refuses_sides_that_cannot_be) {
     });
   }
   EXPECT_GT(broken, 20);
+}
+
+LayerChunk chunk_with_fans() {
+  const test::LayeredBody body(test::lens_in_box(4, 40, 40), test::fanned(0.05, 4, 60));
+  return chunks_of(body.plan, body.surface).at(0);
+}
+
+TEST(LayerChunkFile, tells_of_fans_in_a_version_of_its_own) {
+  const LayerChunk chunk = chunk_with_fans();
+  EXPECT_GT(chunk.fans.size(), 20U);
+  const std::string bytes = layer_chunk_to_bytes(chunk);
+  EXPECT_EQ(bytes[8], 4);
+  EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
+  LayerChunk early = some_chunk();
+  early.lines.at(1).line.early = true;
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(early), "chunk"), early);
+}
+
+TEST(LayerChunkFile, refuses_fans_that_cannot_be) {
+  const LayerChunk chunk = chunk_with_fans();
+  const auto expect_broken = [&](const std::string& why, const auto& break_it) {
+    LayerChunk broken = chunk;
+    break_it(broken);
+    expect_refused(layer_chunk_to_bytes(broken), why);
+  };
+  const char* fan = "has a fan that cannot be";
+  const auto line = [](LayerChunk& c, std::size_t k) -> LayerLine& {
+    return c.lines.at(static_cast<std::size_t>(c.fans[0][k])).line;
+  };
+  expect_broken("has a fan with a line that does not exist",
+                [](LayerChunk& c) { c.fans[0][2] = 1 << 30; });
+  expect_broken("has a fan with a line that does not exist",
+                [](LayerChunk& c) { c.fans[0][3] = -1; });
+  expect_broken(fan, [](LayerChunk& c) { c.fans[0][1] = c.fans[0][0]; });
+  expect_broken(fan, [](LayerChunk& c) { std::swap(c.fans[0][0], c.fans[0][2]); });
+  expect_broken(fan, [&](LayerChunk& c) { line(c, 0).stop = 0; });
+  expect_broken(fan, [&](LayerChunk& c) { line(c, 1).early = !line(c, 1).early; });
+  expect_broken(fan, [&](LayerChunk& c) {
+    for (std::size_t k = 0; k < 4; ++k) line(c, k).stop = 0;
+  });
+  expect_broken(fan, [&](LayerChunk& c) {
+    c.fans[0][3] = c.fans[0][2];
+    for (std::size_t k = 0; k < 4; ++k) line(c, k).early = false;
+  });
 }
 
 TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {

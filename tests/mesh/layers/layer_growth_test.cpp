@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "base/array_index.h"
 #include "mesh/core/surface_mesh.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_sphere.h"
 
@@ -43,7 +46,8 @@ GrownWhole whole_of(const Layered& sphere, std::int64_t cells) {
   return whole;
 }
 
-double volume_between(const LayeredSphere& sphere) {
+template <class Layered>
+double volume_between(const Layered& sphere) {
   const Subdomain rest =
       unlayered_domain(sphere.plan, sphere.surface, unlayered_path, top_of_layers).root;
   return enclosed_volume(sphere.surface.vertices, sphere.surface.triangles) -
@@ -70,6 +74,61 @@ TEST(LayerGrowth, closes_its_sides_in_planes_with_quads_and_triangles) {
       const GrownWhole whole = whole_of(box, cells);
       EXPECT_EQ(whole.open_faces(), 0U);
       EXPECT_EQ(whole.nodes(), nodes);
+    }
+  }
+}
+
+/// Bodies with fans all over their edges, with fans that end, and with some lines that stop early.
+std::vector<test::LayeredBody> fanned_bodies() {
+  std::vector<test::LayeredBody> bodies;
+  bodies.emplace_back(test::cube_in_box(3), test::fanned(0.02, 6, 60));
+  bodies.emplace_back(test::lens_in_box(6, 5, 5), test::fanned(0.002, 10, 45));
+  bodies.emplace_back(test::lens_in_box(6, 20, 150), test::fanned(0.01, 6, 60));
+  LayerRequest rough = test::fanned(0.05, 8, 60);
+  rough.step = 3;
+  bodies.emplace_back(test::lens_in_box(6, 40, 40), rough);
+  bodies.emplace_back(test::cube_in_box(3), rough);
+  // Down to none at one corner.
+  LayerPlan& plan = bodies.back().plan;
+  for (LayerLine& line : plan.lines) {
+    const Vec3 from_corner = line.at - Vec3{1, 1, 1};
+    const int most = static_cast<int>(std::floor(2 * norm(from_corner)));
+    line.stop = std::min(line.stop, most);
+  }
+  return bodies;
+}
+
+TEST(LayerGrowth, closes_fans_in_however_many_chunks) {
+  std::int64_t early = 0;
+  for (const test::LayeredBody& body : fanned_bodies()) {
+    EXPECT_FALSE(body.plan.fans.empty());
+    for (const LayerLine& line : body.plan.lines) early += line.early ? 1 : 0;
+    const std::size_t nodes = whole_of(body, 1'000'000).nodes();
+    for (const std::int64_t cells : {1'000'000, 500, 30}) {
+      const GrownWhole whole = whole_of(body, cells);
+      EXPECT_EQ(whole.open_faces(), 0U);
+      EXPECT_EQ(whole.nodes(), nodes);
+      EXPECT_NEAR(whole.volume(), volume_between(body), 1e-10);
+    }
+  }
+  EXPECT_GT(early, 0);
+}
+
+TEST(LayerGrowth, makes_what_the_chunk_counts_also_in_fans) {
+  for (const test::LayeredBody& body : fanned_bodies()) {
+    for (const LayerChunk& chunk : chunks_of(body.plan, body.surface, 200)) {
+      const GrownLayers layers = grow(chunk);
+      const ChunkCounts counts = counts_of(chunk);
+      EXPECT_EQ(std::ssize(layers.mesh.tets), counts.tets);
+      EXPECT_EQ(std::ssize(layers.blocks[ElementType::pyramid].regions), counts.pyramids);
+      EXPECT_EQ(std::ssize(layers.blocks[ElementType::prism].regions), counts.prisms);
+      EXPECT_EQ(std::ssize(layers.marks[CellMark::layer]), counts.cells());
+      std::set<std::uint32_t> own;
+      for (const Origin& origin : layers.subdomain.node_origin) {
+        if (origin.owner == chunk.path.heap) own.insert(origin.index);
+      }
+      EXPECT_EQ(std::ssize(own), counts.nodes);
+      EXPECT_TRUE(own.empty() || *own.rbegin() + 1 == own.size());
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "mesh/geometry/predicates.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_cells.h"
+#include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_plan.h"
 #include "mesh/layers/unlayered_domain.h"
 
@@ -57,43 +58,93 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   return enclosed_volume(closed.vertices, closed.triangles);
 }
 
-/// Every component tet is positive, stops differ by `step` at most, a line that has fewer layers
-/// than wanted tells why, and what is left is a domain without defects, turned as the surface was,
-/// of the volume that the cells leave.
-inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh& surface,
-                                        int step = 1) {
-  LayerFigures figures;
-  long double volume = 0;
-  for (const std::int32_t t : plan.wall) {
-    const auto lines = lines_of(plan, surface, t);
-    std::array<int, 3> stops{};
+/// Adds up cells, and expects each of their component tets to be positive.
+class LayerCellSums {
+ public:
+  void add(ElementType type, const std::vector<Vec3>& p) {
+    for (const auto& tet : component_tets(type)) {
+      EXPECT_GT(orient3d(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]), 0);
+    }
+    volume_ += element_volume(type, p);
+    figures_.prisms += type == ElementType::prism ? 1 : 0;
+    figures_.pyramids += type == ElementType::pyramid ? 1 : 0;
+    figures_.tets += type == ElementType::tet ? 1 : 0;
+  }
+
+  /// Those above a triangle of these lines from a layer on.
+  void add_column(const LayerPlan& plan, const std::array<std::int32_t, 3>& lines, int from) {
+    LayerColumn column;
     std::array<std::vector<Vec3>, 3> points;
-    bool is_full = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const LayerLine& line = plan.lines[at(lines[k])];
-      stops[k] = line.stop;
+      column.stops[k] = line.stop;
+      column.early[k] = line.early;
       points[k] = points_of(line);
-      is_full = is_full && line.stop == line.wanted;
-      EXPECT_LE(line.stop, line.wanted);
-      EXPECT_EQ(line.reason == StopReason::complete, line.stop == line.wanted)
-          << name_of(line.reason) << ' ' << line.stop << ' ' << line.wanted;
-      EXPECT_LE(std::abs(line.stop - plan.lines[at(lines[(k + 1) % 3])].stop), step);
     }
-    figures.full += is_full ? 1 : 0;
-    for (int layer = 1; layer <= layers_above(stops); ++layer) {
-      const LayerCell cell = layer_cell(stops, layer);
+    for (int layer = from; layer <= layers_above(column.stops); ++layer) {
+      for (const LayerCell& cell : cells_of_layer(column, layer)) {
+        std::vector<Vec3> p;
+        for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
+          p.push_back(points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)]);
+        }
+        add(cell.type, p);
+      }
+    }
+  }
+
+  void add_fan(const LayerPlan& plan, const FanPiece& piece) {
+    const PieceLines lines = lines_of(plan, piece);
+    for (const FanCell& cell : base_cells(lines)) {
       std::vector<Vec3> p;
       for (std::size_t k = 0; k < nodes_of(cell.type); ++k) {
-        p.push_back(points[at(cell.nodes[k].corner)][at(cell.nodes[k].level)]);
+        p.push_back(base_points(lines)[cell.nodes[k]]);
       }
-      for (const auto& tet : component_tets(cell.type)) {
-        EXPECT_GT(orient3d(p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]), 0);
-      }
-      volume += element_volume(cell.type, p);
-      figures.prisms += cell.type == ElementType::prism ? 1 : 0;
-      figures.pyramids += cell.type == ElementType::pyramid ? 1 : 0;
-      figures.tets += cell.type == ElementType::tet ? 1 : 0;
+      add(cell.type, p);
     }
+    for (const auto& [a, b, c] : open_triangles(plan, piece)) add_column(plan, {a, b, c}, 2);
+  }
+
+  const LayerFigures& figures() const { return figures_; }
+  double volume() const { return static_cast<double>(volume_); }
+
+ private:
+  LayerFigures figures_;
+  long double volume_ = 0;
+};
+
+/// A line that has fewer layers than wanted tells why, and stops differ by `step` at most, in a
+/// fan by none.
+inline void expect_right_stops(const LayerPlan& plan, const std::array<std::int32_t, 3>& lines,
+                               int step) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LayerLine& line = plan.lines[at(lines[k])];
+    const LayerLine& next = plan.lines[at(lines[(k + 1) % 3])];
+    EXPECT_LE(line.stop, line.wanted);
+    EXPECT_EQ(line.reason == StopReason::complete, line.stop == line.wanted)
+        << name_of(line.reason) << ' ' << line.stop << ' ' << line.wanted;
+    EXPECT_LE(std::abs(line.stop - next.stop), line.foot == next.foot ? 0 : step);
+  }
+}
+
+/// Every component tet is positive, stops are right, and what is left is a domain without defects,
+/// turned as the surface was, of the volume that the cells leave.
+inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh& surface,
+                                        int step = 1) {
+  LayerCellSums sums;
+  std::int64_t full = 0;
+  for (const std::int32_t t : plan.wall) {
+    const auto lines = lines_of(plan, surface, t);
+    expect_right_stops(plan, lines, step);
+    full += std::all_of(lines.begin(), lines.end(), [&plan](std::int32_t line) {
+      return plan.lines[at(line)].stop == plan.lines[at(line)].wanted;
+    });
+    sums.add_column(plan, lines, 1);
+  }
+  for (const FanPiece& piece : plan.fans) {
+    for (const auto& [a, b, c] : open_triangles(plan, piece)) {
+      expect_right_stops(plan, {a, b, c}, step);
+    }
+    sums.add_fan(plan, piece);
   }
   const UnlayeredDomain rest = unlayered_domain(plan, surface, TreePath{2}, 1);
   EXPECT_EQ(validate(rest.root), std::vector<std::string>{});
@@ -106,7 +157,9 @@ inline LayerFigures expect_valid_layers(const LayerPlan& plan, const SurfaceMesh
   const double whole = volume_within(plan, surface);
   const double left = enclosed_volume(top.vertices, top.triangles);
   // Both volumes that are subtracted are rounded.
-  EXPECT_NEAR(static_cast<double>(volume), whole - left, 1e-8 * whole);
+  EXPECT_NEAR(sums.volume(), whole - left, 1e-8 * whole);
+  LayerFigures figures = sums.figures();
+  figures.full = full;
   return figures;
 }
 

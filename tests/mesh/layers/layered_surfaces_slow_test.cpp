@@ -2,6 +2,7 @@
 
 #include "mesh/layers/plane_retreat.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/cad_surfaces.h"
 #include "tests/support/generated_surfaces.h"
@@ -65,6 +66,31 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
   }
   EXPECT_GT(planned, 150);
   EXPECT_GT(with_planes, planned / 10) << planned;
+}
+
+/// Bodies in a box, with several lines at their sharp edges.
+TEST_P(ManyLayeredSurfaces, have_layers_that_fan) {
+  std::int64_t planned = 0;
+  std::int64_t with_fans = 0;
+  for (std::uint64_t seed = 100; seed < 400; ++seed) {
+    SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
+    const SurfaceMesh body = GetParam().make(seed, 1);
+    if (!check_surface(body).report.defects.empty()) continue;
+    const CheckedSurface checked = check_surface(test::in_a_box(body));
+    if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+    const SurfaceMesh& surface = checked.surface;
+    const double share = seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 0.02 : 0.3;
+    LayerRequest request = test::fanned(share * check_surface(body).report.median_edge,
+                                        seed % 2 == 0 ? 6 : 0, seed % 7 < 4 ? 60 : 35);
+    request.step = seed % 5 == 0 ? 3 : 1;
+    const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
+    test::expect_valid_layers(plan, surface, request.step);
+    with_fans += plan.fans.empty() ? 0 : 1;
+    ++planned;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(planned, 150);
+  EXPECT_GT(with_fans, planned / 10) << planned;
 }
 
 std::vector<shapes::SurfaceGenerator> all_generators() {

@@ -102,5 +102,44 @@ TEST(WallGraph, steps_between_neighbours_become_one) {
   }
 }
 
+/// Vertex 0 of a cube gets three lines: one of them, 2, with no triangle.
+TEST(WallGraph, with_fans_has_several_lines_at_a_foot) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  const WallGraph single = wall_graph(cube, all_triangles(cube));
+  const std::int32_t moved = single.wall[at(single.faces.of(0)[1])];
+  const Triangle& nodes = cube.triangles[at(moved)];
+  const auto corner = static_cast<int>(std::find(nodes.begin(), nodes.end(), 0) - nodes.begin());
+  const std::int32_t next = nodes[(at(corner) + 1) % 3];
+  const std::vector<FanCorner> corners = {{moved, corner, 1}};
+  const std::int32_t there = next + 2;  // two lines come before it
+  const std::vector<FanPiece> pieces = {{{0, 2}, {there, there}, moved},
+                                        {{2, 1}, {there, there}, moved}};
+  const WallGraph graph = with_fans(single, {0, 0, 0, 1, 2, 3, 4, 5, 6, 7}, corners, pieces);
+  EXPECT_EQ(graph.vertex2line[0], 0);
+  EXPECT_EQ(graph.vertex2line[7], 9);
+  EXPECT_EQ(graph.wall_lines[at(moved)][at(corner)], 1);
+  EXPECT_EQ(graph.faces.of(0).size() + 1, single.faces.of(0).size());
+  EXPECT_EQ(std::vector<std::int32_t>(graph.faces.of(1).begin(), graph.faces.of(1).end()),
+            std::vector<std::int32_t>{moved});
+  EXPECT_TRUE(graph.faces.of(2).empty());
+  const auto of_middle = graph.neighbours.of(2);
+  EXPECT_EQ(std::vector<std::int32_t>(of_middle.begin(), of_middle.end()),
+            (std::vector<std::int32_t>{0, 1, there}));
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(graph.is_of_fan(i), i < 3);
+}
+
+TEST(WallGraph, lines_of_one_foot_stop_alike) {
+  const SurfaceMesh cube = shapes::unit_cube();
+  const WallGraph single = wall_graph(cube, all_triangles(cube));
+  const std::vector<FanPiece> pieces = {{{0, 2}, {3, 3}, 0}, {{2, 1}, {3, 3}, 0}};
+  const WallGraph graph = with_fans(single, {0, 0, 0, 1, 2, 3, 4, 5, 6, 7}, {}, pieces);
+  std::vector<int> stops(10, 7);
+  stops[1] = 4;
+  limit_steps(graph, std::vector<int>(10, 2), stops);
+  EXPECT_EQ(stops[0], 4);
+  EXPECT_EQ(stops[2], 4);
+  EXPECT_EQ(stops[3], 6);
+}
+
 }  // namespace
 }  // namespace tetfarm
