@@ -138,6 +138,11 @@ std::string cells_text(const wire::JobStatus& status) {
   return text;
 }
 
+std::string least_jacobian_text(const wire::JobStatus& status) {
+  if (!status.numbers().contains("layers_min_scaled_jacobian")) return {};
+  return "; least Jacobian " + format("%.3f", number_of(status, "layers_min_scaled_jacobian"));
+}
+
 /// How much of the wall has the layers that were asked for; empty of a job without layers.
 std::string wall_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("layers_wall_triangles")) return {};
@@ -150,7 +155,8 @@ std::string wall_text(const wire::JobStatus& status) {
                   " triangles, fewer on " + short_count(number_of(status, "layers_partial")) +
                   ", none on " + short_count(number_of(status, "layers_none")) +
                   "; first height within 2 % on " + percent("layers_first_within_2") +
-                  ", within 10 % on " + percent("layers_first_within_10"));
+                  ", within 10 % on " + percent("layers_first_within_10") +
+                  least_jacobian_text(status));
 }
 
 /// What became of the planes that layers run in; empty where they run in none.

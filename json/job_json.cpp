@@ -104,6 +104,13 @@ void add_layers(const wire::JobStatus& status, Json& json) {
     layers[std::string("first_height_within_") + share + "_percent"] =
         with_first > 0 ? 100 * within / with_first : 0;
   }
+  if (status.numbers().contains("layers_min_scaled_jacobian")) {
+    layers["min_scaled_jacobian"] = number_of(status, "layers_min_scaled_jacobian");
+  }
+  const double cpu_seconds = number_of(status, "task_grow_cpu_seconds");
+  if (cpu_seconds > 0) {
+    layers["prisms_per_second"] = number_of(status, "prisms") / cpu_seconds;
+  }
   if (status.numbers().contains("layers_planes")) {
     for (const char* name :
          {"planes", "plane_triangles_before", "plane_triangles_after", "plane_quads"}) {

@@ -1,10 +1,12 @@
 #include "worker/grow_task.h"
 
+#include <optional>
 #include <utility>
 
 #include "mesh/assemble/portion.h"
 #include "mesh/layers/layer_chunk_file.h"
 #include "mesh/layers/layer_growth.h"
+#include "mesh/layers/layer_shape.h"
 #include "tasks/grow_contract.h"
 #include "worker/leaf_inputs.h"
 #include "worker/shared_mesh_file.h"
@@ -13,8 +15,7 @@
 namespace tetfarm {
 namespace {
 
-MeshPart grown_part(const LayerChunk& chunk) {
-  GrownLayers layers = grow(chunk);
+MeshPart part_of(GrownLayers layers) {
   const std::vector<std::string> complaints = validate(layers);
   if (!complaints.empty()) throw OwnDefect("the layers are wrong: " + complaints.front(), {});
   MeshPart part;
@@ -36,7 +37,9 @@ void grow_task(TaskIo& io) {
   const LayerChunk chunk = io.read(given.layers, layer_chunk_from_bytes);
   const ChunkCounts counts = counts_of(chunk);
   report_cost(io, grow_cost(static_cast<double>(counts.cells())));
-  MeshPart part = grown_part(chunk);
+  GrownLayers layers = grow(chunk);
+  const std::optional<double> jacobian = least_jacobian_share(layers);
+  MeshPart part = part_of(std::move(layers));
   const Subdomain& wall = part.subdomain;
   const LeafNumbering numbers = numbering.leaf({wall.path, wall.region, wall.node_origin});
   const SurfacePieces pieces = surface.pieces(surface_pieces(wall));
@@ -45,6 +48,7 @@ void grow_task(TaskIo& io) {
   io.number("tets", static_cast<double>(counts.tets));
   io.number("pyramids", static_cast<double>(counts.pyramids));
   io.number("prisms", static_cast<double>(counts.prisms));
+  if (jacobian) io.number("min_scaled_jacobian", *jacobian);
   if (counts.quads > 0) io.number("quads", static_cast<double>(counts.quads));
   GrowMade made;
   made.portion = io.publish(portion_to_bytes(portion));

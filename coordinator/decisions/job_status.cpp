@@ -94,6 +94,15 @@ void add_cost(const TaskRow& task, JobSummary& summary) {
   if (bound > 0) most("_of_expected_bytes", static_cast<double>(task.peak_rss_bytes) / bound);
 }
 
+/// The least Jacobian of the prisms of all chunks.
+void add_grown(const TaskRow& grow, JobSummary& summary) {
+  const auto jacobian = grow.numbers.find("min_scaled_jacobian");
+  if (jacobian == grow.numbers.end()) return;
+  const auto [least, is_first] =
+      summary.numbers.emplace("layers_min_scaled_jacobian", jacobian->second);
+  least->second = std::min(least->second, jacobian->second);
+}
+
 /// Of the tets where the surface forces no small angles: their number, their smallest angle of all
 /// leaves, and where it is.
 void add_unforced(const TaskRow& write, JobSummary& summary) {
@@ -202,6 +211,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
       add_assimilation(task, summary);
     }
+    if (task.kind == TaskKind::grow && task.state == TaskState::done) add_grown(task, summary);
     if (task.kind == TaskKind::write && task.state == TaskState::done) {
       add_unforced(task, summary);
     }

@@ -67,6 +67,9 @@ TEST(JobText, of_a_mesh_with_layers_names_its_cells_and_how_much_of_the_wall_has
       AllOf(HasSubstr("done       50 tets, 20 prisms, "),
             HasSubstr("layers: all on 7 of 12 triangles, fewer on 3, none on 2; first height "
                       "within 2 % on 75.00 %, within 10 % on 100.00 %\n")));
+  numbers["layers_min_scaled_jacobian"] = 0.25;
+  EXPECT_THAT(result_text(status, 1, {}),
+              HasSubstr("within 10 % on 100.00 %; least Jacobian 0.250\n"));
 }
 
 TEST(JobText, says_where_in_the_tree_a_task_in_quarantine_is) {

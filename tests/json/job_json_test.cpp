@@ -70,6 +70,10 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
                                     {"by_reason", {{"no_room", 4}, {"ridge", 1}}},
                                     {"first_height_within_2_percent", 50.0},
                                     {"first_height_within_10_percent", 90.0}}));
+  numbers["layers_min_scaled_jacobian"] = 0.25;
+  numbers["task_grow_cpu_seconds"] = 0.5;
+  EXPECT_EQ(result_of(status)["layers"]["min_scaled_jacobian"], 0.25);
+  EXPECT_EQ(result_of(status)["layers"]["prisms_per_second"], 40);
   EXPECT_FALSE(result.contains("boundary_quads"));
   numbers["quads"] = 60;
   EXPECT_EQ(result_of(status)["boundary_quads"], 60);

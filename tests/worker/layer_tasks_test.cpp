@@ -6,6 +6,7 @@
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/support/shapes.h"
 #include "tests/worker/task_chain.h"
 #include "worker/grow_task.h"
@@ -139,6 +140,28 @@ TEST_F(LayerTasks, end_on_planes_with_quads_that_close_the_mesh) {
     EXPECT_NEAR(numbers.at("volume"), 1, 1e-12);
     expect_sound(assembled, "box.vtkhdf");
     expect_sound(assembled, "box.lb8.ugrid");
+  }
+}
+
+TEST_F(LayerTasks, fan_round_the_edges_of_a_body_in_one_sound_mesh) {
+  for (const double fan_angle : {60.0, no_fan_angle}) {
+    JobFile job = layered_job(3);
+    job.name = "cube";
+    job.surface = "cube.obj";
+    job.layers[0].patches = {"body"};
+    job.layers[0].fan_angle = fan_angle;
+    const std::string cube = test::obj_of(test::cube_in_box(4));
+    const wire::Envelope inspected =
+        run(inspect_task, {{"job", publish(to_toml(job))}, {"input_surface", publish(cube)}});
+    const wire::Envelope assembled = run(assemble_task, prepared(job, inspected));
+    ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+    const auto& numbers = assembled.done().numbers();
+    EXPECT_NEAR(numbers.at("volume"), 6 * 6 * 6 - 2 * 2 * 2, 1e-9);
+    EXPECT_EQ(numbers.at("pyramids") > 0, fan_angle < no_fan_angle);
+    const double jacobian = last_.done().numbers().at("min_scaled_jacobian");
+    EXPECT_EQ(jacobian > 0.7, fan_angle < no_fan_angle) << jacobian;
+    expect_sound(assembled, "cube.vtkhdf");
+    expect_sound(assembled, "cube.lb8.ugrid");
   }
 }
 

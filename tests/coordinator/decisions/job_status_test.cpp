@@ -201,6 +201,19 @@ TEST_F(JobStatusTest, has_the_worst_unforced_angle_of_all_leaves_and_where_it_is
   EXPECT_EQ(numbers.at("unforced_worst_z"), 60);
 }
 
+TEST_F(JobStatusTest, has_the_least_jacobian_of_all_chunks_of_layers) {
+  const auto grow = [this](std::uint64_t path, TaskState state, double jacobian) {
+    add(TaskKind::grow, path, state).numbers = {{"prisms", 10}, {"min_scaled_jacobian", jacobian}};
+  };
+  EXPECT_FALSE(summary().numbers.contains("layers_min_scaled_jacobian"));
+  grow(12, TaskState::done, 0.75);
+  grow(13, TaskState::done, 0.25);
+  grow(14, TaskState::done, 0.5);
+  grow(15, TaskState::leased, 0.125);
+  add(TaskKind::grow, 16, TaskState::done).numbers = {{"tets", 10}};
+  EXPECT_EQ(summary().numbers.at("layers_min_scaled_jacobian"), 0.25);
+}
+
 TEST_F(JobStatusTest, has_the_figures_of_assimilation_and_of_the_mesh_once_they_are_there) {
   TaskRow& assimilate = add(TaskKind::assimilate, 0, TaskState::ready);
   assimilate.numbers = {{"groups", 4}};
