@@ -10,6 +10,15 @@
 
 namespace tetfarm {
 
+/// How a fan ends in a plane that its lines at one foot run in: a triangle of the boundary at the
+/// foot, and quads above it, as many as there are further layers.
+struct FanEnd {
+  std::int32_t patch = -1;     ///< of the plane; -1: there is none
+  std::int32_t triangle = -1;  ///< of the surface
+
+  friend bool operator==(const FanEnd&, const FanEnd&) = default;
+};
+
 /// What lies between neighbouring lines of one foot, where a fan of them goes round a sharp edge or
 /// corner: see layer_fan.h for the cells. Numbers are those of lines. Seen from the layers along an
 /// edge of the wall from one foot to the other, the first of two lines is to the left.
@@ -18,7 +27,8 @@ struct FanPiece {
   /// Of the other end of the edge two lines of a fan, or twice its only line; or twice a third line
   /// of the same foot: a corner.
   std::array<std::int32_t, 2> to{};
-  std::int32_t beside = 0;  ///< a triangle of the wall at the edge or corner
+  std::int32_t beside = 0;          ///< a triangle of the wall at the edge or corner
+  std::array<FanEnd, 2> ends = {};  ///< at the lines `from`, and `to`
 
   friend bool operator==(const FanPiece&, const FanPiece&) = default;
 };

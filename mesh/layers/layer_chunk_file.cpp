@@ -96,7 +96,7 @@ void check_triangles(const LayerChunk& chunk, const ByteReader& reader) {
     }
   }
   for (const ChunkFan& fan : chunk.fans) {
-    for (const std::int32_t line : fan) is_used[at(line)] = true;
+    for (const std::int32_t line : fan.lines) is_used[at(line)] = true;
   }
   if (std::find(is_used.begin(), is_used.end(), false) != is_used.end()) {
     reader.fail("has a line of no triangle, nor of a fan");
@@ -109,9 +109,10 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
 }
 
 std::uint32_t version_for(const LayerChunk& chunk) {
-  const bool has_fans =
-      !chunk.fans.empty() || std::any_of(chunk.lines.begin(), chunk.lines.end(),
-                                         [](const ChunkLine& l) { return l.line.early; });
+  const bool has_fans = !chunk.fans.empty() ||
+                        std::any_of(chunk.lines.begin(), chunk.lines.end(), [](const ChunkLine& l) {
+                          return l.line.early || l.line.low_vertex >= 0;
+                        });
   if (has_fans) return chunk_version_with_fans;
   const bool has_sides =
       !chunk.sides.empty() || std::any_of(chunk.lines.begin(), chunk.lines.end(),
@@ -186,8 +187,15 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
 }
 
 void write_fans(const LayerChunk& chunk, ByteWriter& writer) {
+  for (const ChunkLine& line : chunk.lines) writer.number(line.line.low_vertex);
   writer.number<std::uint64_t>(chunk.fans.size());
-  writer.array(chunk.fans);
+  for (const ChunkFan& fan : chunk.fans) {
+    for (const std::int32_t line : fan.lines) writer.number(line);
+    for (const FanEnd& end : fan.ends) {
+      writer.number(end.patch);
+      writer.number(end.triangle);
+    }
+  }
 }
 
 /// Two lines of one foot, which begin together.
@@ -195,29 +203,56 @@ bool are_of_one_foot(const LayerLine& a, const LayerLine& b) {
   return a.foot == b.foot && (a.stop > 0) == (b.stop > 0) && a.early == b.early;
 }
 
+/// The triangle of a fan's side has its nodes on the surface, and so has the top.
+bool is_end(const LayerChunk& chunk, const ChunkFan& fan, std::size_t number) {
+  const FanEnd& end = fan.ends.at(number);
+  if (end.patch < 0) return end.patch == -1 && end.triangle == -1;
+  const std::array<std::int32_t, 2> lines = lines_at_end(fan.lines, number);
+  return end.triangle >= 0 && lines[0] != lines[1] &&
+         std::all_of(lines.begin(), lines.end(),
+                     [&chunk](std::int32_t number_of_line) {
+                       const LayerLine& line = chunk.lines[at(number_of_line)].line;
+                       return line.stop > 0 && vertex_at(line, 1) >= 0 &&
+                              vertex_at(line, line.stop) >= 0;
+                     }) &&
+         chunk.lines[at(lines[0])].line.stop == chunk.lines[at(lines[1])].line.stop;
+}
+
 bool is_fan(const LayerChunk& chunk, const ChunkFan& fan) {
+  const auto& [a, b, c, d] = fan.lines;
   const PieceLines lines = lines_of(chunk, fan);
-  if (fan[0] == fan[1] || !are_of_one_foot(*lines[0], *lines[1]) ||
-      !are_of_one_foot(*lines[2], *lines[3])) {
+  if (a == b || !are_of_one_foot(*lines[0], *lines[1]) || !are_of_one_foot(*lines[2], *lines[3]) ||
+      !is_end(chunk, fan, 0) || !is_end(chunk, fan, 1)) {
     return false;
   }
-  const bool to_one = fan[2] == fan[3];
   const bool begin_together = lines[0]->stop > 0 && lines[2]->stop > 0 && !lines[0]->early;
   const bool is_corner = lines[0]->foot == lines[2]->foot;
   if (is_corner) {
-    return to_one && fan[2] != fan[0] && fan[2] != fan[1] &&
-           are_of_one_foot(*lines[0], *lines[2]) && lines[0]->stop > 0;
+    return c == d && c != a && c != b && are_of_one_foot(*lines[0], *lines[2]) &&
+           lines[0]->stop > 0;
   }
-  return !(to_one && begin_together) && !base_cells(lines).empty();
+  return !(c == d && begin_together) && !base_cells(lines).empty();
 }
 
 void read_fans(ByteReader& reader, LayerChunk& chunk) {
-  chunk.fans = reader.array<ChunkFan>(reader.count());
-  for (const ChunkFan& fan : chunk.fans) {
-    for (const std::int32_t line : fan) {
+  for (ChunkLine& line : chunk.lines) {
+    line.line.low_vertex = reader.number<std::int32_t>();
+    const bool is_right = line.line.low_vertex >= -1 &&
+                          (line.line.low_vertex < 0 || line.line.vertices < line.line.stop);
+    if (!is_right) reader.fail("has a line that cannot be");
+  }
+  const std::size_t fans = reader.count();
+  for (std::size_t i = 0; i < fans; ++i) {
+    ChunkFan& fan = chunk.fans.emplace_back();
+    for (std::int32_t& line : fan.lines) {
+      line = reader.number<std::int32_t>();
       if (line < 0 || at(line) >= chunk.lines.size()) {
         reader.fail("has a fan with a line that does not exist");
       }
+    }
+    for (FanEnd& end : fan.ends) {
+      end.patch = reader.number<std::int32_t>();
+      end.triangle = reader.number<std::int32_t>();
     }
     if (!is_fan(chunk, fan)) reader.fail("has a fan that cannot be");
   }

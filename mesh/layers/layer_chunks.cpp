@@ -125,9 +125,10 @@ std::vector<std::uint32_t> top_numbers(const LayerPlan& plan) {
   return numbers;
 }
 
-/// How many points of the line are neither of the surface nor of the top: those of levels 1, 2, …
+/// How many points of the line are neither of the surface nor of the top: those from
+/// first_inner_level on.
 int inner_points(const LayerLine& line) {
-  return std::max(0, line.stop - std::max(line.vertices, 1));
+  return std::max(0, line.stop - std::max(line.vertices, 1) - (first_inner_level(line) - 1));
 }
 
 /// Fills chunks one after the other, in tree order.
@@ -159,8 +160,10 @@ class ChunkFiller {
 
  private:
   void add_fan(const FanPiece& piece) {
-    chunk_->fans.push_back({local_line(piece.from[0]), local_line(piece.from[1]),
-                            local_line(piece.to[0]), local_line(piece.to[1])});
+    ChunkFan& fan = chunk_->fans.emplace_back();
+    fan.ends = piece.ends;
+    fan.lines = numbers_of(piece);
+    for (std::int32_t& line : fan.lines) line = local_line(line);
   }
 
   void add_triangle(const Layered& triangle) {
@@ -248,7 +251,7 @@ LayerColumn column_of(const LayerChunk& chunk, const Triangle& triangle) {
 
 PieceLines lines_of(const LayerChunk& chunk, const ChunkFan& fan) {
   PieceLines lines{};
-  for (std::size_t k = 0; k < fan.size(); ++k) lines[k] = &chunk.lines[at(fan[k])].line;
+  for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = &chunk.lines[at(fan.lines[k])].line;
   return lines;
 }
 
@@ -293,8 +296,13 @@ void count_fan(const LayerChunk& chunk, const ChunkFan& fan, ChunkCounts& counts
   const PieceLines lines = lines_of(chunk, fan);
   for (const FanCell& cell : base_cells(lines)) count_cell(cell.type, counts);
   counts.nodes += has_centre(lines) ? 1 : 0;
+  for (std::size_t end = 0; end < fan.ends.size(); ++end) {
+    if (fan.ends.at(end).patch < 0) continue;
+    ++counts.triangles;
+    counts.quads += lines.at(2 * end)->stop - 1;
+  }
   for (const auto& [i, j, k] : open_triangles(lines)) {
-    count_column(column_of(chunk, {fan[i], fan[j], fan[k]}), 1, false, counts);
+    count_column(column_of(chunk, {fan.lines[i], fan.lines[j], fan.lines[k]}), 1, false, counts);
   }
 }
 

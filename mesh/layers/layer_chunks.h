@@ -31,12 +31,15 @@ inline constexpr std::int64_t cells_of_chunk = 200'000;
 struct ChunkLine {
   LayerLine line;
   std::uint64_t owner = 0;       ///< the chunk that made its nodes between foot and top
-  std::uint32_t first_node = 0;  ///< the number among the owner's of its node of level 1
+  std::uint32_t first_node = 0;  ///< the number among the owner's of its first node there
   std::uint32_t top = 0;         ///< the number of its last node among those of the top, but where
                                  ///< that is a vertex of the surface (LayerLine::vertices)
 
   friend bool operator==(const ChunkLine&, const ChunkLine&) = default;
 };
+
+/// The level of the node with the number first_node.
+inline int first_inner_level(const LayerLine& line) { return line.low_vertex >= 0 ? 2 : 1; }
 
 /// A LayerSide as a chunk has it: from line to line as its triangle of the wall has them.
 struct ChunkSide {
@@ -47,8 +50,13 @@ struct ChunkSide {
   friend bool operator==(const ChunkSide&, const ChunkSide&) = default;
 };
 
-/// The lines of a FanPiece, as base_cells takes them.
-using ChunkFan = std::array<std::int32_t, 4>;
+/// A FanPiece as a chunk has it.
+struct ChunkFan {
+  std::array<std::int32_t, 4> lines{};  ///< as base_cells takes them
+  std::array<FanEnd, 2> ends;
+
+  friend bool operator==(const ChunkFan&, const ChunkFan&) = default;
+};
 
 /// A prism all of whose lines are in_tets is three tets.
 /// Invariants: 1. `triangles` and `surface_triangles` have equal lengths; 2. a triangle has three

@@ -106,8 +106,7 @@ PieceLines lines_of(const LayerPlan& plan, const FanPiece& piece) {
 }
 
 std::vector<Triangle> open_triangles(const LayerPlan& plan, const FanPiece& piece) {
-  const std::array<std::int32_t, 4> numbers = {piece.from[0], piece.from[1], piece.to[0],
-                                               piece.to[1]};
+  const std::array<std::int32_t, 4> numbers = numbers_of(piece);
   std::vector<Triangle> triangles;
   for (const auto& [i, j, k] : open_triangles(lines_of(plan, piece))) {
     triangles.push_back({numbers[i], numbers[j], numbers[k]});

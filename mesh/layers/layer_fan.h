@@ -53,6 +53,19 @@ std::array<Vec3, fan_nodes> base_points(const PieceLines& lines);
 /// one point, as lines of a foot without layers are, are not among them.
 std::vector<std::array<std::uint8_t, 3>> open_triangles(const PieceLines& lines);
 
+/// The two lines at an end of a piece (0: from, 1: to), of a plan or of a chunk by the numbers that
+/// `piece` has: to the left and to the right, seen from their foot along the edge.
+inline std::array<std::int32_t, 2> lines_at_end(const std::array<std::int32_t, 4>& piece,
+                                                std::size_t end) {
+  if (end == 0) return {piece[0], piece[1]};
+  return {piece[3], piece[2]};
+}
+
+/// from, from, to, to.
+inline std::array<std::int32_t, 4> numbers_of(const FanPiece& piece) {
+  return {piece.from[0], piece.from[1], piece.to[0], piece.to[1]};
+}
+
 /// The same of a plan, by its lines. Cost: O(1).
 PieceLines lines_of(const LayerPlan& plan, const FanPiece& piece);
 std::vector<Triangle> open_triangles(const LayerPlan& plan, const FanPiece& piece);

@@ -18,7 +18,8 @@ Origin origin_of(const ChunkLine& line, int level) {
   const std::int32_t vertex = vertex_at(line.line, level);
   if (vertex >= 0) return {0, static_cast<std::uint32_t>(vertex)};
   if (level == line.line.stop) return {top_of_layers, line.top};
-  return {line.owner, line.first_node + static_cast<std::uint32_t>(level - 1)};
+  const auto above = static_cast<std::uint32_t>(level - first_inner_level(line.line));
+  return {line.owner, line.first_node + above};
 }
 
 /// The numbers of a line's nodes: those of level 1 and up follow each other.
@@ -39,7 +40,7 @@ std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
   std::vector<LineNodes> nodes;
   std::map<std::int32_t, std::int32_t> shared;  // node of each foot that fans have
   for (const ChunkFan& fan : chunk.fans) {
-    for (const std::int32_t line : fan) shared.emplace(chunk.lines[at(line)].line.foot, -1);
+    for (const std::int32_t line : fan.lines) shared.emplace(chunk.lines[at(line)].line.foot, -1);
   }
   for (const ChunkLine& line : chunk.lines) {
     auto next = static_cast<std::int32_t>(layers.mesh.nodes.size());
@@ -161,12 +162,12 @@ void add_base(const LayerChunk& chunk, const ChunkFan& fan,
               const std::vector<LineNodes>& line_nodes, std::int32_t centre, GrownLayers& layers,
               Marking& marking) {
   std::array<std::int32_t, fan_nodes> numbers{};
-  for (std::size_t k = 0; k < fan.size(); ++k) {
-    const int level = std::min(chunk.lines[at(fan[k])].line.stop, 1);
-    numbers[k] = line_nodes[at(fan[k])].at_level(level);
+  for (std::size_t k = 0; k < fan.lines.size(); ++k) {
+    const int level = std::min(chunk.lines[at(fan.lines[k])].line.stop, 1);
+    numbers[k] = line_nodes[at(fan.lines[k])].at_level(level);
   }
-  numbers[fan_foot_from] = line_nodes[at(fan[0])].foot;
-  numbers[fan_foot_to] = line_nodes[at(fan[2])].foot;
+  numbers[fan_foot_from] = line_nodes[at(fan.lines[0])].foot;
+  numbers[fan_foot_to] = line_nodes[at(fan.lines[2])].foot;
   numbers[fan_centre] = centre;
   for (const FanCell& cell : base_cells(lines_of(chunk, fan))) {
     std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
@@ -175,6 +176,32 @@ void add_base(const LayerChunk& chunk, const ChunkFan& fan,
     add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
              layers);
     marking.add(cell.type, CellMark::layer, 1);
+  }
+}
+
+/// Between two lines, from a level up to another.
+void add_quads(const LineNodes& from, const LineNodes& to, int low, int high, std::int32_t patch,
+               GrownLayers& layers) {
+  ElementBlock& block = layers.blocks[ElementType::quad];
+  for (int level = low; level < high; ++level) {
+    block.nodes.insert(block.nodes.end(), {from.at_level(level), to.at_level(level),
+                                           to.at_level(level + 1), from.at_level(level + 1)});
+    block.regions.push_back(layers.subdomain.region);
+    block.patches.push_back(patch);
+  }
+}
+
+void add_ends(const LayerChunk& chunk, const ChunkFan& fan,
+              const std::vector<LineNodes>& line_nodes, GrownLayers& layers) {
+  for (std::size_t end = 0; end < fan.ends.size(); ++end) {
+    const auto [patch, triangle] = fan.ends.at(end);
+    if (patch < 0) continue;
+    const auto [left, right] = lines_at_end(fan.lines, end);
+    const LineNodes& to_left = line_nodes[at(left)];
+    const LineNodes& to_right = line_nodes[at(right)];
+    layers.subdomain.triangles.push_back({to_left.foot, to_right.at_level(1), to_left.at_level(1)});
+    layers.subdomain.triangle_origin.push_back({0, static_cast<std::uint32_t>(triangle)});
+    add_quads(to_left, to_right, 1, chunk.lines[at(left)].line.stop, patch, layers);
   }
 }
 
@@ -191,13 +218,7 @@ void add_side(const LayerChunk& chunk, const ChunkSide& side,
   const int from_stop = chunk.lines[at(from)].line.stop;
   const int to_stop = chunk.lines[at(to)].line.stop;
   const int quads = std::min(from_stop, to_stop);
-  ElementBlock& block = layers.blocks[ElementType::quad];
-  for (int level = 0; level < quads; ++level) {
-    block.nodes.insert(block.nodes.end(), {node(from, level), node(to, level), node(to, level + 1),
-                                           node(from, level + 1)});
-    block.regions.push_back(layers.subdomain.region);
-    block.patches.push_back(side.patch);
-  }
+  add_quads(line_nodes[at(from)], line_nodes[at(to)], 0, quads, side.patch, layers);
   auto last = static_cast<std::uint32_t>(side.last);
   const auto add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
     layers.subdomain.triangles.push_back({a, b, c});
@@ -241,10 +262,11 @@ GrownLayers grow(const LayerChunk& chunk) {
     const ChunkFan& fan = chunk.fans[i];
     add_base(chunk, fan, line_nodes, centres[i], layers, marking);
     for (const auto& [a, b, c] : open_triangles(lines_of(chunk, fan))) {
-      add_column({fan[a], fan[b], fan[c]}, 2);
+      add_column({fan.lines[a], fan.lines[b], fan.lines[c]}, 2);
     }
   }
   for (const ChunkSide& side : chunk.sides) add_side(chunk, side, line_nodes, layers);
+  for (const ChunkFan& fan : chunk.fans) add_ends(chunk, fan, line_nodes, layers);
   layers.marks = marking.in_order();
   return layers;
 }

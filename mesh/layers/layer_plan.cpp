@@ -157,7 +157,7 @@ class Planning {
       wishes.push_back(
           {follows_ways(i) || request.in_tets ? -1 : request.fan_cosine, line.law, line.wanted});
     }
-    LineFans fans = line_fans(surface_, graph_, normals_, along, wishes);
+    LineFans fans = line_fans(surface_, graph_, planes_, normals_, along, wishes);
     if (fans.pieces.empty()) return false;
     const std::vector<LayerLine> single = std::move(plan_.lines);
     const std::vector<std::int32_t> single_at = graph_.vertex2line;

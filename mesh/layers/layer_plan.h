@@ -62,6 +62,9 @@ struct LayerLine {
   /// of a line that runs in a plane its top, and the points below that triangles there have.
   int vertices = 0;
   std::int32_t first_vertex = -1;
+  /// The vertex of the surface that its point of level 1 is, as at the end of a fan in a plane,
+  /// where that is none of the last ones; -1: none.
+  std::int32_t low_vertex = -1;
   /// In each layer it goes on before its neighbours that are not early: the end of a fan.
   bool early = false;
 
@@ -101,6 +104,7 @@ std::vector<Vec3> points_of(const LayerLine& line);
 /// @pre 0 <= level <= line.stop.
 inline std::int32_t vertex_at(const LayerLine& line, int level) {
   if (level == 0) return line.foot;
+  if (level == 1 && line.low_vertex >= 0) return line.low_vertex;
   const int below_surface = line.stop - line.vertices;  // the levels that are no vertices
   return level > below_surface ? line.first_vertex + level - below_surface - 1 : -1;
 }

@@ -43,8 +43,9 @@ struct Spoke {
   bool is_sharp = false;
 };
 
-/// A foot with several lines. Its faces are in groups, of which each has one: group j, with line j,
-/// lies from open spoke j to the next one.
+/// A foot with several lines. Its faces are in groups, of which each has one. Where they are a
+/// ring, group j, with line j, lies from open spoke j to the next one. At a plane they are a chain
+/// from border to border, and group j ends at open spoke j.
 struct Fan {
   std::int32_t foot = 0;
   std::vector<Spoke> spokes;      // turning clockwise, seen from the layers; an open one first
@@ -53,15 +54,26 @@ struct Fan {
   /// Of each open spoke the lines there, from that of the group before it to that of the group
   /// after.
   std::vector<std::vector<std::size_t>> arcs;
+  bool is_chain = false;
   bool is_corner = false;  // the arcs go round cells of their own
   std::int32_t first_line = 0;
 
-  std::size_t groups() const { return open.size(); }
-  std::size_t group_before(std::size_t arc) const { return (arc + groups() - 1) % groups(); }
+  std::size_t groups() const { return open.size() + (is_chain ? 1 : 0); }
+  std::size_t group_before(std::size_t arc) const {
+    return is_chain ? arc : (arc + groups() - 1) % groups();
+  }
+  std::size_t group_after(std::size_t arc) const { return is_chain ? arc + 1 : arc; }
+  /// The number of its first face; of the group after the last, that of all faces.
+  std::size_t start_of(std::size_t group) const {
+    if (group == groups()) return spokes.size();
+    if (!is_chain) return open[group];
+    return group == 0 ? 0 : open[group - 1];
+  }
   std::vector<Vec3> normals_of(std::size_t group, std::span<const Vec3> normals) const {
-    const std::size_t end = group + 1 < groups() ? open[group + 1] : spokes.size();
     std::vector<Vec3> found;
-    for (std::size_t i = open[group]; i < end; ++i) found.push_back(normals[at(spokes[i].face)]);
+    for (std::size_t i = start_of(group); i < start_of(group + 1); ++i) {
+      found.push_back(normals[at(spokes[i].face)]);
+    }
     return found;
   }
   std::int32_t end_of(std::size_t arc) const { return spokes[open[arc]].to; }
@@ -105,10 +117,12 @@ std::size_t pieces_for(Vec3 from, Vec3 to, double cosine) {
 
 class FanChoice {
  public:
-  FanChoice(const SurfaceMesh& surface, const WallGraph& graph, std::span<const Vec3> normals,
-            std::span<const Vec3> along, std::span<const FanWish> wishes)
+  FanChoice(const SurfaceMesh& surface, const WallGraph& graph, const WallPlanes& planes,
+            std::span<const Vec3> normals, std::span<const Vec3> along,
+            std::span<const FanWish> wishes)
       : surface_(surface),
         graph_(graph),
+        planes_(planes),
         normals_(normals),
         along_(along),
         wishes_(wishes),
@@ -127,7 +141,8 @@ class FanChoice {
  private:
   std::int32_t line_at(std::int32_t vertex) const { return graph_.vertex2line[at(vertex)]; }
 
-  /// Those of a foot, turning clockwise; none where its faces are not one ring.
+  /// Those of a foot, turning clockwise; none where its faces are not one ring, or at the border of
+  /// the wall one chain.
   std::vector<Spoke> spokes_of(std::int32_t line) const {
     const std::int32_t foot = graph_.feet[at(line)];
     std::vector<Spoke> open;
@@ -136,16 +151,26 @@ class FanChoice {
       const auto corner = std::find(nodes.begin(), nodes.end(), foot) - nodes.begin();
       open.push_back({nodes[at((corner + 1) % 3)], face, static_cast<int>(corner), false});
     }
-    std::vector<Spoke> ring = {open.front()};
-    while (ring.size() < open.size()) {
-      const std::int32_t next = third_vertex(ring.back());
+    const bool is_chain = graph_.at_border[at(line)];
+    std::vector<Spoke> in_order = {is_chain ? first_of_chain(open) : open.front()};
+    while (in_order.size() < open.size()) {
+      const std::int32_t next = third_vertex(in_order.back());
       const auto found = std::find_if(open.begin(), open.end(),
                                       [next](const Spoke& spoke) { return spoke.to == next; });
-      if (found == open.end() || found->to == ring.front().to) return {};
-      ring.push_back(*found);
+      if (found == open.end() || found->to == in_order.front().to) return {};
+      in_order.push_back(*found);
     }
-    if (third_vertex(ring.back()) != ring.front().to) return {};
-    return ring;
+    if ((third_vertex(in_order.back()) == in_order.front().to) == is_chain) return {};
+    return in_order;
+  }
+
+  /// The spoke that no other's face leads to.
+  Spoke first_of_chain(const std::vector<Spoke>& spokes) const {
+    const auto first = std::find_if(spokes.begin(), spokes.end(), [&](const Spoke& spoke) {
+      return std::none_of(spokes.begin(), spokes.end(),
+                          [&](const Spoke& other) { return third_vertex(other) == spoke.to; });
+    });
+    return first == spokes.end() ? spokes.front() : *first;
   }
 
   /// The third vertex of the spoke's face, where the next spoke goes.
@@ -172,9 +197,11 @@ class FanChoice {
   void find_fans() {
     std::vector<Fan> ends;
     for (std::size_t i = 0; i < graph_.feet.size(); ++i) {
-      if (graph_.at_border[i] || wishes_[i].cosine <= -1) continue;
+      const auto& [plane, second_plane] = planes_.of_line[i];
+      const bool is_beside_more = graph_.at_border[i] && (plane < 0 || second_plane >= 0);
+      if (is_beside_more || wishes_[i].cosine <= -1) continue;
       std::optional<Fan> fan = fan_at(static_cast<std::int32_t>(i));
-      if (!fan || fan->groups() == 0) continue;
+      if (!fan || fan->open.empty()) continue;
       if (fan->groups() == 1) {
         ends.push_back(std::move(*fan));
       } else if (find_groups(*fan)) {
@@ -187,20 +214,22 @@ class FanChoice {
     for (Fan& end : ends) continue_fan(std::move(end));
   }
 
-  /// With its sharp spokes open; nothing where its faces are not one ring.
+  /// With its sharp spokes open; nothing where its faces are neither ring nor chain.
   std::optional<Fan> fan_at(std::int32_t line) const {
     Fan fan;
     fan.foot = graph_.feet[at(line)];
     fan.spokes = spokes_of(line);
     if (fan.spokes.empty()) return std::nullopt;
-    for (std::size_t i = 0; i < fan.spokes.size(); ++i) {
+    fan.is_chain = graph_.at_border[at(line)];
+    for (std::size_t i = fan.is_chain ? 1 : 0; i < fan.spokes.size(); ++i) {
       const Spoke& before = fan.spokes[(i + fan.spokes.size() - 1) % fan.spokes.size()];
       fan.spokes[i].is_sharp = is_sharp(before, fan.spokes[i]);
     }
     const auto first = std::find_if(fan.spokes.begin(), fan.spokes.end(),
                                     [](const Spoke& spoke) { return spoke.is_sharp; });
-    std::rotate(fan.spokes.begin(), first == fan.spokes.end() ? fan.spokes.begin() : first,
-                fan.spokes.end());
+    if (!fan.is_chain && first != fan.spokes.end()) {
+      std::rotate(fan.spokes.begin(), first, fan.spokes.end());
+    }
     for (std::size_t i = 0; i < fan.spokes.size(); ++i) {
       if (fan.spokes[i].is_sharp) fan.open.push_back(i);
     }
@@ -209,14 +238,19 @@ class FanChoice {
 
   /// Whether each group has a direction, and no two neighbouring ones are opposite.
   bool find_groups(Fan& fan) const {
+    const std::size_t line = at(line_at(fan.foot));
     for (std::size_t j = 0; j < fan.groups(); ++j) {
-      const MarchingDirection best = marching_direction(fan.normals_of(j, normals_));
-      if (best.visibility < least_visibility) return false;
-      fan.lines.push_back(best.direction / best.visibility);
+      const std::vector<Vec3> normals = fan.normals_of(j, normals_);
+      const Vec3 best =
+          planes_.held(line, marching_direction(with_images(normals, planes_, line)).direction);
+      const double seen = visibility(best, normals);
+      if (seen < least_visibility) return false;
+      fan.lines.push_back(best / seen);
     }
-    for (std::size_t j = 0; j < fan.groups(); ++j) {
+    for (std::size_t j = 0; j < fan.open.size(); ++j) {
       const Vec3& before = fan.lines[fan.group_before(j)];
-      if (dot(normalized(fan.lines[j]), normalized(before)) < cos_of_opposite) return false;
+      const Vec3& after = fan.lines[fan.group_after(j)];
+      if (dot(normalized(after), normalized(before)) < cos_of_opposite) return false;
     }
     return true;
   }
@@ -233,10 +267,10 @@ class FanChoice {
     std::vector<std::size_t> pieces(fans_.size(), 1);
     for (std::size_t i = 0; i < fans_.size(); ++i) {
       const Fan& fan = fans_[i];
-      for (std::size_t j = 0; j < fan.groups(); ++j) {
+      for (std::size_t j = 0; j < fan.open.size(); ++j) {
         const double cosine = wishes_[at(line_at(fan.foot))].cosine;
-        pieces[i] =
-            std::max(pieces[i], pieces_for(fan.lines[fan.group_before(j)], fan.lines[j], cosine));
+        pieces[i] = std::max(pieces[i], pieces_for(fan.lines[fan.group_before(j)],
+                                                   fan.lines[fan.group_after(j)], cosine));
         const std::int32_t next = fan_of_line_[at(line_at(fan.end_of(j)))];
         if (next >= 0) root[root_of(at(next))] = root_of(i);
       }
@@ -250,20 +284,22 @@ class FanChoice {
   }
 
   /// Between two groups the arc is the same from both sides.
-  static void add_arcs(Fan& fan, std::size_t pieces) {
-    fan.is_corner = fan.groups() > 2;
-    for (std::size_t j = 0; j < fan.groups(); ++j) {
-      if (j == 1 && !fan.is_corner) {
+  void add_arcs(Fan& fan, std::size_t pieces) const {
+    fan.is_corner = !fan.is_chain && fan.groups() > 2;
+    for (std::size_t j = 0; j < fan.open.size(); ++j) {
+      if (j == 1 && !fan.is_chain && !fan.is_corner) {
         fan.arcs.emplace_back(fan.arcs[0].rbegin(), fan.arcs[0].rend());
         continue;
       }
-      const std::vector<Vec3> ways = arc_of(fan.lines[fan.group_before(j)], fan.lines[j], pieces);
+      const std::vector<Vec3> ways =
+          arc_of(fan.lines[fan.group_before(j)], fan.lines[fan.group_after(j)], pieces);
       std::vector<std::size_t> arc = {fan.group_before(j)};
       for (std::size_t i = 1; i + 1 < ways.size(); ++i) {
         arc.push_back(fan.lines.size());
-        fan.lines.push_back(ways[i]);
+        const Vec3 held = planes_.held(at(line_at(fan.foot)), normalized(ways[i]));
+        fan.lines.push_back(fan.is_chain ? norm(ways[i]) * held : ways[i]);
       }
-      arc.push_back(j);
+      arc.push_back(fan.group_after(j));
       fan.arcs.push_back(std::move(arc));
     }
   }
@@ -379,7 +415,7 @@ class FanChoice {
   void add_corners(const Fan& fan) {
     std::size_t group = 0;
     for (std::size_t i = 0; i < fan.spokes.size(); ++i) {
-      if (group + 1 < fan.groups() && i == fan.open[group + 1]) ++group;
+      if (i == fan.start_of(group + 1)) ++group;
       if (group == 0) continue;
       const Spoke& spoke = fan.spokes[i];
       made_.corners.push_back({graph_.wall[at(spoke.face)], spoke.corner,
@@ -391,7 +427,7 @@ class FanChoice {
     for (const std::int32_t number : fan_of_line_) {
       if (number < 0) continue;
       const Fan& fan = fans_[at(number)];
-      for (std::size_t arc = 0; arc < fan.groups(); ++arc) add_edge(fan, arc);
+      for (std::size_t arc = 0; arc < fan.open.size(); ++arc) add_edge(fan, arc);
       if (fan.is_corner) add_corner(fan);
     }
   }
@@ -527,6 +563,7 @@ class FanChoice {
 
   const SurfaceMesh& surface_;
   const WallGraph& graph_;
+  const WallPlanes& planes_;
   std::span<const Vec3> normals_;
   std::span<const Vec3> along_;
   std::span<const FanWish> wishes_;
@@ -538,12 +575,12 @@ class FanChoice {
 
 }  // namespace
 
-LineFans line_fans(const SurfaceMesh& surface, const WallGraph& graph,
+LineFans line_fans(const SurfaceMesh& surface, const WallGraph& graph, const WallPlanes& planes,
                    std::span<const Vec3> normals, std::span<const Vec3> along,
                    std::span<const FanWish> wishes) {
   TF_CHECK(normals.size() == graph.wall.size() && along.size() == graph.feet.size() &&
            wishes.size() == graph.feet.size());
-  return FanChoice(surface, graph, normals, along, wishes).choose();
+  return FanChoice(surface, graph, planes, normals, along, wishes).choose();
 }
 
 }  // namespace tetfarm

@@ -6,7 +6,8 @@
 /// groups at its sharp edges. Each group has a line of its own, in the direction that sees the
 /// worst of its faces best; between the lines of two groups there are as many more as leave no gap
 /// above the angle, found by halving so that all machines have the same. A foot whose cells would
-/// not be positive keeps one line, and so do feet at the border of the wall, where the planes are.
+/// not be positive keeps one line. At the border of the wall feet have several only where all that
+/// is beside the wall there is one plane, and then all their lines run in it.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,7 @@
 #include "mesh/layers/fan_piece.h"
 #include "mesh/layers/height_law.h"
 #include "mesh/layers/wall_graph.h"
+#include "mesh/layers/wall_planes.h"
 
 namespace tetfarm {
 
@@ -38,11 +40,12 @@ struct LineFans {
   std::vector<FanPiece> pieces;
 };
 
-/// @param graph with a line a foot, and without fans. @param normals of its wall, of length 1, into
-/// the domain. @param along LayerLine::along of its lines where there is no fan, zero where there
-/// are no layers then. @param wishes of each line. No pieces: there is no fan, and the rest is as
-/// in the graph. Cost: O(n log n) for n triangles, a few times where cells are not positive.
-LineFans line_fans(const SurfaceMesh& surface, const WallGraph& graph,
+/// @param graph with a line a foot, and without fans; planes are of it. @param normals of its wall,
+/// of length 1, into the domain. @param along LayerLine::along of its lines where there is no fan,
+/// zero where there are no layers then. @param wishes of each line. No pieces: there is no fan, and
+/// the rest is as in the graph. Cost: O(n log n) for n triangles, a few times where cells are not
+/// positive.
+LineFans line_fans(const SurfaceMesh& surface, const WallGraph& graph, const WallPlanes& planes,
                    std::span<const Vec3> normals, std::span<const Vec3> along,
                    std::span<const FanWish> wishes);
 

@@ -13,6 +13,7 @@
 #include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/surface_check.h"
+#include "mesh/layers/layer_fan.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "mesh/planar/constrained_delaunay.h"
 #include "mesh/planar/planar_mesh.h"
@@ -135,11 +136,29 @@ class Retreat {
     return planes_.hold_in(at(here), static_cast<std::int32_t>(plane)) ? here : -1;
   }
 
-  /// What stands for a vertex of the plane's old border in its new one.
-  std::int32_t moved(std::int32_t vertex, std::size_t plane) const {
-    const std::int32_t from = line_from(vertex, plane);
-    if (from < 0) return old2new_[at(vertex)];
-    const LayerLine& l = made_.plan.lines[at(from)];
+  /// The line of a vertex at an edge of the plane's border; else -1.
+  std::int32_t line_at_border(const PlaneBorder& border, std::size_t end, std::size_t plane) const {
+    const std::int32_t vertex = border.edge[end];
+    const std::int32_t first = line_from(vertex, plane);
+    if (first < 0 || first != plan_.vertex2line[at(vertex)] || !is_wall(border.across)) {
+      return first;
+    }
+    const Triangle& nodes = surface_.triangles[at(border.across)];
+    const auto corner = std::find(nodes.begin(), nodes.end(), vertex) - nodes.begin();
+    return lines_of(plan_, surface_, border.across)[at(corner)];
+  }
+
+  bool is_wall(std::int32_t triangle) const {
+    return std::binary_search(plan_.wall.begin(), plan_.wall.end(), triangle);
+  }
+
+  /// What stands for a vertex of the plane's old border in its new one, where its line is this.
+  std::int32_t moved(std::int32_t vertex, std::int32_t from) const {
+    return from < 0 ? old2new_[at(vertex)] : top_vertex(from);
+  }
+
+  std::int32_t top_vertex(std::int32_t number) const {
+    const LayerLine& l = made_.plan.lines[at(number)];
     return vertex_at(l, l.stop);
   }
 
@@ -205,7 +224,7 @@ class Retreat {
       ++made_.figures.planes;
       made_.figures.triangles_before += std::ssize(planes_.planes[p].triangles);
       for (const auto& [edge, across] : planes_.planes[p].border) {
-        if (!std::binary_search(plan_.wall.begin(), plan_.wall.end(), across)) continue;
+        if (!is_wall(across)) continue;
         if (line_from(edge[0], p) < 0 && line_from(edge[1], p) < 0) continue;
         made_.plan.sides.push_back({across,
                                     corner_of(surface_.triangles[at(across)], edge[1], edge[0]),
@@ -216,13 +235,24 @@ class Retreat {
               [](const LayerSide& a, const LayerSide& b) {
                 return std::tie(a.triangle, a.corner) < std::tie(b.triangle, b.corner);
               });
+    for (FanPiece& piece : made_.plan.fans) {
+      for (std::size_t end = 0; end < piece.ends.size(); ++end) {
+        const std::int32_t plane = plane_of_end(piece, end);
+        if (plane >= 0) piece.ends.at(end).patch = planes_.planes[at(plane)].patch;
+      }
+    }
+  }
+
+  /// The plane in which the piece has a side at that end; -1: none.
+  std::int32_t plane_of_end(const FanPiece& piece, std::size_t end) const {
+    const auto [left, right] = lines_at_end(numbers_of(piece), end);
+    return left == right || line(left).stop == 0 ? -1 : planes_.of_line[at(left)][0];
   }
 
   /// The lines of a side, as its plane has the edge.
   std::array<std::int32_t, 2> lines_of_side(const LayerSide& side) const {
-    const Triangle& nodes = surface_.triangles[at(side.triangle)];
-    return {plan_.vertex2line[at(nodes[at((side.corner + 1) % 3)])],
-            plan_.vertex2line[at(nodes[at(side.corner)])]};
+    const std::array<std::int32_t, 3> lines = tetfarm::lines_of(plan_, surface_, side.triangle);
+    return {lines[at((side.corner + 1) % 3)], lines[at(side.corner)]};
   }
 
   void add_line_vertices() {
@@ -230,6 +260,9 @@ class Retreat {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (lines[i].stop > 0 && planes_.holds(i)) lines[i].vertices = 1;
     }
+    for_each_end([&](const FanPiece&, FanEnd&, std::int32_t left, std::int32_t right) {
+      lines[at(left)].low_vertex = lines[at(right)].low_vertex = 0;
+    });
     for (const LayerSide& side : made_.plan.sides) {
       const auto [a, b] = lines_of_side(side);
       for (const auto& [higher, lower] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -240,10 +273,27 @@ class Retreat {
     }
     std::vector<Vec3>& vertices = made_.surface.vertices;
     for (LayerLine& l : lines) {
+      if (l.vertices == l.stop) l.low_vertex = -1;
       if (l.vertices == 0) continue;
+      if (l.low_vertex >= 0) {
+        l.low_vertex = static_cast<std::int32_t>(vertices.size());
+        vertices.push_back(point_of(l, 1));
+      }
       l.first_vertex = static_cast<std::int32_t>(vertices.size());
       for (int level = l.stop - l.vertices + 1; level <= l.stop; ++level) {
         vertices.push_back(point_of(l, level));
+      }
+    }
+  }
+
+  /// Calls visit(piece, end, left line, right line) for those in planes.
+  template <class Visit>
+  void for_each_end(const Visit& visit) {
+    for (FanPiece& piece : made_.plan.fans) {
+      for (std::size_t end = 0; end < piece.ends.size(); ++end) {
+        if (piece.ends.at(end).patch < 0) continue;
+        const auto [left, right] = lines_at_end(numbers_of(piece), end);
+        visit(piece, piece.ends.at(end), left, right);
       }
     }
   }
@@ -272,17 +322,22 @@ class Retreat {
       side.last = static_cast<std::int32_t>(made_.surface.triangles.size());
       for (int level = quads; level < line(a).stop; ++level) {
         add_side_triangle({vertex_of(a, level), vertex_of(b, quads), vertex_of(a, level + 1)},
-                          side);
+                          side.patch);
       }
       for (int level = quads; level < line(b).stop; ++level) {
         add_side_triangle({vertex_of(a, quads), vertex_of(b, level), vertex_of(b, level + 1)},
-                          side);
+                          side.patch);
       }
     }
+    for_each_end([&](const FanPiece&, FanEnd& end, std::int32_t left, std::int32_t right) {
+      end.triangle = static_cast<std::int32_t>(made_.surface.triangles.size());
+      made_.figures.quads += line(left).stop - 1;
+      add_side_triangle({vertex_of(left, 0), vertex_of(right, 1), vertex_of(left, 1)}, end.patch);
+    });
   }
 
-  void add_side_triangle(const Triangle& triangle, const LayerSide& side) {
-    add_triangle(triangle, side.patch);
+  void add_side_triangle(const Triangle& triangle, std::int32_t patch) {
+    add_triangle(triangle, patch);
     ++made_.figures.side_triangles;
   }
 
@@ -327,13 +382,26 @@ class Retreat {
       }
       return found->second;
     };
-    for (const PlaneBorder& border : planes_.planes[plane].border) {
-      const std::int32_t from = moved(border.edge[0], plane);
-      const std::int32_t to = moved(border.edge[1], plane);
-      if (from == to) continue;
+    const auto add_edge = [&](std::int32_t from, std::int32_t to, std::int32_t first_line,
+                              std::int32_t last_line) {
+      if (from == to) return;
       const std::int32_t first = point_at(from);
       loops.region.edges.push_back({first, point_at(to)});
-      loops.lines.push_back({line_from(border.edge[0], plane), line_from(border.edge[1], plane)});
+      loops.lines.push_back({first_line, last_line});
+    };
+    for (const PlaneBorder& border : planes_.planes[plane].border) {
+      const std::int32_t first_line = line_at_border(border, 0, plane);
+      const std::int32_t last_line = line_at_border(border, 1, plane);
+      add_edge(moved(border.edge[0], first_line), moved(border.edge[1], last_line), first_line,
+               last_line);
+    }
+    for (const FanPiece& piece : made_.plan.fans) {
+      for (std::size_t end = 0; end < piece.ends.size(); ++end) {
+        if (piece.ends.at(end).patch < 0) continue;
+        if (plane_of_end(piece, end) != static_cast<std::int32_t>(plane)) continue;
+        const auto [left, right] = lines_at_end(numbers_of(piece), end);
+        add_edge(top_vertex(left), top_vertex(right), left, right);
+      }
     }
     return loops;
   }

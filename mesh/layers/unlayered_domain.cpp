@@ -66,6 +66,11 @@ std::vector<bool> triangles_of_sides(const LayerPlan& plan, const SurfaceMesh& s
                            plan.lines[at(lines[at((side.corner + 1) % 3)])].stop;
     for (int i = 0; i < std::abs(difference); ++i) is_of_side[at(side.last + i)] = true;
   }
+  for (const FanPiece& piece : plan.fans) {
+    for (const FanEnd& end : piece.ends) {
+      if (end.triangle >= 0) is_of_side[at(end.triangle)] = true;
+    }
+  }
   return is_of_side;
 }
 

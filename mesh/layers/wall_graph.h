@@ -44,8 +44,8 @@ struct WallGraph {
 WallGraph wall_graph(const SurfaceMesh& surface, std::vector<std::int32_t> wall);
 
 /// The same with several lines at some feet. @param feet of the lines, ascending: the feet of
-/// `graph`, some of them more than once. @param corners, pieces by these lines; feet of fans are
-/// not at the border. Cost: O(n log n).
+/// `graph`, some of them more than once. @param corners, pieces by these lines.
+/// Cost: O(n log n).
 WallGraph with_fans(const WallGraph& graph, std::vector<std::int32_t> feet,
                     std::span<const FanCorner> corners, std::span<const FanPiece> pieces);
 

@@ -334,6 +334,8 @@ WallPlanes wall_planes(const SurfaceMesh& surface, const WallGraph& graph) {
       is_free[i] = std::abs(cosine) <= cos_of_ridge;
     }
     if (!is_free[i]) found.of_line[i] = no_planes;
+    // Triangles lead to the first line of a foot alone.
+    if (i > 0 && graph.feet[i] == graph.feet[i - 1]) found.of_line[i] = found.of_line[i - 1];
   }
   TF_CHECK(found.plane_of_triangle.size() == surface.triangles.size());
   return found;

@@ -165,6 +165,23 @@ TEST_F(LayerTasks, fan_round_the_edges_of_a_body_in_one_sound_mesh) {
   }
 }
 
+TEST_F(LayerTasks, fan_round_edges_that_end_at_a_plane_in_one_sound_mesh) {
+  JobFile job = layered_job(3);
+  job.name = "pillar";
+  job.surface = "pillar.obj";
+  job.layers[0].patches = {"body"};
+  const std::string pillar = test::obj_of(test::pillar_in_box());
+  const wire::Envelope inspected =
+      run(inspect_task, {{"job", publish(to_toml(job))}, {"input_surface", publish(pillar)}});
+  const wire::Envelope assembled = run(assemble_task, prepared(job, inspected));
+  ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+  const auto& numbers = assembled.done().numbers();
+  EXPECT_NEAR(numbers.at("volume"), 6 * 6 * 5 - 2 * 2 * 2, 1e-9);
+  EXPECT_EQ(numbers.at("quads"), 5 * 16 + 4 * 4 * 2);
+  expect_sound(assembled, "pillar.vtkhdf");
+  expect_sound(assembled, "pillar.lb8.ugrid");
+}
+
 TEST_F(LayerTasks, place_their_cells_in_the_file_of_all_where_all_is_counted) {
   prepared(layered_job(1), shapes::sphere({0, 0, 0}, 1, 2));
   const Portion portion = portion_from_bytes(bytes(output(last_, "portion")), "portion");

@@ -143,22 +143,46 @@ TEST(LayerChunkFile, refuses_fans_that_cannot_be) {
   };
   const char* fan = "has a fan that cannot be";
   const auto line = [](LayerChunk& c, std::size_t k) -> LayerLine& {
-    return c.lines.at(static_cast<std::size_t>(c.fans[0][k])).line;
+    return c.lines.at(static_cast<std::size_t>(c.fans[0].lines[k])).line;
   };
   expect_broken("has a fan with a line that does not exist",
-                [](LayerChunk& c) { c.fans[0][2] = 1 << 30; });
+                [](LayerChunk& c) { c.fans[0].lines[2] = 1 << 30; });
   expect_broken("has a fan with a line that does not exist",
-                [](LayerChunk& c) { c.fans[0][3] = -1; });
-  expect_broken(fan, [](LayerChunk& c) { c.fans[0][1] = c.fans[0][0]; });
-  expect_broken(fan, [](LayerChunk& c) { std::swap(c.fans[0][0], c.fans[0][2]); });
+                [](LayerChunk& c) { c.fans[0].lines[3] = -1; });
+  expect_broken(fan, [](LayerChunk& c) { c.fans[0].lines[1] = c.fans[0].lines[0]; });
+  expect_broken(fan, [](LayerChunk& c) { std::swap(c.fans[0].lines[0], c.fans[0].lines[2]); });
   expect_broken(fan, [&](LayerChunk& c) { line(c, 0).stop = 0; });
   expect_broken(fan, [&](LayerChunk& c) { line(c, 1).early = !line(c, 1).early; });
   expect_broken(fan, [&](LayerChunk& c) {
     for (std::size_t k = 0; k < 4; ++k) line(c, k).stop = 0;
   });
   expect_broken(fan, [&](LayerChunk& c) {
-    c.fans[0][3] = c.fans[0][2];
+    c.fans[0].lines[3] = c.fans[0].lines[2];
     for (std::size_t k = 0; k < 4; ++k) line(c, k).early = false;
+  });
+}
+
+TEST(LayerChunkFile, refuses_ends_of_fans_that_cannot_be) {
+  const test::LayeredPillar pillar;
+  const LayerChunk chunk = chunks_of(pillar.plan, pillar.surface).at(0);
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+  const auto found = std::find_if(chunk.fans.begin(), chunk.fans.end(), [](const ChunkFan& fan) {
+    return fan.ends[0].patch >= 0 || fan.ends[1].patch >= 0;
+  });
+  ASSERT_NE(found, chunk.fans.end());
+  const auto number = static_cast<std::size_t>(found - chunk.fans.begin());
+  const std::size_t at_plane = found->ends[0].patch >= 0 ? 0 : 1;
+  const auto expect_broken = [&](const auto& break_it) {
+    LayerChunk broken = chunk;
+    break_it(broken, broken.fans[number].ends.at(at_plane));
+    expect_refused(layer_chunk_to_bytes(broken), "has a fan that cannot be");
+  };
+  expect_broken([](LayerChunk&, FanEnd& end) { end.triangle = -1; });
+  expect_broken([](LayerChunk&, FanEnd& end) { end.patch = -1; });
+  expect_broken([](LayerChunk&, FanEnd& end) { end = {-2, -2}; });
+  expect_broken([&](LayerChunk& c, FanEnd&) {
+    const std::int32_t line = lines_at_end(c.fans[number].lines, at_plane)[0];
+    c.lines.at(static_cast<std::size_t>(line)).line.low_vertex = -1;
   });
 }
 

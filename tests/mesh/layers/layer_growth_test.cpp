@@ -133,6 +133,26 @@ TEST(LayerGrowth, makes_what_the_chunk_counts_also_in_fans) {
   }
 }
 
+TEST(LayerGrowth, closes_fans_that_end_in_planes) {
+  const test::LayeredPillar pillar;
+  const std::size_t nodes = whole_of(pillar, 1'000'000).nodes();
+  for (const std::int64_t cells : {1'000'000, 200, 20}) {
+    const GrownWhole whole = whole_of(pillar, cells);
+    EXPECT_EQ(whole.open_faces(), 0U);
+    EXPECT_EQ(whole.nodes(), nodes);
+  }
+  std::int64_t quads = 0;
+  for (const LayerChunk& chunk : chunks_of(pillar.plan, pillar.surface, 300)) {
+    const GrownLayers layers = grow(chunk);
+    const ChunkCounts counts = counts_of(chunk);
+    EXPECT_EQ(std::ssize(layers.blocks[ElementType::quad].regions), counts.quads);
+    EXPECT_EQ(std::ssize(layers.subdomain.triangles), counts.triangles);
+    quads += counts.quads;
+  }
+  // Five layers on the 16 edges of the pillar's foot, and four on the two pieces at its corners.
+  EXPECT_EQ(quads, 5 * 16 + 4 * 4 * 2);
+}
+
 /// Places in the surface and in the chunks that share it.
 TEST(LayerGrowth, has_nodes_and_triangles_of_the_surface_where_the_surface_has_them) {
   const LayeredBox box(3);

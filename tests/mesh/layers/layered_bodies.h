@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_plan.h"
 #include "mesh/layers/layer_request.h"
+#include "mesh/layers/plane_retreat.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
@@ -111,11 +113,51 @@ struct LayeredBody {
       : surface(std::move(domain)), plan(plan_layers(surface, {&request, 1})) {}
 };
 
+/// A pillar of edge 2 on the middle of the floor of a box, with the patches "body", "floor" and
+/// "rest".
+inline SurfaceMesh pillar_in_box() {
+  const auto is_domain = [](int x, int y, int z) {
+    return z < 4 && std::min(x, y) >= 4 && std::max(x, y) < 8 ? 0 : 1;
+  };
+  const shapes::VoxelSurface voxels = shapes::voxel_surface({{12, 12, 10}, is_domain});
+  SurfaceMesh domain;
+  domain.vertices = voxels.surface.vertices;
+  domain.triangles = voxels.surface.triangles;
+  domain.patch_names = {"body", "floor", "rest"};
+  for (std::size_t t = 0; t < domain.triangles.size(); ++t) {
+    Triangle& nodes = domain.triangles[t];
+    if (voxels.sets[t][0] == 0) std::swap(nodes[1], nodes[2]);
+    Box3 round;
+    for (const std::int32_t v : nodes) round.add(domain.vertices[at(v)]);
+    const bool is_body = round.low.z <= 4 && round.low.x >= 4 && round.low.y >= 4 &&
+                         round.high.x <= 8 && round.high.y <= 8 && round.high.z > 0;
+    domain.patch_of_triangle.push_back(is_body ? body_patch : round.high.z == 0 ? 1 : 2);
+  }
+  for (Vec3& p : domain.vertices) p = 0.5 * p;
+  return domain;
+}
+
 /// Layers from the body with several lines at edges of more than so many degrees.
 inline LayerRequest fanned(double first, int count, double degrees) {
   LayerRequest request = request_of({body_patch}, first, count);
   request.fan_cosine = std::cos(degrees * 3.14159265358979 / 180);
   return request;
 }
+
+/// The pillar with layers that run in the floor, round its edges too.
+struct LayeredPillar {
+  SurfaceMesh surface;
+  LayerPlan plan;
+
+  explicit LayeredPillar(int count = 5) {
+    const SurfaceMesh pillar = pillar_in_box();
+    const LayerRequest request = fanned(0.02, count, 60);
+    std::optional<PlaneRetreat> retreat =
+        retreat_planes(pillar, plan_layers(pillar, {&request, 1}),
+                       [](const SurfaceMesh&) { return [](const Vec3&) { return 0.5; }; });
+    surface = std::move(retreat.value().surface);
+    plan = std::move(retreat.value().plan);
+  }
+};
 
 }  // namespace tetfarm::test

@@ -40,19 +40,28 @@ struct LayerFigures {
 /// What the surface encloses with the quads of the layers' sides.
 inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   SurfaceMesh closed = surface;
+  const auto add_quads = [&closed](const std::vector<Vec3>& from, const std::vector<Vec3>& to,
+                                   std::size_t low) {
+    for (std::size_t i = low + 1; i < std::min(from.size(), to.size()); ++i) {
+      const auto first = static_cast<std::int32_t>(closed.vertices.size());
+      closed.vertices.insert(closed.vertices.end(), {from[i - 1], from[i], to[i - 1], to[i]});
+      closed.triangles.push_back({first, first + 2, first + 3});
+      closed.triangles.push_back({first, first + 3, first + 1});
+    }
+  };
   for (const LayerSide& side : plan.sides) {
-    const Triangle& nodes = surface.triangles[at(side.triangle)];
+    const auto lines = lines_of(plan, surface, side.triangle);
     std::array<std::vector<Vec3>, 2> points;
     for (std::size_t k = 0; k < 2; ++k) {
-      points[k] = points_of(plan.lines[at(plan.vertex2line[at(nodes[(at(side.corner) + k) % 3])])]);
+      points[k] = points_of(plan.lines[at(lines[(at(side.corner) + k) % 3])]);
     }
-    for (std::size_t i = 1; i < std::min(points[0].size(), points[1].size()); ++i) {
-      const auto first = static_cast<std::int32_t>(closed.vertices.size());
-      for (const auto& line : points) {
-        closed.vertices.insert(closed.vertices.end(), {line[i - 1], line[i]});
-      }
-      closed.triangles.push_back({first + 2, first, first + 1});
-      closed.triangles.push_back({first + 2, first + 1, first + 3});
+    add_quads(points[1], points[0], 0);
+  }
+  for (const FanPiece& piece : plan.fans) {
+    for (std::size_t end = 0; end < piece.ends.size(); ++end) {
+      if (piece.ends.at(end).patch < 0) continue;
+      const auto [left, right] = lines_at_end(numbers_of(piece), end);
+      add_quads(points_of(plan.lines[at(left)]), points_of(plan.lines[at(right)]), 1);
     }
   }
   return enclosed_volume(closed.vertices, closed.triangles);

@@ -50,6 +50,7 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
     LayerRequest request =
         test::request_of({0}, share * checked.report.median_edge, seed % 2 == 0 ? 6 : 0);
     request.room = static_cast<RoomRule>(seed / 3 % 3);
+    if (seed % 4 < 3) request.fan_cosine = 0.5;
     request.step = seed % 5 == 0 ? 3 : 1;
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
     const double size = checked.report.median_edge;

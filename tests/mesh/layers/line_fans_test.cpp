@@ -77,23 +77,45 @@ TEST(LineFans, are_where_edges_turn_by_more_than_the_angle_and_are_convex) {
   EXPECT_TRUE(plan_of(surface, inside).fans.empty());
 }
 
-TEST(LineFans, have_no_part_in_lines_at_the_border_or_in_tets) {
-  SurfaceMesh surface = test::cube_in_box(4);
+TEST(LineFans, have_no_part_in_lines_in_tets_or_beside_two_patches) {
   LayerRequest in_tets = test::fanned(0.02, 6, 60);
   in_tets.in_tets = true;
-  EXPECT_TRUE(plan_of(surface, in_tets).fans.empty());
-  surface.patch_names.emplace_back("end");
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const bool at_end = std::all_of(surface.triangles[t].begin(), surface.triangles[t].end(),
-                                    [&](std::int32_t v) { return surface.vertices[at(v)].x == 1; });
-    if (at_end) surface.patch_of_triangle[t] = 2;
+  EXPECT_TRUE(plan_of(test::cube_in_box(4), in_tets).fans.empty());
+  SurfaceMesh pillar = test::pillar_in_box();
+  pillar.patch_names.emplace_back("half of the floor");
+  for (std::size_t t = 0; t < pillar.triangles.size(); ++t) {
+    double x = 0;
+    for (const std::int32_t v : pillar.triangles[t]) x += pillar.vertices[at(v)].x / 3;
+    if (pillar.patch_of_triangle[t] == 1 && x > 4) pillar.patch_of_triangle[t] = 3;
   }
-  const LayerPlan plan = plan_of(surface, test::fanned(0.02, 6, 60));
+  const LayerPlan plan = plan_of(pillar, test::fanned(0.02, 5, 60));
   EXPECT_FALSE(plan.fans.empty());
   for (std::size_t i = 1; i < plan.lines.size(); ++i) {
-    if (plan.lines[i].foot != plan.lines[i - 1].foot) continue;
-    EXPECT_LT(plan.lines[i].at.x, 1);
+    const bool is_of_fan = plan.lines[i].foot == plan.lines[i - 1].foot;
+    EXPECT_FALSE(is_of_fan && plan.lines[i].at.z == 0 && plan.lines[i].at.x == 4);
   }
+}
+
+TEST(LineFans, run_in_planes_beside_the_wall) {
+  const test::LayeredPillar pillar;
+  const test::LayerFigures figures = test::expect_valid_layers(pillar.plan, pillar.surface);
+  EXPECT_EQ(figures.full, std::ssize(pillar.plan.wall));
+  std::map<std::int32_t, int> lines_at_floor;
+  for (const LayerLine& line : pillar.plan.lines) {
+    EXPECT_FALSE(line.early) << "no fan ends";
+    if (line.at.z != 0) continue;
+    ++lines_at_floor[line.foot];
+    EXPECT_EQ(line.along.z, 0);
+    EXPECT_EQ(point_of(line, line.stop).z, 0);
+  }
+  EXPECT_EQ(std::count_if(lines_at_floor.begin(), lines_at_floor.end(),
+                          [](const auto& foot) { return foot.second == 3; }),
+            4);
+  std::int64_t ends = 0;
+  for (const FanPiece& piece : pillar.plan.fans) {
+    for (const FanEnd& end : piece.ends) ends += end.patch == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(ends, 4 * 2);
 }
 
 /// A fin of two faces that meet at 8 degrees stands on a block: at its root the edge ends between
