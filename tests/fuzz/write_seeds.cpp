@@ -18,6 +18,7 @@
 #include "proto/wire.h"
 #include "store/artifact_store.h"
 #include "tasks/failure_cause.h"
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_box.h"
 #include "tests/support/shapes.h"
 
@@ -193,6 +194,8 @@ void write_artifacts(const fs::path& folder) {
   put("keys", 11, std::string(64, 'a') + " worker one # x\n", 0);
   const test::LayeredBox box;
   put("layers", 12, layer_chunk_to_bytes(chunks_of(box.plan, box.surface, 20).at(0)), 16);
+  const test::LayeredPillar pillar;
+  put("fans", 12, layer_chunk_to_bytes(chunks_of(pillar.plan, pillar.surface, 60).at(0)), 16);
 }
 
 }  // namespace
