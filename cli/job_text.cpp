@@ -138,9 +138,17 @@ std::string cells_text(const wire::JobStatus& status) {
   return text;
 }
 
-std::string least_jacobian_text(const wire::JobStatus& status) {
-  if (!status.numbers().contains("layers_min_scaled_jacobian")) return {};
-  return "; least Jacobian " + format("%.3f", number_of(status, "layers_min_scaled_jacobian"));
+/// How well the prisms are shaped, and how the tets on top of them fit; empty where nobody knows.
+std::string layer_shape_text(const wire::JobStatus& status) {
+  std::string text;
+  const auto tell = [&](const char* words, const char* name) {
+    if (status.numbers().contains(name)) text += words + format("%.3g", number_of(status, name));
+  };
+  tell("; least Jacobian ", "layers_min_scaled_jacobian");
+  tell(", of all but 1 % ", "layers_scaled_jacobian_1_percent");
+  tell("; tets on top over last prisms: median ", "layers_top_jump_median");
+  tell(", of all but 1 % ", "layers_top_jump_99");
+  return text;
 }
 
 /// How much of the wall has the layers that were asked for; empty of a job without layers.
@@ -156,7 +164,7 @@ std::string wall_text(const wire::JobStatus& status) {
                   ", none on " + short_count(number_of(status, "layers_none")) +
                   "; first height within 2 % on " + percent("layers_first_within_2") +
                   ", within 10 % on " + percent("layers_first_within_10") +
-                  least_jacobian_text(status));
+                  layer_shape_text(status));
 }
 
 /// What became of the planes that layers run in; empty where they run in none.

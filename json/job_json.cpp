@@ -104,8 +104,10 @@ void add_layers(const wire::JobStatus& status, Json& json) {
     layers[std::string("first_height_within_") + share + "_percent"] =
         with_first > 0 ? 100 * within / with_first : 0;
   }
-  if (status.numbers().contains("layers_min_scaled_jacobian")) {
-    layers["min_scaled_jacobian"] = number_of(status, "layers_min_scaled_jacobian");
+  for (const char* name : {"min_scaled_jacobian", "scaled_jacobian_1_percent",
+                           "scaled_jacobian_median", "top_jump_median", "top_jump_99"}) {
+    const std::string number = std::string("layers_") + name;
+    if (status.numbers().contains(number)) layers[name] = number_of(status, number);
   }
   const double cpu_seconds = number_of(status, "task_grow_cpu_seconds");
   if (cpu_seconds > 0) {

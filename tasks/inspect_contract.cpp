@@ -37,6 +37,7 @@ void InspectMade::describe(ContractFields& fields) {
   fields.files("layers:", layers);
   fields.file("layer_table", layer_table);
   fields.file("layer_map", layer_map);
+  fields.file("top_heights", top_heights);
 }
 
 }  // namespace tetfarm

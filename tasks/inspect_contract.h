@@ -35,6 +35,7 @@ struct InspectMade {
   LeafFiles layers;                     ///< the chunks of the layers
   std::optional<TaskFile> layer_table;  ///< their lines of the numbering's table, and the root's
   std::optional<TaskFile> layer_map;    ///< for people: what each triangle of the wall has
+  std::optional<TaskFile> top_heights;  ///< of the last prisms below the triangles of the top
 
   static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::made;

@@ -27,6 +27,7 @@ void WriteGiven::describe(ContractFields& fields) {
   const std::uint64_t own = cores.empty() ? 0 : cores.begin()->first;
   fields.files_by_leaf({{"core:", &cores}, {"elements:", &elements}}, {.first = own});
   fields.text("colours", colours);
+  fields.file("top_heights", top_heights);
 }
 
 void WriteMade::describe(ContractFields& fields) {

@@ -15,9 +15,10 @@ struct WriteGiven {
   TaskFile numbering;
   TaskFile subdomain;
   TaskFile mesh;
-  LeafFiles cores;                     ///< after cosmetics, of the leaf
-  LeafFiles elements;                  ///< after cosmetics, of it and its neighbours
-  std::optional<std::string> colours;  ///< after cosmetics
+  LeafFiles cores;                      ///< after cosmetics, of the leaf
+  LeafFiles elements;                   ///< after cosmetics, of it and its neighbours
+  std::optional<std::string> colours;   ///< after cosmetics
+  std::optional<TaskFile> top_heights;  ///< of a job with layers
 
   static constexpr TaskKind kind = TaskKind::write;
   static constexpr ContractSide side = ContractSide::given;

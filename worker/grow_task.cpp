@@ -1,13 +1,15 @@
 #include "worker/grow_task.h"
 
-#include <optional>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "mesh/assemble/portion.h"
 #include "mesh/layers/layer_chunk_file.h"
 #include "mesh/layers/layer_growth.h"
 #include "mesh/layers/layer_shape.h"
 #include "tasks/grow_contract.h"
+#include "tasks/ratio_histogram.h"
 #include "worker/leaf_inputs.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
@@ -27,6 +29,15 @@ MeshPart part_of(GrownLayers layers) {
   return part;
 }
 
+/// How well the prisms of boundary layers are shaped; nothing where there are none.
+void report_jacobians(TaskIo& io, const std::vector<double>& shares) {
+  if (shares.empty()) return;
+  RatioHistogram histogram;
+  for (const double share : shares) histogram.add(share);
+  io.number("min_scaled_jacobian", *std::min_element(shares.begin(), shares.end()));
+  io.text("scaled_jacobians", histogram.text());
+}
+
 }  // namespace
 
 void grow_task(TaskIo& io) {
@@ -38,7 +49,7 @@ void grow_task(TaskIo& io) {
   const ChunkCounts counts = counts_of(chunk);
   report_cost(io, grow_cost(static_cast<double>(counts.cells())));
   GrownLayers layers = grow(chunk);
-  const std::optional<double> jacobian = least_jacobian_share(layers);
+  const std::vector<double> jacobians = jacobian_shares(layers);
   MeshPart part = part_of(std::move(layers));
   const Subdomain& wall = part.subdomain;
   const LeafNumbering numbers = numbering.leaf({wall.path, wall.region, wall.node_origin});
@@ -48,7 +59,7 @@ void grow_task(TaskIo& io) {
   io.number("tets", static_cast<double>(counts.tets));
   io.number("pyramids", static_cast<double>(counts.pyramids));
   io.number("prisms", static_cast<double>(counts.prisms));
-  if (jacobian) io.number("min_scaled_jacobian", *jacobian);
+  report_jacobians(io, jacobians);
   if (counts.quads > 0) io.number("quads", static_cast<double>(counts.quads));
   GrowMade made;
   made.portion = io.publish(portion_to_bytes(portion));

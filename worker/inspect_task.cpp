@@ -107,6 +107,8 @@ void publish_layers(TaskIo& io, const DomainLayers& layers, InspectMade& made) {
     made.layers[chunk.path.heap] = io.publish(layer_chunk_to_bytes(chunk));
   }
   made.layer_table = io.publish(layer_table(layers.chunks, layers.top_nodes));
+  if (layers.top_heights.empty()) return;
+  made.top_heights = io.publish(top_heights_to_bytes(layers.top_heights));
 }
 
 static_assert(most_subdomains == most_parts);

@@ -153,6 +153,7 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
   if (!layers.chunks.empty()) {
     UnlayeredDomain rest = unlayered_domain(plan, surface, unlayered_path, top_of_layers);
     layers.top_nodes = rest.top_nodes;
+    layers.top_heights = top_heights(plan, surface, rest);
     domain.root = std::move(rest.root);
     const SurfaceMesh boundary{domain.root.vertices, domain.root.triangles, {}, {}, {}, {}};
     domain.spacing = make_spacing_field(boundary, spacing_options_of(job));

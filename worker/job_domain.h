@@ -20,6 +20,7 @@
 #include "mesh/layers/layer_chunks.h"
 #include "mesh/layers/layer_coverage.h"
 #include "mesh/layers/plane_retreat.h"
+#include "mesh/layers/top_heights.h"
 #include "mesh/spacing/spacing_field.h"
 #include "worker/job_forecast.h"
 #include "worker/job_pml.h"
@@ -30,6 +31,7 @@ namespace tetfarm {
 struct DomainLayers {
   std::vector<LayerChunk> chunks;  ///< none where nothing grows
   std::int64_t top_nodes = 0;
+  std::vector<TopHeight> top_heights;
   std::int64_t cells = 0;
   LayerCoverage coverage;  ///< of boundary layers alone
   std::string map;         ///< for people: layer_map_vtp; empty without boundary layers

@@ -6,6 +6,8 @@
 #include "mesh/assemble/portion.h"
 #include "mesh/assemble/unforced_tets.h"
 #include "mesh/core/subdomain_regions.h"
+#include "mesh/layers/top_jumps.h"
+#include "tasks/ratio_histogram.h"
 #include "tasks/write_contract.h"
 #include "worker/leaf_inputs.h"
 #include "worker/part_after_cosmetics.h"
@@ -43,6 +45,19 @@ void report_unforced(TaskIo& io, const UnforcedTets& unforced) {
   io.number("unforced_worst_z", unforced.worst_centroid.z);
 }
 
+/// How the tets on top of the layers fit to the last prisms.
+void report_top_jumps(TaskIo& io, const TaskFile& heights, const MeshPart& part) {
+  const std::vector<Origin>& origins = part.subdomain.node_origin;
+  const std::vector<std::uint64_t> firsts = firsts_of_top(origins);
+  if (firsts.empty()) return;
+  const std::vector<TopHeight> below = io.look_into(heights, [&](const auto& path) {
+    return TopHeightsFile(path, io.name_of(heights)).with_first(firsts);
+  });
+  RatioHistogram jumps;
+  for (const double jump : top_jumps(part.mesh, origins, below)) jumps.add(jump);
+  if (jumps.count() > 0) io.text("top_jumps", jumps.text());
+}
+
 }  // namespace
 
 void write_task(TaskIo& io) {
@@ -56,6 +71,7 @@ void write_task(TaskIo& io) {
   const Subdomain& leaf = part.subdomain;
   const LeafNumbering numbers = numbering.leaf({leaf.path, leaf.region, leaf.node_origin});
   const SurfacePieces pieces = surface.pieces(surface_pieces(leaf));
+  if (given.top_heights) report_top_jumps(io, *given.top_heights, part);
   Portion portion = make_portion(std::move(part), pieces, numbers);
   place_in_shared_file(io, {given.job, given.surface, given.numbering}, surface, numbers, portion);
   io.number("tets", tets);

@@ -1,10 +1,13 @@
 #include "coordinator/decisions/job_status.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "coordinator/decisions/task_rows.h"
 #include "tasks/decompose_contract.h"
 #include "tasks/inspect_contract.h"
+#include "tasks/ratio_histogram.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -101,6 +104,37 @@ void add_grown(const TaskRow& grow, JobSummary& summary) {
   const auto [least, is_first] =
       summary.numbers.emplace("layers_min_scaled_jacobian", jacobian->second);
   least->second = std::min(least->second, jacobian->second);
+}
+
+/// What the tasks of a job told of the shape of its layers, added up.
+struct LayerShapes {
+  RatioHistogram jacobians;
+  RatioHistogram jumps;
+
+  void add(const TaskRow& task) {
+    add(task, "scaled_jacobians", jacobians);
+    add(task, "top_jumps", jumps);
+  }
+
+ private:
+  static void add(const TaskRow& task, const char* name, RatioHistogram& sum) {
+    const auto text = task.texts.find(name);
+    if (text == task.texts.end()) return;
+    const std::optional<RatioHistogram> told = RatioHistogram::from(text->second);
+    if (told) sum.add(*told);
+  }
+};
+
+void add_layer_shapes(const LayerShapes& shapes, JobSummary& summary) {
+  const auto tell = [&summary](const char* name, std::optional<double> value, double most) {
+    if (value) summary.numbers[name] = std::min(*value, most);
+  };
+  // No prism is better shaped than a straight one.
+  tell("layers_scaled_jacobian_1_percent", shapes.jacobians.quantile(0.01), 1);
+  tell("layers_scaled_jacobian_median", shapes.jacobians.quantile(0.5), 1);
+  constexpr double any = std::numeric_limits<double>::max();
+  tell("layers_top_jump_median", shapes.jumps.quantile(0.5), any);
+  tell("layers_top_jump_99", shapes.jumps.quantile(0.99), any);
 }
 
 /// Of the tets where the surface forces no small angles: their number, their smallest angle of all
@@ -200,6 +234,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
   count_subdomains(durable, summary);
   TaskKind stage = all_task_kinds.back();
+  LayerShapes shapes;
   for (const TaskRow* row : tasks) {
     const TaskRow& task = *row;
     count_task(task, summary);
@@ -211,6 +246,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
       add_assimilation(task, summary);
     }
+    if (task.state == TaskState::done) shapes.add(task);
     if (task.kind == TaskKind::grow && task.state == TaskState::done) add_grown(task, summary);
     if (task.kind == TaskKind::write && task.state == TaskState::done) {
       add_unforced(task, summary);
@@ -226,6 +262,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
       summary.files.insert(summary.files.end(), task.outputs.begin(), task.outputs.end());
     }
   }
+  add_layer_shapes(shapes, summary);
   summary.stage = name_of(stage);
   // Cosmetics change a little what the leaves had: the mesh counts once it is there.
   const auto elements = summary.numbers.find("elements");

@@ -240,8 +240,10 @@ NumberGiven given_to_number(const TaskRow& inspect, const TaskRow* assimilate,
 
 WriteGiven given_to_write(const TaskRow& inspect, const TaskRow& number) {
   WriteGiven given;
+  const auto inspected = made_by<InspectMade>(inspect);
   given.job = given_to<InspectGiven>(inspect).job;
-  given.surface = made_by<InspectMade>(inspect).surface;
+  given.surface = inspected.surface;
+  given.top_heights = inspected.top_heights;
   given.numbering = made_by<NumberMade>(number).numbering;
   return given;
 }

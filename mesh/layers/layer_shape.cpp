@@ -5,38 +5,18 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "mesh/core/elements.h"
 
 namespace tetfarm {
 namespace {
 
 using Corners = std::array<Vec3, 6>;
 
-/// At a corner whose edges are these; 1 where they are at right angles.
-double scaled_jacobian(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return dot(cross(a, b), c) / (norm(a) * norm(b) * norm(c));
-}
-
-double least_at_corners(const Corners& p) {
-  double least = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    const std::size_t last = (k + 2) % 3;
-    least = std::min(least, scaled_jacobian(p[next] - p[k], p[last] - p[k], p[k + 3] - p[k]));
-    least = std::min(
-        least, scaled_jacobian(p[last + 3] - p[k + 3], p[next + 3] - p[k + 3], p[k] - p[k + 3]));
-  }
-  return least;
-}
-
-/// That of a straight prism on its first three corners: the least sine of their triangle.
-double least_of_straight(const Corners& p) {
-  double least = 1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 a = p[(k + 1) % 3] - p[k];
-    const Vec3 b = p[(k + 2) % 3] - p[k];
-    least = std::min(least, norm(cross(a, b)) / (norm(a) * norm(b)));
-  }
-  return least;
+/// That of a straight prism on its first three corners.
+double jacobian_of_straight(const Corners& p) {
+  const Vec3 up = normalized(cross(p[1] - p[0], p[2] - p[0]));
+  const Corners straight = {p[0], p[1], p[2], p[0] + up, p[1] + up, p[2] + up};
+  return scaled_jacobian(ElementType::prism, straight);
 }
 
 bool is_absorbing(const GrownLayers& layers, std::size_t prism) {
@@ -48,23 +28,23 @@ bool is_absorbing(const GrownLayers& layers, std::size_t prism) {
 
 }  // namespace
 
-std::optional<double> least_jacobian_share(const GrownLayers& layers) {
+std::vector<double> jacobian_shares(const GrownLayers& layers) {
   const std::vector<std::int32_t>& nodes = layers.blocks[ElementType::prism].nodes;
-  std::optional<double> least;
+  std::vector<double> shares;
   double of_straight = 1;
+  std::array<std::int32_t, 3> top_of_last = {-1, -1, -1};
   for (std::size_t first = 0; first < nodes.size(); first += 6) {
     const auto prism = std::span(nodes).subspan(first, 6);
-    if (is_absorbing(layers, first / 6)) continue;
     Corners p;
     for (std::size_t k = 0; k < 6; ++k) p[k] = layers.mesh.nodes[at(prism[k])];
     // Cells come column by column, from the wall up.
-    const bool goes_on =
-        first > 0 && std::equal(prism.begin(), prism.begin() + 3, prism.begin() - 3);
-    if (!goes_on) of_straight = least_of_straight(p);
-    const double share = least_at_corners(p) / of_straight;
-    least = std::min(least.value_or(share), share);
+    const bool goes_on = std::equal(top_of_last.begin(), top_of_last.end(), prism.begin());
+    std::copy(prism.begin() + 3, prism.end(), top_of_last.begin());
+    if (!goes_on) of_straight = jacobian_of_straight(p);
+    if (is_absorbing(layers, first / 6)) continue;
+    shares.push_back(scaled_jacobian(ElementType::prism, p) / of_straight);
   }
-  return least;
+  return shares;
 }
 
 }  // namespace tetfarm

@@ -5,14 +5,15 @@
 /// than that triangle lets a straight one have: so it is told as a share of this.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "mesh/layers/layer_growth.h"
 
 namespace tetfarm {
 
-/// The least of all prisms of boundary layers, each over what a straight prism has on the triangle
-/// at the foot of its column; nothing where there are none. Cost: O(prisms).
-std::optional<double> least_jacobian_share(const GrownLayers& layers);
+/// Of each prism of boundary layers the scaled Jacobian over what a straight prism has on the
+/// triangle at the foot of its column; in the order of the prisms, absorbing ones left out.
+/// Cost: O(prisms).
+std::vector<double> jacobian_shares(const GrownLayers& layers);
 
 }  // namespace tetfarm

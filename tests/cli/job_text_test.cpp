@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "proto/doing.h"
 
@@ -69,7 +71,16 @@ TEST(JobText, of_a_mesh_with_layers_names_its_cells_and_how_much_of_the_wall_has
                       "within 2 % on 75.00 %, within 10 % on 100.00 %\n")));
   numbers["layers_min_scaled_jacobian"] = 0.25;
   EXPECT_THAT(result_text(status, 1, {}),
-              HasSubstr("within 10 % on 100.00 %; least Jacobian 0.250\n"));
+              HasSubstr("within 10 % on 100.00 %; least Jacobian 0.25\n"));
+  for (const auto& [name, number] :
+       std::map<std::string, double>{{"layers_scaled_jacobian_1_percent", 0.875},
+                                     {"layers_top_jump_median", 1.25},
+                                     {"layers_top_jump_99", 2.5}}) {
+    numbers[name] = number;
+  }
+  EXPECT_THAT(result_text(status, 1, {}),
+              HasSubstr("; least Jacobian 0.25, of all but 1 % 0.875; tets on top over last "
+                        "prisms: median 1.25, of all but 1 % 2.5\n"));
 }
 
 TEST(JobText, says_where_in_the_tree_a_task_in_quarantine_is) {

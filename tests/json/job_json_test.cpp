@@ -73,6 +73,9 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
   numbers["layers_min_scaled_jacobian"] = 0.25;
   numbers["task_grow_cpu_seconds"] = 0.5;
   EXPECT_EQ(result_of(status)["layers"]["min_scaled_jacobian"], 0.25);
+  EXPECT_FALSE(result_of(status)["layers"].contains("top_jump_99"));
+  numbers["layers_top_jump_99"] = 2.5;
+  EXPECT_EQ(result_of(status)["layers"]["top_jump_99"], 2.5);
   EXPECT_EQ(result_of(status)["layers"]["prisms_per_second"], 40);
   EXPECT_FALSE(result.contains("boundary_quads"));
   numbers["quads"] = 60;

@@ -58,7 +58,7 @@ std::vector<Side> all_sides() {
   const std::set<std::string> leaves = {"core:4", "core:9223372036854775807", "elements:4",
                                         "elements:9223372036854775807"};
   std::set<std::string> of_write = leaves;
-  of_write.insert("colours");
+  of_write.insert({"colours", "top_heights"});
   std::set<std::string> of_number = leaves;
   of_number.insert({"layer_table", "dropped", "order"});
   const auto each = [](const std::string& prefix) {
@@ -70,13 +70,13 @@ std::vector<Side> all_sides() {
   portions.merge(each("tets:"));
   portions.insert("layer_map");
   std::set<std::string> of_layers = each("layers:");
-  of_layers.insert({"layer_table", "layer_map"});
+  of_layers.insert({"layer_table", "layer_map", "top_heights"});
   return {
       side_of("inspect given", InspectGiven{file("j"), file("i"), 5},
               {"input_surface", "free_bytes"}),
       side_of("inspect made",
               InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3, 2, 1U << 30U, 9,
-                          true, two, file("l"), file("m")},
+                          true, two, file("l"), file("m"), file("h")},
               of_layers),
       side_of("decompose given", DecomposeGiven{file("j"), file("s"), file("p"), 3, 4, 1000, 5, 6},
               {"most_bytes", "needles"}),
@@ -104,7 +104,8 @@ std::vector<Side> all_sides() {
                          file("m"),
                          {{4, file("four")}},
                          two,
-                         "4 0\n"},
+                         "4 0\n",
+                         file("h")},
               of_write),
       side_of("write made", WriteMade{file("p"), file("t")}),
       side_of("grow given", GrowGiven{file("j"), file("s"), file("n"), file("l")}),
@@ -250,7 +251,7 @@ TEST(TaskContracts, name_files_of_leaves_leaf_by_leaf_in_the_order_that_they_alw
               ElementsAre("spacing", "own", "had_turn:4", "waits:6", "had_turn:7"));
   EXPECT_THAT(
       names_in(to_words(WriteGiven{
-          file("j"), file("s"), file("n"), file("d"), file("m"), {{5, file("b")}}, three, {}})),
+          file("j"), file("s"), file("n"), file("d"), file("m"), {{5, file("b")}}, three, {}, {}})),
       ElementsAre("job", "surface", "numbering", "subdomain", "mesh", "core:5", "elements:5",
                   "elements:4", "elements:6"))
       << "the leaf itself first";
@@ -284,8 +285,8 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
   const std::map<std::string, std::string> names = {
       {"inspect given", "job input_surface | free_bytes |"},
       {"inspect made",
-       "surface spacing root settings layers: layer_table layer_map | | across_cuts groups "
-       "most_bytes needles parts total_work"},
+       "surface spacing root settings layers: layer_table layer_map top_heights | | across_cuts "
+       "groups most_bytes needles parts total_work"},
       {"decompose given",
        "job subdomain spacing | left_parts most_bytes needles right_parts work |"},
       {"decompose made",
@@ -303,7 +304,8 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
       {"cosmetic made", "elements | |"},
       {"number given", "surface layer_table dropped core: elements: | order table |"},
       {"number made", "numbering | |"},
-      {"write given", "job surface numbering subdomain mesh core: elements: | colours |"},
+      {"write given",
+       "job surface numbering subdomain mesh core: elements: top_heights | colours |"},
       {"write made", "portion tets | |"},
       {"grow given", "job surface numbering layers | |"},
       {"grow made", "portion cells | |"},

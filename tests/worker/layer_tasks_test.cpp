@@ -5,6 +5,7 @@
 
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
+#include "tasks/ratio_histogram.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_bodies.h"
 #include "tests/support/shapes.h"
@@ -53,6 +54,7 @@ class LayerTasks : public TaskChain {
     std::string table;
     files_ = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
     const auto parts = static_cast<std::int64_t>(inspected.done().numbers().at("parts"));
+    files_["top_heights"] = output(inspected, "top_heights");
     EXPECT_TRUE(settle(output(inspected, "root"), 2, parts, spacing, table, files_))
         << last_.failed().message();
     const wire::Envelope numbered =
@@ -120,6 +122,26 @@ TEST_F(LayerTasks, make_one_sound_mesh_of_layers_and_tets) {
     expect_sound(assembled, "ball.vtkhdf");
     expect_sound(assembled, "ball.lb8.ugrid");
     expect_marks(folder_ + "/ball.vtkhdf");
+  }
+}
+
+/// Of each triangle of the top the tet that stands on it, in whichever sub-domain.
+TEST_F(LayerTasks, tell_how_the_tets_on_top_fit_to_the_last_prisms) {
+  const SurfaceMesh ball = shapes::sphere({1, 2, 3}, 1, 2);
+  for (const std::int64_t subdomains : {1, 3}) {
+    RatioHistogram jumps;
+    told_by_write_ = [&jumps](const wire::Envelope& written) {
+      const auto& texts = written.done().texts();
+      if (texts.contains("top_jumps")) {
+        jumps.add(RatioHistogram::from(texts.at("top_jumps")).value());
+      }
+    };
+    prepared(layered_job(subdomains), ball);
+    EXPECT_EQ(jumps.count(), 320) << subdomains;
+    EXPECT_GT(jumps.quantile(0.5).value(), 1);
+    EXPECT_LT(jumps.quantile(0.5).value(), 10);
+    const auto jacobians = RatioHistogram::from(last_.done().texts().at("scaled_jacobians"));
+    EXPECT_EQ(jacobians.value().count(), 5 * 320);
   }
 }
 

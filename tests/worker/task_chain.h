@@ -133,11 +133,14 @@ class TaskChain : public ::testing::Test {
     for (const auto& [name, artifact] : files) {
       if (!name.starts_with("mesh:")) continue;
       const std::string heap = name.substr(5);
-      last_ = run(write_task, {{"job", files.at("job")},
-                               {"surface", files.at("surface")},
-                               {"numbering", files.at("numbering")},
-                               {"subdomain", files.at("subdomain:" + heap)},
-                               {"mesh", artifact}});
+      Files given = {{"job", files.at("job")},
+                     {"surface", files.at("surface")},
+                     {"numbering", files.at("numbering")},
+                     {"subdomain", files.at("subdomain:" + heap)},
+                     {"mesh", artifact}};
+      if (files.contains("top_heights")) given["top_heights"] = files.at("top_heights");
+      last_ = run(write_task, given);
+      if (told_by_write_) told_by_write_(last_);
       result["portion:" + heap] = output(last_, "portion");
       result["tets:" + heap] = output(last_, "tets");
     }
@@ -183,6 +186,7 @@ class TaskChain : public ::testing::Test {
   std::string folder_ = new_folder();
   ArtifactStore store_{folder_};
   wire::Envelope last_;
+  std::function<void(const wire::Envelope&)> told_by_write_;  ///< called with each answer of it
 };
 
 }  // namespace tetfarm::test

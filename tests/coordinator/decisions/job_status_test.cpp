@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "coordinator/decisions/message_translation.h"
+#include "tasks/ratio_histogram.h"
 
 namespace tetfarm {
 namespace {
@@ -212,6 +213,27 @@ TEST_F(JobStatusTest, has_the_least_jacobian_of_all_chunks_of_layers) {
   grow(15, TaskState::leased, 0.125);
   add(TaskKind::grow, 16, TaskState::done).numbers = {{"tets", 10}};
   EXPECT_EQ(summary().numbers.at("layers_min_scaled_jacobian"), 0.25);
+}
+
+TEST_F(JobStatusTest, has_quantiles_of_the_shapes_that_all_tasks_of_layers_have_told) {
+  RatioHistogram jumps;
+  for (const double jump : {0.5, 1.0, 2.0, 4.0}) jumps.add(jump);
+  RatioHistogram more;
+  for (int i = 0; i < 6; ++i) more.add(8);
+  EXPECT_FALSE(summary().numbers.contains("layers_top_jump_median"));
+  add(TaskKind::write, 4, TaskState::done).texts = {{"top_jumps", jumps.text()}};
+  EXPECT_NEAR(summary().numbers.at("layers_top_jump_median"), 1, 0.01);
+  add(TaskKind::write, 5, TaskState::done).texts = {{"top_jumps", more.text()}};
+  add(TaskKind::write, 6, TaskState::leased).texts = {{"top_jumps", "-1385 1000"}};
+  add(TaskKind::write, 7, TaskState::done).texts = {{"top_jumps", "of an older version"}};
+  EXPECT_NEAR(summary().numbers.at("layers_top_jump_median"), 8, 0.05);
+  EXPECT_FALSE(summary().numbers.contains("layers_scaled_jacobian_median"));
+  RatioHistogram jacobians;
+  for (int i = 0; i < 99; ++i) jacobians.add(1);
+  jacobians.add(0.5);
+  add(TaskKind::grow, 12, TaskState::done).texts = {{"scaled_jacobians", jacobians.text()}};
+  EXPECT_EQ(summary().numbers.at("layers_scaled_jacobian_median"), 1) << "and no more";
+  EXPECT_NEAR(summary().numbers.at("layers_scaled_jacobian_1_percent"), 0.5, 0.002);
 }
 
 TEST_F(JobStatusTest, has_the_figures_of_assimilation_and_of_the_mesh_once_they_are_there) {

@@ -100,6 +100,16 @@ TEST(TaskGraph, a_leaf_is_written_from_its_own_mesh_and_what_all_leaves_share) {
                   fake_file("subdomain", "r"), fake_file("mesh", "m")));
 }
 
+TEST(TaskGraph, leaves_below_layers_are_written_with_the_heights_of_the_last_prisms) {
+  TaskRow inspect = inspected(1);
+  inspect.outputs.push_back(fake_file("top_heights", "h"));
+  TaskRow number;
+  number.kind = TaskKind::number;
+  number.outputs = {fake_file("numbering", "n")};
+  EXPECT_EQ(given_to_write(inspect, number).top_heights->hash, fake_file("top_heights", "h").hash);
+  EXPECT_FALSE(given_to_write(inspected(1), number).top_heights.has_value());
+}
+
 TEST(TaskGraph, results_without_their_files_are_unusable) {
   TaskRow cut;
   cut.kind = TaskKind::decompose;
