@@ -1,6 +1,7 @@
 #include "mesh/layers/layer_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +11,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
+#include "mesh/layers/costly_fans.h"
 #include "mesh/layers/layer_proof.h"
 #include "mesh/layers/line_fans.h"
 #include "mesh/layers/line_lean.h"
@@ -27,6 +29,9 @@ constexpr int edges_to_lean = 3;
 
 /// Rounds of the proof in which lines lose no more layers than they must.
 constexpr int patient_rounds = 30;
+
+/// Fans so many edges away from where cells fold may be what it costs: the nearest first.
+constexpr std::array edges_to_fans = {1, 3};
 
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
@@ -66,8 +71,10 @@ Vec3 inward_normal(const SurfaceMesh& surface, std::int32_t triangle) {
 /// Makes a plan, and keeps what only its making needs.
 class Planning {
  public:
-  Planning(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
-      : surface_(surface), requests_(requests), wall_(wall_of(surface, requests)) {
+  /// @param single feet, ascending, that have no fan.
+  Planning(const SurfaceMesh& surface, std::span<const LayerRequest> requests,
+           std::span<const std::int32_t> single)
+      : surface_(surface), requests_(requests), single_(single), wall_(wall_of(surface, requests)) {
     for (const std::int32_t t : wall_.triangles) normals_.push_back(inward_normal(surface_, t));
     set_graph(wall_graph(surface, wall_.triangles));
     find_requests();
@@ -154,8 +161,9 @@ class Planning {
       const LayerLine& line = plan_.lines[i];
       const LayerRequest& request = request_of(i);
       along.push_back(line.along);
-      wishes.push_back(
-          {follows_ways(i) || request.in_tets ? -1 : request.fan_cosine, line.law, line.wanted});
+      const bool is_single = follows_ways(i) || request.in_tets ||
+                             std::binary_search(single_.begin(), single_.end(), line.foot);
+      wishes.push_back({is_single ? -1 : request.fan_cosine, line.law, line.wanted});
     }
     LineFans fans = line_fans(surface_, graph_, planes_, normals_, along, wishes);
     if (fans.pieces.empty()) return false;
@@ -194,7 +202,7 @@ class Planning {
       const Places served = places_served(places, before);
       Leans some = with_others(leans, served, way);
       const bool is_whole = served.size() == places.size() || (!served.empty() && !grow_by(some));
-      if (is_whole && missing_layers(plan_) < missing_layers(before)) {
+      if (is_whole && missing_of_lines(plan_) < missing_of_lines(before)) {
         leans = std::move(some);
         return;
       }
@@ -214,7 +222,7 @@ class Planning {
     return prove();
   }
 
-  static std::int64_t missing_layers(const LayerPlan& plan) {
+  static std::int64_t missing_of_lines(const LayerPlan& plan) {
     std::int64_t missing = 0;
     for (const LayerLine& line : plan.lines) missing += line.wanted - line.stop;
     return missing;
@@ -415,6 +423,7 @@ class Planning {
   std::vector<Vec3> places_;              // of the feet
   std::vector<std::vector<Vec3>> leans_;  // in each way so far, of each line LayerLine::later
   std::span<const LayerRequest> requests_;
+  std::span<const std::int32_t> single_;
   Wall wall_;
   std::vector<std::ptrdiff_t> request_of_foot_;  // of each vertex of the surface
   std::vector<int> steps_;                       // of each line: LayerRequest::step
@@ -423,6 +432,36 @@ class Planning {
   LayerPlan begun_;  // without layers
   LayerPlan plan_;
 };
+
+/// Makes the plan anew without the fans near what holds others back, where that leaves more layers;
+/// adds the feet to `single`.
+void leave_out_fans(const SurfaceMesh& surface, std::span<const LayerRequest> requests, int edges,
+                    std::vector<std::int32_t>& single, LayerPlan& plan) {
+  const std::vector<CostlyFans> costly = costly_fans(plan, surface, edges);
+  if (costly.empty()) return;
+  const auto with = [&single](const std::vector<CostlyFans>& places) {
+    std::set<std::int32_t> feet(single.begin(), single.end());
+    for (const CostlyFans& place : places) feet.insert(place.fans.begin(), place.fans.end());
+    return std::vector<std::int32_t>(feet.begin(), feet.end());
+  };
+  std::vector<std::int32_t> feet = with(costly);
+  LayerPlan other = Planning(surface, requests, feet).plan();
+  // Each place for itself: what serves one may cost another layers.
+  std::vector<CostlyFans> served;
+  for (const CostlyFans& place : costly) {
+    if (missing_layers_at(other, place.held) < missing_layers_at(plan, place.held)) {
+      served.push_back(place);
+    }
+  }
+  if (served.empty()) return;
+  if (served.size() < costly.size()) {
+    feet = with(served);
+    other = Planning(surface, requests, feet).plan();
+  }
+  if (missing_layers(other) >= missing_layers(plan)) return;
+  plan = std::move(other);
+  single = std::move(feet);
+}
 
 Vec3 point_at(const LayerLine& line, double height) {
   if (height == 0) return line.at;  // to the bit, also where it is a negative zero
@@ -478,7 +517,10 @@ WallGraph graph_of(const LayerPlan& plan, const SurfaceMesh& surface) {
 
 LayerPlan plan_layers(const SurfaceMesh& surface, std::span<const LayerRequest> requests) {
   TF_CHECK(surface.sides.empty() || region_count(surface) == 1);
-  return Planning(surface, requests).plan();
+  LayerPlan plan = Planning(surface, requests, {}).plan();
+  std::vector<std::int32_t> single;
+  for (const int edges : edges_to_fans) leave_out_fans(surface, requests, edges, single, plan);
+  return plan;
 }
 
 }  // namespace tetfarm
