@@ -33,6 +33,9 @@ constexpr int patient_rounds = 30;
 /// Fans so many edges away from where cells fold may be what it costs: the nearest first.
 constexpr std::array edges_to_fans = {1, 3};
 
+/// A line is made lower so many times before it loses layers.
+constexpr int most_lowered = 8;
+
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
 
@@ -217,8 +220,8 @@ class Planning {
     for (std::size_t i = 0; i < leans.size(); ++i) {
       if (!follows_ways(i)) plan_.lines[i].later = leans_[leans[i]][i];
     }
-    find_heights();
-    hold_neighbours();
+    find_rooms();
+    fit_heights();
     return prove();
   }
 
@@ -305,7 +308,8 @@ class Planning {
     for (std::size_t i = 0; i < wishes.size(); ++i) plan_.lines[i].wanted = wishes[i];
   }
 
-  void find_heights() {
+  /// How high the layers of each line may be, by what can be seen of the surface and the lines.
+  void find_rooms() {
     std::vector<double> wanted;
     std::vector<Vec3> along;
     for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
@@ -313,21 +317,40 @@ class Planning {
       wanted.push_back(total_height(line.law, line.wanted));
       along.push_back(follows_ways(i) ? Vec3{} : line.later);
     }
-    const std::vector<double> free = free_ways(surface_, graph_, planes_, along, wanted);
+    rooms_ = free_ways(surface_, graph_, planes_, along, wanted);
+    limits_.assign(rooms_.size(), {StopReason::no_room, most_layers, 0});
     const std::vector<double> unfolded = fold_heights(surface_, graph_, along, wanted);
-    std::vector<double> room(wanted.size());
-    for (std::size_t i = 0; i < room.size(); ++i) room[i] = std::min(free[i], unfolded[i]);
+    for (std::size_t i = 0; i < rooms_.size(); ++i) {
+      if (rooms_[i] >= unfolded[i]) limits_[i].reason = StopReason::fold;
+      rooms_[i] = std::min(rooms_[i], unfolded[i]);
+    }
+  }
+
+  /// Gives the lines layers, from none on, by their rooms and limits and those of their neighbours.
+  void fit_heights() {
+    std::vector<double> room = rooms_;
     const std::vector<std::int32_t> sources = limit_slopes(graph_, places_, steepest_rise, room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
+      const Vec3 later = line.later;
+      line = begun_.lines[i];
+      line.later = later;
       line.bends_from = line.law.first;
       line.bends_to = room[i];
       fit_into(room[i], request_of(i).room, line);
       if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
       const std::size_t source = at(sources[i]);
       line.because_of = graph_.feet[source];
-      line.reason = free[source] < unfolded[source] ? StopReason::no_room : StopReason::fold;
+      line.reason = limits_[source].reason;
     }
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      LayerLine& line = plan_.lines[i];
+      if (line.stop <= limits_[i].stop) continue;
+      line.stop = limits_[i].stop;
+      line.reason = limits_[i].reason;
+      line.because_of = line.foot;
+    }
+    hold_neighbours();
   }
 
   /// Gives the line the layers that the room has for it.
@@ -353,8 +376,8 @@ class Planning {
     return stops;
   }
 
-  /// A line that is to stop for its cells is made straight first, where it is not. Returns why not,
-  /// where one has to have all its layers.
+  /// A line that is to stop for its cells is made straight first, where it is not, and then lower,
+  /// where this leaves it more layers. Returns why not, where one has to have all its layers.
   std::optional<UsageError> take_stops(const std::vector<int>& stops, StopReason reason) {
     for (std::size_t i = 0; i < stops.size(); ++i) {
       LayerLine& line = plan_.lines[i];
@@ -365,11 +388,22 @@ class Planning {
         line.later = line.along;
         continue;
       }
-      line.stop = stops[i];
-      line.reason = reason;
-      line.because_of = line.foot;
+      limits_[i].reason = reason;
+      if (can_be_lower(i, stops[i])) {
+        rooms_[i] = levels_of(line.law, stops[i]).back();
+        ++limits_[i].lowered;
+      } else {
+        limits_[i].stop = stops[i];
+      }
     }
     return std::nullopt;
+  }
+
+  /// Whether more layers than so many have room up to the height that they have now.
+  bool can_be_lower(std::size_t i, int stop) const {
+    const LayerLine& line = plan_.lines[i];
+    if (request_of(i).room != RoomRule::ratio || limits_[i].lowered == most_lowered) return false;
+    return levels_of(line.law, stop).back() >= line.law.first * (stop + 1);
   }
 
   static UsageError refusal_of(const LayerLine& line, StopReason reason) {
@@ -408,7 +442,7 @@ class Planning {
       if (findings.holds) return std::nullopt;
       if (round >= patient_rounds) give_up_lines(findings.stops);
       if (auto refusal = take_stops(findings.stops, reason)) return refusal;
-      hold_neighbours();
+      fit_heights();
     }
   }
 
@@ -417,6 +451,13 @@ class Planning {
       if (stops[i] < plan_.lines[i].stop) stops[i] = 0;
     }
   }
+
+  /// What the proof has found of a line.
+  struct Limit {
+    StopReason reason = StopReason::no_room;  ///< of its room, or of its stop
+    int stop = most_layers;
+    int lowered = 0;  ///< so many times
+  };
 
   const SurfaceMesh& surface_;
   std::vector<Vec3> normals_;             // of the wall triangles, inwards
@@ -429,7 +470,9 @@ class Planning {
   std::vector<int> steps_;                       // of each line: LayerRequest::step
   WallGraph graph_;
   WallPlanes planes_;
-  LayerPlan begun_;  // without layers
+  std::vector<double> rooms_;  // of each line
+  std::vector<Limit> limits_;  // likewise
+  LayerPlan begun_;            // without layers
   LayerPlan plan_;
 };
 
