@@ -19,7 +19,7 @@ SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const Tas
 std::vector<CellMark> marks_of_job(const JobFile& job) {
   std::vector<CellMark> marks;
   if (!job.layers.empty()) marks.push_back(CellMark::layer);
-  if (job.pml) marks.push_back(CellMark::pml_depth);
+  if (job.pml) marks.insert(marks.end(), {CellMark::pml_depth, CellMark::pml_axes});
   return marks;
 }
 

@@ -1,5 +1,7 @@
 /// The bytes of a portion (portion.h).
 
+#include <span>
+
 #include "base/array_index.h"
 #include "base/check.h"
 #include "base/file_system.h"
@@ -19,6 +21,9 @@ constexpr std::uint32_t version_with_others = 3;
 constexpr std::uint32_t cells_version = 1;
 constexpr std::uint32_t cells_version_with_others = 2;
 constexpr std::uint32_t cells_version_with_marks = 3;
+constexpr std::uint32_t cells_version_with_axes = 4;
+/// Which marks version 3 has; version 4 has all.
+constexpr std::size_t first_marks = 2;
 constexpr std::size_t other_types = cell_block_types.size() + face_block_types.size();
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
@@ -95,9 +100,28 @@ std::uint32_t version_without_marks(const ElementCounts& others) {
   return others != ElementCounts{} ? cells_version_with_others : cells_version;
 }
 
+std::uint32_t version_for_cells(const Portion& portion) {
+  if (portion.part.marks.empty()) return version_without_marks(portion.others);
+  return portion.part.marks[CellMark::pml_axes].empty() ? cells_version_with_marks
+                                                        : cells_version_with_axes;
+}
+
+std::uint32_t version_of_cells(std::string_view bytes, const ElementCounts& others) {
+  for (const std::uint32_t version : {cells_version_with_marks, cells_version_with_axes}) {
+    if (says_version(bytes, cells_magic, version)) return version;
+  }
+  return version_without_marks(others);
+}
+
+/// @pre the version has marks.
+std::span<const CellMark> marks_in(std::uint32_t version) {
+  const std::span<const CellMark> all = all_cell_marks;
+  return version == cells_version_with_axes ? all : all.first(first_marks);
+}
+
 /// Each is told of every cell, or of none.
-void write_marks(const NumberedPart& part, ByteWriter& writer) {
-  for (const CellMark mark : all_cell_marks) {
+void write_marks(const NumberedPart& part, std::uint32_t version, ByteWriter& writer) {
+  for (const CellMark mark : marks_in(version)) {
     const std::vector<std::int32_t>& values = part.marks[mark];
     TF_CHECK(values.empty() || std::ssize(values) == cells_of(part));
     writer.number<std::uint64_t>(values.size());
@@ -105,9 +129,9 @@ void write_marks(const NumberedPart& part, ByteWriter& writer) {
   }
 }
 
-CellMarks read_marks(std::int64_t cells, ByteReader& reader) {
+CellMarks read_marks(std::int64_t cells, std::uint32_t version, ByteReader& reader) {
   CellMarks marks;
-  for (const CellMark mark : all_cell_marks) {
+  for (const CellMark mark : marks_in(version)) {
     const std::size_t count = reader.count();
     if (count != 0 && count != at(cells)) reader.fail("has marks of some cells only");
     marks[mark] = reader.array<std::int32_t>(count);
@@ -264,9 +288,8 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
 std::string portion_cells_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
   TF_CHECK(std::ssize(part.tets) == portion.tets);
-  ByteWriter writer =
-      begin_checked(cells_magic, part.marks.empty() ? version_without_marks(portion.others)
-                                                    : cells_version_with_marks);
+  const std::uint32_t version = version_for_cells(portion);
+  ByteWriter writer = begin_checked(cells_magic, version);
   writer.number(part.number);
   writer.number<std::uint64_t>(part.tets.size());
   writer.array(part.tets);
@@ -274,14 +297,13 @@ std::string portion_cells_to_bytes(const Portion& portion) {
     TF_CHECK(std::ssize(part.blocks[type].regions) == portion.others[type]);
     writer.array(part.blocks[type].nodes);
   }
-  if (!part.marks.empty()) write_marks(part, writer);
+  if (!part.marks.empty()) write_marks(part, version, writer);
   return finish_checked(std::move(writer));
 }
 
 void add_portion_cells(std::string_view bytes, const std::string& name, Portion& portion) {
-  const bool has_marks = says_version(bytes, cells_magic, cells_version_with_marks);
-  const std::uint32_t version =
-      has_marks ? cells_version_with_marks : version_without_marks(portion.others);
+  const std::uint32_t version = version_of_cells(bytes, portion.others);
+  const bool has_marks = version >= cells_version_with_marks;
   ByteReader reader = read_checked(bytes, cells_magic, version, name);
   NumberedPart& part = portion.part;
   const auto number = reader.number<std::int32_t>();
@@ -294,7 +316,7 @@ void add_portion_cells(std::string_view bytes, const std::string& name, Portion&
   for (const ElementType type : cell_block_types) {
     part.blocks[type] = read_block(type, portion.others[type], part, reader);
   }
-  part.marks = has_marks ? read_marks(cells_of(part), reader) : CellMarks{};
+  part.marks = has_marks ? read_marks(cells_of(part), version, reader) : CellMarks{};
   reader.expect_end();
 }
 

@@ -14,12 +14,15 @@ namespace tetfarm {
 enum class CellMark : std::uint8_t {
   layer,      ///< of boundary layers, from the wall, which the first is on; 0: beyond them
   pml_depth,  ///< of absorbing layers, from the inside, where the first is; 0: within them
+  pml_axes,   ///< of absorbing layers, along which axes: the sum of 1 for x, 2 for y, 4 for z
 };
-inline constexpr std::array all_cell_marks = {CellMark::layer, CellMark::pml_depth};
+inline constexpr std::array all_cell_marks = {CellMark::layer, CellMark::pml_depth,
+                                              CellMark::pml_axes};
 
 /// As files have it.
 constexpr const char* name_of(CellMark mark) {
-  constexpr std::array<const char*, all_cell_marks.size()> names = {"layer", "pml_depth"};
+  constexpr std::array<const char*, all_cell_marks.size()> names = {"layer", "pml_depth",
+                                                                    "pml_axes"};
   return names[static_cast<std::size_t>(mark)];
 }
 

@@ -21,6 +21,8 @@ constexpr std::uint32_t chunk_version_with_kinds = 2;
 constexpr std::uint32_t chunk_version_with_sides = 3;
 /// All that, and fans.
 constexpr std::uint32_t chunk_version_with_fans = 4;
+/// All that, and the box within absorbing layers.
+constexpr std::uint32_t chunk_version_with_box = 5;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
@@ -29,12 +31,14 @@ constexpr std::uint32_t early_bit = 4;
 constexpr std::int32_t last_first = std::numeric_limits<std::int32_t>::max() - most_layers;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
+void write_vector(const Vec3& v, ByteWriter& writer) {
+  for (const double x : {v.x, v.y, v.z}) writer.number(x);
+}
+
 void write_line(const ChunkLine& line, ByteWriter& writer) {
   writer.number(line.line.foot);
   writer.number(line.line.stop);
-  for (const Vec3& v : {line.line.at, line.line.along, line.line.later}) {
-    for (const double x : {v.x, v.y, v.z}) writer.number(x);
-  }
+  for (const Vec3& v : {line.line.at, line.line.along, line.line.later}) write_vector(v, writer);
   writer.number(line.line.bends_from);
   writer.number(line.line.bends_to);
   const HeightLaw& law = line.line.law;
@@ -109,6 +113,7 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
 }
 
 std::uint32_t version_for(const LayerChunk& chunk) {
+  if (chunk.within_pml) return chunk_version_with_box;
   const bool has_fans = !chunk.fans.empty() ||
                         std::any_of(chunk.lines.begin(), chunk.lines.end(), [](const ChunkLine& l) {
                           return l.line.early || l.line.low_vertex >= 0;
@@ -123,8 +128,8 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
-  for (const std::uint32_t version :
-       {chunk_version_with_fans, chunk_version_with_sides, chunk_version_with_kinds}) {
+  for (const std::uint32_t version : {chunk_version_with_box, chunk_version_with_fans,
+                                      chunk_version_with_sides, chunk_version_with_kinds}) {
     if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;
@@ -268,6 +273,14 @@ void read_kinds(ByteReader& reader, std::uint32_t bits, LayerChunk& chunk) {
   }
 }
 
+std::array<Vec3, 2> read_box(ByteReader& reader) {
+  std::array<Vec3, 2> box;
+  for (Vec3& corner : box) corner = read_vector(reader);
+  const Vec3 size = box[1] - box[0];
+  if (size.x < 0 || size.y < 0 || size.z < 0) reader.fail("has a box that cannot be");
+  return box;
+}
+
 }  // namespace
 
 std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
@@ -287,6 +300,9 @@ std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   }
   if (version >= chunk_version_with_sides) write_sides(chunk, writer);
   if (version >= chunk_version_with_fans) write_fans(chunk, writer);
+  if (chunk.within_pml) {
+    for (const Vec3& corner : *chunk.within_pml) write_vector(corner, writer);
+  }
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
@@ -307,6 +323,7 @@ LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& nam
   }
   if (version >= chunk_version_with_sides) read_sides(reader, chunk);
   if (version >= chunk_version_with_fans) read_fans(reader, chunk);
+  if (version >= chunk_version_with_box) chunk.within_pml = read_box(reader);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

@@ -131,11 +131,21 @@ int inner_points(const LayerLine& line) {
   return std::max(0, line.stop - std::max(line.vertices, 1) - (first_inner_level(line) - 1));
 }
 
+/// Round the points at which absorbing layers end, inside.
+std::array<Vec3, 2> box_within_pml(const LayerPlan& plan) {
+  Box3 box;
+  for (const LayerLine& line : plan.lines) {
+    if (line.of_pml) box.add(point_of(line, line.stop));
+  }
+  return {box.low, box.high};
+}
+
 /// Fills chunks one after the other, in tree order.
 class ChunkFiller {
  public:
   explicit ChunkFiller(const LayerPlan& plan)
       : plan_(plan),
+        within_pml_(box_within_pml(plan)),
         tops_(top_numbers(plan)),
         owned_(plan.lines.size()),
         local_(plan.lines.size(), -1) {}
@@ -200,6 +210,7 @@ class ChunkFiller {
     added.line.first_wanted = 0;
     added.line.reason = StopReason::complete;
     added.line.because_of = -1;
+    if (added.line.of_pml) chunk_->within_pml = within_pml_;
     Owned& owned = owned_[at(line)];
     if (owned.by == 0) {
       owned = {chunk_->path.heap, next_node_};
@@ -212,6 +223,7 @@ class ChunkFiller {
   }
 
   const LayerPlan& plan_;
+  std::array<Vec3, 2> within_pml_;
   std::vector<std::uint32_t> tops_;
   std::vector<Owned> owned_;
   std::vector<std::int32_t> local_;  // of each line of the plan, in the chunk

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,9 @@ struct LayerChunk {
   std::vector<std::uint32_t> surface_triangles;  ///< their numbers in the surface
   std::vector<ChunkSide> sides;
   std::vector<ChunkFan> fans;  ///< their nodes in the middle come after those of all lines
+  /// Lowest and highest corner of the box round the inner side of all absorbing layers there are,
+  /// where the chunk has some of them.
+  std::optional<std::array<Vec3, 2>> within_pml;
 
   friend bool operator==(const LayerChunk&, const LayerChunk&) = default;
 };

@@ -105,11 +105,13 @@ void check_cell(const std::vector<Vec3>& points, ElementType type,
 /// The marks of cells that come in any order of types.
 class Marking {
  public:
-  void add(ElementType type, CellMark mark, int value, int cells = 1) {
-    for (const CellMark each : all_cell_marks) {
-      std::vector<std::int32_t>& values = marks_[type][each];
-      values.resize(values.size() + static_cast<std::size_t>(cells), each == mark ? value : 0);
-    }
+  void add(ElementType type, CellMark mark, int value) {
+    for (const CellMark each : all_cell_marks) marks_[type][each].push_back(0);
+    set(type, mark, value);
+  }
+  /// Another mark of the cell of that type that was added last.
+  void set(ElementType type, CellMark mark, int value) {
+    marks_[type][mark].back() = value;
     is_known_[static_cast<std::size_t>(mark)] = true;
   }
   /// Tets first, then the cells of the blocks.
@@ -131,12 +133,39 @@ class Marking {
   std::array<bool, all_cell_marks.size()> is_known_{};
 };
 
+/// Along which the middle of the nodes lies outside of the box (CellMark::pml_axes).
+std::int32_t axes_outside(const std::array<Vec3, 2>& box, const std::vector<Vec3>& points,
+                          std::span<const std::int32_t> nodes) {
+  Vec3 sum;
+  for (const std::int32_t node : nodes) sum += points[at(node)];
+  const Vec3 middle = sum / static_cast<double>(nodes.size());
+  std::int32_t axes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_outside = middle[axis] < box[0][axis] || middle[axis] > box[1][axis];
+    axes |= is_outside ? 1 << axis : 0;
+  }
+  return axes;
+}
+
+/// The cell that was added last, which is of that layer, counted from the wall or from the inside.
+struct MarkedCell {
+  ElementType type;
+  bool is_absorbing;
+  int number;
+};
+
+void mark_cell(const MarkedCell& cell, std::span<const std::int32_t> nodes, const LayerChunk& chunk,
+               const std::vector<Vec3>& points, Marking& marking) {
+  marking.add(cell.type, cell.is_absorbing ? CellMark::pml_depth : CellMark::layer, cell.number);
+  if (!cell.is_absorbing || !chunk.within_pml) return;
+  marking.set(cell.type, CellMark::pml_axes, axes_outside(*chunk.within_pml, points, nodes));
+}
+
 /// One layer above a triangle of the wall.
 void add_layer(const LayerChunk& chunk, const Triangle& lines,
                const std::vector<LineNodes>& line_nodes, const LayerCell& cell, GrownLayers& layers,
                Marking& marking) {
   const bool is_absorbing = is_of_pml(chunk, lines);
-  const CellMark mark = is_absorbing ? CellMark::pml_depth : CellMark::layer;
   const int number =
       is_absorbing ? chunk.lines[at(lines[0])].line.stop - cell.layer + 1 : cell.layer;
   std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
@@ -148,13 +177,16 @@ void add_layer(const LayerChunk& chunk, const Triangle& lines,
     for (std::size_t k = 0; k < 3; ++k) {
       surface_feet[k] = chunk.lines[at(lines[at(cell.nodes[k].corner)])].line.foot;
     }
+    const std::size_t before = layers.mesh.tets.size();
     add_divided_prism(surface_feet, nodes, layers);
-    marking.add(ElementType::tet, mark, number, 3);
+    for (const Tet& tet : std::span(layers.mesh.tets).subspan(before)) {
+      mark_cell({ElementType::tet, is_absorbing, number}, tet, chunk, layers.mesh.nodes, marking);
+    }
     return;
   }
-  add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
-           layers);
-  marking.add(cell.type, mark, number);
+  const auto nodes_here = std::span(nodes.data(), nodes_of(cell.type));
+  add_cell(cell.type, nodes_here, layers.subdomain.region, layers);
+  mark_cell({cell.type, is_absorbing, number}, nodes_here, chunk, layers.mesh.nodes, marking);
 }
 
 /// The first layer of a piece of a fan.

@@ -23,7 +23,7 @@ struct GrownLayers {
   Subdomain subdomain;
   TetMesh mesh;
   ElementBlocks blocks;  ///< pyramids, prisms and quads of sides, by the numbers of the nodes
-  CellMarks marks;       ///< of each cell its layer, or its depth in a PML
+  CellMarks marks;       ///< of each cell its layer, or its depth in a PML and its axes
 };
 
 /// Cells come triangle by triangle, each from the wall up. Cost: O(cells).

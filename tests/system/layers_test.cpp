@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <thread>
 
+#include "base/file_system.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/voxel_surface.h"
@@ -146,6 +147,8 @@ TEST_F(RunWithLayers, grows_absorbing_layers_outside_of_a_box_beside_those_of_th
               6 * 6 * 6 - enclosed_volume(ball.vertices, ball.triangles), 1e-9);
   const nlohmann::json quality = sound("out");
   EXPECT_EQ(quality["digest"], result["digest"]);
+  const std::string mesh = read_file(folder_.path() / "out" / "job.vtkhdf");
+  EXPECT_NE(mesh.find("pml_axes"), std::string::npos);
   EXPECT_EQ(run("again", 1, 3)["digest"], result["digest"]);
   const nlohmann::json plan =
       test::result_of(run_program({"plan", "job.toml", "--json"}, folder_.path()));

@@ -170,6 +170,18 @@ TEST(PortionFile, of_cells_tells_each_mark_apart) {
   EXPECT_EQ(read.part.marks[CellMark::pml_depth], (std::vector<std::int32_t>{5, 6}));
 }
 
+TEST(PortionFile, of_cells_with_axes_has_a_version_of_its_own) {
+  Portion portion = small_portion(true);
+  portion.part.marks[CellMark::pml_depth] = {5, 6};
+  EXPECT_EQ(portion_cells_to_bytes(portion)[8], 3);
+  portion.part.marks[CellMark::pml_axes] = {1, 7};
+  const std::string bytes = portion_cells_to_bytes(portion);
+  EXPECT_EQ(bytes[8], 4);
+  Portion read = portion_from_bytes(portion_to_bytes(portion), "p");
+  add_portion_cells(bytes, "c", read);
+  EXPECT_EQ(read.part.marks, portion.part.marks);
+}
+
 TEST(PortionFile, of_cells_without_marks_are_without_them_also_behind_others_with) {
   Portion portion = small_portion(true);
   portion.part.marks[CellMark::layer] = {4, 7};

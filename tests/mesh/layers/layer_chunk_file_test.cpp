@@ -71,6 +71,19 @@ TEST(LayerChunkFile, tells_which_lines_are_in_tets_or_absorb_in_a_version_of_its
   expect_refused(forged<std::uint32_t>(bytes, flags, 4), "has a line that cannot be");
 }
 
+TEST(LayerChunkFile, tells_the_box_within_absorbing_layers_in_a_version_of_its_own) {
+  LayerChunk chunk = some_chunk();
+  const std::size_t triangles = chunk.triangles.size();
+  chunk.within_pml = {Vec3{-1, 0.5, 2}, Vec3{3, 0.5, 4}};
+  const std::string bytes = layer_chunk_to_bytes(chunk);
+  EXPECT_EQ(bytes[8], 5);
+  EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
+  const std::size_t lowest = bytes.size() - 16 - triangles * 16 - 6 * 8;
+  expect_refused(forged(bytes, lowest, 3.5), "has a box that cannot be");
+  expect_refused(forged(bytes, lowest, std::numeric_limits<double>::infinity()),
+                 "has a number that is not finite");
+}
+
 TEST(LayerChunkFile, tells_what_lies_in_planes_in_a_version_of_its_own) {
   for (const LayerChunk& chunk : chunks_with_sides()) {
     const std::string bytes = layer_chunk_to_bytes(chunk);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/error.h"
@@ -39,12 +40,13 @@ SurfaceMesh ball_in_box() {
   return surface;
 }
 
-LayerPlan pml_plan(const SurfaceMesh& surface, SurfaceMesh& outside, double height, int layers) {
+LayerPlan pml_plan(const SurfaceMesh& surface, SurfaceMesh& outside, double height, int layers,
+                   bool in_tets = true) {
   LayerRequest request;
   request.patches = {0};
   request.law = {.first = height, .growth = 1, .acceleration = 1, .cap = 1, .equal = 1};
   request.count = layers;
-  request.in_tets = true;
+  request.in_tets = in_tets;
   const std::vector<Vec3> outwards = pml_directions(surface, first_patch);
   for (const Vec3& way : outwards) request.ways.push_back(-way);
   outside = moved_outwards(surface, outwards, height * layers);
@@ -189,6 +191,61 @@ TEST(PmlOffset, cells_are_marked_by_their_depth_from_the_inside) {
     }
     EXPECT_NEAR(furthest, 1 + 0.25 * depths[t], 1e-12);
   }
+}
+
+int bits_of(std::int32_t axes) { return std::popcount(static_cast<std::uint32_t>(axes)); }
+
+TEST(PmlOffset, cells_round_a_box_have_the_axes_along_which_they_are_outside) {
+  // A triangle with an edge on one of the box's has two of three lines that lean over it: its
+  // cells are beyond where they are more than half an edge away, which the last 2 of 6 are.
+  constexpr int squares = 3;
+  constexpr int layers = 6;
+  constexpr int layers_beyond = 2;
+  const SurfaceMesh box = shapes::box({0, 0, 0}, {squares, squares, squares}, squares);
+  SurfaceMesh outside;
+  const LayerPlan plan = pml_plan(box, outside, 0.125, layers, false);
+  const GrownLayers grown = grow(chunks_of(plan, outside).at(0));
+  const std::vector<std::int32_t>& axes = grown.marks[CellMark::pml_axes];
+  ASSERT_EQ(std::ssize(axes), std::ssize(box.triangles) * layers);
+  int bits = 0;
+  int most = 0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const bool is_beyond = grown.marks[CellMark::pml_depth][i] > layers - layers_beyond;
+    bits += bits_of(axes[i]);
+    most = std::max(most, bits_of(axes[i]));
+    EXPECT_GE(bits_of(axes[i]), 1);
+    EXPECT_TRUE(is_beyond || bits_of(axes[i]) == 1) << i;
+  }
+  EXPECT_EQ(bits, 6 * 2 * squares * squares * layers + 6 * 4 * squares * layers_beyond);
+  EXPECT_EQ(most, 3) << "at corners";
+}
+
+TEST(PmlOffset, cells_have_axes_by_their_centroids_in_whatever_chunk) {
+  const SurfaceMesh ball = shapes::sphere({0.5, -0.25, 3}, 1, 2);
+  const Box3 box = bounding_box(ball.vertices);
+  SurfaceMesh outside;
+  const LayerPlan plan = pml_plan(ball, outside, 0.25, 3);
+  std::array<int, 4> cells_with{};
+  for (const LayerChunk& chunk : chunks_of(plan, outside, 500)) {
+    const GrownLayers grown = grow(chunk);
+    const std::vector<std::int32_t>& axes = grown.marks[CellMark::pml_axes];
+    ASSERT_EQ(axes.size(), grown.mesh.tets.size());
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      Vec3 centroid;
+      for (const std::int32_t v : grown.mesh.tets[i]) {
+        centroid += grown.mesh.nodes[static_cast<std::size_t>(v)] / 4;
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool is_outside =
+            std::abs(centroid[axis] - box.centre()[axis]) > box.size()[axis] / 2;
+        EXPECT_EQ((axes[i] >> axis & 1) != 0, is_outside) << i;
+      }
+      ++cells_with.at(static_cast<std::size_t>(bits_of(axes[i])));
+    }
+  }
+  EXPECT_GT(cells_with[0], 0) << "the corners of the box are outside of the ball";
+  EXPECT_GT(cells_with[1], 0);
+  EXPECT_EQ(cells_with[3], 0);
 }
 
 }  // namespace
