@@ -284,7 +284,7 @@ def main():
     parser.add_argument("--tetfarm", type=pathlib.Path, default=ROOT / "build/release/bin/tetfarm")
     parser.add_argument("--y-plus", type=float, default=30)
     parser.add_argument("--reynolds", type=float, default=1e6)
-    parser.add_argument("--incidence", type=float, default=4, help="degrees")
+    parser.add_argument("--incidence", type=float, default=0, help="degrees")
     parser.add_argument("--growth", type=float, default=1.2)
     parser.add_argument("--layers", type=int, default=10, help="how many")
     parser.add_argument("--chord-edges", type=int, default=28, help="edges along the chord, on either side")
