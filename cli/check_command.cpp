@@ -106,6 +106,10 @@ ExitCode check_command(const CheckOptions& options) {
     throw UsageError("give a surface, a job file, or --store DIR", "check");
   RunOptions job_options;
   job_options.input = options.input;
+  job_options.size = options.size;
+  job_options.growth = options.growth;
+  job_options.outer = options.outer;
+  job_options.outer_size = options.outer_size;
   job_options.layers = options.layers;
   job_options.pml = options.pml;
   const JobInput input = read_job(job_options);

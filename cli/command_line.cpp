@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <map>
 
@@ -61,6 +62,28 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
       ->option_text("PATCH,...[:KEY=VALUE,...]");
 }
 
+/// How large the domain is and how fine.
+template <class Options>
+std::array<CLI::Option*, 4> add_domain(CLI::App& app, Options& job) {
+  return {
+      app.add_option("--size", job.size,
+                     "Target edge length away from the surface, and largest on an outer "
+                     "boundary")
+          ->check(positive_number())
+          ->option_text("H"),
+      app.add_option("--growth", job.growth,
+                     "Growth of the edge length per unit of distance (default 0.3)")
+          ->check(positive_number())
+          ->option_text("G"),
+      app.add_option("--outer", job.outer, "Mesh the space around the body, out to this boundary")
+          ->option_text("box[:FACTOR]|sphere[:FACTOR]"),
+      app.add_option("--outer-size", job.outer_size,
+                     "Edge length on the outer boundary (default: as --growth and --size "
+                     "allow)")
+          ->check(positive_number())
+          ->option_text("H")};
+}
+
 void add_job(CLI::App& app, RunOptions& job) {
   app.add_option("INPUT", job.input,
                  "A closed surface (" + readable_surfaces() + "; also .gz) or a job file (.toml)")
@@ -75,20 +98,7 @@ void add_job(CLI::App& app, RunOptions& job) {
       ->option_text("2GiB")
       ->excludes("--subdomains")
       ->excludes("--groups");
-  app.add_option("--size", job.size,
-                 "Target edge length away from the surface, and largest on an outer boundary")
-      ->check(positive_number())
-      ->option_text("H");
-  app.add_option("--growth", job.growth,
-                 "Growth of the edge length per unit of distance (default 0.3)")
-      ->check(positive_number())
-      ->option_text("G");
-  app.add_option("--outer", job.outer, "Mesh the space around the body, out to this boundary")
-      ->option_text("box[:FACTOR]|sphere[:FACTOR]");
-  app.add_option("--outer-size", job.outer_size,
-                 "Edge length on the outer boundary (default: as --growth and --size allow)")
-      ->check(positive_number())
-      ->option_text("H");
+  add_domain(app, job);
   add_layers(app, job.layers, "");
   add_pml(app, job.pml);
   CLI::Option* most =
@@ -181,6 +191,7 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
+    const std::array<CLI::Option*, 4> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* store = sub.add_option("--store", check_.store,
@@ -190,6 +201,7 @@ class Parser {
                              ->excludes(input)
                              ->excludes(layers)
                              ->excludes(pml);
+    for (CLI::Option* option : domain) store->excludes(option);
     sub.add_option("--database", check_.database,
                    "Folder of the store's database (default: the store)")
         ->option_text("DIR")

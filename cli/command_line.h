@@ -40,11 +40,15 @@ struct RunOptions {
 
 struct CheckOptions {
   std::string input;
-  std::vector<std::string> layers;  ///< as of RunOptions
-  std::string pml;                  ///< likewise
-  std::string defects_file;         ///< a file or a folder; "": NAME.defects.vtp here
-  std::string store;                ///< instead of an input: a store or the folder of a run
-  std::string database;             ///< of the store: the folder of its database, "": the store
+  std::optional<double> size;  ///< this and what follows: as of RunOptions
+  std::optional<double> growth;
+  std::optional<std::string> outer;
+  std::optional<double> outer_size;
+  std::vector<std::string> layers;
+  std::string pml;
+  std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
+  std::string store;         ///< instead of an input: a store or the folder of a run
+  std::string database;      ///< of the store: the folder of its database, "": the store
   bool json = false;
 };
 

@@ -108,6 +108,27 @@ TEST_F(Checked, voids_and_regions_are_told_apart) {
   EXPECT_THAT(said.out, HasSubstr(", volume 121.333333\n")) << "without the void";
 }
 
+TEST_F(Checked, absorbing_layers_round_an_outer_boundary_of_the_command_line_are_told) {
+  CheckOptions options;
+  options.input = write("tet.off", tet_off);
+  options.outer = "box";
+  options.outer_size = 2;
+  options.pml = "outer:layers=3,height=0.5,elements=prisms";
+  options.json = true;
+  const json told = json::parse(said_by([&] { return check_command(options); }).out);
+  EXPECT_EQ(told["pml"]["patches"], json({"outer_box"}));
+  EXPECT_EQ(told["pml"]["thickness"], 1.5);
+  const std::string job = write("job.toml",
+                                "[geometry]\nsurface = \"tet.off\"\n"
+                                "[domain]\nouter = \"box\"\nspacing = 2\n"
+                                "[[pml]]\npatches = [\"outer\"]\nlayers = 3\nheight = 0.5\n"
+                                "elements = \"prisms\"\n");
+  EXPECT_EQ(json::parse(check(job, true).out), told);
+  options.outer_size = 1;
+  const json finer = json::parse(said_by([&] { return check_command(options); }).out);
+  EXPECT_GT(finer["pml"]["prisms"], told["pml"]["prisms"]);
+}
+
 TEST_F(Checked, layers_are_told_with_what_they_come_to) {
   CheckOptions options;
   options.input = write("tet.off", tet_off);
