@@ -58,7 +58,7 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
   return app
       .add_option("--pml", pml,
                   "Absorbing layers outside of the outer boundary, such as 'outer:layers=10', with "
-                  "height=H and elements=prisms or tets")
+                  "height=H, elements=prisms or tets, and side=inside to keep the boundary")
       ->option_text("PATCH,...[:KEY=VALUE,...]");
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "mesh/core/complaints.h"
 #include "mesh/formats/patch_names.h"
+#include "mesh/layers/pml_inset.h"
 #include "mesh/layers/pml_offset.h"
 #include "worker/job_layers.h"
 
@@ -139,6 +140,11 @@ PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
   block.figures = figures_of(block.request, surface, triangles.size());
   if (!std::isfinite(block.figures.thickness)) {
     throw UsageError("so many layers that are so high have no finite height", pml_place(pml));
+  }
+  if (pml.side == "inside") {
+    block.surface = surface;
+    block.request.ways = pml_ways_inwards(surface, patches);
+    return block;
   }
   const std::vector<Vec3> outwards = pml_directions(surface, patches);
   block.surface = moved_outwards(surface, outwards, block.figures.thickness);

@@ -32,7 +32,7 @@ struct PmlFigures {
 /// What grows, from where.
 struct PmlBlock {
   SurfaceMesh surface;   ///< whose outer boundary is that of the layers
-  LayerRequest request;  ///< from there inwards, to where the boundary was
+  LayerRequest request;  ///< from there inwards, to where the boundary was if it was moved
   PmlFigures figures;
 };
 

@@ -58,6 +58,7 @@ struct JobPml {
   std::int64_t layers = 10;
   double height = 0;              // of each; 0: the median edge of the patches
   std::string elements = "tets";  // "tets" | "prisms"
+  std::string side = "outside";   // of the patches: "outside" | "inside"
   std::string typed;              // as --pml, for messages; canonical text does not have it
 };
 

@@ -15,9 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 14> table_keys = {
     "patches",      "first_height", "y_plus", "reynolds", "length", "growth", "growth_cap",
     "acceleration", "total_height", "count",  "equal",    "room",   "step",   "fan_angle"};
-constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",
-                                                         "elements"};
+constexpr std::array<std::string_view, 6> keys_of_pml = {"patches", "layers",   "height",
+                                                         "corners", "elements", "side"};
 constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
+constexpr std::array<std::string_view, 2> pml_sides = {"outside", "inside"};
 constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
 constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
 constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
@@ -139,6 +140,7 @@ void parse_block(const JobSection& section, JobPml& pml) {
   }
   if (section.has("corners")) section.one_of("corners", pml_corners);
   if (section.has("elements")) pml.elements = section.one_of("elements", pml_elements);
+  if (section.has("side")) pml.side = section.one_of("side", pml_sides);
 }
 
 std::vector<std::string> parse_patches(const JobSection& section) {

@@ -14,6 +14,7 @@
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/marching_direction.h"
 #include "mesh/layers/wall_graph.h"
+#include "mesh/layers/wall_shells.h"
 
 namespace tetfarm {
 namespace {
@@ -28,83 +29,12 @@ constexpr double longest_corner = 4;
 /// A sphere's faces look away from its centre.
 constexpr double least_facing = 0.9;
 
-std::vector<std::int32_t> triangles_of(const SurfaceMesh& surface,
-                                       std::span<const std::int32_t> patches) {
-  std::vector<std::int32_t> found;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (std::binary_search(patches.begin(), patches.end(), patch_of(surface, t))) {
-      found.push_back(static_cast<std::int32_t>(t));
-    }
-  }
-  return found;
-}
-
-void require_whole_shells(const SurfaceMesh& surface, std::span<const std::int32_t> patches,
-                          const WallGraph& graph) {
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (std::binary_search(patches.begin(), patches.end(), patch_of(surface, t))) continue;
-    for (const std::int32_t v : surface.triangles[t]) {
-      if (graph.vertex2line[at(v)] < 0) continue;
-      throw UsageError("their patches do not close: at " + text_of(surface.vertices[at(v)]) +
-                           " they meet \"" + surface.patch_names.at(at(patch_of(surface, t))) +
-                           "\", which is none of them; name all patches of the outer boundary",
-                       place);
-    }
-  }
-}
-
-/// The shell of each line, by the first of its lines.
-std::vector<std::int32_t> shell_of_lines(const WallGraph& graph) {
-  std::vector<std::int32_t> shells(graph.feet.size(), -1);
-  std::vector<std::int32_t> waiting;
-  for (std::size_t first = 0; first < shells.size(); ++first) {
-    if (shells[first] >= 0) continue;
-    waiting.push_back(static_cast<std::int32_t>(first));
-    shells[first] = static_cast<std::int32_t>(first);
-    while (!waiting.empty()) {
-      const std::int32_t line = waiting.back();
-      waiting.pop_back();
-      for (const std::int32_t next : graph.neighbours.of(line)) {
-        if (shells[at(next)] >= 0) continue;
-        shells[at(next)] = static_cast<std::int32_t>(first);
-        waiting.push_back(next);
-      }
-    }
-  }
-  return shells;
-}
-
-/// One closed part of the patches.
-struct ClosedShell {
-  std::vector<std::int32_t> vertices;
-  std::vector<Triangle> triangles;
-};
-
-std::vector<ClosedShell> shells_of(const SurfaceMesh& surface, const WallGraph& graph) {
-  const std::vector<std::int32_t> shell_of = shell_of_lines(graph);
-  std::vector<ClosedShell> by_first(graph.feet.size());
-  for (std::size_t i = 0; i < shell_of.size(); ++i) {
-    by_first[at(shell_of[i])].vertices.push_back(graph.feet[i]);
-  }
-  for (const std::int32_t t : graph.wall) {
-    const Triangle& triangle = surface.triangles[at(t)];
-    by_first[at(shell_of[at(graph.vertex2line[at(triangle[0])])])].triangles.push_back(triangle);
-  }
-  std::erase_if(by_first, [](const ClosedShell& shell) { return shell.triangles.empty(); });
-  return by_first;
-}
-
 void require_outside(const SurfaceMesh& surface, const ClosedShell& shell) {
   if (enclosed_volume(surface.vertices, shell.triangles) > 0) return;
   throw UsageError("the shell with the vertex at " +
                        text_of(surface.vertices[at(shell.vertices.front())]) +
                        " bounds a hole in the domain; they grow on the outside of the domain only",
                    place);
-}
-
-Vec3 outward_normal(const SurfaceMesh& surface, const Triangle& t) {
-  const Vec3 a = surface.vertices[at(t[0])];
-  return normalized(cross(surface.vertices[at(t[1])] - a, surface.vertices[at(t[2])] - a));
 }
 
 using Equations = std::array<std::array<double, 5>, 4>;  // the last column is the right side
@@ -238,8 +168,7 @@ void add_directions(const SurfaceMesh& surface, const WallGraph& graph, const Cl
 std::vector<Vec3> pml_directions(const SurfaceMesh& surface,
                                  std::span<const std::int32_t> patches) {
   TF_CHECK(std::is_sorted(patches.begin(), patches.end()));
-  const WallGraph graph = wall_graph(surface, triangles_of(surface, patches));
-  require_whole_shells(surface, patches, graph);
+  const WallGraph graph = graph_of_whole_shells(surface, patches);
   std::vector<Vec3> directions(surface.vertices.size());
   for (const ClosedShell& shell : shells_of(surface, graph)) {
     require_outside(surface, shell);

@@ -155,6 +155,20 @@ TEST_F(RunWithLayers, grows_absorbing_layers_outside_of_a_box_beside_those_of_th
   EXPECT_EQ(plan["pml"]["cells"], pml["cells"]);
 }
 
+TEST_F(RunWithLayers, grows_absorbing_layers_within_a_box_beside_those_of_the_body) {
+  write_job(
+      "growth = 1\n[domain]\nouter = \"box\"\nfactor = 2\nspacing = 0.5\n"
+      "[[pml]]\npatches = [\"outer\"]\nlayers = 2\nheight = 0.25\nside = \"inside\"\n");
+  const nlohmann::json result = run("out", 2, 3);
+  ASSERT_FALSE(result.is_null());
+  EXPECT_EQ(result["layers"]["full"], 1280);
+  EXPECT_EQ(result["pml"]["tets"], 6 * result["pml"]["outer_triangles"].get<std::int64_t>());
+  const SurfaceMesh ball = shapes::sphere({0.5, 0.25, 0}, 1, 3);
+  EXPECT_NEAR(result["volume"].get<double>(),
+              4 * 4 * 4 - enclosed_volume(ball.vertices, ball.triangles), 1e-9);
+  EXPECT_EQ(sound("out")["digest"], result["digest"]);
+}
+
 TEST_F(RunWithLayers, counts_the_tets_of_absorbing_layers_that_the_command_line_asks_for) {
   std::vector<std::string> words = test::run_words("ball.off", "out", 2, 2);
   words.insert(words.end(), {"--pml", "surface:layers=3,height=0.1", "--size", "0.3"});

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "mesh/inspect/outer_boundary.h"
+#include "mesh/layers/layer_plan.h"
 #include "tests/support/error_text.h"
 #include "tests/support/shapes.h"
 
@@ -53,6 +54,32 @@ TEST(JobPml, moves_the_boundary_by_all_of_its_layers) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(grown[axis], was[axis] + 2, 1e-12);
   EXPECT_EQ(block.figures.prisms, 4 * block.figures.triangles);
   EXPECT_EQ(block.figures.tets, 0);
+}
+
+TEST(JobPml, on_the_inside_leaves_the_boundary_and_ends_by_all_of_its_layers_within) {
+  const SurfaceMesh surface = ball_in_outer_box();
+  const PmlBlock block =
+      pml_block_of(pml_job("outer:layers=2,height=0.25,side=inside", "box"), surface);
+  EXPECT_EQ(block.surface.vertices, surface.vertices);
+  Box3 inner;
+  for (const LayerLine& line : plan_layers(surface, {&block.request, 1}).lines) {
+    inner.add(point_of(line, line.stop));
+  }
+  const Box3 outer = bounding_box(surface.vertices);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(inner.low[axis], outer.low[axis] + 0.5, 1e-12);
+    EXPECT_NEAR(inner.high[axis], outer.high[axis] - 0.5, 1e-12);
+  }
+}
+
+TEST(JobPml, on_the_inside_is_refused_where_something_is_in_its_way) {
+  const SurfaceMesh surface = ball_in_outer_box();
+  const PmlBlock block =
+      pml_block_of(pml_job("outer:layers=5,height=0.25,side=inside", "box"), surface);
+  EXPECT_THAT(error_text_of<UsageError>([&] {
+                plan_layers(surface, {&block.request, 1});
+              }),
+              HasSubstr("fewer or lower layers"));
 }
 
 TEST(JobPml, goes_round_the_outer_boundary_of_the_job_by_names_that_begin_with_outer_alone) {

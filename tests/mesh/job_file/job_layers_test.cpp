@@ -45,12 +45,14 @@ TEST(JobPml, has_defaults_for_all_but_patches) {
   EXPECT_EQ(pml.layers, 10);
   EXPECT_EQ(pml.height, 0) << "the median edge";
   EXPECT_EQ(pml.elements, "tets");
+  EXPECT_EQ(pml.side, "outside");
 }
 
 TEST(JobPml, takes_every_key_and_is_the_same_in_canonical_text) {
   const JobPml pml = pml_of(
       "patches = [\"far_*\", \"lid\"]\nlayers = 7\nheight = 0.25\ncorners = \"mitre\"\n"
-      "elements = \"prisms\"");
+      "elements = \"prisms\"\nside = \"inside\"");
+  EXPECT_EQ(pml.side, "inside");
   EXPECT_EQ(pml.layers, 7);
   EXPECT_EQ(pml.height, 0.25);
   EXPECT_EQ(pml.elements, "prisms");
@@ -64,6 +66,7 @@ TEST(JobPml, takes_every_key_and_is_the_same_in_canonical_text) {
     EXPECT_EQ(again.pml->layers, one.layers);
     EXPECT_EQ(again.pml->height, one.height);
     EXPECT_EQ(again.pml->elements, one.elements);
+    EXPECT_EQ(again.pml->side, one.side);
   }
 }
 
@@ -75,6 +78,7 @@ TEST(JobPml, refuses_what_it_cannot_be) {
   EXPECT_THAT(refusal_of_pml(far + "height = \"edge\""), HasSubstr("spacing"));
   EXPECT_THAT(refusal_of_pml(far + "corners = \"block\""), HasSubstr("mitre"));
   EXPECT_THAT(refusal_of_pml(far + "elements = \"hexes\""), HasSubstr("prisms"));
+  EXPECT_THAT(refusal_of_pml(far + "side = \"within\""), HasSubstr("inside"));
   EXPECT_THAT(refusal_of_pml(far + "first_height = 1"), HasSubstr("first_height"));
   EXPECT_THAT(refusal_of_pml(far + "[[pml]]\n" + far), HasSubstr("one block"));
 }
