@@ -143,7 +143,7 @@ PmlBlock pml_block_of(const JobFile& job, const SurfaceMesh& surface) {
   }
   if (pml.side == "inside") {
     block.surface = surface;
-    block.request.ways = pml_ways_inwards(surface, patches);
+    block.request.ways = pml_ways_inwards(surface, patches, block.figures.thickness);
     return block;
   }
   const std::vector<Vec3> outwards = pml_directions(surface, patches);

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "base/array_index.h"
+#include "base/error.h"
+#include "mesh/core/complaints.h"
 #include "mesh/layers/pml_offset.h"
 #include "mesh/layers/wall_shells.h"
 
@@ -87,13 +89,29 @@ Vec3 way_to_the_middle(const Slabs& slabs, const Vec3& p) {
   return way;
 }
 
+/// Whatever its shape, a shell has no more room than half its width along an axis.
+void require_width(const SurfaceMesh& surface, const ClosedShell& shell, double thickness) {
+  Box3 box;
+  for (const std::int32_t v : shell.vertices) box.add(surface.vertices[at(v)]);
+  for (const int axis : {0, 1, 2}) {
+    const double width = box.high[axis] - box.low[axis];
+    if (2 * thickness < width) continue;
+    throw UsageError("inside, they would be " + text_of(thickness) +
+                         " thick together, and the outer boundary is only " + text_of(width) +
+                         " wide along " + "xyz"[axis] +
+                         "; give fewer or lower layers, or a larger boundary",
+                     "absorbing layers");
+  }
+}
+
 }  // namespace
 
 std::vector<Vec3> pml_ways_inwards(const SurfaceMesh& surface,
-                                   std::span<const std::int32_t> patches) {
+                                   std::span<const std::int32_t> patches, double thickness) {
   std::vector<Vec3> ways = pml_directions(surface, patches);
   for (Vec3& way : ways) way = -way;
   for (const ClosedShell& shell : shells_of(surface, graph_of_whole_shells(surface, patches))) {
+    require_width(surface, shell, thickness);
     const std::optional<Slabs> slabs = slabs_of(surface, shell);
     if (!slabs) continue;
     for (const std::int32_t v : shell.vertices) {

@@ -17,9 +17,11 @@ namespace tetfarm {
 
 /// For each vertex of the surface the way that moves the planes of its faces inwards by 1; zero for
 /// vertices of other patches.
-/// @param patches of the surface, ascending. @pre as for pml_directions.
-/// @throws UsageError as pml_directions does. Cost: O(n).
+/// @param patches of the surface, ascending. @param thickness of all layers. @pre as for
+/// pml_directions.
+/// @throws UsageError as pml_directions does, and where a shell is no wider than twice the
+/// thickness. Cost: O(n).
 std::vector<Vec3> pml_ways_inwards(const SurfaceMesh& surface,
-                                   std::span<const std::int32_t> patches);
+                                   std::span<const std::int32_t> patches, double thickness);
 
 }  // namespace tetfarm

@@ -38,12 +38,12 @@ LayerPlan inner_plan(const SurfaceMesh& surface, double height, int layers) {
   request.patches = {0};
   request.law = {.first = height, .growth = 1, .acceleration = 1, .cap = 1, .equal = 1};
   request.count = layers;
-  request.ways = pml_ways_inwards(surface, first_patch);
+  request.ways = pml_ways_inwards(surface, first_patch, height * layers);
   return plan_layers(surface, {&request, 1});
 }
 
 void expect_each_plane_moves_inwards_by_1(const SurfaceMesh& surface) {
-  const std::vector<Vec3> ways = pml_ways_inwards(surface, first_patch);
+  const std::vector<Vec3> ways = pml_ways_inwards(surface, first_patch, 0.1);
   for (const Triangle& t : surface.triangles) {
     for (const std::int32_t v : t) {
       ASSERT_NEAR(dot(ways[static_cast<std::size_t>(v)], normal_of(surface, t)), -1, 1e-12);
@@ -78,15 +78,15 @@ TEST(PmlInset, leaves_a_smaller_box_within_a_box) {
 TEST(PmlInset, moves_the_vertices_of_a_sphere_towards_its_centre) {
   const Vec3 centre = {3, -1, 2};
   const SurfaceMesh ball = shapes::sphere(centre, 2, 2);
-  const std::vector<Vec3> ways = pml_ways_inwards(ball, first_patch);
+  const std::vector<Vec3> ways = pml_ways_inwards(ball, first_patch, 0.1);
   for (std::size_t v = 0; v < ways.size(); ++v) {
     EXPECT_LT(distance(ways[v], normalized(centre - ball.vertices[v])), 1e-12);
   }
 }
 
-TEST(PmlInset, of_layers_that_are_thicker_than_half_the_box_is_refused_with_a_place) {
+TEST(PmlInset, of_layers_that_are_thicker_than_half_the_box_is_refused_with_both_lengths) {
   EXPECT_THAT(error_text_of<UsageError>([] { inner_plan(fine_box(), 0.25, 4); }),
-              HasSubstr("fewer or lower layers"));
+              HasSubstr("1 thick together, and the outer boundary is only 2 wide along x"));
 }
 
 TEST(PmlInset, takes_a_box_with_a_bevelled_edge_for_no_box) {
@@ -98,7 +98,7 @@ TEST(PmlInset, takes_a_box_with_a_bevelled_edge_for_no_box) {
       std::find(bevelled.vertices.begin(), bevelled.vertices.end(), Vec3{0.5, -1, 0.125});
   ASSERT_NE(found, bevelled.vertices.end());
   const auto on_a_side = static_cast<std::size_t>(found - bevelled.vertices.begin());
-  EXPECT_EQ(pml_ways_inwards(bevelled, first_patch)[on_a_side], (Vec3{0, 1, 0}));
+  EXPECT_EQ(pml_ways_inwards(bevelled, first_patch, 0.1)[on_a_side], (Vec3{0, 1, 0}));
 }
 
 }  // namespace
