@@ -24,8 +24,9 @@ namespace tetfarm {
 namespace {
 
 /// Where lines lose layers because of how they lean, those so many edges round them try the other
-/// ways.
-constexpr int edges_to_lean = 3;
+/// ways, all of them so many times: what one place gains may leave the next one room.
+constexpr int edges_to_lean = 1;
+constexpr int rounds_of_leaning = 2;
 
 /// Rounds of the proof in which lines lose no more layers than they must.
 constexpr int patient_rounds = 30;
@@ -87,16 +88,11 @@ class Planning {
     find_directions();
     find_wishes();
     if (find_fans()) find_wishes();
-    find_lean(Lean::as_neighbours);
     begun_ = plan_;
+    find_lean(Lean::as_neighbours);
     Leans leans(plan_.lines.size(), 0);
     if (const std::optional<UsageError> refusal = grow_by(leans)) throw *refusal;
-    for (std::size_t way = 1; way < all_leans.size(); ++way) {
-      const Places places = places_of_stops();
-      if (places.empty()) break;
-      while (leans_.size() < all_leans.size()) find_lean(all_leans.at(leans_.size()));
-      try_way(way, places, leans);
-    }
+    for (int round = 0; round < rounds_of_leaning; ++round) try_leans(leans);
     return std::move(plan_);
   }
 
@@ -186,11 +182,21 @@ class Planning {
     return true;
   }
 
-  /// How lines go on above the first layer in the next way; those with ways of their own stay.
+  /// Where lines stop because of how they lean, they try the other ways, one after the other.
+  void try_leans(Leans& leans) {
+    for (std::size_t way = 1; way < all_leans.size(); ++way) {
+      const Places places = places_of_stops();
+      if (places.empty()) return;
+      while (leans_.size() < all_leans.size()) find_lean(all_leans.at(leans_.size()));
+      try_way(way, places, leans);
+    }
+  }
+
+  /// How lines lean in the next way; those with ways of their own stay.
   void find_lean(Lean lean) {
     std::vector<Vec3> along;
-    for (std::size_t i = 0; i < plan_.lines.size(); ++i) {
-      along.push_back(follows_ways(i) ? Vec3{} : plan_.lines[i].along);
+    for (std::size_t i = 0; i < begun_.lines.size(); ++i) {
+      along.push_back(follows_ways(i) ? Vec3{} : begun_.lines[i].along);
     }
     leans_.push_back(leaning(ground(), along, lean));
   }
@@ -218,7 +224,10 @@ class Planning {
   std::optional<UsageError> grow_by(const Leans& leans) {
     plan_ = begun_;
     for (std::size_t i = 0; i < leans.size(); ++i) {
-      if (!follows_ways(i)) plan_.lines[i].later = leans_[leans[i]][i];
+      if (follows_ways(i)) continue;
+      LayerLine& line = plan_.lines[i];
+      line.later = leans_[leans[i]][i];
+      if (all_leans.at(leans[i]) == Lean::from_wall) line.along = line.later;
     }
     find_rooms();
     fit_heights();
@@ -332,8 +341,9 @@ class Planning {
     const std::vector<std::int32_t> sources = limit_slopes(graph_, places_, steepest_rise, room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
-      const Vec3 later = line.later;
+      const auto [along, later] = std::pair(line.along, line.later);
       line = begun_.lines[i];
+      line.along = along;
       line.later = later;
       line.bends_from = line.law.first;
       line.bends_to = room[i];

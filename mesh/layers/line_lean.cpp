@@ -9,21 +9,32 @@
 namespace tetfarm {
 namespace {
 
-/// Rounds in which directions become more like their neighbours', and the share of what a line sees
-/// of its worst face that it keeps.
-constexpr int smoothing_rounds = 10;
+/// A line keeps so much of what it sees of its worst face.
 constexpr double share_of_visibility = 0.6;
+
+/// Rounds in which directions become more like their neighbours'. From the wall on, nodes that are
+/// near to each other have to agree to within their distance over the height of all layers.
+int rounds_of(Lean lean) { return lean == Lean::from_wall ? 40 : 10; }
+
+/// How much a neighbour so far away counts.
+double weight_of(double distance, Lean lean) {
+  switch (lean) {
+    case Lean::as_nearest:
+      return 1 / distance;
+    case Lean::from_wall:
+      return 1 / (distance * distance);
+    default:
+      return 1;
+  }
+}
 
 /// What the neighbours' directions come to; zero where none moves.
 Vec3 mean_of_neighbours(const LineGround& ground, const std::vector<Vec3>& directions,
                         std::int32_t line, Lean lean) {
   Vec3 sum;
   for (const std::int32_t n : ground.graph.neighbours.of(line)) {
-    if (lean == Lean::as_nearest) {
-      sum += directions[at(n)] / distance(ground.places[at(line)], ground.places[at(n)]);
-    } else {
-      sum += directions[at(n)];
-    }
+    const double d = distance(ground.places[at(line)], ground.places[at(n)]);
+    sum += directions[at(n)] * weight_of(d, lean);
   }
   return normalized(sum);
 }
@@ -47,7 +58,7 @@ std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along,
     directions.push_back(normalized(along[i]));
     least.push_back(share_of_visibility * visibility(directions[i], normals_at(ground, i)));
   }
-  for (int round = 0; round < smoothing_rounds; ++round) {
+  for (int round = 0; round < rounds_of(lean); ++round) {
     std::vector<Vec3> smoother = directions;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       if (directions[i] == Vec3{} || ground.graph.is_of_fan(i)) continue;

@@ -4,7 +4,8 @@
 /// Source: none in the thesis, whose lines are straight. Directions are averaged in Jacobi rounds;
 /// a line keeps a share of what it sees of its worst face. No one way is the best everywhere: nodes
 /// that are nearer to each other than layers are high have to go the same way, whatever those
-/// further on do, and elsewhere each neighbour tells as much of the shape as the next.
+/// further on do, and elsewhere each neighbour tells as much of the shape as the next. Where nodes
+/// are nearer to each other than the first few layers are high, they go the same way from the wall.
 #pragma once
 
 #include <array>
@@ -22,8 +23,10 @@ enum class Lean : std::uint8_t {
   as_neighbours,  ///< towards their mean
   as_nearest,     ///< towards a mean in which each counts by the reciprocal of its distance
   straight,       ///< as at the wall
+  from_wall,      ///< straight, and at the wall towards a mean of reciprocal squared distances
 };
-inline constexpr std::array all_leans = {Lean::as_neighbours, Lean::as_nearest, Lean::straight};
+inline constexpr std::array all_leans = {Lean::as_neighbours, Lean::as_nearest, Lean::straight,
+                                         Lean::from_wall};
 
 /// What lines are decided from.
 struct LineGround {

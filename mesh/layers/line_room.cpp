@@ -12,6 +12,9 @@
 namespace tetfarm {
 namespace {
 
+/// Of the angle between a line and the normal of a triangle that it comes down on.
+constexpr double facing_cosine = 0.7;
+
 bool has_corner(const Triangle& triangle, std::int32_t vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
 }
@@ -28,6 +31,25 @@ double share_before_plane(const Vec3& p, const Vec3& q, const TrianglePoints& t)
   const double before = dot(normal, t[0] - p);
   const double whole = dot(normal, q - p);
   return whole == 0 ? 0 : std::clamp(before / whole, 0.0, 1.0);
+}
+
+/// Whether the line comes down on the triangle, rather than along it.
+bool faces_line(const Vec3& line, const TrianglePoints& t) {
+  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  return std::abs(dot(normal, line)) >= facing_cosine * norm(normal) * norm(line);
+}
+
+/// What a line has of the gap between it and a triangle, those of the triangle have as well: their
+/// layers are between its vertices, too, where none of them looks.
+void hold_opposite(const WallGraph& graph, std::span<const Vec3> along, const Triangle& triangle,
+                   double way, std::vector<double>& ways) {
+  for (const std::int32_t v : triangle) {
+    if (graph.vertex2line[at(v)] < 0) continue;
+    for (std::size_t line = at(graph.vertex2line[at(v)]);
+         line < graph.feet.size() && graph.feet[line] == v; ++line) {
+      if (!(along[line] == Vec3{})) ways[line] = std::min(ways[line], way);
+    }
+  }
 }
 
 /// The first s > 0 at which c0 + c1 s + c2 s² is zero; HUGE_VAL when there is none.
@@ -85,7 +107,9 @@ std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph
       if (has_corner(triangle, foot) || is_held_by(planes, i, t)) return;
       const TrianglePoints points = triangle_points(surface.vertices, triangle);
       if (!segment_meets_triangle(p, q, points)) return;
-      ways[i] = std::min(ways[i], share_of_free_way * reach * share_before_plane(p, q, points));
+      const double way = share_of_free_way * reach * share_before_plane(p, q, points);
+      ways[i] = std::min(ways[i], way);
+      if (faces_line(q - p, points)) hold_opposite(graph, along, triangle, way, ways);
     });
   }
   return ways;

@@ -22,7 +22,8 @@ inline constexpr double share_of_free_way = 0.4;
 inline constexpr double least_jacobian = 0.3;
 
 /// The free way's share of each line, or `wanted` where that is less. Planes that a line stays in
-/// are not in its way.
+/// are not in its way. The lines of a triangle that another comes down on have no more than that
+/// one: their layers are there, too, where none of them looks.
 /// @pre `along` and `wanted` have one for each line; a zero vector does not move.
 /// Cost: the boxes round each line.
 std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph,

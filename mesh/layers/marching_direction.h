@@ -14,8 +14,8 @@
 namespace tetfarm {
 
 /// A direction that sees its worst face at a smaller cosine serves no layers: the line would be
-/// more than ten times as long as the layers are high.
-inline constexpr double least_visibility = 0.1;
+/// more than twenty times as long as the layers are high.
+inline constexpr double least_visibility = 0.05;
 
 struct MarchingDirection {
   Vec3 direction;         ///< of length 1; zero where no direction sees all faces

@@ -88,7 +88,7 @@ inline SurfaceMesh lens_in_box(int n, double south, double north) {
   return in_a_box(lens);
 }
 
-/// A pillar on a block; seen from above both are rhombs whose sharp edges have 8 degrees, so that
+/// A pillar on a block; seen from above both are rhombs whose sharp edges have 4 degrees, so that
 /// those of the pillar end at the block.
 inline SurfaceMesh fin_in_box() {
   const auto is_body = [](int x, int y, int z) {
@@ -99,7 +99,7 @@ inline SurfaceMesh fin_in_box() {
   for (std::size_t t = 0; t < body.triangles.size(); ++t) {
     if (voxels.sets[t][0] == 0) std::swap(body.triangles[t][1], body.triangles[t][2]);
   }
-  const double squeeze = std::tan(4 * 3.14159265358979 / 180);
+  const double squeeze = std::tan(2 * 3.14159265358979 / 180);
   for (Vec3& p : body.vertices) p = {p.x - p.y, squeeze * (p.x + p.y - 8), p.z};
   return in_a_box(body);
 }

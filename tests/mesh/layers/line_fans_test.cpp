@@ -118,7 +118,7 @@ TEST(LineFans, run_in_planes_beside_the_wall) {
   EXPECT_EQ(ends, 4 * 2);
 }
 
-/// A fin of two faces that meet at 8 degrees stands on a block: at its root the edge ends between
+/// A fin of two faces that meet at 4 degrees stands on a block: at its root the edge ends between
 /// faces that look apart, and no single direction sees them all.
 TEST(LineFans, go_on_at_the_root_of_a_fin) {
   const SurfaceMesh surface = test::fin_in_box();

@@ -45,7 +45,7 @@ TEST(LineLean, straight_lines_go_on_as_they_begin) {
 
 TEST(LineLean, lines_keep_a_share_of_what_they_see_and_the_height_above_their_worst_face) {
   const Ground cube(shapes::box({0, 0, 0}, {1, 1, 1}, 6));
-  for (const Lean lean : {Lean::as_neighbours, Lean::as_nearest}) {
+  for (const Lean lean : {Lean::as_neighbours, Lean::as_nearest, Lean::from_wall}) {
     const std::vector<Vec3> later = leaning(cube.view(), cube.along, lean);
     for (std::size_t i = 0; i < later.size(); ++i) {
       const std::vector<Vec3> normals = normals_at(cube.view(), i);
@@ -94,6 +94,27 @@ TEST(LineLean, near_neighbours_count_more_where_distances_are_asked) {
   const std::vector<Vec3> mean = leaning(ground.view(), ground.along, Lean::as_neighbours);
   const std::vector<Vec3> nearest = leaning(ground.view(), ground.along, Lean::as_nearest);
   EXPECT_GT(normalized(nearest[moved]).x, normalized(mean[moved]).x + 0.05);
+}
+
+/// A row of nodes is 0.001 away from an edge: each sees one face, and those of the edge see two.
+TEST(LineLean, nodes_that_are_near_to_each_other_go_the_same_way_from_the_wall) {
+  SurfaceMesh box = shapes::box({0, 0, 0}, {1, 1, 1}, 4);
+  for (Vec3& p : box.vertices) {
+    if (p.x == 0.25) p.x = 0.001;
+  }
+  const Ground ground(box);
+  const std::vector<Vec3> ways = leaning(ground.view(), ground.along, Lean::from_wall);
+  int pairs = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (!(ground.places[i] == Vec3{0.001, 0.5, 0})) continue;
+    for (std::size_t j = 0; j < ways.size(); ++j) {
+      if (!(ground.places[j] == Vec3{0, 0.5, 0})) continue;
+      EXPECT_GT(norm(cross(normalized(ground.along[i]), normalized(ground.along[j]))), 0.7);
+      EXPECT_LT(norm(cross(normalized(ways[i]), normalized(ways[j]))), 1e-4);
+      ++pairs;
+    }
+  }
+  EXPECT_EQ(pairs, 1);
 }
 
 }  // namespace

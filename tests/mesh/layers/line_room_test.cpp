@@ -36,6 +36,31 @@ TEST(LineRoom, free_way_is_a_share_of_the_distance_to_what_is_opposite) {
   EXPECT_EQ(looked, 9);
 }
 
+/// The floor of a slab is one square; a line in the middle of the lid sees it, and those of
+/// the floor, which go down here, see nothing.
+TEST(LineRoom, the_lines_of_a_large_triangle_have_no_more_than_one_that_comes_down_on_it) {
+  const SurfaceMesh slab = shapes::box({0, 0, 0}, {4, 4, 0.5}, 2);
+  const WallGraph graph = graph_of(slab);
+  std::vector<Vec3> along;
+  for (const std::int32_t v : graph.feet) {
+    const Vec3 p = slab.vertices[at(v)];
+    const bool is_lid = p == Vec3{2, 2, 0.5};
+    const bool is_floor = p.z == 0;
+    along.push_back(is_lid ? Vec3{0.1, 0.2, -1} : is_floor ? Vec3{-1, -1, -1} : Vec3{});
+  }
+  const std::vector<double> wanted(along.size(), 3);
+  const std::vector<double> ways = free_ways(slab, graph, wall_planes(slab, graph), along, wanted);
+  int held = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    EXPECT_EQ(along[i] == Vec3{} ? 3 : ways[i], ways[i]) << "one that does not move";
+    const bool is_floor = slab.vertices[at(graph.feet[i])].z == 0;
+    if (!is_floor || ways[i] == 3) continue;
+    ++held;
+    EXPECT_NEAR(ways[i], 0.2, 1e-12);
+  }
+  EXPECT_EQ(held, 3);
+}
+
 TEST(LineRoom, free_way_is_not_less_than_wanted_where_nothing_is_near) {
   const SurfaceMesh cube = shapes::box({0, 0, 0}, {1, 1, 1}, 2);
   const WallGraph graph = graph_of(cube);
