@@ -307,27 +307,31 @@ class Parser {
     sub.add_option("-o,--output", render_.output, "The picture")->required()->option_text("PNG");
     sub.add_option(
            "--view", render_.view,
-           "The surface, the sub-domains pulled apart, or the mesh cut open (default surface)")
-        ->check(CLI::IsMember({"surface", "exploded", "cut"}))
-        ->option_text("surface|exploded|cut");
+           "The surface, the sub-domains pulled apart, the mesh cut open, or a plane through its "
+           "cells (default surface)")
+        ->check(CLI::IsMember({"surface", "exploded", "cut", "slice"}))
+        ->option_text("surface|exploded|cut|slice");
     sub.add_option("--colour", render_.colour, "Colour by (default subdomain)")
-        ->check(CLI::IsMember({"subdomain", "region", "patch"}))
-        ->option_text("subdomain|region|patch");
+        ->check(CLI::IsMember({"subdomain", "region", "patch", "layer"}))
+        ->option_text("subdomain|region|patch|layer");
     sub.add_option("--size", render_.size, "Size in pixels (default 1600x1000)")
         ->option_text("WxH");
-    place("--from", render_.from, "Direction from the mesh to the viewer (default -1,-2,1)");
+    place("--from", render_.from,
+          "Direction from the mesh to the viewer (default -1,-2,1; of a slice, at right angles to "
+          "it)");
     place("--up", render_.up, "Direction that points up in the picture (default 0,0,1)");
     sub.add_option("--zoom", render_.zoom,
                    "Magnification; at 1 the mesh fits the picture (default 1)")
         ->check(positive_number())
         ->option_text("Z");
+    place("--centre", render_.centre, "What is in the middle of the picture (default: the mesh)");
     sub.add_option("--body", render_.bodies, "Patches to show whole (default: all but outer_*)")
         ->delimiter(',')
         ->option_text("PATCH,...");
     sub.add_option("--hide", render_.hidden, "Patches to hide")
         ->delimiter(',')
         ->option_text("PATCH,...");
-    place("--plane", render_.plane, "Normal of the cutting plane (default 0,1,0)");
+    place("--plane", render_.plane, "Normal of the plane of a cut or slice (default 0,1,0)");
     sub.add_option("--at", render_.at,
                    "Position of the plane along its normal (default: the middle)")
         ->option_text("D");

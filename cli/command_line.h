@@ -107,12 +107,13 @@ struct RenderCommand {
   std::string input;   ///< as of QualityOptions
   ViewOptions source;  ///< of a job
   std::string output;
-  std::string view = "surface";      ///< surface, exploded or cut
-  std::string colour = "subdomain";  ///< subdomain, region or patch
+  std::string view = "surface";      ///< surface, exploded, cut or slice
+  std::string colour = "subdomain";  ///< subdomain, region, patch or layer
   std::string size = "1600x1000";
-  std::vector<double> from = {-1, -2, 1};
+  std::vector<double> from;  ///< empty: along the plane's normal for a slice, else -1, -2, 1
   std::vector<double> up = {0, 0, 1};
   double zoom = 1;
+  std::vector<double> centre;  ///< of the picture; empty: the middle
   std::vector<std::string> bodies;
   std::vector<std::string> hidden;
   std::vector<double> plane = {0, 1, 0};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,22 +43,54 @@ Vec3 direction(const std::vector<double>& numbers, const char* option) {
   return v;
 }
 
+View view_of(const std::string& name) {
+  return name == "cut"        ? View::cut
+         : name == "exploded" ? View::exploded
+         : name == "slice"    ? View::slice
+                              : View::surface;
+}
+
+ColourBy colour_by(const std::string& name) {
+  return name == "region"  ? ColourBy::region
+         : name == "patch" ? ColourBy::patch
+         : name == "layer" ? ColourBy::layer
+                           : ColourBy::subdomain;
+}
+
+bool shows_cells(View view) { return view == View::cut || view == View::slice; }
+
+/// The side of a plane from which drawings look at it: x from the front, y from the right, z from
+/// above.
+Vec3 before_plane(const Vec3& normal) {
+  const bool is_across = std::abs(normal.y) > std::max(std::abs(normal.x), std::abs(normal.z));
+  const double most = std::abs(normal.x) >= std::abs(normal.z) ? normal.x : normal.z;
+  const bool is_before = is_across ? normal.y < 0 : most > 0;
+  return is_before ? normal : -normal;
+}
+
 RenderOptions options_of(const RenderCommand& command) {
   RenderOptions options;
-  options.view = command.view == "cut"        ? View::cut
-                 : command.view == "exploded" ? View::exploded
-                                              : View::surface;
-  options.colour_by = command.colour == "region"  ? ColourBy::region
-                      : command.colour == "patch" ? ColourBy::patch
-                                                  : ColourBy::subdomain;
+  options.view = view_of(command.view);
+  options.colour_by = colour_by(command.colour);
+  if (options.colour_by == ColourBy::layer && !shows_cells(options.view)) {
+    throw UsageError("layers have colours in cuts and slices; give --view cut or --view slice",
+                     "--colour layer");
+  }
   std::tie(options.width, options.height) = parse_size(command.size);
   options.edge_width = command.edge_width;
-  options.camera.from = direction(command.from, "--from");
   options.camera.up = direction(command.up, "--up");
   options.camera.zoom = command.zoom;
   options.bodies = command.bodies;
   options.hidden = command.hidden;
   options.cut_normal = direction(command.plane, "--plane");
+  if (!command.from.empty()) {
+    options.camera.from = direction(command.from, "--from");
+  } else if (options.view == View::slice) {
+    options.camera.from = before_plane(options.cut_normal);
+  }
+  if (!command.centre.empty()) {
+    options.camera.centre = Vec3{command.centre[0], command.centre[1], command.centre[2]};
+  }
   options.cut_at = command.at;
   options.explosion = command.explode;
   return options;
@@ -65,6 +98,12 @@ RenderOptions options_of(const RenderCommand& command) {
 
 /// Pieces of a file that does not know the sub-domains have one colour, and stay together.
 Picture picture_of(const MeshSource& mesh, RenderOptions options) {
+  if (options.colour_by == ColourBy::layer && mesh.cell_marks().empty()) {
+    throw UsageError(
+        "the mesh has no layers, or its file does not tell; the .vtkhdf file that a "
+        "run writes does",
+        "--colour layer");
+  }
   const bool has_subdomains = mesh.knows_subdomains();
   if (!has_subdomains) options.explosion = 0;
   const auto for_each_part = [&](const auto& visit) {

@@ -64,6 +64,10 @@ Camera::Camera(const Box3& all, std::span<const Vec3> focus, const CameraOptions
                                               room * height / std::max(high_y - low_y, 1e-12));
   middle_x_ = 0.5 * width - 0.5 * (low_x + high_x) * pixels_per_slope_;
   middle_y_ = 0.5 * height - 0.5 * (low_y + high_y) * pixels_per_slope_;
+  if (!options.centre) return;
+  const Seen off = project(*options.centre);
+  middle_x_ += 0.5 * width - off.x;
+  middle_y_ += 0.5 * height - off.y;
 }
 
 }  // namespace tetfarm

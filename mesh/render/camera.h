@@ -1,6 +1,7 @@
 /// From where a mesh is looked at, and where its points come to lie in the picture.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "mesh/core/vec3.h"
@@ -11,6 +12,8 @@ struct CameraOptions {
   Vec3 from{-1, -2, 1};  ///< the direction from what is seen to the eye
   Vec3 up{0, 0, 1};
   double zoom = 1;
+  std::optional<Vec3>
+      centre;  ///< in the middle of the picture; nothing: the middle of what is seen
 };
 
 /// The directions of the picture in space, each of length 1.

@@ -49,7 +49,8 @@ Canvas::Canvas(const CanvasOptions& options)
       samples_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
                Sample{std::numeric_limits<float>::infinity(), options.background}) {}
 
-void Canvas::draw(const std::array<Seen, 3>& corners, const Colour& colour) {
+void Canvas::draw(const std::array<Seen, 3>& corners, const Colour& colour,
+                  const std::array<bool, 3>& has_edge) {
   const double scale = options_.samples;
   std::array<Seen, 3> p = corners;
   for (Seen& corner : p) corner = {corner.x * scale, corner.y * scale, corner.depth};
@@ -84,7 +85,11 @@ void Canvas::draw(const std::array<Seen, 3>& corners, const Colour& colour) {
                                 static_cast<std::size_t>(column)];
       const auto depth = static_cast<float>(1 / inverse);
       if (!(depth < sample.depth)) continue;
-      sample = {depth, std::max(nearest, 0.0) < half_width ? edge_colour : colour};
+      double to_edge = HUGE_VAL;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (has_edge[i]) to_edge = std::min(to_edge, std::max(inside[i], 0.0));
+      }
+      sample = {depth, to_edge < half_width ? edge_colour : colour};
     }
   }
 }

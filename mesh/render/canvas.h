@@ -27,7 +27,9 @@ class Canvas {
   explicit Canvas(const CanvasOptions& options);
 
   /// Corners in pixels, as Camera::project gives them. @pre depths are positive.
-  void draw(const std::array<Seen, 3>& corners, const Colour& colour);
+  /// @param has_edge whether the edge opposite of each corner is drawn.
+  void draw(const std::array<Seen, 3>& corners, const Colour& colour,
+            const std::array<bool, 3>& has_edge = {true, true, true});
   /// `outline_depth`: a step in depth larger than this is outlined.
   Picture picture(double outline_depth) const;
 

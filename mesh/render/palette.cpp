@@ -38,4 +38,10 @@ Colour palette_colour(std::int32_t number) {
   return mixed(wheel_colour(first + golden * static_cast<double>(i), white), neutral_grey, 0.15F);
 }
 
+Colour layer_colour(std::int32_t layer, bool is_absorbing) {
+  constexpr std::array<Colour, 2> of_walls = {Colour{0.95F, 0.69F, 0.34F}, {0.99F, 0.86F, 0.62F}};
+  constexpr std::array<Colour, 2> absorbing = {Colour{0.47F, 0.71F, 0.55F}, {0.73F, 0.88F, 0.76F}};
+  return (is_absorbing ? absorbing : of_walls).at(layer % 2 == 0 ? 1 : 0);
+}
+
 }  // namespace tetfarm

@@ -71,7 +71,8 @@ std::vector<ShownFace> outer_faces(const NumberedPart& part, const std::vector<b
     std::size_t end = i + 1;
     while (end < all.size() && all[end].first == all[i].first) ++end;
     if (end == i + 1) {
-      ShownFace face{all[i].first, -1, regions[all[i].second]};
+      ShownFace face{all[i].first, -1, regions[all[i].second],
+                     static_cast<std::int64_t>(all[i].second)};
       const auto found = std::lower_bound(surface.begin(), surface.end(), face, before);
       if (found != surface.end() && found->nodes == face.nodes) face.patch = found->patch;
       faces.push_back(face);

@@ -14,6 +14,7 @@ struct ShownFace {
   Triangle nodes;
   std::int32_t patch = -1;  ///< of the input surface; -1: inside of the domain
   std::int32_t region = 1;
+  std::int64_t cell = -1;  ///< that it is of, as is_kept of outer_faces counts them; -1: not known
 };
 
 /// The triangles of the input surface that the part has, and the halves of its boundary quads.

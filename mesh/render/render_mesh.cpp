@@ -7,6 +7,7 @@
 #include "mesh/render/canvas.h"
 #include "mesh/render/palette.h"
 #include "mesh/render/part_faces.h"
+#include "mesh/render/plane_section.h"
 
 namespace tetfarm {
 namespace {
@@ -95,6 +96,9 @@ class MeshRenderer {
     if (all_.empty()) throw UsageError("there is nothing to draw", "render");
     look();
     for_each_part([this](const NumberedPart& part) { draw(part); });
+    if (options_.view == View::slice && !has_drawn_) {
+      throw UsageError("the plane lies beside the mesh", "--at");
+    }
     return canvas_.picture(outline_depth_);
   }
 
@@ -152,7 +156,7 @@ class MeshRenderer {
   std::vector<Vec3> body_focus() const {
     std::vector<Vec3> focus;
     body_points_.append_to(focus, Vec3{});
-    if (options_.view != View::cut) return focus;
+    if (options_.view != View::cut && options_.view != View::slice) return focus;
     const double more = 0.12 * norm(bodies_.size());
     std::vector<Vec3> widened;
     for (const Vec3& p : focus) {
@@ -177,6 +181,25 @@ class MeshRenderer {
             moves_[drawn_++], [](const ShownFace&) { return true; });
       case View::cut:
         return draw_cut(part);
+      case View::slice:
+        return draw_slice(part);
+    }
+  }
+
+  /// Each polygon as triangles round its first corner.
+  void draw_slice(const NumberedPart& part) {
+    const std::vector<std::int32_t> regions = regions_of_cells(part);
+    for (const CellSection& section : plane_section(part, normal_, at_)) {
+      ShownFace face;
+      face.cell = section.cell;
+      face.region = regions[static_cast<std::size_t>(section.cell)];
+      const Colour colour = colour_of(part, face);
+      std::vector<Seen> seen;
+      for (const Vec3& p : section.corners) seen.push_back(camera_->project(p));
+      for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
+        canvas_.draw({seen[0], seen[i], seen[i + 1]}, colour, {true, i + 2 == seen.size(), i == 1});
+      }
+      has_drawn_ = has_drawn_ || seen.size() > 2;
     }
   }
 
@@ -221,10 +244,23 @@ class MeshRenderer {
         return palette_colour(part.number);
       case ColourBy::region:
         return palette_colour(face.region - 1);
+      case ColourBy::layer:
+        return colour_of_layer(part, face.cell);
       case ColourBy::patch:
         return face.patch < 0 ? neutral_grey : palette_colour(face.patch);
     }
     return neutral_grey;
+  }
+
+  static Colour colour_of_layer(const NumberedPart& part, std::int64_t cell) {
+    const auto mark_of = [&](CellMark mark) {
+      const std::vector<std::int32_t>& marks = part.marks[mark];
+      return marks.empty() || cell < 0 ? 0 : marks[static_cast<std::size_t>(cell)];
+    };
+    const std::int32_t layer = mark_of(CellMark::layer);
+    if (layer > 0) return layer_colour(layer, false);
+    const std::int32_t depth = mark_of(CellMark::pml_depth);
+    return depth > 0 ? layer_colour(depth, true) : beyond_layers;
   }
 
   /// Flat light from the eye, from above and from everywhere, on either side.
@@ -253,6 +289,7 @@ class MeshRenderer {
   Canvas canvas_;
   std::vector<Vec3> moves_;  // of each part
   std::size_t drawn_ = 0;
+  bool has_drawn_ = false;  // anything of a slice
   std::optional<Camera> camera_;
   Vec3 normal_;  // of the cut, towards the eye
   double at_ = 0;

@@ -1,7 +1,8 @@
 /// Draws a mesh that lies in a file, sub-domain by sub-domain, into a picture.
 ///
 /// Source: the pictures of the thesis: surfaces coloured by sub-domain (fig. 46), sub-domains moved
-/// apart (fig. 49), meshes cut open (fig. 105). No display and no graphics library are needed.
+/// apart (fig. 49), meshes cut open (fig. 105) and layers in a plane (fig. 99). No display and no
+/// graphics library are needed.
 #pragma once
 
 #include <functional>
@@ -18,10 +19,13 @@ namespace tetfarm {
 enum class View {
   surface,   ///< the triangles of the input surface
   exploded,  ///< the sub-domains, moved apart
-  cut,       ///< the tets on the far side of a plane, and bodies whole
+  cut,       ///< the cells on the far side of a plane, and bodies whole
+  slice,     ///< the cells where a plane cuts them
 };
 
-enum class ColourBy { subdomain, region, patch };
+/// `layer`: two tones in turn in boundary layers, two others in absorbing ones, one beyond them;
+/// of cells, which cuts and slices show.
+enum class ColourBy { subdomain, region, patch, layer };
 
 struct RenderOptions {
   View view = View::surface;

@@ -197,7 +197,8 @@ TEST_F(CommandOptions, of_a_picture) {
   EXPECT_EQ(least.view, "surface");
   EXPECT_EQ(least.colour, "subdomain");
   EXPECT_EQ(least.size, "1600x1000");
-  EXPECT_THAT(least.from, ElementsAre(-1, -2, 1));
+  EXPECT_TRUE(least.from.empty());
+  EXPECT_TRUE(least.centre.empty());
   EXPECT_THAT(least.up, ElementsAre(0, 0, 1));
   EXPECT_THAT(least.plane, ElementsAre(0, 1, 0));
   EXPECT_EQ(least.zoom, 1);
@@ -207,10 +208,10 @@ TEST_F(CommandOptions, of_a_picture) {
   EXPECT_EQ(least.explode, 0.4);
   EXPECT_EQ(least.edge_width, 0.9);
   const auto all = parsed_as<RenderCommand>(
-      {"render",  "m",      "-o",     "p.png",     "--view", "cut",     "--colour",
-       "patch",   "--size", "80x60",  "--from",    "1,2,3",  "--up",    "4,5,6",
-       "--plane", "7,8,9",  "--zoom", "2.5",       "--body", "a,b",     "--hide",
-       "c,d",     "--at",   "-0.5",   "--explode", "0",      "--edges", "0"});
+      {"render",    "m",     "-o",      "p.png", "--view",   "cut",   "--colour", "patch",
+       "--size",    "80x60", "--from",  "1,2,3", "--up",     "4,5,6", "--plane",  "7,8,9",
+       "--zoom",    "2.5",   "--body",  "a,b",   "--hide",   "c,d",   "--at",     "-0.5",
+       "--explode", "0",     "--edges", "0",     "--centre", "-1,0,2"});
   EXPECT_EQ(all.view, "cut");
   EXPECT_EQ(all.colour, "patch");
   EXPECT_EQ(all.size, "80x60");
@@ -218,15 +219,16 @@ TEST_F(CommandOptions, of_a_picture) {
   EXPECT_THAT(all.up, ElementsAre(4, 5, 6));
   EXPECT_THAT(all.plane, ElementsAre(7, 8, 9));
   EXPECT_EQ(all.zoom, 2.5);
+  EXPECT_THAT(all.centre, ElementsAre(-1, 0, 2));
   EXPECT_THAT(all.bodies, ElementsAre("a", "b"));
   EXPECT_THAT(all.hidden, ElementsAre("c", "d"));
   EXPECT_EQ(all.at, -0.5);
   EXPECT_EQ(all.explode, 0);
   EXPECT_EQ(all.edge_width, 0);
-  for (const char* view : {"surface", "exploded", "cut"}) {
+  for (const char* view : {"surface", "exploded", "cut", "slice"}) {
     EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--view", view}).view, view);
   }
-  for (const char* by : {"subdomain", "region", "patch"}) {
+  for (const char* by : {"subdomain", "region", "patch", "layer"}) {
     EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--colour", by}).colour, by);
   }
 }

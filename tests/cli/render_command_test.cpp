@@ -37,11 +37,50 @@ TEST(RenderCommand, moves_sub_domains_apart_and_leaves_together_what_is_none) {
   EXPECT_EQ(drawn_apart("mesh.meshb", 2), drawn_apart("mesh.meshb", 0));
 }
 
+TEST(RenderCommand, looks_at_a_slice_at_right_angles_and_from_where_it_is_told_to) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(2));
+  const std::filesystem::path mesh = folder.path() / "mesh.vtkhdf";
+  export_mesh(grid, find_mesh_format("", mesh), mesh);
+  RenderCommand command;
+  command.input = mesh.string();
+  command.output = (folder.path() / "picture.png").string();
+  command.view = "slice";
+  command.size = "120x80";
+  const auto drawn = [&] {
+    EXPECT_EQ(render_command(command), ExitCode::ok);
+    return read_file(command.output);
+  };
+  const std::string by_itself = drawn();
+  command.from = {0, -1, 0};
+  EXPECT_EQ(drawn(), by_itself);
+  command.from = {-1, -2, 1};
+  EXPECT_NE(drawn(), by_itself);
+}
+
 std::string trouble_with(const RenderCommand& command) {
   const Said said = said_by([&] { return render_command(command); });
   EXPECT_EQ(said.code, ExitCode::usage);
   EXPECT_EQ(said.help, "");
   return said.error;
+}
+
+TEST(RenderCommand, refuses_to_colour_layers_where_there_are_none) {
+  const TempFolder folder;
+  const GridSource grid(cut_grid(2));
+  const std::filesystem::path mesh = folder.path() / "mesh.vtkhdf";
+  export_mesh(grid, find_mesh_format("", mesh), mesh);
+  RenderCommand command;
+  command.input = mesh.string();
+  command.output = (folder.path() / "picture.png").string();
+  command.colour = "layer";
+  EXPECT_EQ(trouble_with(command),
+            "--colour layer: layers have colours in cuts and slices; give --view cut or --view "
+            "slice");
+  command.view = "cut";
+  EXPECT_EQ(trouble_with(command),
+            "--colour layer: the mesh has no layers, or its file does not tell; the .vtkhdf file "
+            "that a run writes does");
 }
 
 TEST(RenderCommand, refuses_what_is_no_picture_before_it_looks_for_the_mesh) {

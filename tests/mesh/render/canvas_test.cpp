@@ -114,6 +114,16 @@ TEST(Canvas, keeps_the_first_of_two_that_are_equally_near) {
   EXPECT_EQ(pixel(canvas.picture(no_outline), 50, 45), (std::array<int, 3>{255, 0, 0}));
 }
 
+TEST(Canvas, draws_no_edge_that_it_is_told_to_leave_out) {
+  const auto pixel_on_edge = [](bool has_edge) {
+    Canvas canvas(options(4));
+    canvas.draw({{{10, 10, 1}, {90, 10, 1}, {10, 90, 1}}}, red, {true, has_edge, true});
+    return pixel(canvas.picture(no_outline), 10, 45);
+  };
+  EXPECT_NE(pixel_on_edge(true), (std::array<int, 3>{255, 0, 0}));
+  EXPECT_EQ(pixel_on_edge(false), (std::array<int, 3>{255, 0, 0}));
+}
+
 TEST(Canvas, takes_no_slope_for_a_step) {
   Canvas canvas(options(0));
   // Its depth grows from 1 to 5 over the picture: by 0.02 a pixel in its middle.

@@ -166,6 +166,44 @@ TEST(RenderMesh, shows_bodies_grey_and_whole_in_a_cut_and_hides_what_it_is_told_
   EXPECT_LT(count[-1], 300) << "but for mixed pixels on outlines";
 }
 
+TEST(RenderMesh, shows_the_cells_that_a_plane_goes_through_in_a_slice) {
+  RenderOptions options = small(View::slice);
+  options.camera.from = {0, -1, 0};
+  options.cut_normal = {0, 1, 0};
+  options.cut_at = 0.4;
+  const auto count = pixels_by_colour(render(row_of_parts(3), options));
+  for (int part = 0; part < 3; ++part) EXPECT_GT(count.at(part), 1000) << part;
+  options.cut_at = 1.5;
+  EXPECT_THROW(render(row_of_parts(3), options), UsageError);
+}
+
+TEST(RenderMesh, colours_layers_by_turns) {
+  RenderOptions options = small(View::slice);
+  options.camera.from = {0, -1, 0};
+  options.cut_at = 0.4;
+  options.colour_by = ColourBy::layer;
+  std::vector<NumberedPart> parts = row_of_parts(4);
+  parts[0].marks[CellMark::layer].assign(6, 1);
+  parts[1].marks[CellMark::layer].assign(6, 2);
+  parts[2].marks[CellMark::pml_depth].assign(6, 1);
+  const Picture picture = render(parts, options);
+  const auto has = [&](const Colour& colour) {
+    const auto level = [](float share) { return static_cast<int>(std::lround(255 * share)); };
+    for (std::size_t i = 0; i + 2 < picture.bytes.size(); i += 3) {
+      if (picture.bytes[i] == level(colour.red) && picture.bytes[i + 1] == level(colour.green) &&
+          picture.bytes[i + 2] == level(colour.blue)) {
+        return true;
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(has(layer_colour(1, false)));
+  EXPECT_TRUE(has(layer_colour(2, false)));
+  EXPECT_TRUE(has(layer_colour(1, true)));
+  EXPECT_TRUE(has(beyond_layers));
+  EXPECT_FALSE(has(layer_colour(2, true)));
+}
+
 TEST(RenderMesh, takes_all_but_an_outer_boundary_for_bodies) {
   const auto count =
       pixels_by_colour(render(row_of_parts(3), small(View::surface), {"ship", "outer_box"}));
