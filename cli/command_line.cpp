@@ -324,6 +324,11 @@ class Parser {
                    "Magnification; at 1 the mesh fits the picture (default 1)")
         ->check(positive_number())
         ->option_text("Z");
+    sub.add_option("--across", render_.across,
+                   "Width of the picture, in units of the mesh at its centre, instead of --zoom")
+        ->check(positive_number())
+        ->excludes("--zoom")
+        ->option_text("LENGTH");
     place("--centre", render_.centre, "What is in the middle of the picture (default: the mesh)");
     sub.add_option("--body", render_.bodies, "Patches to show whole (default: all but outer_*)")
         ->delimiter(',')

@@ -113,7 +113,8 @@ struct RenderCommand {
   std::vector<double> from;  ///< empty: along the plane's normal for a slice, else -1, -2, 1
   std::vector<double> up = {0, 0, 1};
   double zoom = 1;
-  std::vector<double> centre;  ///< of the picture; empty: the middle
+  std::optional<double> across;  ///< width of the picture; nothing: as zoom says
+  std::vector<double> centre;    ///< of the picture; empty: the middle
   std::vector<std::string> bodies;
   std::vector<std::string> hidden;
   std::vector<double> plane = {0, 1, 0};

@@ -80,6 +80,7 @@ RenderOptions options_of(const RenderCommand& command) {
   options.edge_width = command.edge_width;
   options.camera.up = direction(command.up, "--up");
   options.camera.zoom = command.zoom;
+  options.camera.across = command.across;
   options.bodies = command.bodies;
   options.hidden = command.hidden;
   options.cut_normal = direction(command.plane, "--plane");

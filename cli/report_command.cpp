@@ -4,6 +4,7 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
+#include "cli/reported_layers.h"
 #include "cli/run_folder.h"
 #include "cli/small_patches.h"
 #include "json/job_json.h"
@@ -22,6 +23,7 @@ struct Reported {
   MeshInput input;  ///< keeps a mesh that came over the connection
   std::unique_ptr<MeshSource> mesh;
   std::optional<SpacingField> spacing;
+  std::optional<std::string> layer_map;
   std::optional<ReportedWork> work;
 };
 
@@ -54,13 +56,15 @@ Reported of_job(ViewOptions options, const std::string& job, const fs::path& scr
   reported.input = mesh_of_job(status, options, scratch_folder);
   reported.mesh = open_mesh(reported.input, scratch_folder);
   reported.spacing = spacing_of(reported.input, options);
+  reported.layer_map = layer_map_of(status, options, scratch_folder);
   return reported;
 }
 
 /// A mesh by itself: what made it is not known, but its spacing where it lies beside.
 Reported of_mesh(const fs::path& input) {
   const fs::path file = mesh_file(input);
-  return {file.filename().string(), {}, open_mesh(file), spacing_beside(file), std::nullopt};
+  return {file.filename().string(), {},          open_mesh(file), spacing_beside(file),
+          layer_map_of(file),       std::nullopt};
 }
 
 /// The folder of a run, a mesh, or a job.
@@ -137,6 +141,10 @@ ExitCode report_command(const ReportCommand& command) {
       *reported.mesh,
       spacing ? SpacingAt([&spacing](const Vec3& p) { return spacing->at(p); }) : SpacingAt());
   content.pictures = pictures_of(*reported.mesh);
+  if (reported.layer_map) {
+    content.layers = reported_layers(*reported.layer_map, *reported.mesh,
+                                     reported.work ? &reported.work->status : nullptr);
+  }
   content.work = std::move(reported.work);
   write_file_atomically(command.output, report_page(content));
   if (command.view.client.json) {

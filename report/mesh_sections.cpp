@@ -139,15 +139,8 @@ std::string facts(const MeshFigures& figures) {
   return html_table({}, rows);
 }
 
-std::string pictures(const std::vector<ReportPicture>& pictures) {
-  if (pictures.empty()) return {};
-  std::string html = "<h2>Decomposition</h2>\n<div class=\"pair\">\n";
-  for (const ReportPicture& picture : pictures) {
-    const std::string caption = escaped(picture.caption);
-    html += "<figure><img src=\"" + png_address(picture.png) + "\" alt=\"" + caption +
-            "\"><figcaption>" + caption + "</figcaption></figure>\n";
-  }
-  return html + "</div>\n";
+std::string decomposition(const std::vector<ReportPicture>& pictures) {
+  return pictures.empty() ? "" : "<h2>Decomposition</h2>\n" + pictures_row(pictures);
 }
 
 std::string near_and_away(const MeshFigures& figures) {
@@ -232,7 +225,8 @@ std::string balance(const ReportContent& content) {
 
 std::string mesh_sections(const ReportContent& content) {
   const MeshFigures& figures = content.figures;
-  const std::string html = facts(figures) + pictures(content.pictures);
+  const std::string html = facts(figures) + decomposition(content.pictures) +
+                           (content.layers ? layers_section(*content.layers) : "");
   if (figures.tets == 0) return html + edge_charts(figures.edges) + balance(content);
   return html + "<h2>Quality</h2>\n" + dihedral_charts(figures) + radius_ratio_charts(figures) +
          near_and_away(figures) + time_step(figures) + edge_charts(figures.edges) +

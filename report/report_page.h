@@ -6,11 +6,14 @@
 /// comes after `measured_part`.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mesh/quality/histogram.h"
 #include "mesh/quality/mesh_figures.h"
 #include "proto/messages.pb.h"
 
@@ -28,10 +31,23 @@ struct ReportedWork {
   std::vector<wire::AttemptLine> attempts;
 };
 
+/// What the wall of boundary layers has.
+struct ReportedLayers {
+  std::int64_t full = 0;                          ///< triangles with all layers that were asked for
+  std::map<std::string, std::int64_t> by_reason;  ///< those with fewer
+  std::vector<std::int64_t> by_layers;            ///< triangles with 0, 1, … layers
+  /// Of those with layers, the first height over what was asked for.
+  Histogram first_heights = Histogram(0.4875, 1.5125, 41);
+  /// How far the cells on top are from the last prisms, and the like: a name and a text each.
+  std::vector<std::vector<std::string>> shapes;
+  std::vector<ReportPicture> pictures;
+};
+
 struct ReportContent {
   std::string name;
   MeshFigures figures;
   std::vector<ReportPicture> pictures;
+  std::optional<ReportedLayers> layers;
   std::optional<ReportedWork> work;  ///< nothing: only the mesh is known
 };
 
@@ -43,6 +59,8 @@ std::string report_page(const ReportContent& content);
 
 /// The parts of it. Without sections of their own: empty where there is nothing to tell.
 std::string mesh_sections(const ReportContent& content);
+std::string layers_section(const ReportedLayers& layers);
+std::string pictures_row(const std::vector<ReportPicture>& pictures);
 std::string work_section(const ReportedWork& work);
 
 /// Estimated elements of each leaf in tree order; empty when tasks do not tell.

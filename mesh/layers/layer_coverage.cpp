@@ -103,20 +103,18 @@ std::string layer_map_vtp(const std::vector<WallLayers>& walls, const LayerPlan&
   text.points = plan.lines.size();
   text.triangles = walls.size();
   text.arrays = {{"Int64", "layers", {}},         {"Int64", "wanted", {}},
-                 {"Float64", "first_height", {}}, {"Float64", "total_height", {}},
-                 {"Int64", "reason", {}},         {"Int64", "because_of", {}},
-                 {"Int64", "triangle", {}}};
+                 {"Float64", "first_height", {}}, {"Float64", "first_wanted", {}},
+                 {"Float64", "total_height", {}}, {"Int64", "reason", {}},
+                 {"Int64", "because_of", {}},     {"Int64", "triangle", {}}};
   for (const WallLayers& wall : walls) {
     const std::array<std::int32_t, 3> lines = lines_of(plan, surface, wall.triangle);
     for (const std::int32_t line : lines) text.corners += std::to_string(line) + ' ';
     text.corners.back() = '\n';
-    const std::array<std::string, 7> values = {std::to_string(wall.layers),
-                                               std::to_string(wall.wanted),
-                                               shortest_text(wall.first_height),
-                                               shortest_text(wall.total_height),
-                                               std::to_string(static_cast<int>(wall.reason)),
-                                               std::to_string(wall.because_of),
-                                               std::to_string(wall.triangle)};
+    const std::array<std::string, 8> values = {
+        std::to_string(wall.layers),      std::to_string(wall.wanted),
+        shortest_text(wall.first_height), shortest_text(wall.first_wanted),
+        shortest_text(wall.total_height), std::to_string(static_cast<int>(wall.reason)),
+        std::to_string(wall.because_of),  std::to_string(wall.triangle)};
     for (std::size_t i = 0; i < values.size(); ++i) text.arrays[i].values += values[i] + '\n';
   }
   return vtp_text(text);

@@ -43,8 +43,9 @@ struct LayerCoverage {
 LayerCoverage coverage_of(const std::vector<WallLayers>& walls);
 
 /// A map for people: the wall with what each triangle has, as the text of a .vtp file: `layers`,
-/// `wanted`, `first_height`, `total_height`, `reason` (a number, told in the file's first lines),
-/// `because_of` and `triangle`. @pre `walls` are of the plan and the surface. Cost: O(n).
+/// `wanted`, `first_height`, `first_wanted`, `total_height`, `reason` (a number, told in the file's
+/// first lines), `because_of` and `triangle`. @pre `walls` are of the plan and the surface. Cost:
+/// O(n).
 std::string layer_map_vtp(const std::vector<WallLayers>& walls, const LayerPlan& plan,
                           const SurfaceMesh& surface);
 

@@ -41,6 +41,7 @@ Camera::Camera(const Box3& all, std::span<const Vec3> focus, const CameraOptions
   Box3 box;
   for (const Vec3& p : focus) box.add(p);
   const Vec3 centre = box.centre();
+  TF_CHECK(options.zoom > 0 && options.across.value_or(1) > 0);
   const double radius = std::max(0.5 * norm(box.size()), 1e-12 * norm(all.size()));
   double back = radius / tangent_of_view;
   for (const Vec3& corner : corners_of(all)) {
@@ -62,6 +63,10 @@ Camera::Camera(const Box3& all, std::span<const Vec3> focus, const CameraOptions
   constexpr double room = 1 - 2 * margin;
   pixels_per_slope_ = options.zoom * std::min(room * width / std::max(high_x - low_x, 1e-12),
                                               room * height / std::max(high_y - low_y, 1e-12));
+  if (options.across) {
+    const double depth = dot(options.centre.value_or(centre) - eye_, axes_.ahead);
+    pixels_per_slope_ = width * depth / *options.across;
+  }
   middle_x_ = 0.5 * width - 0.5 * (low_x + high_x) * pixels_per_slope_;
   middle_y_ = 0.5 * height - 0.5 * (low_y + high_y) * pixels_per_slope_;
   if (!options.centre) return;

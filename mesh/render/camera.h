@@ -12,6 +12,7 @@ struct CameraOptions {
   Vec3 from{-1, -2, 1};  ///< the direction from what is seen to the eye
   Vec3 up{0, 0, 1};
   double zoom = 1;
+  std::optional<double> across;  ///< instead of zoom: what the picture is wide at the centre
   std::optional<Vec3>
       centre;  ///< in the middle of the picture; nothing: the middle of what is seen
 };

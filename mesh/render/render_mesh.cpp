@@ -247,9 +247,15 @@ class MeshRenderer {
       case ColourBy::layer:
         return colour_of_layer(part, face.cell);
       case ColourBy::patch:
-        return face.patch < 0 ? neutral_grey : palette_colour(face.patch);
+        return colour_of_patch(face.patch);
     }
     return neutral_grey;
+  }
+
+  Colour colour_of_patch(std::int32_t patch) const {
+    if (patch < 0) return neutral_grey;
+    if (options_.patch_colours.empty()) return palette_colour(patch);
+    return options_.patch_colours.at(static_cast<std::size_t>(patch));
   }
 
   static Colour colour_of_layer(const NumberedPart& part, std::int64_t cell) {

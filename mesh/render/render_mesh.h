@@ -38,7 +38,8 @@ struct RenderOptions {
   /// Patches that are bodies: a surface shows nothing else; a cut shows them whole, in grey, and
   /// looks at them. Empty: if a patch is an outer boundary that Tetfarm made, all others are.
   std::vector<std::string> bodies;
-  std::vector<std::string> hidden;  ///< patches that are not drawn
+  std::vector<std::string> hidden;    ///< patches that are not drawn
+  std::vector<Colour> patch_colours;  ///< by patch; none: those of the palette
   Vec3 cut_normal{0, 1, 0};
   std::optional<double> cut_at;  ///< along the normal; nothing: through the middle
   double explosion = 0.4;        ///< how far apart, as a share of the distance from the middle

@@ -212,6 +212,8 @@ TEST_F(CommandOptions, of_a_picture) {
        "--size",    "80x60", "--from",  "1,2,3", "--up",     "4,5,6", "--plane",  "7,8,9",
        "--zoom",    "2.5",   "--body",  "a,b",   "--hide",   "c,d",   "--at",     "-0.5",
        "--explode", "0",     "--edges", "0",     "--centre", "-1,0,2"});
+  EXPECT_FALSE(all.across);
+  EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--across", "0.25"}).across, 0.25);
   EXPECT_EQ(all.view, "cut");
   EXPECT_EQ(all.colour, "patch");
   EXPECT_EQ(all.size, "80x60");
@@ -367,12 +369,13 @@ TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
   EXPECT_THAT(help_words({"quality"}), HasSubstr("rest goes to disk (default 256MiB)"));
   EXPECT_THAT(help_words({"export"}), AllOf(HasSubstr("by METIS (default as-meshed)"),
                                             HasSubstr("Cuthill-McKee (default as-meshed)")));
-  EXPECT_THAT(help_words({"render"}),
-              AllOf(HasSubstr("cut open (default surface)"), HasSubstr("by (default subdomain)"),
-                    HasSubstr("pixels (default 1600x1000)"), HasSubstr("viewer (default -1,-2,1)"),
-                    HasSubstr("picture (default 0,0,1)"), HasSubstr("fits the picture (default 1)"),
-                    HasSubstr("cutting plane (default 0,1,0)"), HasSubstr("apart (default 0.4)"),
-                    HasSubstr("for none (default 0.9)")));
+  EXPECT_THAT(
+      help_words({"render"}),
+      AllOf(HasSubstr("its cells (default surface)"), HasSubstr("by (default subdomain)"),
+            HasSubstr("pixels (default 1600x1000)"),
+            HasSubstr("viewer (default -1,-2,1; of a slice"), HasSubstr("picture (default 0,0,1)"),
+            HasSubstr("fits the picture (default 1)"), HasSubstr("cut or slice (default 0,1,0)"),
+            HasSubstr("apart (default 0.4)"), HasSubstr("for none (default 0.9)")));
   EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
                                            HasSubstr("away from the wing (default 0.2)")));
   EXPECT_THAT(help_words({"spacing"}), HasSubstr("off the wall (default 1)"));

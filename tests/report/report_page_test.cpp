@@ -52,7 +52,7 @@ wire::AttemptLine attempt(const std::string& state, std::int64_t from_ms, std::i
 }
 
 ReportContent whole_report() {
-  ReportContent content{attack, some_figures(), {{attack, "PNG"}}, ReportedWork()};
+  ReportContent content{attack, some_figures(), {{attack, "PNG"}}, {}, ReportedWork()};
   content.work->status.set_message(attack);
   content.work->tasks = {mesh_task(3, 30), mesh_task(2, 20)};
   content.work->attempts = {attempt("done", 1000, 3000), attempt("crashed", 3000, 3500)};

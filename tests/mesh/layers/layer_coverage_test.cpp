@@ -89,6 +89,7 @@ TEST(LayerCoverage, map_has_every_wall_triangle_with_its_numbers) {
   EXPECT_THAT(map, HasSubstr("NumberOfPolys=\"" + count + '"'));
   EXPECT_THAT(map, HasSubstr("Name=\"layers\" format=\"ascii\">\n0\n"));
   EXPECT_THAT(map, HasSubstr("Name=\"because_of\" format=\"ascii\">\n17\n"));
+  EXPECT_THAT(map, HasSubstr("Name=\"first_wanted\" format=\"ascii\">\n0.01\n"));
   EXPECT_THAT(map, HasSubstr("Name=\"first_height\" format=\"ascii\">\n0\n"));
 }
 

@@ -194,7 +194,7 @@ TEST(PaletteColours, are_those_that_were_chosen_and_then_go_round_the_wheel) {
 TEST(CameraOf, a_unit_square_sees_it_from_twice_as_far_as_it_is_wide) {
   Box3 box{{0, 0, 0}, {1, 1, 0}};
   const std::array<Vec3, 4> corners = {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}};
-  const Camera camera(box, corners, {{0, 0, 2, {}}, {0, 1, 0}, 1}, 200, 100);
+  const Camera camera(box, corners, {{0, 0, 2}, {0, 1, 0}, 1, {}, {}}, 200, 100);
   // A quarter is the tangent of half the angle of view: four radii, of half a diagonal each.
   EXPECT_NEAR(camera.eye().z, 4 * std::sqrt(0.5), 1e-12);
   const Seen middle = camera.project({0.5, 0.5, 0});
@@ -212,7 +212,7 @@ TEST(CameraOf, a_unit_square_sees_it_from_twice_as_far_as_it_is_wide) {
 TEST(CameraOf, a_point_among_much_else_stays_outside_of_that) {
   const Box3 all{{-10, -10, -10}, {10, 10, 10}};
   const std::array<Vec3, 2> focus = {Vec3{0, 0, 0}, Vec3{0.1, 0, 0}};
-  const Camera camera(all, focus, {{0, 0, 1, {}}, {0, 1, 0}, 1}, 100, 100);
+  const Camera camera(all, focus, {{0, 0, 1}, {0, 1, 0}, 1, {}, {}}, 100, 100);
   EXPECT_NEAR(camera.eye().z, 0.1 * 0.05 + 1.1 * 10, 1e-12);
 }
 
