@@ -37,6 +37,10 @@ constexpr std::array edges_to_fans = {1, 3};
 /// A line is made lower so many times before it loses layers.
 constexpr int most_lowered = 8;
 
+/// Above the first layer a line is at most so many times as long as the layers are high: at the tip
+/// of a needle those further up are lower, and no spike.
+constexpr double longest_line = 4;
+
 /// From line to line heights rise by at most this share of the distance.
 constexpr double steepest_rise = 0.5;
 
@@ -63,6 +67,12 @@ Wall wall_of(const SurfaceMesh& surface, std::span<const LayerRequest> requests)
     wall.request.push_back(request);
   }
   return wall;
+}
+
+/// The way that a line goes above its first layer where it goes straight on.
+Vec3 shortened(const Vec3& way) {
+  const double length = norm(way);
+  return length > longest_line ? longest_line / length * way : way;
 }
 
 /// Into the domain, of length 1.
@@ -228,6 +238,7 @@ class Planning {
       LayerLine& line = plan_.lines[i];
       line.later = leans_[leans[i]][i];
       if (all_leans.at(leans[i]) == Lean::from_wall) line.along = line.later;
+      line.later = shortened(line.later);
     }
     find_rooms();
     fit_heights();
@@ -346,7 +357,7 @@ class Planning {
       line.along = along;
       line.later = later;
       line.bends_from = line.law.first;
-      line.bends_to = room[i];
+      line.bends_to = shortened(along) == along ? room[i] : line.bends_from;
       fit_into(room[i], request_of(i).room, line);
       if (line.stop == line.wanted || line.reason != StopReason::complete) continue;
       const std::size_t source = at(sources[i]);
@@ -394,8 +405,9 @@ class Planning {
       if (stops[i] == line.stop) continue;
       TF_CHECK(stops[i] < line.stop);
       if (follows_ways(i)) return refusal_of(line, reason);
-      if (reason == StopReason::fold && line.later != line.along) {
-        line.later = line.along;
+      const Vec3 straight = shortened(line.along);
+      if (reason == StopReason::fold && line.later != straight) {
+        line.later = straight;
         continue;
       }
       limits_[i].reason = reason;
@@ -519,6 +531,9 @@ void leave_out_fans(const SurfaceMesh& surface, std::span<const LayerRequest> re
 Vec3 point_at(const LayerLine& line, double height) {
   if (height == 0) return line.at;  // to the bit, also where it is a negative zero
   if (height <= line.bends_from) return line.at + height * line.along;
+  if (line.bends_to <= line.bends_from) {
+    return line.at + line.bends_from * line.along + (height - line.bends_from) * line.later;
+  }
   const double way = line.bends_to - line.bends_from;
   const double w = height < line.bends_to ? (height - line.bends_from) / way : 1;
   return line.at + height * (line.along + w * w * (3 - 2 * w) * (line.later - line.along));

@@ -40,7 +40,8 @@ const char* name_of(StopReason reason);
 
 /// On which the layers of one node of the wall end. Its point at a height s, one of
 /// levels_of(law, stop), is at + s * d. There d is `along` for s up to `bends_from`, `later` from
-/// `bends_to` on, and between the two it turns from one to the other as 3 w^2 - 2 w^3 does.
+/// `bends_to` on, and between the two it turns from one to the other as 3 w^2 - 2 w^3 does. Where
+/// `bends_to` is no more than `bends_from`, the line turns there, and goes on by `later`.
 struct LayerLine {
   std::int32_t foot = 0;  ///< vertex of the surface
   Vec3 at;

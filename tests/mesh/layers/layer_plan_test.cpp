@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/generated_surfaces.h"
 #include "tests/support/shapes.h"
@@ -197,6 +198,36 @@ TEST(LayerPlan, lines_bend_away_from_concave_edges_above_the_first_layer) {
     EXPECT_GT(last.x, 0.1 * last.z);
   }
   EXPECT_EQ(bent, 1);
+}
+
+/// Two pyramids of four faces, foot to foot: at the tips of all faces the best line is six times as
+/// long as the layers are high.
+TEST(LayerPlan, a_line_at_the_tip_of_a_needle_is_long_in_its_first_layer_alone) {
+  SurfaceMesh needle;
+  needle.vertices = {{0, 0, 8}, {0, 0, -8}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (std::int32_t i = 0; i < 4; ++i) {
+    const std::int32_t a = 2 + i;
+    const std::int32_t b = 2 + (i + 1) % 4;
+    needle.triangles.push_back({0, a, b});
+    needle.triangles.push_back({1, b, a});
+  }
+  const SurfaceMesh surface = test::in_a_box(needle);
+  const LayerPlan plan = plan_of(surface, test::request_of({test::body_patch}, 0.002, 6));
+  const test::LayerFigures figures = test::expect_valid_layers(plan, surface);
+  EXPECT_EQ(figures.full, 8);
+  int tips = 0;
+  for (const LayerLine& line : plan.lines) {
+    if (std::abs(line.at.z) < 8) continue;
+    ++tips;
+    const std::vector<double> levels = levels_of(line.law, line.stop);
+    EXPECT_GT(distance(point_of(line, 1), line.at), 6 * levels[1]);
+    for (int level = 2; level <= line.stop; ++level) {
+      const auto l = static_cast<std::size_t>(level);
+      EXPECT_NEAR(distance(point_of(line, level), point_of(line, level - 1)),
+                  4 * (levels[l] - levels[l - 1]), 1e-12);
+    }
+  }
+  EXPECT_EQ(tips, 2);
 }
 
 TEST(LayerPlan, of_two_requests_each_patch_has_its_own) {
