@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/core/complaints.h"
 #include "mesh/decompose/planar_cut.h"
 #include "mesh/inspect/region_map.h"
 #include "mesh/layers/unlayered_domain.h"
@@ -96,15 +97,23 @@ JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) 
 
 /// Layers grow behind the triangles of a surface that bounds one region.
 void require_one_region(const JobFile& job, const SurfaceMesh& surface) {
-  const bool has_one =
-      std::all_of(surface.sides.begin(), surface.sides.end(), [](const Sides& sides) {
-        return sides == Sides{1, 0};
+  const auto other =
+      std::find_if(surface.sides.begin(), surface.sides.end(), [](const Sides& sides) {
+        return sides != Sides{1, 0};
       });
-  if (has_one) return;
-  throw UsageError("layers grow in a surface that bounds one region, and this one bounds " +
-                       std::to_string(region_count(surface)) +
-                       ", or has triangles inside them; mesh its regions as surfaces of their own, "
-                       "or leave out the layers",
+  if (other == surface.sides.end()) return;
+  const auto triangle = static_cast<std::size_t>(other - surface.sides.begin());
+  const std::string where =
+      "triangle " + std::to_string(triangle) + " at " +
+      text_of(surface.vertices[static_cast<std::size_t>(surface.triangles[triangle][0])]);
+  const bool is_within = (*other)[0] == (*other)[1];
+  const std::string what =
+      is_within ? "and " + where +
+                      " lies within the domain, which is on both of its sides; leave "
+                      "it out, or the layers"
+                : "and this one bounds " + std::to_string(region_count(surface)) + ", as " + where +
+                      " shows; mesh its regions as surfaces of their own, or leave out the layers";
+  throw UsageError("layers grow in a surface that bounds one region, " + what,
                    job.layers.empty() ? "[[pml]]" : "[[layers]]");
 }
 

@@ -87,6 +87,24 @@ TEST(JobDomain, of_a_job_that_is_too_large_is_refused_with_a_size_that_would_do)
                   "it may have .*; `--size 0\\.[0-9]+` would give about [0-9.]+ k"));
 }
 
+TEST(JobDomain, with_layers_is_refused_where_triangles_lie_within_it_or_bound_other_regions) {
+  JobFile job;
+  job.spacing_default = 0.25;
+  job.layers.resize(1);
+  job.layers[0].patches = {"*"};
+  job.layers[0].first_height = 0.01;
+  job.layers[0].count = 2;
+  SurfaceMesh cube = shapes::unit_cube();
+  cube.sides.assign(cube.triangles.size(), Sides{1, 0});
+  cube.sides[7] = {1, 1};
+  EXPECT_THAT(error_text_of<UsageError>([&] { domain_of_job(job, cube); }),
+              testing::MatchesRegex(".*layers.*: layers grow in a surface that bounds one region, "
+                                    "and triangle 7 at .* lies within the domain, .*"));
+  cube.sides[7] = {1, 2};
+  EXPECT_THAT(error_text_of<UsageError>([&] { domain_of_job(job, cube); }),
+              testing::HasSubstr("and this one bounds 2, as triangle 7 at "));
+}
+
 TEST(JobDomain, limits_tell_what_a_coarser_job_comes_to_and_leave_the_job_as_it_is) {
   JobFile job;
   job.spacing_default = 0.05;
