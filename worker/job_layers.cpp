@@ -17,6 +17,8 @@ namespace tetfarm {
 namespace {
 
 static_assert(most_layers_of_job == most_layers);
+static_assert(most_height_ratio_of_job == most_height_ratio &&
+              1 / most_height_ratio_of_job == least_height_ratio);
 
 constexpr std::size_t most_named = 10;
 
@@ -127,6 +129,7 @@ std::vector<Footing> footings_of(const JobFile& job, const SurfaceMesh& surface,
 }
 
 HeightLaw law_of(const JobLayers& layers) {
+  if (!layers.heights.empty()) return law_of_heights(layers.heights);
   HeightLaw law;
   law.first = layers.y_plus > 0
                   ? flat_plate(layers.y_plus, layers.reynolds, layers.length).first_height

@@ -403,7 +403,7 @@ class Planning {
   bool can_be_lower(std::size_t i, int stop) const {
     const LayerLine& line = plan_.lines[i];
     if (request_of(i).room != RoomRule::ratio || limits_[i].lowered == most_lowered) return false;
-    return levels_of(line.law, stop).back() >= line.law.first * (stop + 1);
+    return levels_of(line.law, stop).back() >= least_height(line.law, stop + 1);
   }
 
   static UsageError refusal_of(const LayerLine& line, StopReason reason) {

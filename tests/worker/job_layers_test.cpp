@@ -102,6 +102,15 @@ TEST(LayerRequests, have_the_first_height_of_a_flat_plate_where_the_job_says_y_p
             flat_plate(2, 6e6, 0.5).first_height);
 }
 
+TEST(LayerRequests, have_the_heights_that_the_job_lists) {
+  const LayerRequest request = requests_of("tip:heights=0.125/0.25/0.125,room=scale").front();
+  EXPECT_EQ(request.law, law_of_heights(std::vector<double>{0.125, 0.25, 0.125}));
+  EXPECT_EQ(request.count, 3);
+  EXPECT_EQ(request.room, RoomRule::scale);
+  EXPECT_THAT(refusal_of_layers(job_with({"tip:heights=25/30"}), cube_of(of_wing)),
+              HasSubstr("the first layer would be 25 high, which is more than the median edge"));
+}
+
 TEST(LayerRequests, have_as_many_layers_as_reach_the_height_of_all) {
   EXPECT_EQ(requests_of("tip:first=0.125,growth=2,total=0.875").front().count, 3);
   EXPECT_EQ(requests_of("tip:first=0.125,growth=2,total=0.876").front().count, 4);
@@ -223,6 +232,17 @@ TEST(LayerFigures, tell_what_the_layers_come_to_at_the_median_edge) {
   EXPECT_EQ(figures[0].isotropic_layer, 4) << "1 is the first above 0.8";
   EXPECT_EQ(figures[1].layers, 4) << "until they are isotropic";
   EXPECT_EQ(figures[1].last_height, 1);
+}
+
+TEST(LayerFigures, of_listed_heights_are_those_of_the_list) {
+  const auto figures = layer_figures_of(
+      job_with({"tip:heights=0.25/0.5/0.75/0.5", "wall:heights=0.5/1"}), cube_of(of_wing));
+  EXPECT_EQ(figures[0].layers, 4);
+  EXPECT_EQ(figures[0].first_height, 0.25);
+  EXPECT_EQ(figures[0].last_height, 0.5);
+  EXPECT_EQ(figures[0].total_height, 2);
+  EXPECT_EQ(figures[0].isotropic_layer, 0);
+  EXPECT_EQ(figures[1].isotropic_layer, 2);
 }
 
 TEST(LayerFigures, of_layers_that_stay_flat_have_no_isotropic_one) {
