@@ -49,8 +49,9 @@ struct JobLayers {
   std::vector<double> heights;  // of each layer, in place of the eight before; empty: those count
   std::int64_t step = 1;        // layers by which lines of an edge may differ
   double fan_angle = 60;        // degrees between faces from which edges have several lines
-  std::string room = "ratio";   // "ratio" | "stop" | "scale"
-  std::string typed;            // as --layers, for messages; canonical text does not have it
+  std::string elements = "prisms";  // "prisms", with pyramids and tets | "tets"
+  std::string room = "ratio";       // "ratio" | "stop" | "scale"
+  std::string typed;                // as --layers, for messages; canonical text does not have it
 };
 
 /// What the job says of absorbing layers outside of its outer boundary.

@@ -105,6 +105,9 @@ std::string layers_to_toml(const JobLayers& layers) {
   if (layers.fan_angle != JobLayers{}.fan_angle) {
     text += "fan_angle = " + number(layers.fan_angle) + "\n";
   }
+  if (layers.elements != JobLayers{}.elements) {
+    text += "elements = " + quoted_toml(layers.elements) + "\n";
+  }
   return text;
 }
 

@@ -14,13 +14,13 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 15> table_keys = {
-    "patches", "first_height", "y_plus",       "reynolds",     "length",
-    "growth",  "growth_cap",   "acceleration", "total_height", "count",
-    "equal",   "heights",      "room",         "step",         "fan_angle"};
+constexpr std::array<std::string_view, 16> table_keys = {
+    "patches",    "first_height", "y_plus",       "reynolds", "length", "growth",
+    "growth_cap", "acceleration", "total_height", "count",    "equal",  "heights",
+    "room",       "step",         "fan_angle",    "elements"};
 constexpr std::array<std::string_view, 5> keys_of_pml = {"patches", "layers", "height", "corners",
                                                          "elements"};
-constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
+constexpr std::array<std::string_view, 2> kinds_of_elements = {"tets", "prisms"};
 constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
 constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
 constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
@@ -165,6 +165,7 @@ void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers&
   if (section.has("fan_angle")) {
     layers.fan_angle = number_in(section, "fan_angle", 30, no_fan_angle, "from 30 to 180");
   }
+  if (section.has("elements")) layers.elements = section.one_of("elements", kinds_of_elements);
 }
 
 /// Takes one more name or pattern; otherwise tells what is wrong with it.
@@ -188,7 +189,7 @@ void parse_block(const JobSection& section, JobPml& pml) {
     pml.height = section.positive("height");
   }
   if (section.has("corners")) section.one_of("corners", pml_corners);
-  if (section.has("elements")) pml.elements = section.one_of("elements", pml_elements);
+  if (section.has("elements")) pml.elements = section.one_of("elements", kinds_of_elements);
 }
 
 std::vector<std::string> parse_patches(const JobSection& section) {

@@ -29,8 +29,11 @@ constexpr std::uint32_t chunk_version_with_lists = 6;
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
 constexpr std::uint32_t early_bit = 4;
-/// The largest first of as many numbers in the surface as a line can have layers.
+/// The largest first of as many numbers in the surface as a line can have layers, and of as many as
+/// a side can have triangles.
 constexpr std::int32_t last_first = std::numeric_limits<std::int32_t>::max() - most_layers;
+constexpr std::int32_t last_first_triangle =
+    std::numeric_limits<std::int32_t>::max() - 2 * most_layers;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
@@ -181,6 +184,15 @@ bool ends_on_surface(const LayerLine& line, int quads) {
   return vertex_at(line, std::min(line.stop, std::max(quads, 1))) >= 0;
 }
 
+/// Whether the points that the triangles of the side have are of the surface.
+bool is_on_surface(const LineSide& side) {
+  if (side.from.in_tets && side.to.in_tets) {
+    return side.from.vertices == side.from.stop && side.to.vertices == side.to.stop;
+  }
+  const int quads = side.first_level + quads_of(side);
+  return ends_on_surface(side.from, quads) && ends_on_surface(side.to, quads);
+}
+
 /// @pre triangles are right.
 void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
   std::set<std::array<std::int32_t, 2>> edges;
@@ -189,13 +201,11 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
   }
   for (const ChunkSide& side : chunk.sides) {
     if (edges.erase(side.lines) == 0) reader.fail("has a side that is at no edge");
-    const LayerLine& a = chunk.lines[at(side.lines[0])].line;
-    const LayerLine& b = chunk.lines[at(side.lines[1])].line;
-    const int quads = std::min(a.stop, b.stop);
-    const bool is_right =
-        side.patch >= 0 && (a.stop == b.stop ? side.last == -1 : side.last >= 0) &&
-        side.last <= last_first &&
-        (a.stop == b.stop || (ends_on_surface(a, quads) && ends_on_surface(b, quads)));
+    const LineSide lines = side_of(chunk, side);
+    const bool has_triangles = !triangles_of(lines).empty();
+    const bool is_right = side.patch >= 0 && (has_triangles ? side.last >= 0 : side.last == -1) &&
+                          side.last <= last_first_triangle &&
+                          (!has_triangles || is_on_surface(lines));
     if (!is_right) reader.fail("has a side that cannot be");
   }
 }
@@ -222,12 +232,12 @@ bool is_end(const LayerChunk& chunk, const ChunkFan& fan, std::size_t number) {
   const FanEnd& end = fan.ends.at(number);
   if (end.patch < 0) return end.patch == -1 && end.triangle == -1;
   const std::array<std::int32_t, 2> lines = lines_at_end(fan.lines, number);
-  return end.triangle >= 0 && lines[0] != lines[1] &&
+  return end.triangle >= 0 && end.triangle <= last_first_triangle && lines[0] != lines[1] &&
+         is_on_surface(side_above(chunk, fan, number)) &&
          std::all_of(lines.begin(), lines.end(),
                      [&chunk](std::int32_t number_of_line) {
                        const LayerLine& line = chunk.lines[at(number_of_line)].line;
-                       return line.stop > 0 && vertex_at(line, 1) >= 0 &&
-                              vertex_at(line, line.stop) >= 0;
+                       return line.stop > 0 && vertex_at(line, 1) >= 0;
                      }) &&
          chunk.lines[at(lines[0])].line.stop == chunk.lines[at(lines[1])].line.stop;
 }

@@ -103,6 +103,7 @@ TEST(JobLayers, have_defaults_for_all_but_patches_and_first_height) {
   EXPECT_EQ(layers.total_height, 0);
   EXPECT_EQ(layers.equal, 1);
   EXPECT_EQ(layers.room, "ratio");
+  EXPECT_EQ(layers.elements, "prisms");
   EXPECT_EQ(layers.typed, "");
 }
 
@@ -110,7 +111,7 @@ TEST(JobLayers, take_every_key) {
   const JobLayers counted = layers_of(
       "patches = [\"wing_*\", \"t?p\"]\nfirst_height = 2\ngrowth = 1.25\ncount = 20\nequal = 3\n"
       "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"\nstep = 5\n"
-      "fan_angle = 45");
+      "fan_angle = 45\nelements = \"tets\"");
   EXPECT_THAT(counted.patches, ElementsAre("wing_*", "t?p"));
   EXPECT_EQ(counted.first_height, 2);
   EXPECT_EQ(counted.growth, 1.25);
@@ -121,6 +122,7 @@ TEST(JobLayers, take_every_key) {
   EXPECT_EQ(counted.room, "stop");
   EXPECT_EQ(counted.step, 5);
   EXPECT_EQ(counted.fan_angle, 45);
+  EXPECT_EQ(counted.elements, "tets");
   const JobLayers by_y_plus = layers_of(
       of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nroom = \"scale\"");
   EXPECT_EQ(by_y_plus.first_height, 0);
@@ -181,7 +183,8 @@ TEST(JobLayers, say_where_and_what_is_wrong) {
        "`length`, or `heights`"},
       {first + "grwoth = 1.1",
        "job.toml:6:1: unknown key `grwoth` in [layers]; did you mean `growth`?"},
-      {first + "elements = \"prisms\"", "unknown key `elements` in [layers]"},
+      {first + "elements = \"hexes\"",
+       "job.toml:6:12: `elements` is \"hexes\", not one of \"tets\", \"prisms\""},
       {first + "fan_angel = 30", "unknown key `fan_angel` in [layers]; did you mean `fan_angle`?"},
       {first + "fan_angle = 29", "`fan_angle` must be from 30 to 180"},
       {first + "fan_angle = 181", "`fan_angle` must be from 30 to 180"},
@@ -256,7 +259,8 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
         of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nequal = 4",
         of_wing + "heights = [0.7, 1.1, 1, 2]\nroom = \"stop\"",
         std::string("patches = [\"a\\\"b\", \"*\"]\nfirst_height = 1\ngrowth = 1.1\ncount = 7\n"
-                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"\nstep = 2")}) {
+                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"\nstep = 2\n"
+                    "elements = \"tets\"")}) {
     const JobFile job = parse_job_file(before + keys, "/jobs/job.toml");
     const std::string written = to_toml(job);
     const JobFile again = parse_job_file(written, "/jobs/job.toml");
@@ -278,6 +282,7 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
     EXPECT_EQ(a.room, b.room);
     EXPECT_EQ(a.step, b.step);
     EXPECT_EQ(a.fan_angle, b.fan_angle);
+    EXPECT_EQ(a.elements, b.elements);
   }
 }
 
@@ -302,6 +307,7 @@ TEST(JobLayers, of_an_option_are_those_of_the_table_that_says_the_same) {
   EXPECT_THAT(parse_layers_option("a:heights=2").heights, ElementsAre(2));
   EXPECT_EQ(parse_layers_option("a:first_height=2,total_height=3").total_height, 3);
   EXPECT_EQ(parse_layers_option("a:first=2,count=isotropic").count, 0);
+  EXPECT_EQ(parse_layers_option("a:first=2,elements=tets").elements, "tets");
   EXPECT_THAT(parse_layers_option("body:left:first=2").patches, ElementsAre("body:left"));
 }
 

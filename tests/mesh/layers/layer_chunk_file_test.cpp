@@ -244,6 +244,55 @@ TEST(LayerChunkFile, refuses_ends_of_fans_that_cannot_be) {
   });
 }
 
+TEST(LayerChunkFile, refuses_sides_in_tets_that_cannot_be) {
+  const test::LayeredBox box(2, true);
+  int broken = 0;
+  for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 200)) {
+    EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+    if (chunk.sides.empty()) continue;
+    const auto expect_broken = [&](const auto& break_it) {
+      LayerChunk copy = chunk;
+      break_it(copy);
+      expect_refused(layer_chunk_to_bytes(copy), "has a side that cannot be");
+      ++broken;
+    };
+    EXPECT_GE(chunk.sides[0].last, 0);
+    expect_broken([](LayerChunk& c) { c.sides[0].last = -1; });
+    expect_broken([](LayerChunk& c) {
+      c.sides[0].last = std::numeric_limits<std::int32_t>::max() - 2 * most_layers + 1;
+    });
+    expect_broken([](LayerChunk& c) {
+      for (const std::int32_t l : c.sides[0].lines) {
+        LayerLine& line = c.lines.at(static_cast<std::size_t>(l)).line;
+        if (line.vertices < 2) continue;
+        --line.vertices;
+        ++line.first_vertex;
+        return;
+      }
+    });
+  }
+  EXPECT_GT(broken, 10);
+}
+
+TEST(LayerChunkFile, refuses_ends_of_fans_in_tets_that_cannot_be) {
+  const test::LayeredPillar pillar(5, true);
+  const LayerChunk chunk = chunks_of(pillar.plan, pillar.surface).at(0);
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+  const auto found = std::find_if(chunk.fans.begin(), chunk.fans.end(),
+                                  [](const ChunkFan& fan) { return fan.ends[0].patch >= 0; });
+  ASSERT_NE(found, chunk.fans.end());
+  const auto number = static_cast<std::size_t>(found - chunk.fans.begin());
+  LayerChunk far = chunk;
+  far.fans[number].ends[0].triangle = std::numeric_limits<std::int32_t>::max();
+  expect_refused(layer_chunk_to_bytes(far), "has a fan that cannot be");
+  LayerChunk low = chunk;
+  LayerLine& line = low.lines.at(static_cast<std::size_t>(found->lines[0])).line;
+  --line.vertices;
+  ++line.first_vertex;
+  line.low_vertex = 3;
+  expect_refused(layer_chunk_to_bytes(low), "has a fan that cannot be");
+}
+
 TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {
   const std::string bytes = layer_chunk_to_bytes(some_chunk());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
