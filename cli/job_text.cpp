@@ -170,11 +170,12 @@ std::string wall_text(const wire::JobStatus& status) {
 /// What became of the planes that layers run in; empty where they run in none.
 std::string planes_text(const wire::JobStatus& status) {
   if (!status.numbers().contains("layers_planes")) return {};
+  const double quads = number_of(status, "layers_plane_quads");
   return indented("planes: layers run in " + short_count(number_of(status, "layers_planes")) +
                   ", whose " + short_count(number_of(status, "layers_plane_triangles_before")) +
                   " triangles are replaced by " +
-                  short_count(number_of(status, "layers_plane_triangles_after")) + " and " +
-                  short_count(number_of(status, "layers_plane_quads")) + " quads");
+                  short_count(number_of(status, "layers_plane_triangles_after")) +
+                  (quads > 0 ? " and " + short_count(quads) + " quads" : ""));
 }
 
 /// Empty of a job without absorbing layers.

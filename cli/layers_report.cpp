@@ -25,8 +25,8 @@ std::string layers_text(const LayerFigures& figures) {
           : "isotropic from layer " + std::to_string(figures.isotropic_layer);
   return patches + ": " + counted(static_cast<std::uint64_t>(figures.layers), "layer") + ", " +
          four_digits(figures.first_height) + " to " + four_digits(figures.last_height) + " high, " +
-         four_digits(figures.total_height) + " together; median edge " +
-         four_digits(figures.median_edge) + ", " + isotropic;
+         four_digits(figures.total_height) + " together" + (figures.in_tets ? ", in tets" : "") +
+         "; median edge " + four_digits(figures.median_edge) + ", " + isotropic;
 }
 
 nlohmann::ordered_json layers_json(std::span<const LayerFigures> all) {
@@ -39,7 +39,8 @@ nlohmann::ordered_json layers_json(std::span<const LayerFigures> all) {
                     {"first_height", figures.first_height},
                     {"last_height", figures.last_height},
                     {"total_height", figures.total_height},
-                    {"isotropic_layer", figures.isotropic_layer}});
+                    {"isotropic_layer", figures.isotropic_layer},
+                    {"elements", figures.in_tets ? "tets" : "prisms"}});
   }
   return json;
 }

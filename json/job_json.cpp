@@ -110,9 +110,8 @@ void add_layers(const wire::JobStatus& status, Json& json) {
     if (status.numbers().contains(number)) layers[name] = number_of(status, number);
   }
   const double cpu_seconds = number_of(status, "task_grow_cpu_seconds");
-  if (cpu_seconds > 0) {
-    layers["prisms_per_second"] = number_of(status, "prisms") / cpu_seconds;
-  }
+  const double prisms = number_of(status, "prisms");
+  if (cpu_seconds > 0 && prisms > 0) layers["prisms_per_second"] = prisms / cpu_seconds;
   if (status.numbers().contains("layers_planes")) {
     for (const char* name :
          {"planes", "plane_triangles_before", "plane_triangles_after", "plane_quads"}) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -16,6 +18,8 @@
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
 #include "tasks/assemble_contract.h"
+#include "worker/job_layers.h"
+#include "worker/job_pml.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
 
@@ -187,12 +191,46 @@ void report_cells(TaskIo& io, const GlobalMeshSummary& summary) {
   }
 }
 
-/// Which angles the surface forces, of the whole of it, however it was cut.
-void report_forcing(TaskIo& io, const SurfaceMesh& surface) {
+/// The triangles of the surface beside layers that run in planes: as thin as the layers, and none
+/// that another surface would not have.
+class LayerSides {
+ public:
+  /// @pre the surface is that of a job that could be planned.
+  LayerSides(const JobFile& job, const SurfaceMesh& surface) : surface_(surface) {
+    if (job.layers.empty()) return;
+    are_sides_.assign(surface.triangles.size(), false);
+    for (const LayerRequest& request : layer_requests_of(job, surface)) {
+      walls_.insert(request.patches.begin(), request.patches.end());
+    }
+    if (!job.pml) return;
+    const std::vector<std::int32_t> outer = pml_patches_of(job, surface);
+    walls_.insert(outer.begin(), outer.end());
+  }
+
+  /// Those that the leaf has, where it is of layers: then its figures of shape are of no tet.
+  void add(const Portion& portion) {
+    if (are_sides_.empty() || portion.shapes.all.tets > 0) return;
+    for (const std::uint32_t t : portion.surface_triangles) {
+      if (!walls_.contains(patch_of(surface_, t))) are_sides_[t] = true;
+    }
+  }
+
+  /// Of each triangle of the surface; empty of a job without layers.
+  const std::vector<bool>& are_sides() const { return are_sides_; }
+
+ private:
+  const SurfaceMesh& surface_;
+  std::set<std::int32_t> walls_;  // patches
+  std::vector<bool> are_sides_;
+};
+
+/// Which angles the surface forces, of the whole of it, however it was cut. Sides of layers are
+/// thin because the job says so.
+void report_forcing(TaskIo& io, const SurfaceMesh& surface, const LayerSides& sides) {
   const ForcedDihedral forced = forced_dihedral(surface);
   io.number("forced_dihedral_deg", forced.at_most_deg);
   report_place(io, "forced", forced.at);
-  const SmallAngles small = small_angles(surface);
+  const SmallAngles small = small_angles(surface, sides.are_sides());
   io.number("surface_triangles", static_cast<double>(small.triangles));
   io.number("surface_smallest_angle_deg", small.smallest_deg);
   io.number("surface_triangles_below_1_deg", static_cast<double>(small.below_1_deg));
@@ -207,7 +245,7 @@ void report_forcing(TaskIo& io, const SurfaceMesh& surface) {
 }
 
 void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& surface,
-            const JobFile& job) {
+            const LayerSides& sides, const JobFile& job) {
   io.number("nodes", static_cast<double>(summary.nodes));
   io.number("boundary_triangles", static_cast<double>(summary.boundary_triangles));
   io.number("subdomains", static_cast<double>(summary.subdomains));
@@ -221,7 +259,7 @@ void report(TaskIo& io, const GlobalMeshSummary& summary, const SurfaceMesh& sur
   io.number("min_dihedral_gate_deg", job.min_dihedral_deg);
   report_place(io, "worst", summary.shapes.all.worst_centroid);
   io.number("min_unforced_dihedral_gate_deg", job.min_unforced_dihedral_deg);
-  report_forcing(io, surface);
+  report_forcing(io, surface, sides);
   io.text("digest", summary.digest.hex());
   std::string converted;
   for (const std::string& format : formats_to_convert(job.formats)) {
@@ -238,15 +276,18 @@ void assemble_task(TaskIo& io) {
   const SurfaceMesh surface = io.read(given.surface, surface_from_bytes);
   const Numbering numbering = io.read(given.numbering, numbering_from_bytes);
   report_cost(io, cost_of(surface, numbering));
+  LayerSides sides(job, surface);
   ResultFiles files(io, given, job, surface, numbering);
   io.progress().begin(WorkStage::assemble, numbering.leaves.size());
   const auto read = [&](const LeafNumbers& leaf) {
     io.progress().add();
-    return files.read(leaf);
+    Portion portion = files.read(leaf);
+    sides.add(portion);
+    return portion;
   };
   const GlobalMeshSummary summary = assemble_global_mesh(surface, numbering, read, files.writers());
   files.publish();
-  report(io, summary, surface, job);
+  report(io, summary, surface, sides, job);
   if (given.layer_map) {
     io.publish(file_name_of_job(job.name, ".layers.vtp"), io.read(*given.layer_map));
   }

@@ -17,6 +17,8 @@ namespace tetfarm {
 namespace {
 
 static_assert(most_layers_of_job == most_layers);
+static_assert(most_height_ratio_of_job == most_height_ratio &&
+              1 / most_height_ratio_of_job == least_height_ratio);
 
 constexpr std::size_t most_named = 10;
 
@@ -127,6 +129,7 @@ std::vector<Footing> footings_of(const JobFile& job, const SurfaceMesh& surface,
 }
 
 HeightLaw law_of(const JobLayers& layers) {
+  if (!layers.heights.empty()) return law_of_heights(layers.heights);
   HeightLaw law;
   law.first = layers.y_plus > 0
                   ? flat_plate(layers.y_plus, layers.reynolds, layers.length).first_height
@@ -202,6 +205,30 @@ void require_use(const JobLayers& layers, const LayerRequest& request, const Foo
   }
 }
 
+/// A side of four corners cannot lie beside tets. @throws UsageError where patches meet whose
+/// layers are not of the same elements.
+void require_same_elements_where_patches_meet(const JobFile& job, const SurfaceMesh& surface,
+                                              const std::vector<Match>& match_of_patch) {
+  std::vector<const Match*> at_vertex(surface.vertices.size(), nullptr);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Match& match = match_of_patch.at(static_cast<std::size_t>(patch_of(surface, t)));
+    if (match.glob.empty()) continue;
+    const JobLayers& layers = job.layers[match.layers];
+    for (const std::int32_t v : surface.triangles[t]) {
+      if (v < 0 || static_cast<std::size_t>(v) >= at_vertex.size()) continue;
+      const Match* const other = std::exchange(at_vertex[static_cast<std::size_t>(v)], &match);
+      if (other == nullptr || job.layers[other->layers].elements == layers.elements) continue;
+      throw UsageError("its layers are of " + layers.elements + ", and meet those of " +
+                           job.layers[other->layers].elements + " of " +
+                           place_of(job.layers[other->layers]) + " at " +
+                           text_of(surface.vertices[static_cast<std::size_t>(v)]) +
+                           "; the sides of prisms have no place beside tets: give both the same "
+                           "`elements`",
+                       place_of(layers));
+    }
+  }
+}
+
 struct Found {
   std::vector<LayerRequest> requests;
   std::vector<Footing> footings;
@@ -212,6 +239,7 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
   if (job.layers.empty()) return found;
   const std::vector<Match> match_of_patch = matches_of(job, surface);
   found.footings = footings_of(job, surface, match_of_patch);
+  require_same_elements_where_patches_meet(job, surface, match_of_patch);
   for (std::size_t i = 0; i < job.layers.size(); ++i) {
     const JobLayers& layers = job.layers[i];
     LayerRequest request;
@@ -227,6 +255,7 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
     request.count = count_of(layers, request.law);
     request.room = room_of(layers);
     request.step = static_cast<int>(layers.step);
+    request.in_tets = layers.elements == "tets";
     if (layers.fan_angle < no_fan_angle) {
       request.fan_cosine = std::cos(layers.fan_angle / 180 * std::numbers::pi);
     }
@@ -297,6 +326,7 @@ std::vector<LayerFigures> layer_figures_of(const JobFile& job, const SurfaceMesh
     figures.triangles = footing.triangles;
     figures.median_edge = footing.median_edge;
     figures.first_height = request.law.first;
+    figures.in_tets = request.in_tets;
     if (footing.triangles > 0) {
       figures.isotropic_layer = isotropic_layer(request.law, footing);
       figures.layers = request.count > 0 ? request.count : figures.isotropic_layer;

@@ -42,6 +42,7 @@ struct LayerFigures {
   double first_height = 0;
   double last_height = 0;
   double total_height = 0;
+  bool in_tets = false;     ///< cells are divided into tets
   int isotropic_layer = 0;  ///< the first that is as high as isotropic_share of the edges; 0: none
 };
 

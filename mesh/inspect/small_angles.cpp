@@ -51,13 +51,14 @@ std::string text_of_one(const SmallAngle& angle) {
 
 }  // namespace
 
-SmallAngles small_angles(const SurfaceMesh& surface) {
+SmallAngles small_angles(const SurfaceMesh& surface, const std::vector<bool>& left_out) {
   const auto at = [&surface](std::int32_t v) -> const Vec3& {
     return surface.vertices[static_cast<std::size_t>(v)];
   };
   SmallAngles result;
   result.triangles = std::ssize(surface.triangles);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!left_out.empty() && left_out[t]) continue;
     const auto& [u, v, w] = surface.triangles[t];
     const double angle = smallest_angle_deg(at(u), at(v), at(w));
     result.smallest_deg = std::min(result.smallest_deg, angle);

@@ -30,8 +30,9 @@ struct SmallAngles {
 
 inline constexpr std::size_t worst_kept = 3;
 
-/// @pre the triangles' nodes are vertices. Cost: O(n).
-SmallAngles small_angles(const SurfaceMesh& surface);
+/// @param left_out whether a triangle is left out of all but the number of triangles; empty: none
+/// is. @pre the triangles' nodes are vertices. Cost: O(n).
+SmallAngles small_angles(const SurfaceMesh& surface, const std::vector<bool>& left_out = {});
 
 /// "37 of 2240 triangles have an angle below 5 deg, 12 of them below 1 deg; the smallest: triangle
 /// 17 0.00022 deg near (1, 2, 3) in patch "wing"; …": empty when there is none below 5 degrees.

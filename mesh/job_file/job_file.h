@@ -41,15 +41,17 @@ struct JobLayers {
   double reynolds = 0;               // of `length`
   double length = 0;
   double growth = 1.2;
-  double growth_cap = 0;       // 0: none, and no acceleration
-  double acceleration = 1;     // of the growth, from layer to layer
-  std::int64_t count = 0;      // 0: by total_height
-  double total_height = 0;     // 0 as well: until a layer is as high as most of the edges there
-  std::int64_t equal = 1;      // layers at the wall that do not grow
-  std::int64_t step = 1;       // layers by which lines of an edge may differ
-  double fan_angle = 60;       // degrees between faces from which edges have several lines
-  std::string room = "ratio";  // "ratio" | "stop" | "scale"
-  std::string typed;           // as --layers, for messages; canonical text does not have it
+  double growth_cap = 0;        // 0: none, and no acceleration
+  double acceleration = 1;      // of the growth, from layer to layer
+  std::int64_t count = 0;       // 0: by total_height
+  double total_height = 0;      // 0 as well: until a layer is as high as most of the edges there
+  std::int64_t equal = 1;       // layers at the wall that do not grow
+  std::vector<double> heights;  // of each layer, in place of the eight before; empty: those count
+  std::int64_t step = 1;        // layers by which lines of an edge may differ
+  double fan_angle = 60;        // degrees between faces from which edges have several lines
+  std::string elements = "prisms";  // "prisms", with pyramids and tets | "tets"
+  std::string room = "ratio";       // "ratio" | "stop" | "scale"
+  std::string typed;                // as --layers, for messages; canonical text does not have it
 };
 
 /// What the job says of absorbing layers outside of its outer boundary.
@@ -65,6 +67,10 @@ struct JobPml {
 /// The most layers that a job may ask for on a patch; mesh/layers/layer_request.h has the same
 /// limit.
 inline constexpr std::int64_t most_layers_of_job = 1000;
+
+/// A height of a list is at most so many times the one before, which is at most so many times it;
+/// mesh/layers/height_law.h has the same limit.
+inline constexpr double most_height_ratio_of_job = 2;
 
 /// The most sub-domains, or groups of them, that a job may ask for; tasks/task_contract.h has the
 /// same limit for what tasks tell of them.

@@ -67,8 +67,16 @@ std::string array_of(const std::vector<std::string>& texts) {
   return text + "]";
 }
 
-std::string layers_to_toml(const JobLayers& layers) {
-  std::string text = "\n[[layers]]\npatches = " + array_of(layers.patches) + "\n";
+std::string array_of(const std::vector<double>& numbers) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text += (i == 0 ? "" : ", ") + number(numbers[i]);
+  return text + "]";
+}
+
+/// What says how high its layers are, by a law.
+std::string height_law_to_toml(const JobLayers& layers) {
+  std::string text;
   if (layers.y_plus > 0) {
     text += "y_plus = " + number(layers.y_plus) + "\nreynolds = " + number(layers.reynolds) +
             "\nlength = " + number(layers.length) + "\n";
@@ -85,10 +93,20 @@ std::string layers_to_toml(const JobLayers& layers) {
   } else {
     text += "count = " + (layers.count > 0 ? std::to_string(layers.count) : "\"isotropic\"") + "\n";
   }
-  text += "equal = " + std::to_string(layers.equal) + "\nroom = " + quoted_toml(layers.room) + "\n";
+  return text + "equal = " + std::to_string(layers.equal) + "\n";
+}
+
+std::string layers_to_toml(const JobLayers& layers) {
+  std::string text = "\n[[layers]]\npatches = " + array_of(layers.patches) + "\n";
+  text += layers.heights.empty() ? height_law_to_toml(layers)
+                                 : "heights = " + array_of(layers.heights) + "\n";
+  text += "room = " + quoted_toml(layers.room) + "\n";
   if (layers.step != 1) text += "step = " + std::to_string(layers.step) + "\n";
   if (layers.fan_angle != JobLayers{}.fan_angle) {
     text += "fan_angle = " + number(layers.fan_angle) + "\n";
+  }
+  if (layers.elements != JobLayers{}.elements) {
+    text += "elements = " + quoted_toml(layers.elements) + "\n";
   }
   return text;
 }

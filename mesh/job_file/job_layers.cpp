@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -12,12 +14,13 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 14> table_keys = {
-    "patches",      "first_height", "y_plus", "reynolds", "length", "growth", "growth_cap",
-    "acceleration", "total_height", "count",  "equal",    "room",   "step",   "fan_angle"};
+constexpr std::array<std::string_view, 16> table_keys = {
+    "patches",    "first_height", "y_plus",       "reynolds", "length", "growth",
+    "growth_cap", "acceleration", "total_height", "count",    "equal",  "heights",
+    "room",       "step",         "fan_angle",    "elements"};
 constexpr std::array<std::string_view, 6> keys_of_pml = {"patches", "layers",   "height",
                                                          "corners", "elements", "side"};
-constexpr std::array<std::string_view, 2> pml_elements = {"tets", "prisms"};
+constexpr std::array<std::string_view, 2> kinds_of_elements = {"tets", "prisms"};
 constexpr std::array<std::string_view, 2> pml_sides = {"outside", "inside"};
 constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
 constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
@@ -65,7 +68,8 @@ void parse_first_height(const JobSection& section, std::string_view first, JobLa
     return;
   }
   if (!section.has(first)) {
-    section.fail(first, "is missing; give it, or `y_plus` with `reynolds` and `length`");
+    section.fail(first,
+                 "is missing; give it, or `y_plus` with `reynolds` and `length`, or `heights`");
   }
   layers.first_height = section.positive(first);
 }
@@ -107,15 +111,62 @@ void parse_count(const JobSection& section, std::string_view total, JobLayers& l
   }
 }
 
+std::string numbered_height(std::size_t i) { return "number " + std::to_string(i + 1); }
+
+/// What is wrong with a height of a list beside the one before, its name left out; else empty.
+std::string problem_with_height(std::span<const double> heights, std::size_t i) {
+  const double height = heights[i];
+  if (!(height > 0 && std::isfinite(height))) return "must be positive and finite";
+  if (i == 0) return {};
+  const double ratio = height / heights[i - 1];
+  const bool is_high = ratio > most_height_ratio_of_job;
+  if (!is_high && ratio >= 1 / most_height_ratio_of_job) return {};
+  return std::string("is ") + (is_high ? "more than twice " : "less than half of ") +
+         numbered_height(i - 1) + "; layers may not change so fast";
+}
+
+/// A list in place of a law.
+void parse_listed_heights(const JobSection& section, const HeightKeys& keys, JobLayers& layers) {
+  for (const std::string_view key : {keys.first, std::string_view("y_plus"), keys.total}) {
+    exclude(section, key, "heights");
+  }
+  for (const std::string_view key :
+       {"reynolds", "length", "growth", "growth_cap", "acceleration", "count", "equal"}) {
+    exclude(section, key, "heights");
+  }
+  const toml::array& listed = section.array("heights");
+  if (listed.empty()) section.fail("heights", "must have one height at least");
+  if (std::ssize(listed) > most_layers_of_job) {
+    section.fail("heights", "may have at most " + std::to_string(most_layers_of_job) + " heights");
+  }
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const toml::node& node = listed[i];
+    const auto refuse = [&](const std::string& why) {
+      section.fail(node.source(), numbered_height(i) + " of `heights` " + why);
+    };
+    if (!node.is_integer() && !node.is_floating_point()) refuse("must be a number");
+    layers.heights.push_back(node.value<double>().value_or(0));
+    const std::string problem = problem_with_height(layers.heights, i);
+    if (!problem.empty()) refuse(problem);
+  }
+  layers.first_height = layers.heights.front();
+  layers.count = std::ssize(layers.heights);
+}
+
 void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers& layers) {
-  parse_first_height(section, keys.first, layers);
-  parse_growth(section, layers);
-  parse_count(section, keys.total, layers);
+  if (section.has("heights")) {
+    parse_listed_heights(section, keys, layers);
+  } else {
+    parse_first_height(section, keys.first, layers);
+    parse_growth(section, layers);
+    parse_count(section, keys.total, layers);
+  }
   if (section.has("room")) layers.room = section.one_of("room", rules_of_room);
   if (section.has("step")) layers.step = section.integer("step", 1, most_layers_of_job);
   if (section.has("fan_angle")) {
     layers.fan_angle = number_in(section, "fan_angle", 30, no_fan_angle, "from 30 to 180");
   }
+  if (section.has("elements")) layers.elements = section.one_of("elements", kinds_of_elements);
 }
 
 /// Takes one more name or pattern; otherwise tells what is wrong with it.
@@ -139,7 +190,7 @@ void parse_block(const JobSection& section, JobPml& pml) {
     pml.height = section.positive("height");
   }
   if (section.has("corners")) section.one_of("corners", pml_corners);
-  if (section.has("elements")) pml.elements = section.one_of("elements", pml_elements);
+  if (section.has("elements")) pml.elements = section.one_of("elements", kinds_of_elements);
   if (section.has("side")) pml.side = section.one_of("side", pml_sides);
 }
 
@@ -157,8 +208,9 @@ std::vector<std::string> parse_patches(const JobSection& section) {
   return globs;
 }
 
-/// A number where the text is one.
-void insert_value(toml::table& table, std::string_view key, std::string_view text) {
+/// Calls add(value) with a number where the text is one.
+template <class Add>
+void add_value(std::string_view text, const Add& add) {
   const char* const end = text.data() + text.size();
   const auto is_all = [end](const std::from_chars_result& result) {
     return result.ec == std::errc() && result.ptr == end;
@@ -166,11 +218,11 @@ void insert_value(toml::table& table, std::string_view key, std::string_view tex
   std::int64_t whole = 0;
   double number = 0;
   if (is_all(std::from_chars(text.data(), end, whole))) {
-    table.insert(key, whole);
+    add(whole);
   } else if (is_all(std::from_chars(text.data(), end, number))) {
-    table.insert(key, number);
+    add(number);
   } else {
-    table.insert(key, std::string(text));
+    add(std::string(text));
   }
 }
 
@@ -183,6 +235,19 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+/// Of several values only `heights` has an array: those between its slashes.
+void insert_value(toml::table& table, std::string_view key, std::string_view text) {
+  if (key != "heights") {
+    add_value(text, [&](auto value) { table.insert(key, std::move(value)); });
+    return;
+  }
+  toml::array list;
+  for (const std::string_view part : split(text, '/')) {
+    add_value(part, [&list](auto value) { list.push_back(std::move(value)); });
+  }
+  table.insert(key, std::move(list));
 }
 
 toml::table table_of_option(std::string_view settings, const std::string& place) {

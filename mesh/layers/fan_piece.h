@@ -11,7 +11,8 @@
 namespace tetfarm {
 
 /// How a fan ends in a plane that its lines at one foot run in: a triangle of the boundary at the
-/// foot, and quads above it, as many as there are further layers.
+/// foot, and quads above it, as many as there are further layers, or the triangles that these are
+/// divided into, whose numbers follow.
 struct FanEnd {
   std::int32_t patch = -1;     ///< of the plane; -1: there is none
   std::int32_t triangle = -1;  ///< of the surface

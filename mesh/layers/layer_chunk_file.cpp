@@ -23,12 +23,17 @@ constexpr std::uint32_t chunk_version_with_sides = 3;
 constexpr std::uint32_t chunk_version_with_fans = 4;
 /// All that, and the box within absorbing layers.
 constexpr std::uint32_t chunk_version_with_box = 5;
+/// All that, where there is a box, and lists of heights.
+constexpr std::uint32_t chunk_version_with_lists = 6;
 /// What a line of another kind than that of boundary layers is.
 constexpr std::uint32_t in_tets_bit = 1;
 constexpr std::uint32_t of_pml_bit = 2;
 constexpr std::uint32_t early_bit = 4;
-/// The largest first of as many numbers in the surface as a line can have layers.
+/// The largest first of as many numbers in the surface as a line can have layers, and of as many as
+/// a side can have triangles.
 constexpr std::int32_t last_first = std::numeric_limits<std::int32_t>::max() - most_layers;
+constexpr std::int32_t last_first_triangle =
+    std::numeric_limits<std::int32_t>::max() - 2 * most_layers;
 constexpr std::uint64_t heaps_end = std::uint64_t{1} << 63U;
 
 void write_vector(const Vec3& v, ByteWriter& writer) {
@@ -112,7 +117,13 @@ bool has_kinds_of_lines(const LayerChunk& chunk) {
                      [](const ChunkLine& line) { return line.line.of_pml || line.line.in_tets; });
 }
 
+bool has_lists(const LayerChunk& chunk) {
+  return std::any_of(chunk.lines.begin(), chunk.lines.end(),
+                     [](const ChunkLine& l) { return l.line.law.ratios.are_listed(); });
+}
+
 std::uint32_t version_for(const LayerChunk& chunk) {
+  if (has_lists(chunk)) return chunk_version_with_lists;
   if (chunk.within_pml) return chunk_version_with_box;
   const bool has_fans = !chunk.fans.empty() ||
                         std::any_of(chunk.lines.begin(), chunk.lines.end(), [](const ChunkLine& l) {
@@ -128,8 +139,9 @@ std::uint32_t version_for(const LayerChunk& chunk) {
 
 /// By the first bytes; what else they say is looked at by who reads on.
 std::uint32_t version_of(std::string_view bytes) {
-  for (const std::uint32_t version : {chunk_version_with_box, chunk_version_with_fans,
-                                      chunk_version_with_sides, chunk_version_with_kinds}) {
+  for (const std::uint32_t version :
+       {chunk_version_with_lists, chunk_version_with_box, chunk_version_with_fans,
+        chunk_version_with_sides, chunk_version_with_kinds}) {
     if (says_version(bytes, chunk_magic, version)) return version;
   }
   return chunk_version;
@@ -172,6 +184,15 @@ bool ends_on_surface(const LayerLine& line, int quads) {
   return vertex_at(line, std::min(line.stop, std::max(quads, 1))) >= 0;
 }
 
+/// Whether the points that the triangles of the side have are of the surface.
+bool is_on_surface(const LineSide& side) {
+  if (side.from.in_tets && side.to.in_tets) {
+    return side.from.vertices == side.from.stop && side.to.vertices == side.to.stop;
+  }
+  const int quads = side.first_level + quads_of(side);
+  return ends_on_surface(side.from, quads) && ends_on_surface(side.to, quads);
+}
+
 /// @pre triangles are right.
 void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
   std::set<std::array<std::int32_t, 2>> edges;
@@ -180,13 +201,11 @@ void check_sides(const LayerChunk& chunk, const ByteReader& reader) {
   }
   for (const ChunkSide& side : chunk.sides) {
     if (edges.erase(side.lines) == 0) reader.fail("has a side that is at no edge");
-    const LayerLine& a = chunk.lines[at(side.lines[0])].line;
-    const LayerLine& b = chunk.lines[at(side.lines[1])].line;
-    const int quads = std::min(a.stop, b.stop);
-    const bool is_right =
-        side.patch >= 0 && (a.stop == b.stop ? side.last == -1 : side.last >= 0) &&
-        side.last <= last_first &&
-        (a.stop == b.stop || (ends_on_surface(a, quads) && ends_on_surface(b, quads)));
+    const LineSide lines = side_of(chunk, side);
+    const bool has_triangles = !triangles_of(lines).empty();
+    const bool is_right = side.patch >= 0 && (has_triangles ? side.last >= 0 : side.last == -1) &&
+                          side.last <= last_first_triangle &&
+                          (!has_triangles || is_on_surface(lines));
     if (!is_right) reader.fail("has a side that cannot be");
   }
 }
@@ -213,12 +232,12 @@ bool is_end(const LayerChunk& chunk, const ChunkFan& fan, std::size_t number) {
   const FanEnd& end = fan.ends.at(number);
   if (end.patch < 0) return end.patch == -1 && end.triangle == -1;
   const std::array<std::int32_t, 2> lines = lines_at_end(fan.lines, number);
-  return end.triangle >= 0 && lines[0] != lines[1] &&
+  return end.triangle >= 0 && end.triangle <= last_first_triangle && lines[0] != lines[1] &&
+         is_on_surface(side_above(chunk, fan, number)) &&
          std::all_of(lines.begin(), lines.end(),
                      [&chunk](std::int32_t number_of_line) {
                        const LayerLine& line = chunk.lines[at(number_of_line)].line;
-                       return line.stop > 0 && vertex_at(line, 1) >= 0 &&
-                              vertex_at(line, line.stop) >= 0;
+                       return line.stop > 0 && vertex_at(line, 1) >= 0;
                      }) &&
          chunk.lines[at(lines[0])].line.stop == chunk.lines[at(lines[1])].line.stop;
 }
@@ -273,12 +292,72 @@ void read_kinds(ByteReader& reader, std::uint32_t bits, LayerChunk& chunk) {
   }
 }
 
+/// The lists that lines have, in the order of the lines, and of each line the number of its own;
+/// -1: it has none.
+void write_lists(const LayerChunk& chunk, ByteWriter& writer) {
+  std::vector<HeightRatios> lists;
+  std::vector<std::int32_t> list_of_line;
+  for (const ChunkLine& line : chunk.lines) {
+    const HeightRatios& ratios = line.line.law.ratios;
+    const auto found = std::find(lists.begin(), lists.end(), ratios);
+    list_of_line.push_back(ratios.are_listed() ? static_cast<std::int32_t>(found - lists.begin())
+                                               : -1);
+    if (ratios.are_listed() && found == lists.end()) lists.push_back(ratios);
+  }
+  writer.number<std::uint64_t>(lists.size());
+  for (const HeightRatios& list : lists) {
+    writer.number<std::uint64_t>(list.values().size());
+    for (const double ratio : list.values()) writer.number(ratio);
+  }
+  for (std::size_t i = 0; i < list_of_line.size(); ++i) {
+    writer.number(list_of_line[i]);
+    writer.number(chunk.lines[i].line.law.share);
+  }
+}
+
+HeightRatios read_list(ByteReader& reader) {
+  const std::size_t count = reader.count();
+  if (count >= most_layers) reader.fail("has a list of heights that is too long");
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < count; ++i) {
+    ratios.push_back(read_finite(reader));
+    if (ratios.back() < least_height_ratio || ratios.back() > most_height_ratio) {
+      reader.fail("has heights that cannot be");
+    }
+  }
+  return HeightRatios(std::move(ratios));
+}
+
+void read_lists(ByteReader& reader, LayerChunk& chunk) {
+  std::vector<HeightRatios> lists;
+  const std::size_t count = reader.count();
+  for (std::size_t i = 0; i < count; ++i) lists.push_back(read_list(reader));
+  for (ChunkLine& line : chunk.lines) {
+    const auto list = reader.number<std::int32_t>();
+    HeightLaw& law = line.line.law;
+    law.share = read_finite(reader);
+    const bool has_list = list >= 0 && at(list) < lists.size();
+    if (has_list) law.ratios = lists[at(list)];
+    const bool is_right =
+        (has_list ? law.share >= 0 && law.share <= 1 : list == -1 && law.share == 1) &&
+        most_layers_of(law, line.line.stop) == line.line.stop;
+    if (!is_right) reader.fail("has a line that cannot be");
+  }
+}
+
 std::array<Vec3, 2> read_box(ByteReader& reader) {
   std::array<Vec3, 2> box;
   for (Vec3& corner : box) corner = read_vector(reader);
   const Vec3 size = box[1] - box[0];
   if (size.x < 0 || size.y < 0 || size.z < 0) reader.fail("has a box that cannot be");
   return box;
+}
+
+/// Whether there is what follows.
+bool reads_whether(ByteReader& reader) {
+  const auto is_there = reader.number<std::uint32_t>();
+  if (is_there > 1) reader.fail("says neither yes nor no to a box");
+  return is_there == 1;
 }
 
 }  // namespace
@@ -300,9 +379,13 @@ std::string layer_chunk_to_bytes(const LayerChunk& chunk) {
   }
   if (version >= chunk_version_with_sides) write_sides(chunk, writer);
   if (version >= chunk_version_with_fans) write_fans(chunk, writer);
+  if (version >= chunk_version_with_lists) {
+    writer.number<std::uint32_t>(chunk.within_pml ? 1 : 0);
+  }
   if (chunk.within_pml) {
     for (const Vec3& corner : *chunk.within_pml) write_vector(corner, writer);
   }
+  if (version >= chunk_version_with_lists) write_lists(chunk, writer);
   writer.array(chunk.triangles);
   writer.array(chunk.surface_triangles);
   return finish_checked(std::move(writer));
@@ -323,7 +406,10 @@ LayerChunk layer_chunk_from_bytes(std::string_view bytes, const std::string& nam
   }
   if (version >= chunk_version_with_sides) read_sides(reader, chunk);
   if (version >= chunk_version_with_fans) read_fans(reader, chunk);
-  if (version >= chunk_version_with_box) chunk.within_pml = read_box(reader);
+  const bool has_box = version >= chunk_version_with_lists ? reads_whether(reader)
+                                                           : version == chunk_version_with_box;
+  if (has_box) chunk.within_pml = read_box(reader);
+  if (version >= chunk_version_with_lists) read_lists(reader, chunk);
   chunk.triangles = reader.array<Triangle>(triangles);
   chunk.surface_triangles = reader.array<std::uint32_t>(triangles);
   reader.expect_end();

@@ -11,6 +11,7 @@ namespace tetfarm {
 namespace {
 
 constexpr std::int64_t tets_in_prism = 3;
+constexpr std::int64_t tets_in_pyramid = 2;
 
 /// A triangle of the wall with cells above it, or a piece of a fan with cells.
 struct Layered {
@@ -61,6 +62,9 @@ class LayeredPlaces {
                          plan_.lines[at(t[2])].stop}) -
                1;
     }
+    const bool in_tets = std::all_of(lines.begin(), lines.end(),
+                                     [](const LayerLine* line) { return line->in_tets; });
+    if (in_tets) cells *= tets_in_prism;
     found_.push_back({number, true, {}, cells});
     centroids_.push_back((lines[0]->at + lines[2]->at) / 2.0);
   }
@@ -272,24 +276,48 @@ bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle) {
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.of_pml; });
 }
 
-bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle) {
-  return std::all_of(triangle.begin(), triangle.end(),
+bool are_in_tets(const LayerChunk& chunk, std::span<const std::int32_t> lines) {
+  return std::all_of(lines.begin(), lines.end(),
                      [&chunk](std::int32_t line) { return chunk.lines[at(line)].line.in_tets; });
+}
+
+LineSide side_of(const LayerChunk& chunk, const ChunkSide& side) {
+  // The triangle of the wall runs from the first line to the second, its neighbour in the plane
+  // back.
+  return {chunk.lines[at(side.lines[1])].line, chunk.lines[at(side.lines[0])].line};
+}
+
+LineSide side_above(const LayerChunk& chunk, const ChunkFan& fan, std::size_t end) {
+  const auto [left, right] = lines_at_end(fan.lines, end);
+  return {chunk.lines[at(left)].line, chunk.lines[at(right)].line, 1};
 }
 
 namespace {
 
-void count_cell(ElementType type, ChunkCounts& counts) {
-  counts.prisms += type == ElementType::prism ? 1 : 0;
-  counts.pyramids += type == ElementType::pyramid ? 1 : 0;
-  counts.tets += type == ElementType::tet ? 1 : 0;
+void count_cells(ElementType type, std::int64_t number, ChunkCounts& counts) {
+  counts.prisms += type == ElementType::prism ? number : 0;
+  counts.pyramids += type == ElementType::pyramid ? number : 0;
+  counts.tets += type == ElementType::tet ? number : 0;
+}
+
+/// So many cells of a type, which are divided where they are in tets.
+void count_cells_or_tets(ElementType type, std::int64_t number, bool in_tets, ChunkCounts& counts) {
+  if (in_tets && type == ElementType::prism) {
+    count_cells(ElementType::tet, number * tets_in_prism, counts);
+  } else if (in_tets && type == ElementType::pyramid) {
+    count_cells(ElementType::tet, number * tets_in_pyramid, counts);
+  } else {
+    count_cells(type, number, counts);
+  }
 }
 
 /// Those above a triangle without the first `below` layers.
 void count_column(const LayerColumn& column, int below, bool in_tets, ChunkCounts& counts) {
   if (column.early[0] != column.early[1] || column.early[1] != column.early[2]) {
     for (int layer = below + 1; layer <= layers_above(column.stops); ++layer) {
-      for (const LayerCell& cell : cells_of_layer(column, layer)) count_cell(cell.type, counts);
+      for (const LayerCell& cell : cells_of_layer(column, layer)) {
+        count_cells_or_tets(cell.type, 1, in_tets, counts);
+      }
     }
     return;
   }
@@ -297,24 +325,30 @@ void count_column(const LayerColumn& column, int below, bool in_tets, ChunkCount
   std::array<int, 3> stops = column.stops;
   std::sort(stops.begin(), stops.end());
   for (int& stop : stops) stop = std::max(stop, below);
-  const int prisms = stops[0] - below;
-  counts.prisms += in_tets ? 0 : prisms;
-  counts.tets += in_tets ? tets_in_prism * prisms : 0;
-  counts.pyramids += stops[1] - stops[0];
-  counts.tets += stops[2] - stops[1];
+  count_cells_or_tets(ElementType::prism, stops[0] - below, in_tets, counts);
+  count_cells_or_tets(ElementType::pyramid, stops[1] - stops[0], in_tets, counts);
+  count_cells_or_tets(ElementType::tet, stops[2] - stops[1], in_tets, counts);
+}
+
+void count_side(const LineSide& side, ChunkCounts& counts) {
+  counts.quads += quads_of(side);
+  counts.triangles += std::ssize(triangles_of(side));
 }
 
 void count_fan(const LayerChunk& chunk, const ChunkFan& fan, ChunkCounts& counts) {
   const PieceLines lines = lines_of(chunk, fan);
-  for (const FanCell& cell : base_cells(lines)) count_cell(cell.type, counts);
+  const bool in_tets = are_in_tets(chunk, fan.lines);
+  for (const FanCell& cell : base_cells(lines)) {
+    count_cells_or_tets(cell.type, 1, in_tets, counts);
+  }
   counts.nodes += has_centre(lines) ? 1 : 0;
   for (std::size_t end = 0; end < fan.ends.size(); ++end) {
     if (fan.ends.at(end).patch < 0) continue;
     ++counts.triangles;
-    counts.quads += lines.at(2 * end)->stop - 1;
+    count_side(side_above(chunk, fan, end), counts);
   }
   for (const auto& [i, j, k] : open_triangles(lines)) {
-    count_column(column_of(chunk, {fan.lines[i], fan.lines[j], fan.lines[k]}), 1, false, counts);
+    count_column(column_of(chunk, {fan.lines[i], fan.lines[j], fan.lines[k]}), 1, in_tets, counts);
   }
 }
 
@@ -332,14 +366,9 @@ ChunkCounts counts_of(const LayerChunk& chunk) {
   ChunkCounts counts;
   counts.nodes = nodes_of_lines(chunk);
   counts.triangles = std::ssize(chunk.surface_triangles);
-  for (const ChunkSide& side : chunk.sides) {
-    const auto [lower, higher] = std::minmax(chunk.lines[at(side.lines[0])].line.stop,
-                                             chunk.lines[at(side.lines[1])].line.stop);
-    counts.quads += lower;
-    counts.triangles += higher - lower;
-  }
+  for (const ChunkSide& side : chunk.sides) count_side(side_of(chunk, side), counts);
   for (const Triangle& triangle : chunk.triangles) {
-    count_column(column_of(chunk, triangle), 0, is_in_tets(chunk, triangle), counts);
+    count_column(column_of(chunk, triangle), 0, are_in_tets(chunk, triangle), counts);
   }
   for (const ChunkFan& fan : chunk.fans) count_fan(chunk, fan, counts);
   return counts;

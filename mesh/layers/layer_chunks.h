@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "mesh/layers/layer_cells.h"
 #include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_plan.h"
+#include "mesh/layers/side_triangles.h"
 
 namespace tetfarm {
 
@@ -59,7 +61,8 @@ struct ChunkFan {
   friend bool operator==(const ChunkFan&, const ChunkFan&) = default;
 };
 
-/// A prism all of whose lines are in_tets is three tets.
+/// A prism all of whose lines are in_tets is three tets, such a pyramid two, and a quad beside
+/// layers two triangles of the surface.
 /// Invariants: 1. `triangles` and `surface_triangles` have equal lengths; 2. a triangle has three
 /// different lines, one of them with layers; 3. every line is one of a triangle or of a fan; 4. a
 /// fan has cells, and its lines are as base_cells takes them.
@@ -105,8 +108,13 @@ PieceLines lines_of(const LayerChunk& chunk, const ChunkFan& fan);
 /// triangle have all the same number of them.
 bool is_of_pml(const LayerChunk& chunk, const Triangle& triangle);
 
-/// Whether the prisms above the triangle are divided into tets.
-bool is_in_tets(const LayerChunk& chunk, const Triangle& triangle);
+/// Whether the cells between the lines are divided into tets. Cost: O(lines).
+bool are_in_tets(const LayerChunk& chunk, std::span<const std::int32_t> lines);
+
+/// What lies beside the layers at a side, and above the triangle at an end of a fan that is in a
+/// plane (0: from, 1: to).
+LineSide side_of(const LayerChunk& chunk, const ChunkSide& side);
+LineSide side_above(const LayerChunk& chunk, const ChunkFan& fan, std::size_t end);
 
 /// Of the nodes that the chunk owns those of its lines; those in the middle of fans follow.
 std::int64_t nodes_of_lines(const LayerChunk& chunk);

@@ -84,10 +84,10 @@ void add_cell(ElementType type, std::span<const std::int32_t> nodes, std::int32_
   block.regions.push_back(region);
 }
 
-/// By the numbers of the feet, which neighbours see alike, whatever chunk they are in.
-void add_divided_prism(const std::array<std::int32_t, 3>& feet, std::span<const std::int32_t> nodes,
-                       GrownLayers& layers) {
-  for (const auto& tet : tets_of_prism(feet)) {
+/// The tets that a cell is divided into, by its nodes.
+template <class Tets>
+void add_tets(const Tets& tets, std::span<const std::int32_t> nodes, GrownLayers& layers) {
+  for (const auto& tet : tets) {
     layers.mesh.tets.push_back({nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]});
   }
 }
@@ -161,6 +161,36 @@ void mark_cell(const MarkedCell& cell, std::span<const std::int32_t> nodes, cons
   marking.set(cell.type, CellMark::pml_axes, axes_outside(*chunk.within_pml, points, nodes));
 }
 
+LineOrder order_of(const LayerChunk& chunk, std::int32_t line) {
+  return order_of(chunk.lines[at(line)].line, chunk.lines[at(line)].top);
+}
+
+/// Numbers in the order of three lines, which all have layers.
+std::array<std::int32_t, 3> ranks_of(const LayerChunk& chunk, const Triangle& lines) {
+  std::array<LineOrder, 3> order;
+  for (std::size_t k = 0; k < 3; ++k) order[k] = order_of(chunk, lines[k]);
+  std::array<std::int32_t, 3> ranks{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    ranks[k] = static_cast<std::int32_t>(std::count_if(
+        order.begin(), order.end(), [&](const LineOrder& other) { return other < order[k]; }));
+  }
+  return ranks;
+}
+
+/// The tets of a cell above a triangle. @param lines of each of its nodes.
+void add_in_tets(const LayerChunk& chunk, ElementType type, std::span<const std::int32_t> lines,
+                 std::span<const std::int32_t> nodes, GrownLayers& layers) {
+  if (type == ElementType::prism) {
+    add_tets(tets_of_prism(ranks_of(chunk, {lines[0], lines[1], lines[2]})), nodes, layers);
+  } else if (type == ElementType::pyramid) {
+    // The base is between the lines of its first corner and its last, which are the lower ones.
+    const bool is_first = order_of(chunk, lines[0]) < order_of(chunk, lines[3]);
+    add_tets(tets_of_pyramid(is_first ? 0 : 3), nodes, layers);
+  } else {
+    add_cell(type, nodes, layers.subdomain.region, layers);
+  }
+}
+
 /// One layer above a triangle of the wall.
 void add_layer(const LayerChunk& chunk, const Triangle& lines,
                const std::vector<LineNodes>& line_nodes, const LayerCell& cell, GrownLayers& layers,
@@ -168,25 +198,24 @@ void add_layer(const LayerChunk& chunk, const Triangle& lines,
   const bool is_absorbing = is_of_pml(chunk, lines);
   const int number =
       is_absorbing ? chunk.lines[at(lines[0])].line.stop - cell.layer + 1 : cell.layer;
-  std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
-  std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(), [&](const CellNode& n) {
-    return line_nodes[at(lines[at(n.corner)])].at_level(n.level);
-  });
-  if (cell.type == ElementType::prism && is_in_tets(chunk, lines)) {
-    std::array<std::int32_t, 3> surface_feet{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      surface_feet[k] = chunk.lines[at(lines[at(cell.nodes[k].corner)])].line.foot;
-    }
+  std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> lines_of_nodes{};
+  std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> all_nodes{};
+  const std::size_t count = nodes_of(cell.type);
+  for (std::size_t k = 0; k < count; ++k) {
+    lines_of_nodes[k] = lines[at(cell.nodes[k].corner)];
+    all_nodes[k] = line_nodes[at(lines_of_nodes[k])].at_level(cell.nodes[k].level);
+  }
+  const auto nodes = std::span(all_nodes.data(), count);
+  if (are_in_tets(chunk, lines)) {
     const std::size_t before = layers.mesh.tets.size();
-    add_divided_prism(surface_feet, nodes, layers);
+    add_in_tets(chunk, cell.type, lines_of_nodes, nodes, layers);
     for (const Tet& tet : std::span(layers.mesh.tets).subspan(before)) {
       mark_cell({ElementType::tet, is_absorbing, number}, tet, chunk, layers.mesh.nodes, marking);
     }
     return;
   }
-  const auto nodes_here = std::span(nodes.data(), nodes_of(cell.type));
-  add_cell(cell.type, nodes_here, layers.subdomain.region, layers);
-  mark_cell({cell.type, is_absorbing, number}, nodes_here, chunk, layers.mesh.nodes, marking);
+  add_cell(cell.type, nodes, layers.subdomain.region, layers);
+  mark_cell({cell.type, is_absorbing, number}, nodes, chunk, layers.mesh.nodes, marking);
 }
 
 /// The first layer of a piece of a fan.
@@ -201,25 +230,46 @@ void add_base(const LayerChunk& chunk, const ChunkFan& fan,
   numbers[fan_foot_from] = line_nodes[at(fan.lines[0])].foot;
   numbers[fan_foot_to] = line_nodes[at(fan.lines[2])].foot;
   numbers[fan_centre] = centre;
+  const auto foot_of = [&](std::uint8_t node) {
+    return chunk.lines[at(fan.lines[node == fan_foot_from ? 0 : 2])].line.foot;
+  };
   for (const FanCell& cell : base_cells(lines_of(chunk, fan))) {
-    std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> nodes{};
-    std::transform(cell.nodes.begin(), cell.nodes.end(), nodes.begin(),
+    std::array<std::int32_t, std::tuple_size_v<decltype(cell.nodes)>> all_nodes{};
+    std::transform(cell.nodes.begin(), cell.nodes.end(), all_nodes.begin(),
                    [&numbers](std::uint8_t n) { return numbers[n]; });
-    add_cell(cell.type, std::span(nodes.data(), nodes_of(cell.type)), layers.subdomain.region,
-             layers);
-    marking.add(cell.type, CellMark::layer, 1);
+    const auto nodes = std::span(all_nodes.data(), nodes_of(cell.type));
+    if (cell.type != ElementType::pyramid || !are_in_tets(chunk, fan.lines)) {
+      add_cell(cell.type, nodes, layers.subdomain.region, layers);
+      marking.add(cell.type, CellMark::layer, 1);
+      continue;
+    }
+    // The first corners of its base are the feet.
+    const auto tets = tets_of_pyramid(foot_of(cell.nodes[0]) < foot_of(cell.nodes[1]) ? 0 : 1);
+    add_tets(tets, nodes, layers);
+    for (std::size_t i = 0; i < tets.size(); ++i) marking.add(ElementType::tet, CellMark::layer, 1);
   }
 }
 
-/// Between two lines, from a level up to another.
-void add_quads(const LineNodes& from, const LineNodes& to, int low, int high, std::int32_t patch,
-               GrownLayers& layers) {
+/// The boundary beside the layers, between two lines: normals out of the domain, as the plane has
+/// them. @param first the number in the surface of its first triangle.
+void add_side(const LineSide& side, const std::array<LineNodes, 2>& line_nodes, std::int32_t patch,
+              std::int32_t first, GrownLayers& layers) {
+  const auto& [from, to] = line_nodes;
   ElementBlock& block = layers.blocks[ElementType::quad];
-  for (int level = low; level < high; ++level) {
-    block.nodes.insert(block.nodes.end(), {from.at_level(level), to.at_level(level),
-                                           to.at_level(level + 1), from.at_level(level + 1)});
+  for (int low = side.first_level; low < side.first_level + quads_of(side); ++low) {
+    block.nodes.insert(block.nodes.end(), {from.at_level(low), to.at_level(low),
+                                           to.at_level(low + 1), from.at_level(low + 1)});
     block.regions.push_back(layers.subdomain.region);
     block.patches.push_back(patch);
+  }
+  auto number = static_cast<std::uint32_t>(first);
+  for (const SideTriangle& triangle : triangles_of(side)) {
+    Triangle nodes{};
+    std::transform(triangle.begin(), triangle.end(), nodes.begin(), [&](const SideNode& node) {
+      return line_nodes.at(at(node.end)).at_level(node.level);
+    });
+    layers.subdomain.triangles.push_back(nodes);
+    layers.subdomain.triangle_origin.push_back({0, number++});
   }
 }
 
@@ -233,34 +283,7 @@ void add_ends(const LayerChunk& chunk, const ChunkFan& fan,
     const LineNodes& to_right = line_nodes[at(right)];
     layers.subdomain.triangles.push_back({to_left.foot, to_right.at_level(1), to_left.at_level(1)});
     layers.subdomain.triangle_origin.push_back({0, static_cast<std::uint32_t>(triangle)});
-    add_quads(to_left, to_right, 1, chunk.lines[at(left)].line.stop, patch, layers);
-  }
-}
-
-/// The boundary beside the layers: normals out of the domain, as the plane has them.
-void add_side(const LayerChunk& chunk, const ChunkSide& side,
-              const std::vector<LineNodes>& line_nodes, GrownLayers& layers) {
-  // The triangle of the wall runs from the first line to the second, its neighbour in the plane
-  // back.
-  const std::int32_t from = side.lines[1];
-  const std::int32_t to = side.lines[0];
-  const auto node = [&line_nodes](std::int32_t line, int level) {
-    return line_nodes[at(line)].at_level(level);
-  };
-  const int from_stop = chunk.lines[at(from)].line.stop;
-  const int to_stop = chunk.lines[at(to)].line.stop;
-  const int quads = std::min(from_stop, to_stop);
-  add_quads(line_nodes[at(from)], line_nodes[at(to)], 0, quads, side.patch, layers);
-  auto last = static_cast<std::uint32_t>(side.last);
-  const auto add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-    layers.subdomain.triangles.push_back({a, b, c});
-    layers.subdomain.triangle_origin.push_back({0, last++});
-  };
-  for (int level = quads; level < from_stop; ++level) {
-    add_triangle(node(from, level), node(to, quads), node(from, level + 1));
-  }
-  for (int level = quads; level < to_stop; ++level) {
-    add_triangle(node(from, quads), node(to, level), node(to, level + 1));
+    add_side(side_above(chunk, fan, end), {to_left, to_right}, patch, triangle + 1, layers);
   }
 }
 
@@ -297,7 +320,10 @@ GrownLayers grow(const LayerChunk& chunk) {
       add_column({fan.lines[a], fan.lines[b], fan.lines[c]}, 2);
     }
   }
-  for (const ChunkSide& side : chunk.sides) add_side(chunk, side, line_nodes, layers);
+  for (const ChunkSide& side : chunk.sides) {
+    add_side(side_of(chunk, side), {line_nodes[at(side.lines[1])], line_nodes[at(side.lines[0])]},
+             side.patch, side.last, layers);
+  }
   for (const ChunkFan& fan : chunk.fans) add_ends(chunk, fan, line_nodes, layers);
   layers.marks = marking.in_order();
   return layers;

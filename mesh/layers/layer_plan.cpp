@@ -142,10 +142,10 @@ class Planning {
       LayerLine& line = plan_.lines[i];
       line.foot = line.because_of = graph_.feet[i];
       line.at = places_[i];
+      line.in_tets = request_of(i).in_tets;
       if (follows_ways(i)) {
         line.along = line.later = request_of(i).ways[at(line.foot)];
         line.of_pml = true;
-        line.in_tets = request_of(i).in_tets;
         TF_CHECK(!graph_.at_border[i] && !(line.along == Vec3{}));
         continue;
       }
@@ -170,8 +170,8 @@ class Planning {
       const LayerLine& line = plan_.lines[i];
       const LayerRequest& request = request_of(i);
       along.push_back(line.along);
-      const bool is_single = follows_ways(i) || request.in_tets ||
-                             std::binary_search(single_.begin(), single_.end(), line.foot);
+      const bool is_single =
+          follows_ways(i) || std::binary_search(single_.begin(), single_.end(), line.foot);
       wishes.push_back({is_single ? -1 : request.fan_cosine, line.law, line.wanted});
     }
     LineFans fans = line_fans(surface_, graph_, planes_, normals_, along, wishes);
@@ -425,7 +425,7 @@ class Planning {
   bool can_be_lower(std::size_t i, int stop) const {
     const LayerLine& line = plan_.lines[i];
     if (request_of(i).room != RoomRule::ratio || limits_[i].lowered == most_lowered) return false;
-    return levels_of(line.law, stop).back() >= line.law.first * (stop + 1);
+    return levels_of(line.law, stop).back() >= least_height(line.law, stop + 1);
   }
 
   static UsageError refusal_of(const LayerLine& line, StopReason reason) {

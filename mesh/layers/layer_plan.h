@@ -58,9 +58,10 @@ struct LayerLine {
   /// rise above by more than a layer from line to line.
   std::int32_t because_of = -1;
   bool of_pml = false;   ///< its layers absorb, and lie outside of what the domain was
-  bool in_tets = false;  ///< prisms whose lines are all like this are divided into three tets
+  bool in_tets = false;  ///< cells whose lines are all like this are divided into tets
   /// So many of its last points are vertices of the surface, `first_vertex` and those that follow:
-  /// of a line that runs in a plane its top, and the points below that triangles there have.
+  /// of a line that runs in a plane its top, and the points below that triangles there have, all
+  /// where it is in_tets.
   int vertices = 0;
   std::int32_t first_vertex = -1;
   /// The vertex of the surface that its point of level 1 is, as at the end of a fan in a plane,
@@ -73,14 +74,14 @@ struct LayerLine {
 };
 
 /// An edge of the wall from which layers grow along a plane: their sides there are boundary quads,
-/// as many as the lower of the two lines has layers.
+/// as many as the lower of the two lines has layers, or pairs of triangles where both are in_tets.
 struct LayerSide {
   std::int32_t triangle = 0;  ///< of the wall
   int corner = 0;             ///< the edge runs from there to the next corner of the triangle
   std::int32_t patch = 0;     ///< of the plane
-  /// Where one of the lines has layers more, as many triangles of the surface above the quads, from
-  /// this one upwards: the corners of each are the lower line's top and two points of the other.
-  /// -1: none.
+  /// The first of its triangles of the surface, which follow each other as triangles_of has them:
+  /// where one of the lines has layers more, as many above the quads, with the lower line's top and
+  /// two points of the other as corners. -1: none.
   std::int32_t last = -1;
 
   friend bool operator==(const LayerSide&, const LayerSide&) = default;

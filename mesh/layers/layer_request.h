@@ -32,7 +32,7 @@ struct LayerRequest {
   /// way that its line goes for each unit of height, and no other. Empty: lines go where there is
   /// room, as far as there is.
   std::vector<Vec3> ways;
-  bool in_tets = false;  ///< each prism is divided into three tets
+  bool in_tets = false;  ///< each prism and pyramid is divided into tets; so are those it meets
   /// Of the angle between faces above which convex edges have several lines at a foot; -1: none.
   double fan_cosine = -1;
 };

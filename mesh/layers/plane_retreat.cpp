@@ -14,6 +14,7 @@
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/layers/layer_fan.h"
+#include "mesh/layers/side_triangles.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "mesh/planar/constrained_delaunay.h"
 #include "mesh/planar/planar_mesh.h"
@@ -258,7 +259,8 @@ class Retreat {
   void add_line_vertices() {
     std::vector<LayerLine>& lines = made_.plan.lines;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (lines[i].stop > 0 && planes_.holds(i)) lines[i].vertices = 1;
+      if (lines[i].stop == 0 || !planes_.holds(i)) continue;
+      lines[i].vertices = lines[i].in_tets ? lines[i].stop : 1;
     }
     for_each_end([&](const FanPiece&, FanEnd&, std::int32_t left, std::int32_t right) {
       lines[at(left)].low_vertex = lines[at(right)].low_vertex = 0;
@@ -280,9 +282,8 @@ class Retreat {
         vertices.push_back(point_of(l, 1));
       }
       l.first_vertex = static_cast<std::int32_t>(vertices.size());
-      for (int level = l.stop - l.vertices + 1; level <= l.stop; ++level) {
-        vertices.push_back(point_of(l, level));
-      }
+      const std::vector<Vec3> points = points_of(l);
+      vertices.insert(vertices.end(), points.end() - l.vertices, points.end());
     }
   }
 
@@ -316,24 +317,29 @@ class Retreat {
     }
     for (LayerSide& side : made_.plan.sides) {
       const auto [a, b] = lines_of_side(side);
-      const int quads = std::min(line(a).stop, line(b).stop);
-      made_.figures.quads += quads;
-      if (line(a).stop == line(b).stop) continue;
-      side.last = static_cast<std::int32_t>(made_.surface.triangles.size());
-      for (int level = quads; level < line(a).stop; ++level) {
-        add_side_triangle({vertex_of(a, level), vertex_of(b, quads), vertex_of(a, level + 1)},
-                          side.patch);
-      }
-      for (int level = quads; level < line(b).stop; ++level) {
-        add_side_triangle({vertex_of(a, quads), vertex_of(b, level), vertex_of(b, level + 1)},
-                          side.patch);
-      }
+      const auto first = static_cast<std::int32_t>(made_.surface.triangles.size());
+      add_side({a, b}, 0, side.patch);
+      if (made_.surface.triangles.size() > at(first)) side.last = first;
     }
     for_each_end([&](const FanPiece&, FanEnd& end, std::int32_t left, std::int32_t right) {
       end.triangle = static_cast<std::int32_t>(made_.surface.triangles.size());
-      made_.figures.quads += line(left).stop - 1;
       add_side_triangle({vertex_of(left, 0), vertex_of(right, 1), vertex_of(left, 1)}, end.patch);
+      add_side({left, right}, 1, end.patch);
     });
+  }
+
+  /// What is between two lines from a level on.
+  void add_side(const std::array<std::int32_t, 2>& numbers, int first_level, std::int32_t patch) {
+    const std::vector<LayerLine>& lines = made_.plan.lines;
+    const LineSide side = {lines[at(numbers[0])], lines[at(numbers[1])], first_level};
+    made_.figures.quads += quads_of(side);
+    for (const SideTriangle& triangle : triangles_of(side)) {
+      Triangle vertices{};
+      std::transform(triangle.begin(), triangle.end(), vertices.begin(), [&](const SideNode& node) {
+        return vertex_of(numbers.at(at(node.end)), node.level);
+      });
+      add_side_triangle(vertices, patch);
+    }
   }
 
   void add_side_triangle(const Triangle& triangle, std::int32_t patch) {

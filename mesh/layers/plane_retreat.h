@@ -4,7 +4,8 @@
 /// borders the wall begins where the layers end. What was its edge is moved to their top, vertices
 /// between two planes that a line has run past are left out, and the rest is filled by the planar
 /// kernel. What lies between the old edge and the new is the sides of cells: boundary quads, and a
-/// triangle where one line has a layer more than the next. No other triangle of the surface is
+/// triangle where one line has a layer more than the next, or triangles alone where cells are
+/// divided into tets. No other triangle of the surface is
 /// changed.
 #pragma once
 
@@ -29,7 +30,7 @@ struct RetreatFigures {
   std::int64_t planes = 0;            ///< that layers run in
   std::int64_t triangles_before = 0;  ///< of these planes
   std::int64_t triangles_after = 0;   ///< beyond the layers
-  std::int64_t quads = 0;             ///< sides of layers
+  std::int64_t quads = 0;             ///< sides of layers, but for those in tets
   std::int64_t side_triangles = 0;
 
   friend bool operator==(const RetreatFigures&, const RetreatFigures&) = default;

@@ -7,15 +7,21 @@
 
 namespace tetfarm {
 
-std::array<std::array<std::uint8_t, 4>, 3> tets_of_prism(const std::array<std::int32_t, 3>& feet) {
-  TF_CHECK(feet[0] != feet[1] && feet[1] != feet[2] && feet[2] != feet[0]);
-  // Turned, which keeps the tets positive, until the lowest foot is first.
+LineOrder order_of(const LayerLine& line, std::uint32_t top) {
+  TF_CHECK(line.stop > 0);
+  if (line.vertices > 0) return {line.foot, 0, line.first_vertex};
+  return {line.foot, 1, top};
+}
+
+std::array<std::array<std::uint8_t, 4>, 3> tets_of_prism(const std::array<std::int32_t, 3>& order) {
+  TF_CHECK(order[0] != order[1] && order[1] != order[2] && order[2] != order[0]);
+  // Turned, which keeps the tets positive, until the first line is first.
   std::array<std::uint8_t, 3> low = {0, 1, 2};
-  while (feet[low[0]] != std::min({feet[0], feet[1], feet[2]})) {
+  while (order[low[0]] != std::min({order[0], order[1], order[2]})) {
     std::rotate(low.begin(), low.begin() + 1, low.end());
   }
   const auto high = [&low](std::size_t k) { return static_cast<std::uint8_t>(low[k] + 3); };
-  if (feet[low[1]] < feet[low[2]]) {
+  if (order[low[1]] < order[low[2]]) {
     return {{{low[0], low[1], low[2], high(2)},
              {low[0], low[1], high(2), high(1)},
              {high(0), high(2), high(1), low[0]}}};
@@ -23,6 +29,12 @@ std::array<std::array<std::uint8_t, 4>, 3> tets_of_prism(const std::array<std::i
   return {{{low[0], low[1], low[2], high(1)},
            {low[2], low[0], high(1), high(2)},
            {high(0), high(2), high(1), low[0]}}};
+}
+
+std::array<std::array<std::uint8_t, 4>, 2> tets_of_pyramid(std::size_t corner) {
+  TF_CHECK(corner < 4);
+  if (corner % 2 == 0) return {{{0, 1, 2, 4}, {0, 2, 3, 4}}};
+  return {{{0, 1, 3, 4}, {1, 2, 3, 4}}};
 }
 
 }  // namespace tetfarm

@@ -1,12 +1,12 @@
 #include "mesh/layers/unlayered_domain.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/layers/layer_fan.h"
+#include "mesh/layers/side_triangles.h"
 
 namespace tetfarm {
 namespace {
@@ -56,19 +56,25 @@ class BoundaryNodes {
   std::vector<std::int32_t> of_line_;
 };
 
-/// Of each triangle of the surface, whether it is the last of a side of the layers.
+/// Of each triangle of the surface, whether it is of a side of the layers.
 std::vector<bool> triangles_of_sides(const LayerPlan& plan, const SurfaceMesh& surface) {
   std::vector<bool> is_of_side(surface.triangles.size(), false);
+  const auto mark = [&is_of_side](std::int32_t first, const std::vector<SideTriangle>& triangles) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) is_of_side[at(first) + i] = true;
+  };
   for (const LayerSide& side : plan.sides) {
     if (side.last < 0) continue;
     const std::array<std::int32_t, 3> lines = lines_of(plan, surface, side.triangle);
-    const int difference = plan.lines[at(lines[at(side.corner)])].stop -
-                           plan.lines[at(lines[at((side.corner + 1) % 3)])].stop;
-    for (int i = 0; i < std::abs(difference); ++i) is_of_side[at(side.last + i)] = true;
+    mark(side.last, triangles_of({plan.lines[at(lines[at((side.corner + 1) % 3)])],
+                                  plan.lines[at(lines[at(side.corner)])]}));
   }
   for (const FanPiece& piece : plan.fans) {
-    for (const FanEnd& end : piece.ends) {
-      if (end.triangle >= 0) is_of_side[at(end.triangle)] = true;
+    for (std::size_t end = 0; end < piece.ends.size(); ++end) {
+      const std::int32_t first = piece.ends.at(end).triangle;
+      if (first < 0) continue;
+      is_of_side[at(first)] = true;
+      const auto [left, right] = lines_at_end(numbers_of(piece), end);
+      mark(first + 1, triangles_of({plan.lines[at(left)], plan.lines[at(right)], 1}));
     }
   }
   return is_of_side;

@@ -24,8 +24,9 @@ FIGURES = {
     # A place in the scratch folder; the job file that all jobs of one surface share.
     "coordinator/surface_roots.cpp": {"surface"},
     "worker/inspect_task.cpp": {"settings", "surface"},
-    # One of several such figures; a key of the job file.
+    # One of several such figures; a value, or a key, of the job file.
     "worker/assemble_task.cpp": {"elements"},
+    "worker/job_layers.cpp": {"tets"},
     "worker/job_pml.cpp": {"tets"},
     "worker/job_forecast.cpp": {"spacing"},
     # What a finite state of the worker is called.

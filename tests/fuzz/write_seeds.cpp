@@ -196,6 +196,12 @@ void write_artifacts(const fs::path& folder) {
   put("layers", 12, layer_chunk_to_bytes(chunks_of(box.plan, box.surface, 20).at(0)), 16);
   const test::LayeredPillar pillar;
   put("fans", 12, layer_chunk_to_bytes(chunks_of(pillar.plan, pillar.surface, 60).at(0)), 16);
+  const test::LayeredPillar in_tets(5, true);
+  LayerChunk listed = chunks_of(in_tets.plan, in_tets.surface, 60).at(0);
+  for (ChunkLine& line : listed.lines) {
+    line.line.law = law_of_heights(std::vector<double>{0.02, 0.03, 0.03, 0.04, 0.04});
+  }
+  put("heights", 12, layer_chunk_to_bytes(listed), 16);
 }
 
 }  // namespace

@@ -77,6 +77,9 @@ TEST(JobJson, of_a_job_with_layers_counts_cells_by_type_and_tells_how_much_of_th
   numbers["layers_top_jump_99"] = 2.5;
   EXPECT_EQ(result_of(status)["layers"]["top_jump_99"], 2.5);
   EXPECT_EQ(result_of(status)["layers"]["prisms_per_second"], 40);
+  numbers["prisms"] = 0;
+  EXPECT_FALSE(result_of(status)["layers"].contains("prisms_per_second")) << "layers in tets";
+  numbers["prisms"] = 20;
   EXPECT_FALSE(result.contains("boundary_quads"));
   numbers["quads"] = 60;
   EXPECT_EQ(result_of(status)["boundary_quads"], 60);

@@ -102,6 +102,37 @@ TEST(LayerRequests, have_the_first_height_of_a_flat_plate_where_the_job_says_y_p
             flat_plate(2, 6e6, 0.5).first_height);
 }
 
+TEST(LayerRequests, have_the_heights_that_the_job_lists) {
+  const LayerRequest request = requests_of("tip:heights=0.125/0.25/0.125,room=scale").front();
+  EXPECT_EQ(request.law, law_of_heights(std::vector<double>{0.125, 0.25, 0.125}));
+  EXPECT_EQ(request.count, 3);
+  EXPECT_EQ(request.room, RoomRule::scale);
+  EXPECT_THAT(refusal_of_layers(job_with({"tip:heights=25/30"}), cube_of(of_wing)),
+              HasSubstr("the first layer would be 25 high, which is more than the median edge"));
+}
+
+TEST(LayerRequests, are_in_tets_where_the_job_says_so) {
+  EXPECT_TRUE(requests_of("tip:first=0.1,elements=tets").front().in_tets);
+  EXPECT_FALSE(requests_of("tip:first=0.1,elements=prisms").front().in_tets);
+  EXPECT_FALSE(requests_of("tip:first=0.1").front().in_tets);
+}
+
+TEST(LayerRequests, of_other_elements_where_their_patches_meet_are_refused) {
+  const JobFile job = job_with({"tip:first=0.1,elements=tets", "wing_*:first=0.1"});
+  EXPECT_THAT(refusal_of_layers(job, cube_of(of_wing)),
+              ::testing::MatchesRegex(
+                  "--layers '.*': its layers are of (tets|prisms), and meet those of "
+                  "(tets|prisms) of --layers '.*' at \\(.*\\); the sides of prisms have no place "
+                  "beside tets: give both the same `elements`"));
+  const JobFile alike = job_with({"tip:first=0.1,elements=tets", "wing_*:first=0.1,elements=tets"});
+  EXPECT_EQ(refusal_of_layers(alike, cube_of(of_wing)), "");
+  const SurfaceMesh apart =
+      add_outer_boundary(cube_of(of_wing), {.kind = OuterBoundary::Kind::box, .factor = 3}, 0.3);
+  JobFile separate = job_with({"*:first=0.1,elements=tets", "outer_*:first=0.1"});
+  separate.outer_kind = "box";
+  EXPECT_EQ(refusal_of_layers(separate, apart), "");
+}
+
 TEST(LayerRequests, have_as_many_layers_as_reach_the_height_of_all) {
   EXPECT_EQ(requests_of("tip:first=0.125,growth=2,total=0.875").front().count, 3);
   EXPECT_EQ(requests_of("tip:first=0.125,growth=2,total=0.876").front().count, 4);
@@ -220,9 +251,23 @@ TEST(LayerFigures, tell_what_the_layers_come_to_at_the_median_edge) {
   EXPECT_EQ(figures[0].first_height, 0.125);
   EXPECT_EQ(figures[0].last_height, 0.5);
   EXPECT_EQ(figures[0].total_height, 0.875);
+  EXPECT_FALSE(figures[0].in_tets);
   EXPECT_EQ(figures[0].isotropic_layer, 4) << "1 is the first above 0.8";
   EXPECT_EQ(figures[1].layers, 4) << "until they are isotropic";
   EXPECT_EQ(figures[1].last_height, 1);
+}
+
+TEST(LayerFigures, of_listed_heights_are_those_of_the_list) {
+  const auto figures = layer_figures_of(
+      job_with({"tip:heights=0.25/0.5/0.75/0.5", "wall:heights=0.5/1"}), cube_of(of_wing));
+  EXPECT_EQ(figures[0].layers, 4);
+  EXPECT_EQ(figures[0].first_height, 0.25);
+  EXPECT_EQ(figures[0].last_height, 0.5);
+  EXPECT_EQ(figures[0].total_height, 2);
+  EXPECT_EQ(figures[0].isotropic_layer, 0);
+  EXPECT_EQ(figures[1].isotropic_layer, 2);
+  EXPECT_TRUE(
+      layer_figures_of(job_with({"tip:first=0.1,elements=tets"}), cube_of(of_wing))[0].in_tets);
 }
 
 TEST(LayerFigures, of_layers_that_stay_flat_have_no_isotropic_one) {

@@ -204,6 +204,38 @@ TEST_F(LayerTasks, fan_round_edges_that_end_at_a_plane_in_one_sound_mesh) {
   expect_sound(assembled, "pillar.lb8.ugrid");
 }
 
+TEST_F(LayerTasks, in_tets_make_a_sound_mesh_of_tets_alone_beside_planes_and_round_edges) {
+  JobFile job = layered_job(3);
+  job.name = "pillar";
+  job.surface = "pillar.obj";
+  job.layers[0].patches = {"body"};
+  const std::string pillar = test::obj_of(test::pillar_in_box());
+  const auto assembled_with = [&](const std::string& elements) {
+    job.layers[0].elements = elements;
+    const wire::Envelope inspected =
+        run(inspect_task, {{"job", publish(to_toml(job))}, {"input_surface", publish(pillar)}});
+    return run(assemble_task, prepared(job, inspected));
+  };
+  const wire::Envelope undivided = assembled_with("prisms");
+  const wire::Envelope assembled = assembled_with("tets");
+  ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+  const auto& numbers = assembled.done().numbers();
+  const auto& before = undivided.done().numbers();
+  EXPECT_EQ(numbers.at("elements"), numbers.at("tets"));
+  EXPECT_EQ(numbers.at("prisms"), 0);
+  EXPECT_EQ(numbers.at("pyramids"), 0);
+  EXPECT_FALSE(numbers.contains("quads"));
+  EXPECT_EQ(numbers.at("tets"),
+            before.at("tets") + 2 * before.at("pyramids") + 3 * before.at("prisms"));
+  EXPECT_EQ(numbers.at("nodes"), before.at("nodes"));
+  EXPECT_EQ(numbers.at("min_dihedral_deg"), before.at("min_dihedral_deg")) << "beyond the layers";
+  EXPECT_NEAR(numbers.at("volume"), 6 * 6 * 5 - 2 * 2 * 2, 1e-9);
+  EXPECT_EQ(numbers.at("surface_triangles_below_5_deg"), 0) << "the sides of layers do not count";
+  EXPECT_FALSE(last_.done().numbers().contains("min_scaled_jacobian"));
+  expect_sound(assembled, "pillar.vtkhdf");
+  expect_sound(assembled, "pillar.lb8.ugrid");
+}
+
 TEST_F(LayerTasks, place_their_cells_in_the_file_of_all_where_all_is_counted) {
   prepared(layered_job(1), shapes::sphere({0, 0, 0}, 1, 2));
   const Portion portion = portion_from_bytes(bytes(output(last_, "portion")), "portion");

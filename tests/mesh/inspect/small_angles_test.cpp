@@ -43,6 +43,19 @@ TEST(SmallAngles, are_counted_below_5_and_below_1_degree) {
   EXPECT_LT(very.smallest_deg, 6e-4);
 }
 
+TEST(SmallAngles, of_triangles_that_are_left_out_do_not_count) {
+  const SurfaceMesh box = box_with_needles(0.05);
+  const SmallAngles all = small_angles(box);
+  ASSERT_GE(all.worst.size(), 2U);
+  std::vector<bool> left_out(box.triangles.size(), false);
+  left_out[static_cast<std::size_t>(all.worst[0].triangle)] = true;
+  const SmallAngles rest = small_angles(box, left_out);
+  EXPECT_EQ(rest.triangles, all.triangles);
+  EXPECT_EQ(rest.below_5_deg, all.below_5_deg - 1);
+  EXPECT_EQ(rest.worst[0].triangle, all.worst[1].triangle);
+  EXPECT_EQ(rest.smallest_deg, all.worst[1].angle_deg);
+}
+
 TEST(SmallAngles, the_worst_come_first_with_their_numbers_places_and_patches) {
   const SurfaceMesh box = box_with_needles(1e-5);
   const SmallAngles angles = small_angles(box);

@@ -107,6 +107,7 @@ TEST(JobLayers, have_defaults_for_all_but_patches_and_first_height) {
   EXPECT_EQ(layers.total_height, 0);
   EXPECT_EQ(layers.equal, 1);
   EXPECT_EQ(layers.room, "ratio");
+  EXPECT_EQ(layers.elements, "prisms");
   EXPECT_EQ(layers.typed, "");
 }
 
@@ -114,7 +115,7 @@ TEST(JobLayers, take_every_key) {
   const JobLayers counted = layers_of(
       "patches = [\"wing_*\", \"t?p\"]\nfirst_height = 2\ngrowth = 1.25\ncount = 20\nequal = 3\n"
       "growth_cap = 1.5\nacceleration = 1.05\nroom = \"stop\"\nstep = 5\n"
-      "fan_angle = 45");
+      "fan_angle = 45\nelements = \"tets\"");
   EXPECT_THAT(counted.patches, ElementsAre("wing_*", "t?p"));
   EXPECT_EQ(counted.first_height, 2);
   EXPECT_EQ(counted.growth, 1.25);
@@ -125,6 +126,7 @@ TEST(JobLayers, take_every_key) {
   EXPECT_EQ(counted.room, "stop");
   EXPECT_EQ(counted.step, 5);
   EXPECT_EQ(counted.fan_angle, 45);
+  EXPECT_EQ(counted.elements, "tets");
   const JobLayers by_y_plus = layers_of(
       of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nroom = \"scale\"");
   EXPECT_EQ(by_y_plus.first_height, 0);
@@ -136,6 +138,23 @@ TEST(JobLayers, take_every_key) {
   EXPECT_EQ(layers_of(of_wing + "first_height = 1\ncount = \"isotropic\"").count, 0);
   EXPECT_EQ(layers_of(of_wing + "first_height = 1\ncount = 1000\nequal = 1000").equal, 1000);
   EXPECT_EQ(layers_of(of_wing + "first_height = 1\ngrowth = 1\ncount = 5").growth, 1);
+}
+
+TEST(JobLayers, may_list_the_height_of_each) {
+  const JobLayers layers = layers_of(
+      of_wing + "heights = [1e-4, 2e-4, 1e-4]\nroom = \"stop\"\nstep = 2\nfan_angle = 40");
+  EXPECT_THAT(layers.heights, ElementsAre(1e-4, 2e-4, 1e-4));
+  EXPECT_EQ(layers.first_height, 1e-4);
+  EXPECT_EQ(layers.count, 3);
+  EXPECT_EQ(layers.room, "stop");
+  EXPECT_THAT(layers_of(of_wing + "heights = [1, 2, 3.5]").heights, ElementsAre(1, 2, 3.5));
+  const auto of_length = [](std::size_t count) {
+    std::string text = of_wing + "heights = [1";
+    for (std::size_t i = 1; i < count; ++i) text += ", 1";
+    return text + "]";
+  };
+  EXPECT_EQ(layers_of(of_length(1000)).count, 1000);
+  EXPECT_THAT(refusal(of_length(1001)), HasSubstr("`heights` may have at most 1000 heights"));
 }
 
 TEST(JobLayers, of_several_tables_keep_their_order) {
@@ -165,14 +184,35 @@ TEST(JobLayers, say_where_and_what_is_wrong) {
       {"patches = [\"" + std::string(256, 'a') + "\"]", "may hold names of at most 255 bytes"},
       {of_wing,
        "job.toml:3:1: `first_height` is missing; give it, or `y_plus` with `reynolds` and "
-       "`length`"},
+       "`length`, or `heights`"},
       {first + "grwoth = 1.1",
        "job.toml:6:1: unknown key `grwoth` in [layers]; did you mean `growth`?"},
-      {first + "elements = \"prisms\"", "unknown key `elements` in [layers]"},
+      {first + "elements = \"hexes\"",
+       "job.toml:6:12: `elements` is \"hexes\", not one of \"tets\", \"prisms\""},
       {first + "fan_angel = 30", "unknown key `fan_angel` in [layers]; did you mean `fan_angle`?"},
       {first + "fan_angle = 29", "`fan_angle` must be from 30 to 180"},
       {first + "fan_angle = 181", "`fan_angle` must be from 30 to 180"},
-      {first + "heights = [1, 2]", "unknown key `heights` in [layers]"},
+      {first + "heights = [1, 2]",
+       "job.toml:5:16: `first_height` cannot be given together with `heights`"},
+      {of_wing + "heights = [1]\ny_plus = 1", "`y_plus` cannot be given together with `heights`"},
+      {of_wing + "heights = [1]\nreynolds = 6e6", "`reynolds` cannot be given together with"},
+      {of_wing + "heights = [1]\nlength = 1", "`length` cannot be given together with"},
+      {of_wing + "heights = [1]\ngrowth = 1.2", "`growth` cannot be given together with"},
+      {of_wing + "heights = [1]\ngrowth_cap = 2", "`growth_cap` cannot be given together with"},
+      {of_wing + "heights = [1]\nacceleration = 1.2", "`acceleration` cannot be given together"},
+      {of_wing + "heights = [1]\ntotal_height = 3", "`total_height` cannot be given together with"},
+      {of_wing + "heights = [1]\ncount = 1", "`count` cannot be given together with `heights`"},
+      {of_wing + "heights = [1]\nequal = 1", "`equal` cannot be given together with `heights`"},
+      {of_wing + "heights = 1", "job.toml:5:11: `heights` must be an array, not an integer"},
+      {of_wing + "heights = []", "job.toml:5:11: `heights` must have one height at least"},
+      {of_wing + "heights = [1, \"a\"]", "job.toml:5:15: number 2 of `heights` must be a number"},
+      {of_wing + "heights = [1, 1, 0]",
+       "job.toml:5:18: number 3 of `heights` must be positive and finite"},
+      {of_wing + "heights = [nan]", "number 1 of `heights` must be positive and finite"},
+      {of_wing + "heights = [1, inf]", "number 2 of `heights` must be positive and finite"},
+      {of_wing + "heights = [1, 2, 4.1]",
+       "number 3 of `heights` is more than twice number 2; layers may not change so fast"},
+      {of_wing + "heights = [1, 0.4]", "number 2 of `heights` is less than half of number 1"},
       {of_wing + "first_height = 0", "job.toml:5:16: `first_height` must be positive"},
       {of_wing + "first_height = inf", "`first_height` must be finite"},
       {first + "y_plus = 1",
@@ -221,8 +261,10 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
   for (const std::string& keys :
        {of_wing + "first_height = 1e-4",
         of_wing + "y_plus = 1\nreynolds = 6e6\nlength = 2.5\ntotal_height = 0.1\nequal = 4",
+        of_wing + "heights = [0.7, 1.1, 1, 2]\nroom = \"stop\"",
         std::string("patches = [\"a\\\"b\", \"*\"]\nfirst_height = 1\ngrowth = 1.1\ncount = 7\n"
-                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"\nstep = 2")}) {
+                    "growth_cap = 1.5\nacceleration = 1.05\nroom = \"scale\"\nstep = 2\n"
+                    "elements = \"tets\"")}) {
     const JobFile job = parse_job_file(before + keys, "/jobs/job.toml");
     const std::string written = to_toml(job);
     const JobFile again = parse_job_file(written, "/jobs/job.toml");
@@ -240,9 +282,11 @@ TEST(JobLayers, of_canonical_text_are_the_same_layers) {
     EXPECT_EQ(a.count, b.count);
     EXPECT_EQ(a.total_height, b.total_height);
     EXPECT_EQ(a.equal, b.equal);
+    EXPECT_EQ(a.heights, b.heights);
     EXPECT_EQ(a.room, b.room);
     EXPECT_EQ(a.step, b.step);
     EXPECT_EQ(a.fan_angle, b.fan_angle);
+    EXPECT_EQ(a.elements, b.elements);
   }
 }
 
@@ -261,8 +305,13 @@ TEST(JobLayers, of_an_option_are_those_of_the_table_that_says_the_same) {
   EXPECT_EQ(toml_of(parse_layers_option("a:y_plus=1,reynolds=6e6,length=2,total=1,equal=2")),
             toml_of(layers_of("patches = [\"a\"]\ny_plus = 1\nreynolds = 6e6\nlength = 2\n"
                               "total_height = 1\nequal = 2")));
+  EXPECT_EQ(toml_of(parse_layers_option("a:heights=1e-4/2e-4/3.5e-4,room=stop")),
+            toml_of(layers_of("patches = [\"a\"]\nheights = [1e-4, 2e-4, 3.5e-4]\n"
+                              "room = \"stop\"")));
+  EXPECT_THAT(parse_layers_option("a:heights=2").heights, ElementsAre(2));
   EXPECT_EQ(parse_layers_option("a:first_height=2,total_height=3").total_height, 3);
   EXPECT_EQ(parse_layers_option("a:first=2,count=isotropic").count, 0);
+  EXPECT_EQ(parse_layers_option("a:first=2,elements=tets").elements, "tets");
   EXPECT_THAT(parse_layers_option("body:left:first=2").patches, ElementsAre("body:left"));
 }
 
@@ -292,6 +341,13 @@ TEST(JobLayers, of_an_option_have_the_same_checks_in_the_words_that_were_typed) 
       {"a:first=1,growth=3", "`growth` must be from 1 to 2"},
       {"a:y_plus=1", "`y_plus` needs `reynolds`"},
       {"a:first=1,room=none", "`room` is \"none\", not one of"},
+      {"a:first=1,heights=1/2",
+       "--layers 'a:first=1,heights=1/2': `first` cannot be given together with `heights`"},
+      {"a:heights=1/2,total=3", "`total` cannot be given together with `heights`"},
+      {"a:heights=1//2", "number 2 of `heights` must be a number"},
+      {"a:heights=1/2mm", "number 2 of `heights` must be a number"},
+      {"a:heights=1/2/5", "number 3 of `heights` is more than twice number 2"},
+      {"a:first=1/2", "`first` must be a number, not a string"},
   };
   for (const LayersMistake& mistake : mistakes) {
     EXPECT_THAT(refusal_of_option(mistake.keys), HasSubstr(mistake.message)) << mistake.keys;

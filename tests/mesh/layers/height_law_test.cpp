@@ -68,5 +68,58 @@ TEST(HeightLaw, does_not_grow_where_even_equal_layers_do_not_fit) {
   EXPECT_EQ(total_height(even, 5), 5);
 }
 
+TEST(HeightLaw, of_a_list_has_its_heights_in_turn) {
+  const std::vector<double> heights = {1, 1.5, 3, 1.5, 2};
+  const HeightLaw law = law_of_heights(heights);
+  EXPECT_EQ(levels_of(law, 5), (std::vector<double>{0, 1, 2.5, 5.5, 7, 9}));
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(height_of_layer(law, i + 1), heights.at(static_cast<std::size_t>(i)));
+  EXPECT_EQ(total_height(law, 2), 2.5);
+  EXPECT_EQ(law_of_heights(std::vector<double>{0.25}).first, 0.25);
+  EXPECT_EQ(levels_of(law_of_heights(std::vector<double>{0.25}), 1),
+            (std::vector<double>{0, 0.25}));
+  EXPECT_EQ(levels_of(law, 0), std::vector<double>{0});
+}
+
+TEST(HeightLaw, of_a_list_has_no_layers_behind_its_end) {
+  const HeightLaw law = law_of_heights(std::vector<double>{1, 2, 4});
+  EXPECT_EQ(most_layers_of(law, 100), 3);
+  EXPECT_EQ(most_layers_of(law, 2), 2);
+  EXPECT_EQ(most_layers_of(HeightLaw{}, 100), 100);
+  EXPECT_EQ(layers_until(law, 2, 100), 2);
+  EXPECT_EQ(layers_until(law, 9, 100), 3);
+  EXPECT_EQ(layers_within(law, 3.5, 100), 3);
+  EXPECT_EQ(layers_within(law, 99, 100), 3);
+}
+
+TEST(HeightLaw, of_a_list_fits_into_room_by_growing_less_and_keeps_what_falls) {
+  const HeightLaw law = law_of_heights(std::vector<double>{1, 2, 4, 2, 4});
+  EXPECT_EQ(fitted(law, 5, 13), law);
+  const HeightLaw lower = fitted(law, 5, 8);
+  EXPECT_EQ(lower.first, 1);
+  EXPECT_LE(total_height(lower, 5), 8);
+  EXPECT_GT(total_height(lower, 5), 8 * (1 - 1e-12));
+  const double ratio = height_of_layer(lower, 2);
+  EXPECT_GT(ratio, 1);
+  EXPECT_LT(ratio, 2);
+  EXPECT_NEAR(height_of_layer(lower, 3), ratio * ratio, 1e-15);
+  EXPECT_NEAR(height_of_layer(lower, 4), ratio * ratio / 2, 1e-15) << "half of the one before";
+  EXPECT_EQ(levels_of(fitted(law, 5, 0.5), 5), (std::vector<double>{0, 1, 2, 3, 3.5, 4}));
+}
+
+TEST(HeightLaw, tells_how_high_layers_are_that_do_not_grow) {
+  EXPECT_EQ(least_height(law_of_heights(std::vector<double>{1, 2, 1, 2}), 4), 3);
+  EXPECT_EQ(least_height(HeightLaw{.first = 0.5, .growth = 1.5}, 3), 1.5);
+}
+
+TEST(HeightLaw, of_lists_is_the_same_where_the_numbers_are) {
+  const std::vector<double> heights = {1, 2, 4};
+  const HeightLaw law = law_of_heights(heights);
+  EXPECT_EQ(law, law_of_heights(heights));
+  EXPECT_NE(law, law_of_heights(std::vector<double>{1, 2, 3}));
+  EXPECT_NE(law, law_of_heights(std::vector<double>{1, 2}));
+  EXPECT_NE(law_of_heights(std::vector<double>{1}), HeightLaw{.first = 1}) << "which goes on";
+}
+
 }  // namespace
 }  // namespace tetfarm

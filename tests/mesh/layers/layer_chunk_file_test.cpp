@@ -84,6 +84,51 @@ TEST(LayerChunkFile, tells_the_box_within_absorbing_layers_in_a_version_of_its_o
                  "has a number that is not finite");
 }
 
+LayerChunk chunk_with_lists() {
+  LayerChunk chunk = some_chunk();
+  const std::vector<double> heights(20, 0.25);
+  const HeightLaw twenty = law_of_heights(heights);
+  for (ChunkLine& line : chunk.lines) line.line.law = twenty;
+  chunk.lines.at(1).line.law = HeightLaw{.first = 0.5};
+  chunk.lines.at(2).line.law.ratios = HeightRatios(std::vector<double>(30, 1.5));
+  chunk.lines.at(2).line.law.share = 0.75;
+  return chunk;
+}
+
+TEST(LayerChunkFile, tells_lists_of_heights_in_a_version_of_its_own) {
+  LayerChunk chunk = chunk_with_lists();
+  const std::string bytes = layer_chunk_to_bytes(chunk);
+  EXPECT_EQ(bytes[8], 6);
+  EXPECT_EQ(layer_chunk_from_bytes(bytes, "chunk"), chunk);
+  chunk.within_pml = {Vec3{-1, 0.5, 2}, Vec3{3, 0.5, 4}};
+  chunk.lines.at(0).line.in_tets = true;
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+}
+
+TEST(LayerChunkFile, refuses_lists_of_heights_that_cannot_be) {
+  const LayerChunk chunk = chunk_with_lists();
+  const std::string bytes = layer_chunk_to_bytes(chunk);
+  const std::size_t lines_at =
+      bytes.size() - 16 - chunk.triangles.size() * 16 - chunk.lines.size() * 12;
+  const std::size_t lists_at = lines_at - (8 + 19 * 8) - (8 + 30 * 8) - 8;
+  const double infinite = std::numeric_limits<double>::infinity();
+  expect_refused(forged<std::uint32_t>(bytes, lists_at - 4, 2), "says neither yes nor no to a box");
+  expect_refused(forged<std::uint64_t>(bytes, lists_at + 8, 1000),
+                 "a list of heights that is too long");
+  expect_refused(forged(bytes, lists_at + 16, 0.49), "has heights that cannot be");
+  expect_refused(forged(bytes, lists_at + 16, 2.01), "has heights that cannot be");
+  expect_refused(forged(bytes, lists_at + 16, infinite), "has a number that is not finite");
+  const char* line = "has a line that cannot be";
+  expect_refused(forged<std::int32_t>(bytes, lines_at, 2), line);
+  expect_refused(forged<std::int32_t>(bytes, lines_at, -2), line);
+  expect_refused(forged(bytes, lines_at + 4, 1.5), line);
+  expect_refused(forged(bytes, lines_at + 4, -0.5), line);
+  expect_refused(forged(bytes, lines_at + 12 + 4, 0.5), line);
+  LayerChunk higher = chunk;
+  higher.lines.at(0).line.stop = 21;
+  expect_refused(layer_chunk_to_bytes(higher), line);
+}
+
 TEST(LayerChunkFile, tells_what_lies_in_planes_in_a_version_of_its_own) {
   for (const LayerChunk& chunk : chunks_with_sides()) {
     const std::string bytes = layer_chunk_to_bytes(chunk);
@@ -197,6 +242,55 @@ TEST(LayerChunkFile, refuses_ends_of_fans_that_cannot_be) {
     const std::int32_t line = lines_at_end(c.fans[number].lines, at_plane)[0];
     c.lines.at(static_cast<std::size_t>(line)).line.low_vertex = -1;
   });
+}
+
+TEST(LayerChunkFile, refuses_sides_in_tets_that_cannot_be) {
+  const test::LayeredBox box(2, true);
+  int broken = 0;
+  for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 200)) {
+    EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+    if (chunk.sides.empty()) continue;
+    const auto expect_broken = [&](const auto& break_it) {
+      LayerChunk copy = chunk;
+      break_it(copy);
+      expect_refused(layer_chunk_to_bytes(copy), "has a side that cannot be");
+      ++broken;
+    };
+    EXPECT_GE(chunk.sides[0].last, 0);
+    expect_broken([](LayerChunk& c) { c.sides[0].last = -1; });
+    expect_broken([](LayerChunk& c) {
+      c.sides[0].last = std::numeric_limits<std::int32_t>::max() - 2 * most_layers + 1;
+    });
+    expect_broken([](LayerChunk& c) {
+      for (const std::int32_t l : c.sides[0].lines) {
+        LayerLine& line = c.lines.at(static_cast<std::size_t>(l)).line;
+        if (line.vertices < 2) continue;
+        --line.vertices;
+        ++line.first_vertex;
+        return;
+      }
+    });
+  }
+  EXPECT_GT(broken, 10);
+}
+
+TEST(LayerChunkFile, refuses_ends_of_fans_in_tets_that_cannot_be) {
+  const test::LayeredPillar pillar(5, true);
+  const LayerChunk chunk = chunks_of(pillar.plan, pillar.surface).at(0);
+  EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+  const auto found = std::find_if(chunk.fans.begin(), chunk.fans.end(),
+                                  [](const ChunkFan& fan) { return fan.ends[0].patch >= 0; });
+  ASSERT_NE(found, chunk.fans.end());
+  const auto number = static_cast<std::size_t>(found - chunk.fans.begin());
+  LayerChunk far = chunk;
+  far.fans[number].ends[0].triangle = std::numeric_limits<std::int32_t>::max();
+  expect_refused(layer_chunk_to_bytes(far), "has a fan that cannot be");
+  LayerChunk low = chunk;
+  LayerLine& line = low.lines.at(static_cast<std::size_t>(found->lines[0])).line;
+  --line.vertices;
+  ++line.first_vertex;
+  line.low_vertex = 3;
+  expect_refused(layer_chunk_to_bytes(low), "has a fan that cannot be");
 }
 
 TEST(LayerChunkFile, refuses_any_byte_that_changed_and_any_cut) {

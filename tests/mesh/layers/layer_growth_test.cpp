@@ -79,12 +79,17 @@ TEST(LayerGrowth, closes_its_sides_in_planes_with_quads_and_triangles) {
 }
 
 /// Bodies with fans all over their edges, with fans that end, and with some lines that stop early.
-std::vector<test::LayeredBody> fanned_bodies() {
+std::vector<test::LayeredBody> fanned_bodies(bool in_tets = false) {
   std::vector<test::LayeredBody> bodies;
-  bodies.emplace_back(test::cube_in_box(3), test::fanned(0.02, 6, 60));
-  bodies.emplace_back(test::lens_in_box(6, 5, 5), test::fanned(0.002, 10, 45));
-  bodies.emplace_back(test::lens_in_box(6, 20, 150), test::fanned(0.01, 6, 60));
-  LayerRequest rough = test::fanned(0.05, 8, 60);
+  const auto fanned = [in_tets](double first, int count, double degrees) {
+    LayerRequest request = test::fanned(first, count, degrees);
+    request.in_tets = in_tets;
+    return request;
+  };
+  bodies.emplace_back(test::cube_in_box(3), fanned(0.02, 6, 60));
+  bodies.emplace_back(test::lens_in_box(6, 5, 5), fanned(0.002, 10, 45));
+  bodies.emplace_back(test::lens_in_box(6, 20, 150), fanned(0.01, 6, 60));
+  LayerRequest rough = fanned(0.05, 8, 60);
   rough.step = 3;
   bodies.emplace_back(test::lens_in_box(6, 40, 40), rough);
   bodies.emplace_back(test::cube_in_box(3), rough);
@@ -153,29 +158,116 @@ TEST(LayerGrowth, closes_fans_that_end_in_planes) {
   EXPECT_EQ(quads, 5 * 16 + 4 * 4 * 2);
 }
 
-/// Places in the surface and in the chunks that share it.
-TEST(LayerGrowth, has_nodes_and_triangles_of_the_surface_where_the_surface_has_them) {
-  const LayeredBox box(3);
-  std::int64_t above_the_wall = 0;
-  for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 100)) {
+/// Of each node how many layers it is above the wall: a line's nodes follow its foot.
+std::vector<std::int32_t> levels_of_nodes(const GrownLayers& layers) {
+  std::vector<std::int32_t> levels;
+  for (const Origin& origin : layers.subdomain.node_origin) {
+    levels.push_back(origin.owner == 0 ? 0 : levels.back() + 1);
+  }
+  return levels;
+}
+
+/// What chunks of layers in tets come to, beside the same layers in prisms and pyramids.
+template <class Layered>
+void expect_tets_of(const Layered& in_tets, const Layered& undivided, std::int64_t most_cells) {
+  const GrownWhole divided = whole_of(in_tets, most_cells);
+  const GrownWhole whole = whole_of(undivided, 1'000'000);
+  EXPECT_EQ(divided.open_faces(), 0U);
+  EXPECT_EQ(divided.nodes(), whole.nodes());
+  std::int64_t tets = 0;
+  for (const LayerChunk& chunk : chunks_of(in_tets.plan, in_tets.surface, most_cells)) {
     const GrownLayers layers = grow(chunk);
-    const Subdomain& grown = layers.subdomain;
-    for (std::size_t v = 0; v < grown.vertices.size(); ++v) {
-      if (grown.node_origin[v].owner != 0) continue;
-      EXPECT_EQ(grown.vertices[v], box.surface.vertices.at(grown.node_origin[v].index));
+    const ChunkCounts counts = counts_of(chunk);
+    EXPECT_EQ(std::ssize(layers.mesh.tets), counts.tets);
+    EXPECT_EQ(counts.cells(), counts.tets);
+    EXPECT_EQ(counts.quads, 0);
+    for (const ElementType type : all_element_types) {
+      EXPECT_THAT(layers.blocks[type].regions, IsEmpty());
     }
-    for (std::size_t t = 0; t < grown.triangles.size(); ++t) {
-      Triangle nodes{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Origin& origin = grown.node_origin[at(grown.triangles[t][k])];
-        EXPECT_EQ(origin.owner, 0U);
-        nodes[k] = static_cast<std::int32_t>(origin.index);
-      }
-      EXPECT_EQ(nodes, box.surface.triangles.at(grown.triangle_origin[t].index));
-      above_the_wall += t >= chunk.triangles.size() ? 1 : 0;
+    EXPECT_EQ(std::ssize(layers.subdomain.triangles), counts.triangles);
+    EXPECT_EQ(std::ssize(layers.marks[CellMark::layer]), counts.tets);
+    const auto own =
+        std::count_if(layers.subdomain.node_origin.begin(), layers.subdomain.node_origin.end(),
+                      [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
+    EXPECT_LE(own, counts.nodes);
+    tets += counts.tets;
+  }
+  std::int64_t expected = 0;
+  for (const LayerChunk& chunk : chunks_of(undivided.plan, undivided.surface)) {
+    const ChunkCounts counts = counts_of(chunk);
+    expected += 3 * counts.prisms + 2 * counts.pyramids + counts.tets;
+  }
+  EXPECT_EQ(tets, expected);
+}
+
+TEST(LayerGrowth, in_tets_closes_in_however_many_chunks_where_lines_end_at_different_levels) {
+  const LayeredSphere undivided = LayeredSphere::uneven();
+  LayeredSphere in_tets = LayeredSphere::uneven();
+  for (LayerLine& line : in_tets.plan.lines) line.in_tets = true;
+  for (const std::int64_t cells : {1'000'000, 300, 20}) expect_tets_of(in_tets, undivided, cells);
+}
+
+TEST(LayerGrowth, in_tets_closes_fans_in_however_many_chunks) {
+  const std::vector<test::LayeredBody> undivided = fanned_bodies();
+  const std::vector<test::LayeredBody> in_tets = fanned_bodies(true);
+  for (std::size_t i = 0; i < undivided.size(); ++i) {
+    EXPECT_FALSE(in_tets[i].plan.fans.empty());
+    for (const std::int64_t cells : {1'000'000, 500, 30}) {
+      expect_tets_of(in_tets[i], undivided[i], cells);
     }
   }
-  EXPECT_GT(above_the_wall, 0);
+}
+
+TEST(LayerGrowth, in_tets_closes_its_sides_in_planes_with_triangles_of_the_surface) {
+  for (const int step : {1, 3}) {
+    for (const std::int64_t cells : {1'000'000, 100, 10}) {
+      expect_tets_of(LayeredBox(step, true), LayeredBox(step), cells);
+    }
+  }
+  for (const std::int64_t cells : {1'000'000, 200, 20}) {
+    expect_tets_of(test::LayeredPillar(5, true), test::LayeredPillar(5), cells);
+  }
+}
+
+TEST(LayerGrowth, in_tets_marks_each_tet_with_its_layer) {
+  LayeredSphere sphere = LayeredSphere::uneven();
+  const ChunkCounts undivided = counts_of(chunks_of(sphere.plan, sphere.surface).at(0));
+  for (LayerLine& line : sphere.plan.lines) line.in_tets = true;
+  const GrownLayers layers = grow(chunks_of(sphere.plan, sphere.surface).at(0));
+  EXPECT_GT(undivided.pyramids, 0);
+  const std::vector<std::int32_t> levels = levels_of_nodes(layers);
+  for (std::size_t t = 0; t < layers.mesh.tets.size(); ++t) {
+    std::int32_t highest = 0;
+    for (const std::int32_t v : layers.mesh.tets[t]) highest = std::max(highest, levels[at(v)]);
+    EXPECT_EQ(layers.marks[CellMark::layer].at(t), highest);
+  }
+}
+
+/// Places in the surface and in the chunks that share it.
+TEST(LayerGrowth, has_nodes_and_triangles_of_the_surface_where_the_surface_has_them) {
+  for (const bool in_tets : {false, true}) {
+    const LayeredBox box(3, in_tets);
+    std::int64_t above_the_wall = 0;
+    for (const LayerChunk& chunk : chunks_of(box.plan, box.surface, 100)) {
+      const GrownLayers layers = grow(chunk);
+      const Subdomain& grown = layers.subdomain;
+      for (std::size_t v = 0; v < grown.vertices.size(); ++v) {
+        if (grown.node_origin[v].owner != 0) continue;
+        EXPECT_EQ(grown.vertices[v], box.surface.vertices.at(grown.node_origin[v].index));
+      }
+      for (std::size_t t = 0; t < grown.triangles.size(); ++t) {
+        Triangle nodes{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Origin& origin = grown.node_origin[at(grown.triangles[t][k])];
+          EXPECT_EQ(origin.owner, 0U);
+          nodes[k] = static_cast<std::int32_t>(origin.index);
+        }
+        EXPECT_EQ(nodes, box.surface.triangles.at(grown.triangle_origin[t].index));
+        above_the_wall += t >= chunk.triangles.size() ? 1 : 0;
+      }
+    }
+    EXPECT_GT(above_the_wall, in_tets ? 100 : 0);
+  }
 }
 
 TEST(LayerGrowth, makes_what_the_chunk_counts_also_beside_planes) {
@@ -209,15 +301,6 @@ TEST(LayerGrowth, makes_what_the_chunk_counts) {
                       [&chunk](const Origin& origin) { return origin.owner == chunk.path.heap; });
     EXPECT_LE(own, counts.nodes) << "nodes of lines that it does not own are another's";
   }
-}
-
-/// Of each node how many layers it is above the wall: a line's nodes follow its foot.
-std::vector<std::int32_t> levels_of_nodes(const GrownLayers& layers) {
-  std::vector<std::int32_t> levels;
-  for (const Origin& origin : layers.subdomain.node_origin) {
-    levels.push_back(origin.owner == 0 ? 0 : levels.back() + 1);
-  }
-  return levels;
 }
 
 TEST(LayerGrowth, marks_each_cell_with_the_layer_that_its_highest_node_is_on) {

@@ -91,6 +91,29 @@ TEST(LayerPlan, room_stop_keeps_the_growth_and_room_scale_the_number_of_layers) 
   EXPECT_TRUE(is_some_scaled);
 }
 
+TEST(LayerPlan, with_listed_heights_gives_way_to_the_room_as_with_the_law_that_they_follow) {
+  const SurfaceMesh surface = slit(0.02);
+  LayerRequest by_law = test::request_of_all(surface, 0x1p-11, 10);
+  by_law.law.growth = by_law.law.cap = 1.25;
+  LayerRequest listed = by_law;
+  std::vector<double> heights = {0x1p-11};
+  while (heights.size() < 10) heights.push_back(1.25 * heights.back());  // exactly
+  listed.law = law_of_heights(heights);
+  for (const RoomRule room : {RoomRule::ratio, RoomRule::stop, RoomRule::scale}) {
+    by_law.room = listed.room = room;
+    const LayerPlan expected = plan_of(surface, by_law);
+    const LayerPlan plan = plan_of(surface, listed);
+    test::expect_valid_layers(plan, surface);
+    ASSERT_EQ(plan.lines.size(), expected.lines.size());
+    bool is_any_short = false;
+    for (std::size_t i = 0; i < plan.lines.size(); ++i) {
+      EXPECT_EQ(points_of(plan.lines[i]), points_of(expected.lines[i]));
+      is_any_short = is_any_short || !(plan.lines[i].law == listed.law) || plan.lines[i].stop < 10;
+    }
+    EXPECT_TRUE(is_any_short);
+  }
+}
+
 /// Where solids touch along an edge, the way from a node of the one ends at once, in the other.
 TEST(LayerPlan, where_there_is_no_room_at_all_scaling_makes_no_layers) {
   const auto generators = shapes::surface_generators();

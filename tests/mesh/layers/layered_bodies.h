@@ -149,9 +149,10 @@ struct LayeredPillar {
   SurfaceMesh surface;
   LayerPlan plan;
 
-  explicit LayeredPillar(int count = 5) {
+  explicit LayeredPillar(int count = 5, bool in_tets = false) {
     const SurfaceMesh pillar = pillar_in_box();
-    const LayerRequest request = fanned(0.02, count, 60);
+    LayerRequest request = fanned(0.02, count, 60);
+    request.in_tets = in_tets;
     std::optional<PlaneRetreat> retreat =
         retreat_planes(pillar, plan_layers(pillar, {&request, 1}),
                        [](const SurfaceMesh&) { return [](const Vec3&) { return 0.5; }; });

@@ -14,7 +14,7 @@ struct LayeredBox {
   SurfaceMesh surface;
   LayerPlan plan;
 
-  explicit LayeredBox(int step = 1) {
+  explicit LayeredBox(int step = 1, bool in_tets = false) {
     SurfaceMesh box = box_with_patches({0, 0, 0}, {1, 1, 1}, 8);
     box.patch_names.emplace_back("eastern floor");
     for (std::size_t t = 0; t < box.triangles.size(); ++t) {
@@ -24,6 +24,7 @@ struct LayeredBox {
     }
     LayerRequest request = request_of({floor_patch}, 0.01, 5);
     request.step = step;
+    request.in_tets = in_tets;
     std::optional<PlaneRetreat> retreat =
         retreat_planes(box, plan_layers(box, {&request, 1}),
                        [](const SurfaceMesh&) { return [](const Vec3&) { return 0.125; }; });

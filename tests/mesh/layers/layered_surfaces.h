@@ -37,7 +37,7 @@ struct LayerFigures {
   std::int64_t full = 0;  ///< wall triangles with all layers
 };
 
-/// What the surface encloses with the quads of the layers' sides.
+/// What the surface encloses with the quads of the layers' sides, where these have some.
 inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   SurfaceMesh closed = surface;
   const auto add_quads = [&closed](const std::vector<Vec3>& from, const std::vector<Vec3>& to,
@@ -51,6 +51,7 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   };
   for (const LayerSide& side : plan.sides) {
     const auto lines = lines_of(plan, surface, side.triangle);
+    if (plan.lines[at(lines[at(side.corner)])].in_tets) continue;
     std::array<std::vector<Vec3>, 2> points;
     for (std::size_t k = 0; k < 2; ++k) {
       points[k] = points_of(plan.lines[at(lines[(at(side.corner) + k) % 3])]);
@@ -61,6 +62,7 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
     for (std::size_t end = 0; end < piece.ends.size(); ++end) {
       if (piece.ends.at(end).patch < 0) continue;
       const auto [left, right] = lines_at_end(numbers_of(piece), end);
+      if (plan.lines[at(left)].in_tets) continue;
       add_quads(points_of(plan.lines[at(left)]), points_of(plan.lines[at(right)]), 1);
     }
   }

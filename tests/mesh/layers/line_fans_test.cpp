@@ -77,10 +77,7 @@ TEST(LineFans, are_where_edges_turn_by_more_than_the_angle_and_are_convex) {
   EXPECT_TRUE(plan_of(surface, inside).fans.empty());
 }
 
-TEST(LineFans, have_no_part_in_lines_in_tets_or_beside_two_patches) {
-  LayerRequest in_tets = test::fanned(0.02, 6, 60);
-  in_tets.in_tets = true;
-  EXPECT_TRUE(plan_of(test::cube_in_box(4), in_tets).fans.empty());
+TEST(LineFans, have_no_part_in_lines_beside_two_patches) {
   SurfaceMesh pillar = test::pillar_in_box();
   pillar.patch_names.emplace_back("half of the floor");
   for (std::size_t t = 0; t < pillar.triangles.size(); ++t) {

@@ -37,6 +37,7 @@ std::map<std::int32_t, double> areas_of(const SurfaceMesh& surface, const LayerP
   }
   for (const LayerSide& side : plan.sides) {
     const Triangle& nodes = surface.triangles[at(side.triangle)];
+    if (plan.lines[at(plan.vertex2line[at(nodes[0])])].in_tets) continue;
     const std::vector<Vec3> a =
         points_of(plan.lines[at(plan.vertex2line[at(nodes[at(side.corner)])])]);
     const std::vector<Vec3> b =
@@ -121,6 +122,37 @@ TEST(PlaneRetreat, where_stops_differ_triangles_end_the_quads) {
     EXPECT_NEAR(areas.at(4), 1, 1e-12);
     EXPECT_NEAR(areas.at(5), 1, 1e-12);
   }
+}
+
+TEST(PlaneRetreat, beside_layers_in_tets_all_points_of_lines_are_vertices_and_quads_are_triangles) {
+  for (const int step : {1, 3}) {
+    const test::LayeredBox box(step, true);
+    const test::LayeredBox quads(step);
+    test::expect_valid_layers(box.plan, box.surface, step);
+    ASSERT_EQ(box.plan.lines.size(), quads.plan.lines.size());
+    for (std::size_t i = 0; i < box.plan.lines.size(); ++i) {
+      const LayerLine& line = box.plan.lines[i];
+      EXPECT_EQ(points_of(line), points_of(quads.plan.lines[i]));
+      EXPECT_EQ(line.vertices, quads.plan.lines[i].vertices > 0 ? line.stop : 0);
+      for (int level = 0; level <= line.stop && line.vertices > 0; ++level) {
+        EXPECT_EQ(box.surface.vertices.at(at(vertex_at(line, level))), point_of(line, level));
+      }
+    }
+    const auto areas = areas_of(box.surface, box.plan);
+    EXPECT_NEAR(areas.at(4), 1, 1e-12);
+    EXPECT_NEAR(areas.at(5), 1, 1e-12);
+  }
+}
+
+TEST(PlaneRetreat, tells_that_layers_in_tets_have_triangles_for_sides) {
+  const SurfaceMesh box = test::box_with_patches({0, 0, 0}, {1, 1, 1}, 8);
+  LayerRequest request = test::request_of({test::floor_patch}, 0.01, 12);
+  const auto quads = retreat_planes(box, plan_of(box, request), spacing_of(0.125));
+  request.in_tets = true;
+  const auto retreat = retreat_planes(box, plan_of(box, request), spacing_of(0.125));
+  EXPECT_EQ(retreat->figures.quads, 0);
+  EXPECT_EQ(retreat->figures.side_triangles, 2 * 4 * 8 * 12);
+  EXPECT_EQ(retreat->figures.triangles_after, quads->figures.triangles_after);
 }
 
 TEST(PlaneRetreat, a_surface_that_is_all_wall_has_no_planes) {

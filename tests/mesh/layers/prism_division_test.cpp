@@ -46,5 +46,39 @@ TEST(PrismDivision, draws_each_diagonal_from_the_wall_at_the_lower_foot) {
   } while (std::next_permutation(feet.begin(), feet.end()));
 }
 
+TEST(PrismDivision, of_a_pyramid_has_two_positive_tets_on_either_side_of_the_diagonal) {
+  const std::array<Vec3, 5> nodes = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}}};
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    double volume = 0;
+    std::multiset<std::uint8_t> corners;
+    for (const auto& tet : tets_of_pyramid(corner)) {
+      const auto [a, b, c, d] = tet;
+      EXPECT_GT(orient3d(nodes.at(a), nodes.at(b), nodes.at(c), nodes.at(d)), 0);
+      volume += tet_volume(nodes.at(a), nodes.at(b), nodes.at(c), nodes.at(d));
+      corners.insert(tet.begin(), tet.end());
+    }
+    EXPECT_DOUBLE_EQ(volume, 1.0 / 3);
+    EXPECT_EQ(corners.count(static_cast<std::uint8_t>(corner)), 2U) << "the diagonal's ends";
+    EXPECT_EQ(corners.count(static_cast<std::uint8_t>((corner + 2) % 4)), 2U);
+  }
+}
+
+TEST(PrismDivision, orders_lines_by_their_feet_and_those_of_one_foot_by_their_tops) {
+  LayerLine line;
+  line.foot = 5;
+  line.stop = 3;
+  LayerLine on_surface = line;
+  on_surface.vertices = 1;
+  on_surface.first_vertex = 40;
+  LayerLine next_on_surface = on_surface;
+  next_on_surface.first_vertex = 42;
+  LayerLine other_foot = line;
+  other_foot.foot = 6;
+  EXPECT_LT(order_of(line, 7), order_of(line, 8));
+  EXPECT_LT(order_of(line, 8), order_of(other_foot, 1));
+  EXPECT_LT(order_of(on_surface, 0), order_of(next_on_surface, 0));
+  EXPECT_LT(order_of(next_on_surface, 9), order_of(line, 0));
+}
+
 }  // namespace
 }  // namespace tetfarm
