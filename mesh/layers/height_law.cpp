@@ -47,7 +47,7 @@ HeightLaw lowered(const HeightLaw& law, double share) {
   lower.growth = 1 + share * (law.growth - 1);
   lower.acceleration = 1 + share * (law.acceleration - 1);
   lower.cap = 1 + share * (law.cap - 1);
-  lower.share = share * law.share;
+  if (law.ratios.are_listed()) lower.share = share * law.share;
   return lower;
 }
 

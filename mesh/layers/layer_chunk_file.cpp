@@ -186,7 +186,7 @@ bool ends_on_surface(const LayerLine& line, int quads) {
 
 /// Whether the points that the triangles of the side have are of the surface.
 bool is_on_surface(const LineSide& side) {
-  if (side.from.in_tets && side.to.in_tets) {
+  if (is_divided(side)) {
     return side.from.vertices == side.from.stop && side.to.vertices == side.to.stop;
   }
   const int quads = side.first_level + quads_of(side);

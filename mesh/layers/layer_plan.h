@@ -61,7 +61,7 @@ struct LayerLine {
   bool in_tets = false;  ///< cells whose lines are all like this are divided into tets
   /// So many of its last points are vertices of the surface, `first_vertex` and those that follow:
   /// of a line that runs in a plane its top, and the points below that triangles there have, all
-  /// where it is in_tets.
+  /// where these are in the place of quads.
   int vertices = 0;
   std::int32_t first_vertex = -1;
   /// The vertex of the surface that its point of level 1 is, as at the end of a fan in a plane,
@@ -74,7 +74,8 @@ struct LayerLine {
 };
 
 /// An edge of the wall from which layers grow along a plane: their sides there are boundary quads,
-/// as many as the lower of the two lines has layers, or pairs of triangles where both are in_tets.
+/// as many as the lower of the two lines has layers, or pairs of triangles where they have those
+/// (is_divided).
 struct LayerSide {
   std::int32_t triangle = 0;  ///< of the wall
   int corner = 0;             ///< the edge runs from there to the next corner of the triangle

@@ -268,8 +268,10 @@ class Retreat {
     for (const LayerSide& side : made_.plan.sides) {
       const auto [a, b] = lines_of_side(side);
       for (const auto& [higher, lower] : {std::pair{a, b}, std::pair{b, a}}) {
-        // Its points from the lower line's top on; feet are vertices as they are.
-        const int needed = line(higher).stop - std::max(line(lower).stop, 1) + 1;
+        // Its points from the lower line's top on, or all; feet are vertices as they are.
+        const int needed = is_divided({line(a), line(b)})
+                               ? line(higher).stop
+                               : line(higher).stop - std::max(line(lower).stop, 1) + 1;
         lines[at(higher)].vertices = std::max(lines[at(higher)].vertices, needed);
       }
     }

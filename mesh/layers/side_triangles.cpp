@@ -7,8 +7,6 @@
 namespace tetfarm {
 namespace {
 
-bool is_divided(const LineSide& side) { return side.from.in_tets && side.to.in_tets; }
-
 /// Levels that both lines have, above the first.
 int common_layers(const LineSide& side) {
   return std::max(0, std::min(side.from.stop, side.to.stop) - side.first_level);
@@ -17,14 +15,24 @@ int common_layers(const LineSide& side) {
 SideNode from_at(int level) { return {0, level}; }
 SideNode to_at(int level) { return {1, level}; }
 
+/// Whether the diagonals start at the line that the side runs from.
+bool starts_at_from(const LineSide& side) {
+  if (side.from.early != side.to.early) return side.to.early;
+  return order_of(side.from, 0) < order_of(side.to, 0);
+}
+
 }  // namespace
+
+bool is_divided(const LineSide& side) {
+  return (side.from.in_tets && side.to.in_tets) || side.from.early != side.to.early;
+}
 
 int quads_of(const LineSide& side) { return is_divided(side) ? 0 : common_layers(side); }
 
 std::vector<SideTriangle> triangles_of(const LineSide& side) {
   std::vector<SideTriangle> triangles;
   const int common = is_divided(side) ? common_layers(side) : 0;
-  const bool is_from_first = common > 0 && order_of(side.from, 0) < order_of(side.to, 0);
+  const bool is_from_first = common > 0 && starts_at_from(side);
   for (int low = side.first_level; low < side.first_level + common; ++low) {
     const int high = low + 1;
     if (is_from_first) {

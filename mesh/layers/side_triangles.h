@@ -27,12 +27,17 @@ struct LineSide {
   int first_level = 0;  ///< 1 above the triangle with which a fan ends in a plane
 };
 
-/// How many quads the side has: none where its cells are divided into tets.
+/// Whether triangles take the place of quads: where cells are divided into tets, and where only one
+/// of the lines is early.
+bool is_divided(const LineSide& side);
+
+/// How many quads the side has: none where it is divided.
 int quads_of(const LineSide& side);
 
-/// Two for each quad that is divided, by the rule of prism_division.h, and above these one for each
-/// layer that only one of the lines has. @pre the last points of both lines are vertices of the
-/// surface, where there are divided quads. Cost: O(layers).
+/// Two for each layer that both lines have, where it is divided: the diagonal starts at the lower
+/// level of the line that is not early, or by the rule of prism_division.h. Above these one for
+/// each layer that only one of the lines has. @pre the last points of both lines are vertices of
+/// the surface, where it is divided. Cost: O(layers).
 std::vector<SideTriangle> triangles_of(const LineSide& side);
 
 }  // namespace tetfarm

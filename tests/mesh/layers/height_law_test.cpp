@@ -60,6 +60,7 @@ TEST(HeightLaw, fits_into_room_by_growing_less) {
   EXPECT_LT(lower.growth, law.growth);
   EXPECT_LE(total_height(lower, 20), 0.1);
   EXPECT_GT(total_height(lower, 20), 0.1 * (1 - 1e-12));
+  EXPECT_EQ(lower.share, 1) << "which is of lists";
 }
 
 TEST(HeightLaw, does_not_grow_where_even_equal_layers_do_not_fit) {

@@ -11,6 +11,7 @@
 #include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_box.h"
 #include "tests/mesh/layers/layered_sphere.h"
+#include "tests/support/generated_surfaces.h"
 
 namespace tetfarm {
 namespace {
@@ -21,29 +22,9 @@ using test::LayeredSphere;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// All chunks of so many cells, grown, with the wall and the top on both sides of them.
 template <class Layered>
-GrownWhole whole_of(const Layered& sphere, std::int64_t cells) {
-  GrownWhole whole;
-  for (const LayerChunk& chunk : chunks_of(sphere.plan, sphere.surface, cells)) {
-    const GrownLayers layers = grow(chunk);
-    EXPECT_THAT(validate(layers), IsEmpty());
-    whole.add(layers);
-    for (const Triangle& triangle : layers.subdomain.triangles) {
-      whole.bound_by(layers.subdomain.node_origin, triangle);
-    }
-    for_each_block_face(layers.blocks, [&](ElementType, std::span<const std::int32_t> quad,
-                                           std::int32_t, std::int32_t) {
-      whole.bound_by_quad(layers.subdomain.node_origin, quad);
-    });
-  }
-  const Subdomain rest =
-      unlayered_domain(sphere.plan, sphere.surface, unlayered_path, top_of_layers).root;
-  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
-    const auto& [a, b, c] = rest.triangles[t];
-    if (rest.triangle_origin[t].owner != 0) whole.bound_by(rest.node_origin, {a, c, b});
-  }
-  return whole;
+GrownWhole whole_of(const Layered& layered, std::int64_t cells) {
+  return test::grown_whole(layered.plan, layered.surface, cells);
 }
 
 template <class Layered>
@@ -156,6 +137,39 @@ TEST(LayerGrowth, closes_fans_that_end_in_planes) {
   }
   // Five layers on the 16 edges of the pillar's foot, and four on the two pieces at its corners.
   EXPECT_EQ(quads, 5 * 16 + 4 * 4 * 2);
+}
+
+/// Seen from the plane, an early line goes on before its neighbour there.
+TEST(LayerGrowth, closes_its_sides_in_planes_also_between_an_early_line_and_one_that_is_not) {
+  const auto generators = shapes::surface_generators();
+  const auto voxels = std::find_if(generators.begin(), generators.end(), [](const auto& generator) {
+    return std::string_view(generator.name) == "voxels";
+  });
+  ASSERT_NE(voxels, generators.end());
+  int divided = 0;
+  for (std::uint64_t seed = 100; seed < 150; ++seed) {
+    const CheckedSurface checked =
+        check_surface(test::with_flat_patches(voxels->make(seed, 1), seed));
+    if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+    LayerRequest request = test::request_of({0}, 0.02 * checked.report.median_edge, 3);
+    request.fan_cosine = 0.5;
+    for (const bool in_tets : {false, true}) {
+      request.in_tets = in_tets;
+      const auto retreat =
+          retreat_planes(checked.surface, plan_layers(checked.surface, std::span(&request, 1)),
+                         [](const SurfaceMesh&) { return [](const Vec3&) { return 1.0; }; });
+      if (!retreat) continue;
+      EXPECT_EQ(test::grown_whole(retreat->plan, retreat->surface, 100).open_faces(), 0U) << seed;
+      for (const LayerSide& side : retreat->plan.sides) {
+        const auto lines = lines_of(retreat->plan, retreat->surface, side.triangle);
+        divided += retreat->plan.lines[at(lines[at(side.corner)])].early !=
+                           retreat->plan.lines[at(lines[at((side.corner + 1) % 3)])].early
+                       ? 1
+                       : 0;
+      }
+    }
+  }
+  EXPECT_GT(divided, 10);
 }
 
 /// Of each node how many layers it is above the wall: a line's nodes follow its foot.

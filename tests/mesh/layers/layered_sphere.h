@@ -1,7 +1,7 @@
 // A sphere with layers inside it, as chunks, and what they come to when all are put together.
 #pragma once
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,5 +103,29 @@ class GrownWhole {
   std::map<Face, int> open_;
   double volume_ = 0;
 };
+
+/// All chunks of so many cells, grown, with the wall and the top on both sides of them.
+inline GrownWhole grown_whole(const LayerPlan& plan, const SurfaceMesh& surface,
+                              std::int64_t cells) {
+  GrownWhole whole;
+  for (const LayerChunk& chunk : chunks_of(plan, surface, cells)) {
+    const GrownLayers layers = grow(chunk);
+    EXPECT_THAT(validate(layers), testing::IsEmpty());
+    whole.add(layers);
+    for (const Triangle& triangle : layers.subdomain.triangles) {
+      whole.bound_by(layers.subdomain.node_origin, triangle);
+    }
+    for_each_block_face(layers.blocks, [&](ElementType, std::span<const std::int32_t> quad,
+                                           std::int32_t, std::int32_t) {
+      whole.bound_by_quad(layers.subdomain.node_origin, quad);
+    });
+  }
+  const Subdomain rest = unlayered_domain(plan, surface, unlayered_path, top_of_layers).root;
+  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
+    const auto& [a, b, c] = rest.triangles[t];
+    if (rest.triangle_origin[t].owner != 0) whole.bound_by(rest.node_origin, {a, c, b});
+  }
+  return whole;
+}
 
 }  // namespace tetfarm::test

@@ -15,6 +15,7 @@
 #include "mesh/layers/layer_cells.h"
 #include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_plan.h"
+#include "mesh/layers/side_triangles.h"
 #include "mesh/layers/unlayered_domain.h"
 
 namespace tetfarm::test {
@@ -51,7 +52,10 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
   };
   for (const LayerSide& side : plan.sides) {
     const auto lines = lines_of(plan, surface, side.triangle);
-    if (plan.lines[at(lines[at(side.corner)])].in_tets) continue;
+    if (quads_of({plan.lines[at(lines[at((side.corner + 1) % 3)])],
+                  plan.lines[at(lines[at(side.corner)])]}) == 0) {
+      continue;
+    }
     std::array<std::vector<Vec3>, 2> points;
     for (std::size_t k = 0; k < 2; ++k) {
       points[k] = points_of(plan.lines[at(lines[(at(side.corner) + k) % 3])]);
@@ -62,7 +66,7 @@ inline double volume_within(const LayerPlan& plan, const SurfaceMesh& surface) {
     for (std::size_t end = 0; end < piece.ends.size(); ++end) {
       if (piece.ends.at(end).patch < 0) continue;
       const auto [left, right] = lines_at_end(numbers_of(piece), end);
-      if (plan.lines[at(left)].in_tets) continue;
+      if (quads_of({plan.lines[at(left)], plan.lines[at(right)], 1}) == 0) continue;
       add_quads(points_of(plan.lines[at(left)]), points_of(plan.lines[at(right)]), 1);
     }
   }

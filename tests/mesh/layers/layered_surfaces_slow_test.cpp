@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "mesh/layers/layer_chunk_file.h"
 #include "mesh/layers/plane_retreat.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_bodies.h"
+#include "tests/mesh/layers/layered_sphere.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/cad_surfaces.h"
 #include "tests/support/generated_surfaces.h"
@@ -66,6 +68,49 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
     if (HasFailure()) return;
   }
   EXPECT_GT(planned, 150);
+  EXPECT_GT(with_planes, planned / 10) << planned;
+}
+
+/// In small chunks, with fans that end in planes; every other of tets alone and of listed heights.
+TEST_P(ManyLayeredSurfaces, have_layers_that_close_beside_planes) {
+  std::int64_t planned = 0;
+  std::int64_t with_planes = 0;
+  for (std::uint64_t seed = 100; seed < 250; ++seed) {
+    SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
+    const CheckedSurface checked =
+        check_surface(test::with_flat_patches(GetParam().make(seed, 1), seed));
+    if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
+    SurfaceMesh surface = checked.surface;
+    const double size = checked.report.median_edge;
+    const double first = (seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 0.02 : 0.3) * size;
+    LayerRequest request = test::request_of({0}, first, 6);
+    if (seed % 4 < 2) {
+      request.law = law_of_heights(
+          std::vector<double>{first, 1.5 * first, first, 2 * first, 3 * first, 3 * first});
+    }
+    request.in_tets = seed % 2 == 0;
+    request.room = static_cast<RoomRule>(seed / 3 % 3);
+    if (seed % 7 < 5) request.fan_cosine = 0.5;
+    request.step = seed % 5 == 0 ? 3 : 1;
+    LayerPlan plan = plan_layers(surface, std::span(&request, 1));
+    auto retreat = retreat_planes(
+        surface, plan, [size](const SurfaceMesh&) { return [size](const Vec3&) { return size; }; });
+    if (retreat) {
+      surface = std::move(retreat->surface);
+      plan = std::move(retreat->plan);
+      ++with_planes;
+    }
+    test::expect_valid_layers(plan, surface, request.step);
+    EXPECT_EQ(test::grown_whole(plan, surface, 200).open_faces(), 0U);
+    for (const LayerChunk& chunk : chunks_of(plan, surface, 200)) {
+      EXPECT_EQ(layer_chunk_from_bytes(layer_chunk_to_bytes(chunk), "chunk"), chunk);
+      const ChunkCounts counts = counts_of(chunk);
+      EXPECT_TRUE(!request.in_tets || counts.cells() == counts.tets);
+    }
+    ++planned;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(planned, 70);
   EXPECT_GT(with_planes, planned / 10) << planned;
 }
 

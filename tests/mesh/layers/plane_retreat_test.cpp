@@ -37,12 +37,11 @@ std::map<std::int32_t, double> areas_of(const SurfaceMesh& surface, const LayerP
   }
   for (const LayerSide& side : plan.sides) {
     const Triangle& nodes = surface.triangles[at(side.triangle)];
-    if (plan.lines[at(plan.vertex2line[at(nodes[0])])].in_tets) continue;
-    const std::vector<Vec3> a =
-        points_of(plan.lines[at(plan.vertex2line[at(nodes[at(side.corner)])])]);
-    const std::vector<Vec3> b =
-        points_of(plan.lines[at(plan.vertex2line[at(nodes[at((side.corner + 1) % 3)])])]);
-    for (std::size_t i = 1; i < std::min(a.size(), b.size()); ++i) {
+    const LayerLine& from = plan.lines[at(plan.vertex2line[at(nodes[at(side.corner)])])];
+    const LayerLine& to = plan.lines[at(plan.vertex2line[at(nodes[at((side.corner + 1) % 3)])])];
+    const std::vector<Vec3> a = points_of(from);
+    const std::vector<Vec3> b = points_of(to);
+    for (std::size_t i = 1; i <= at(quads_of({from, to})); ++i) {
       areas[side.patch] += area(a[i - 1], b[i - 1], b[i]) + area(a[i - 1], b[i], a[i]);
     }
   }

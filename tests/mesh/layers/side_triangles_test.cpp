@@ -46,6 +46,26 @@ TEST(SideTriangles, of_lines_in_tets_have_the_diagonal_from_the_first_line_upwar
                                                            SideTriangle{to(1), to(2), from(2)}));
 }
 
+TEST(SideTriangles, of_an_early_line_have_the_diagonal_to_it) {
+  LayerLine early = line_of(1, 2, false);
+  early.early = true;
+  LayerLine other = line_of(2, 1, false);
+  EXPECT_TRUE(is_divided({early, other}));
+  EXPECT_EQ(quads_of({early, other}), 0);
+  for (const bool in_tets : {false, true}) {
+    early.in_tets = other.in_tets = in_tets;
+    EXPECT_THAT(triangles_of({early, other}), ElementsAre(SideTriangle{from(0), to(0), from(1)},
+                                                          SideTriangle{to(0), to(1), from(1)},
+                                                          SideTriangle{from(1), to(1), from(2)}));
+    EXPECT_THAT(triangles_of({other, early}), ElementsAre(SideTriangle{from(0), to(0), to(1)},
+                                                          SideTriangle{from(0), to(1), from(1)},
+                                                          SideTriangle{from(1), to(1), to(2)}));
+  }
+  other.early = true;
+  other.in_tets = false;
+  EXPECT_FALSE(is_divided({early, other}));
+}
+
 TEST(SideTriangles, are_quads_where_only_one_line_is_in_tets) {
   const LayerLine in_tets = line_of(1, 2, true);
   const LayerLine other = line_of(2, 2, false);
