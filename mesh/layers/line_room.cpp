@@ -25,12 +25,21 @@ bool is_held_by(const WallPlanes& planes, std::size_t line, std::int32_t triangl
   return plane >= 0 && planes.hold_in(line, plane);
 }
 
-/// The share of the way from p to q at which the plane of the triangle lies; 0 when it holds p.
-double share_before_plane(const Vec3& p, const Vec3& q, const TrianglePoints& t) {
+/// A line counts as one in the plane of a triangle where the sine of the angle between them is
+/// less.
+constexpr double in_plane_sine = 1e-6;
+
+/// The share of the way from p to q that ends at the triangle, which it meets: at its plane, or, of
+/// a line in its plane, no later than at its nearest corner.
+double share_before(const Vec3& p, const Vec3& q, const TrianglePoints& t) {
+  const Vec3 way = q - p;
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double before = dot(normal, t[0] - p);
-  const double whole = dot(normal, q - p);
-  return whole == 0 ? 0 : std::clamp(before / whole, 0.0, 1.0);
+  const double whole = dot(normal, way);
+  if (std::abs(whole) > in_plane_sine * norm(normal) * norm(way)) {
+    return std::clamp(dot(normal, t[0] - p) / whole, 0.0, 1.0);
+  }
+  const auto along = [&](const Vec3& corner) { return dot(corner - p, way) / norm2(way); };
+  return std::clamp(std::min({along(t[0]), along(t[1]), along(t[2])}), 0.0, 1.0);
 }
 
 /// Whether the line comes down on the triangle, rather than along it.
@@ -107,7 +116,7 @@ std::vector<double> free_ways(const SurfaceMesh& surface, const WallGraph& graph
       if (has_corner(triangle, foot) || is_held_by(planes, i, t)) return;
       const TrianglePoints points = triangle_points(surface.vertices, triangle);
       if (!segment_meets_triangle(p, q, points)) return;
-      const double way = share_of_free_way * reach * share_before_plane(p, q, points);
+      const double way = share_of_free_way * reach * share_before(p, q, points);
       ways[i] = std::min(ways[i], way);
       if (faces_line(q - p, points)) hold_opposite(graph, along, triangle, way, ways);
     });

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "base/array_index.h"
@@ -59,6 +60,22 @@ TEST(LineRoom, the_lines_of_a_large_triangle_have_no_more_than_one_that_comes_do
     EXPECT_NEAR(ways[i], 0.2, 1e-12);
   }
   EXPECT_EQ(held, 3);
+}
+
+/// Two blocks on a floor, of the same height: a line on the edge of one goes level to the other.
+TEST(LineRoom, free_way_in_the_plane_of_what_is_opposite_ends_at_its_edge) {
+  const SurfaceMesh lid = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
+  SurfaceMesh two = lid;
+  for (const Vec3& p : lid.vertices) two.vertices.push_back({p.x + 3, p.y, p.z});
+  for (const auto& [a, b, c] : lid.triangles) two.triangles.push_back({a + 8, b + 8, c + 8});
+  const WallGraph graph = graph_of(two);
+  std::vector<Vec3> along(graph.feet.size());
+  const auto foot = static_cast<std::size_t>(
+      std::find(two.vertices.begin(), two.vertices.end(), Vec3{1, 0, 1}) - two.vertices.begin());
+  along.at(foot) = {1, 0.25, 0};
+  const std::vector<double> wanted(along.size(), 4);
+  const std::vector<double> ways = free_ways(two, graph, wall_planes(two, graph), along, wanted);
+  EXPECT_NEAR(ways[foot], 0.8, 0.1) << "a share of 2, not 0";
 }
 
 TEST(LineRoom, free_way_is_not_less_than_wanted_where_nothing_is_near) {
