@@ -34,6 +34,9 @@ constexpr int patient_rounds = 30;
 /// Fans so many edges away from where cells fold may be what it costs: the nearest first.
 constexpr std::array edges_to_fans = {1, 3};
 
+/// The first height may be less than asked by a hundredth where a line follows a sliver.
+constexpr double least_of_first_height = 0.99;
+
 /// A line is made lower so many times before it loses layers.
 constexpr int most_lowered = 8;
 
@@ -99,6 +102,7 @@ class Planning {
     find_wishes();
     if (find_fans()) find_wishes();
     begun_ = plan_;
+    slivers_ = slivers_of(ground());
     find_lean(Lean::as_neighbours);
     Leans leans(plan_.lines.size(), 0);
     if (const std::optional<UsageError> refusal = grow_by(leans)) throw *refusal;
@@ -240,9 +244,40 @@ class Planning {
       if (all_leans.at(leans[i]) == Lean::from_wall) line.along = line.later;
       line.later = shortened(line.later);
     }
+    follow_slivers(leans);
     find_rooms();
     fit_heights();
     return prove();
+  }
+
+  /// Lets the lines in the middle of slivers go between those at the ends, as high as these, where
+  /// that is high enough for the other faces.
+  void follow_slivers(const Leans& leans) {
+    followed_.clear();
+    for (const Sliver& sliver : slivers_) {
+      const std::size_t middle = at(sliver.middle);
+      if (all_leans.at(leans[middle]) != Lean::as_slivers || graph_.is_of_fan(middle)) continue;
+      const LayerLine& from = plan_.lines[at(sliver.ends[0])];
+      const LayerLine& to = plan_.lines[at(sliver.ends[1])];
+      if (from.along == Vec3{} || to.along == Vec3{}) continue;
+      const auto between = [&](const Vec3& a, const Vec3& b) { return a + sliver.share * (b - a); };
+      const Vec3 along = between(from.along, to.along);
+      if (visibility(along, normals_at(ground(), middle)) < least_of_first_height) continue;
+      plan_.lines[middle].along = along;
+      plan_.lines[middle].later = between(from.later, to.later);
+      followed_.push_back(sliver);
+    }
+  }
+
+  /// The lines of a sliver turn at the same heights and end together.
+  void level_slivers(std::vector<double>& room) const {
+    for (const Sliver& sliver : followed_) {
+      const double least =
+          std::min({room[at(sliver.middle)], room[at(sliver.ends[0])], room[at(sliver.ends[1])]});
+      for (const std::int32_t line : {sliver.middle, sliver.ends[0], sliver.ends[1]}) {
+        room[at(line)] = least;
+      }
+    }
   }
 
   static std::int64_t missing_of_lines(const LayerPlan& plan) {
@@ -349,7 +384,9 @@ class Planning {
   /// Gives the lines layers, from none on, by their rooms and limits and those of their neighbours.
   void fit_heights() {
     std::vector<double> room = rooms_;
+    level_slivers(room);
     const std::vector<std::int32_t> sources = limit_slopes(graph_, places_, steepest_rise, room);
+    level_slivers(room);
     for (std::size_t i = 0; i < room.size(); ++i) {
       LayerLine& line = plan_.lines[i];
       const auto [along, later] = std::pair(line.along, line.later);
@@ -492,9 +529,11 @@ class Planning {
   std::vector<int> steps_;                       // of each line: LayerRequest::step
   WallGraph graph_;
   WallPlanes planes_;
-  std::vector<double> rooms_;  // of each line
-  std::vector<Limit> limits_;  // likewise
-  LayerPlan begun_;            // without layers
+  std::vector<Sliver> slivers_;
+  std::vector<Sliver> followed_;  // those whose middle goes between the ends
+  std::vector<double> rooms_;     // of each line
+  std::vector<Limit> limits_;     // likewise
+  LayerPlan begun_;               // without layers
   LayerPlan plan_;
 };
 

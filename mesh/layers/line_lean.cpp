@@ -1,5 +1,6 @@
 #include "mesh/layers/line_lean.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/array_index.h"
@@ -41,6 +42,31 @@ Vec3 mean_of_neighbours(const LineGround& ground, const std::vector<Vec3>& direc
 
 }  // namespace
 
+std::vector<Sliver> slivers_of(const LineGround& ground) {
+  constexpr double largest_share = 0.02;
+  std::vector<std::pair<double, Sliver>> slivers;  // by height over longest edge
+  for (const Triangle& lines : ground.graph.wall_lines) {
+    std::size_t middle = 0;
+    const auto place = [&](std::size_t k) { return ground.places[at(lines.at(k % 3))]; };
+    const auto opposite = [&](std::size_t k) { return place(k + 2) - place(k + 1); };
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (norm2(opposite(k)) > norm2(opposite(middle))) middle = k;
+    }
+    const Vec3 edge = opposite(middle);
+    const Vec3 way = place(middle) - place(middle + 1);
+    const double height_share = norm(cross(edge, way)) / norm2(edge);
+    if (height_share >= largest_share) continue;
+    const std::array<std::int32_t, 2> ends = {lines.at((middle + 1) % 3),
+                                              lines.at((middle + 2) % 3)};
+    slivers.push_back({height_share, {lines.at(middle), ends, dot(edge, way) / norm2(edge)}});
+  }
+  std::stable_sort(slivers.begin(), slivers.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Sliver> sorted;
+  for (const auto& [height_share, sliver] : slivers) sorted.push_back(sliver);
+  return sorted;
+}
+
 std::vector<Vec3> normals_at(const LineGround& ground, std::size_t line) {
   std::vector<Vec3> round;
   for (const std::int32_t f : ground.graph.faces.of(static_cast<std::int32_t>(line))) {
@@ -51,7 +77,7 @@ std::vector<Vec3> normals_at(const LineGround& ground, std::size_t line) {
 
 std::vector<Vec3> leaning(const LineGround& ground, std::span<const Vec3> along, Lean lean) {
   TF_CHECK(along.size() == ground.graph.feet.size() && ground.places.size() == along.size());
-  if (lean == Lean::straight) return {along.begin(), along.end()};
+  if (lean == Lean::straight || lean == Lean::as_slivers) return {along.begin(), along.end()};
   std::vector<Vec3> directions;
   std::vector<double> least;
   for (std::size_t i = 0; i < along.size(); ++i) {

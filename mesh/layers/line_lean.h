@@ -24,9 +24,10 @@ enum class Lean : std::uint8_t {
   as_nearest,     ///< towards a mean in which each counts by the reciprocal of its distance
   straight,       ///< as at the wall
   from_wall,      ///< straight, and at the wall towards a mean of reciprocal squared distances
+  as_slivers,     ///< straight, but at the middle of slivers as a sliver has it (Sliver)
 };
 inline constexpr std::array all_leans = {Lean::as_neighbours, Lean::as_nearest, Lean::straight,
-                                         Lean::from_wall};
+                                         Lean::from_wall, Lean::as_slivers};
 
 /// What lines are decided from.
 struct LineGround {
@@ -35,6 +36,17 @@ struct LineGround {
   std::span<const Vec3> normals;  ///< of the faces of the graph, of length 1, into the domain
   std::span<const Vec3> places;   ///< of the feet
 };
+
+/// A face that is almost its longest edge: cells on it fold unless the line in the middle goes
+/// between those at the ends of the edge.
+struct Sliver {
+  std::int32_t middle = 0;
+  std::array<std::int32_t, 2> ends{};
+  double share = 0;  ///< of the last end
+};
+
+/// Faces less high than a fiftieth of their longest edge, the lowest first. Cost: O(n log n).
+std::vector<Sliver> slivers_of(const LineGround& ground);
 
 /// The normals of the faces at a line.
 std::vector<Vec3> normals_at(const LineGround& ground, std::size_t line);

@@ -1,13 +1,14 @@
 #include "mesh/layers/marching_direction.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double rounding = 1e-10;
 
 /// A cone by its axis; all normals with at least the cosine are in it.
 struct Cone {
@@ -54,6 +55,19 @@ Cone cone_of(std::span<const Vec3> normals) {
   return cone;
 }
 
+/// Normals of one flat face in several triangles differ by rounding; three of them have no cone.
+std::vector<Vec3> different_normals(std::span<const Vec3> normals) {
+  constexpr double same = 1e-5;
+  std::vector<Vec3> different;
+  for (const Vec3& normal : normals) {
+    const bool is_known = std::any_of(different.begin(), different.end(), [&](const Vec3& other) {
+      return distance(other, normal) < same;
+    });
+    if (!is_known) different.push_back(normal);
+  }
+  return different;
+}
+
 }  // namespace
 
 double visibility(const Vec3& direction, std::span<const Vec3> normals) {
@@ -64,9 +78,9 @@ double visibility(const Vec3& direction, std::span<const Vec3> normals) {
 
 MarchingDirection marching_direction(std::span<const Vec3> normals) {
   TF_CHECK(!normals.empty());
-  const Cone cone = cone_of(normals);
+  const Cone cone = cone_of(different_normals(normals));
   const MarchingDirection best{cone.axis, visibility(cone.axis, normals)};
-  if (best.visibility <= rounding) return {};
+  if (!(best.visibility > rounding)) return {};
   return best;
 }
 

@@ -32,6 +32,42 @@ TEST(MarchingDirection,
   EXPECT_NEAR(found.visibility, third, 1e-14);
 }
 
+/// Of a flange as an STL file of six digits has it: a cone's triangles in pairs, and a flat face.
+TEST(MarchingDirection, of_faces_that_are_almost_the_same_is_that_of_the_two_that_differ) {
+  std::vector<Vec3> normals = {{0.3997923108446706, 0.0, 0.916605753958308},
+                               {0.3997923108446706, 0.0, 0.916605753958308},
+                               {0.39979534861342025, 0.0, 0.916604428980721},
+                               {0.39979534861342025, -0.0, 0.916604428980721},
+                               {0, -1, 0},
+                               {0, -1, 0},
+                               {0, -1, -0.0},
+                               {0, -1, 0}};
+  std::mt19937 random(7);
+  for (int order = 0; order < 500; ++order) {
+    std::shuffle(normals.begin(), normals.end(), random);
+    EXPECT_NEAR(marching_direction(normals).visibility, std::sqrt(0.5), 1e-5);
+  }
+}
+
+TEST(MarchingDirection, of_nearly_equal_normals_is_hardly_worse_than_that_of_one_of_them) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int powers = 3; powers < 17; ++powers) {
+    const double apart = std::pow(10.0, -powers);
+    for (int trial = 0; trial < 200; ++trial) {
+      std::vector<Vec3> normals;
+      for (const Vec3& face : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        for (int i = 0; i < 4; ++i) {
+          const Vec3 off{unit(random), unit(random), unit(random)};
+          normals.push_back(normalized(face + apart * off));
+        }
+      }
+      std::shuffle(normals.begin(), normals.end(), random);
+      EXPECT_GT(marching_direction(normals).visibility, std::sqrt(1 / 3.0) - 4 * apart - 1e-5);
+    }
+  }
+}
+
 TEST(MarchingDirection, is_none_where_faces_look_away_from_each_other) {
   EXPECT_EQ(marching_direction(std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}}).visibility, 0);
   const std::vector<Vec3> round = {
