@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "base/array_index.h"
 #include "base/check.h"
@@ -67,6 +68,28 @@ class LinesBehind {
   std::vector<bool> is_wall_;
 };
 
+/// Of each triangle the region on the side where the domain has to be; 0: none.
+std::vector<std::int32_t> regions_behind(const SurfaceMesh& rest, const SurfaceMesh& checked) {
+  std::vector<std::int32_t> behind;
+  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
+    const Sides sides = sides_of(checked, t);
+    behind.push_back(checked.triangles[t] == rest.triangles[t] ? sides[0] : sides[1]);
+  }
+  return behind;
+}
+
+/// A void of the domain may be a region to the check, which does not know what the job leaves out.
+std::int32_t most_frequent_region(const std::vector<std::int32_t>& regions) {
+  std::map<std::int32_t, std::int64_t> counts;
+  for (const std::int32_t region : regions) {
+    if (region > 0) ++counts[region];
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? 1 : most->first;
+}
+
 /// The triangles of the rest that meet others, or are turned: the layers below went too far.
 std::vector<std::int64_t> faults_of(const SurfaceMesh& rest) {
   const CheckedSurface checked = check_surface(rest);
@@ -74,10 +97,10 @@ std::vector<std::int64_t> faults_of(const SurfaceMesh& rest) {
   for (const SurfaceDefect& defect : checked.report.defects) {
     faults.insert(faults.end(), defect.triangles.begin(), defect.triangles.end());
   }
-  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
-    if (checked.surface.triangles[t] != rest.triangles[t]) {
-      faults.push_back(static_cast<std::int64_t>(t));
-    }
+  const std::vector<std::int32_t> behind = regions_behind(rest, checked.surface);
+  const std::int32_t domain = most_frequent_region(behind);
+  for (std::size_t t = 0; t < behind.size(); ++t) {
+    if (behind[t] != domain) faults.push_back(static_cast<std::int64_t>(t));
   }
   return faults;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/layers/layer_proof.h"
+#include "mesh/layers/wall_planes.h"
 #include "tests/mesh/layers/layered_bodies.h"
 #include "tests/mesh/layers/layered_surfaces.h"
 #include "tests/support/generated_surfaces.h"
@@ -251,6 +253,23 @@ TEST(LayerPlan, a_line_at_the_tip_of_a_needle_is_long_in_its_first_layer_alone) 
     }
   }
   EXPECT_EQ(tips, 2);
+}
+
+/// A check that knows nothing of the job takes the inside of such a body for a second region.
+TEST(LayerPlan, is_made_round_a_body_that_touches_itself_along_an_edge) {
+  const auto is_body = [](int x, int y, int) { return x / 4 == y / 4 ? 1 : 0; };
+  const shapes::VoxelSurface voxels = shapes::voxel_surface({{8, 8, 4}, is_body});
+  SurfaceMesh body = voxels.surface;
+  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+    if (voxels.sets[t][0] == 0) std::swap(body.triangles[t][1], body.triangles[t][2]);
+  }
+  const SurfaceMesh surface = test::in_a_box(body);
+  const LayerPlan plan = plan_of(surface, test::request_of({test::body_patch}, 0.01, 4));
+  EXPECT_TRUE(prove_cells(plan, surface).holds);
+  EXPECT_TRUE(prove_top(plan, surface, wall_planes(surface, graph_of(plan, surface))).holds);
+  EXPECT_GT(std::count_if(plan.lines.begin(), plan.lines.end(),
+                          [](const LayerLine& line) { return line.stop == 4; }),
+            8);
 }
 
 TEST(LayerPlan, of_two_requests_each_patch_has_its_own) {
