@@ -274,11 +274,17 @@ class Parser {
         ->option_text("F");
     mesh.footer("Formats, each with the file extension that selects it:\n" +
                 written_formats_text() + mesh.get_footer());
-    mesh.add_option(
-            "--partitions", export_.partitions,
-            "Parts for a solver: the sub-domains, or N even parts by METIS (default as-meshed)")
-        ->transform(number_of_parts(1 << 20))
-        ->option_text("as-meshed|N");
+    CLI::Option* partitions =
+        mesh.add_option(
+                "--partitions", export_.partitions,
+                "Parts for a solver: the sub-domains, or N even parts by METIS (default as-meshed)")
+            ->transform(number_of_parts(1 << 20))
+            ->option_text("as-meshed|N");
+    mesh.add_option("--keep-columns", export_.keep_columns,
+                    "Whether prisms that stand on one another are in one part (default yes)")
+        ->check(CLI::IsMember({"yes", "no"}))
+        ->needs(partitions)
+        ->option_text("yes|no");
     mesh.add_option("--numbering", export_.numbering,
                     "Numbering of nodes and tets: unchanged; surface, borders, interior along a "
                     "Hilbert curve; reverse Cuthill-McKee (default as-meshed)")

@@ -92,6 +92,7 @@ struct ExportCommand {
   std::string output;
   std::string format;                   ///< "": by the ending of the output
   int partitions = 0;                   ///< for solvers; 0: the sub-domains as they were meshed
+  std::string keep_columns = "yes";     ///< yes or no: columns of prisms in one part
   std::string numbering = "as-meshed";  ///< as-meshed, hilbert or rcm
   bool json = false;
 };

@@ -121,8 +121,10 @@ ExitCode export_command(const ExportCommand& command) {
   std::unique_ptr<MeshSource> source = open_mesh(mesh, folder);
   PartitionFigures figures;
   if (command.partitions > 0) {
-    auto parts =
-        std::make_unique<PartitionedMesh>(*source, PartitionOptions{command.partitions}, folder);
+    PartitionOptions options;
+    options.parts = command.partitions;
+    options.keeps_columns = command.keep_columns == "yes";
+    auto parts = std::make_unique<PartitionedMesh>(*source, options, folder);
     figures = parts->figures();
     source = std::move(parts);
   }

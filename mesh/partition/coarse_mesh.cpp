@@ -17,7 +17,7 @@ namespace {
 struct OpenFace {
   FaceNodes<std::int64_t> nodes;  ///< in the whole mesh, ascending
   std::int32_t subdomain = 0;
-  std::int32_t cell = 0;
+  std::int32_t column = 0;
   std::int32_t cluster = 0;
   bool operator<(const OpenFace& other) const {
     return nodes != other.nodes ? nodes < other.nodes : subdomain < other.subdomain;
@@ -48,25 +48,27 @@ void join_bonds(std::vector<Bond>& bonds) {
 
 class Coarsening {
  public:
-  explicit Coarsening(const std::filesystem::path& folder) : open_(folder), mesh_(folder) {}
+  Coarsening(bool keeps_columns, const std::filesystem::path& folder)
+      : keeps_columns_(keeps_columns), open_(folder), mesh_(folder) {}
 
   void add(const NumberedPart& part, std::int32_t subdomain, std::int32_t wanted) {
     TF_CHECK(wanted >= 1);
     const CellFaces faces = cell_faces(part);
-    const auto cells = static_cast<std::size_t>(cells_of(part));
+    const CellColumns columns = kept_columns(part, faces, keeps_columns_);
     const std::vector<GraphLevel> levels =
-        coarsen_graph(dual_graph(faces, cells), cells, at(wanted));
+        coarsen_graph(dual_graph(faces, columns), columns.sizes.size(), at(wanted));
     TF_CHECK(!levels.empty());
     const auto first = static_cast<std::int32_t>(mesh_.graph.weight.size());
     mesh_.first_cluster.push_back(first);
     mesh_.wanted_clusters.push_back(wanted);
     add_clusters(levels.back().graph, first);
     for (const OuterFace& face : faces.outer) {
-      std::int32_t cluster = face.owner;
+      const std::int32_t column = columns.column_of_cell[at(face.owner)];
+      std::int32_t cluster = column;
       for (std::size_t i = 1; i < levels.size(); ++i) cluster = levels[i].coarse_of[at(cluster)];
       const auto nodes =
           face.nodes.renumbered([&](std::int32_t v) { return global_node(part, v); });
-      open_.push({nodes.sorted(), subdomain, face.owner, first + cluster});
+      open_.push({nodes.sorted(), subdomain, column, first + cluster});
     }
   }
 
@@ -103,7 +105,7 @@ class Coarsening {
       bonds_.push_back(
           {std::min(last.cluster, here.cluster), std::max(last.cluster, here.cluster)});
       for (const OpenFace& face : {last, here}) {
-        mesh_.sides.push({face.subdomain, face.cell, std::ssize(mesh_.cluster_of_side)});
+        mesh_.sides.push({face.subdomain, face.column, std::ssize(mesh_.cluster_of_side)});
         mesh_.cluster_of_side.push_back(face.cluster);
       }
       has_last = open_.next(last);
@@ -111,6 +113,7 @@ class Coarsening {
     }
   }
 
+  bool keeps_columns_;
   ExternalSort<OpenFace> open_;
   CoarseMesh mesh_;
   std::vector<Bond> bonds_;
@@ -118,10 +121,15 @@ class Coarsening {
 
 }  // namespace
 
-CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
+CellColumns kept_columns(const NumberedPart& part, const CellFaces& faces, bool keeps_columns) {
+  return keeps_columns ? columns_of_prisms(part, faces)
+                       : single_cells(static_cast<std::size_t>(cells_of(part)));
+}
+
+CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters, bool keeps_columns,
                    const std::filesystem::path& folder) {
   TF_CHECK(clusters >= 1);
-  Coarsening coarsening(folder);
+  Coarsening coarsening(keeps_columns, folder);
   const auto subdomains = static_cast<std::int64_t>(source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart part = source.part(i);

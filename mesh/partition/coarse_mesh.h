@@ -9,13 +9,14 @@
 #include "mesh/formats/external_sort.h"
 #include "mesh/formats/mesh_source.h"
 #include "mesh/graph/weighted_graph.h"
+#include "mesh/partition/cell_columns.h"
 
 namespace tetfarm {
 
 /// One side of a face between two sub-domains. Sides 2i and 2i + 1 are those of one face.
 struct InterfaceSide {
   std::int32_t subdomain = 0;
-  std::int32_t cell = 0;  ///< there
+  std::int32_t column = 0;  ///< there, of cells that stay together
   std::int64_t side = 0;
   bool operator<(const InterfaceSide& other) const {
     return subdomain != other.subdomain ? subdomain < other.subdomain : side < other.side;
@@ -33,11 +34,14 @@ struct CoarseMesh {
   ExternalSort<InterfaceSide> sides;
 };
 
+/// What stays together in a sub-domain: the columns of its prisms, or each cell for itself.
+CellColumns kept_columns(const NumberedPart& part, const CellFaces& faces, bool keeps_columns);
+
 /// At most about `clusters` of them, at least one a sub-domain; each is of one piece.
 /// Reads each sub-domain once. `folder` is for files that are gone afterwards.
 /// @throws InvalidInput when a face has three cells; IoError. Memory: one sub-domain, the clusters
 /// and their neighbours, 8 bytes for each face between sub-domains. Cost: about 2 µs a cell.
-CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters,
+CoarseMesh coarsen(const MeshSource& source, std::int64_t clusters, bool keeps_columns,
                    const std::filesystem::path& folder);
 
 }  // namespace tetfarm

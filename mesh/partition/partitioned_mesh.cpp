@@ -95,12 +95,18 @@ std::vector<std::int32_t> partition_clusters(const WeightedGraph& graph, std::in
 /// the other side of its cuts as they are at that time.
 class FinePartition {
  public:
-  FinePartition(CoarseMesh coarse, std::int32_t parts)
-      : coarse_(std::move(coarse)), weights_(at(parts)) {
+  FinePartition(CoarseMesh coarse, std::int32_t parts, bool keeps_columns)
+      : coarse_(std::move(coarse)), keeps_columns_(keeps_columns), weights_(at(parts)) {
     const std::vector<std::int32_t>& sizes = coarse_.graph.weight;
     const std::int64_t cells = std::accumulate(sizes.begin(), sizes.end(), std::int64_t{0});
     if (cells < parts) {
       throw UsageError("the mesh has only " + std::to_string(cells) + " elements",
+                       "--partitions " + std::to_string(parts));
+    }
+    if (coarse_.graph.size() < at(parts)) {
+      throw UsageError("the columns of prisms, which stay whole, are only " +
+                           std::to_string(coarse_.graph.size()) +
+                           "; with --keep-columns no they may be divided",
                        "--partitions " + std::to_string(parts));
     }
     heaviest_ = heaviest_part(cells, parts);
@@ -117,10 +123,12 @@ class FinePartition {
     const std::vector<InterfaceSide> sides = coarse_.sides.take_while(
         [this](const InterfaceSide& side) { return side.subdomain == next_; });
     std::vector<std::int32_t> beyond;
-    for (const InterfaceSide& side : sides) beyond.push_back(side.cell);
-    const auto cells = static_cast<std::size_t>(cells_of(subdomain));
-    std::vector<GraphLevel> levels = coarsen_graph(dual_graph(cell_faces(subdomain), cells, beyond),
-                                                   cells, at(coarse_.wanted_clusters[at(next_)]));
+    for (const InterfaceSide& side : sides) beyond.push_back(side.column);
+    const CellFaces faces = cell_faces(subdomain);
+    const CellColumns columns = kept_columns(subdomain, faces, keeps_columns_);
+    std::vector<GraphLevel> levels =
+        coarsen_graph(dual_graph(faces, columns, beyond), columns.sizes.size(),
+                      at(coarse_.wanted_clusters[at(next_)]));
     std::vector<std::int32_t> part_of_node = parts_of_clusters(levels.back().movable);
     for (const InterfaceSide& side : sides) part_of_node.push_back(part_of_side_[other(side)]);
     while (true) {
@@ -135,7 +143,11 @@ class FinePartition {
     }
     settle(sides, levels.front(), part_of_node);
     ++next_;
-    return part_of_node;
+    std::vector<std::int32_t> part_of_cell;
+    for (const std::int32_t column : columns.column_of_cell) {
+      part_of_cell.push_back(part_of_node[at(column)]);
+    }
+    return part_of_cell;
   }
 
   PartitionFigures figures() const {
@@ -160,7 +172,7 @@ class FinePartition {
   void settle(const std::vector<InterfaceSide>& sides, const GraphLevel& cells,
               std::vector<std::int32_t>& part_of_node) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
-      const std::int32_t part = part_of_node[at(sides[i].cell)];
+      const std::int32_t part = part_of_node[at(sides[i].column)];
       part_of_side_[static_cast<std::size_t>(sides[i].side)] = part;
       part_of_node[cells.movable + i] = part;
     }
@@ -169,6 +181,7 @@ class FinePartition {
   }
 
   CoarseMesh coarse_;
+  bool keeps_columns_;
   std::int64_t heaviest_ = 0;
   std::vector<std::int32_t> part_of_cluster_;
   std::vector<std::int32_t> part_of_side_;
@@ -192,7 +205,8 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);
-  FinePartition fine(coarsen(source, clusters, folder), options.parts);
+  FinePartition fine(coarsen(source, clusters, options.keeps_columns, folder), options.parts,
+                     options.keeps_columns);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const NumberedPart subdomain = source.part(i);
     pieces_.add(subdomain, fine.next_subdomain(subdomain));

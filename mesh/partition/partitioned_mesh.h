@@ -1,6 +1,8 @@
 /// A finished mesh in as many parts of even size as a solver has processes, whatever the
 /// sub-domains that it was meshed in.
 ///
+/// Columns of prisms (cell_columns.h) stay whole, if asked for.
+///
 /// Source: thesis 4.3.2.1 (METIS) and 4.3.4.2.1 (what solvers need), joined; there the sub-domains
 /// are the parts. The whole mesh is never in memory: the cells of each sub-domain are joined in
 /// pairs to clusters, METIS divides the graph of all clusters, and clusters and cells near the
@@ -21,6 +23,7 @@ struct PartitionOptions {
   std::int32_t parts = 1;
   /// In memory at once: as many as there are cells, or these. 64 for each part if that is more.
   std::int64_t clusters = std::int64_t{1} << 19;
+  bool keeps_columns = true;  ///< prisms that stand on one another are in one part
 };
 
 struct PartitionFigures {
@@ -36,7 +39,7 @@ class PartitionedMesh : public MeshSource {
   /// Reads each sub-domain twice; `source` need not live longer. `folder` is for files that are
   /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell. The same mesh
   /// gives the same parts.
-  /// @throws UsageError when there are fewer cells than parts; InvalidInput, IoError.
+  /// @throws UsageError when there are fewer cells, or columns, than parts; InvalidInput, IoError.
   /// Cost: some microseconds a cell. Memory: one sub-domain, the clusters and their neighbours (20
   /// bytes each of about 12), 16 bytes for each face between sub-domains. `part` takes that of a
   /// part.

@@ -170,13 +170,17 @@ TEST_F(CommandOptions, of_an_export_and_a_conversion) {
   EXPECT_EQ(least.output, "x.su2");
   EXPECT_EQ(least.format, "");
   EXPECT_EQ(least.partitions, 0);
+  EXPECT_EQ(least.keep_columns, "yes");
   EXPECT_EQ(least.numbering, "as-meshed");
   EXPECT_FALSE(least.json);
   const auto all = parsed_as<ExportCommand>({"export", "job-7", "--output", "x", "--format", "cgns",
                                              "--partitions", "1048576", "--numbering", "rcm",
-                                             "--json", "--store", "s"});
+                                             "--keep-columns", "no", "--json", "--store", "s"});
   EXPECT_EQ(all.format, "cgns");
   EXPECT_EQ(all.partitions, 1 << 20);
+  EXPECT_EQ(all.keep_columns, "no");
+  EXPECT_THAT(refusal_of({"export", "m", "-o", "x", "--keep-columns", "no"}),
+              HasSubstr("--partitions"));
   EXPECT_EQ(all.numbering, "rcm");
   EXPECT_TRUE(all.json);
   EXPECT_EQ(all.source.store, "s");

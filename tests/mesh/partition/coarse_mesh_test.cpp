@@ -49,7 +49,7 @@ std::vector<Owners> shared_faces(const MeshSource& source) {
 TEST(CoarseMesh, weighs_the_cells_of_each_sub_domain_in_no_more_clusters_than_asked_for) {
   const TempFolder folder;
   const HybridGrid grid(6, 3);
-  const CoarseMesh mesh = coarsen(grid, 60, folder.path());
+  const CoarseMesh mesh = coarsen(grid, 60, true, folder.path());
   ASSERT_EQ(mesh.first_cluster.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto first = mesh.graph.weight.begin() + mesh.first_cluster[i];
@@ -65,7 +65,7 @@ TEST(CoarseMesh, weighs_the_cells_of_each_sub_domain_in_no_more_clusters_than_as
 TEST(CoarseMesh, with_a_cluster_for_each_cell_is_the_graph_of_the_cells) {
   const TempFolder folder;
   const GridSource grid(cut_grid(4));
-  const CoarseMesh mesh = coarsen(grid, 1'000'000, folder.path());
+  const CoarseMesh mesh = coarsen(grid, 1'000'000, true, folder.path());
   const WeightedGraph whole = test::whole_dual_graph(grid);
   ASSERT_EQ(mesh.graph.weight, whole.weight);
   EXPECT_EQ(mesh.graph.first, whole.first);
@@ -84,12 +84,12 @@ TEST(CoarseMesh, with_a_cluster_for_each_cell_is_the_graph_of_the_cells) {
 TEST(CoarseMesh, sides_are_those_of_each_face_between_sub_domains) {
   const TempFolder folder;
   const HybridGrid grid(5, 4);
-  CoarseMesh mesh = coarsen(grid, 40, folder.path());
+  CoarseMesh mesh = coarsen(grid, 40, false, folder.path());
   const std::vector<InterfaceSide> sides = sides_of(mesh);
   EXPECT_TRUE(std::is_sorted(sides.begin(), sides.end()));
   std::vector<Owners> faces(sides.size() / 2);
   for (const InterfaceSide& side : sides) {
-    faces.at(at(side.side / 2)).emplace_back(side.subdomain, side.cell);
+    faces.at(at(side.side / 2)).emplace_back(side.subdomain, side.column);
   }
   for (Owners& face : faces) std::sort(face.begin(), face.end());
   std::sort(faces.begin(), faces.end());
@@ -101,7 +101,7 @@ TEST(CoarseMesh, sides_are_those_of_each_face_between_sub_domains) {
 TEST(CoarseMesh, edges_between_sub_domains_weigh_as_many_faces_as_their_clusters_share) {
   const TempFolder folder;
   const GridSource grid(cut_grid(5));
-  CoarseMesh mesh = coarsen(grid, 30, folder.path());
+  CoarseMesh mesh = coarsen(grid, 30, true, folder.path());
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> expected;
   ASSERT_EQ(mesh.cluster_of_side.size(), 2 * shared_faces(grid).size());
   for (std::size_t i = 0; i < mesh.cluster_of_side.size(); i += 2) {
@@ -135,7 +135,7 @@ TEST(CoarseMesh, refuses_a_face_of_three_cells) {
   const TempFolder folder;
   GridSource grid(cut_grid(4));
   grid.parts.push_back(grid.parts[1]);
-  EXPECT_THROW(coarsen(grid, 10, folder.path()), InvalidInput);
+  EXPECT_THROW(coarsen(grid, 10, true, folder.path()), InvalidInput);
 }
 
 }  // namespace
