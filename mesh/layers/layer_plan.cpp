@@ -256,7 +256,8 @@ class Planning {
     followed_.clear();
     for (const Sliver& sliver : slivers_) {
       const std::size_t middle = at(sliver.middle);
-      if (all_leans.at(leans[middle]) != Lean::as_slivers || graph_.is_of_fan(middle)) continue;
+      const bool is_held = graph_.is_of_fan(middle) || graph_.at_border[middle];
+      if (all_leans.at(leans[middle]) != Lean::as_slivers || is_held) continue;
       const LayerLine& from = plan_.lines[at(sliver.ends[0])];
       const LayerLine& to = plan_.lines[at(sliver.ends[1])];
       if (from.along == Vec3{} || to.along == Vec3{}) continue;
