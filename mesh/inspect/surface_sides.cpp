@@ -1,44 +1,13 @@
 #include "mesh/inspect/surface_sides.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/check.h"
+#include "base/disjoint_sets.h"
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
 namespace {
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t items) : parent_(items) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t item) {
-    while (parent_[item] != item) {
-      parent_[item] = parent_[parent_[item]];
-      item = parent_[item];
-    }
-    return item;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
-  /// A number for each set, in the order of their first items; returns how many.
-  std::int32_t number(std::vector<std::int32_t>& item2set) {
-    std::vector<std::int32_t> root2set(parent_.size(), -1);
-    TF_CHECK(item2set.empty());
-    std::int32_t sets = 0;
-    for (std::size_t item = 0; item < parent_.size(); ++item) {
-      std::int32_t& set = root2set[root(item)];
-      if (set < 0) set = sets++;
-      item2set.push_back(set);
-    }
-    return sets;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// A triangle at an edge from low to high: its third corner, and which way it runs.
 struct Leaf {

@@ -1,29 +1,11 @@
 #include "mesh/inspect/vertex_fans.h"
 
-#include <numeric>
+#include "base/disjoint_sets.h"
 
 namespace tetfarm {
 namespace {
 
-/// Disjoint sets of triangle corners (3 · triangle + corner).
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t corners) : parent_(corners) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t c) {
-    while (parent_[c] != c) {
-      parent_[c] = parent_[parent_[c]];
-      c = parent_[c];
-    }
-    return c;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
+/// The number of a corner among those of all triangles: 3 · triangle + corner.
 std::size_t corner_at(const SurfaceMesh& surface, std::int32_t triangle, std::int32_t v) {
   const auto t = static_cast<std::size_t>(triangle);
   const Triangle& nodes = surface.triangles[t];
@@ -34,7 +16,7 @@ std::size_t corner_at(const SurfaceMesh& surface, std::int32_t triangle, std::in
 
 std::vector<std::int32_t> vertices_of_several_fans(const SurfaceMesh& surface,
                                                    std::span<const EdgeUse> uses) {
-  CornerSets fans(3 * surface.triangles.size());
+  DisjointSets fans(3 * surface.triangles.size());
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     for (const EdgeUse& use : edge.subspan(1)) {
       for (const std::int32_t v : {use.low, use.high}) {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "base/disjoint_sets.h"
 #include "mesh/geometry/predicates.h"
 #include "mesh/layers/layer_fan.h"
 #include "mesh/layers/layer_proof.h"
@@ -258,12 +258,7 @@ class FanChoice {
   /// Fans that sharp edges join have as many pieces in each arc as the widest needs. Returns how
   /// many that are for each.
   std::vector<std::size_t> shared_pieces() const {
-    std::vector<std::size_t> root(fans_.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto root_of = [&root](std::size_t i) {
-      while (root[i] != i) i = root[i] = root[root[i]];
-      return i;
-    };
+    DisjointSets joined(fans_.size());
     std::vector<std::size_t> pieces(fans_.size(), 1);
     for (std::size_t i = 0; i < fans_.size(); ++i) {
       const Fan& fan = fans_[i];
@@ -272,14 +267,15 @@ class FanChoice {
         pieces[i] = std::max(pieces[i], pieces_for(fan.lines[fan.group_before(j)],
                                                    fan.lines[fan.group_after(j)], cosine));
         const std::int32_t next = fan_of_line_[at(line_at(fan.end_of(j)))];
-        if (next >= 0) root[root_of(at(next))] = root_of(i);
+        if (next >= 0) joined.join(at(next), i);
       }
     }
     std::vector<std::size_t> most(fans_.size(), 1);
     for (std::size_t i = 0; i < fans_.size(); ++i) {
-      most[root_of(i)] = std::max(most[root_of(i)], pieces[i]);
+      std::size_t& widest = most[joined.root(i)];
+      widest = std::max(widest, pieces[i]);
     }
-    for (std::size_t i = 0; i < fans_.size(); ++i) pieces[i] = most[root_of(i)];
+    for (std::size_t i = 0; i < fans_.size(); ++i) pieces[i] = most[joined.root(i)];
     return pieces;
   }
 

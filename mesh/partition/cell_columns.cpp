@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/array_index.h"
+#include "base/disjoint_sets.h"
 #include "mesh/assemble/part_cells.h"
 
 namespace tetfarm {
@@ -17,15 +18,6 @@ std::vector<bool> prisms_among(const NumberedPart& part) {
   return is_prism;
 }
 
-/// The first of those that are joined, with shorter ways there for the next time.
-std::int32_t first_of(std::vector<std::int32_t>& before, std::int32_t cell) {
-  while (before[at(cell)] != cell) {
-    before[at(cell)] = before[at(before[at(cell)])];
-    cell = before[at(cell)];
-  }
-  return cell;
-}
-
 }  // namespace
 
 CellColumns single_cells(std::size_t cells) {
@@ -38,28 +30,15 @@ CellColumns single_cells(std::size_t cells) {
 
 CellColumns columns_of_prisms(const NumberedPart& part, const CellFaces& faces) {
   const std::vector<bool> is_prism = prisms_among(part);
-  std::vector<std::int32_t> before(is_prism.size());
-  std::iota(before.begin(), before.end(), 0);
+  DisjointSets joined(is_prism.size());
   for (const InnerFace& face : faces.inner) {
-    if (face.nodes.size() != 3 || !is_prism[at(face.owner)] || !is_prism[at(face.neighbour)]) {
-      continue;
+    if (face.nodes.size() == 3 && is_prism[at(face.owner)] && is_prism[at(face.neighbour)]) {
+      joined.join(at(face.owner), at(face.neighbour));
     }
-    const std::int32_t a = first_of(before, face.owner);
-    const std::int32_t b = first_of(before, face.neighbour);
-    before[at(std::max(a, b))] = std::min(a, b);
   }
   CellColumns columns;
-  columns.column_of_cell.resize(before.size());
-  for (std::size_t cell = 0; cell < before.size(); ++cell) {
-    const auto first = at(first_of(before, static_cast<std::int32_t>(cell)));
-    if (first == cell) {
-      columns.column_of_cell[cell] = static_cast<std::int32_t>(columns.sizes.size());
-      columns.sizes.push_back(0);
-    } else {
-      columns.column_of_cell[cell] = columns.column_of_cell[first];
-    }
-    ++columns.sizes[at(columns.column_of_cell[cell])];
-  }
+  columns.sizes.resize(at(joined.number(columns.column_of_cell)));
+  for (const std::int32_t column : columns.column_of_cell) ++columns.sizes[at(column)];
   return columns;
 }
 
