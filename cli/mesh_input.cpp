@@ -64,6 +64,20 @@ FetchOptions fetch_options(const ClientOptions& client) {
 
 }  // namespace
 
+JobFileHere bring_file_of_job(const wire::JobStatus& status, const wire::Artifact& file,
+                              const ViewOptions& view, const fs::path& scratch_folder) {
+  if (view.store.empty()) {
+    CoordinatorConnection connection(view.client.endpoint, read_peer_keys(view.client.keys, ""));
+    PassingFile fetched =
+        fetch_for_a_while(connection, status, file, scratch_folder, fetch_options(view.client));
+    const fs::path path = fetched.path();
+    return {path, std::move(fetched)};
+  }
+  const ArtifactStore files = ArtifactStore::open_existing(require_store_of(view.store));
+  files.verify(file.hash(), file.size());
+  return {files.path_of(file.hash()), {}};
+}
+
 MeshInput mesh_of_job(const wire::JobStatus& status, const ViewOptions& view,
                       const fs::path& scratch_folder) {
   expect_done(status);
@@ -72,18 +86,10 @@ MeshInput mesh_of_job(const wire::JobStatus& status, const ViewOptions& view,
                   .name = status.job() + "/" + fs::path(file.name()).filename().string(),
                   .job = status.job(),
                   .store = {}};
-  if (view.store.empty()) {
-    CoordinatorConnection connection(view.client.endpoint, read_peer_keys(view.client.keys, ""));
-    input.fetched =
-        fetch_for_a_while(connection, status, file, scratch_folder, fetch_options(view.client));
-    input.file = input.fetched.path();
-    return input;
-  }
-  const fs::path store = require_store_of(view.store);
-  const ArtifactStore files = ArtifactStore::open_existing(store);
-  files.verify(file.hash(), file.size());
-  input.file = files.path_of(file.hash());
-  input.store = store;
+  JobFileHere here = bring_file_of_job(status, file, view, scratch_folder);
+  input.file = std::move(here.file);
+  input.fetched = std::move(here.fetched);
+  if (!view.store.empty()) input.store = require_store_of(view.store);
   return input;
 }
 

@@ -25,6 +25,17 @@ struct MeshInput {
   PassingFile fetched = {};     ///< keeps a file that came
 };
 
+/// A file of a job, where it can be read.
+struct JobFileHere {
+  std::filesystem::path file;
+  PassingFile fetched = {};  ///< keeps a file that came
+};
+
+/// One of a job's results: in the store, or fetched into `scratch_folder` where none is named.
+/// @throws Error (out_of_resources) when there is no room; CorruptFile when it is damaged.
+JobFileHere bring_file_of_job(const wire::JobStatus& status, const wire::Artifact& file,
+                              const ViewOptions& view, const std::filesystem::path& scratch_folder);
+
 /// A path when there is such a thing; else the job of that name, which must be done. What comes
 /// over the connection lies in `scratch_folder`.
 /// @throws Error (not_found) when there is no such path or job, it has no mesh (yet), or nobody

@@ -4,6 +4,7 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
+#include "cli/report_picture.h"
 #include "cli/reported_layers.h"
 #include "cli/run_folder.h"
 #include "cli/small_patches.h"
@@ -89,17 +90,6 @@ Reported reported_of(const ReportCommand& command) {
         subject + ": no such folder or mesh; for a job, say where it is with --connect or --store");
   }
   return of_job(options, subject, scratch_folder);
-}
-
-ReportPicture picture_of(const MeshSource& mesh, const RenderOptions& options,
-                         const std::string& caption) {
-  const ForEachPart for_each_part = [&mesh](const auto& visit) {
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-      NumberedPart part = mesh.part(i);
-      visit(part);
-    }
-  };
-  return {caption, png_of(render_mesh(for_each_part, mesh.patch_names(), options))};
 }
 
 std::vector<ReportPicture> pictures_of(const MeshSource& mesh) {

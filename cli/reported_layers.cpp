@@ -8,14 +8,11 @@
 #include "base/array_index.h"
 #include "base/error.h"
 #include "base/file_system.h"
-#include "cli/coordinator_connection.h"
-#include "cli/fetch_files.h"
-#include "cli/run_folder.h"
+#include "cli/report_picture.h"
 #include "mesh/inspect/vtp_triangles.h"
 #include "mesh/layers/layer_plan.h"
 #include "mesh/layers/layer_request.h"
 #include "mesh/render/render_mesh.h"
-#include "store/artifact_store.h"
 
 namespace tetfarm {
 namespace {
@@ -144,19 +141,13 @@ std::vector<ReportPicture> slice_pictures(const NumberedTriangles& map, const Me
   options.cut_at = wall.centre().y;
   const Nose nose = nose_of(map, *options.cut_at);
   if (nose.height == 0) return {};
-  const ForEachPart for_each_part = [&mesh](const auto& visit) {
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-      NumberedPart part = mesh.part(i);
-      visit(part);
-    }
-  };
   const auto draw = [&](const Vec3& centre, double across, const std::string& caption) {
     options.camera.centre = Vec3{centre.x, *options.cut_at, centre.z};
     options.camera.across = across;
     char text[120];
     std::snprintf(text, sizeof text, "%s, y = %.6g; the picture is %.4g wide", caption.c_str(),
                   *options.cut_at, across);
-    return ReportPicture{text, png_of(render_mesh(for_each_part, mesh.patch_names(), options))};
+    return picture_of(mesh, options, text);
   };
   const double size = std::max(wall.high.x - wall.low.x, 1.5 * (wall.high.z - wall.low.z));
   return {draw(wall.centre(), 1.2 * size, "A plane through the wall"),
@@ -180,17 +171,7 @@ std::optional<std::string> layer_map_of(const wire::JobStatus& status, const Vie
       std::find_if(status.files().begin(), status.files().end(),
                    [](const wire::Artifact& file) { return file.name().ends_with(ending); });
   if (found == status.files().end()) return std::nullopt;
-  if (view.store.empty()) {
-    CoordinatorConnection connection(view.client.endpoint, read_peer_keys(view.client.keys, ""));
-    const PassingFile fetched =
-        fetch_for_a_while(connection, status, *found, scratch_folder,
-                          {.timeout_ms = static_cast<std::int64_t>(view.client.timeout_s * 1000),
-                           .progress = view.client.progress});
-    return read_file(fetched.path());
-  }
-  const ArtifactStore files = ArtifactStore::open_existing(require_store_of(view.store));
-  files.verify(found->hash(), found->size());
-  return read_file(files.path_of(found->hash()));
+  return read_file(bring_file_of_job(status, *found, view, scratch_folder).file);
 }
 
 ReportedLayers reported_layers(std::string_view text, const MeshSource& mesh,

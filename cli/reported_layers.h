@@ -12,9 +12,8 @@
 
 namespace tetfarm {
 
-/// The text of the map; nothing of a mesh without one: of a file the one of its name beside it, of
-/// a job the one among its results. @param status of the job; nothing: of a file.
-/// @throws as mesh_of_job does.
+/// The text of the map of the mesh in a file, which lies beside it under its name, and of a job,
+/// among its results; nothing where there is none. @throws as bring_file_of_job does.
 std::optional<std::string> layer_map_of(const std::filesystem::path& mesh_file);
 std::optional<std::string> layer_map_of(const wire::JobStatus& status, const ViewOptions& view,
                                         const std::filesystem::path& scratch_folder);

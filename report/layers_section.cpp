@@ -17,16 +17,6 @@ std::string share_text(std::int64_t count, std::int64_t all) {
   return text;
 }
 
-std::vector<double> percent(const std::vector<std::int64_t>& counts) {
-  double sum = 0;
-  for (const std::int64_t count : counts) sum += static_cast<double>(count);
-  std::vector<double> shares;
-  for (const std::int64_t count : counts) {
-    shares.push_back(sum > 0 ? 100 * static_cast<double>(count) / sum : 0);
-  }
-  return shares;
-}
-
 std::string coverage(const ReportedLayers& layers, std::int64_t wall) {
   std::vector<std::vector<std::string>> rows = {
       {"all layers", std::to_string(layers.full), share_text(layers.full, wall)}};
@@ -39,7 +29,7 @@ std::string coverage(const ReportedLayers& layers, std::int64_t wall) {
 std::string layers_chart(const ReportedLayers& layers) {
   BarChart chart{.title = "Layers, % of the triangles of the wall",
                  .unit = "layers all over the triangle",
-                 .series = {{"", colour_of_layers, percent(layers.by_layers)}}};
+                 .series = {{"", colour_of_layers, shares(layers.by_layers)}}};
   for (std::size_t i = 0; i < layers.by_layers.size(); ++i)
     chart.names.push_back(std::to_string(i));
   return svg_of(chart);
@@ -48,7 +38,7 @@ std::string layers_chart(const ReportedLayers& layers) {
 std::string first_heights_chart(const Histogram& heights) {
   BarChart chart{.title = "First height over what was asked for, % of triangles",
                  .unit = "1: as asked; the first and the last hold all beyond them",
-                 .series = {{"", colour_of_layers, percent(heights.counts)}},
+                 .series = {{"", colour_of_layers, shares(heights.counts)}},
                  .is_logarithmic = true};
   for (std::size_t i = 0; i < heights.counts.size(); ++i) {
     char text[16];

@@ -32,18 +32,6 @@ std::string place_text(const Vec3& p) { return format("%.6g, %.6g, %.6g", p.x, p
 
 bool has_cuts(const MeshFigures& figures) { return figures.near_cuts.shapes.tets > 0; }
 
-/// In percent of their sum.
-template <class Counts>
-std::vector<double> shares(const Counts& counts) {
-  double sum = 0;
-  for (const std::int64_t count : counts) sum += static_cast<double>(count);
-  std::vector<double> shares;
-  for (const std::int64_t count : counts) {
-    shares.push_back(sum > 0 ? 100 * static_cast<double>(count) / sum : 0);
-  }
-  return shares;
-}
-
 /// The chart, and again with a logarithmic axis, which shows the few that are far out.
 std::string two_charts(BarChart chart) {
   std::string html = "<div class=\"pair\">" + svg_of(chart);

@@ -247,4 +247,14 @@ std::string svg_of(const PointChart& chart) {
   return svg + "</svg>";
 }
 
+std::vector<double> shares(std::span<const std::int64_t> counts) {
+  double sum = 0;
+  for (const std::int64_t count : counts) sum += static_cast<double>(count);
+  std::vector<double> shares;
+  for (const std::int64_t count : counts) {
+    shares.push_back(sum > 0 ? 100 * static_cast<double>(count) / sum : 0);
+  }
+  return shares;
+}
+
 }  // namespace tetfarm

@@ -4,6 +4,8 @@
 /// What is pointed at says its figures (`<title>`). The same numbers give the same bytes.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,9 @@ struct BarChart {
 };
 /// @pre every series has as many values as there are names.
 std::string svg_of(const BarChart& chart);
+
+/// Each in percent of their sum; of nothing at all 0.
+std::vector<double> shares(std::span<const std::int64_t> counts);
 
 /// Spans of time in rows, the first row on top.
 struct Timeline {

@@ -4,8 +4,8 @@
 /// Source: thesis fig. 90 takes the plain average of the normals, which looks from behind at a face
 /// of 0.1 to 0.3 % of an aircraft's nodes. This is the axis of the smallest cone round the normals:
 /// it is decided by two or three of them, found as E. Welzl finds the smallest disk (1991), one
-/// normal after the other. Normals that differ by less than 1e-5 count
-/// as one; exact up to that. + - * / and square roots only.
+/// normal after the other. Normals that differ by less than 1e-5 count as one; exact up to that.
+/// + - * / and square roots only.
 #pragma once
 
 #include <span>

@@ -13,8 +13,7 @@ struct CameraOptions {
   Vec3 up{0, 0, 1};
   double zoom = 1;
   std::optional<double> across;  ///< instead of zoom: what the picture is wide at the centre
-  std::optional<Vec3>
-      centre;  ///< in the middle of the picture; nothing: the middle of what is seen
+  std::optional<Vec3> centre;    ///< of the picture; nothing: that of what is seen
 };
 
 /// The directions of the picture in space, each of length 1.

@@ -37,14 +37,18 @@ TEST(RenderCommand, moves_sub_domains_apart_and_leaves_together_what_is_none) {
   EXPECT_EQ(drawn_apart("mesh.meshb", 2), drawn_apart("mesh.meshb", 0));
 }
 
-TEST(RenderCommand, looks_at_a_slice_at_right_angles_and_from_where_it_is_told_to) {
-  const TempFolder folder;
-  const GridSource grid(cut_grid(2));
+RenderCommand of_small_grid(const TempFolder& folder) {
   const std::filesystem::path mesh = folder.path() / "mesh.vtkhdf";
-  export_mesh(grid, find_mesh_format("", mesh), mesh);
+  export_mesh(GridSource(cut_grid(2)), find_mesh_format("", mesh), mesh);
   RenderCommand command;
   command.input = mesh.string();
   command.output = (folder.path() / "picture.png").string();
+  return command;
+}
+
+TEST(RenderCommand, looks_at_a_slice_at_right_angles_and_from_where_it_is_told_to) {
+  const TempFolder folder;
+  RenderCommand command = of_small_grid(folder);
   command.view = "slice";
   command.size = "120x80";
   const auto drawn = [&] {
@@ -67,12 +71,7 @@ std::string trouble_with(const RenderCommand& command) {
 
 TEST(RenderCommand, refuses_to_colour_layers_where_there_are_none) {
   const TempFolder folder;
-  const GridSource grid(cut_grid(2));
-  const std::filesystem::path mesh = folder.path() / "mesh.vtkhdf";
-  export_mesh(grid, find_mesh_format("", mesh), mesh);
-  RenderCommand command;
-  command.input = mesh.string();
-  command.output = (folder.path() / "picture.png").string();
+  RenderCommand command = of_small_grid(folder);
   command.colour = "layer";
   EXPECT_EQ(trouble_with(command),
             "--colour layer: layers have colours in cuts and slices; give --view cut or --view "
