@@ -9,6 +9,7 @@
 #include "cli/client_options.h"
 #include "cli/keys_command_line.h"
 #include "cli/option_checks.h"
+#include "cli/plane_command_line.h"
 #include "cli/pool_command_line.h"
 #include "cli/service_command_line.h"
 #include "cli/unknown_words.h"
@@ -131,6 +132,13 @@ class Parser {
     add_render();
     add_shape();
     add_spacing();
+    add_plane(add("plane", "Mesh the plane between closed loops",
+                  "tetfarm plane airfoil.xy farfield.xy -o flow.mesh", plane_),
+              plane_);
+    add_adapt(
+        add("adapt", "Adapt a mesh of the plane to a metric or a solution",
+            "tetfarm adapt flow.mesh --solution mach.sol --vertices 5000 -o next.mesh", adapt_),
+        adapt_);
     add_clients();
     add_viewers();
     add_operators();
@@ -467,6 +475,8 @@ class Parser {
   RenderCommand render_;
   ShapeCommand shape_;
   SpacingCommand spacing_;
+  PlaneCommand plane_;
+  AdaptCommand adapt_;
   SubmitCommand submit_;
   Views views_;
   WaitCommand wait_;

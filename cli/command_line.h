@@ -293,6 +293,35 @@ struct PoolCommand {
   bool json = false;
 };
 
+/// Meshes the plane between closed loops.
+struct PlaneCommand {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::optional<double> size;
+  std::string metric;  ///< a file of metrics at the points; "": by the lengths of the loops' edges
+  std::optional<std::int64_t> vertices;
+  std::string gradation;  ///< "off" or a number above 1; "": off
+  double corner_angle_deg = 30;
+  bool json = false;
+};
+
+/// Adapts a mesh of the plane to a metric or to a solution.
+struct AdaptCommand {
+  std::string input;
+  std::string output;
+  std::string metric;    ///< a file of metrics at the nodes; "": of a solution
+  std::string solution;  ///< a file of numbers at the nodes; "": a metric
+  std::optional<std::int64_t> vertices;
+  double norm = 2;
+  std::optional<double> h_min;
+  std::optional<double> h_max;
+  std::string gradation;  ///< "off" or a number above 1; "": off with a metric, 1.4 with a solution
+  double aspect = 1e4;
+  std::string mode = "lp";  ///< or "hessian"
+  double corner_angle_deg = 30;
+  bool json = false;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -311,7 +340,7 @@ using Command =
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand>;
+                 SpacingCommand, PlaneCommand, AdaptCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

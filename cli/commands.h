@@ -40,6 +40,11 @@ ExitCode render_command(const RenderCommand& command);
 /// Writes a closed surface that is made by formula.
 ExitCode shape_command(const ShapeCommand& command);
 
+/// Meshes the plane between closed loops.
+ExitCode plane_command(const PlaneCommand& command);
+/// Adapts a mesh of the plane.
+ExitCode adapt_command(const AdaptCommand& command);
+
 /// Prints how high the first layer on a flat plate has to be.
 ExitCode spacing_command(const SpacingCommand& command);
 

@@ -252,6 +252,52 @@ TEST_F(CommandOptions, of_a_shape) {
   EXPECT_EQ(all.growth, 0.7);
 }
 
+TEST_F(CommandOptions, of_a_mesh_of_the_plane) {
+  const auto least = parsed_as<PlaneCommand>({"plane", "a.xy", "b.xy", "-o", "p.mesh"});
+  EXPECT_THAT(least.inputs, ElementsAre("a.xy", "b.xy"));
+  EXPECT_EQ(least.output, "p.mesh");
+  EXPECT_FALSE(least.size.has_value() || least.vertices.has_value() || least.json);
+  EXPECT_EQ(least.gradation + least.metric, "");
+  EXPECT_EQ(least.corner_angle_deg, 30);
+  const auto all =
+      parsed_as<PlaneCommand>({"plane", "a.xy", "-o", "p", "--size", "0.5", "--vertices", "7",
+                               "--gradation", "1.2", "--corner-angle", "40", "--json"});
+  EXPECT_EQ(all.size, 0.5);
+  EXPECT_EQ(all.vertices, 7);
+  EXPECT_EQ(all.gradation, "1.2");
+  EXPECT_EQ(all.corner_angle_deg, 40);
+  EXPECT_TRUE(all.json);
+}
+
+TEST_F(CommandOptions, of_an_adaptation) {
+  const auto least = parsed_as<AdaptCommand>({"adapt", "m.mesh", "-o", "n.mesh"});
+  EXPECT_EQ(least.input, "m.mesh");
+  EXPECT_EQ(least.output, "n.mesh");
+  EXPECT_EQ(least.metric + least.solution + least.gradation, "");
+  EXPECT_FALSE(least.vertices.has_value() || least.h_min.has_value() || least.h_max.has_value());
+  EXPECT_EQ(least.norm, 2);
+  EXPECT_EQ(least.aspect, 1e4);
+  EXPECT_EQ(least.mode, "lp");
+  EXPECT_EQ(least.corner_angle_deg, 30);
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<AdaptCommand>(
+      {"adapt",    "m",  "-o",      "n",       "--solution",     "u.sol", "--vertices",  "9",
+       "--norm",   "1",  "--h-min", "0.1",     "--h-max",        "2",     "--gradation", "off",
+       "--aspect", "50", "--mode",  "hessian", "--corner-angle", "20",    "--json"});
+  EXPECT_EQ(all.solution, "u.sol");
+  EXPECT_EQ(all.vertices, 9);
+  EXPECT_EQ(all.norm, 1);
+  EXPECT_EQ(all.h_min, 0.1);
+  EXPECT_EQ(all.h_max, 2);
+  EXPECT_EQ(all.gradation, "off");
+  EXPECT_EQ(all.aspect, 50);
+  EXPECT_EQ(all.mode, "hessian");
+  EXPECT_EQ(all.corner_angle_deg, 20);
+  EXPECT_TRUE(all.json);
+  EXPECT_EQ(parsed_as<AdaptCommand>({"adapt", "m", "-o", "n", "--metric", "m.sol"}).metric,
+            "m.sol");
+}
+
 TEST_F(CommandOptions, of_a_spacing) {
   const auto least = parsed_as<SpacingCommand>({"spacing", "--reynolds", "6e6", "--length", "2.5"});
   EXPECT_EQ(least.y_plus, 1);
@@ -335,6 +381,21 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {{"shape", "wing"}, "--output is required"},
       {{"shape", "wing", "-o", "w", "--spacing", "0"}, "--spacing" + positive + "0"},
       {{"shape", "wing", "-o", "w", "--growth", "0"}, "--growth" + positive + "0"},
+      {{"plane", "a.xy"}, "--output is required"},
+      {{"plane", "a.xy", "-o", "p", "--size", "0"}, "--size" + positive + "0"},
+      {{"plane", "a.xy", "-o", "p", "--size", "1", "--metric", "m"}, "--size excludes --metric"},
+      {{"adapt", "m"}, "--output is required"},
+      {{"adapt", "m", "-o", "n", "--vertices", "2"},
+       "--vertices: must be a whole number from 3 to 50000000, not 2"},
+      {{"adapt", "m", "-o", "n", "--metric", "a", "--solution", "b"},
+       "--metric excludes --solution"},
+      {{"adapt", "m", "-o", "n", "--gradation", "1"},
+       "--gradation: must be off or a number above 1, at most 100, not 1"},
+      {{"adapt", "m", "-o", "n", "--norm", "0"}, "--norm: must be a number from 0.5 to 100, not 0"},
+      {{"adapt", "m", "-o", "n", "--aspect", "0.5"},
+       "--aspect: must be a number from 1 to 1e+07, not 0.5"},
+      {{"adapt", "m", "-o", "n", "--corner-angle", "0"},
+       "--corner-angle: must be a number from 1 to 180, not 0"},
       {{"spacing", "--length", "1"}, "--reynolds is required"},
       {{"spacing", "--reynolds", "6e6"}, "--length is required"},
       {{"spacing", "--reynolds", "10", "--length", "1"},
@@ -393,10 +454,10 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run",    "check",       "gc",      "plan",   "quality", "export", "convert", "render",
-        "shape",  "submit",      "wait",    "cancel", "jobs",    "status", "tasks",   "workers",
-        "events", "logs",        "explain", "trace",  "report",  "backup", "restore", "retry",
-        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing"}) {
+       {"run",    "check",       "gc",      "plan",   "quality", "export",  "convert", "render",
+        "shape",  "submit",      "wait",    "cancel", "jobs",    "status",  "tasks",   "workers",
+        "events", "logs",        "explain", "trace",  "report",  "backup",  "restore", "retry",
+        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing", "plane",   "adapt"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

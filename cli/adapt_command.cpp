@@ -1,0 +1,104 @@
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "cli/adapted_report.h"
+#include "cli/commands.h"
+#include "mesh/adaptation/adapt_to_metric.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
+#include "mesh/adaptation/hessian_recovery.h"
+#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/metric/metric_intersection.h"
+
+namespace tetfarm {
+namespace {
+
+/// The sizes of the fields are those of the mesh.
+void check_count(std::size_t values, const PlaneMesh& mesh, const std::string& file) {
+  if (values == mesh.points.size()) return;
+  throw InvalidInput("gives values at " + std::to_string(values) + " nodes; the mesh has " +
+                         std::to_string(mesh.points.size()),
+                     file);
+}
+
+std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& mesh) {
+  NodeFields fields = read_plane_sol(file);
+  if (fields.metrics.empty()) {
+    throw InvalidInput("has no symmetric tensors: a metric has kind 3", file);
+  }
+  check_count(fields.metrics.front().size(), mesh, file);
+  check_metrics(mesh, fields.metrics.front(), file);
+  std::vector<Metric2> metrics = std::move(fields.metrics.front());
+  for (std::size_t k = 1; k < fields.metrics.size(); ++k) {
+    check_metrics(mesh, fields.metrics[k], file);
+    for (std::size_t v = 0; v < metrics.size(); ++v) {
+      metrics[v] = intersection(metrics[v], fields.metrics[k][v]);
+    }
+  }
+  return metrics;
+}
+
+/// Of several numbers at a node each field gives its own metric; they are made to the same
+/// complexity, and intersected in the order of the file.
+std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const PlaneMesh& mesh) {
+  const NodeFields fields = read_plane_sol(command.solution);
+  if (fields.scalars.empty()) {
+    throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
+  }
+  const TriangleComplex complex = checked_complex(mesh);
+  std::vector<Metric2> metrics;
+  for (const std::vector<double>& values : fields.scalars) {
+    check_count(values.size(), mesh, command.solution);
+    const bool is_lp = command.mode == "lp";
+    const std::vector<Metric2> hessians = recover_hessians(
+        complex, values,
+        is_lp ? HessianRecovery::quadratic_fit : HessianRecovery::double_projection);
+    std::vector<Metric2> of_field = is_lp ? lp_metrics(hessians, command.norm) : absolute(hessians);
+    if (fields.scalars.size() > 1 && is_lp) {
+      const double factor = 1 / complexity(complex, of_field);
+      for (Metric2& m : of_field) m = {factor * m.xx, factor * m.xy, factor * m.yy};
+    }
+    if (metrics.empty()) {
+      metrics = std::move(of_field);
+    } else {
+      for (std::size_t v = 0; v < metrics.size(); ++v) {
+        metrics[v] = intersection(metrics[v], of_field[v]);
+      }
+    }
+  }
+  return metrics;
+}
+
+}  // namespace
+
+ExitCode adapt_command(const AdaptCommand& command) {
+  if (command.metric.empty() && command.solution.empty()) {
+    throw UsageError("say what to adapt to: --metric FILE or --solution FILE", "");
+  }
+  require_plane_mesh_name(command.input);
+  require_plane_mesh_name(command.output);
+  const std::int64_t start = steady_ms();
+  const PlaneMesh mesh = read_plane_medit(command.input);
+  const bool has_metric = !command.metric.empty();
+  const std::vector<Metric2> metrics =
+      has_metric ? metrics_of_file(command.metric, mesh) : metrics_of_solution(command, mesh);
+  AdaptationWish wish;
+  wish.metrics = metrics;
+  wish.metric_name = has_metric ? command.metric : command.solution;
+  wish.limits = {command.h_min.value_or(0), command.h_max.value_or(0), command.aspect,
+                 gradation_of(command.gradation, has_metric ? 0 : 1.4)};
+  wish.vertices = command.vertices;
+  if (!has_metric && command.mode == "lp" && !wish.vertices.has_value()) {
+    wish.vertices = static_cast<std::int64_t>(mesh.points.size());
+  }
+  AdaptationOptions options;
+  options.corner_angle_deg = command.corner_angle_deg;
+  const AdaptedMesh adapted = adapt_to_metric(mesh, wish, options);
+  write_plane_medit(adapted.result.mesh, command.output);
+  tell_adapted({"adapt", command.output, command.json, start}, adapted);
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

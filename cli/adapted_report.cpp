@@ -1,0 +1,106 @@
+#include "cli/adapted_report.h"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "json/json_line.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
+#include "mesh/adaptation/metric_quality.h"
+
+namespace tetfarm {
+namespace {
+
+/// Of coordinates, triangles, edges and their numbers, in their order.
+Hash128 digest_of(const PlaneMesh& mesh) {
+  Hasher hasher;
+  const auto add = [&](const auto& list) {
+    const std::uint64_t count = list.size();
+    hasher.add(&count, sizeof count);
+    hasher.add(list.data(), list.size() * sizeof list[0]);
+  };
+  add(mesh.points);
+  add(mesh.triangles);
+  add(mesh.regions);
+  add(mesh.edges);
+  add(mesh.patches);
+  return hasher.finish();
+}
+
+nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedMesh& adapted,
+                                   const MetricQuality& quality, double seconds) {
+  const ScaledMetric& asked = adapted.asked;
+  return {{"type", telling.command},
+          {"file", telling.output},
+          {"vertices", adapted.result.mesh.points.size()},
+          {"triangles", adapted.result.mesh.triangles.size()},
+          {"unit_edges_percent", quality.unit_edges_percent},
+          {"edge_length_min", quality.edge_length_min},
+          {"edge_length_max", quality.edge_length_max},
+          {"longest_at", {quality.longest_at.x, quality.longest_at.y}},
+          {"quality_min", quality.quality_min},
+          {"quality_1percent", quality.quality_1percent},
+          {"quality_mean", quality.quality_mean},
+          {"worst_at", {quality.worst_at.x, quality.worst_at.y}},
+          {"max_angle_deg", quality.max_angle_deg},
+          {"complexity", asked.complexity},
+          {"limited",
+           {{"h_min", asked.at_h_min},
+            {"h_max", asked.at_h_max},
+            {"aspect", asked.at_aspect},
+            {"gradation", asked.by_gradation}}},
+          {"seconds", seconds},
+          {"digest", digest_of(adapted.result.mesh).hex()}};
+}
+
+void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
+                  const MetricQuality& quality, double seconds) {
+  std::printf("%s: %zu vertices, %zu triangles, %.2f s\n", telling.output.c_str(),
+              adapted.result.mesh.points.size(), adapted.result.mesh.triangles.size(), seconds);
+  std::printf("unit edges      %.2f %%, lengths %.3f to %.3f (longest at %.6g, %.6g)\n",
+              quality.unit_edges_percent, quality.edge_length_min, quality.edge_length_max,
+              quality.longest_at.x, quality.longest_at.y);
+  std::printf("quality         %.3f worst (at %.6g, %.6g), %.3f at 1 %%, %.3f mean\n",
+              quality.quality_min, quality.worst_at.x, quality.worst_at.y, quality.quality_1percent,
+              quality.quality_mean);
+  std::printf("largest angle   %.2f degrees\n", quality.max_angle_deg);
+  const ScaledMetric& asked = adapted.asked;
+  const auto tell = [](const char* option, std::int64_t nodes) {
+    if (nodes > 0) std::printf("%-16sheld at %lld nodes\n", option, static_cast<long long>(nodes));
+  };
+  tell("--h-min", asked.at_h_min);
+  tell("--h-max", asked.at_h_max);
+  tell("--aspect", asked.at_aspect);
+  tell("--gradation", asked.by_gradation);
+}
+
+}  // namespace
+
+void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
+  const double seconds = static_cast<double>(steady_ms() - telling.start_ms) / 1000;
+  const MetricQuality quality =
+      metric_quality(checked_complex(adapted.result.mesh), adapted.result.metrics);
+  if (telling.json) {
+    std::printf("%s\n", json_line(result_json(telling, adapted, quality, seconds)).c_str());
+  } else {
+    print_result(telling, adapted, quality, seconds);
+  }
+}
+
+void require_plane_mesh_name(const std::string& file) {
+  if (std::filesystem::path(file).extension() == ".mesh") return;
+  throw UsageError("meshes of the plane are read and written as .mesh (Medit, text)", file);
+}
+
+double gradation_of(const std::string& text, double otherwise) {
+  if (text.empty()) return otherwise;
+  double value = 0;  // stays where the text is "off"
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace tetfarm

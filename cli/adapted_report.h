@@ -1,0 +1,27 @@
+/// What the commands for meshes of the plane have in common: how they tell what they made.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "mesh/adaptation/adapt_to_metric.h"
+
+namespace tetfarm {
+
+struct AdaptedTelling {
+  std::string command;  ///< "adapt" or "plane"
+  std::string output;
+  bool json = false;
+  std::int64_t start_ms = 0;  ///< by steady_ms
+};
+
+/// Prints size, lengths and shapes of the mesh, what each limit did, and its digest.
+void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted);
+
+/// @throws UsageError when the file does not end in .mesh.
+void require_plane_mesh_name(const std::string& file);
+
+/// The number of --gradation, 0 for "off", `otherwise` for "".
+double gradation_of(const std::string& text, double otherwise);
+
+}  // namespace tetfarm

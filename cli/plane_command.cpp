@@ -1,0 +1,69 @@
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "cli/adapted_report.h"
+#include "cli/commands.h"
+#include "mesh/adaptation/adapt_to_metric.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
+#include "mesh/adaptation/loop_domain.h"
+#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/read_loops.h"
+
+namespace tetfarm {
+namespace {
+
+/// Of all files, each loop a patch, numbered from 1.
+std::vector<DomainLoop> loops_of(const std::vector<std::string>& files) {
+  std::vector<DomainLoop> loops;
+  for (const std::string& file : files) {
+    for (PlaneLoop& loop : read_loops(file)) {
+      const auto patch = static_cast<std::int32_t>(loops.size()) + 1;
+      loops.push_back({std::move(loop.points), patch, std::move(loop.where)});
+    }
+  }
+  return loops;
+}
+
+/// What is asked for on the domain, or, where the edges of the loops say the sizes, on one with
+/// points inside.
+MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
+  if (command.size.has_value()) {
+    const Metric2 metric = metric_of_sizes({*command.size, *command.size, 0});
+    std::vector<Metric2> metrics(domain.points.size(), metric);
+    return {std::move(domain), std::move(metrics)};
+  }
+  if (command.metric.empty()) return sized_by_boundary(domain);
+  NodeFields fields = read_plane_sol(command.metric);
+  if (fields.metrics.size() != 1) {
+    throw InvalidInput("has " + std::to_string(fields.metrics.size()) +
+                           " symmetric tensors at each point; a metric is one",
+                       command.metric);
+  }
+  check_metrics(domain, fields.metrics.front(), command.metric);
+  return {std::move(domain), std::move(fields.metrics.front())};
+}
+
+}  // namespace
+
+ExitCode plane_command(const PlaneCommand& command) {
+  require_plane_mesh_name(command.output);
+  const std::int64_t start = steady_ms();
+  const MeshWithMetrics asked = wish_of(command, domain_of_loops(loops_of(command.inputs)));
+  const bool is_by_boundary = !command.size.has_value() && command.metric.empty();
+  AdaptationWish wish;
+  wish.metrics = asked.metrics;
+  wish.metric_name = command.metric;
+  wish.vertices = command.vertices;
+  wish.limits.gradation = gradation_of(command.gradation, is_by_boundary ? 1.25 : 0);
+  AdaptationOptions options;
+  options.corner_angle_deg = command.corner_angle_deg;
+  const AdaptedMesh adapted = adapt_to_metric(asked.mesh, wish, options);
+  write_plane_medit(adapted.result.mesh, command.output);
+  tell_adapted({"plane", command.output, command.json, start}, adapted);
+  return ExitCode::ok;
+}
+
+}  // namespace tetfarm

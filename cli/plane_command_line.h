@@ -1,0 +1,14 @@
+/// The options of the commands for meshes of the plane.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_line.h"
+
+namespace tetfarm {
+
+/// Adds those of `plane`, or of `adapt`, to its sub-command.
+void add_plane(CLI::App& sub, PlaneCommand& plane);
+void add_adapt(CLI::App& sub, AdaptCommand& adapt);
+
+}  // namespace tetfarm

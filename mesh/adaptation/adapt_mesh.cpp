@@ -1,0 +1,128 @@
+#include "mesh/adaptation/adapt_mesh.h"
+
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/error.h"
+#include "mesh/adaptation/border_crossings.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
+#include "mesh/adaptation/edge_collapse.h"
+#include "mesh/adaptation/edge_refinement.h"
+#include "mesh/adaptation/edge_swaps.h"
+#include "mesh/adaptation/metric_scaling.h"
+#include "mesh/adaptation/metric_smoothing.h"
+#include "mesh/adaptation/misfit_mending.h"
+
+namespace tetfarm {
+namespace {
+
+// What a mesh has to have missed before its nodes move: a mesh that fits is left as it is.
+constexpr FittingLimits fitting{0.68, 1.32, 6.0};
+constexpr int mendings = 4;
+constexpr int most_passes = 60;
+
+// Between the limits of 1/sqrt 2 and sqrt 2 lengths settle below 1: the mesh is made to a metric
+// that is coarser by this factor, so that their median is 1 in the metric that was asked for.
+constexpr double length_scale = 0.945;
+constexpr RefinementLimits limits_of_length{1.36, 0.69};
+
+std::vector<Metric2> scaled_metrics(std::span<const Metric2> metrics, double length_factor) {
+  const double factor = length_factor * length_factor;
+  std::vector<Metric2> scaled;
+  scaled.reserve(metrics.size());
+  for (const Metric2& m : metrics) scaled.push_back({factor * m.xx, factor * m.xy, factor * m.yy});
+  return scaled;
+}
+
+/// Before anything is made: a mistyped size asks for more than any memory holds.
+void check_size(double complexity, std::int64_t max_triangles) {
+  const double triangles = 2 * nodes_per_complexity * complexity;
+  if (triangles <= static_cast<double>(max_triangles)) return;
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(),
+                "the sizes ask for about %.3g triangles; the most that can be had are %.3g",
+                triangles, static_cast<double>(max_triangles));
+  throw InvalidInput(text.data(), "");
+}
+
+/// A mesh whose border crosses itself is never delivered.
+void check_border(const PlaneMesh& mesh) {
+  const std::optional<Vec2> place = find_border_crossing(mesh);
+  if (!place.has_value()) return;
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+                "with these sizes the two sides of a gap would cross, at (%.9g, %.9g): ask for "
+                "shorter edges there",
+                place->x, place->y);
+  throw InvalidInput(text.data(), mesh.name);
+}
+
+void coarsen(MetricMesh& mesh) {
+  for (int pass = 0; pass < most_passes; ++pass) {
+    if (collapse_edges(mesh, {0.6, 1.41421356, 60}, false) == 0) return;
+    swap_edges(mesh, SwapCriterion::ellipse, true);
+  }
+}
+
+void refine(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
+            const AdaptationOptions& options) {
+  RefinementLimits limits = limits_of_length;
+  limits.most_triangles = options.max_triangles;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    while (refine_edges(mesh, field, cavity, limits, EdgesToRefine::on_curves) > 0) {
+    }
+    const std::int64_t nodes = refine_edges(mesh, field, cavity, limits, EdgesToRefine::all);
+    if (mesh.complex.size() - std::ssize(mesh.unused) > options.max_triangles) {
+      throw InvalidInput(
+          "the metric asks for more than " + std::to_string(options.max_triangles) + " triangles",
+          "metric");
+    }
+    if (nodes == 0) return;
+    swap_edges(mesh, SwapCriterion::ellipse, true);
+  }
+}
+
+void sweep(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
+  swap_edges(mesh, SwapCriterion::ellipse, true);
+  swap_edges(mesh, SwapCriterion::energy, true);
+  smooth_nodes(mesh, field);
+  swap_edges(mesh, SwapCriterion::energy, true);
+  collapse_edges(mesh, {0.69, 1.36, 12}, true);
+  refine_edges(mesh, field, cavity, limits_of_length, EdgesToRefine::active);
+}
+
+void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
+  for (int i = 0; i < mendings && mend_misfits(mesh, field, fitting) > 0; ++i) {
+    swap_edges(mesh, SwapCriterion::energy, true);
+    collapse_edges(mesh, {0.665, 1.33, 8}, true);
+    refine_edges(mesh, field, cavity, {1.34, 0.67}, EdgesToRefine::active);
+  }
+  mend_misfits(mesh, field, fitting);
+}
+
+}  // namespace
+
+AdaptationResult adapt_mesh(const PlaneMesh& input, std::span<const Metric2> metrics,
+                            const AdaptationOptions& options) {
+  TriangleComplex complex = checked_complex(input);
+  check_metrics(input, metrics);
+  check_size(complexity(complex, metrics), options.max_triangles);
+  const std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
+  MetricMesh mesh = make_metric_mesh(input, complex, scaled, options.corner_angle_deg);
+  const MetricField field(std::move(complex), scaled);
+  EllipseCavity cavity(options.cavity);
+  activate_misfits(mesh, fitting);
+  coarsen(mesh);
+  refine(mesh, field, cavity, options);
+  for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
+  mend(mesh, field, cavity);
+  MeshWithMetrics result = plane_mesh_of(mesh);
+  check_border(result.mesh);
+  return {std::move(result.mesh), scaled_metrics(result.metrics, 1 / length_scale)};
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,41 @@
+/// Adapts a mesh of the plane to a metric: afterwards its edges have unit length, as nearly as the
+/// metric lets them.
+///
+/// Source: thesis 3.3.3, edge by edge; departs: edges are compared with unit length and not with
+/// the mean of the present mesh (equation 16, whose two rules are printed the wrong way round).
+/// Coarsening comes first, then nodes on long edges, then sweeps of swapping, smoothing, collapsing
+/// and dividing, and last the edges and triangles that are still the worst.
+/// Determinism: the result depends on the input alone. Cost: O(nodes of input and result).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/adaptation/ellipse_cavity.h"
+#include "mesh/adaptation/metric_mesh.h"
+#include "mesh/planar/plane_mesh.h"
+
+namespace tetfarm {
+
+struct AdaptationOptions {
+  CavityOptions cavity;
+  /// Where two boundary edges turn by more, their node is a corner.
+  double corner_angle_deg = 30;
+  int sweeps = 8;
+  std::int64_t max_triangles = 100'000'000;
+};
+
+struct AdaptationResult {
+  PlaneMesh mesh;
+  std::vector<Metric2> metrics;  ///< at its points
+};
+
+/// `metrics` at the points of `mesh`.
+/// @throws InvalidInput when the mesh is no valid triangulation, or a metric is none: with the
+/// number of the entity in the file (from 1) and where it is; when there would be too many
+/// triangles.
+AdaptationResult adapt_mesh(const PlaneMesh& mesh, std::span<const Metric2> metrics,
+                            const AdaptationOptions& options = {});
+
+}  // namespace tetfarm

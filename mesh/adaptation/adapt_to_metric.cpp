@@ -1,0 +1,40 @@
+#include "mesh/adaptation/adapt_to_metric.h"
+
+#include <cmath>
+#include <utility>
+
+#include "mesh/adaptation/checked_plane_mesh.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int most_tries = 5;
+constexpr double close_enough = 0.02;
+
+}  // namespace
+
+AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const AdaptationWish& wish,
+                            const AdaptationOptions& options) {
+  const TriangleComplex complex = checked_complex(mesh);
+  check_metrics(mesh, wish.metrics, wish.metric_name);
+  AdaptedMesh adapted;
+  if (!wish.vertices.has_value()) {
+    adapted.asked = limited_metric(complex, wish.metrics, wish.limits);
+    adapted.result = adapt_mesh(mesh, adapted.asked.metrics, options);
+    adapted.asked.metrics.clear();
+    return adapted;
+  }
+  const auto wanted = static_cast<double>(*wish.vertices);
+  double complexity = wanted / nodes_per_complexity;
+  for (int i = 0; i < most_tries; ++i) {
+    adapted.asked = scaled_to(complex, wish.metrics, wish.limits, complexity);
+    adapted.result = adapt_mesh(mesh, adapted.asked.metrics, options);
+    adapted.asked.metrics.clear();
+    const double share = static_cast<double>(adapted.result.mesh.points.size()) / wanted;
+    if (std::abs(share - 1) < close_enough) break;
+    complexity /= share;
+  }
+  return adapted;
+}
+
+}  // namespace tetfarm

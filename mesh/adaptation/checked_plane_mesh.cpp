@@ -1,0 +1,325 @@
+#include "mesh/adaptation/checked_plane_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "base/array_index.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "mesh/core/vec3.h"
+#include "mesh/geometry/hilbert_order.h"
+
+namespace tetfarm {
+namespace {
+
+using Edge = std::array<std::int32_t, 2>;
+
+std::string place_text(const Vec2& p) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "(%.12g, %.12g)", p.x, p.y);
+  return text.data();
+}
+
+/// "FILE: what"; without a file "what".
+std::string in_file(const std::string& name, const std::string& what) {
+  return name.empty() ? what : name + ": " + what;
+}
+
+std::string triangle_text(const PlaneMesh& mesh, std::size_t t) {
+  std::string text = in_file(mesh.name, "triangle ") + std::to_string(t + 1) + ", nodes";
+  for (const std::int32_t v : mesh.triangles[t]) text += " " + std::to_string(v + 1);
+  return text + " at " + place_text(mesh.points[at(mesh.triangles[t][0])]);
+}
+
+void check_points(const PlaneMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const Vec2& p = mesh.points[i];
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) < 1e60 && std::abs(p.y) < 1e60) {
+      continue;
+    }
+    throw InvalidInput("the coordinates are no usable numbers",
+                       in_file(mesh.name, "node " + std::to_string(i + 1)));
+  }
+}
+
+/// The triangle, anticlockwise.
+TriangleComplex::Nodes checked_triangle(const PlaneMesh& mesh, std::size_t t) {
+  TriangleComplex::Nodes nodes = mesh.triangles[t];
+  for (const std::int32_t v : nodes) {
+    if (v < 0 || at(v) >= mesh.points.size()) {
+      throw InvalidInput("there is no node " + std::to_string(v + 1) + "; the mesh has " +
+                             std::to_string(mesh.points.size()),
+                         in_file(mesh.name, "triangle " + std::to_string(t + 1)));
+    }
+  }
+  const double turn =
+      orient2d(mesh.points[at(nodes[0])], mesh.points[at(nodes[1])], mesh.points[at(nodes[2])]);
+  if (turn == 0) throw InvalidInput("the triangle has no area", triangle_text(mesh, t));
+  if (turn < 0) std::swap(nodes[1], nodes[2]);
+  return nodes;
+}
+
+/// Each edge has at most two triangles, one on each side.
+void check_edges(const PlaneMesh& mesh, const std::vector<TriangleComplex::Nodes>& triangles) {
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> directed;
+  directed.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      directed.emplace_back(triangles[t][i], triangles[t][(i + 1) % 3], t);
+    }
+  }
+  std::sort(directed.begin(), directed.end());
+  const auto same = [](const auto& a, const auto& b) {
+    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+  };
+  const auto twice = std::adjacent_find(directed.begin(), directed.end(), same);
+  if (twice == directed.end()) return;
+  throw InvalidInput("lies over triangle " + std::to_string(std::get<2>(*(twice + 1)) + 1) +
+                         ": both are on the same side of an edge that they share",
+                     triangle_text(mesh, std::get<2>(*twice)));
+}
+
+/// The edges that are held, with their patches.
+std::vector<std::pair<Edge, std::int32_t>> held_edges(const PlaneMesh& mesh,
+                                                      TriangleComplex& complex) {
+  // Not by find_edge(), which sees one fan of a node where two parts meet.
+  std::unordered_map<std::uint64_t, EdgeHandle> sides;
+  for (std::int32_t t = 0; t < complex.size() && !mesh.edges.empty(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      sides[edge_key(complex.node(t, next(i)), complex.node(t, previous(i)))] = edge_handle(t, i);
+    }
+  }
+  std::unordered_map<std::uint64_t, std::int32_t> patches;
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    const auto [a, b] = mesh.edges[k];
+    const auto is_node = [&](std::int32_t v) { return v >= 0 && at(v) < mesh.points.size(); };
+    EdgeHandle edge = no_edge;
+    if (is_node(a) && is_node(b) && a != b) {
+      const auto side = sides.find(edge_key(a, b));
+      if (side != sides.end()) edge = side->second;
+    }
+    if (edge == no_edge) {
+      throw InvalidInput("nodes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+                             " are not joined by the side of a triangle" +
+                             (is_node(a) ? "; at " + place_text(mesh.points[at(a)]) : ""),
+                         in_file(mesh.name, "edge " + std::to_string(k + 1)));
+    }
+    complex.constrain(edge, true);
+    patches[edge_key(a, b)] = mesh.patches[k];
+  }
+  std::vector<std::pair<Edge, std::int32_t>> held;
+  for (std::int32_t t = 0; t < complex.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const EdgeHandle other = complex.neighbour(t, i);
+      if (other != no_edge && triangle_of(other) < t) continue;
+      if (other != no_edge && !mesh.regions.empty() &&
+          mesh.regions[at(t)] != mesh.regions[at(triangle_of(other))]) {
+        complex.constrain(edge_handle(t, i), true);
+      }
+      if (!complex.is_constrained(t, i)) continue;
+      const Edge edge{complex.node(t, next(i)), complex.node(t, previous(i))};
+      const auto named = patches.find(edge_key(edge[0], edge[1]));
+      held.emplace_back(edge, named == patches.end() ? 0 : named->second);
+    }
+  }
+  return held;
+}
+
+/// Joins held edges to curves.
+class CurveTracing {
+ public:
+  CurveTracing(const PlaneMesh& mesh, std::vector<std::pair<Edge, std::int32_t>> held,
+               double corner_angle_deg)
+      : mesh_(mesh), held_(std::move(held)), is_used_(held_.size(), false) {
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+      for (const std::int32_t v : held_[k].first) edges_at_[v].push_back(k);
+    }
+    const double least_cosine = std::cos(corner_angle_deg * std::numbers::pi / 180);
+    for (const auto& [node, edges] : edges_at_)
+      is_corner_[node] = is_corner(node, edges, least_cosine);
+    for (const std::int32_t v : mesh.corners) {
+      if (v >= 0 && at(v) < mesh.points.size()) is_corner_[v] = true;
+    }
+  }
+
+  void trace(MetricMesh& out) {
+    for (const bool from_corners : {true, false}) {
+      for (std::size_t k = 0; k < held_.size(); ++k) {
+        if (is_used_[k]) continue;
+        const auto [a, b] = held_[k].first;
+        if (from_corners && !is_corner_[a] && !is_corner_[b]) continue;
+        follow(out, k, from_corners && !is_corner_[a] ? b : a);
+      }
+    }
+    for (const auto& [node, edges] : edges_at_) {
+      if (is_corner_[node]) out.curve_of_node[at(node)] = MetricMesh::corner;
+    }
+    for (const std::int32_t v : mesh_.corners) {
+      if (v >= 0 && at(v) < mesh_.points.size()) out.curve_of_node[at(v)] = MetricMesh::corner;
+    }
+  }
+
+ private:
+  std::int32_t other_end(std::size_t edge, std::int32_t node) const {
+    const Edge& ends = held_[edge].first;
+    return ends[0] == node ? ends[1] : ends[0];
+  }
+
+  bool is_corner(std::int32_t node, const std::vector<std::size_t>& edges,
+                 double least_cosine) const {
+    if (edges.size() != 2 || held_[edges[0]].second != held_[edges[1]].second) return true;
+    const Vec2& p = mesh_.points[at(node)];
+    const Vec2& a = mesh_.points[at(other_end(edges[0], node))];
+    const Vec2& b = mesh_.points[at(other_end(edges[1], node))];
+    const Vec2 in{p.x - a.x, p.y - a.y};
+    const Vec2 out{b.x - p.x, b.y - p.y};
+    const double lengths = std::hypot(in.x, in.y) * std::hypot(out.x, out.y);
+    return in.x * out.x + in.y * out.y < least_cosine * lengths;
+  }
+
+  /// The curve that begins at `start` with the edge.
+  void follow(MetricMesh& out, std::size_t edge, std::int32_t start) {
+    const auto number = static_cast<std::int32_t>(out.curves.size());
+    const std::int32_t patch = held_[edge].second;
+    std::vector<std::int32_t> nodes{start};
+    for (;;) {
+      is_used_[edge] = true;
+      out.curve_of_edge[edge_key(held_[edge].first[0], held_[edge].first[1])] = number;
+      const std::int32_t node = other_end(edge, nodes.back());
+      nodes.push_back(node);
+      if (node == start || is_corner_[node]) break;
+      const std::vector<std::size_t>& edges = edges_at_[node];
+      edge = edges[0] == edge ? edges[1] : edges[0];
+    }
+    const bool is_closed = nodes.back() == start && !is_corner_[start];
+    if (is_closed) nodes.pop_back();
+    std::vector<Vec2> points;
+    points.reserve(nodes.size());
+    for (const std::int32_t v : nodes) points.push_back(mesh_.points[at(v)]);
+    BoundaryCurve shape(points, is_closed);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (is_corner_[nodes[i]]) continue;
+      out.curve_of_node[at(nodes[i])] = number;
+      out.parameters[at(nodes[i])] = shape.parameter_of(i);
+    }
+    out.curves.push_back({std::move(shape), patch});
+  }
+
+  const PlaneMesh& mesh_;
+  std::vector<std::pair<Edge, std::int32_t>> held_;
+  std::vector<bool> is_used_;
+  std::unordered_map<std::int32_t, std::vector<std::size_t>> edges_at_;
+  std::unordered_map<std::int32_t, bool> is_corner_;
+};
+
+/// The triangles in use along the Hilbert curve of their first nodes.
+std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
+  std::vector<std::int32_t> used;
+  std::vector<Vec3> places;
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
+    if (!mesh.is_used(t)) continue;
+    used.push_back(t);
+    Vec2 sum;
+    for (const std::int32_t v : mesh.complex.nodes(t)) {
+      sum.x += mesh.complex.point(v).x;
+      sum.y += mesh.complex.point(v).y;
+    }
+    places.push_back({sum.x / 3, sum.y / 3, 0});
+  }
+  std::vector<std::int32_t> order;
+  order.reserve(used.size());
+  for (const std::int32_t k : hilbert_order(places)) order.push_back(used[at(k)]);
+  return order;
+}
+
+}  // namespace
+
+TriangleComplex checked_complex(const PlaneMesh& mesh) {
+  if (mesh.triangles.empty()) throw InvalidInput("the mesh has no triangles", mesh.name);
+  check_points(mesh);
+  std::vector<TriangleComplex::Nodes> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    triangles.push_back(checked_triangle(mesh, t));
+  }
+  check_edges(mesh, triangles);
+  return make_triangle_complex(mesh.points, std::move(triangles));
+}
+
+void check_metrics(const PlaneMesh& mesh, std::span<const Metric2> metrics,
+                   const std::string& name) {
+  if (metrics.size() != mesh.points.size()) {
+    throw InvalidInput("there are " + std::to_string(metrics.size()) + " metrics for " +
+                           std::to_string(mesh.points.size()) + " nodes",
+                       name);
+  }
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const Metric2& m = metrics[i];
+    if (is_metric(m) && m.xx < 1e100 && m.yy < 1e100 && determinant(m) > 1e-200) continue;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "the metric [%.6g %.6g; %.6g %.6g] is not positive definite", m.xx, m.xy, m.xy,
+                  m.yy);
+    throw InvalidInput(text.data(), in_file(name, "node " + std::to_string(i + 1) + " at " +
+                                                      place_text(mesh.points[i])));
+  }
+}
+
+MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& complex,
+                            std::span<const Metric2> metrics, double corner_angle_deg) {
+  TF_CHECK(metrics.size() == mesh.points.size() && mesh.patches.size() == mesh.edges.size());
+  TF_CHECK(complex.triangles.size() == mesh.triangles.size());
+  TF_CHECK(mesh.regions.empty() || mesh.regions.size() == mesh.triangles.size());
+  MetricMesh out;
+  out.complex = complex;
+  out.regions.assign(mesh.triangles.size(), 0);
+  std::copy(mesh.regions.begin(), mesh.regions.end(), out.regions.begin());
+  out.metrics.assign(metrics.begin(), metrics.end());
+  for (const Metric2& m : metrics) out.densities.push_back(std::sqrt(determinant(m)));
+  out.homes = complex.node2triangle;
+  out.curve_of_node.assign(mesh.points.size(), MetricMesh::inside);
+  out.parameters.assign(mesh.points.size(), 0);
+  out.active.assign(mesh.points.size(), 0);
+  CurveTracing(mesh, held_edges(mesh, out.complex), corner_angle_deg).trace(out);
+  return out;
+}
+
+MeshWithMetrics plane_mesh_of(const MetricMesh& mesh) {
+  MeshWithMetrics out;
+  std::vector<std::int32_t> numbers(mesh.complex.points.size(), -1);
+  const auto number_of = [&](std::int32_t node) {
+    std::int32_t& number = numbers[at(node)];
+    if (number < 0) {
+      number = static_cast<std::int32_t>(out.mesh.points.size());
+      out.mesh.points.push_back(mesh.complex.point(node));
+      out.metrics.push_back(mesh.metrics[at(node)]);
+      if (mesh.curve_of_node[at(node)] == MetricMesh::corner) out.mesh.corners.push_back(number);
+    }
+    return number;
+  };
+  for (const std::int32_t t : triangles_in_order(mesh)) {
+    const TriangleComplex::Nodes& n = mesh.complex.nodes(t);
+    const std::int32_t a = number_of(n[0]);
+    const std::int32_t b = number_of(n[1]);
+    const std::int32_t c = number_of(n[2]);
+    out.mesh.triangles.push_back({a, b, c});
+    out.mesh.regions.push_back(mesh.regions[at(t)]);
+    for (int i = 0; i < 3; ++i) {
+      if (!mesh.complex.is_constrained(t, i)) continue;
+      const std::int32_t from = n[at(next(i))];
+      const std::int32_t to = n[at(previous(i))];
+      if (mesh.complex.neighbour(t, i) != no_edge && from > to) continue;
+      out.mesh.edges.push_back({number_of(from), number_of(to)});
+      out.mesh.patches.push_back(mesh.curves[at(curve_of_edge(mesh, from, to))].patch);
+    }
+  }
+  return out;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,27 @@
+/// Takes nodes away whose edges are too short.
+///
+/// Source: thesis 3.3.3.2 and 3.3.3.4. Departs: one of the two ends goes and the other stays where
+/// it is, so that nodes of the boundary never leave their curve; and only where no new edge is too
+/// long, so that refinement does not bring back what has gone. Cost: O(edges).
+#pragma once
+
+#include "mesh/adaptation/metric_mesh.h"
+
+namespace tetfarm {
+
+struct CollapseLimits {
+  double shortest = 0.70710678;  ///< shorter edges go
+  double longest = 1.41421356;   ///< no new edge is longer
+  /// No new triangle is worse than this, unless the worst that goes is worse still.
+  double worst_energy = 12;
+};
+
+/// Goes over all edges once (of the active nodes alone, where asked for). Returns how many nodes
+/// went.
+std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, bool only_active);
+
+/// Joins `node` to `target` along their edge, if that is allowed. False with nothing changed.
+bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
+                   const CollapseLimits& limits, Ball& ball);
+
+}  // namespace tetfarm

@@ -1,0 +1,102 @@
+#include "mesh/adaptation/edge_swaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/array_index.h"
+
+namespace tetfarm {
+namespace {
+
+// A swap for the last digits would only make results depend on rounding.
+constexpr double enough_better = 1 - 1e-6;
+
+/// The four nodes round an edge: p and q beyond it, a and b its ends.
+struct Quadrilateral {
+  std::int32_t p = 0, a = 0, q = 0, b = 0;
+};
+
+bool is_better_by_energy(const MetricMesh& mesh, const Quadrilateral& at) {
+  const double before = std::max(triangle_energy(mesh, {at.p, at.a, at.b}),
+                                 triangle_energy(mesh, {at.q, at.b, at.a}));
+  const double after = std::max(triangle_energy(mesh, {at.p, at.a, at.q}),
+                                triangle_energy(mesh, {at.p, at.q, at.b}));
+  return after < before * enough_better;
+}
+
+/// Whether the angles at p and q, by the mean metric, are together more than two right angles.
+bool is_better_by_ellipse(const MetricMesh& mesh, const Quadrilateral& nodes) {
+  Metric2 sum{0, 0, 0};
+  for (const std::int32_t v : {nodes.p, nodes.a, nodes.q, nodes.b}) {
+    const Metric2& m = mesh.metrics[at(v)];
+    sum = {sum.xx + m.xx, sum.xy + m.xy, sum.yy + m.yy};
+  }
+  const Vec2& a = mesh.complex.point(nodes.a);
+  const Vec2& b = mesh.complex.point(nodes.b);
+  const auto angle_at = [&](std::int32_t apex, const Vec2& from, const Vec2& to) {
+    const Vec2& p = mesh.complex.point(apex);
+    const Vec2 u{from.x - p.x, from.y - p.y};
+    const Vec2 v{to.x - p.x, to.y - p.y};
+    return Vec2{product(sum, u, v), u.x * v.y - u.y * v.x};  // cosine and sine, but for scale
+  };
+  const Vec2 of_p = angle_at(nodes.p, a, b);
+  const Vec2 of_q = angle_at(nodes.q, b, a);
+  const double first = of_p.x * of_q.y;
+  const double second = of_q.x * of_p.y;
+  return first + second < -1e-9 * (std::abs(first) + std::abs(second));
+}
+
+bool is_better_swapped(const MetricMesh& mesh, EdgeHandle edge, SwapCriterion criterion) {
+  const TriangleComplex& complex = mesh.complex;
+  const std::int32_t t = triangle_of(edge);
+  const int i = edge_of(edge);
+  const EdgeHandle other = complex.neighbour(t, i);
+  if (other == no_edge || complex.is_constrained(t, i)) return false;
+  const Quadrilateral nodes{complex.node(t, i), complex.node(t, next(i)),
+                            complex.node(triangle_of(other), edge_of(other)),
+                            complex.node(t, previous(i))};
+  const bool is_better = criterion == SwapCriterion::energy ? is_better_by_energy(mesh, nodes)
+                                                            : is_better_by_ellipse(mesh, nodes);
+  if (!is_better) return false;
+  const Vec2& p = complex.point(nodes.p);
+  const Vec2& q = complex.point(nodes.q);
+  return orient2d(p, complex.point(nodes.a), q) > 0 && orient2d(p, q, complex.point(nodes.b)) > 0;
+}
+
+}  // namespace
+
+std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_active) {
+  std::int64_t swaps = 0;
+  const std::int64_t most_swaps = 10LL * mesh.complex.size();
+  std::vector<EdgeHandle> waiting;
+  for (std::int32_t first = 0; first < mesh.complex.size(); ++first) {
+    for (int i = 0; i < 3 && mesh.is_used(first); ++i) {
+      if (mesh.complex.neighbour(first, i) < edge_handle(first, i)) continue;
+      const auto is_active = [&](int local) {
+        return mesh.active[at(mesh.complex.node(first, local))] != 0;
+      };
+      if (only_active && !is_active(0) && !is_active(1) && !is_active(2)) continue;
+      waiting.assign(1, edge_handle(first, i));
+      while (!waiting.empty() && swaps < most_swaps) {
+        const EdgeHandle edge = waiting.back();
+        waiting.pop_back();
+        if (!is_better_swapped(mesh, edge, criterion)) continue;
+        const std::int32_t t = triangle_of(edge);
+        const std::int32_t u = triangle_of(mesh.complex.neighbour(t, edge_of(edge)));
+        for (const std::int32_t v : mesh.complex.nodes(t)) mesh.active[at(v)] = 1;
+        for (const std::int32_t v : mesh.complex.nodes(u)) mesh.active[at(v)] = 1;
+        mesh.complex.flip(edge);
+        ++swaps;
+        // After the flip the outer edges are 0 and 2 of t, 0 and 1 of u.
+        for (const EdgeHandle outer :
+             {edge_handle(t, 2), edge_handle(t, 0), edge_handle(u, 0), edge_handle(u, 1)}) {
+          waiting.push_back(outer);
+        }
+      }
+    }
+  }
+  return swaps;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,19 @@
+/// Swaps edges: until no ellipse through a triangle holds the node beyond its edge, or while the
+/// worse of the two triangles beside one becomes better.
+///
+/// Source: thesis 4.3.1.10 (edge swapping) in the metric. By ellipses, with the mean metric of the
+/// four nodes, a mesh leaves states that the other criterion cannot leave, but need not end where
+/// metrics vary: the number of swaps is bounded. By energy the sorted energies of the mesh only
+/// fall, so that it ends. Cost: O(edges + swaps).
+#pragma once
+
+#include "mesh/adaptation/metric_mesh.h"
+
+namespace tetfarm {
+
+enum class SwapCriterion { ellipse, energy };
+
+/// Of the active nodes alone, where asked for. Returns how many edges were swapped.
+std::int64_t swap_edges(MetricMesh& mesh, SwapCriterion criterion, bool only_active);
+
+}  // namespace tetfarm

@@ -1,0 +1,192 @@
+#include "mesh/adaptation/metric_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/array_index.h"
+#include "base/check.h"
+
+namespace tetfarm {
+namespace {
+
+Vec2 difference(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
+
+double energy_of(const Vec2 (&p)[3], const Metric2& mean) {
+  const Vec2 u = difference(p[1], p[0]);
+  const Vec2 v = difference(p[2], p[0]);
+  const Vec2 w = difference(p[2], p[1]);
+  const double doubled = u.x * v.y - u.y * v.x;
+  const double det = mean.xx * mean.yy - mean.xy * mean.xy;
+  if (!(doubled > 0) || !(det > 0)) return std::numeric_limits<double>::infinity();
+  const double squares =
+      squared_length(mean, u) + squared_length(mean, v) + squared_length(mean, w);
+  // |J|² is 2/3 of the squares, and the determinant of J the area over that of the unit triangle.
+  const double area_squared = doubled * doubled * det * (4.0 / 3);
+  return 2.0 / 3 * squares * (1 + 1 / area_squared);
+}
+
+Metric2 mean_of(const Metric2& a, const Metric2& b, const Metric2& c) {
+  return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
+}
+
+double length_of(const Vec2& edge, const Metric2& a, const Metric2& b) {
+  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
+}
+
+void validate_boundary(const MetricMesh& mesh, std::vector<std::string>& wrong) {
+  std::size_t constrained = 0;
+  for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
+    if (!mesh.is_used(t)) continue;
+    for (int i = 0; i < 3; ++i) {
+      if (!mesh.complex.is_constrained(t, i)) continue;
+      const std::int32_t a = mesh.complex.node(t, next(i));
+      const std::int32_t b = mesh.complex.node(t, previous(i));
+      const bool seen_before = mesh.complex.neighbour(t, i) != no_edge && a > b;
+      constrained += seen_before ? 0 : 1;
+      if (curve_of_edge(mesh, a, b) < 0) wrong.push_back("a constrained edge is on no curve");
+    }
+  }
+  if (constrained != mesh.curve_of_edge.size()) wrong.push_back("an edge of a curve is missing");
+}
+
+}  // namespace
+
+std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
+  const auto low = static_cast<std::uint64_t>(std::min(a, b));
+  return low << 32U | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+std::int32_t curve_of_edge(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
+  const auto found = mesh.curve_of_edge.find(edge_key(a, b));
+  return found == mesh.curve_of_edge.end() ? -1 : found->second;
+}
+
+double parameter_on(const MetricMesh& mesh, std::int32_t curve, std::int32_t node, double near) {
+  if (mesh.curve_of_node[at(node)] == curve) return mesh.parameters[at(node)];
+  const BoundaryCurve& shape = mesh.curves[at(curve)].shape;
+  const Vec2& point = mesh.complex.point(node);
+  const bool begins = shape.at(0) == point;
+  const bool ends = shape.at(shape.length()) == point;
+  TF_CHECK(begins || ends);
+  if (begins && ends) return near < shape.length() / 2 ? 0 : shape.length();
+  return begins ? 0 : shape.length();
+}
+
+std::int32_t add_node(MetricMesh& mesh, const NodePlace& place) {
+  mesh.complex.add_point(place.point);
+  mesh.metrics.push_back(place.metric);
+  mesh.densities.push_back(std::sqrt(determinant(place.metric)));
+  mesh.homes.push_back(place.home);
+  mesh.curve_of_node.push_back(MetricMesh::inside);
+  mesh.parameters.push_back(0);
+  mesh.active.push_back(1);
+  return mesh.nodes() - 1;
+}
+
+void move_node(MetricMesh& mesh, std::int32_t node, const NodePlace& place) {
+  mesh.complex.points[at(node)] = place.point;
+  mesh.metrics[at(node)] = place.metric;
+  mesh.densities[at(node)] = std::sqrt(determinant(place.metric));
+  mesh.homes[at(node)] = place.home;
+}
+
+NodePlace place_of(const MetricMesh& mesh, std::int32_t node) {
+  return {mesh.complex.point(node), mesh.metrics[at(node)], mesh.homes[at(node)]};
+}
+
+std::int32_t take_triangle(MetricMesh& mesh) {
+  if (!mesh.unused.empty()) {
+    const std::int32_t t = mesh.unused.back();
+    mesh.unused.pop_back();
+    return t;
+  }
+  mesh.regions.push_back(0);
+  return mesh.complex.add_triangle();
+}
+
+void drop_triangle(MetricMesh& mesh, std::int32_t triangle) {
+  TF_CHECK(mesh.is_used(triangle));
+  mesh.complex.triangles[at(triangle)] = {-1, -1, -1};
+  mesh.complex.neighbours[at(triangle)] = {no_edge, no_edge, no_edge};
+  mesh.complex.constrained[at(triangle)] = 0;
+  mesh.unused.push_back(triangle);
+}
+
+double edge_length(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
+  return length_of(difference(mesh.complex.point(b), mesh.complex.point(a)), mesh.metrics[at(a)],
+                   mesh.metrics[at(b)]);
+}
+
+double edge_length(const MetricMesh& mesh, const NodePlace& place, std::int32_t node) {
+  return length_of(difference(mesh.complex.point(node), place.point), place.metric,
+                   mesh.metrics[at(node)]);
+}
+
+double triangle_energy(const NodePlace& a, const NodePlace& b, const NodePlace& c) {
+  return energy_of({a.point, b.point, c.point}, mean_of(a.metric, b.metric, c.metric));
+}
+
+double triangle_energy(const MetricMesh& mesh, const TriangleComplex::Nodes& nodes) {
+  return energy_of(
+      {mesh.complex.point(nodes[0]), mesh.complex.point(nodes[1]), mesh.complex.point(nodes[2])},
+      mean_of(mesh.metrics[at(nodes[0])], mesh.metrics[at(nodes[1])], mesh.metrics[at(nodes[2])]));
+}
+
+void collect_ball(const TriangleComplex& complex, std::int32_t node, Ball& ball) {
+  ball.corners.clear();
+  ball.is_closed = true;
+  const std::int32_t first = complex.node2triangle[at(node)];
+  TF_CHECK(first >= 0);
+  std::int32_t t = first;
+  int local = complex.local_node(t, node);
+  // Clockwise to the border, where there is one, and then all of them anticlockwise.
+  for (;;) {
+    const EdgeHandle back = complex.neighbour(t, previous(local));
+    if (back == no_edge) {
+      ball.is_closed = false;
+      break;
+    }
+    t = triangle_of(back);
+    local = previous(edge_of(back));
+    if (t == first) break;
+  }
+  const std::int32_t start = t;
+  do {
+    ball.corners.push_back(edge_handle(t, local));
+    const EdgeHandle onward = complex.neighbour(t, next(local));
+    if (onward == no_edge) break;
+    t = triangle_of(onward);
+    local = next(edge_of(onward));
+  } while (t != start);
+}
+
+std::vector<std::string> validate(const MetricMesh& mesh) {
+  std::vector<std::string> wrong;
+  const TriangleComplex& complex = mesh.complex;
+  for (std::int32_t t = 0; t < complex.size() && wrong.size() < 20; ++t) {
+    if (!mesh.is_used(t)) continue;
+    const TriangleComplex::Nodes& n = complex.nodes(t);
+    if (orient2d(complex.point(n[0]), complex.point(n[1]), complex.point(n[2])) <= 0) {
+      wrong.push_back("triangle " + std::to_string(t) + " does not turn anticlockwise");
+    }
+    for (int i = 0; i < 3; ++i) {
+      const EdgeHandle other = complex.neighbour(t, i);
+      if (other == no_edge) {
+        if (!complex.is_constrained(t, i)) wrong.push_back("a border edge is not constrained");
+        continue;
+      }
+      const std::int32_t u = triangle_of(other);
+      if (complex.neighbour(u, edge_of(other)) != edge_handle(t, i) ||
+          complex.node(u, next(edge_of(other))) != n[at(previous(i))] ||
+          complex.node(u, previous(edge_of(other))) != n[at(next(i))]) {
+        wrong.push_back("triangles " + std::to_string(t) + " and " + std::to_string(u) +
+                        " do not agree about their edge");
+      }
+    }
+  }
+  validate_boundary(mesh, wrong);
+  return wrong;
+}
+
+}  // namespace tetfarm

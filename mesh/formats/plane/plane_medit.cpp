@@ -1,0 +1,221 @@
+#include "mesh/formats/plane/plane_medit.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/file_system.h"
+#include "mesh/formats/mesh_text.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::string_view text_start = "MeshVersionFormatted";
+
+std::int32_t small(InputScanner& in, std::string_view what) {
+  const std::int64_t value = in.integer(what);
+  if (value < std::numeric_limits<std::int32_t>::min() ||
+      value > std::numeric_limits<std::int32_t>::max()) {
+    in.fail(std::string(what) + " is too large");
+  }
+  return static_cast<std::int32_t>(value);
+}
+
+class MeshReader {
+ public:
+  explicit MeshReader(const std::filesystem::path& path) : text_(path, '#'), in_(text_.scanner()) {
+    mesh_.name = path.string();
+  }
+
+  PlaneMesh read() {
+    in_.expect(text_start);
+    in_.integer("the version");
+    in_.expect("Dimension");
+    dimension_ = in_.integer("the dimension");
+    if (dimension_ != 2 && dimension_ != 3) in_.fail("the dimension is neither 2 nor 3");
+    while (!in_.at_end()) {
+      const std::string_view word = in_.word();
+      if (word == "End") break;
+      if (word == "Vertices") read_vertices();
+      if (word == "Edges") read_edges();
+      if (word == "Triangles") read_triangles();
+      if (word == "Corners") read_corners();
+      if (word == "Quadrilaterals" || word == "Tetrahedra") {
+        if (list_length(1) > 0) in_.fail("only triangles and edges can be adapted");
+      }
+      // Numbers and the names of other lists are passed over, word by word.
+    }
+    if (mesh_.points.empty()) in_.fail("the file has no vertices");
+    if (mesh_.triangles.empty()) in_.fail("the file has no triangles");
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Each number of a record takes two bytes at least.
+  std::size_t list_length(std::size_t numbers) {
+    return in_.to_count(in_.integer("the length of a list"), 2 * numbers - 1);
+  }
+
+  void read_vertices() {
+    const std::size_t count = list_length(3);
+    mesh_.points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = in_.coordinate();
+      mesh_.points.push_back({x, in_.coordinate()});
+      if (dimension_ == 3) check_height(in_.coordinate());
+      in_.integer("a reference");
+      text_.pass();
+    }
+  }
+
+  void check_height(double z) {
+    if (mesh_.points.size() == 1) height_ = z;
+    if (z != height_) in_.fail("the vertices do not lie in one plane z = constant");
+  }
+
+  std::int32_t node() {
+    const std::int32_t number = small(in_, "a vertex number");
+    if (number < 1) in_.fail("vertices are numbered from 1");
+    return number - 1;
+  }
+
+  void read_edges() {
+    const std::size_t count = list_length(3);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t a = node();
+      mesh_.edges.push_back({a, node()});
+      mesh_.patches.push_back(small(in_, "a reference"));
+      text_.pass();
+    }
+  }
+
+  void read_triangles() {
+    const std::size_t count = list_length(4);
+    mesh_.triangles.reserve(count);
+    mesh_.regions.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t a = node();
+      const std::int32_t b = node();
+      mesh_.triangles.push_back({a, b, node()});
+      mesh_.regions.push_back(small(in_, "a reference"));
+      text_.pass();
+    }
+  }
+
+  void read_corners() {
+    const std::size_t count = list_length(1);
+    for (std::size_t i = 0; i < count; ++i) mesh_.corners.push_back(node());
+  }
+
+  MeshText text_;
+  InputScanner& in_;
+  std::int64_t dimension_ = 2;
+  double height_ = 0;
+  PlaneMesh mesh_;
+};
+
+/// Text with numbers of as few digits as tell them.
+class Lines {
+ public:
+  explicit Lines(std::size_t bytes) { text_.reserve(bytes); }
+  template <class Number>
+  Lines& number(Number value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    text_.append(buffer.data(), end);
+    text_ += ' ';
+    return *this;
+  }
+  void end() { text_.back() = '\n'; }
+  void words(std::string_view words) { text_ += words; }
+  void list(std::string_view name, std::size_t count) {
+    text_ += "\n";
+    text_ += name;
+    text_ += "\n";
+    number(count).end();
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+PlaneMesh read_plane_medit(const std::filesystem::path& path) { return MeshReader(path).read(); }
+
+void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path) {
+  TF_CHECK(mesh.patches.size() == mesh.edges.size());
+  TF_CHECK(mesh.regions.size() == mesh.triangles.size());
+  Lines lines(60 * mesh.points.size() + 30 * mesh.triangles.size() + 1000);
+  lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
+  lines.list("Vertices", mesh.points.size());
+  for (const Vec2& p : mesh.points) lines.number(p.x).number(p.y).number(0).end();
+  lines.list("Edges", mesh.edges.size());
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    const auto [a, b] = mesh.edges[k];
+    lines.number(a + 1).number(b + 1).number(mesh.patches[k]).end();
+  }
+  lines.list("Triangles", mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::int32_t v : mesh.triangles[t]) lines.number(v + 1);
+    lines.number(mesh.regions[t]).end();
+  }
+  lines.list("Corners", mesh.corners.size());
+  for (const std::int32_t v : mesh.corners) lines.number(v + 1).end();
+  lines.words("\nEnd\n");
+  write_file_atomically(path, lines.text());
+}
+
+NodeFields read_plane_sol(const std::filesystem::path& path) {
+  MeshText text(path, '#');
+  InputScanner& in = text.scanner();
+  in.expect(text_start);
+  in.integer("the version");
+  in.expect("Dimension");
+  if (in.integer("the dimension") != 2) in.fail("the fields are not those of a plane mesh");
+  in.expect("SolAtVertices");
+  const std::size_t nodes = in.to_count(in.integer("the number of nodes"), 2);
+  const std::size_t count = in.to_count(in.integer("the number of fields"), 2);
+  std::vector<std::int64_t> kinds;
+  NodeFields fields;
+  for (std::size_t k = 0; k < count; ++k) {
+    kinds.push_back(in.integer("the kind of a field"));
+    if (kinds.back() < 1 || kinds.back() > 3) {
+      in.fail("a field is a number (1), a vector (2) or a symmetric tensor (3)");
+    }
+    if (kinds.back() == 1) fields.scalars.emplace_back();
+    if (kinds.back() == 2) fields.vectors.emplace_back();
+    if (kinds.back() == 3) fields.metrics.emplace_back();
+  }
+  for (std::size_t i = 0; i < nodes; ++i) {
+    std::array<std::size_t, 4> next_of_kind{};
+    for (const std::int64_t kind : kinds) {
+      const std::size_t k = next_of_kind[static_cast<std::size_t>(kind)]++;
+      const double first = in.coordinate();
+      if (kind == 1) fields.scalars[k].push_back(first);
+      if (kind == 2) fields.vectors[k].push_back({first, in.coordinate()});
+      if (kind == 3) {
+        const double xy = in.coordinate();
+        fields.metrics[k].push_back({first, xy, in.coordinate()});
+      }
+    }
+    text.pass();
+  }
+  return fields;
+}
+
+void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path) {
+  Lines lines(70 * metrics.size() + 200);
+  lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
+  lines.list("SolAtVertices", metrics.size());
+  lines.words("1 3\n");
+  for (const Metric2& m : metrics) lines.number(m.xx).number(m.xy).number(m.yy).end();
+  lines.words("\nEnd\n");
+  write_file_atomically(path, lines.text());
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,32 @@
+/// Meshes of the plane and fields at their nodes as Medit's text files (.mesh, .sol), which bamg,
+/// FreeFEM, mmg2d and INRIA's programs read and write.
+///
+/// A symmetric tensor stands in a .sol file as xx, xy, yy. Vertices of a three-dimensional file
+/// may lie in a plane z = constant, as some programs write them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "mesh/metric/metric2.h"
+#include "mesh/planar/plane_mesh.h"
+
+namespace tetfarm {
+
+/// @throws InvalidInput with the file and the line; IoError.
+PlaneMesh read_plane_medit(const std::filesystem::path& path);
+void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path);
+
+/// What a .sol file gives at each node: numbers, and metrics. A file may hold both.
+struct NodeFields {
+  std::vector<std::vector<double>> scalars;
+  std::vector<std::vector<Metric2>> metrics;
+  std::vector<std::vector<Vec2>> vectors;
+};
+
+/// @throws InvalidInput with the file and the line; IoError.
+NodeFields read_plane_sol(const std::filesystem::path& path);
+void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path);
+
+}  // namespace tetfarm
