@@ -9,7 +9,7 @@ namespace tetfarm {
 namespace {
 
 constexpr int most_tries = 5;
-constexpr double close_enough = 0.02;
+constexpr double close_to_the_number = 0.02;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const AdaptationWish& wish,
     adapted.result = adapt_mesh(mesh, adapted.asked.metrics, options);
     adapted.asked.metrics.clear();
     const double share = static_cast<double>(adapted.result.mesh.points.size()) / wanted;
-    if (std::abs(share - 1) < close_enough) break;
+    if (std::abs(share - 1) < close_to_the_number) break;
     complexity /= share;
   }
   return adapted;

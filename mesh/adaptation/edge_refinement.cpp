@@ -46,7 +46,7 @@ NewNode node_on_edge(const MetricMesh& mesh, const MetricField& field, std::int3
 }
 
 /// A node of a curve takes in those inside that it came too near to.
-void join_near_nodes(MetricMesh& mesh, std::int32_t node, std::vector<std::int32_t> around,
+void join_near_nodes(MetricMesh& mesh, std::int32_t node, const std::vector<std::int32_t>& around,
                      double shortest) {
   Ball ball;
   for (const std::int32_t near : around) {

@@ -30,10 +30,6 @@ Metric2 mean_of(const Metric2& a, const Metric2& b, const Metric2& c) {
   return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
 }
 
-double length_of(const Vec2& edge, const Metric2& a, const Metric2& b) {
-  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
-}
-
 void validate_boundary(const MetricMesh& mesh, std::vector<std::string>& wrong) {
   std::size_t constrained = 0;
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
@@ -114,13 +110,13 @@ void drop_triangle(MetricMesh& mesh, std::int32_t triangle) {
 }
 
 double edge_length(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
-  return length_of(difference(mesh.complex.point(b), mesh.complex.point(a)), mesh.metrics[at(a)],
-                   mesh.metrics[at(b)]);
+  return length_between(difference(mesh.complex.point(b), mesh.complex.point(a)),
+                        mesh.metrics[at(a)], mesh.metrics[at(b)]);
 }
 
 double edge_length(const MetricMesh& mesh, const NodePlace& place, std::int32_t node) {
-  return length_of(difference(mesh.complex.point(node), place.point), place.metric,
-                   mesh.metrics[at(node)]);
+  return length_between(difference(mesh.complex.point(node), place.point), place.metric,
+                        mesh.metrics[at(node)]);
 }
 
 double triangle_energy(const NodePlace& a, const NodePlace& b, const NodePlace& c) {

@@ -15,10 +15,6 @@ namespace {
 
 Vec2 edge_from(const Vec2& a, const Vec2& b) { return {b.x - a.x, b.y - a.y}; }
 
-double length_of(const Vec2& edge, const Metric2& a, const Metric2& b) {
-  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
-}
-
 double largest_angle_deg(const std::array<Vec2, 3>& p) {
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +59,7 @@ MetricQuality metric_quality(const TriangleComplex& complex, std::span<const Met
       const Vec2& a = p[(i + 1) % 3];
       const Vec2& b = p[(i + 2) % 3];
       const double length =
-          length_of(edge_from(a, b), metrics[at(n[(i + 1) % 3])], metrics[at(n[(i + 2) % 3])]);
+          length_between(edge_from(a, b), metrics[at(n[(i + 1) % 3])], metrics[at(n[(i + 2) % 3])]);
       ++edges;
       unit_edges += length >= std::numbers::sqrt2 / 2 && length <= std::numbers::sqrt2 ? 1 : 0;
       result.edge_length_min = std::min(result.edge_length_min, length);

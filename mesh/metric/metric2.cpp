@@ -81,6 +81,10 @@ double length_between(double a, double b) {
   return difference / std::log(a / b);
 }
 
+double length_between(const Vec2& edge, const Metric2& a, const Metric2& b) {
+  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
+}
+
 double share_at_length(double a, double b, double part) {
   // The length passed at share t is a (r^t - 1) / ln r with r = b / a.
   const double log_ratio = std::log(b / a);

@@ -64,6 +64,9 @@ inline double squared_length(const Metric2& m, const Vec2& v) {
 /// grows geometrically between them: (a - b) / ln(a / b).
 double length_between(double a, double b);
 
+/// The same of an edge by the metrics at its two ends.
+double length_between(const Vec2& edge, const Metric2& a, const Metric2& b);
+
 /// Where along such an edge, as a share of it from the end of length a, a metric length `part` of
 /// its whole length has been passed.
 double share_at_length(double a, double b, double part);
