@@ -42,12 +42,12 @@ std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& m
 
 /// Of several numbers at a node each field gives its own metric; they are made to the same
 /// complexity, and intersected in the order of the file.
-std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const PlaneMesh& mesh) {
+std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const PlaneMesh& mesh,
+                                         const TriangleComplex& complex) {
   const NodeFields fields = read_plane_sol(command.solution);
   if (fields.scalars.empty()) {
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
   }
-  const TriangleComplex complex = checked_complex(mesh);
   std::vector<Metric2> metrics;
   for (const std::vector<double>& values : fields.scalars) {
     check_count(values.size(), mesh, command.solution);
@@ -58,7 +58,7 @@ std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const Plan
     std::vector<Metric2> of_field = is_lp ? lp_metrics(hessians, command.norm) : absolute(hessians);
     if (fields.scalars.size() > 1 && is_lp) {
       const double factor = 1 / complexity(complex, of_field);
-      for (Metric2& m : of_field) m = {factor * m.xx, factor * m.xy, factor * m.yy};
+      for (Metric2& m : of_field) m = factor * m;
     }
     if (metrics.empty()) {
       metrics = std::move(of_field);
@@ -81,9 +81,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
   require_plane_mesh_name(command.output);
   const std::int64_t start = steady_ms();
   const PlaneMesh mesh = read_plane_medit(command.input);
+  const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
-  const std::vector<Metric2> metrics =
-      has_metric ? metrics_of_file(command.metric, mesh) : metrics_of_solution(command, mesh);
+  const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
+                                                  : metrics_of_solution(command, mesh, complex);
   AdaptationWish wish;
   wish.metrics = metrics;
   wish.metric_name = has_metric ? command.metric : command.solution;
@@ -95,7 +96,7 @@ ExitCode adapt_command(const AdaptCommand& command) {
   }
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
-  const AdaptedMesh adapted = adapt_to_metric(mesh, wish, options);
+  const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
   write_plane_medit(adapted.result.mesh, command.output);
   tell_adapted({"adapt", command.output, command.json, start}, adapted);
   return ExitCode::ok;

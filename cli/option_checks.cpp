@@ -74,6 +74,14 @@ CLI::Validator counting_number() {
   });
 }
 
+CLI::Validator off_or_number_above(double bound, double most) {
+  return must_be("off or a number above " + text_of(bound) + ", at most " + text_of(most),
+                 [bound, most](const std::string& text) {
+                   const double number = number_of<double>(text).value_or(bound);
+                   return text == "off" || (number > bound && number <= most);
+                 });
+}
+
 CLI::Validator number_of_parts(std::int64_t most) {
   const auto translate = [most](std::string& text) -> std::string {
     const auto number = number_of<std::int64_t>(text);

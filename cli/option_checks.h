@@ -17,6 +17,8 @@ CLI::Validator number_between(double least, double most);
 CLI::Validator whole_number(std::int64_t least, std::int64_t most);
 /// "must be a whole number above 0, not 0".
 CLI::Validator counting_number();
+/// "must be off or a number above 1, at most 100, not 1".
+CLI::Validator off_or_number_above(double bound, double most);
 /// "as-meshed", which becomes 0, or a whole number from 1 to `most`.
 CLI::Validator number_of_parts(std::int64_t most);
 /// "must not be empty".

@@ -60,7 +60,8 @@ ExitCode plane_command(const PlaneCommand& command) {
   wish.limits.gradation = gradation_of(command.gradation, is_by_boundary ? 1.25 : 0);
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
-  const AdaptedMesh adapted = adapt_to_metric(asked.mesh, wish, options);
+  const AdaptedMesh adapted =
+      adapt_to_metric(asked.mesh, checked_complex(asked.mesh), wish, options);
   write_plane_medit(adapted.result.mesh, command.output);
   tell_adapted({"plane", command.output, command.json, start}, adapted);
   return ExitCode::ok;

@@ -1,26 +1,14 @@
 #include "cli/plane_command_line.h"
 
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "cli/client_options.h"
 #include "cli/option_checks.h"
 
 namespace tetfarm {
 namespace {
-
-CLI::Validator gradation() {
-  return {[](const std::string& text) -> std::string {
-            double value = 0;
-            const char* const end = text.data() + text.size();
-            const auto read = std::from_chars(text.data(), end, value);
-            const bool is_number = read.ec == std::errc{} && read.ptr == end;
-            if (text == "off" || (is_number && value > 1 && value <= 100)) return "";
-            return "must be off or a number above 1, at most 100, not " + text;
-          },
-          ""};
-}
 
 void add_corner_angle(CLI::App& sub, double& angle_deg) {
   sub.add_option("--corner-angle", angle_deg,
@@ -58,10 +46,10 @@ void add_plane(CLI::App& sub, PlaneCommand& plane) {
   sub.add_option("--gradation", plane.gradation,
                  "How fast sizes may grow from edge to edge (default 1.25 where the edges of the "
                  "loops say them, else off)")
-      ->check(gradation())
+      ->check(off_or_number_above(1, 100))
       ->option_text("G|off");
   add_corner_angle(sub, plane.corner_angle_deg);
-  sub.add_flag("--json", plane.json, "Print the result as one line of JSON");
+  add_json(sub, plane.json);
 }
 
 void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
@@ -74,7 +62,7 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
                             ->check(not_empty())
                             ->option_text("FILE");
   sub.add_option("--solution", adapt.solution,
-                 "Numbers at the nodes of MESH (.sol): edges become short where they bend")
+                 "Numbers at the nodes of MESH (.sol): edges become short where the field bends")
       ->check(not_empty())
       ->excludes(metric)
       ->option_text("FILE");
@@ -93,7 +81,7 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
   sub.add_option("--gradation", adapt.gradation,
                  "How fast sizes may grow from edge to edge (default: off with --metric, 1.4 with "
                  "--solution)")
-      ->check(gradation())
+      ->check(off_or_number_above(1, 100))
       ->option_text("G|off");
   sub.add_option("--aspect", adapt.aspect, "Largest ratio of sizes at a point (default 10000)")
       ->check(number_between(1, 1e7))
@@ -104,7 +92,7 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
       ->check(CLI::IsMember({"lp", "hessian"}))
       ->option_text("lp|hessian");
   add_corner_angle(sub, adapt.corner_angle_deg);
-  sub.add_flag("--json", adapt.json, "Print the result as one line of JSON");
+  add_json(sub, adapt.json);
 }
 
 }  // namespace tetfarm

@@ -34,7 +34,7 @@ std::vector<Metric2> scaled_metrics(std::span<const Metric2> metrics, double len
   const double factor = length_factor * length_factor;
   std::vector<Metric2> scaled;
   scaled.reserve(metrics.size());
-  for (const Metric2& m : metrics) scaled.push_back({factor * m.xx, factor * m.xy, factor * m.yy});
+  for (const Metric2& m : metrics) scaled.push_back(factor * m);
   return scaled;
 }
 
@@ -53,12 +53,9 @@ void check_size(double complexity, std::int64_t max_triangles) {
 void check_border(const PlaneMesh& mesh) {
   const std::optional<Vec2> place = find_border_crossing(mesh);
   if (!place.has_value()) return;
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(),
-                "with these sizes the two sides of a gap would cross, at (%.9g, %.9g): ask for "
-                "shorter edges there",
-                place->x, place->y);
-  throw InvalidInput(text.data(), mesh.name);
+  throw InvalidInput("with these sizes the two sides of a gap would cross, at " +
+                         place_text(*place) + ": ask for shorter edges there",
+                     mesh.name);
 }
 
 void coarsen(MetricMesh& mesh) {
@@ -110,6 +107,12 @@ AdaptationResult adapt_mesh(const PlaneMesh& input, std::span<const Metric2> met
                             const AdaptationOptions& options) {
   TriangleComplex complex = checked_complex(input);
   check_metrics(input, metrics);
+  return adapt_checked_mesh(input, std::move(complex), metrics, options);
+}
+
+AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex complex,
+                                    std::span<const Metric2> metrics,
+                                    const AdaptationOptions& options) {
   check_size(complexity(complex, metrics), options.max_triangles);
   const std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
   MetricMesh mesh = make_metric_mesh(input, complex, scaled, options.corner_angle_deg);

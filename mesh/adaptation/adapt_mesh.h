@@ -38,4 +38,9 @@ struct AdaptationResult {
 AdaptationResult adapt_mesh(const PlaneMesh& mesh, std::span<const Metric2> metrics,
                             const AdaptationOptions& options = {});
 
+/// The same of a mesh and metrics that are checked. `complex`: checked_complex() of the mesh.
+AdaptationResult adapt_checked_mesh(const PlaneMesh& mesh, TriangleComplex complex,
+                                    std::span<const Metric2> metrics,
+                                    const AdaptationOptions& options);
+
 }  // namespace tetfarm

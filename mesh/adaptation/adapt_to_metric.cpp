@@ -13,14 +13,13 @@ constexpr double close_to_the_number = 0.02;
 
 }  // namespace
 
-AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const AdaptationWish& wish,
-                            const AdaptationOptions& options) {
-  const TriangleComplex complex = checked_complex(mesh);
+AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& complex,
+                            const AdaptationWish& wish, const AdaptationOptions& options) {
   check_metrics(mesh, wish.metrics, wish.metric_name);
   AdaptedMesh adapted;
   if (!wish.vertices.has_value()) {
     adapted.asked = limited_metric(complex, wish.metrics, wish.limits);
-    adapted.result = adapt_mesh(mesh, adapted.asked.metrics, options);
+    adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
     adapted.asked.metrics.clear();
     return adapted;
   }
@@ -28,7 +27,7 @@ AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const AdaptationWish& wish,
   double complexity = wanted / nodes_per_complexity;
   for (int i = 0; i < most_tries; ++i) {
     adapted.asked = scaled_to(complex, wish.metrics, wish.limits, complexity);
-    adapted.result = adapt_mesh(mesh, adapted.asked.metrics, options);
+    adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
     adapted.asked.metrics.clear();
     const double share = static_cast<double>(adapted.result.mesh.points.size()) / wanted;
     if (std::abs(share - 1) < close_to_the_number) break;

@@ -27,8 +27,9 @@ struct AdaptedMesh {
   ScaledMetric asked;  ///< on the nodes of the mesh before; without its metrics
 };
 
+/// `complex`: checked_complex() of the mesh.
 /// @throws InvalidInput as adapt_mesh and scaled_to do.
-AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const AdaptationWish& wish,
-                            const AdaptationOptions& options = {});
+AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& complex,
+                            const AdaptationWish& wish, const AdaptationOptions& options = {});
 
 }  // namespace tetfarm

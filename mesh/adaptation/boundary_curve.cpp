@@ -109,12 +109,14 @@ BoundaryCurve::BoundaryCurve(std::vector<Vec2> points, bool is_closed)
   }
 }
 
+double BoundaryCurve::within(double parameter) const {
+  if (!is_closed_) return parameter;
+  parameter = std::fmod(parameter, length());
+  return parameter < 0 ? parameter + length() : parameter;
+}
+
 Vec2 BoundaryCurve::at(double parameter) const {
-  if (is_closed_) {
-    parameter = std::fmod(parameter, length());
-    if (parameter < 0) parameter += length();
-  }
-  parameter = std::clamp(parameter, 0.0, length());
+  parameter = std::clamp(within(parameter), 0.0, length());
   if (seconds_.empty()) {
     const double share = parameter / length();
     if (share == 1) return points_.back();
@@ -133,10 +135,8 @@ Vec2 BoundaryCurve::at(double parameter) const {
 }
 
 double BoundaryCurve::way(double from, double to) const {
-  double way = to - from;
-  if (!is_closed_) return way;
-  way = std::remainder(way, length());
-  return way;
+  const double way = to - from;
+  return is_closed_ ? std::remainder(way, length()) : way;
 }
 
 }  // namespace tetfarm

@@ -6,7 +6,6 @@
 /// where it is parallel to an axis. Cost: O(n) to make, O(log n) a point.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "mesh/geometry/predicates.h"
@@ -24,6 +23,8 @@ class BoundaryCurve {
   double length() const { return knots_.back(); }
   /// Of the point of the constructor.
   double parameter_of(std::size_t point) const { return knots_[point]; }
+  /// The parameter of the same place from 0 to the length of a closed curve; on an open one itself.
+  double within(double parameter) const;
   /// Any parameter on a closed curve; clamped to the ends on an open one.
   Vec2 at(double parameter) const;
   /// How far it is from `from` to `to` along the curve, with sign; on a closed one the shorter way.

@@ -20,12 +20,6 @@ namespace {
 
 using Edge = std::array<std::int32_t, 2>;
 
-std::string place_text(const Vec2& p) {
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "(%.12g, %.12g)", p.x, p.y);
-  return text.data();
-}
-
 /// "FILE: what"; without a file "what".
 std::string in_file(const std::string& name, const std::string& what) {
   return name.empty() ? what : name + ": " + what;
@@ -85,49 +79,51 @@ void check_edges(const PlaneMesh& mesh, const std::vector<TriangleComplex::Nodes
                      triangle_text(mesh, std::get<2>(*twice)));
 }
 
+struct NamedEdge {
+  std::int32_t patch = 0;
+  bool is_there = false;  ///< as the side of a triangle
+};
+
+/// @throws InvalidInput for the first edge of the mesh that is no side of a triangle.
+void check_named_edges(const PlaneMesh& mesh,
+                       const std::unordered_map<std::uint64_t, NamedEdge>& named) {
+  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
+    const auto [a, b] = mesh.edges[k];
+    if (named.at(edge_key(a, b)).is_there) continue;
+    const bool is_node = a >= 0 && at(a) < mesh.points.size();
+    throw InvalidInput("nodes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
+                           " are not joined by the side of a triangle" +
+                           (is_node ? "; at " + place_text(mesh.points[at(a)]) : ""),
+                       in_file(mesh.name, "edge " + std::to_string(k + 1)));
+  }
+}
+
 /// The edges that are held, with their patches.
 std::vector<std::pair<Edge, std::int32_t>> held_edges(const PlaneMesh& mesh,
                                                       TriangleComplex& complex) {
-  // Not by find_edge(), which sees one fan of a node where two parts meet.
-  std::unordered_map<std::uint64_t, EdgeHandle> sides;
-  for (std::int32_t t = 0; t < complex.size() && !mesh.edges.empty(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      sides[edge_key(complex.node(t, next(i)), complex.node(t, previous(i)))] = edge_handle(t, i);
-    }
-  }
-  std::unordered_map<std::uint64_t, std::int32_t> patches;
+  std::unordered_map<std::uint64_t, NamedEdge> named;
   for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-    const auto [a, b] = mesh.edges[k];
-    const auto is_node = [&](std::int32_t v) { return v >= 0 && at(v) < mesh.points.size(); };
-    EdgeHandle edge = no_edge;
-    if (is_node(a) && is_node(b) && a != b) {
-      const auto side = sides.find(edge_key(a, b));
-      if (side != sides.end()) edge = side->second;
-    }
-    if (edge == no_edge) {
-      throw InvalidInput("nodes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
-                             " are not joined by the side of a triangle" +
-                             (is_node(a) ? "; at " + place_text(mesh.points[at(a)]) : ""),
-                         in_file(mesh.name, "edge " + std::to_string(k + 1)));
-    }
-    complex.constrain(edge, true);
-    patches[edge_key(a, b)] = mesh.patches[k];
+    named[edge_key(mesh.edges[k][0], mesh.edges[k][1])].patch = mesh.patches[k];
   }
   std::vector<std::pair<Edge, std::int32_t>> held;
+  // Sides are looked up, not edges by find_edge(), which sees one fan of a node where two parts
+  // meet.
   for (std::int32_t t = 0; t < complex.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const EdgeHandle other = complex.neighbour(t, i);
       if (other != no_edge && triangle_of(other) < t) continue;
-      if (other != no_edge && !mesh.regions.empty() &&
-          mesh.regions[at(t)] != mesh.regions[at(triangle_of(other))]) {
-        complex.constrain(edge_handle(t, i), true);
-      }
-      if (!complex.is_constrained(t, i)) continue;
       const Edge edge{complex.node(t, next(i)), complex.node(t, previous(i))};
-      const auto named = patches.find(edge_key(edge[0], edge[1]));
-      held.emplace_back(edge, named == patches.end() ? 0 : named->second);
+      const auto name = named.find(edge_key(edge[0], edge[1]));
+      const bool is_named = name != named.end();
+      if (is_named) name->second.is_there = true;
+      const bool parts_regions = other != no_edge && !mesh.regions.empty() &&
+                                 mesh.regions[at(t)] != mesh.regions[at(triangle_of(other))];
+      if (is_named || parts_regions) complex.constrain(edge_handle(t, i), true);
+      if (!complex.is_constrained(t, i)) continue;
+      held.emplace_back(edge, is_named ? name->second.patch : 0);
     }
   }
+  check_named_edges(mesh, named);
   return held;
 }
 
@@ -239,6 +235,12 @@ std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
 }
 
 }  // namespace
+
+std::string place_text(const Vec2& p) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "(%.12g, %.12g)", p.x, p.y);
+  return text.data();
+}
 
 TriangleComplex checked_complex(const PlaneMesh& mesh) {
   if (mesh.triangles.empty()) throw InvalidInput("the mesh has no triangles", mesh.name);

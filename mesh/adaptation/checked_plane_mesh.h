@@ -14,6 +14,9 @@
 
 namespace tetfarm {
 
+/// "(x, y)", for messages.
+std::string place_text(const Vec2& p);
+
 /// Triangles as the complex of the mesh, anticlockwise whatever way they were given; points that no
 /// triangle uses keep their numbers.
 /// @throws InvalidInput with number and place of what is wrong: a number out of range, a triangle

@@ -16,16 +16,6 @@ bool may_join(const MetricMesh& mesh, std::int32_t node, std::int32_t target) {
   return curve == MetricMesh::inside || curve_of_edge(mesh, node, target) == curve;
 }
 
-struct Ring {
-  std::int32_t before = 0, after = 0;  ///< the two nodes beside the node in a triangle of its ball
-};
-
-Ring ring_of(const MetricMesh& mesh, EdgeHandle corner) {
-  const std::int32_t t = triangle_of(corner);
-  const int i = edge_of(corner);
-  return {mesh.complex.node(t, next(i)), mesh.complex.node(t, previous(i))};
-}
-
 /// Whether the triangle at the edge that goes leaves something to join: not where both its other
 /// edges are held.
 bool can_go(const MetricMesh& mesh, EdgeHandle corner, std::int32_t target) {
@@ -38,10 +28,15 @@ bool can_go(const MetricMesh& mesh, EdgeHandle corner, std::int32_t target) {
 /// Whether the triangles that stay are valid, with edges and shapes within the limits.
 bool may_collapse(const MetricMesh& mesh, std::int32_t node, std::int32_t target,
                   const CollapseLimits& limits, const Ball& ball) {
+  // An edge beyond the limit may come where the one that goes is longer still.
+  const auto is_too_long = [&](std::int32_t other) {
+    const double length = edge_length(mesh, target, other);
+    return length > limits.longest && length > edge_length(mesh, node, other);
+  };
   double worst_before = 0;
   double worst_after = 0;
   for (const EdgeHandle corner : ball.corners) {
-    const Ring ring = ring_of(mesh, corner);
+    const OppositeEdge ring = opposite_edge(mesh.complex, corner);
     worst_before = std::max(worst_before, triangle_energy(mesh, {node, ring.before, ring.after}));
     if (ring.before == target || ring.after == target) {
       if (!can_go(mesh, corner, target)) return false;
@@ -52,14 +47,7 @@ bool may_collapse(const MetricMesh& mesh, std::int32_t node, std::int32_t target
       return false;
     }
     worst_after = std::max(worst_after, triangle_energy(mesh, {target, ring.before, ring.after}));
-    if (edge_length(mesh, target, ring.before) > limits.longest &&
-        edge_length(mesh, target, ring.before) > edge_length(mesh, node, ring.before)) {
-      return false;
-    }
-    if (edge_length(mesh, target, ring.after) > limits.longest &&
-        edge_length(mesh, target, ring.after) > edge_length(mesh, node, ring.after)) {
-      return false;
-    }
+    if (is_too_long(ring.before) || is_too_long(ring.after)) return false;
   }
   return worst_after <= std::max(limits.worst_energy, worst_before);
 }
@@ -74,8 +62,8 @@ std::array<std::int32_t, 2> ends_on_curve(const MetricMesh& mesh, std::int32_t n
     (ends[0] < 0 ? ends[0] : ends[1]) = end;
   };
   for (const EdgeHandle corner : ball.corners) {
-    note(ring_of(mesh, corner).before);
-    note(ring_of(mesh, corner).after);
+    note(opposite_edge(mesh.complex, corner).before);
+    note(opposite_edge(mesh.complex, corner).after);
   }
   return ends;
 }
@@ -124,13 +112,13 @@ bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
   // A border of three edges would be left with two.
   std::size_t staying = 0;
   for (const EdgeHandle corner : ball.corners) {
-    const Ring ring = ring_of(mesh, corner);
+    const OppositeEdge ring = opposite_edge(mesh.complex, corner);
     staying += ring.before == target || ring.after == target ? 0 : 1;
   }
   if (staying == 0) return false;
   if (!join_curve_edges(mesh, node, target, ball)) return false;
   for (const EdgeHandle corner : ball.corners) {
-    const Ring ring = ring_of(mesh, corner);
+    const OppositeEdge ring = opposite_edge(mesh.complex, corner);
     mesh.active[at(ring.before)] = 1;
     mesh.active[at(ring.after)] = 1;
     if (ring.before == target || ring.after == target) continue;

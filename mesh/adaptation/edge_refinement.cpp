@@ -31,9 +31,7 @@ NewNode node_on_edge(const MetricMesh& mesh, const MetricField& field, std::int3
                                      a_is_on_it               ? middle
                                      : of_b == shape.length() ? 0
                                                               : of_b);
-    node.parameter = of_a + share * shape.way(of_a, of_b);
-    if (shape.is_closed() && node.parameter < 0) node.parameter += shape.length();
-    if (shape.is_closed() && node.parameter >= shape.length()) node.parameter -= shape.length();
+    node.parameter = shape.within(of_a + share * shape.way(of_a, of_b));
     node.place.point = shape.at(node.parameter);
   } else {
     const Vec2& from = mesh.complex.point(a);
@@ -64,12 +62,6 @@ double share_of_part(const MetricMesh& mesh, std::int32_t a, std::int32_t b, dou
                          std::sqrt(squared_length(mesh.metrics[at(b)], edge)), part);
 }
 
-/// The edge from a to b, from whatever side it has a triangle.
-EdgeHandle edge_between(const TriangleComplex& complex, std::int32_t a, std::int32_t b) {
-  const EdgeHandle edge = complex.find_edge(a, b);
-  return edge != no_edge ? edge : complex.find_edge(b, a);
-}
-
 /// Nodes on one long edge, from its beginning on; where one has no room the next is tried. Returns
 /// how many came.
 std::int64_t refine_edge(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity,
@@ -85,15 +77,14 @@ std::int64_t refine_edge(MetricMesh& mesh, const MetricField& field, EllipseCavi
     const int parts = std::max(2, static_cast<int>(std::min(std::lround(length), 1000L)));
     if (passed >= parts) break;
     const double share = share_of_part(mesh, start, end, static_cast<double>(passed) / parts);
-    const bool begins = mesh.complex.node(triangle_of(edge), next(edge_of(edge))) == start;
-    if (!divide_edge(mesh, field, cavity, edge, begins ? share : 1 - share, limits.shortest)) {
+    if (!divide_edge(mesh, field, cavity, edge, share, limits.shortest)) {
       ++passed;
       continue;
     }
     ++nodes;
     passed = 1;
     start = mesh.nodes() - 1;
-    edge = edge_between(mesh.complex, start, end);
+    edge = mesh.complex.find_edge(start, end);
   }
   return nodes;
 }

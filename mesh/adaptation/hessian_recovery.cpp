@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/array_index.h"
@@ -23,28 +24,20 @@ struct Adjacency {
 Adjacency adjacency_of(const TriangleComplex& complex) {
   Adjacency adjacency;
   adjacency.starts.assign(complex.points.size() + 1, 0);
-  const auto each_edge = [&](const auto& visit) {
-    for (std::int32_t t = 0; t < complex.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const EdgeHandle other = complex.neighbour(t, i);
-        if (other != no_edge && triangle_of(other) < t) continue;
-        visit(complex.node(t, next(i)), complex.node(t, previous(i)));
-      }
-    }
-  };
-  each_edge([&](std::int32_t a, std::int32_t b) {
+  const std::vector<std::array<std::int32_t, 2>> edges = edges_of(complex);
+  for (const auto& [a, b] : edges) {
     ++adjacency.starts[at(a) + 1];
     ++adjacency.starts[at(b) + 1];
-  });
+  }
   for (std::size_t i = 1; i < adjacency.starts.size(); ++i) {
     adjacency.starts[i] += adjacency.starts[i - 1];
   }
   adjacency.nodes.resize(at(adjacency.starts.back()));
   std::vector<std::int32_t> fill(adjacency.starts.begin(), adjacency.starts.end() - 1);
-  each_edge([&](std::int32_t a, std::int32_t b) {
+  for (const auto& [a, b] : edges) {
     adjacency.nodes[at(fill[at(a)]++)] = b;
     adjacency.nodes[at(fill[at(b)]++)] = a;
-  });
+  }
   return adjacency;
 }
 

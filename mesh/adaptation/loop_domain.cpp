@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/array_index.h"
 #include "base/check.h"
@@ -55,10 +54,7 @@ bool runs_right(const std::vector<DomainLoop>& loops, std::size_t loop) {
   std::string what = failure.reason;
   const std::size_t told = std::min<std::size_t>(failure.where.size(), 5);
   for (std::size_t i = 0; i < told; ++i) {
-    std::array<char, 80> place{};
-    std::snprintf(place.data(), place.size(), "%s(%.12g, %.12g)", i == 0 ? ", at " : ", ",
-                  failure.where[i].x, failure.where[i].y);
-    what += place.data();
+    what += (i == 0 ? ", at " : ", ") + place_text(failure.where[i]);
   }
   if (told < failure.where.size()) {
     what += " and " + std::to_string(failure.where.size() - told) + " more places";

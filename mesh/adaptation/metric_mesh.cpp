@@ -6,6 +6,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/core/complaints.h"
 
 namespace tetfarm {
 namespace {
@@ -30,7 +31,7 @@ Metric2 mean_of(const Metric2& a, const Metric2& b, const Metric2& c) {
   return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
 }
 
-void validate_boundary(const MetricMesh& mesh, std::vector<std::string>& wrong) {
+void validate_boundary(const MetricMesh& mesh, Complaints& wrong) {
   std::size_t constrained = 0;
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
     if (!mesh.is_used(t)) continue;
@@ -40,10 +41,10 @@ void validate_boundary(const MetricMesh& mesh, std::vector<std::string>& wrong) 
       const std::int32_t b = mesh.complex.node(t, previous(i));
       const bool seen_before = mesh.complex.neighbour(t, i) != no_edge && a > b;
       constrained += seen_before ? 0 : 1;
-      if (curve_of_edge(mesh, a, b) < 0) wrong.push_back("a constrained edge is on no curve");
+      if (curve_of_edge(mesh, a, b) < 0) wrong.add("a constrained edge is on no curve");
     }
   }
-  if (constrained != mesh.curve_of_edge.size()) wrong.push_back("an edge of a curve is missing");
+  if (constrained != mesh.curve_of_edge.size()) wrong.add("an edge of a curve is missing");
 }
 
 }  // namespace
@@ -157,32 +158,39 @@ void collect_ball(const TriangleComplex& complex, std::int32_t node, Ball& ball)
   } while (t != start);
 }
 
+bool sees_ball(const TriangleComplex& complex, const Ball& ball, const Vec2& point) {
+  return std::all_of(ball.corners.begin(), ball.corners.end(), [&](EdgeHandle corner) {
+    const OppositeEdge edge = opposite_edge(complex, corner);
+    return orient2d(point, complex.point(edge.before), complex.point(edge.after)) > 0;
+  });
+}
+
 std::vector<std::string> validate(const MetricMesh& mesh) {
-  std::vector<std::string> wrong;
+  Complaints wrong;
   const TriangleComplex& complex = mesh.complex;
-  for (std::int32_t t = 0; t < complex.size() && wrong.size() < 20; ++t) {
+  for (std::int32_t t = 0; t < complex.size() && !wrong.full(); ++t) {
     if (!mesh.is_used(t)) continue;
     const TriangleComplex::Nodes& n = complex.nodes(t);
     if (orient2d(complex.point(n[0]), complex.point(n[1]), complex.point(n[2])) <= 0) {
-      wrong.push_back("triangle " + std::to_string(t) + " does not turn anticlockwise");
+      wrong.add("triangle " + std::to_string(t) + " does not turn anticlockwise");
     }
     for (int i = 0; i < 3; ++i) {
       const EdgeHandle other = complex.neighbour(t, i);
       if (other == no_edge) {
-        if (!complex.is_constrained(t, i)) wrong.push_back("a border edge is not constrained");
+        if (!complex.is_constrained(t, i)) wrong.add("a border edge is not constrained");
         continue;
       }
       const std::int32_t u = triangle_of(other);
       if (complex.neighbour(u, edge_of(other)) != edge_handle(t, i) ||
           complex.node(u, next(edge_of(other))) != n[at(previous(i))] ||
           complex.node(u, previous(edge_of(other))) != n[at(next(i))]) {
-        wrong.push_back("triangles " + std::to_string(t) + " and " + std::to_string(u) +
-                        " do not agree about their edge");
+        wrong.add("triangles " + std::to_string(t) + " and " + std::to_string(u) +
+                  " do not agree about their edge");
       }
     }
   }
   validate_boundary(mesh, wrong);
-  return wrong;
+  return wrong.take();
 }
 
 }  // namespace tetfarm

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -89,6 +88,18 @@ struct Ball {
   bool is_closed = true;
 };
 void collect_ball(const TriangleComplex& complex, std::int32_t node, Ball& ball);
+
+/// The edge opposite the node in a triangle of its ball, as the triangle runs.
+struct OppositeEdge {
+  std::int32_t before = 0, after = 0;
+};
+inline OppositeEdge opposite_edge(const TriangleComplex& complex, EdgeHandle corner) {
+  const std::int32_t t = triangle_of(corner);
+  const int i = edge_of(corner);
+  return {complex.node(t, next(i)), complex.node(t, previous(i))};
+}
+/// Whether every triangle of the ball still turns anticlockwise with its node at the point. Exact.
+bool sees_ball(const TriangleComplex& complex, const Ball& ball, const Vec2& point);
 
 /// What breaks the invariants, a line each (at most 20).
 std::vector<std::string> validate(const MetricMesh& mesh);

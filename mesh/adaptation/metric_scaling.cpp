@@ -20,37 +20,17 @@ constexpr int most_rounds = 400;
 constexpr int most_steps = 40;
 constexpr double close_enough = 0.01;
 
-Metric2 times(double factor, const Metric2& m) {
-  return {factor * m.xx, factor * m.xy, factor * m.yy};
-}
-
 /// Whether a - b has no negative eigenvalue, but for rounding.
 bool covers(const Metric2& a, const Metric2& b) {
   const Metric2 rest{a.xx * (1 + 1e-9) - b.xx, a.xy * (1 + 1e-9) - b.xy, a.yy * (1 + 1e-9) - b.yy};
   return rest.xx >= 0 && rest.yy >= 0 && determinant(rest) >= 0;
 }
 
-struct NodePair {
-  std::int32_t a = 0, b = 0;
-};
-
-std::vector<NodePair> edges_of(const TriangleComplex& complex) {
-  std::vector<NodePair> edges;
-  for (std::int32_t t = 0; t < complex.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const EdgeHandle other = complex.neighbour(t, i);
-      if (other != no_edge && triangle_of(other) < t) continue;
-      edges.push_back({complex.node(t, next(i)), complex.node(t, previous(i))});
-    }
-  }
-  return edges;
-}
-
 /// The metric of `from` as far as the node at the other end of the edge may be from it.
 Metric2 grown(const Metric2& from, const Vec2& edge, double log_gradation) {
   const double length = std::sqrt(squared_length(from, edge));
   const double growth = 1 + length * log_gradation;
-  return times(1 / (growth * growth), from);
+  return (1 / (growth * growth)) * from;
 }
 
 }  // namespace
@@ -71,7 +51,7 @@ std::vector<Metric2> graded(const TriangleComplex& complex, std::vector<Metric2>
   TF_CHECK(metrics.size() == complex.points.size());
   if (gradation <= 1) return metrics;
   const double log_gradation = std::log(gradation);
-  const std::vector<NodePair> edges = edges_of(complex);
+  const std::vector<std::array<std::int32_t, 2>> edges = edges_of(complex);
   std::vector<std::uint8_t> changed(metrics.size(), 1);
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<Metric2> next_metrics = metrics;
@@ -86,12 +66,12 @@ std::vector<Metric2> graded(const TriangleComplex& complex, std::vector<Metric2>
       changes[at(to)] = 1;
       is_done = false;
     };
-    for (const NodePair& pair : edges) {
-      const Vec2& a = complex.point(pair.a);
-      const Vec2& b = complex.point(pair.b);
+    for (const auto& [from, to] : edges) {
+      const Vec2& a = complex.point(from);
+      const Vec2& b = complex.point(to);
       const Vec2 edge{b.x - a.x, b.y - a.y};
-      spread(pair.a, pair.b, edge);
-      spread(pair.b, pair.a, edge);
+      spread(from, to, edge);
+      spread(to, from, edge);
     }
     metrics = std::move(next_metrics);
     changed = std::move(changes);
@@ -123,7 +103,7 @@ std::vector<Metric2> absolute(std::span<const Metric2> hessians) {
 
 std::vector<Metric2> lp_metrics(std::span<const Metric2> hessians, double norm) {
   std::vector<Metric2> metrics = absolute(hessians);
-  for (Metric2& m : metrics) m = times(std::pow(determinant(m), -1 / (2 * norm + 2)), m);
+  for (Metric2& m : metrics) m = std::pow(determinant(m), -1 / (2 * norm + 2)) * m;
   return metrics;
 }
 
@@ -149,7 +129,7 @@ ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> w
   ScaledMetric result;
   result.scale = scale;
   for (const Metric2& m : wish) {
-    const Metric2 wished = times(scale * scale, m);
+    const Metric2 wished = (scale * scale) * m;
     const Eigen2 e = eigen(wished);
     result.at_h_min += limits.h_min > 0 && e.first * limits.h_min * limits.h_min > 1 ? 1 : 0;
     result.at_h_max += limits.h_max > 0 && e.second * limits.h_max * limits.h_max < 1 ? 1 : 0;

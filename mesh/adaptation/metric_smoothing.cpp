@@ -1,6 +1,5 @@
 #include "mesh/adaptation/metric_smoothing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -18,32 +17,13 @@ struct Step {
   double parameter = 0;
 };
 
-struct Sides {
-  std::int32_t before = 0, after = 0;
-};
-
-Sides sides_of(const MetricMesh& mesh, EdgeHandle corner) {
-  const std::int32_t t = triangle_of(corner);
-  const int i = edge_of(corner);
-  return {mesh.complex.node(t, next(i)), mesh.complex.node(t, previous(i))};
-}
-
 double ball_energy(const MetricMesh& mesh, const Ball& ball, const NodePlace& place) {
   double sum = 0;
   for (const EdgeHandle corner : ball.corners) {
-    const Sides sides = sides_of(mesh, corner);
-    const double energy =
-        triangle_energy(place, place_of(mesh, sides.before), place_of(mesh, sides.after));
-    sum += energy;
+    const OppositeEdge sides = opposite_edge(mesh.complex, corner);
+    sum += triangle_energy(place, place_of(mesh, sides.before), place_of(mesh, sides.after));
   }
   return sum;
-}
-
-bool sees_all(const MetricMesh& mesh, const Ball& ball, const Vec2& point) {
-  return std::all_of(ball.corners.begin(), ball.corners.end(), [&](EdgeHandle corner) {
-    const Sides sides = sides_of(mesh, corner);
-    return orient2d(point, mesh.complex.point(sides.before), mesh.complex.point(sides.after)) > 0;
-  });
 }
 
 /// The mean of the apexes of the unit triangles on the edges opposite the node.
@@ -53,7 +33,7 @@ Vec2 optimal_point(const MetricMesh& mesh, const Ball& ball, std::int32_t node) 
   const double density = mesh.densities[at(node)];
   Vec2 sum;
   for (const EdgeHandle corner : ball.corners) {
-    const Sides sides = sides_of(mesh, corner);
+    const OppositeEdge sides = opposite_edge(mesh.complex, corner);
     const Vec2& a = mesh.complex.point(sides.before);
     const Vec2& b = mesh.complex.point(sides.after);
     const Vec2 edge{b.x - a.x, b.y - a.y};
@@ -83,8 +63,8 @@ std::optional<double> optimal_parameter(const MetricMesh& mesh, const Ball& ball
     (way < 0 ? length_down : length_up) = edge_length(mesh, node, end);
   };
   for (const EdgeHandle corner : ball.corners) {
-    note(sides_of(mesh, corner).before);
-    note(sides_of(mesh, corner).after);
+    note(opposite_edge(mesh.complex, corner).before);
+    note(opposite_edge(mesh.complex, corner).after);
   }
   if (length_down <= 0 || length_up <= 0) return std::nullopt;
   const double excess = (length_up - length_down) / 2;
@@ -100,11 +80,7 @@ std::optional<Step> step_of(const MetricMesh& mesh, const MetricField& field, st
   } else {
     const BoundaryCurve& shape = mesh.curves[at(mesh.curve_of_node[at(node)])].shape;
     const double from = mesh.parameters[at(node)];
-    step.parameter = from + share * (*parameter - from);
-    if (shape.is_closed()) {
-      if (step.parameter < 0) step.parameter += shape.length();
-      if (step.parameter >= shape.length()) step.parameter -= shape.length();
-    }
+    step.parameter = shape.within(from + share * (*parameter - from));
     step.place.point = shape.at(step.parameter);
   }
   if (step.place.point == here) return std::nullopt;
@@ -129,12 +105,12 @@ bool smooth_node(MetricMesh& mesh, const MetricField& field, std::int32_t node, 
     const std::optional<Step> step = step_of(mesh, field, node, goal, parameter, share);
     if (!step.has_value()) return false;
     if (!(ball_energy(mesh, ball, step->place) < before * (1 - least_gain))) continue;
-    if (!sees_all(mesh, ball, step->place.point)) continue;
+    if (!sees_ball(mesh.complex, ball, step->place.point)) continue;
     move_node(mesh, node, step->place);
     mesh.parameters[at(node)] = step->parameter;
     for (const EdgeHandle corner : ball.corners) {
-      mesh.active[at(sides_of(mesh, corner).before)] = 1;
-      mesh.active[at(sides_of(mesh, corner).after)] = 1;
+      mesh.active[at(opposite_edge(mesh.complex, corner).before)] = 1;
+      mesh.active[at(opposite_edge(mesh.complex, corner).after)] = 1;
     }
     return true;
   }

@@ -33,23 +33,16 @@ class NodeSearch {
   double cost(const NodePlace& place) const {
     double sum = 0;
     for (const EdgeHandle corner : ball_.corners) {
-      const std::int32_t t = triangle_of(corner);
-      const std::int32_t a = mesh_.complex.node(t, next(edge_of(corner)));
-      const std::int32_t b = mesh_.complex.node(t, previous(edge_of(corner)));
-      const double energy = triangle_energy(place, place_of(mesh_, a), place_of(mesh_, b)) / 4;
-      const double beyond = excess(edge_length(mesh_, place, a));
+      const OppositeEdge edge = opposite_edge(mesh_.complex, corner);
+      const double energy =
+          triangle_energy(place, place_of(mesh_, edge.before), place_of(mesh_, edge.after)) / 4;
+      const double beyond = excess(edge_length(mesh_, place, edge.before));
       sum += energy * energy * energy + weight_of_length * beyond * beyond;
     }
     return sum;
   }
 
-  bool sees_all(const Vec2& point) const {
-    return std::all_of(ball_.corners.begin(), ball_.corners.end(), [&](EdgeHandle corner) {
-      const std::int32_t t = triangle_of(corner);
-      return orient2d(point, mesh_.complex.point(mesh_.complex.node(t, next(edge_of(corner)))),
-                      mesh_.complex.point(mesh_.complex.node(t, previous(edge_of(corner))))) > 0;
-    });
-  }
+  bool sees_all(const Vec2& point) const { return sees_ball(mesh_.complex, ball_, point); }
 
   void activate(MetricMesh& mesh) const {
     for (const EdgeHandle corner : ball_.corners) {

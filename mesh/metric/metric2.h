@@ -8,8 +8,6 @@
 /// their digits up to an aspect of 1e7. Cost: a few dozen flops each.
 #pragma once
 
-#include <array>
-
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -50,6 +48,11 @@ bool is_metric(const Metric2& m);
 Metric2 log_of(const Metric2& m);
 /// Of any symmetric matrix.
 Metric2 exp_of(const Metric2& log);
+
+/// Lengths become longer by the square root of the factor.
+inline Metric2 operator*(double factor, const Metric2& m) {
+  return {factor * m.xx, factor * m.xy, factor * m.yy};
+}
 
 /// u · M v.
 inline double product(const Metric2& m, const Vec2& u, const Vec2& v) {

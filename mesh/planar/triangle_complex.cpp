@@ -148,6 +148,18 @@ TriangleComplex make_triangle_complex(std::vector<Vec2> points,
   return complex;
 }
 
+std::vector<std::array<std::int32_t, 2>> edges_of(const TriangleComplex& complex) {
+  std::vector<std::array<std::int32_t, 2>> edges;
+  for (std::int32_t t = 0; t < complex.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const EdgeHandle other = complex.neighbour(t, i);
+      if (other != no_edge && triangle_of(other) < t) continue;
+      edges.push_back({complex.node(t, next(i)), complex.node(t, previous(i))});
+    }
+  }
+  return edges;
+}
+
 std::vector<std::string> validate(const TriangleComplex& complex) {
   std::vector<std::string> wrong;
   const auto report = [&](std::int32_t t, const std::string& what) {

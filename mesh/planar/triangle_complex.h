@@ -81,6 +81,9 @@ struct TriangleComplex {
 TriangleComplex make_triangle_complex(std::vector<Vec2> points,
                                       std::vector<TriangleComplex::Nodes> triangles);
 
+/// The two nodes of each edge, once, in the order of the lower triangles beside them.
+std::vector<std::array<std::int32_t, 2>> edges_of(const TriangleComplex& complex);
+
 /// What breaks the invariants, a line each (at most 20).
 std::vector<std::string> validate(const TriangleComplex& complex);
 

@@ -25,7 +25,7 @@ TEST(AdaptToMetric, has_the_vertices_asked_for_within_five_percent) {
   const std::vector<Metric2> metrics = across_the_middle(mesh);
   for (const std::int64_t wanted : {150, 1000, 6000}) {
     AdaptationWish wish{metrics, {0, 0.4, 1e3, 1.5}, wanted};
-    const AdaptedMesh adapted = adapt_to_metric(mesh, wish);
+    const AdaptedMesh adapted = adapt_to_metric(mesh, checked_complex(mesh), wish);
     const auto vertices = static_cast<double>(adapted.result.mesh.points.size());
     EXPECT_NEAR(vertices / static_cast<double>(wanted), 1, 0.05) << wanted;
   }
@@ -34,7 +34,7 @@ TEST(AdaptToMetric, has_the_vertices_asked_for_within_five_percent) {
 TEST(AdaptToMetric, without_a_number_the_metric_is_taken_as_it_is) {
   const PlaneMesh mesh = plane_test::square(10);
   const std::vector<Metric2> metrics(mesh.points.size(), metric_of_sizes({0.05, 0.05, 0}));
-  const AdaptedMesh adapted = adapt_to_metric(mesh, {metrics, {}, {}});
+  const AdaptedMesh adapted = adapt_to_metric(mesh, checked_complex(mesh), {metrics, {}, {}});
   EXPECT_NEAR(adapted.asked.complexity, 400, 1e-6);
   for (const Metric2& m : adapted.result.metrics) EXPECT_NEAR(m.xx, 400, 1e-6);
 }
