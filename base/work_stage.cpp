@@ -32,6 +32,9 @@ constexpr std::array<Words, work_stages> words = {{
     {"number", "numbering", ""},
     {"write", "writing", ""},
     {"layers", "growing layers", ""},
+    {"solve", "running the solver", ""},
+    {"adapt", "adapting", ""},
+    {"transfer", "bringing the solution along", ""},
     {"assemble", "assembling", "sub-domains"},
 }};
 

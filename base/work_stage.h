@@ -33,6 +33,9 @@ enum class WorkStage : std::uint8_t {
   number,
   write,
   layers,
+  solve,
+  adapt,
+  transfer,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

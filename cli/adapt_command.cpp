@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
-#include "mesh/adaptation/hessian_recovery.h"
+#include "mesh/adaptation/solution_metric.h"
 #include "mesh/formats/plane/plane_medit.h"
 #include "mesh/metric/metric_intersection.h"
 
@@ -40,35 +40,16 @@ std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& m
   return metrics;
 }
 
-/// Of several numbers at a node each field gives its own metric; they are made to the same
-/// complexity, and intersected in the order of the file.
-std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const PlaneMesh& mesh,
-                                         const TriangleComplex& complex) {
+std::vector<Metric2> metrics_of_solution_file(const AdaptCommand& command, const PlaneMesh& mesh,
+                                                 const TriangleComplex& complex) {
   const NodeFields fields = read_plane_sol(command.solution);
   if (fields.scalars.empty()) {
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
   }
-  std::vector<Metric2> metrics;
   for (const std::vector<double>& values : fields.scalars) {
     check_count(values.size(), mesh, command.solution);
-    const bool is_lp = command.mode == "lp";
-    const std::vector<Metric2> hessians = recover_hessians(
-        complex, values,
-        is_lp ? HessianRecovery::quadratic_fit : HessianRecovery::double_projection);
-    std::vector<Metric2> of_field = is_lp ? lp_metrics(hessians, command.norm) : absolute(hessians);
-    if (fields.scalars.size() > 1 && is_lp) {
-      const double factor = 1 / complexity(complex, of_field);
-      for (Metric2& m : of_field) m = factor * m;
-    }
-    if (metrics.empty()) {
-      metrics = std::move(of_field);
-    } else {
-      for (std::size_t v = 0; v < metrics.size(); ++v) {
-        metrics[v] = intersection(metrics[v], of_field[v]);
-      }
-    }
   }
-  return metrics;
+  return metrics_of_solution(complex, fields.scalars, {command.mode == "lp", command.norm});
 }
 
 }  // namespace
@@ -84,7 +65,7 @@ ExitCode adapt_command(const AdaptCommand& command) {
   const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
   const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
-                                                  : metrics_of_solution(command, mesh, complex);
+                                                  : metrics_of_solution_file(command, mesh, complex);
   AdaptationWish wish;
   wish.metrics = metrics;
   wish.metric_name = has_metric ? command.metric : command.solution;

@@ -8,6 +8,7 @@
 
 #include "mesh/core/subdomain.h"
 #include "tasks/task_kind.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -26,7 +27,7 @@ const char* colour_of(const wire::AttemptLine& attempt) {
 }
 
 std::string place_of(const wire::AttemptLine& attempt) {
-  return attempt.path() == 0 ? "" : TreePath{attempt.path()}.text();
+  return task_place(attempt.kind(), attempt.path());
 }
 
 Json name_event(const char* what, int process, std::int64_t thread, const std::string& name) {

@@ -139,6 +139,7 @@ class Parser {
         add("adapt", "Adapt a mesh of the plane to a metric or a solution",
             "tetfarm adapt flow.mesh --solution mach.sol --vertices 5000 -o next.mesh", adapt_),
         adapt_);
+    add_loop();
     add_clients();
     add_viewers();
     add_operators();
@@ -171,6 +172,26 @@ class Parser {
                 Options& options) {
     return add_command(app_, name, what, example, options,
                        [this](const Command& chosen) { command_ = chosen; });
+  }
+
+  void add_loop() {
+    CLI::App& sub = add("loop", "Solve and adapt in cycles, on this machine",
+                        "tetfarm loop examples/adaptation/shock.toml -o out/shock", loop_);
+    sub.add_option("JOB", loop_.input, "A job file with a [solver] (.toml)")->required();
+    sub.add_option("-o,--output", loop_.output, "Folder of the results (default: out)")
+        ->option_text("DIR");
+    sub.add_option("-j,--workers", loop_.workers, "Worker processes (default: 1)")
+        ->check(whole_number(1, 1024))
+        ->option_text("N");
+    sub.add_option("--database", loop_.database,
+                   "Folder of the database, on a local disk (default: in the output folder)")
+        ->option_text("DIR");
+    sub.add_option("--grace", loop_.grace_s,
+                   "Time to finish running tasks after Ctrl-C or SIGTERM (default 5)")
+        ->check(not_negative_number())
+        ->option_text("SECONDS");
+    add_json(sub, loop_.json);
+    add_progress(sub, loop_.progress);
   }
 
   void add_run() {
@@ -477,6 +498,7 @@ class Parser {
   SpacingCommand spacing_;
   PlaneCommand plane_;
   AdaptCommand adapt_;
+  LoopCommand loop_;
   SubmitCommand submit_;
   Views views_;
   WaitCommand wait_;

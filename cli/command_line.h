@@ -36,6 +36,7 @@ struct RunOptions {
   std::string store;     ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
   std::string database;  ///< of run: folder of the database, "": the store
   double grace_s = 5;
+  bool runs_solvers = false;  ///< not for people: the job is a loop
 };
 
 struct CheckOptions {
@@ -244,6 +245,7 @@ struct WorkerCommand {
   double walltime_s = 0;           ///< 0: as the batch system says, if it does
   std::string tag;
   std::uint64_t pool_memory_bytes = 0;
+  bool solvers = false;  ///< it runs the solvers of loops
   bool quiet = false;
 };
 
@@ -322,6 +324,17 @@ struct AdaptCommand {
   bool json = false;
 };
 
+/// Cycles of solver and adaptation.
+struct LoopCommand {
+  std::string input;  ///< a job file (.toml)
+  std::string output = "out";
+  int workers = 1;
+  bool json = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+  std::string database;  ///< folder of the database, "": OUTPUT/.tetfarm
+  double grace_s = 5;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -340,7 +353,7 @@ using Command =
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand, PlaneCommand, AdaptCommand>;
+                 SpacingCommand, PlaneCommand, AdaptCommand, LoopCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

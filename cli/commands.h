@@ -44,6 +44,9 @@ ExitCode shape_command(const ShapeCommand& command);
 ExitCode plane_command(const PlaneCommand& command);
 /// Adapts a mesh of the plane.
 ExitCode adapt_command(const AdaptCommand& command);
+/// Cycles of solver and adaptation, on this machine, until their results lie in the output folder.
+/// Stopped and gone on with as run_command.
+ExitCode loop_command(const LoopCommand& command);
 
 /// Prints how high the first layer on a flat plate has to be.
 ExitCode spacing_command(const SpacingCommand& command);

@@ -19,6 +19,7 @@
 #include "json/reply_values.h"
 #include "json/surface_angles.h"
 #include "mesh/core/subdomain.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -249,7 +250,7 @@ std::string status_text(const wire::StatusReply& said) {
     if (status.state() != "running") continue;  // its message names them
     for (const wire::TaskInQuarantine& task : status.quarantine()) {
       text += "         in quarantine: task " + std::to_string(task.task()) + ", " + task.kind() +
-              (task.path() == 0 ? "" : " " + TreePath{task.path()}.text()) + ": " + task.reason() +
+              (task.path() == 0 ? "" : " ") + task_place(task.kind(), task.path()) + ": " + task.reason() +
               "\n";
     }
   }

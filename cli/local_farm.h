@@ -24,6 +24,7 @@ struct FarmOptions {
   int workers = 1;                 ///< at most
   int first_workers = 1;           ///< that start at once
   double grace_s = 5;
+  bool runs_solvers = false;  ///< of loops; a job file says what they are
 };
 
 class LocalFarm {

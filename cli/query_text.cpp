@@ -9,6 +9,7 @@
 #include "cli/running_text.h"
 #include "cli/text_table.h"
 #include "json/reply_values.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -78,7 +79,7 @@ std::string tasks_text(const std::vector<wire::TaskLine>& tasks) {
     const std::string where = worker_name(task.worker());
     const std::string doing = doing_with_share(task);
     rows.push_back(
-        {std::to_string(task.task()), task.job(), task.kind(), subdomain_name(task.path()),
+        {std::to_string(task.task()), task.job(), task.kind(), task_place(task.kind(), task.path()),
          state_text(task.state()), task.seconds() > 0 ? seconds_text(task.seconds()) : "",
          mebibytes(task.peak_rss_bytes()), tries_text(task),
          where.empty() ? "" : where + " " + task.host(), doing.empty() ? task.message() : doing});
@@ -120,7 +121,7 @@ std::string log_text(const wire::AttemptLine& said) {
   const wire::AttemptLine attempt = printable_reply(said);
   std::string text = attempt.job() + " task " + std::to_string(attempt.task()) + ", " +
                      attempt.kind() + (attempt.path() == 0 ? "" : " ") +
-                     subdomain_name(attempt.path()) + ": attempt " +
+                     task_place(attempt.kind(), attempt.path()) + ": attempt " +
                      std::to_string(attempt.attempt()) + " on " + worker_name(attempt.worker()) +
                      " " + attempt.host() + ", " + attempt.state();
   text = harmless(text, 1000) + "\n";
@@ -139,12 +140,11 @@ std::string explanation_text(const wire::Explanation& said) {
   const wire::TaskLine& task = explanation.task();
   std::string text =
       "task " + std::to_string(task.task()) + " of " + task.job() + ": " + task.kind();
-  if (task.path() != 0) {
-    text +=
-        " of sub-domain " + subdomain_name(task.path()) + " (" + std::to_string(task.path()) + ")";
-  }
+  text += of_task_place(task.kind(), task.path());
+  const bool is_in_tree = !explanation.subdomain_state().empty();
+  if (is_in_tree) text += " (" + std::to_string(task.path()) + ")";
   text += ", " + state_text(task.state()) + "\n";
-  if (task.path() > 1) {
+  if (is_in_tree && task.path() > 1) {
     text += "  in the tree: below " + subdomain_name(task.path() / 2) + ", beside " +
             subdomain_name(task.path() ^ 1U) + "; sub-domain " + explanation.subdomain_state() +
             "\n";

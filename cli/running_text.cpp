@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cli/progress_display.h"
-#include "mesh/core/subdomain.h"
 #include "proto/doing.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -20,7 +20,7 @@ std::string running_tasks_text(const wire::JobStatus& status) {
     if (!task.has_doing()) continue;
     if (++shown > most_shown) break;
     text += "         task " + std::to_string(task.task()) + ", " + task.kind() +
-            (task.path() == 0 ? "" : " " + TreePath{task.path()}.text()) + ", " +
+            (task.path() == 0 ? "" : " ") + task_place(task.kind(), task.path()) + ", " +
             clock_text(task.seconds()) + ": " + doing_text(task.doing()) + "\n";
   }
   return text;

@@ -107,6 +107,8 @@ void add_what_it_has(CLI::App& sub, WorkerCommand& worker) {
                  "Largest memory of any worker of its pool, for which larger tasks wait")
       ->transform(CLI::AsSizeValue(false))
       ->option_text("SIZE");
+  sub.add_flag("--solvers", worker.solvers,
+               "Also run the solvers of adaptation loops: a job file says what commands they are");
   sub.add_flag("-q,--quiet", worker.quiet, "Print only warnings");
 }
 

@@ -26,6 +26,7 @@
 #include "coordinator/server.h"
 #include "worker/client.h"
 #include "worker/machine.h"
+#include "worker/solve_task.h"
 #include "worker/task_host.h"
 #include "worker/task_program.h"
 
@@ -208,6 +209,7 @@ ExitCode coordinator_command(const CoordinatorCommand& command) {
 
 ExitCode worker_command(const WorkerCommand& command) {
   log_to_stderr(command.quiet);
+  ::setenv(solvers_variable, command.solvers ? "yes" : "no", 1);
   // What a farm's worker writes is not for others than its group, as in run_coordinator; the store
   // of a run is its user's own.
   if (std::filesystem::path(command.store).filename() != ".tetfarm") {

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "coordinator/views/store_at_rest.h"
 #include "mesh/core/subdomain.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -29,10 +30,7 @@ LostTask lost_task(const wire::Explanation& explanation) {
 std::string text_of(const LostTask& lost) {
   std::array<char, 40> seconds;
   std::snprintf(seconds.data(), seconds.size(), "%.1f", lost.seconds);
-  std::string place;
-  if (lost.path == 1) place = " of the whole domain";
-  if (lost.path > 1) place = " of sub-domain " + TreePath{lost.path}.text();
-  return lost.kind + place + ", " + seconds.data() + " s of work";
+  return lost.kind + of_task_place(lost.kind, lost.path) + ", " + seconds.data() + " s of work";
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include "base/counted.h"
 #include "base/file_system.h"
-#include "base/tree_path.h"
 #include "cli/commands.h"
 #include "cli/run_folder.h"
 #include "coordinator/start_rules.h"
@@ -13,6 +12,7 @@
 #include "store/garbage.h"
 #include "store/job_database.h"
 #include "store/store_check.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -36,9 +36,9 @@ std::set<std::string> needed_of_all_jobs(const JobDatabase& database, const Dura
 }
 
 std::string task_text(const TaskRow& task) {
-  const std::string place = task.path == 0 ? "" : " of sub-domain " + tree_path(task.path);
-  return "task " + std::to_string(task.id.value) + " of " + job_name(task.job) + " (" +
-         name_of(task.kind) + place + ")";
+  const std::string kind = name_of(task.kind);
+  return "task " + std::to_string(task.id.value) + " of " + job_name(task.job) + " (" + kind +
+         of_task_place(kind, task.path) + ")";
 }
 
 Json json_of(const StoreReport& report, const DurableState& rows) {

@@ -156,7 +156,28 @@ function(add_room_tests room)
   endif()
 endfunction()
 
+option(TETFARM_TESTS_IN_BATCHES "Compile the files of tests of a room together" OFF)
+set(TETFARM_TESTS_IN_BATCH 10 CACHE STRING "How many of them at once")
+
+# The files that take the place of `sources`: made anew when one of these changes.
+function(batch_tests program sources out)
+  set(paths "")
+  foreach(source ${sources})
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    list(APPEND paths ${source})
+  endforeach()
+  set(script ${PROJECT_SOURCE_DIR}/cmake/batch_tests.py)
+  execute_process(COMMAND python3 ${script} ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/batches/${program}
+                          ${TETFARM_TESTS_IN_BATCH} ${paths}
+                  OUTPUT_VARIABLE batches COMMAND_ERROR_IS_FATAL ANY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script} ${sources})
+  set(${out} ${batches} PARENT_SCOPE)
+endfunction()
+
 function(add_test_program program sources label)
+  if(TETFARM_TESTS_IN_BATCHES)
+    batch_tests(${program} "${sources}" sources)
+  endif()
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE ${ARGN} GTest::gmock GTest::gtest_main)
   target_compile_options(${program} PRIVATE ${TETFARM_OUTER_FLAGS})

@@ -10,6 +10,7 @@
 #include "coordinator/decisions/job_status.h"
 #include "coordinator/decisions/message_translation.h"
 #include "coordinator/submitted_job.h"
+#include "mesh/job_file/loop_job.h"
 #include "proto/doing.h"
 #include "proto/field_count.h"
 #include "proto/text_limits.h"
@@ -400,6 +401,19 @@ void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobSta
   state.failed(worker, task, attempt, failure, now);
 }
 
+/// @throws Error when an input is not there.
+void RequestHandler::add_loop(const wire::Submit& message, Submission& submission) const {
+  if (!message.surface_path().empty()) throw UsageError("names a surface", "the submission");
+  const StoredArtifact job_file = store_.publish(message.job_toml());
+  submission.loop = first_cycle_of(message, {job_file.hash, job_file.size});
+  submission.loop_memory_bytes = static_cast<std::uint64_t>(
+      parse_loop_job(message.job_toml(), "job.toml").solver.memory_bytes);
+  for (const ArtifactRef& input : files_of(message.inputs())) {
+    if (store_.has(input.hash, input.size)) continue;
+    throw Error(ExitCode::not_found, "the input '" + input.name + "' is not in the store");
+  }
+}
+
 /// @throws Error when the input is not there, or is no place that jobs may name.
 Submission RequestHandler::submission_of(const wire::Submit& message) const {
   Submission submission;
@@ -407,6 +421,10 @@ Submission RequestHandler::submission_of(const wire::Submit& message) const {
   submission.name = checked_job_name(message);
   submission.job_toml = message.job_toml();
   submission.replaces_others = message.replaces_others();
+  if (is_loop_job(message.job_toml(), "job.toml")) {
+    add_loop(message, submission);
+    return submission;
+  }
   std::optional<TaskFile> surface = surface_of(message);
   if (!message.surface_path().empty()) {
     if (surface) throw UsageError("names two surfaces", "the submission");

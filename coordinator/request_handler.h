@@ -129,6 +129,7 @@ class RequestHandler {
   void failed(WorkerId worker, const wire::Failed& message, JobState& state, Moment now);
   void submit(const Sender& sender, const wire::Submit& message, JobState& state, Moment now);
   Submission submission_of(const wire::Submit& message) const;
+  void add_loop(const wire::Submit& message, Submission& submission) const;
   void retry(const std::string& connection, const wire::Retry& message, JobState& state,
              Moment now);
   // request_client_files.cpp: results for clients, surfaces of theirs

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "proto/messages.pb.h"
+#include "tasks/solve_contract.h"
 
 namespace tetfarm {
 
@@ -11,5 +12,9 @@ namespace tetfarm {
 /// @throws UsageError when the job file cannot be read, "job.toml:line:column: …", or the name is
 /// none that a job may have.
 std::string checked_job_name(const wire::Submit& submit);
+
+/// What the first task of an adaptation loop is given. @pre is_loop_job(submit.job_toml()).
+/// @throws UsageError as before, and when an input is missing or is none that a loop has.
+SolveGiven first_cycle_of(const wire::Submit& submit, const TaskFile& job_file);
 
 }  // namespace tetfarm

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file_system.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -44,8 +45,8 @@ std::set<std::string> needed_files(const DurableState& state, bool all_finished)
     const JobPhase phase = state.jobs.at(task.job).phase;
     if (phase == JobPhase::cancelled || task.state == TaskState::replaced) continue;
     const bool only_ends = phase == JobPhase::done && all_finished;
-    if (!only_ends || task.kind == TaskKind::inspect) add(task.inputs, needed);
-    if (!only_ends || task.kind == TaskKind::assemble) add(task.outputs, needed);
+    if (!only_ends || traits_of(task.kind).begins_job) add(task.inputs, needed);
+    if (!only_ends || traits_of(task.kind).ends_job) add(task.outputs, needed);
   }
   return needed;
 }

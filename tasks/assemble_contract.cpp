@@ -13,6 +13,7 @@ constinit const TaskKindTraits assemble_traits = {
     .seconds = {.of = {0.006, 0.02e-6, 0.4e-6, 0}},
     .memory = {.fixed = 4e6, .of_element = 130, .of_triangle = 250},
     .reads_file_by_file = true,
+    .ends_job = true,
 };
 
 constinit const KindContracts assemble_contracts = contracts_between<AssembleGiven, AssembleMade>;

@@ -13,6 +13,7 @@ constinit const TaskKindTraits inspect_traits = {
     .outputs = {"surface", "spacing", "root", "settings"},
     .seconds = {.of = {0.006, 0.15e-6, 7e-6, 0}},
     .memory = {.fixed = 8e6, .of_input_byte = 1.2, .of_spacing_byte = 2.5, .of_triangle = 220},
+    .begins_job = true,
 };
 
 constinit const KindContracts inspect_contracts = contracts_between<InspectGiven, InspectMade>;

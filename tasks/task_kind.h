@@ -12,7 +12,11 @@
 #include <string_view>
 
 /// A kind is a line here. In the order in which they come: a job is at the earliest that is left.
+/// The first three are those of an adaptation loop, the others make a mesh of tets.
 #define TETFARM_TASK_KINDS(KIND) \
+  KIND(solve)                    \
+  KIND(adapt)                    \
+  KIND(collect)                  \
   KIND(inspect)                  \
   KIND(decompose)                \
   KIND(assimilate)               \
@@ -70,6 +74,11 @@ struct TaskKindTraits {
   bool shrinks_with_leaf = false;   ///< out of memory, it is helped by cutting its leaf once more
   bool needs_whole_tree = false;    ///< and starts anew when a leaf is cut
   bool reads_file_by_file = false;  ///< one after the other: what it has freed it needs again
+  bool is_of_others = false;  ///< a program of somebody else's, of which no time can be expected
+  // What it is to its job.
+  bool is_of_cycle = false;  ///< its path is the number of a cycle, not that of a sub-domain
+  bool begins_job = false;   ///< what it is given may have come with the job
+  bool ends_job = false;     ///< what it makes is what the job delivers
 };
 
 const TaskKindTraits& traits_of(TaskKind kind);

@@ -4,33 +4,39 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/tree_path.h"
 #include "coordinator/decisions/assimilation_graph.h"
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/decisions/layer_graph.h"
+#include "coordinator/decisions/loop_graph.h"
 #include "coordinator/decisions/task_rows.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr int exit_failed = static_cast<int>(ExitCode::failed);
 
-/// What a submission's key stands for; see JobRow::content.
-std::string content_of(const TaskRow& inspect) {
+/// What a submission's key stands for; see JobRow::content. @param first the task that begins it.
+std::string content_of(const TaskRow& first) {
   std::string content;
-  for (const ArtifactRef& input : inspect.inputs) {
+  for (const ArtifactRef& input : first.inputs) {
     content += (content.empty() ? "" : "\n") + input.name + " " + input.hash;
   }
   return content;
 }
 
+TaskRow first_task(const Submission& submission) {
+  if (!submission.loop) return new_task({}, 0, submission.given);
+  TaskRow solve = new_task({}, submission.loop->cycle, *submission.loop);
+  solve.memory_bytes = submission.loop_memory_bytes;
+  return solve;
+}
+
 }  // namespace
 
 std::string place_of(const TaskRow& task) {
-  std::string place = name_of(task.kind);
-  if (task.path == 1) place += " of the whole domain";
-  if (task.path > 1) place += " of sub-domain " + tree_path(task.path);
-  return place;
+  const std::string kind = name_of(task.kind);
+  return kind + of_task_place(kind, task.path);
 }
 
 void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskResult& result,
@@ -79,7 +85,7 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   delays_.forget(id);
   disk_pause_.end();
   if (made_before) wake_waiting(task.job, now);
-  if (!made_before || task.kind == TaskKind::assemble) advance(task, now);
+  if (!made_before || traits_of(task.kind).ends_job) advance(task, now);
 }
 
 void JobState::failed(WorkerId worker, TaskId id, AttemptId attempt, const TaskFailure& failure,
@@ -133,8 +139,16 @@ void JobState::take_failure(TaskRow& task, WorkerId worker, AttemptId attempt,
 
 void JobState::advance(const TaskRow& task, Moment now) {
   const TaskRow* inspect = find_task(task.job, TaskKind::inspect, 0);
-  TF_CHECK(inspect != nullptr);
   switch (task.kind) {
+    case TaskKind::solve:
+      add_task(after_solve(task, [this, job = task.job](TaskKind kind, std::uint64_t cycle) {
+                 return find_done(job, kind, cycle);
+               }),
+               now);
+      break;
+    case TaskKind::adapt:
+      add_task(after_adapt(task, *find_done(task.job, TaskKind::solve, task.path - 1)), now);
+      break;
     case TaskKind::inspect:
       progress_.set_chunks(task.job, made_by<InspectMade>(task).layers.size());
       carry_out(after_inspect(task), now);
@@ -184,6 +198,7 @@ void JobState::advance(const TaskRow& task, Moment now) {
       assemble_when_written(task.job, now);
       break;
     case TaskKind::assemble:
+    case TaskKind::collect:
       set_phase(edit(task.job), JobPhase::done, now);
       changes_.add({now.wall_ms, task.job, {}, {}, {}, "job done", ""});
       break;
@@ -281,8 +296,8 @@ bool JobState::has_results(JobId job) const {
 }
 
 SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
-  TaskRow inspect = new_task({}, 0, submission.given);
-  const std::string content = content_of(inspect);
+  TaskRow first = first_task(submission);
+  const std::string content = content_of(first);
   const auto known =
       submission.key.empty() ? keys_.end() : keys_.find({submission.owner, submission.key});
   if (known != keys_.end() && durable_.jobs.at(known->second).content != content) {
@@ -309,8 +324,8 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
   durable_.jobs.emplace(job.id, job);
   changes_.add({now.wall_ms, job.id, {}, {}, {}, "submitted", job.name});
-  inspect.job = job.id;
-  add_task(std::move(inspect), now);
+  first.job = job.id;
+  add_task(std::move(first), now);
   return {job.id, false};
 }
 

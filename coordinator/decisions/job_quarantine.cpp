@@ -37,7 +37,7 @@ bool was_done_before(const TaskRow& task) {
   earlier.outputs = task.outputs;
   earlier.numbers = task.numbers;
   earlier.texts = task.texts;
-  return !task.outputs.empty() && task.kind != TaskKind::assemble && !problem_with(task, earlier);
+  return !task.outputs.empty() && !traits_of(task.kind).ends_job && !problem_with(task, earlier);
 }
 
 void JobState::count_crash(TaskRow& task, WorkerId worker, const std::string& message, Moment now) {

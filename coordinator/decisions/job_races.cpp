@@ -9,6 +9,7 @@ namespace tetfarm {
 
 /// How long an attempt may run before its worker ends it.
 std::int64_t JobState::limit_ms(const TaskRow& task) const {
+  if (traits_of(task.kind).is_of_others) return rules_.foreign_limit_ms;
   const std::optional<double> seconds = expectation_.seconds(task);
   if (!seconds) return rules_.unknown_limit_ms;
   const auto expected_ms = static_cast<std::int64_t>(*seconds * 1000);

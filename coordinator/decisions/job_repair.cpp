@@ -56,11 +56,13 @@ void JobState::remake(JobId job, const ArtifactRef& file, Moment now) {
            now);
 }
 
-/// A finished job whose result files are gone is assembled again.
+/// A finished job whose result files are gone makes them again.
 void JobState::remake_results(JobRow& job, Moment now) {
-  const TaskRow* assemble = find_task(job.id, TaskKind::assemble, 0);
-  if (assemble == nullptr) return;
-  const std::vector<ArtifactRef> files = assemble->outputs;
+  std::vector<ArtifactRef> files;
+  for (const TaskId id : lists_.tasks_of(job.id)) {
+    const TaskRow& task = durable_.tasks.at(id);
+    if (traits_of(task.kind).ends_job) files = task.outputs;
+  }
   for (const ArtifactRef& file : files) {
     if (has_file_(file)) continue;
     set_phase(job, JobPhase::running, now);

@@ -54,6 +54,7 @@
 #include "store/rows.h"
 #include "tasks/failure_cause.h"
 #include "tasks/inspect_contract.h"
+#include "tasks/solve_contract.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -82,6 +83,8 @@ struct FarmRules {
   std::int64_t limit_factor = 20;
   std::int64_t least_limit_ms = 3'600'000;
   std::int64_t unknown_limit_ms = 86'400'000;  ///< where nothing is expected
+  /// Of a program of somebody else's, which has a limit of its own.
+  std::int64_t foreign_limit_ms = 31 * std::int64_t{86'400'000};
   // A second attempt races one that takes this many times what is expected, at least …
   std::int64_t late_factor = 3;
   std::int64_t least_late_ms = 10'000;
@@ -118,6 +121,8 @@ struct Submission {
   InspectGiven given;            ///< job_toml, published, and the surface
   bool replaces_others = false;  ///< running jobs are cancelled: this is the one that is wanted
   std::string owner = {};        ///< the submitter's public key, "": a plain connection
+  std::optional<SolveGiven> loop = {};  ///< in place of `given`: the first cycle of a loop
+  std::uint64_t loop_memory_bytes = 0;  ///< that its solver asks for; 0: it does not say
 };
 
 struct SubmitAnswer {

@@ -233,14 +233,16 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   const std::int64_t end_ms = job.finished_ms != 0 ? job.finished_ms : now_wall_ms;
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
   count_subdomains(durable, summary);
-  TaskKind stage = all_task_kinds.back();
+  std::optional<TaskKind> left;
+  TaskKind stage = TaskKind::inspect;
   LayerShapes shapes;
   for (const TaskRow* row : tasks) {
     const TaskRow& task = *row;
     count_task(task, summary);
     add_further_cut(durable, task, summary);
     if (task.state == TaskState::replaced) continue;
-    if (task.state != TaskState::done) stage = std::min(stage, task.kind);
+    if (task.state != TaskState::done) left = std::min(left.value_or(task.kind), task.kind);
+    stage = std::max(stage, task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
@@ -251,19 +253,19 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.kind == TaskKind::write && task.state == TaskState::done) {
       add_unforced(task, summary);
     }
-    if (task.kind == TaskKind::assemble && task.state == TaskState::done) {
+    if (traits_of(task.kind).ends_job && task.state == TaskState::done) {
       summary.numbers.insert(task.numbers.begin(), task.numbers.end());
       summary.texts.insert(task.texts.begin(), task.texts.end());
     }
     add_reason_to_stay_whole(task, summary);
-    const bool has_files = job.phase == JobPhase::done ? task.kind == TaskKind::assemble
+    const bool has_files = job.phase == JobPhase::done ? traits_of(task.kind).ends_job
                                                        : task.state == TaskState::failed;
     if (has_files) {
       summary.files.insert(summary.files.end(), task.outputs.begin(), task.outputs.end());
     }
   }
   add_layer_shapes(shapes, summary);
-  summary.stage = name_of(stage);
+  summary.stage = name_of(left.value_or(stage));
   // Cosmetics change a little what the leaves had: the mesh counts once it is there.
   const auto elements = summary.numbers.find("elements");
   if (job.phase == JobPhase::done && elements != summary.numbers.end()) {

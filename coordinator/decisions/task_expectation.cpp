@@ -48,7 +48,7 @@ void TaskExpectation::learn(const TaskRow& done) {
 
 std::optional<double> TaskExpectation::seconds(const TaskRow& task) const {
   const Samples& samples = samples_[static_cast<std::size_t>(task.kind)];
-  if (samples.seconds.empty()) return std::nullopt;
+  if (samples.seconds.empty() || traits_of(task.kind).is_of_others) return std::nullopt;
   return samples.median_seconds * work_of(task);
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/tree_path.h"
 #include "proto/doing.h"
+#include "tasks/task_place.h"
 
 namespace tetfarm {
 namespace {
@@ -152,7 +153,8 @@ std::string timeline(const QueryContext& context) {
                                                          : "bad";
     const int row = process2row.at({attempt.host(), attempt.process()});
     boxes += box(look, x, row * row_height, w, row_height - 2,
-                 attempt.kind() + (attempt.path() == 0 ? "" : " " + tree_path(attempt.path())) +
+                 attempt.kind() + (attempt.path() == 0 ? "" : " ") +
+                     task_place(attempt.kind(), attempt.path()) +
                      ", task " + std::to_string(attempt.task()) + " on " + attempt.host() + ": " +
                      attempt.state() + " " + attempt.message());
   }

@@ -1,43 +1,20 @@
-#include <array>
-#include <charconv>
 
 #include "base/check.h"
 #include "mesh/job_file/job_file.h"
+#include "mesh/job_file/toml_text.h"
 
 namespace tetfarm {
 namespace {
 
-std::string quoted_toml(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c >= '\0' && (c < ' ' || c == '\x7f')) {
-      constexpr std::string_view digits = "0123456789ABCDEF";
-      const auto code = static_cast<unsigned char>(c);
-      result += {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]};
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
-/// As few digits as give the same double again.
-std::string number(double value) {
-  if (value == 0) return "0";  // "-0" would come back as the whole number 0
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 std::string place(const Vec3& at) {
-  return "[" + number(at.x) + ", " + number(at.y) + ", " + number(at.z) + "]";
+  return "[" + toml_number(at.x) + ", " + toml_number(at.y) + ", " + toml_number(at.z) + "]";
 }
 
 std::string corner_keys_of(const JobSource::Corner& corner, std::string_view between) {
   const std::string separator(between);
-  return "at = " + place(corner.at) + separator + "spacing = " + number(corner.spacing) +
-         separator + "inner = " + number(corner.inner) + separator +
-         "outer = " + number(corner.outer);
+  return "at = " + place(corner.at) + separator + "spacing = " + toml_number(corner.spacing) +
+         separator + "inner = " + toml_number(corner.inner) + separator +
+         "outer = " + toml_number(corner.outer);
 }
 
 std::string source_to_toml(const JobSource& source) {
@@ -70,7 +47,7 @@ std::string array_of(const std::vector<std::string>& texts) {
 std::string array_of(const std::vector<double>& numbers) {
   std::string text = "[";
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += (i == 0 ? "" : ", ") + number(numbers[i]);
+    text += (i == 0 ? "" : ", ") + toml_number(numbers[i]);
   return text + "]";
 }
 
@@ -78,18 +55,18 @@ std::string array_of(const std::vector<double>& numbers) {
 std::string height_law_to_toml(const JobLayers& layers) {
   std::string text;
   if (layers.y_plus > 0) {
-    text += "y_plus = " + number(layers.y_plus) + "\nreynolds = " + number(layers.reynolds) +
-            "\nlength = " + number(layers.length) + "\n";
+    text += "y_plus = " + toml_number(layers.y_plus) + "\nreynolds = " + toml_number(layers.reynolds) +
+            "\nlength = " + toml_number(layers.length) + "\n";
   } else {
-    text += "first_height = " + number(layers.first_height) + "\n";
+    text += "first_height = " + toml_number(layers.first_height) + "\n";
   }
-  text += "growth = " + number(layers.growth) + "\n";
+  text += "growth = " + toml_number(layers.growth) + "\n";
   if (layers.growth_cap > 0) {
-    text += "growth_cap = " + number(layers.growth_cap) +
-            "\nacceleration = " + number(layers.acceleration) + "\n";
+    text += "growth_cap = " + toml_number(layers.growth_cap) +
+            "\nacceleration = " + toml_number(layers.acceleration) + "\n";
   }
   if (layers.total_height > 0) {
-    text += "total_height = " + number(layers.total_height) + "\n";
+    text += "total_height = " + toml_number(layers.total_height) + "\n";
   } else {
     text += "count = " + (layers.count > 0 ? std::to_string(layers.count) : "\"isotropic\"") + "\n";
   }
@@ -103,7 +80,7 @@ std::string layers_to_toml(const JobLayers& layers) {
   text += "room = " + quoted_toml(layers.room) + "\n";
   if (layers.step != 1) text += "step = " + std::to_string(layers.step) + "\n";
   if (layers.fan_angle != JobLayers{}.fan_angle) {
-    text += "fan_angle = " + number(layers.fan_angle) + "\n";
+    text += "fan_angle = " + toml_number(layers.fan_angle) + "\n";
   }
   if (layers.elements != JobLayers{}.elements) {
     text += "elements = " + quoted_toml(layers.elements) + "\n";
@@ -114,7 +91,7 @@ std::string layers_to_toml(const JobLayers& layers) {
 std::string pml_to_toml(const JobPml& pml) {
   return "\n[[pml]]\npatches = " + array_of(pml.patches) +
          "\nlayers = " + std::to_string(pml.layers) +
-         "\nheight = " + (pml.height > 0 ? number(pml.height) : "\"spacing\"") +
+         "\nheight = " + (pml.height > 0 ? toml_number(pml.height) : "\"spacing\"") +
          "\ncorners = \"mitre\"\nelements = " + quoted_toml(pml.elements) + "\n" +
          (pml.side == JobPml{}.side ? "" : "side = " + quoted_toml(pml.side) + "\n");
 }
@@ -127,14 +104,14 @@ std::string to_toml(const JobFile& job) {
                      "\n\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
   if (job.outer_kind != "none") {
     text +=
-        "factor = " + number(job.outer_factor) + "\nspacing = " + number(job.outer_spacing) + "\n";
+        "factor = " + toml_number(job.outer_factor) + "\nspacing = " + toml_number(job.outer_spacing) + "\n";
   }
   for (const JobRegion& region : job.regions) {
     text += "\n[[region]]\nat = " + place(region.at) + "\nname = " + quoted_toml(region.name) +
             "\nvoid = " + (region.is_void ? "true" : "false") + "\n";
   }
-  text += "\n[spacing]\ndefault = " + number(job.spacing_default) +
-          "\ngrowth = " + number(job.growth) +
+  text += "\n[spacing]\ndefault = " + toml_number(job.spacing_default) +
+          "\ngrowth = " + toml_number(job.growth) +
           "\nsurface = " + quoted_toml(job.inherit_surface ? "inherit" : "ignore") +
           "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
@@ -154,8 +131,8 @@ std::string to_toml(const JobFile& job) {
   text += "plane = " + quoted_toml(job.plane) + "\n";
   text += "\n[mesh]\npoints = " + quoted_toml(job.points) +
           "\n\n[cosmetics]\nacross_cuts = " + (job.across_cuts ? "true" : "false") +
-          "\n\n[quality]\nmin_dihedral = " + number(job.min_dihedral_deg) +
-          "\nmin_unforced_dihedral = " + number(job.min_unforced_dihedral_deg) +
+          "\n\n[quality]\nmin_dihedral = " + toml_number(job.min_dihedral_deg) +
+          "\nmin_unforced_dihedral = " + toml_number(job.min_unforced_dihedral_deg) +
           "\n\n[output]\nformats = " + array_of(job.formats) + "\n";
   return text;
 }

@@ -1,0 +1,119 @@
+#include "cli/loop_input.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file_system.h"
+#include "base/hash.h"
+#include "cli/adapted_report.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
+#include "mesh/formats/plane/plane_medit.h"
+#include "tasks/solve_contract.h"
+
+namespace tetfarm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31U;
+
+bool is_program(const fs::path& path) {
+  return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+}
+
+/// The files that an entry of `files` stands for: itself, or all below it; in the order of names.
+std::vector<fs::path> files_of(const fs::path& entry, const std::string& typed) {
+  if (fs::is_regular_file(entry)) return {entry};
+  if (!fs::is_directory(entry)) {
+    throw Error(ExitCode::not_found, entry.string() + ": no such file or folder; `files` names " +
+                                         typed + ", beside the job file");
+  }
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& found : fs::recursive_directory_iterator(entry)) {
+    if (found.is_regular_file()) files.push_back(found.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Its place below the solver's folder: as below the job file's.
+std::string inner_name(const fs::path& file, const fs::path& folder) {
+  const fs::path inner = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  const bool leads_out = inner.empty() || *inner.begin() == "..";
+  std::string name = leads_out ? file.filename().string() : inner.string();
+  if (name.find('\n') != std::string::npos) {
+    throw UsageError("a file with an end of line in its name cannot be taken along", name);
+  }
+  return name;
+}
+
+std::vector<SolverFile> solver_files(const LoopJob& job, const fs::path& folder) {
+  std::vector<SolverFile> all;
+  std::uint64_t bytes = 0;
+  for (const std::string& typed : job.solver.files) {
+    const fs::path entry = (folder / typed).lexically_normal();
+    for (const fs::path& file : files_of(entry, typed)) {
+      all.push_back({inner_name(file, folder.empty() ? fs::path(".") : folder), is_program(file),
+                     read_file(file)});
+      bytes += all.back().bytes.size();
+      if (all.size() > most_solver_files || bytes > most_bytes) {
+        throw UsageError("`files` of the solver are more than 10,000 files or 2 GiB: name those "
+                         "that it needs",
+                         typed);
+      }
+    }
+  }
+  const auto by_name = [](const SolverFile& a, const SolverFile& b) { return a.name < b.name; };
+  std::stable_sort(all.begin(), all.end(), by_name);
+  const auto same = [](const SolverFile& a, const SolverFile& b) { return a.name == b.name; };
+  const auto twice = std::adjacent_find(all.begin(), all.end(), same);
+  if (twice != all.end()) {
+    throw UsageError("`files` of the solver has this name twice", twice->name);
+  }
+  return all;
+}
+
+std::string names_of(const std::vector<SolverFile>& files) {
+  std::string lines;
+  for (const SolverFile& file : files) lines += (file.is_program ? "x " : "- ") + file.name + "\n";
+  return lines;
+}
+
+}  // namespace
+
+LoopInput read_loop(const std::string& path) {
+  LoopInput input;
+  input.job = parse_loop_job(read_file(path), path);
+  require_plane_mesh_name(input.job.mesh);
+  checked_complex(read_plane_medit(input.job.mesh));
+  input.mesh = read_file(input.job.mesh);
+  input.job.mesh = fs::path(input.job.mesh).filename().string();
+  input.files = solver_files(input.job, fs::path(path).parent_path());
+  return input;
+}
+
+wire::Submit publish_loop(const ArtifactStore& store, const LoopInput& input) {
+  wire::Submit submit;
+  submit.set_job_toml(to_toml(input.job));
+  submit.set_name(input.job.name);
+  std::string key = submit.job_toml();
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    const StoredArtifact stored = store.publish(bytes);
+    wire::Artifact& artifact = *submit.add_inputs();
+    artifact.set_name(name);
+    artifact.set_hash(stored.hash);
+    artifact.set_size(stored.size);
+    key += name + stored.hash;
+  };
+  add(field_name(&SolveGiven::mesh), input.mesh);
+  if (!input.files.empty()) add(field_name(&SolveGiven::file_names), names_of(input.files));
+  std::uint64_t number = 0;
+  for (const SolverFile& file : input.files) {
+    add(field_name(&SolveGiven::files) + std::to_string(++number), file.bytes);
+  }
+  submit.set_key(hash128(key).hex());
+  return submit;
+}
+
+}  // namespace tetfarm
