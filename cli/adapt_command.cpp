@@ -15,20 +15,11 @@
 namespace tetfarm {
 namespace {
 
-/// The sizes of the fields are those of the mesh.
-void check_count(std::size_t values, const PlaneMesh& mesh, const std::string& file) {
-  if (values == mesh.points.size()) return;
-  throw InvalidInput("gives values at " + std::to_string(values) + " nodes; the mesh has " +
-                         std::to_string(mesh.points.size()),
-                     file);
-}
-
 std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& mesh) {
   NodeFields fields = read_plane_sol(file);
   if (fields.metrics.empty()) {
     throw InvalidInput("has no symmetric tensors: a metric has kind 3", file);
   }
-  check_count(fields.metrics.front().size(), mesh, file);
   check_metrics(mesh, fields.metrics.front(), file);
   std::vector<Metric2> metrics = std::move(fields.metrics.front());
   for (std::size_t k = 1; k < fields.metrics.size(); ++k) {
@@ -47,7 +38,7 @@ std::vector<Metric2> metrics_of_solution_file(const AdaptCommand& command, const
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
   }
   for (const std::vector<double>& values : fields.scalars) {
-    check_count(values.size(), mesh, command.solution);
+    check_values(mesh, values, command.solution);
   }
   return metrics_of_solution(complex, fields.scalars, {command.mode == "lp", command.norm});
 }

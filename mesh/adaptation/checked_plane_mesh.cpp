@@ -254,6 +254,21 @@ TriangleComplex checked_complex(const PlaneMesh& mesh) {
   return make_triangle_complex(mesh.points, std::move(triangles));
 }
 
+void check_values(const PlaneMesh& mesh, std::span<const double> values, const std::string& name) {
+  if (values.size() != mesh.points.size()) {
+    throw InvalidInput("gives values at " + std::to_string(values.size()) +
+                           " nodes; the mesh has " + std::to_string(mesh.points.size()),
+                       name);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::abs(values[i]) < 1e100) continue;
+    std::array<char, 60> text{};
+    std::snprintf(text.data(), text.size(), "the value %.6g is no usable number", values[i]);
+    throw InvalidInput(text.data(), in_file(name, "node " + std::to_string(i + 1) + " at " +
+                                                      place_text(mesh.points[i])));
+  }
+}
+
 void check_metrics(const PlaneMesh& mesh, std::span<const Metric2> metrics,
                    const std::string& name) {
   if (metrics.size() != mesh.points.size()) {

@@ -23,6 +23,10 @@ std::string place_text(const Vec2& p);
 /// without area, an edge of three triangles, coordinates that are no numbers.
 TriangleComplex checked_complex(const PlaneMesh& mesh);
 
+/// @throws InvalidInput when a number is not finite or is 1e100 or more in size, or when there are
+/// not as many as points. `name`: of their file, for messages.
+void check_values(const PlaneMesh& mesh, std::span<const double> values, const std::string& name);
+
 /// @throws InvalidInput when a metric is not finite or not positive definite, or their number is
 /// not that of the points. `name`: of their file, for messages.
 void check_metrics(const PlaneMesh& mesh, std::span<const Metric2> metrics,

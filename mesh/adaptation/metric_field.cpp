@@ -6,25 +6,13 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/adaptation/mesh_location.h"
 
 namespace tetfarm {
 namespace {
 
 // A walk through a mesh without obtuse traps is far shorter; this only ends one that goes round.
 constexpr int longest_walk = 100'000;
-
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Twice the signed areas of the three triangles of p with the edges opposite nodes 0, 1, 2.
-std::array<double, 3> areas_at(const TriangleComplex& complex, std::int32_t t, const Vec2& p) {
-  const TriangleComplex::Nodes& n = complex.nodes(t);
-  const Vec2& a = complex.point(n[0]);
-  const Vec2& b = complex.point(n[1]);
-  const Vec2& c = complex.point(n[2]);
-  return {turn(b, c, p), turn(c, a, p), turn(a, b, p)};
-}
 
 }  // namespace
 
@@ -36,22 +24,7 @@ MetricField::MetricField(TriangleComplex background, std::span<const Metric2> me
 }
 
 Metric2 MetricField::at(const Vec2& point, std::int32_t& home) const {
-  TF_CHECK(home >= 0 && home < background_.size());
-  EdgeHandle entered = no_edge;
-  std::array<double, 3> areas = areas_at(background_, home, point);
-  for (int step = 0; step < longest_walk; ++step) {
-    int worst = -1;
-    for (int i = 0; i < 3; ++i) {
-      const EdgeHandle beyond = background_.neighbour(home, i);
-      if (areas[tetfarm::at(i)] >= 0 || beyond == no_edge || edge_handle(home, i) == entered)
-        continue;
-      if (worst < 0 || areas[tetfarm::at(i)] < areas[tetfarm::at(worst)]) worst = i;
-    }
-    if (worst < 0) break;
-    entered = background_.neighbour(home, worst);
-    home = triangle_of(entered);
-    areas = areas_at(background_, home, point);
-  }
+  std::array<double, 3> areas = walk_to(background_, point, home, longest_walk);
   double sum = 0;
   for (double& area : areas) {
     area = std::max(area, 0.0);

@@ -143,6 +143,20 @@ class Lines {
   std::string text_;
 };
 
+/// Of every field.
+std::size_t node_count(const NodeFields& fields) {
+  TF_CHECK(!fields.order.empty());
+  TF_CHECK(fields.order.size() ==
+           fields.scalars.size() + fields.vectors.size() + fields.metrics.size());
+  const std::size_t nodes = !fields.scalars.empty()   ? fields.scalars.front().size()
+                            : !fields.vectors.empty() ? fields.vectors.front().size()
+                                                      : fields.metrics.front().size();
+  for (const auto& field : fields.scalars) TF_CHECK(field.size() == nodes);
+  for (const auto& field : fields.vectors) TF_CHECK(field.size() == nodes);
+  for (const auto& field : fields.metrics) TF_CHECK(field.size() == nodes);
+  return nodes;
+}
+
 }  // namespace
 
 PlaneMesh read_plane_medit(const std::filesystem::path& path) { return MeshReader(path).read(); }
@@ -180,25 +194,25 @@ NodeFields read_plane_sol(const std::filesystem::path& path) {
   in.expect("SolAtVertices");
   const std::size_t nodes = in.to_count(in.integer("the number of nodes"), 2);
   const std::size_t count = in.to_count(in.integer("the number of fields"), 2);
-  std::vector<std::int64_t> kinds;
   NodeFields fields;
   for (std::size_t k = 0; k < count; ++k) {
-    kinds.push_back(in.integer("the kind of a field"));
-    if (kinds.back() < 1 || kinds.back() > 3) {
+    const std::int64_t kind = in.integer("the kind of a field");
+    if (kind < 1 || kind > 3) {
       in.fail("a field is a number (1), a vector (2) or a symmetric tensor (3)");
     }
-    if (kinds.back() == 1) fields.scalars.emplace_back();
-    if (kinds.back() == 2) fields.vectors.emplace_back();
-    if (kinds.back() == 3) fields.metrics.emplace_back();
+    fields.order.push_back(static_cast<NodeFieldKind>(kind));
+    if (kind == 1) fields.scalars.emplace_back();
+    if (kind == 2) fields.vectors.emplace_back();
+    if (kind == 3) fields.metrics.emplace_back();
   }
   for (std::size_t i = 0; i < nodes; ++i) {
     std::array<std::size_t, 4> next_of_kind{};
-    for (const std::int64_t kind : kinds) {
+    for (const NodeFieldKind kind : fields.order) {
       const std::size_t k = next_of_kind[static_cast<std::size_t>(kind)]++;
       const double first = in.coordinate();
-      if (kind == 1) fields.scalars[k].push_back(first);
-      if (kind == 2) fields.vectors[k].push_back({first, in.coordinate()});
-      if (kind == 3) {
+      if (kind == NodeFieldKind::scalar) fields.scalars[k].push_back(first);
+      if (kind == NodeFieldKind::vector) fields.vectors[k].push_back({first, in.coordinate()});
+      if (kind == NodeFieldKind::metric) {
         const double xy = in.coordinate();
         fields.metrics[k].push_back({first, xy, in.coordinate()});
       }
@@ -209,11 +223,35 @@ NodeFields read_plane_sol(const std::filesystem::path& path) {
 }
 
 void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path) {
-  Lines lines(70 * metrics.size() + 200);
+  NodeFields fields;
+  fields.order = {NodeFieldKind::metric};
+  fields.metrics.emplace_back(metrics.begin(), metrics.end());
+  write_plane_sol(fields, path);
+}
+
+void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path) {
+  const std::size_t nodes = node_count(fields);
+  Lines lines(25 * nodes * fields.order.size() * 3 + 200);
   lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
-  lines.list("SolAtVertices", metrics.size());
-  lines.words("1 3\n");
-  for (const Metric2& m : metrics) lines.number(m.xx).number(m.xy).number(m.yy).end();
+  lines.list("SolAtVertices", nodes);
+  lines.number(fields.order.size());
+  for (const NodeFieldKind kind : fields.order) lines.number(static_cast<int>(kind));
+  lines.end();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    std::array<std::size_t, 4> next_of_kind{};
+    for (const NodeFieldKind kind : fields.order) {
+      const std::size_t k = next_of_kind[static_cast<std::size_t>(kind)]++;
+      if (kind == NodeFieldKind::scalar) lines.number(fields.scalars[k][i]);
+      if (kind == NodeFieldKind::vector) {
+        lines.number(fields.vectors[k][i].x).number(fields.vectors[k][i].y);
+      }
+      if (kind == NodeFieldKind::metric) {
+        const Metric2& m = fields.metrics[k][i];
+        lines.number(m.xx).number(m.xy).number(m.yy);
+      }
+    }
+    lines.end();
+  }
   lines.words("\nEnd\n");
   write_file_atomically(path, lines.text());
 }

@@ -5,6 +5,7 @@
 /// may lie in a plane z = constant, as some programs write them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -18,8 +19,12 @@ namespace tetfarm {
 PlaneMesh read_plane_medit(const std::filesystem::path& path);
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path);
 
-/// What a .sol file gives at each node: numbers, and metrics. A file may hold both.
+/// The kinds of fields, by their numbers in the file.
+enum class NodeFieldKind : std::uint8_t { scalar = 1, vector = 2, metric = 3 };
+
+/// What a .sol file gives at each node: numbers, metrics and vectors. A file may hold them all.
 struct NodeFields {
+  std::vector<NodeFieldKind> order;  ///< of the fields in the file; each list below is in it
   std::vector<std::vector<double>> scalars;
   std::vector<std::vector<Metric2>> metrics;
   std::vector<std::vector<Vec2>> vectors;
@@ -28,5 +33,7 @@ struct NodeFields {
 /// @throws InvalidInput with the file and the line; IoError.
 NodeFields read_plane_sol(const std::filesystem::path& path);
 void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path);
+/// @pre `order` counts the fields, and all have a value for each node.
+void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path);
 
 }  // namespace tetfarm
