@@ -139,6 +139,11 @@ class Parser {
         add("adapt", "Adapt a mesh of the plane to a metric or a solution",
             "tetfarm adapt flow.mesh --solution mach.sol --vertices 5000 -o next.mesh", adapt_),
         adapt_);
+    add_plane_transfer(
+        add("transfer", "Bring a solution from one mesh of the plane to another",
+            "tetfarm transfer flow.mesh --solution flow.sol --to next.mesh -o next.sol",
+            plane_transfer_),
+        plane_transfer_);
     add_clients();
     add_viewers();
     add_operators();
@@ -477,6 +482,7 @@ class Parser {
   SpacingCommand spacing_;
   PlaneCommand plane_;
   AdaptCommand adapt_;
+  PlaneTransferCommand plane_transfer_;
   SubmitCommand submit_;
   Views views_;
   WaitCommand wait_;

@@ -322,6 +322,16 @@ struct AdaptCommand {
   bool json = false;
 };
 
+/// Brings fields from one mesh of the plane to another.
+struct PlaneTransferCommand {
+  std::string input;  ///< the mesh of the solution
+  std::string solution;
+  std::string to;  ///< the other mesh
+  std::string output;
+  std::string method = "conservative";  ///< or "linear"
+  bool json = false;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -340,7 +350,7 @@ using Command =
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand, PlaneCommand, AdaptCommand>;
+                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -44,6 +44,8 @@ ExitCode shape_command(const ShapeCommand& command);
 ExitCode plane_command(const PlaneCommand& command);
 /// Adapts a mesh of the plane.
 ExitCode adapt_command(const AdaptCommand& command);
+/// Brings a solution from one mesh of the plane to another.
+ExitCode plane_transfer_command(const PlaneTransferCommand& command);
 
 /// Prints how high the first layer on a flat plate has to be.
 ExitCode spacing_command(const SpacingCommand& command);
