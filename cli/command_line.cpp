@@ -140,6 +140,11 @@ class Parser {
             "tetfarm adapt flow.mesh --solution mach.sol --vertices 5000 -o next.mesh", adapt_),
         adapt_);
     add_loop();
+    add_plane_transfer(
+        add("transfer", "Bring a solution from one mesh of the plane to another",
+            "tetfarm transfer flow.mesh --solution flow.sol --to next.mesh -o next.sol",
+            plane_transfer_),
+        plane_transfer_);
     add_clients();
     add_viewers();
     add_operators();
@@ -499,6 +504,7 @@ class Parser {
   PlaneCommand plane_;
   AdaptCommand adapt_;
   LoopCommand loop_;
+  PlaneTransferCommand plane_transfer_;
   SubmitCommand submit_;
   Views views_;
   WaitCommand wait_;

@@ -335,6 +335,16 @@ struct LoopCommand {
   double grace_s = 5;
 };
 
+/// Brings fields from one mesh of the plane to another.
+struct PlaneTransferCommand {
+  std::string input;  ///< the mesh of the solution
+  std::string solution;
+  std::string to;  ///< the other mesh
+  std::string output;
+  std::string method = "conservative";  ///< or "linear"
+  bool json = false;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -353,7 +363,7 @@ using Command =
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand, PlaneCommand, AdaptCommand, LoopCommand>;
+                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -47,6 +47,8 @@ ExitCode adapt_command(const AdaptCommand& command);
 /// Cycles of solver and adaptation, on this machine, until their results lie in the output folder.
 /// Stopped and gone on with as run_command.
 ExitCode loop_command(const LoopCommand& command);
+/// Brings a solution from one mesh of the plane to another.
+ExitCode plane_transfer_command(const PlaneTransferCommand& command);
 
 /// Prints how high the first layer on a flat plate has to be.
 ExitCode spacing_command(const SpacingCommand& command);

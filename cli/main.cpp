@@ -44,6 +44,9 @@ struct Execute {
   ExitCode operator()(const PlaneCommand& command) const { return plane_command(command); }
   ExitCode operator()(const AdaptCommand& command) const { return adapt_command(command); }
   ExitCode operator()(const LoopCommand& command) const { return loop_command(command); }
+  ExitCode operator()(const PlaneTransferCommand& command) const {
+    return plane_transfer_command(command);
+  }
   ExitCode operator()(const StatusCommand& command) const { return status_command(command); }
   ExitCode operator()(const WaitCommand& command) const { return wait_command(command); }
   ExitCode operator()(const CancelCommand& command) const { return cancel_command(command); }

@@ -95,4 +95,26 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
   add_json(sub, adapt.json);
 }
 
+void add_plane_transfer(CLI::App& sub, PlaneTransferCommand& transfer) {
+  sub.add_option("MESH", transfer.input, "The mesh of the solution (.mesh)")->required();
+  sub.add_option("--solution", transfer.solution,
+                 "Numbers, vectors or metrics at the nodes of MESH (.sol)")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FILE");
+  sub.add_option("--to", transfer.to, "The mesh to bring them to (.mesh)")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FILE");
+  sub.add_option("-o,--output", transfer.output, "The solution on that mesh (.sol)")
+      ->required()
+      ->option_text("FILE");
+  sub.add_option("--method", transfer.method,
+                 "conservative keeps integrals, linear takes the value at each node (default "
+                 "conservative)")
+      ->check(CLI::IsMember({"conservative", "linear"}))
+      ->option_text("conservative|linear");
+  add_json(sub, transfer.json);
+}
+
 }  // namespace tetfarm

@@ -7,8 +7,9 @@
 
 namespace tetfarm {
 
-/// Adds those of `plane`, or of `adapt`, to its sub-command.
+/// Adds those of `plane`, `adapt` or `transfer` to its sub-command.
 void add_plane(CLI::App& sub, PlaneCommand& plane);
 void add_adapt(CLI::App& sub, AdaptCommand& adapt);
+void add_plane_transfer(CLI::App& sub, PlaneTransferCommand& transfer);
 
 }  // namespace tetfarm

@@ -13,8 +13,6 @@ namespace {
 
 using Corners = std::array<Vec2, 3>;
 
-constexpr std::int64_t pairs_a_triangle = 1000;
-
 struct CutCorner {
   Vec2 place;
   std::array<double, 3> shares{};
@@ -123,9 +121,12 @@ IntersectionPiece intersection_of(const std::array<Vec2, 3>& background,
 }
 
 MeshIntersection::MeshIntersection(const TriangleComplex& background,
-                                   const TriangleComplex& target)
-    : background_(background), target_(target), stamps_(background.triangles.size(), 0) {
-  pairs_left_ = pairs_a_triangle *
+                                   const TriangleComplex& target, std::int64_t most_pairs)
+    : background_(background),
+      target_(target),
+      stamps_(background.triangles.size(), 0),
+      most_pairs_(most_pairs) {
+  pairs_left_ = most_pairs *
                 static_cast<std::int64_t>(background.triangles.size() + target.triangles.size());
 }
 
@@ -153,7 +154,7 @@ std::span<const IntersectionPiece> MeshIntersection::pieces_of(
     if (--pairs_left_ < 0) {
       throw InvalidInput(
           "the triangles of the two meshes lie across each other: more than " +
-              std::to_string(pairs_a_triangle) + " of one mesh in each of the other, on average",
+              std::to_string(most_pairs_) + " of one mesh in each of the other, on average",
           "triangle at " + place_text(other[0]));
     }
     const std::int32_t t = reached_[k];

@@ -35,8 +35,9 @@ IntersectionPiece intersection_of(const std::array<Vec2, 3>& background,
 /// Work space too: keep one for all triangles.
 class MeshIntersection {
  public:
-  /// Keeps references. @pre both valid.
-  MeshIntersection(const TriangleComplex& background, const TriangleComplex& target);
+  /// Keeps references. `most_pairs`: for each triangle of the two. @pre both valid.
+  MeshIntersection(const TriangleComplex& background, const TriangleComplex& target,
+                   std::int64_t most_pairs = 1000);
 
   /// The pieces of a triangle of the target, as they are met from the seeds: triangles of the
   /// background in or near it. @throws InvalidInput when there have been too many pairs.
@@ -53,6 +54,7 @@ class MeshIntersection {
   std::int32_t stamp_ = 0;
   std::vector<std::int32_t> reached_;
   std::vector<IntersectionPiece> pieces_;
+  std::int64_t most_pairs_ = 0;
   std::int64_t pairs_left_ = 0;
 };
 

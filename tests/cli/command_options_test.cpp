@@ -269,6 +269,21 @@ TEST_F(CommandOptions, of_a_mesh_of_the_plane) {
   EXPECT_TRUE(all.json);
 }
 
+TEST_F(CommandOptions, of_a_transfer) {
+  const auto least = parsed_as<PlaneTransferCommand>(
+      {"transfer", "a.mesh", "--solution", "a.sol", "--to", "b.mesh", "-o", "b.sol"});
+  EXPECT_EQ(least.input, "a.mesh");
+  EXPECT_EQ(least.solution, "a.sol");
+  EXPECT_EQ(least.to, "b.mesh");
+  EXPECT_EQ(least.output, "b.sol");
+  EXPECT_EQ(least.method, "conservative");
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<PlaneTransferCommand>({"transfer", "a", "--solution", "s", "--to", "b",
+                                                    "-o", "t", "--method", "linear", "--json"});
+  EXPECT_EQ(all.method, "linear");
+  EXPECT_TRUE(all.json);
+}
+
 TEST_F(CommandOptions, of_an_adaptation) {
   const auto least = parsed_as<AdaptCommand>({"adapt", "m.mesh", "-o", "n.mesh"});
   EXPECT_EQ(least.input, "m.mesh");
@@ -396,6 +411,9 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
        "--aspect: must be a number from 1 to 1e+07, not 0.5"},
       {{"adapt", "m", "-o", "n", "--corner-angle", "0"},
        "--corner-angle: must be a number from 1 to 180, not 0"},
+      {{"transfer", "m", "--to", "n", "-o", "t"}, "--solution is required"},
+      {{"transfer", "m", "--solution", "s", "-o", "t"}, "--to is required"},
+      {{"transfer", "m", "--solution", "s", "--to", "n"}, "--output is required"},
       {{"spacing", "--length", "1"}, "--reynolds is required"},
       {{"spacing", "--reynolds", "6e6"}, "--length is required"},
       {{"spacing", "--reynolds", "10", "--length", "1"},
@@ -457,7 +475,8 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
        {"run",    "check",       "gc",      "plan",   "quality", "export",  "convert", "render",
         "shape",  "submit",      "wait",    "cancel", "jobs",    "status",  "tasks",   "workers",
         "events", "logs",        "explain", "trace",  "report",  "backup",  "restore", "retry",
-        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing", "plane",   "adapt"}) {
+        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing", "plane",   "adapt",
+        "transfer"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

@@ -31,11 +31,15 @@ inline PlaneMesh shaken_square(int n, std::uint64_t seed, double share = 0.3) {
   return mesh;
 }
 
-/// The same with all nodes drawn towards x = place by a power, so that cells are thin there.
+/// The unit square, n by n cells, thin about x = place: `thinness` of the width they would have.
 inline PlaneMesh thin_square(int n, std::uint64_t seed, double place, double thinness) {
-  PlaneMesh mesh = shaken_square(n, seed);
+  PlaneMesh mesh = square(n);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> move(-0.3 / n, 0.3 / n);
   for (Vec2& p : mesh.points) {
-    if (p.x == 0 || p.x == 1) continue;
+    const double dy = move(random);
+    if (p.y > 1e-9 && p.y < 1 - 1e-9) p.y += dy;
+    if (p.x < 1e-9 || p.x > 1 - 1e-9) continue;
     const double side = p.x < place ? place : 1 - place;
     const double way = (p.x - place) / side;
     p.x = place + side * way * (thinness + (1 - thinness) * way * way);

@@ -217,6 +217,23 @@ TEST(PlaneSol, reads_fields_of_all_kinds_in_their_order) {
   EXPECT_THAT(fields.vectors, ElementsAre(ElementsAre(Vec2{10, 20}, Vec2{30, 40})));
 }
 
+TEST(PlaneSol, writes_fields_of_all_kinds_as_it_reads_them) {
+  NodeFields fields;
+  fields.order = {NodeFieldKind::vector, NodeFieldKind::scalar, NodeFieldKind::metric,
+                  NodeFieldKind::scalar};
+  fields.scalars = {{1.0 / 3, -0.0}, {1e-300, 7}};
+  fields.vectors = {{{10, 20}, {std::sqrt(2), 1e22}}};
+  fields.metrics = {{{1, 2, 3}, {4, 5, 6}}};
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "all.sol";
+  write_plane_sol(fields, path);
+  const NodeFields read = read_plane_sol(path);
+  EXPECT_EQ(read.order, fields.order);
+  EXPECT_EQ(read.scalars, fields.scalars);
+  EXPECT_EQ(read.vectors, fields.vectors);
+  EXPECT_EQ(read.metrics, fields.metrics);
+}
+
 TEST(PlaneSol, refuses_what_is_wrong_with_file_and_line) {
   const std::string text =
       "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n2\n1 3\n1 0 1\n2 0 2\nEnd\n";
