@@ -160,10 +160,9 @@ ExitCode plane_transfer_command(const PlaneTransferCommand& command) {
   std::vector<std::vector<double>> numbers;
   for (const NumberField& field : fields) numbers.push_back(field.values);
   const PlaneMesh to = read_plane_medit(command.to);
-  const TransferredSolution solution =
-      transfer_solution(from, numbers, before.metrics, to,
-                        command.method == "linear" ? TransferMethod::linear
-                                                   : TransferMethod::conservative);
+  const TransferredSolution solution = transfer_solution(
+      from, numbers, before.metrics, to,
+      command.method == "linear" ? TransferMethod::linear : TransferMethod::conservative);
   write_plane_sol(assembled(before, solution), command.output);
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
   if (command.json) {

@@ -183,8 +183,8 @@ class ConservativePass {
     const auto [low, high] = std::minmax_element(fields_[f].begin(), fields_[f].end());
     std::vector<double>& values = result_.fields[f];
     for (std::size_t v = 0; v < values.size(); ++v) {
-      values[v] = areas_at_[v] > 0 ? std::clamp(values[v] / areas_at_[v], *low, *high)
-                                   : closest_[f][v];
+      values[v] =
+          areas_at_[v] > 0 ? std::clamp(values[v] / areas_at_[v], *low, *high) : closest_[f][v];
     }
   }
 

@@ -88,7 +88,7 @@ bool has_side_before(const Corners& triangle, const Corners& other) {
 }
 
 bool are_boxes_apart(const Corners& a, const Corners& b) {
-  const auto apart = [&](double Vec2::* axis) {
+  const auto apart = [&](double Vec2::*axis) {
     const auto [low_a, high_a] = std::minmax({a[0].*axis, a[1].*axis, a[2].*axis});
     const auto [low_b, high_b] = std::minmax({b[0].*axis, b[1].*axis, b[2].*axis});
     return high_a < low_b || high_b < low_a;
@@ -120,14 +120,14 @@ IntersectionPiece intersection_of(const std::array<Vec2, 3>& background,
   return piece.area > 0 ? piece : IntersectionPiece{};
 }
 
-MeshIntersection::MeshIntersection(const TriangleComplex& background,
-                                   const TriangleComplex& target, std::int64_t most_pairs)
+MeshIntersection::MeshIntersection(const TriangleComplex& background, const TriangleComplex& target,
+                                   std::int64_t most_pairs)
     : background_(background),
       target_(target),
       stamps_(background.triangles.size(), 0),
       most_pairs_(most_pairs) {
-  pairs_left_ = most_pairs *
-                static_cast<std::int64_t>(background.triangles.size() + target.triangles.size());
+  pairs_left_ =
+      most_pairs * static_cast<std::int64_t>(background.triangles.size() + target.triangles.size());
 }
 
 std::array<Vec2, 3> MeshIntersection::corners_of(const TriangleComplex& complex,
@@ -152,10 +152,10 @@ std::span<const IntersectionPiece> MeshIntersection::pieces_of(
   for (const std::int32_t seed : seeds) reach(seed);
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     if (--pairs_left_ < 0) {
-      throw InvalidInput(
-          "the triangles of the two meshes lie across each other: more than " +
-              std::to_string(most_pairs_) + " of one mesh in each of the other, on average",
-          "triangle at " + place_text(other[0]));
+      throw InvalidInput("the triangles of the two meshes lie across each other: more than " +
+                             std::to_string(most_pairs_) +
+                             " of one mesh in each of the other, on average",
+                         "triangle at " + place_text(other[0]));
     }
     const std::int32_t t = reached_[k];
     const Corners background = corners_of(background_, t);

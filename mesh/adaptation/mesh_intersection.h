@@ -24,7 +24,7 @@ namespace tetfarm {
 struct IntersectionPiece {
   std::int32_t triangle = -1;  ///< of the background
   double area = 0;
-  Vec2 moment;                    ///< the integral of the place, from node 0 of the other triangle
+  Vec2 moment;                     ///< the integral of the place, from node 0 of the other triangle
   std::array<double, 3> shares{};  ///< the integrals of the barycentric coordinates of `triangle`
 };
 

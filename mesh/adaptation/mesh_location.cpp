@@ -132,8 +132,8 @@ MeshLocation::NearEdge MeshLocation::measured(EdgeHandle edge, const Vec2& point
   const Vec2 place = near.share == 0   ? a
                      : near.share == 1 ? b
                                        : Vec2{a.x + share * along.x, a.y + share * along.y};
-  near.square = (place.x - point.x) * (place.x - point.x) +
-                (place.y - point.y) * (place.y - point.y);
+  near.square =
+      (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
   return near;
 }
 

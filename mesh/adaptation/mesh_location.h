@@ -61,9 +61,9 @@ class MeshLocation {
  private:
   struct NearEdge {
     EdgeHandle edge = no_edge;
-    double share = 0;            ///< of the way along it, at the closest place
-    double square = 0;           ///< of the distance
-    bool is_beside = false;      ///< the point is on the inner side of this edge or of an equal one
+    double share = 0;        ///< of the way along it, at the closest place
+    double square = 0;       ///< of the distance
+    bool is_beside = false;  ///< the point is on the inner side of this edge or of an equal one
   };
 
   bool holds(std::int32_t triangle, const Vec2& point) const;

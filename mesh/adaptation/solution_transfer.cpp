@@ -32,8 +32,8 @@ Box3 used_box(const TriangleComplex& complex) {
 
 std::string box_text(const Box3& box) {
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "x from %.12g to %.12g, y from %.12g to %.12g",
-                box.low.x, box.high.x, box.low.y, box.high.y);
+  std::snprintf(text.data(), text.size(), "x from %.12g to %.12g, y from %.12g to %.12g", box.low.x,
+                box.high.x, box.low.y, box.high.y);
   return text.data();
 }
 
@@ -49,16 +49,16 @@ bool has_middle_in(const TriangleComplex& complex, const MeshLocation& other) {
   return false;
 }
 
-void check_overlap(const MeshLocation& from, const TriangleComplex& to, const std::string& from_name,
-                   const std::string& to_name) {
+void check_overlap(const MeshLocation& from, const TriangleComplex& to,
+                   const std::string& from_name, const std::string& to_name) {
   const Box3 from_box = used_box(from.complex());
   const Box3 to_box = used_box(to);
   if (from_box.overlaps(to_box) &&
       (has_middle_in(to, from) || has_middle_in(from.complex(), MeshLocation(to)))) {
     return;
   }
-  throw InvalidInput("does not overlap the mesh of the solution: it has " + box_text(to_box) + "; " +
-                         (from_name.empty() ? "that one" : from_name) + " has " +
+  throw InvalidInput("does not overlap the mesh of the solution: it has " + box_text(to_box) +
+                         "; " + (from_name.empty() ? "that one" : from_name) + " has " +
                          box_text(from_box),
                      to_name);
 }

@@ -278,8 +278,8 @@ TEST_F(CommandOptions, of_a_transfer) {
   EXPECT_EQ(least.output, "b.sol");
   EXPECT_EQ(least.method, "conservative");
   EXPECT_FALSE(least.json);
-  const auto all = parsed_as<PlaneTransferCommand>({"transfer", "a", "--solution", "s", "--to", "b",
-                                                    "-o", "t", "--method", "linear", "--json"});
+  const auto all = parsed_as<PlaneTransferCommand>(
+      {"transfer", "a", "--solution", "s", "--to", "b", "-o", "t", "--method", "linear", "--json"});
   EXPECT_EQ(all.method, "linear");
   EXPECT_TRUE(all.json);
 }
@@ -472,11 +472,11 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run",    "check",       "gc",      "plan",   "quality", "export",  "convert", "render",
-        "shape",  "submit",      "wait",    "cancel", "jobs",    "status",  "tasks",   "workers",
-        "events", "logs",        "explain", "trace",  "report",  "backup",  "restore", "retry",
-        "drain",  "coordinator", "worker",  "pool",   "keys",    "spacing", "plane",   "adapt",
-        "transfer"}) {
+       {"run",    "check",   "gc",     "plan",  "quality",     "export", "convert",
+        "render", "shape",   "submit", "wait",  "cancel",      "jobs",   "status",
+        "tasks",  "workers", "events", "logs",  "explain",     "trace",  "report",
+        "backup", "restore", "retry",  "drain", "coordinator", "worker", "pool",
+        "keys",   "spacing", "plane",  "adapt", "transfer"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

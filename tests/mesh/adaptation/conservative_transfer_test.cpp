@@ -125,8 +125,8 @@ TEST(ConservativeTransfer, gives_what_is_not_covered_the_closest_values) {
   const TriangleComplex complex = checked_complex(from);
   const TriangleComplex target = checked_complex(to);
   const MeshLocation location(complex);
-  const ConservedFields result = transferred_conservatively(
-      location, std::vector<Field>{before}, target, locate_nodes(location, target));
+  const ConservedFields result = transferred_conservatively(location, std::vector<Field>{before},
+                                                            target, locate_nodes(location, target));
   EXPECT_NEAR(result.covered_area, 1, 1e-14);
   EXPECT_LT(plane_test::greatest_error(to, result.fields[0], field), 1e-13);
 }
@@ -157,9 +157,8 @@ TEST(ConservativeTransfer, keeps_to_its_side_of_a_thin_wall) {
 TEST(ConservativeTransfer, keeps_a_shock_over_twenty_transfers_where_interpolation_drifts) {
   const PlaneMesh a = plane_test::shaken_square(30, 1);
   const PlaneMesh b = plane_test::shaken_square(33, 2);
-  const Field first = plane_test::field_of_points(a, [](const Vec2& p) {
-    return 1 + plane_test::curved_shock(p);
-  });
+  const Field first =
+      plane_test::field_of_points(a, [](const Vec2& p) { return 1 + plane_test::curved_shock(p); });
   Field kept = first;
   Field interpolated_ones = first;
   const TriangleComplex complex_a = checked_complex(a);

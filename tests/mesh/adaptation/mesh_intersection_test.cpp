@@ -63,8 +63,7 @@ TEST(MeshIntersection, has_shares_that_give_back_any_linear_function) {
     const auto field = [](const Vec2& p) { return 3 + 2 * p.x - 5 * p.y; };
     double by_shares = 0;
     for (std::size_t i = 0; i < 3; ++i) by_shares += piece.shares[i] * field(a[i]);
-    const double by_moment =
-        piece.area * field(b[0]) + 2 * piece.moment.x - 5 * piece.moment.y;
+    const double by_moment = piece.area * field(b[0]) + 2 * piece.moment.x - 5 * piece.moment.y;
     EXPECT_NEAR(by_shares, by_moment, 1e-14);
     EXPECT_NEAR(piece.area, intersection_of(b, a).area, 1e-15);
     overlaps += piece.area > 0 ? 1 : 0;
@@ -92,9 +91,9 @@ TEST(MeshIntersection, covers_each_triangle_of_the_same_domain) {
   }
   for (std::int32_t t = 0; t < background.size(); ++t) {
     const auto& [a, b, c] = background.nodes(t);
-    EXPECT_NEAR(
-        of_background[at(t)],
-        plane_test::turn(background.point(a), background.point(b), background.point(c)) / 2, 1e-16);
+    EXPECT_NEAR(of_background[at(t)],
+                plane_test::turn(background.point(a), background.point(b), background.point(c)) / 2,
+                1e-16);
   }
 }
 

@@ -31,11 +31,10 @@ double distance_from_border(const TriangleComplex& complex, const Vec2& p) {
       const Vec2& a = complex.point(complex.node(t, next(i)));
       const Vec2& b = complex.point(complex.node(t, previous(i)));
       const double square = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-      const double share = std::clamp(
-          ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / square, 0.0, 1.0);
-      distance = std::min(distance, distance_between({a.x + share * (b.x - a.x),
-                                                      a.y + share * (b.y - a.y)},
-                                                     p));
+      const double share =
+          std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / square, 0.0, 1.0);
+      distance = std::min(
+          distance, distance_between({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, p));
     }
   }
   return distance;
@@ -96,10 +95,9 @@ TEST(MeshLocation, finds_nodes_and_middles_of_edges_of_its_own_mesh_inside) {
 PlaneMesh round_a_thin_wall(double thickness) {
   PlaneMesh mesh;
   const double up = thickness / 2;
-  mesh.points = {{0, up},   {1, up},   {2, up},   {0, 1},   {1, 1},  {2, 1},
-                 {0, -up},  {1, -up},  {2, -up},  {0, -1},  {1, -1}, {2, -1},
-                 {-1, 1},   {-1, -1}};
-  mesh.triangles = {{0, 1, 3},  {1, 4, 3},   {1, 2, 4},   {2, 5, 4},  {9, 7, 6},   {9, 10, 7},
+  mesh.points = {{0, up},  {1, up},  {2, up}, {0, 1},  {1, 1},  {2, 1},  {0, -up},
+                 {1, -up}, {2, -up}, {0, -1}, {1, -1}, {2, -1}, {-1, 1}, {-1, -1}};
+  mesh.triangles = {{0, 1, 3},  {1, 4, 3},   {1, 2, 4},   {2, 5, 4},  {9, 7, 6},  {9, 10, 7},
                     {10, 8, 7}, {10, 11, 8}, {12, 13, 0}, {12, 0, 3}, {13, 9, 6}, {13, 6, 0}};
   mesh.regions.assign(mesh.triangles.size(), 0);
   return mesh;

@@ -111,9 +111,9 @@ TEST(SolutionTransfer, takes_a_small_mesh_within_one_triangle_of_the_other_eithe
   large.triangles = {{0, 1, 2}};
   const Field of_large{0, 1, 0};
   const auto down = brought(large, {of_large}, small, TransferMethod::conservative);
-  EXPECT_LT(plane_test::greatest_error(small, down.fields[0].values,
-                                       [](const Vec2& p) { return p.x; }),
-            1e-14);
+  EXPECT_LT(
+      plane_test::greatest_error(small, down.fields[0].values, [](const Vec2& p) { return p.x; }),
+      1e-14);
   const auto up =
       brought(small, {Field(small.points.size(), 3)}, large, TransferMethod::conservative);
   for (const double value : up.fields[0].values) EXPECT_EQ(value, 3);
