@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/metric/metric2.h"
@@ -16,6 +18,7 @@ namespace tetfarm {
 
 /// @throws InvalidInput with the file and the line; IoError.
 PlaneMesh read_plane_medit(const std::filesystem::path& path);
+PlaneMesh read_plane_medit(std::string_view bytes, const std::string& name);
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path);
 
 /// What a .sol file gives at each node: numbers, and metrics. A file may hold both.
@@ -27,6 +30,7 @@ struct NodeFields {
 
 /// @throws InvalidInput with the file and the line; IoError.
 NodeFields read_plane_sol(const std::filesystem::path& path);
+NodeFields read_plane_sol(std::string_view bytes, const std::string& name);
 void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path);
 
 }  // namespace tetfarm
