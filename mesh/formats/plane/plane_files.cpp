@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/plane/plane_foam.h"
+#include "mesh/formats/plane/plane_msh.h"
 #include "mesh/formats/plane/plane_su2.h"
+#include "mesh/formats/plane/plane_vtu.h"
 
 namespace tetfarm {
 namespace {
@@ -21,12 +23,18 @@ struct PlaneFormat {
   PlaneWriter write = nullptr;  ///< null: it is not written
 };
 
+void write_mesh_as_vtu(const PlaneMesh& mesh, const std::filesystem::path& path) {
+  write_plane_vtu(mesh, {}, path);
+}
+
 /// A case is named by its folder, which has no ending.
 constexpr std::string_view folder_ending = "/";
 
 constexpr std::array plane_formats = {
     PlaneFormat{".mesh", "Medit, text", read_plane_medit, write_plane_medit},
     PlaneFormat{".su2", "SU2", read_plane_su2, write_plane_su2},
+    PlaneFormat{".msh", "Gmsh", read_plane_msh, write_plane_msh},
+    PlaneFormat{".vtu", "VTK XML", nullptr, write_mesh_as_vtu},
     PlaneFormat{folder_ending, "a folder: OpenFOAM case", nullptr, write_plane_foam}};
 
 std::string without_gz(const std::filesystem::path& path) {
