@@ -18,7 +18,7 @@ using testing::Not;
 
 TEST(PlaneFiles, have_their_format_from_the_ending) {
   const TempFolder folder;
-  for (const std::string name : {"a.mesh", "a.su2"}) {
+  for (const std::string name : {"a.mesh", "a.su2", "a.msh"}) {
     const std::filesystem::path path = folder.path() / name;
     write_plane_mesh(square_ring(), path);
     const PlaneMesh back = read_plane_mesh(path);
@@ -68,8 +68,8 @@ TEST(PlaneFiles, may_be_packed) {
 TEST(PlaneFiles, keep_names_of_patches_from_one_format_to_the_other) {
   const TempFolder folder;
   write_plane_mesh(square_ring(), folder.path() / "a.su2");
-  const PlaneMesh once = read_plane_mesh(folder.path() / "a.su2");
-  write_plane_mesh(once, folder.path() / "b.su2");
+  write_plane_mesh(read_plane_mesh(folder.path() / "a.su2"), folder.path() / "a.msh");
+  write_plane_mesh(read_plane_mesh(folder.path() / "a.msh"), folder.path() / "b.su2");
   EXPECT_EQ(read_file(folder.path() / "a.su2"), read_file(folder.path() / "b.su2"));
 }
 
