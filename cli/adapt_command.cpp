@@ -10,6 +10,7 @@
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/hessian_recovery.h"
 #include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/metric/metric_intersection.h"
 
 namespace tetfarm {
@@ -24,7 +25,7 @@ void check_count(std::size_t values, const PlaneMesh& mesh, const std::string& f
 }
 
 std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& mesh) {
-  NodeFields fields = read_plane_sol(file);
+  NodeFields fields = read_plane_fields(file);
   if (fields.metrics.empty()) {
     throw InvalidInput("has no symmetric tensors: a metric has kind 3", file);
   }
@@ -44,7 +45,7 @@ std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& m
 /// complexity, and intersected in the order of the file.
 std::vector<Metric2> metrics_of_solution(const AdaptCommand& command, const PlaneMesh& mesh,
                                          const TriangleComplex& complex) {
-  const NodeFields fields = read_plane_sol(command.solution);
+  const NodeFields fields = read_plane_fields(command.solution);
   if (fields.scalars.empty()) {
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
   }

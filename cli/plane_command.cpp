@@ -11,6 +11,7 @@
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/loop_domain.h"
 #include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/read_loops.h"
 
 namespace tetfarm {
@@ -45,7 +46,7 @@ MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
     return {std::move(domain), std::move(metrics)};
   }
   if (command.metric.empty()) return sized_by_boundary(domain);
-  NodeFields fields = read_plane_sol(command.metric);
+  NodeFields fields = read_plane_fields(command.metric);
   if (fields.metrics.size() != 1) {
     throw InvalidInput("has " + std::to_string(fields.metrics.size()) +
                            " symmetric tensors at each point; a metric is one",

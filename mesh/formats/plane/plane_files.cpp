@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/plane/plane_foam.h"
+#include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/plane_msh.h"
 #include "mesh/formats/plane/plane_su2.h"
 #include "mesh/formats/plane/plane_vtu.h"
@@ -32,6 +33,7 @@ constexpr std::string_view folder_ending = "/";
 
 constexpr std::array plane_formats = {
     PlaneFormat{".mesh", "Medit, text", read_plane_medit, write_plane_medit},
+    PlaneFormat{".meshb", "Medit, binary", read_plane_meshb, write_plane_meshb},
     PlaneFormat{".su2", "SU2", read_plane_su2, write_plane_su2},
     PlaneFormat{".msh", "Gmsh", read_plane_msh, write_plane_msh},
     PlaneFormat{".vtu", "VTK XML", nullptr, write_mesh_as_vtu},
@@ -42,11 +44,16 @@ std::string without_gz(const std::filesystem::path& path) {
   return is_packed ? path.stem().string() : path.string();
 }
 
-std::string_view ending_of(const std::string& name) {
-  if (name.ends_with('/')) return folder_ending;
+/// In lower case.
+std::string ending_of(const std::string& name) {
+  if (name.ends_with('/')) return std::string(folder_ending);
   const std::size_t dot = name.find_last_of("./");
-  if (dot != name.npos && name[dot] == '.') return std::string_view(name).substr(dot);
-  return "";
+  if (dot == name.npos || name[dot] != '.') return "";
+  std::string ending = name.substr(dot);
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return ending;
 }
 
 template <class IsWanted>
@@ -71,7 +78,7 @@ const PlaneFormat& input_format(const std::filesystem::path& path) {
 const PlaneFormat& output_format(const std::filesystem::path& path) {
   const bool is_folder = std::filesystem::is_directory(path);
   const std::string name = path.string();
-  return format_of(is_folder ? folder_ending : ending_of(name), name, "written to",
+  return format_of(is_folder ? std::string(folder_ending) : ending_of(name), name, "written to",
                    [](const PlaneFormat& format) { return format.write != nullptr; });
 }
 

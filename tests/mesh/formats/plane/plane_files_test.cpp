@@ -18,7 +18,7 @@ using testing::Not;
 
 TEST(PlaneFiles, have_their_format_from_the_ending) {
   const TempFolder folder;
-  for (const std::string name : {"a.mesh", "a.su2", "a.msh"}) {
+  for (const std::string name : {"a.mesh", "a.su2", "a.msh", "a.meshb", "b.SU2"}) {
     const std::filesystem::path path = folder.path() / name;
     write_plane_mesh(square_ring(), path);
     const PlaneMesh back = read_plane_mesh(path);
