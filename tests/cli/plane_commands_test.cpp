@@ -127,7 +127,8 @@ TEST_F(PlaneCommands, keep_the_names_of_patches_and_write_by_the_ending) {
   adapted(adapt);
   EXPECT_EQ(read_plane_mesh(adapt.output).patch_names, names);
   adapt.output = path("adapted.stl");
-  EXPECT_THAT(message_of(adapt), HasSubstr("adapted.stl: meshes of the plane are written to .mesh"));
+  EXPECT_THAT(message_of(adapt),
+              HasSubstr("adapted.stl: meshes of the plane are written to .mesh"));
   adapt.input = path("case");
   EXPECT_THAT(message_of(adapt), HasSubstr("case: meshes of the plane are read from .mesh"));
 }

@@ -48,8 +48,7 @@ void read_plane_loops(std::string_view bytes) {
 
 void plane(std::string_view input) {
   if (input.empty()) return;
-  const std::string name =
-      plane_names[static_cast<unsigned char>(input[0]) % plane_names.size()];
+  const std::string name = plane_names[static_cast<unsigned char>(input[0]) % plane_names.size()];
   const std::string_view bytes = input.substr(1);
   try {
     if (name == "a.xy") {

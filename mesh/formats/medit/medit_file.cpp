@@ -170,8 +170,7 @@ void MeditFile::read_fields(std::int64_t first, std::span<double> into) const {
   take_reals(bytes.data(), into);
   for (std::size_t i = 0; i < into.size(); ++i) {
     if (std::isfinite(into[i])) continue;
-    fail_at(medit::fields_at_vertices,
-            first + static_cast<std::int64_t>(i) / reals_of_fields_,
+    fail_at(medit::fields_at_vertices, first + static_cast<std::int64_t>(i) / reals_of_fields_,
             "a number is " + std::to_string(into[i]));
   }
 }

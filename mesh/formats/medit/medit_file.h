@@ -39,8 +39,8 @@ enum Keyword : std::int32_t {
   fields_at_vertices = 62
 };
 
-/// In the plane the dimension is 2, or 3 as some programs write it, and there are edges, corners and
-/// fields beside the lists of a mesh in space.
+/// In the plane the dimension is 2, or 3 as some programs write it, and there are edges, corners
+/// and fields beside the lists of a mesh in space.
 enum class World { space, plane };
 
 }  // namespace medit
@@ -66,8 +66,8 @@ class MeditFile {
   /// has room for whole records, and the list has them. @throws as read_vertices.
   void read_fields(std::int64_t first, std::span<double> into) const;
 
-  /// Fills the span with the vertices from `first` on; in the plane z is 0. @pre the list has them. @throws IoError,
-  /// InvalidInput for a coordinate that is not finite.
+  /// Fills the span with the vertices from `first` on; in the plane z is 0. @pre the list has them.
+  /// @throws IoError, InvalidInput for a coordinate that is not finite.
   void read_vertices(std::int64_t first, std::span<Vec3> into) const;
   /// The same with elements: their nodes, from 1, and behind them the reference. @pre N is one more
   /// than the nodes of an element of that list.

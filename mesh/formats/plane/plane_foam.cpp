@@ -106,21 +106,28 @@ void write_prism_faces(const std::filesystem::path& folder, const PlaneMesh& mes
       put(lying_face(nodes, mesh.triangles[at(t)], is_top), t);
     }
   }
-  FoamList list(folder,
-                {"faces", "faceList", foam_face_bytes(style, most_side_corners), ""}, faces);
+  FoamList list(folder, {"faces", "faceList", foam_face_bytes(style, most_side_corners), ""},
+                faces);
   list.append(text.bytes());
   list.finish();
-  const std::string note = "nPoints: " + std::to_string(2 * nodes.count) +
-                           " nCells: " + std::to_string(cells) +
-                           " nFaces: " + std::to_string(faces) +
-                           " nInternalFaces: " + std::to_string(inner);
+  const std::string note =
+      "nPoints: " + std::to_string(2 * nodes.count) + " nCells: " + std::to_string(cells) +
+      " nFaces: " + std::to_string(faces) + " nInternalFaces: " + std::to_string(inner);
   write_labels(folder, "owner", note, style, owners);
   write_labels(folder, "neighbour", note, style, neighbours);
 }
 
+/// "wall" and all that begins or ends with it, in any case.
+bool names_a_wall(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return name.starts_with("wall") || name.ends_with("wall") || name.ends_with("walls");
+}
+
 std::vector<FoamPatch> prism_patches(const PlaneMesh& mesh, const PlaneSides& sides) {
   const std::vector<PlanePatch> of_border = border_patches(mesh, sides);
-  const std::vector<bool> are_walls = bound_holes(mesh, sides, of_border);
+  const std::vector<bool> bounds_hole = bound_holes(mesh, sides, of_border);
   std::vector<std::string> names;
   for (const PlanePatch& patch : of_border) names.push_back(patch.name);
   names = plain_names(names, 200, {front_and_back});
@@ -129,7 +136,7 @@ std::vector<FoamPatch> prism_patches(const PlaneMesh& mesh, const PlaneSides& si
   auto side = sides.border.begin();
   for (std::size_t i = 0; i < of_border.size(); ++i) {
     FoamPatch patch{names[i], 0, next};
-    patch.type = are_walls[i] ? "wall" : "patch";
+    patch.type = bounds_hole[i] || names_a_wall(names[i]) ? "wall" : "patch";
     for (; side != sides.border.end() && side->patch == of_border[i].number; ++side) ++patch.faces;
     next += patch.faces;
     patches.push_back(patch);

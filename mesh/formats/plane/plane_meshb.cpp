@@ -71,8 +71,8 @@ void read_list(const MeditFile& file, medit::Keyword list,
 }
 
 void refuse_other_elements(const MeditFile& file) {
-  for (const medit::Keyword list : {medit::quadrangles, medit::tetrahedra, medit::pyramids,
-                                    medit::prisms, medit::hexahedra}) {
+  for (const medit::Keyword list :
+       {medit::quadrangles, medit::tetrahedra, medit::pyramids, medit::prisms, medit::hexahedra}) {
     if (file.count(list) > 0) file.fail_at(list, "only triangles and edges can be adapted");
   }
 }

@@ -38,7 +38,8 @@ class PlaneMshContent : public MshContent {
   bool wants(const MshElementType& type, std::int64_t number) override {
     if (type.dimension == 0) return false;
     if (number != msh_line && number != msh_triangle) {
-      in_.fail("a " + std::string(type.name) + ": only lines of 2 and triangles of 3 nodes are read");
+      in_.fail("a " + std::string(type.name) +
+               ": only lines of 2 and triangles of 3 nodes are read");
     }
     return true;
   }
@@ -87,7 +88,8 @@ std::map<std::int32_t, std::size_t> entities_of(const std::vector<std::int32_t>&
   return entities;
 }
 
-void write_names(TextLines& lines, int dimension, const std::map<std::int32_t, std::string>& names) {
+void write_names(TextLines& lines, int dimension,
+                 const std::map<std::int32_t, std::string>& names) {
   for (const auto& [number, name] : names) {
     std::string plain;
     for (const char c : name) plain += c == '"' || c == '\n' ? '_' : c;

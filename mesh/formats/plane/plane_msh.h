@@ -15,7 +15,8 @@ namespace tetfarm {
 
 /// Lines are edges that stay, also inside. Elements without a physical group get the number 0.
 /// @throws InvalidInput with the line or byte: other elements of two or three dimensions than
-/// triangles, lines of higher order, nodes that are not there or do not lie in a plane z = constant.
+/// triangles, lines of higher order, nodes that are not there or do not lie in a plane z =
+/// constant.
 PlaneMesh read_plane_msh(std::string_view bytes, const std::string& name);
 
 /// @throws IoError.

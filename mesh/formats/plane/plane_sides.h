@@ -1,5 +1,5 @@
-/// The sides of the triangles of a plane mesh, and the patches that those of its border are on: what
-/// formats need that list faces, or a marker for each patch.
+/// The sides of the triangles of a plane mesh, and the patches that those of its border are on:
+/// what formats need that list faces, or a marker for each patch.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 /// Meshes of the plane with fields at their nodes as VTK XML (.vtu), text, for ParaView.
 ///
-/// Source: VTK file formats, "XML file formats", UnstructuredGrid. Cells are the triangles and, behind
-/// them, the edges as lines. Their arrays are `region` (-1 for lines) and `patch` (-1 for
+/// Source: VTK file formats, "XML file formats", UnstructuredGrid. Cells are the triangles and,
+/// behind them, the edges as lines. Their arrays are `region` (-1 for lines) and `patch` (-1 for
 /// triangles).
 #pragma once
 

@@ -8,7 +8,6 @@
 namespace tetfarm {
 namespace {
 
-
 class Walker {
  public:
   Walker(InputScanner& in, Su2Content& content, int dimension)

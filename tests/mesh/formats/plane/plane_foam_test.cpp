@@ -25,7 +25,9 @@ double volume_of_prism(const NumberedPart& part, const ElementBlock& prisms, std
 /// The ring as a case, and what the reader of OpenFOAM's meshes finds in it.
 class PlaneFoam : public ::testing::Test {
  protected:
-  explicit PlaneFoam(const PlaneMesh& mesh = square_ring()) { write_plane_foam(mesh, case_folder()); }
+  explicit PlaneFoam(const PlaneMesh& mesh = square_ring()) {
+    write_plane_foam(mesh, case_folder());
+  }
   std::filesystem::path case_folder() const { return folder_.path() / "case"; }
   std::string file(const std::string& name) const {
     return read_file(case_folder() / "constant/polyMesh" / name);
@@ -59,13 +61,22 @@ TEST_F(PlaneFoam, has_patches_of_the_type_that_a_flow_wants) {
   const std::string boundary = file("boundary");
   const auto entry = [](const std::string& name, const std::string& type, int faces, int first) {
     return "    " + name + "\n    {\n        type            " + type +
-           ";\n        nFaces          " + std::to_string(faces) +
-           ";\n        startFace       " + std::to_string(first) + ";\n    }\n";
+           ";\n        nFaces          " + std::to_string(faces) + ";\n        startFace       " +
+           std::to_string(first) + ";\n    }\n";
   };
-  EXPECT_THAT(boundary, HasSubstr("\n4\n(\n" + entry("inlet", "patch", 1, 8) +
-                                  entry("patch_5", "patch", 3, 9) +
-                                  entry("the_body", "wall", 4, 12) +
-                                  entry("frontAndBack", "empty", 16, 16)));
+  EXPECT_THAT(
+      boundary,
+      HasSubstr("\n4\n(\n" + entry("inlet", "patch", 1, 8) + entry("patch_5", "patch", 3, 9) +
+                entry("the_body", "wall", 4, 12) + entry("frontAndBack", "empty", 16, 16)));
+}
+
+TEST_F(PlaneFoam, takes_a_patch_for_a_wall_that_is_named_so) {
+  for (const std::string name : {"wall", "lowerWall", "walls_7", "Side-Walls"}) {
+    PlaneMesh mesh = square_ring();
+    mesh.patch_names[3] = name;
+    write_plane_foam(mesh, case_folder());
+    EXPECT_THAT(file("boundary"), HasSubstr(name + "\n    {\n        type            wall;"));
+  }
 }
 
 TEST_F(PlaneFoam, leaves_out_nodes_without_triangles_and_zones_of_one_region) {

@@ -45,9 +45,7 @@ class GmfBytes {
   void integers(std::initializer_list<std::int64_t> values) {
     for (const std::int64_t value : values) integer(value);
   }
-  void real(double value) {
-    version_ == 1 ? number(static_cast<float>(value)) : number(value);
-  }
+  void real(double value) { version_ == 1 ? number(static_cast<float>(value)) : number(value); }
   template <class Number>
   void number(Number value) {
     std::string bytes(sizeof value, ' ');
@@ -110,9 +108,10 @@ TEST(PlaneMeshb, reads_all_versions_in_either_order_of_bytes) {
 TEST(PlaneMeshb, refuses_vertices_that_are_not_there_with_the_byte) {
   EXPECT_EQ(refusal_of_meshb(one_triangle(3, false)), "");
   for (const int node : {0, 4, -7}) {
-    EXPECT_THAT(refusal_of_meshb(one_triangle(3, false, node)),
-                AllOf(HasSubstr("a.meshb: byte "),
-                      HasSubstr("there is no vertex " + std::to_string(node) + "; the file has 3")));
+    EXPECT_THAT(
+        refusal_of_meshb(one_triangle(3, false, node)),
+        AllOf(HasSubstr("a.meshb: byte "),
+              HasSubstr("there is no vertex " + std::to_string(node) + "; the file has 3")));
   }
 }
 

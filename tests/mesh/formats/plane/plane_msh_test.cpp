@@ -16,13 +16,13 @@ using testing::ElementsAre;
 using testing::Pair;
 
 const std::string square_22 =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"                       // lines 1 to 3
-    "$PhysicalNames\n2\n1 7 \"lower wall\"\n2 3 \"fluid\"\n"       // 4 to 7
-    "$EndPhysicalNames\n"                                          // 8
-    "$Nodes\n4\n10 0 0 0\n20 1 0 0\n30 1 1.5 0\n40 0 1 0\n"        // 9 to 14
-    "$EndNodes\n"                                                  // 15
-    "$Elements\n5\n1 15 2 0 1 10\n2 1 2 7 1 10 20\n"               // 16 to 19
-    "3 1 2 -8 2 20 30\n4 2 2 3 1 10 20 30\n5 2 2 0 2 10 30 40\n"   // 20 to 22
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"                      // lines 1 to 3
+    "$PhysicalNames\n2\n1 7 \"lower wall\"\n2 3 \"fluid\"\n"      // 4 to 7
+    "$EndPhysicalNames\n"                                         // 8
+    "$Nodes\n4\n10 0 0 0\n20 1 0 0\n30 1 1.5 0\n40 0 1 0\n"       // 9 to 14
+    "$EndNodes\n"                                                 // 15
+    "$Elements\n5\n1 15 2 0 1 10\n2 1 2 7 1 10 20\n"              // 16 to 19
+    "3 1 2 -8 2 20 30\n4 2 2 3 1 10 20 30\n5 2 2 0 2 10 30 40\n"  // 20 to 22
     "$EndElements\n";
 
 const std::string square_41 =

@@ -15,17 +15,17 @@ using testing::EndsWith;
 using testing::HasSubstr;
 
 const std::string lednicer =
-    "An airfoil\n"    // line 1
-    "   4.    3.\n"   // 2
-    "\n"              // 3
-    "0.0  0.0\n"      // 4
-    "0.2  0.1\n"      // 5
-    "0.6  0.08\n"     // 6
-    "1.0  0.001\n"    // 7
-    "\n"              // 8
-    "0.0  0.0\n"      // 9
-    "0.5 -0.05\n"     // 10
-    "1.0 -0.001\n";   // 11
+    "An airfoil\n"   // line 1
+    "   4.    3.\n"  // 2
+    "\n"             // 3
+    "0.0  0.0\n"     // 4
+    "0.2  0.1\n"     // 5
+    "0.6  0.08\n"    // 6
+    "1.0  0.001\n"   // 7
+    "\n"             // 8
+    "0.0  0.0\n"     // 9
+    "0.5 -0.05\n"    // 10
+    "1.0 -0.001\n";  // 11
 
 std::vector<PlaneLoop> loops_of_text(const std::string& text) {
   const TempFolder folder;
@@ -44,18 +44,17 @@ std::string with_change(std::string text, const std::string& what, const std::st
 TEST(ReadLoops, joins_the_sides_of_an_airfoil_in_lednicers_form) {
   const std::vector<PlaneLoop> loops = loops_of_text(lednicer);
   ASSERT_EQ(loops.size(), 1U);
-  EXPECT_THAT(loops[0].points,
-              ElementsAre(Vec2{1, 0.001}, Vec2{0.6, 0.08}, Vec2{0.2, 0.1}, Vec2{0, 0},
-                          Vec2{0.5, -0.05}, Vec2{1, -0.001}));
+  EXPECT_THAT(loops[0].points, ElementsAre(Vec2{1, 0.001}, Vec2{0.6, 0.08}, Vec2{0.2, 0.1},
+                                           Vec2{0, 0}, Vec2{0.5, -0.05}, Vec2{1, -0.001}));
   EXPECT_THAT(loops[0].where, EndsWith("a.dat:4"));
 }
 
 TEST(ReadLoops, closes_an_airfoil_with_a_sharp_trailing_edge_once) {
   std::string sharp = with_change(lednicer, "1.0  0.001", "1 0");
   sharp = with_change(sharp, "1.0 -0.001", "1 0");
-  EXPECT_THAT(loops_of_text(sharp).at(0).points,
-              ElementsAre(Vec2{1, 0}, Vec2{0.6, 0.08}, Vec2{0.2, 0.1}, Vec2{0, 0},
-                          Vec2{0.5, -0.05}));
+  EXPECT_THAT(
+      loops_of_text(sharp).at(0).points,
+      ElementsAre(Vec2{1, 0}, Vec2{0.6, 0.08}, Vec2{0.2, 0.1}, Vec2{0, 0}, Vec2{0.5, -0.05}));
 }
 
 TEST(ReadLoops, takes_two_whole_numbers_for_a_point_where_the_next_line_is_one) {

@@ -7,7 +7,8 @@
 namespace tetfarm {
 
 /// Eight triangles, area 8: nodes 0 to 3 are the corners of [0, 3]², 4 to 7 those of [1, 2]².
-/// Patches: 3 the lower outer edge ("inlet"), 5 the others of the outer border, 9 the hole ("body").
+/// Patches: 3 the lower outer edge ("inlet"), 5 the others of the outer border, 9 the hole
+/// ("body").
 inline PlaneMesh square_ring() {
   PlaneMesh mesh;
   mesh.name = "ring";
