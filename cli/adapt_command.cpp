@@ -9,14 +9,15 @@
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_metric.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/metric/metric_intersection.h"
 
 namespace tetfarm {
 namespace {
 
 std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& mesh) {
-  NodeFields fields = read_plane_sol(file);
+  NodeFields fields = read_plane_fields(file);
   if (fields.metrics.empty()) {
     throw InvalidInput("has no symmetric tensors: a metric has kind 3", file);
   }
@@ -33,7 +34,7 @@ std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& m
 
 std::vector<Metric2> metrics_of_solution_file(const AdaptCommand& command, const PlaneMesh& mesh,
                                                  const TriangleComplex& complex) {
-  const NodeFields fields = read_plane_sol(command.solution);
+  const NodeFields fields = read_plane_fields(command.solution);
   if (fields.scalars.empty()) {
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
   }
@@ -49,10 +50,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
   if (command.metric.empty() && command.solution.empty()) {
     throw UsageError("say what to adapt to: --metric FILE or --solution FILE", "");
   }
-  require_plane_mesh_name(command.input);
-  require_plane_mesh_name(command.output);
+  require_plane_input_name(command.input);
+  require_plane_output_name(command.output);
   const std::int64_t start = steady_ms();
-  const PlaneMesh mesh = read_plane_medit(command.input);
+  const PlaneMesh mesh = read_plane_mesh(command.input);
   const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
   const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
@@ -69,7 +70,7 @@ ExitCode adapt_command(const AdaptCommand& command) {
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
   const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
-  write_plane_medit(adapted.result.mesh, command.output);
+  write_plane_mesh(adapted.result.mesh, command.output);
   tell_adapted({"adapt", command.output, command.json, start}, adapted);
   return ExitCode::ok;
 }

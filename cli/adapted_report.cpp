@@ -2,11 +2,9 @@
 
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "base/hash.h"
 #include "json/json_line.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
@@ -89,11 +87,6 @@ void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
   } else {
     print_result(telling, adapted, quality, seconds);
   }
-}
-
-void require_plane_mesh_name(const std::string& file) {
-  if (std::filesystem::path(file).extension() == ".mesh") return;
-  throw UsageError("meshes of the plane are read and written as .mesh (Medit, text)", file);
 }
 
 double gradation_of(const std::string& text, double otherwise) {

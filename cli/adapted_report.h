@@ -18,9 +18,6 @@ struct AdaptedTelling {
 /// Prints size, lengths and shapes of the mesh, what each limit did, and its digest.
 void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted);
 
-/// @throws UsageError when the file does not end in .mesh.
-void require_plane_mesh_name(const std::string& file);
-
 /// The number of --gradation, 0 for "off", `otherwise` for "".
 double gradation_of(const std::string& text, double otherwise);
 

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,19 +10,28 @@
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/loop_domain.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/read_loops.h"
 
 namespace tetfarm {
 namespace {
 
+/// The file's name without its ending, and with a number where the file has several loops.
+std::string patch_name_of_loop(const std::string& file, std::size_t loop, std::size_t loops) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return loops > 1 ? stem + "_" + std::to_string(loop + 1) : stem;
+}
+
 /// Of all files, each loop a patch, numbered from 1.
 std::vector<DomainLoop> loops_of(const std::vector<std::string>& files) {
   std::vector<DomainLoop> loops;
   for (const std::string& file : files) {
-    for (PlaneLoop& loop : read_loops(file)) {
+    std::vector<PlaneLoop> of_file = read_loops(file);
+    for (std::size_t k = 0; k < of_file.size(); ++k) {
       const auto patch = static_cast<std::int32_t>(loops.size()) + 1;
-      loops.push_back({std::move(loop.points), patch, std::move(loop.where)});
+      loops.push_back({std::move(of_file[k].points), patch, std::move(of_file[k].where),
+                       patch_name_of_loop(file, k, of_file.size())});
     }
   }
   return loops;
@@ -36,7 +46,7 @@ MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
     return {std::move(domain), std::move(metrics)};
   }
   if (command.metric.empty()) return sized_by_boundary(domain);
-  NodeFields fields = read_plane_sol(command.metric);
+  NodeFields fields = read_plane_fields(command.metric);
   if (fields.metrics.size() != 1) {
     throw InvalidInput("has " + std::to_string(fields.metrics.size()) +
                            " symmetric tensors at each point; a metric is one",
@@ -49,7 +59,7 @@ MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
 }  // namespace
 
 ExitCode plane_command(const PlaneCommand& command) {
-  require_plane_mesh_name(command.output);
+  require_plane_output_name(command.output);
   const std::int64_t start = steady_ms();
   const MeshWithMetrics asked = wish_of(command, domain_of_loops(loops_of(command.inputs)));
   const bool is_by_boundary = !command.size.has_value() && command.metric.empty();
@@ -62,7 +72,7 @@ ExitCode plane_command(const PlaneCommand& command) {
   options.corner_angle_deg = command.corner_angle_deg;
   const AdaptedMesh adapted =
       adapt_to_metric(asked.mesh, checked_complex(asked.mesh), wish, options);
-  write_plane_medit(adapted.result.mesh, command.output);
+  write_plane_mesh(adapted.result.mesh, command.output);
   tell_adapted({"plane", command.output, command.json, start}, adapted);
   return ExitCode::ok;
 }

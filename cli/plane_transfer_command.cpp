@@ -13,7 +13,8 @@
 #include "json/json_line.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_transfer.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_meshb.h"
 
 namespace tetfarm {
 namespace {
@@ -25,7 +26,7 @@ struct NumberField {
 };
 
 NodeFields checked_fields(const std::string& file, const PlaneMesh& mesh) {
-  NodeFields fields = read_plane_sol(file);
+  NodeFields fields = read_plane_fields(file);
   if (fields.order.empty()) throw InvalidInput("has no fields", file);
   for (const std::vector<double>& values : fields.scalars) check_values(mesh, values, file);
   for (const std::vector<Metric2>& metrics : fields.metrics) check_metrics(mesh, metrics, file);
@@ -150,16 +151,16 @@ void require_solution_name(const std::string& file) {
 }  // namespace
 
 ExitCode plane_transfer_command(const PlaneTransferCommand& command) {
-  require_plane_mesh_name(command.input);
-  require_plane_mesh_name(command.to);
+  require_plane_input_name(command.input);
+  require_plane_input_name(command.to);
   require_solution_name(command.output);
   const std::int64_t start = steady_ms();
-  const PlaneMesh from = read_plane_medit(command.input);
+  const PlaneMesh from = read_plane_mesh(command.input);
   const NodeFields before = checked_fields(command.solution, from);
   const std::vector<NumberField> fields = number_fields(before, from, command.solution);
   std::vector<std::vector<double>> numbers;
   for (const NumberField& field : fields) numbers.push_back(field.values);
-  const PlaneMesh to = read_plane_medit(command.to);
+  const PlaneMesh to = read_plane_mesh(command.to);
   const TransferredSolution solution = transfer_solution(
       from, numbers, before.metrics, to,
       command.method == "linear" ? TransferMethod::linear : TransferMethod::conservative);

@@ -124,6 +124,8 @@ AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex comp
   for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
   mend(mesh, field, cavity);
   MeshWithMetrics result = plane_mesh_of(mesh);
+  result.mesh.patch_names = input.patch_names;
+  result.mesh.region_names = input.region_names;
   check_border(result.mesh);
   return {std::move(result.mesh), scaled_metrics(result.metrics, 1 / length_scale)};
 }

@@ -115,6 +115,7 @@ PlaneMesh domain_of_loops(const std::vector<DomainLoop>& loops) {
     const auto count = static_cast<std::int32_t>(loops[k].points.size());
     region.points.insert(region.points.end(), loops[k].points.begin(), loops[k].points.end());
     const bool is_right = runs_right(loops, k);
+    if (!loops[k].patch_name.empty()) mesh.patch_names[loops[k].patch] = loops[k].patch_name;
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t a = first + i;
       const std::int32_t b = first + (i + 1) % count;
@@ -145,7 +146,9 @@ MeshWithMetrics sized_by_boundary(const PlaneMesh& domain) {
       }
     }
   }
-  return plane_mesh_of(mesh);
+  MeshWithMetrics sized = plane_mesh_of(mesh);
+  sized.mesh.patch_names = domain.patch_names;
+  return sized;
 }
 
 }  // namespace tetfarm

@@ -17,7 +17,8 @@ namespace tetfarm {
 struct DomainLoop {
   std::vector<Vec2> points;
   std::int32_t patch = 0;
-  std::string name;  ///< for messages
+  std::string name;             ///< for messages
+  std::string patch_name = {};  ///< may be empty
 };
 
 /// The points are those of the loops, in order.

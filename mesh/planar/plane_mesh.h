@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct PlaneMesh {
   std::vector<std::array<std::int32_t, 2>> edges;
   std::vector<std::int32_t> patches;  ///< a number for each edge
   std::vector<std::int32_t> corners;  ///< points that stay where they are
+  /// Of those that have one, by number.
+  std::map<std::int32_t, std::string> patch_names;
+  std::map<std::int32_t, std::string> region_names;
 };
 
 }  // namespace tetfarm

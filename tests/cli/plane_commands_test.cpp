@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/file_system.h"
 #include "cli/commands.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
 #include "tests/base/temp_folder.h"
 #include "tests/cli/said.h"
 
@@ -107,6 +108,29 @@ TEST_F(PlaneCommands, refuse_loops_that_are_none_with_the_place) {
 
 TEST_F(PlaneCommands, take_a_first_line_without_numbers_for_a_title) {
   EXPECT_EQ(meshed(0.2, "a square\n0 0\n1 0\n1 1\n0 1\n0 0\n")["type"], "plane");
+}
+
+TEST_F(PlaneCommands, keep_the_names_of_patches_and_write_by_the_ending) {
+  PlaneCommand command;
+  command.inputs = {write("outer.xy", "0 0\n1 0\n1 1\n0 1\n"),
+                    write("holes.xy", "0.2 0.2\n0.4 0.2\n0.4 0.4\n\n0.6 0.6\n0.8 0.6\n0.8 0.8\n")};
+  command.output = path("plane.su2");
+  said_by([&] { return plane_command(command); });
+  const PlaneMesh mesh = read_plane_mesh(command.output);
+  const std::map<std::int32_t, std::string> names = {{1, "outer"}, {2, "holes_1"}, {3, "holes_2"}};
+  EXPECT_EQ(mesh.patch_names, names);
+  AdaptCommand adapt;
+  adapt.input = command.output;
+  adapt.metric = path("metric.sol");
+  write_plane_sol(std::vector<Metric2>(mesh.points.size(), {100, 0, 100}), adapt.metric);
+  adapt.output = path("adapted.msh");
+  adapted(adapt);
+  EXPECT_EQ(read_plane_mesh(adapt.output).patch_names, names);
+  adapt.output = path("adapted.stl");
+  EXPECT_THAT(message_of(adapt),
+              HasSubstr("adapted.stl: meshes of the plane are written to .mesh"));
+  adapt.input = path("case");
+  EXPECT_THAT(message_of(adapt), HasSubstr("case: meshes of the plane are read from .mesh"));
 }
 
 TEST_F(PlaneCommands, adapt_to_a_solution_with_the_number_of_vertices_asked_for) {

@@ -23,6 +23,10 @@ void surface(std::string_view input);
 /// an error of ours, or its parts hold together and `check_mesh` says what it thinks of them.
 void mesh(std::string_view input);
 
+/// A file of a mesh of the plane, of fields or of loops, by the first byte modulo their number: it
+/// is refused with an error of ours, or it can be checked and written.
+void plane(std::string_view input);
+
 /// FLITE's sources: refused with an error of ours, or they may stand in a job file.
 void flite_sources(std::string_view input);
 

@@ -41,6 +41,8 @@ TEST(FuzzCorpus, surfaces_are_refused_or_read) { replay("surface", fuzz::surface
 
 TEST(FuzzCorpus, meshes_are_refused_or_read_and_judged) { replay("mesh", fuzz::mesh); }
 
+TEST(FuzzCorpus, meshes_of_the_plane_are_refused_or_read) { replay("plane", fuzz::plane); }
+
 TEST(FuzzCorpus, flite_sources_are_refused_or_may_stand_in_a_job_file) {
   replay("flite_sources", fuzz::flite_sources);
 }

@@ -7,7 +7,8 @@ namespace tetfarm {
 
 MeditFile::MeditFile(const std::filesystem::path& path) : file_(path) { find_lists(); }
 
-MeditFile::MeditFile(std::string_view bytes, const std::string& name) : file_(bytes, name) {
+MeditFile::MeditFile(std::string_view bytes, const std::string& name, medit::World world)
+    : file_(bytes, name), world_(world) {
   find_lists();
 }
 
@@ -40,15 +41,42 @@ std::int64_t MeditFile::read_keyword(std::int64_t place) {
   const std::int64_t end = next == 0 ? file_.size() : next;
   if (keyword == medit::dimension) {
     if (content + 4 > end) file_.fail("a list runs past the beginning of the next", place);
-    if (integer_at(content, 4) != 3) file_.fail("the mesh is not three-dimensional", content);
-  } else if (record_bytes(keyword) > 0) {
+    read_dimension(content);
+  } else if (record_bytes(keyword) > 0 ||
+             (keyword == medit::fields_at_vertices && world_ == medit::World::plane)) {
     add_list(keyword, content, end);
   }
   return next;
 }
 
+void MeditFile::read_dimension(std::int64_t place) {
+  dimension_ = integer_at(place, 4);
+  if (dimension_ == 3) return;
+  if (world_ == medit::World::space) file_.fail("the mesh is not three-dimensional", place);
+  if (dimension_ != 2) file_.fail("the dimension is neither 2 nor 3", place);
+}
+
+std::int64_t MeditFile::read_kinds(std::int64_t place) {
+  const std::int64_t fields = integer_at(place, 4);
+  if (fields < 1 || fields > file_.size() / 4) file_.fail("a wrong number of fields", place);
+  if (!kinds_.empty()) file_.fail("a second list of fields", place);
+  for (std::int64_t k = 1; k <= fields; ++k) {
+    const std::int64_t kind = integer_at(place + 4 * k, 4);
+    if (kind < 1 || kind > 3) {
+      file_.fail("a field is a number (1), a vector (2) or a symmetric tensor (3)", place + 4 * k);
+    }
+    kinds_.push_back(kind);
+    reals_of_fields_ += kind;  // in the plane: 1, 2 and 3 numbers
+  }
+  return place + 4 + 4 * fields;
+}
+
 void MeditFile::add_list(medit::Keyword keyword, std::int64_t place, std::int64_t next) {
-  const List list{place + integer_bytes(), integer_at(place, integer_bytes())};
+  List list{place + integer_bytes(), integer_at(place, integer_bytes())};
+  if (keyword == medit::fields_at_vertices) {
+    if (dimension_ != 2) file_.fail("the fields are not those of a plane mesh", place);
+    list.place = read_kinds(list.place);
+  }
   if (list.count < 0 || list.count > (file_.size() - list.place) / record_bytes(keyword)) {
     file_.fail("a count of " + std::to_string(list.count) + ", but the file has only " +
                    std::to_string(file_.size()) + " bytes",
@@ -65,7 +93,13 @@ void MeditFile::add_list(medit::Keyword keyword, std::int64_t place, std::int64_
 std::int64_t MeditFile::record_bytes(medit::Keyword list) const {
   switch (list) {
     case medit::vertices:
-      return 3 * real_bytes() + integer_bytes();
+      return dimension_ * real_bytes() + integer_bytes();
+    case medit::edges:
+      return world_ == medit::World::plane ? 3 * integer_bytes() : 0;
+    case medit::corners:
+      return world_ == medit::World::plane ? integer_bytes() : 0;
+    case medit::fields_at_vertices:
+      return reals_of_fields_ * real_bytes();
     case medit::triangles:
       return 4 * integer_bytes();
     case medit::quadrangles:
@@ -113,17 +147,10 @@ void MeditFile::read_vertices(std::int64_t first, std::span<Vec3> into) const {
   file_.read(place, bytes.data(), bytes.size());
   const char* next = bytes.data();
   for (std::size_t i = 0; i < into.size(); ++i) {
-    std::array<double, 3> p;
-    if (real_bytes() == 8) {
-      std::memcpy(p.data(), next, sizeof p);
-      if (is_turned_) turn_bytes(std::span<double>(p));
-    } else {
-      std::array<float, 3> narrow;
-      std::memcpy(narrow.data(), next, sizeof narrow);
-      if (is_turned_) turn_bytes(std::span<float>(narrow));
-      std::copy(narrow.begin(), narrow.end(), p.begin());
-    }
-    for (const double x : p) {
+    std::array<double, 3> p{};
+    const auto coordinates = std::span(p).first(static_cast<std::size_t>(dimension_));
+    take_reals(next, coordinates);
+    for (const double x : coordinates) {
       if (!std::isfinite(x)) {
         fail_at(medit::vertices, first + static_cast<std::int64_t>(i),
                 "a coordinate is " + std::to_string(x));
@@ -131,6 +158,35 @@ void MeditFile::read_vertices(std::int64_t first, std::span<Vec3> into) const {
     }
     into[i] = {p[0], p[1], p[2]};
     next += bytes_each;
+  }
+}
+
+void MeditFile::read_fields(std::int64_t first, std::span<double> into) const {
+  if (into.empty()) return;
+  const std::int64_t bytes_each = record_bytes(medit::fields_at_vertices);
+  std::string bytes(into.size() * static_cast<std::size_t>(real_bytes()), '\0');
+  file_.read(lists_.at(medit::fields_at_vertices).place + first * bytes_each, bytes.data(),
+             bytes.size());
+  take_reals(bytes.data(), into);
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    if (std::isfinite(into[i])) continue;
+    fail_at(medit::fields_at_vertices, first + static_cast<std::int64_t>(i) / reals_of_fields_,
+            "a number is " + std::to_string(into[i]));
+  }
+}
+
+void MeditFile::take_reals(const char* bytes, std::span<double> into) const {
+  if (real_bytes() == 8) {
+    std::memcpy(into.data(), bytes, into.size_bytes());
+    if (is_turned_) turn_bytes(into);
+    return;
+  }
+  for (double& value : into) {
+    std::array<float, 1> narrow;
+    std::memcpy(narrow.data(), bytes, sizeof narrow);
+    if (is_turned_) turn_bytes(std::span<float>(narrow));
+    value = narrow[0];
+    bytes += sizeof narrow;
   }
 }
 

@@ -27,14 +27,21 @@ namespace medit {
 enum Keyword : std::int32_t {
   dimension = 3,
   vertices = 4,
+  edges = 5,
   triangles = code_of(ElementCodes::medit, ElementType::triangle),
   quadrangles = code_of(ElementCodes::medit, ElementType::quad),
   tetrahedra = code_of(ElementCodes::medit, ElementType::tet),
   prisms = code_of(ElementCodes::medit, ElementType::prism),
   hexahedra = code_of(ElementCodes::medit, ElementType::hex),
   pyramids = code_of(ElementCodes::medit, ElementType::pyramid),
-  end = 54
+  corners = 13,
+  end = 54,
+  fields_at_vertices = 62
 };
+
+/// In the plane the dimension is 2, or 3 as some programs write it, and there are edges, corners
+/// and fields beside the lists of a mesh in space.
+enum class World { space, plane };
 
 }  // namespace medit
 
@@ -45,14 +52,22 @@ class MeditFile {
   /// cannot hold.
   explicit MeditFile(const std::filesystem::path& path);
   /// Of bytes that outlive it.
-  MeditFile(std::string_view bytes, const std::string& name);
+  MeditFile(std::string_view bytes, const std::string& name,
+            medit::World world = medit::World::space);
 
   const std::string& name() const { return file_.name(); }
   /// How many records of that kind the file has.
   std::int64_t count(medit::Keyword list) const;
+  std::int64_t dimension() const { return dimension_; }
+  /// What the fields at vertices are: 1 a number, 2 a vector, 3 a symmetric tensor.
+  const std::vector<std::int64_t>& kinds_of_fields() const { return kinds_; }
 
-  /// Fills the span with the vertices from `first` on. @pre the list has them. @throws IoError,
-  /// InvalidInput for a coordinate that is not finite.
+  /// The numbers of all fields at the vertices from `first` on, vertex after vertex. @pre the span
+  /// has room for whole records, and the list has them. @throws as read_vertices.
+  void read_fields(std::int64_t first, std::span<double> into) const;
+
+  /// Fills the span with the vertices from `first` on; in the plane z is 0. @pre the list has them.
+  /// @throws IoError, InvalidInput for a coordinate that is not finite.
   void read_vertices(std::int64_t first, std::span<Vec3> into) const;
   /// The same with elements: their nodes, from 1, and behind them the reference. @pre N is one more
   /// than the nodes of an element of that list.
@@ -83,6 +98,11 @@ class MeditFile {
 
   void find_lists();
   std::int64_t read_keyword(std::int64_t place);
+  void read_dimension(std::int64_t place);
+  /// Returns where the records begin.
+  std::int64_t read_kinds(std::int64_t place);
+  /// As many as the span has, as they lie in the file.
+  void take_reals(const char* bytes, std::span<double> into) const;
   void add_list(medit::Keyword keyword, std::int64_t place, std::int64_t next);
   /// Bytes of a record; 0 for a list that is passed over.
   std::int64_t record_bytes(medit::Keyword list) const;
@@ -95,6 +115,10 @@ class MeditFile {
   InputFile file_;
   bool is_turned_ = false;
   std::int64_t version_ = 0;
+  medit::World world_ = medit::World::space;
+  std::int64_t dimension_ = 3;
+  std::vector<std::int64_t> kinds_;
+  std::int64_t reals_of_fields_ = 0;  ///< of all at one vertex
   std::map<medit::Keyword, List> lists_;
 };
 

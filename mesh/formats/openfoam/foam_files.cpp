@@ -74,7 +74,7 @@ void write_foam_boundary(const std::filesystem::path& folder,
       header("polyBoundaryMesh", "boundary", "") + std::to_string(patches.size()) + "\n(\n";
   for (const FoamPatch& patch : patches) {
     text += "    " + patch.name + "\n    {\n        type            " +
-            (patch.processor < 0 ? "patch" : "processor") + ";\n        nFaces          " +
+            (patch.processor < 0 ? patch.type : "processor") + ";\n        nFaces          " +
             std::to_string(patch.faces) + ";\n        startFace       " +
             std::to_string(patch.first_face) + ";\n";
     if (patch.processor >= 0) {

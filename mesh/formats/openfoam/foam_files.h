@@ -57,6 +57,7 @@ struct FoamPatch {
   std::int64_t first_face = 0;
   int processor = -1;  ///< of a patch between two processors: this one
   int neighbour = -1;
+  const char* type = "patch";  ///< of one that is not between processors
 };
 
 /// The file `boundary`. @throws IoError.

@@ -1,14 +1,15 @@
 #include "mesh/formats/plane/plane_medit.h"
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <string>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "base/file_system.h"
-#include "mesh/formats/mesh_text.h"
+#include "mesh/formats/gzip.h"
+#include "mesh/formats/input_scanner.h"
+#include "mesh/formats/plane/text_lines.h"
 
 namespace tetfarm {
 namespace {
@@ -26,8 +27,8 @@ std::int32_t small(InputScanner& in, std::string_view what) {
 
 class MeshReader {
  public:
-  explicit MeshReader(const std::filesystem::path& path) : text_(path, '#'), in_(text_.scanner()) {
-    mesh_.name = path.string();
+  MeshReader(std::string_view bytes, const std::string& name) : in_(bytes, name, '#') {
+    mesh_.name = name;
   }
 
   PlaneMesh read() {
@@ -67,7 +68,6 @@ class MeshReader {
       mesh_.points.push_back({x, in_.coordinate()});
       if (dimension_ == 3) check_height(in_.coordinate());
       in_.integer("a reference");
-      text_.pass();
     }
   }
 
@@ -88,7 +88,6 @@ class MeshReader {
       const std::int32_t a = node();
       mesh_.edges.push_back({a, node()});
       mesh_.patches.push_back(small(in_, "a reference"));
-      text_.pass();
     }
   }
 
@@ -101,7 +100,6 @@ class MeshReader {
       const std::int32_t b = node();
       mesh_.triangles.push_back({a, b, node()});
       mesh_.regions.push_back(small(in_, "a reference"));
-      text_.pass();
     }
   }
 
@@ -110,38 +108,16 @@ class MeshReader {
     for (std::size_t i = 0; i < count; ++i) mesh_.corners.push_back(node());
   }
 
-  MeshText text_;
-  InputScanner& in_;
+  InputScanner in_;
   std::int64_t dimension_ = 2;
   double height_ = 0;
   PlaneMesh mesh_;
 };
 
-/// Text with numbers of as few digits as tell them.
-class Lines {
- public:
-  explicit Lines(std::size_t bytes) { text_.reserve(bytes); }
-  template <class Number>
-  Lines& number(Number value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    text_.append(buffer.data(), end);
-    text_ += ' ';
-    return *this;
-  }
-  void end() { text_.back() = '\n'; }
-  void words(std::string_view words) { text_ += words; }
-  void list(std::string_view name, std::size_t count) {
-    text_ += "\n";
-    text_ += name;
-    text_ += "\n";
-    number(count).end();
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
+/// The name of a list, and how long it is.
+void begin_list(TextLines& lines, std::string_view name, std::size_t count) {
+  lines.words("\n").words(name).words("\n").number(count).end();
+}
 
 /// Of every field.
 std::size_t node_count(const NodeFields& fields) {
@@ -159,34 +135,43 @@ std::size_t node_count(const NodeFields& fields) {
 
 }  // namespace
 
-PlaneMesh read_plane_medit(const std::filesystem::path& path) { return MeshReader(path).read(); }
+PlaneMesh read_plane_medit(std::string_view bytes, const std::string& name) {
+  return MeshReader(bytes, name).read();
+}
+
+PlaneMesh read_plane_medit(const std::filesystem::path& path) {
+  return read_plane_medit(read_whole_file(path.string()), path.string());
+}
 
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path) {
   TF_CHECK(mesh.patches.size() == mesh.edges.size());
   TF_CHECK(mesh.regions.size() == mesh.triangles.size());
-  Lines lines(60 * mesh.points.size() + 30 * mesh.triangles.size() + 1000);
+  TextLines lines(60 * mesh.points.size() + 30 * mesh.triangles.size() + 1000);
   lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
-  lines.list("Vertices", mesh.points.size());
+  begin_list(lines, "Vertices", mesh.points.size());
   for (const Vec2& p : mesh.points) lines.number(p.x).number(p.y).number(0).end();
-  lines.list("Edges", mesh.edges.size());
+  begin_list(lines, "Edges", mesh.edges.size());
   for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
     const auto [a, b] = mesh.edges[k];
     lines.number(a + 1).number(b + 1).number(mesh.patches[k]).end();
   }
-  lines.list("Triangles", mesh.triangles.size());
+  begin_list(lines, "Triangles", mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::int32_t v : mesh.triangles[t]) lines.number(v + 1);
     lines.number(mesh.regions[t]).end();
   }
-  lines.list("Corners", mesh.corners.size());
+  begin_list(lines, "Corners", mesh.corners.size());
   for (const std::int32_t v : mesh.corners) lines.number(v + 1).end();
   lines.words("\nEnd\n");
   write_file_atomically(path, lines.text());
 }
 
 NodeFields read_plane_sol(const std::filesystem::path& path) {
-  MeshText text(path, '#');
-  InputScanner& in = text.scanner();
+  return read_plane_sol(read_whole_file(path.string()), path.string());
+}
+
+NodeFields read_plane_sol(std::string_view bytes, const std::string& name) {
+  InputScanner in(bytes, name, '#');
   in.expect(text_start);
   in.integer("the version");
   in.expect("Dimension");
@@ -217,7 +202,6 @@ NodeFields read_plane_sol(const std::filesystem::path& path) {
         fields.metrics[k].push_back({first, xy, in.coordinate()});
       }
     }
-    text.pass();
   }
   return fields;
 }
@@ -231,9 +215,9 @@ void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::pa
 
 void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path) {
   const std::size_t nodes = node_count(fields);
-  Lines lines(25 * nodes * fields.order.size() * 3 + 200);
+  TextLines lines(25 * nodes * fields.order.size() * 3 + 200);
   lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
-  lines.list("SolAtVertices", nodes);
+  begin_list(lines, "SolAtVertices", nodes);
   lines.number(fields.order.size());
   for (const NodeFieldKind kind : fields.order) lines.number(static_cast<int>(kind));
   lines.end();

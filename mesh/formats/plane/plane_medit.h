@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/metric/metric2.h"
@@ -17,6 +19,7 @@ namespace tetfarm {
 
 /// @throws InvalidInput with the file and the line; IoError.
 PlaneMesh read_plane_medit(const std::filesystem::path& path);
+PlaneMesh read_plane_medit(std::string_view bytes, const std::string& name);
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path);
 
 /// The kinds of fields, by their numbers in the file.
@@ -32,6 +35,7 @@ struct NodeFields {
 
 /// @throws InvalidInput with the file and the line; IoError.
 NodeFields read_plane_sol(const std::filesystem::path& path);
+NodeFields read_plane_sol(std::string_view bytes, const std::string& name);
 void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path);
 /// @pre `order` counts the fields, and all have a value for each node.
 void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path);

@@ -1,5 +1,7 @@
 #include "mesh/formats/plane/read_loops.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -38,6 +40,20 @@ std::optional<Vec2> point_of(std::string_view line) {
   return Vec2{*x, *y};
 }
 
+bool is_blank(std::string_view line) {
+  return line.substr(0, line.find('#')).find_first_not_of(blanks) == std::string_view::npos;
+}
+
+/// The numbers of points of the two sides of an airfoil in Lednicer's form: a line by itself, which
+/// cannot be a point, since no loop has one point alone.
+std::optional<std::array<std::size_t, 2>> side_counts(const Vec2& numbers) {
+  constexpr double most = 1e6;
+  for (const double n : {numbers.x, numbers.y}) {
+    if (n != std::floor(n) || n < 2 || n > most) return std::nullopt;
+  }
+  return std::array{static_cast<std::size_t>(numbers.x), static_cast<std::size_t>(numbers.y)};
+}
+
 class LoopReader {
  public:
   explicit LoopReader(const std::filesystem::path& path)
@@ -49,10 +65,11 @@ class LoopReader {
     while (!rest.empty()) {
       ++line_number_;
       const std::size_t end = rest.find('\n');
-      read_line(rest.substr(0, end));
+      const std::string_view line = rest.substr(0, end);
       rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+      read_line(line, is_blank(rest.substr(0, rest.find('\n'))));
     }
-    end_loop();
+    counts_.has_value() ? end_sides() : end_loop();
     if (loops_.empty()) throw InvalidInput("has no points: a line \"x y\" for each", name_);
     return std::move(loops_);
   }
@@ -60,11 +77,11 @@ class LoopReader {
  private:
   std::string here() const { return name_ + ":" + std::to_string(line_number_); }
 
-  void read_line(std::string_view line) {
+  void read_line(std::string_view line, bool is_before_blank) {
     const bool has_comment = line.find('#') != std::string_view::npos;
     line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(blanks) == std::string_view::npos) {
-      end_loop();
+    if (is_blank(line)) {
+      if (!counts_.has_value()) end_loop();
       return;
     }
     const std::optional<Vec2> point = point_of(line);
@@ -72,11 +89,37 @@ class LoopReader {
       if (line_number_ == 1 && !has_comment) return;  // a title
       throw InvalidInput("a point is two numbers, x and y", here());
     }
+    if (loops_.empty() && loop_.points.empty() && is_before_blank && !counts_.has_value()) {
+      counts_ = side_counts(*point);
+      if (counts_.has_value()) return;
+    }
+    add_point(*point);
+  }
+
+  void add_point(const Vec2& point) {
     if (loop_.points.empty()) loop_.where = here();
-    if (!loop_.points.empty() && loop_.points.back() == *point) {
+    const bool begins_lower = counts_.has_value() && loop_.points.size() == (*counts_)[0];
+    if (!begins_lower && !loop_.points.empty() && loop_.points.back() == point) {
       throw InvalidInput("the point is that of the line before", here());
     }
-    loop_.points.push_back(*point);
+    loop_.points.push_back(point);
+  }
+
+  /// Both sides as one loop: the upper one backwards to the leading edge, then the lower one.
+  void end_sides() {
+    const auto [upper, lower] = *counts_;
+    if (loop_.points.size() != upper + lower) {
+      throw InvalidInput("the sides have " + std::to_string(upper) + " and " +
+                             std::to_string(lower) + " points, as the file says, but it has " +
+                             std::to_string(loop_.points.size()),
+                         loop_.points.empty() ? here() : loop_.where);
+    }
+    std::vector<Vec2>& points = loop_.points;
+    std::reverse(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(upper));
+    if (points[upper - 1] == points[upper]) {
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(upper));
+    }
+    end_loop();
   }
 
   void end_loop() {
@@ -93,6 +136,7 @@ class LoopReader {
   std::string name_;
   std::string bytes_;
   int line_number_ = 0;
+  std::optional<std::array<std::size_t, 2>> counts_;  ///< of the sides of an airfoil
   PlaneLoop loop_;
   std::vector<PlaneLoop> loops_;
 };

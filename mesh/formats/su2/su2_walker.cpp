@@ -3,15 +3,15 @@
 #include <array>
 #include <string>
 
+#include "base/array_index.h"
+
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t shortest_node = 6;
-constexpr std::size_t shortest_element = 8;
-
 class Walker {
  public:
-  Walker(InputScanner& in, Su2Content& content) : in_(in), content_(content) {}
+  Walker(InputScanner& in, Su2Content& content, int dimension)
+      : in_(in), content_(content), dimension_(dimension) {}
 
   void walk() {
     while (!in_.at_end()) walk_keyword();
@@ -33,21 +33,22 @@ class Walker {
     }
     if (value.empty()) value = in_.word_in_line();
     if (key == "NDIME") {
-      if (in_.to_integer(value, "the number of dimensions") != 3) {
-        in_.fail("the mesh is not three-dimensional");
+      if (in_.to_integer(value, "the number of dimensions") != dimension_) {
+        in_.fail(dimension_ == 3 ? "the mesh is not three-dimensional"
+                                 : "the mesh is not one of the plane");
       }
       in_.rest_of_line();
     } else if (key == "NELEM") {
-      walk_elements(Su2List::elements, count(value, shortest_element));
+      walk_elements(Su2List::elements, count(value, shortest_element()));
     } else if (key == "NPOIN") {
-      walk_nodes(count(value, shortest_node));
+      walk_nodes(count(value, bytes_of(dimension_)));
     } else if (key == "MARKER_TAG") {
       content_.begin_marker(value);
       has_marker_ = true;
       in_.rest_of_line();
     } else if (key == "MARKER_ELEMS") {
       if (!has_marker_) in_.fail("MARKER_ELEMS before any MARKER_TAG");
-      walk_elements(Su2List::marker, count(value, shortest_element));
+      walk_elements(Su2List::marker, count(value, shortest_element()));
     } else {
       in_.rest_of_line();
     }
@@ -59,12 +60,17 @@ class Walker {
     return things;
   }
 
+  /// So many numbers of one digit, the last at the end of the file.
+  static std::size_t bytes_of(int numbers) { return at(2 * numbers - 1); }
+  /// A triangle with its type, and in the plane a vertex.
+  std::size_t shortest_element() const { return bytes_of(dimension_ == 3 ? 4 : 2); }
+
   void walk_nodes(std::size_t nodes) {
     for (std::size_t i = 0; i < nodes; ++i) {
       Vec3 p;
       p.x = in_.coordinate();
       p.y = in_.coordinate_in_line();
-      p.z = in_.coordinate_in_line();
+      if (dimension_ == 3) p.z = in_.coordinate_in_line();
       in_.rest_of_line();
       content_.add_node(p);
     }
@@ -85,6 +91,7 @@ class Walker {
   }
 
   std::size_t nodes_of(std::int64_t type) const {
+    if (type == su2_line) return 2;
     const std::optional<ElementType> known = type_of(ElementCodes::vtk, type);
     if (!known) in_.fail("unknown element type " + std::to_string(type));
     return tetfarm::nodes_of(*known);
@@ -92,12 +99,15 @@ class Walker {
 
   InputScanner& in_;
   Su2Content& content_;
+  int dimension_;
   bool has_marker_ = false;
   std::array<std::int64_t, most_element_nodes> nodes_{};
 };
 
 }  // namespace
 
-void walk_su2(InputScanner& in, Su2Content& content) { Walker(in, content).walk(); }
+void walk_su2(InputScanner& in, Su2Content& content, int dimension) {
+  Walker(in, content, dimension).walk();
+}
 
 }  // namespace tetfarm

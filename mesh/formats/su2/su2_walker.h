@@ -16,6 +16,7 @@
 
 namespace tetfarm {
 
+inline constexpr std::int64_t su2_line = 3;
 inline constexpr std::int64_t su2_triangle = code_of(ElementCodes::vtk, ElementType::triangle);
 
 /// Where an element stands: in the list of all (NELEM) or in that of a marker.
@@ -35,8 +36,8 @@ class Su2Content {
                            std::span<const std::int64_t> nodes) = 0;
 };
 
-/// Walks to the end of the file. @throws InvalidInput with the line; what the content throws.
-/// Cost: O(bytes).
-void walk_su2(InputScanner& in, Su2Content& content);
+/// Walks to the end of a file whose mesh has the dimension, 2 or 3; in the plane nodes have z = 0.
+/// @throws InvalidInput with the line; what the content throws. Cost: O(bytes).
+void walk_su2(InputScanner& in, Su2Content& content, int dimension = 3);
 
 }  // namespace tetfarm
