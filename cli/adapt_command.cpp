@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "cli/adapted_report.h"
 #include "cli/commands.h"
+#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/hessian_recovery.h"
@@ -79,8 +80,12 @@ ExitCode adapt_command(const AdaptCommand& command) {
   }
   require_plane_mesh_name(command.input);
   require_plane_mesh_name(command.output);
+  check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
-  const PlaneMesh mesh = read_plane_medit(command.input);
+  const PlaneMesh read = read_plane_medit(command.input);
+  const CurvesOfMesh curved =
+      curves_of_options(command.curves, read, checked_complex(read), command.corner_angle_deg);
+  const PlaneMesh& mesh = curved.mesh;
   const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
   const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
@@ -96,9 +101,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
   }
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
+  options.curves = curved.curves;
   const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
   write_plane_medit(adapted.result.mesh, command.output);
-  tell_adapted({"adapt", command.output, command.json, start}, adapted);
+  tell_adapted({"adapt", command.output, command.json, start, &curved}, adapted);
   return ExitCode::ok;
 }
 

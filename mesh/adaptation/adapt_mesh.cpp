@@ -115,7 +115,8 @@ AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex comp
                                     const AdaptationOptions& options) {
   check_size(complexity(complex, metrics), options.max_triangles);
   const std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
-  MetricMesh mesh = make_metric_mesh(input, complex, scaled, options.corner_angle_deg);
+  MetricMesh mesh =
+      make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
   const MetricField field(std::move(complex), scaled);
   EllipseCavity cavity(options.cavity);
   activate_misfits(mesh, fitting);

@@ -14,6 +14,7 @@
 
 #include "mesh/adaptation/ellipse_cavity.h"
 #include "mesh/adaptation/metric_mesh.h"
+#include "mesh/adaptation/patch_curve.h"
 #include "mesh/planar/plane_mesh.h"
 
 namespace tetfarm {
@@ -22,6 +23,9 @@ struct AdaptationOptions {
   CavityOptions cavity;
   /// Where two boundary edges turn by more, their node is a corner.
   double corner_angle_deg = 30;
+  /// Of patches; those of others are splines through the nodes. @pre the nodes lie on them
+  /// (nodes_on_curves.h)
+  std::vector<PatchCurve> curves = {};
   int sweeps = 8;
   std::int64_t max_triangles = 100'000'000;
 };
