@@ -10,7 +10,8 @@
 namespace tetfarm {
 namespace {
 
-constexpr double tangent_of_eighth = 0.41421356237309503;  ///< of 22.5 degrees
+// Half the angle from the middle of an octant to its end is 11.25 degrees.
+constexpr double largest_tangent = 0.198912367379658;
 constexpr double half_sqrt2 = 0.7071067811865476;
 constexpr int most_steps = 40;
 
@@ -32,7 +33,7 @@ struct OctantPlace {
 
 OctantPlace octant_place(double eighths) {
   const double octant = std::clamp(std::floor(eighths), 0.0, 7.0);
-  return {static_cast<std::size_t>(octant), (2 * (eighths - octant) - 1) * tangent_of_eighth};
+  return {static_cast<std::size_t>(octant), (2 * (eighths - octant) - 1) * largest_tangent};
 }
 
 double largest_residual(const Circle& circle, std::span<const Vec2> nodes) {
@@ -60,8 +61,9 @@ std::optional<Circle> algebraic_circle(std::span<const Vec2> nodes) {
     system += row * row.transpose();
     right += row * (row(0) * row(0) + row(1) * row(1));
   }
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(system);
-  if (lu.rcond() < 1e-12) return std::nullopt;
+  Eigen::FullPivLU<Eigen::Matrix3d> lu(system);
+  lu.setThreshold(1e-12);
+  if (!lu.isInvertible()) return std::nullopt;
   const Eigen::Vector3d x = lu.solve(right);
   const double squared = x(2) + (x(0) * x(0) + x(1) * x(1)) / 4;
   if (!(squared > 0)) return std::nullopt;
@@ -123,7 +125,7 @@ double CircleCurve::nearest(const Vec2& p) const {
   const Vec2& middle = middles[octant];
   const double across = middle.x * from.y - middle.y * from.x;
   const double w = across / (std::hypot(from.x, from.y) + largest);
-  const double share = std::clamp(0.5 * (1 + w / tangent_of_eighth), 0.0, 1.0);
+  const double share = std::clamp(0.5 * (1 + w / largest_tangent), 0.0, 1.0);
   const double parameter = (static_cast<double>(octant) + share) / 8 * length();
   return parameter < length() ? parameter : 0;
 }
