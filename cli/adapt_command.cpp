@@ -78,6 +78,13 @@ ExitCode adapt_command(const AdaptCommand& command) {
   if (command.metric.empty() && command.solution.empty()) {
     throw UsageError("say what to adapt to: --metric FILE or --solution FILE", "");
   }
+  const bool is_thesis = command.mode == "thesis";
+  if (is_thesis && command.vertices.has_value()) {
+    throw UsageError(
+        "--mode thesis keeps the mean length of the edges that MESH has, and takes no "
+        "number of vertices",
+        "--vertices");
+  }
   require_plane_mesh_name(command.input);
   require_plane_mesh_name(command.output);
   check_curve_options(command.curves);
@@ -94,7 +101,7 @@ ExitCode adapt_command(const AdaptCommand& command) {
   wish.metrics = metrics;
   wish.metric_name = has_metric ? command.metric : command.solution;
   wish.limits = {command.h_min.value_or(0), command.h_max.value_or(0), command.aspect,
-                 gradation_of(command.gradation, has_metric ? 0 : 1.4)};
+                 gradation_of(command.gradation, has_metric || is_thesis ? 0 : 1.4)};
   wish.vertices = command.vertices;
   if (!has_metric && command.mode == "lp" && !wish.vertices.has_value()) {
     wish.vertices = static_cast<std::int64_t>(mesh.points.size());
@@ -102,6 +109,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
   options.curves = curved.curves;
+  if (is_thesis) {
+    options.rules = EdgeRules::mean_length;
+    options.cavity.rings = 1;
+  }
   const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
   write_plane_medit(adapted.result.mesh, command.output);
   tell_adapted({"adapt", command.output, command.json, start, &curved}, adapted);

@@ -72,6 +72,10 @@ nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedM
                                      {"gradation", asked.by_gradation}}},
                                    {"seconds", seconds},
                                    {"digest", digest_of(adapted.result.mesh).hex()}};
+  if (adapted.result.mean_length_before > 0) {
+    result["mean_length_before"] = adapted.result.mean_length_before;
+    result["mean_length_after"] = adapted.result.mean_length_after;
+  }
   if (!telling.curved->curves.empty()) result["curves"] = curves_json(*telling.curved);
   return result;
 }
@@ -102,6 +106,10 @@ void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
               quality.quality_min, quality.worst_at.x, quality.worst_at.y, quality.quality_1percent,
               quality.quality_mean);
   std::printf("largest angle   %.2f degrees\n", quality.max_angle_deg);
+  if (adapted.result.mean_length_before > 0) {
+    std::printf("mean edge       %.4g before (the unit of the lengths above), %.4g after\n",
+                adapted.result.mean_length_before, adapted.result.mean_length_after);
+  }
   const ScaledMetric& asked = adapted.asked;
   const auto tell = [](const char* option, std::int64_t nodes) {
     if (nodes > 0) std::printf("%-16sheld at %lld nodes\n", option, static_cast<long long>(nodes));

@@ -97,10 +97,11 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
   sub.add_option("--aspect", adapt.aspect, "Largest ratio of sizes at a point (default 10000)")
       ->check(number_between(1, 1e7))
       ->option_text("A");
-  sub.add_option("--mode", adapt.mode,
-                 "From a solution: lp weighs strong and weak features by --norm, hessian takes the "
-                 "second derivatives as they are, thesis does too and compares edges with their mean "
-                 "(default lp)")
+  sub.add_option(
+         "--mode", adapt.mode,
+         "From a solution: lp weighs strong and weak features by --norm, hessian takes the "
+         "second derivatives as they are, thesis does too and compares edges with their mean "
+         "(default lp)")
       ->check(CLI::IsMember({"lp", "hessian", "thesis"}))
       ->option_text("lp|hessian|thesis");
   add_corner_angle(sub, adapt.corner_angle_deg);

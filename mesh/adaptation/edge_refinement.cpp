@@ -127,6 +127,10 @@ std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCav
       if (which == EdgesToRefine::active && mesh.active[at(a)] == 0 && mesh.active[at(b)] == 0)
         continue;
       if (edge_length(mesh, a, b) <= limits.longest) continue;
+      if (limits.at_middles) {
+        nodes += divide_edge(mesh, field, cavity, edge_handle(t, i), 0.5, limits.shortest) ? 1 : 0;
+        continue;
+      }
       nodes += refine_edge(mesh, field, cavity, edge_handle(t, i), limits);
     }
   }
