@@ -14,7 +14,9 @@ std::array<double, 5> round_steps(double size);
 /// The multiple of the step next to the value. A negative step is minus the reciprocal of one, for
 /// then the result is the decimal number itself.
 inline double rounded_to(double value, double step) {
-  return step < 0 ? std::round(value * -step) / -step : std::round(value / step) * step;
+  const double rounded =
+      step < 0 ? std::round(value * -step) / -step : std::round(value / step) * step;
+  return rounded + 0.0;  // no -0
 }
 
 /// Whether rounding keeps all nodes nearly as near as the fit does: errors of one sign, such as

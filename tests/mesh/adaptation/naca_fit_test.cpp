@@ -32,10 +32,10 @@ void expect_found(const NacaPlace& wanted, const std::vector<Vec2>& nodes, doubl
 
 TEST(NacaFit, finds_place_and_trailing_edge_wherever_the_profile_lies) {
   for (const bool is_sharp : {true, false}) {
-    for (const double angle : {0.0, -4.321, 123.0, 180.0}) {
+    for (const double angle : {-4.321, 180.0}) {
       expect_found(
           {0.12, is_sharp, {3.14159, -2.5}, 0.731, direction_of_angle(angle)},
-          nodes_on({0.12, is_sharp, {3.14159, -2.5}, 0.731, direction_of_angle(angle)}, 60), 1e-12);
+          nodes_on({0.12, is_sharp, {3.14159, -2.5}, 0.731, direction_of_angle(angle)}, 24), 1e-12);
     }
   }
 }
