@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/hash.h"
@@ -124,6 +125,7 @@ void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
 }  // namespace
 
 void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
+  TF_CHECK(telling.curved != nullptr);
   const double seconds = static_cast<double>(steady_ms() - telling.start_ms) / 1000;
   const MetricQuality quality =
       metric_quality(checked_complex(adapted.result.mesh), adapted.result.metrics);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/adaptation/circle_curve.h"
 #include "mesh/adaptation/naca_fit.h"
@@ -230,6 +231,7 @@ CurvesOfMesh curves_of_options(const std::vector<std::string>& options, const Pl
   NodesOnCurves placed = put_on_curves(mesh, complex, result.curves, corner_angle_deg);
   result.mesh = std::move(placed.mesh);
   result.moved = std::move(placed.moved);
+  TF_CHECK(result.moved.size() == result.curves.size());
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace {
 // Half the angle from the middle of an octant to its end is 11.25 degrees.
 constexpr double largest_tangent = 0.198912367379658;
 constexpr double half_sqrt2 = 0.7071067811865476;
-constexpr int most_steps = 40;
+constexpr int most_circle_steps = 40;
 
 /// The middles of the octants.
 constexpr std::array<Vec2, 8> middles{{{1, 0},
@@ -72,7 +72,7 @@ std::optional<Circle> algebraic_circle(std::span<const Vec2> nodes) {
 }
 
 Circle improved(Circle circle, std::span<const Vec2> nodes) {
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_circle_steps; ++step) {
     Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (const Vec2& p : nodes) {

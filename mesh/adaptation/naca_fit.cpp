@@ -14,7 +14,7 @@ namespace tetfarm {
 namespace {
 
 constexpr std::size_t most_nodes = 400;
-constexpr int most_steps = 20;
+constexpr int most_fitting_steps = 20;
 
 using Parts = std::vector<std::shared_ptr<const TrueCurve>>;
 
@@ -76,7 +76,7 @@ NacaPlace one_step(const NacaPlace& place, std::span<const Vec2> nodes) {
 
 NacaPlace improved(NacaPlace place, std::span<const Vec2> nodes) {
   double farthest = farthest_node(place, nodes);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_fitting_steps; ++step) {
     const NacaPlace next = one_step(place, nodes);
     const double then = farthest_node(next, nodes);
     if (step > 3 && !(then < farthest * (1 - 1e-6))) break;

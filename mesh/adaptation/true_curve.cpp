@@ -10,7 +10,7 @@
 namespace tetfarm {
 namespace {
 
-constexpr int most_steps = 100;
+constexpr int most_foot_steps = 100;
 
 double distance_from_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 chord{b.x - a.x, b.y - a.y};
@@ -34,7 +34,7 @@ double foot_between(const TrueCurve& curve, double low, double high, const Vec2&
   if (!(of_low < 0)) return low;
   if (!(of_high > 0)) return high;
   const double start_width = high - low;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_foot_steps; ++step) {
     double middle = low - of_low * (high - low) / (of_high - of_low);
     // Every third step halves: regula falsi alone may creep.
     if (step % 3 == 2 || !(middle > low && middle < high)) middle = low + (high - low) / 2;
