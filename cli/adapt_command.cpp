@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "cli/adapted_report.h"
 #include "cli/commands.h"
+#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_metric.h"
@@ -50,10 +51,21 @@ ExitCode adapt_command(const AdaptCommand& command) {
   if (command.metric.empty() && command.solution.empty()) {
     throw UsageError("say what to adapt to: --metric FILE or --solution FILE", "");
   }
+  const bool is_thesis = command.mode == "thesis";
+  if (is_thesis && command.vertices.has_value()) {
+    throw UsageError(
+        "--mode thesis keeps the mean length of the edges that MESH has, and takes no "
+        "number of vertices",
+        "--vertices");
+  }
   require_plane_input_name(command.input);
   require_plane_output_name(command.output);
+  check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
-  const PlaneMesh mesh = read_plane_mesh(command.input);
+  const PlaneMesh read = read_plane_mesh(command.input);
+  const CurvesOfMesh curved =
+      curves_of_options(command.curves, read, checked_complex(read), command.corner_angle_deg);
+  const PlaneMesh& mesh = curved.mesh;
   const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
   const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
@@ -62,16 +74,21 @@ ExitCode adapt_command(const AdaptCommand& command) {
   wish.metrics = metrics;
   wish.metric_name = has_metric ? command.metric : command.solution;
   wish.limits = {command.h_min.value_or(0), command.h_max.value_or(0), command.aspect,
-                 gradation_of(command.gradation, has_metric ? 0 : 1.4)};
+                 gradation_of(command.gradation, has_metric || is_thesis ? 0 : 1.4)};
   wish.vertices = command.vertices;
   if (!has_metric && command.mode == "lp" && !wish.vertices.has_value()) {
     wish.vertices = static_cast<std::int64_t>(mesh.points.size());
   }
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
+  options.curves = curved.curves;
+  if (is_thesis) {
+    options.rules = EdgeRules::mean_length;
+    options.cavity.rings = 1;
+  }
   const AdaptedMesh adapted = adapt_to_metric(mesh, complex, wish, options);
   write_plane_mesh(adapted.result.mesh, command.output);
-  tell_adapted({"adapt", command.output, command.json, start}, adapted);
+  tell_adapted({"adapt", command.output, command.json, start, &curved}, adapted);
   return ExitCode::ok;
 }
 

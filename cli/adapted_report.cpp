@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/check.h"
 #include "base/clock.h"
 #include "base/hash.h"
 #include "json/json_line.h"
@@ -29,30 +30,68 @@ Hash128 digest_of(const PlaneMesh& mesh) {
   return hasher.finish();
 }
 
+/// What became of the nodes of each curve.
+nlohmann::ordered_json curves_json(const CurvesOfMesh& curved) {
+  nlohmann::ordered_json curves = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < curved.curves.size(); ++k) {
+    const MovedNodes& moved = curved.moved[k];
+    curves.push_back({{"patches", curved.curves[k].patches},
+                      {"curve", curved.texts[k]},
+                      {"nodes", moved.nodes},
+                      {"moved", moved.moved},
+                      {"farthest_move", moved.farthest}});
+    if (moved.node < 0) continue;
+    const Vec2& place = curved.mesh.points[static_cast<std::size_t>(moved.node)];
+    curves.back()["farthest_at"] = {place.x, place.y};
+  }
+  return curves;
+}
+
 nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedMesh& adapted,
                                    const MetricQuality& quality, double seconds) {
   const ScaledMetric& asked = adapted.asked;
-  return {{"type", telling.command},
-          {"file", telling.output},
-          {"vertices", adapted.result.mesh.points.size()},
-          {"triangles", adapted.result.mesh.triangles.size()},
-          {"unit_edges_percent", quality.unit_edges_percent},
-          {"edge_length_min", quality.edge_length_min},
-          {"edge_length_max", quality.edge_length_max},
-          {"longest_at", {quality.longest_at.x, quality.longest_at.y}},
-          {"quality_min", quality.quality_min},
-          {"quality_1percent", quality.quality_1percent},
-          {"quality_mean", quality.quality_mean},
-          {"worst_at", {quality.worst_at.x, quality.worst_at.y}},
-          {"max_angle_deg", quality.max_angle_deg},
-          {"complexity", asked.complexity},
-          {"limited",
-           {{"h_min", asked.at_h_min},
-            {"h_max", asked.at_h_max},
-            {"aspect", asked.at_aspect},
-            {"gradation", asked.by_gradation}}},
-          {"seconds", seconds},
-          {"digest", digest_of(adapted.result.mesh).hex()}};
+  nlohmann::ordered_json result = {{"type", telling.command},
+                                   {"file", telling.output},
+                                   {"vertices", adapted.result.mesh.points.size()},
+                                   {"triangles", adapted.result.mesh.triangles.size()},
+                                   {"unit_edges_percent", quality.unit_edges_percent},
+                                   {"edge_length_min", quality.edge_length_min},
+                                   {"edge_length_max", quality.edge_length_max},
+                                   {"longest_at", {quality.longest_at.x, quality.longest_at.y}},
+                                   {"quality_min", quality.quality_min},
+                                   {"quality_1percent", quality.quality_1percent},
+                                   {"quality_mean", quality.quality_mean},
+                                   {"worst_at", {quality.worst_at.x, quality.worst_at.y}},
+                                   {"max_angle_deg", quality.max_angle_deg},
+                                   {"complexity", asked.complexity},
+                                   {"limited",
+                                    {{"h_min", asked.at_h_min},
+                                     {"h_max", asked.at_h_max},
+                                     {"aspect", asked.at_aspect},
+                                     {"gradation", asked.by_gradation}}},
+                                   {"seconds", seconds},
+                                   {"digest", digest_of(adapted.result.mesh).hex()}};
+  if (adapted.result.mean_length_before > 0) {
+    result["mean_length_before"] = adapted.result.mean_length_before;
+    result["mean_length_after"] = adapted.result.mean_length_after;
+  }
+  if (!telling.curved->curves.empty()) result["curves"] = curves_json(*telling.curved);
+  return result;
+}
+
+void print_curves(const CurvesOfMesh& curved) {
+  for (std::size_t k = 0; k < curved.curves.size(); ++k) {
+    const MovedNodes& moved = curved.moved[k];
+    std::printf("%s: %s; ", curved.curves[k].name.c_str(), curved.texts[k].c_str());
+    if (moved.node < 0) {
+      std::printf("all %lld nodes lay on it\n", static_cast<long long>(moved.nodes));
+      continue;
+    }
+    const Vec2& place = curved.mesh.points[static_cast<std::size_t>(moved.node)];
+    std::printf("%lld of %lld nodes moved there, the farthest by %.3g (to %.6g, %.6g)\n",
+                static_cast<long long>(moved.moved), static_cast<long long>(moved.nodes),
+                moved.farthest, place.x, place.y);
+  }
 }
 
 void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
@@ -66,6 +105,10 @@ void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
               quality.quality_min, quality.worst_at.x, quality.worst_at.y, quality.quality_1percent,
               quality.quality_mean);
   std::printf("largest angle   %.2f degrees\n", quality.max_angle_deg);
+  if (adapted.result.mean_length_before > 0) {
+    std::printf("mean edge       %.4g before (the unit of the lengths above), %.4g after\n",
+                adapted.result.mean_length_before, adapted.result.mean_length_after);
+  }
   const ScaledMetric& asked = adapted.asked;
   const auto tell = [](const char* option, std::int64_t nodes) {
     if (nodes > 0) std::printf("%-16sheld at %lld nodes\n", option, static_cast<long long>(nodes));
@@ -74,11 +117,13 @@ void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
   tell("--h-max", asked.at_h_max);
   tell("--aspect", asked.at_aspect);
   tell("--gradation", asked.by_gradation);
+  print_curves(*telling.curved);
 }
 
 }  // namespace
 
 void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
+  TF_CHECK(telling.curved != nullptr);
   const double seconds = static_cast<double>(steady_ms() - telling.start_ms) / 1000;
   const MetricQuality quality =
       metric_quality(checked_complex(adapted.result.mesh), adapted.result.metrics);

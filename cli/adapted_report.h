@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 
 namespace tetfarm {
@@ -13,9 +14,11 @@ struct AdaptedTelling {
   std::string output;
   bool json = false;
   std::int64_t start_ms = 0;  ///< by steady_ms
+  const CurvesOfMesh* curved = nullptr;
 };
 
-/// Prints size, lengths and shapes of the mesh, what each limit did, and its digest.
+/// Prints size, lengths and shapes of the mesh, what each limit did, how far nodes went to their
+/// curves, and the digest.
 void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted);
 
 /// The number of --gradation, 0 for "off", `otherwise` for "".

@@ -304,6 +304,7 @@ struct PlaneCommand {
   std::optional<std::int64_t> vertices;
   std::string gradation;  ///< "off" or a number above 1; "": off
   double corner_angle_deg = 30;
+  std::vector<std::string> curves;  ///< "PATCH=KIND" each
   bool json = false;
 };
 
@@ -319,8 +320,9 @@ struct AdaptCommand {
   std::optional<double> h_max;
   std::string gradation;  ///< "off" or a number above 1; "": off with a metric, 1.4 with a solution
   double aspect = 1e4;
-  std::string mode = "lp";  ///< or "hessian"
+  std::string mode = "lp";  ///< or "hessian", "thesis"
   double corner_angle_deg = 30;
+  std::vector<std::string> curves;  ///< "PATCH=KIND" each
   bool json = false;
 };
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "cli/adapted_report.h"
 #include "cli/commands.h"
+#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/loop_domain.h"
@@ -60,8 +61,12 @@ MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
 
 ExitCode plane_command(const PlaneCommand& command) {
   require_plane_output_name(command.output);
+  check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
-  const MeshWithMetrics asked = wish_of(command, domain_of_loops(loops_of(command.inputs)));
+  const PlaneMesh domain = domain_of_loops(loops_of(command.inputs));
+  const CurvesOfMesh curved =
+      curves_of_options(command.curves, domain, checked_complex(domain), command.corner_angle_deg);
+  const MeshWithMetrics asked = wish_of(command, curved.mesh);
   const bool is_by_boundary = !command.size.has_value() && command.metric.empty();
   AdaptationWish wish;
   wish.metrics = asked.metrics;
@@ -70,10 +75,11 @@ ExitCode plane_command(const PlaneCommand& command) {
   wish.limits.gradation = gradation_of(command.gradation, is_by_boundary ? 1.25 : 0);
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
+  options.curves = curved.curves;
   const AdaptedMesh adapted =
       adapt_to_metric(asked.mesh, checked_complex(asked.mesh), wish, options);
   write_plane_mesh(adapted.result.mesh, command.output);
-  tell_adapted({"plane", command.output, command.json, start}, adapted);
+  tell_adapted({"plane", command.output, command.json, start, &curved}, adapted);
   return ExitCode::ok;
 }
 

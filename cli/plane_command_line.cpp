@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/client_options.h"
 #include "cli/option_checks.h"
@@ -15,6 +16,15 @@ void add_corner_angle(CLI::App& sub, double& angle_deg) {
                  "Nodes at which the boundary turns by more degrees stay (default 30)")
       ->check(number_between(1, 180))
       ->option_text("DEG");
+}
+
+void add_curves(CLI::App& sub, std::vector<std::string>& curves) {
+  sub.add_option("--curve", curves,
+                 "The true curve of a patch, on which its nodes stay: naca00XX, circle, line or "
+                 "spline:FILE.xy; may be repeated")
+      ->check(not_empty())
+      ->allow_extra_args(false)
+      ->option_text("PATCH=KIND");
 }
 
 void add_vertices(CLI::App& sub, std::optional<std::int64_t>& vertices,
@@ -49,6 +59,7 @@ void add_plane(CLI::App& sub, PlaneCommand& plane) {
       ->check(off_or_number_above(1, 100))
       ->option_text("G|off");
   add_corner_angle(sub, plane.corner_angle_deg);
+  add_curves(sub, plane.curves);
   add_json(sub, plane.json);
 }
 
@@ -86,12 +97,15 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
   sub.add_option("--aspect", adapt.aspect, "Largest ratio of sizes at a point (default 10000)")
       ->check(number_between(1, 1e7))
       ->option_text("A");
-  sub.add_option("--mode", adapt.mode,
-                 "From a solution: lp weighs strong and weak features by --norm, hessian takes the "
-                 "second derivatives as they are (default lp)")
-      ->check(CLI::IsMember({"lp", "hessian"}))
-      ->option_text("lp|hessian");
+  sub.add_option(
+         "--mode", adapt.mode,
+         "From a solution: lp weighs strong and weak features by --norm, hessian takes the "
+         "second derivatives as they are, thesis does too and compares edges with their mean "
+         "(default lp)")
+      ->check(CLI::IsMember({"lp", "hessian", "thesis"}))
+      ->option_text("lp|hessian|thesis");
   add_corner_angle(sub, adapt.corner_angle_deg);
+  add_curves(sub, adapt.curves);
   add_json(sub, adapt.json);
 }
 

@@ -1,5 +1,6 @@
 #include "mesh/adaptation/adapt_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -101,6 +102,35 @@ void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
   mend_misfits(mesh, field, fitting);
 }
 
+void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
+                          const AdaptationOptions& options) {
+  EllipseCavity cavity(options.cavity);
+  activate_misfits(mesh, fitting);
+  coarsen(mesh);
+  refine(mesh, field, cavity, options);
+  for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
+  mend(mesh, field, cavity);
+}
+
+AdaptationResult adapted_by_mean_length(const PlaneMesh& input, TriangleComplex complex,
+                                        std::span<const Metric2> metrics,
+                                        const AdaptationOptions& options) {
+  const double mean = mean_edge_length(complex, metrics);
+  const std::vector<Metric2> scaled = scaled_metrics(metrics, 1 / mean);
+  check_size(complexity(complex, scaled), options.max_triangles);
+  MetricMesh mesh =
+      make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
+  const MetricField field(std::move(complex), scaled);
+  EllipseCavity cavity(options.cavity);
+  MeanLengthRules rules = options.by_mean;
+  rules.most_triangles = std::min(rules.most_triangles, options.max_triangles);
+  adapt_by_mean_length(mesh, field, cavity, rules);
+  MeshWithMetrics result = plane_mesh_of(mesh);
+  check_border(result.mesh);
+  const double after = mean_edge_length(checked_complex(result.mesh), result.metrics);
+  return {std::move(result.mesh), std::move(result.metrics), mean, mean * after};
+}
+
 }  // namespace
 
 AdaptationResult adapt_mesh(const PlaneMesh& input, std::span<const Metric2> metrics,
@@ -113,21 +143,23 @@ AdaptationResult adapt_mesh(const PlaneMesh& input, std::span<const Metric2> met
 AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex complex,
                                     std::span<const Metric2> metrics,
                                     const AdaptationOptions& options) {
+  if (options.rules == EdgeRules::mean_length) {
+    return adapted_by_mean_length(input, std::move(complex), metrics, options);
+  }
   check_size(complexity(complex, metrics), options.max_triangles);
   const std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
-  MetricMesh mesh = make_metric_mesh(input, complex, scaled, options.corner_angle_deg);
+  MetricMesh mesh =
+      make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
   const MetricField field(std::move(complex), scaled);
-  EllipseCavity cavity(options.cavity);
-  activate_misfits(mesh, fitting);
-  coarsen(mesh);
-  refine(mesh, field, cavity, options);
-  for (int i = 0; i < options.sweeps; ++i) sweep(mesh, field, cavity);
-  mend(mesh, field, cavity);
+  adapt_to_unit_length(mesh, field, options);
   MeshWithMetrics result = plane_mesh_of(mesh);
   result.mesh.patch_names = input.patch_names;
   result.mesh.region_names = input.region_names;
   check_border(result.mesh);
-  return {std::move(result.mesh), scaled_metrics(result.metrics, 1 / length_scale)};
+  AdaptationResult adapted;
+  adapted.mesh = std::move(result.mesh);
+  adapted.metrics = scaled_metrics(result.metrics, 1 / length_scale);
+  return adapted;
 }
 
 }  // namespace tetfarm

@@ -1,5 +1,6 @@
-/// Whether edges of the boundary cross each other: coarsened, the two walls of a narrow gap can,
-/// though every triangle is valid.
+/// Whether edges of the boundary cross each other: the two walls of a narrow gap can, though every
+/// triangle is valid. Coarsening takes care (border_nodes.h); nodes that move along their curves
+/// do not.
 ///
 /// Exact. Cost: O(n log n), and the pairs of edges whose boxes meet.
 #pragma once

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,18 +11,12 @@
 #include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/adaptation/curve_tracing.h"
 #include "mesh/core/vec3.h"
 #include "mesh/geometry/hilbert_order.h"
 
 namespace tetfarm {
 namespace {
-
-using Edge = std::array<std::int32_t, 2>;
-
-/// "FILE: what"; without a file "what".
-std::string in_file(const std::string& name, const std::string& what) {
-  return name.empty() ? what : name + ": " + what;
-}
 
 std::string triangle_text(const PlaneMesh& mesh, std::size_t t) {
   std::string text = in_file(mesh.name, "triangle ") + std::to_string(t + 1) + ", nodes";
@@ -79,140 +72,26 @@ void check_edges(const PlaneMesh& mesh, const std::vector<TriangleComplex::Nodes
                      triangle_text(mesh, std::get<2>(*twice)));
 }
 
-struct NamedEdge {
-  std::int32_t patch = 0;
-  bool is_there = false;  ///< as the side of a triangle
-};
-
-/// @throws InvalidInput for the first edge of the mesh that is no side of a triangle.
-void check_named_edges(const PlaneMesh& mesh,
-                       const std::unordered_map<std::uint64_t, NamedEdge>& named) {
-  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-    const auto [a, b] = mesh.edges[k];
-    if (named.at(edge_key(a, b)).is_there) continue;
-    const bool is_node = a >= 0 && at(a) < mesh.points.size();
-    throw InvalidInput("nodes " + std::to_string(a + 1) + " and " + std::to_string(b + 1) +
-                           " are not joined by the side of a triangle" +
-                           (is_node ? "; at " + place_text(mesh.points[at(a)]) : ""),
-                       in_file(mesh.name, "edge " + std::to_string(k + 1)));
+/// The piece of boundary becomes a curve of the mesh: a part of that of its patch, or the spline
+/// through its nodes.
+void add_curve(MetricMesh& mesh, const BoundaryPiece& piece, std::span<const PatchCurve> curves) {
+  const auto number = static_cast<std::int32_t>(mesh.curves.size());
+  std::vector<Vec2> points;
+  points.reserve(piece.nodes.size());
+  for (const std::int32_t v : piece.nodes) points.push_back(mesh.complex.point(v));
+  const PatchCurve* of_patch = curve_of_patch(curves, piece.patch);
+  BoundaryCurve shape = of_patch == nullptr ? BoundaryCurve(std::move(points), piece.is_closed)
+                                            : boundary_curve_of(*of_patch, points, piece.is_closed);
+  for (std::size_t i = 0; i < piece.nodes.size(); ++i) {
+    const std::int32_t v = piece.nodes[i];
+    const bool is_last = i + 1 == piece.nodes.size();
+    mesh.curve_of_node[at(v)] = number;
+    mesh.parameters[at(v)] = shape.parameter_of(i);
+    if (is_last && !piece.is_closed) continue;
+    mesh.curve_of_edge[edge_key(v, piece.nodes[is_last ? 0 : i + 1])] = number;
   }
+  mesh.curves.push_back({std::move(shape), piece.patch});
 }
-
-/// The edges that are held, with their patches.
-std::vector<std::pair<Edge, std::int32_t>> held_edges(const PlaneMesh& mesh,
-                                                      TriangleComplex& complex) {
-  std::unordered_map<std::uint64_t, NamedEdge> named;
-  for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
-    named[edge_key(mesh.edges[k][0], mesh.edges[k][1])].patch = mesh.patches[k];
-  }
-  std::vector<std::pair<Edge, std::int32_t>> held;
-  // Sides are looked up, not edges by find_edge(), which sees one fan of a node where two parts
-  // meet.
-  for (std::int32_t t = 0; t < complex.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const EdgeHandle other = complex.neighbour(t, i);
-      if (other != no_edge && triangle_of(other) < t) continue;
-      const Edge edge{complex.node(t, next(i)), complex.node(t, previous(i))};
-      const auto name = named.find(edge_key(edge[0], edge[1]));
-      const bool is_named = name != named.end();
-      if (is_named) name->second.is_there = true;
-      const bool parts_regions = other != no_edge && !mesh.regions.empty() &&
-                                 mesh.regions[at(t)] != mesh.regions[at(triangle_of(other))];
-      if (is_named || parts_regions) complex.constrain(edge_handle(t, i), true);
-      if (!complex.is_constrained(t, i)) continue;
-      held.emplace_back(edge, is_named ? name->second.patch : 0);
-    }
-  }
-  check_named_edges(mesh, named);
-  return held;
-}
-
-/// Joins held edges to curves.
-class CurveTracing {
- public:
-  CurveTracing(const PlaneMesh& mesh, std::vector<std::pair<Edge, std::int32_t>> held,
-               double corner_angle_deg)
-      : mesh_(mesh), held_(std::move(held)), is_used_(held_.size(), false) {
-    for (std::size_t k = 0; k < held_.size(); ++k) {
-      for (const std::int32_t v : held_[k].first) edges_at_[v].push_back(k);
-    }
-    const double least_cosine = std::cos(corner_angle_deg * std::numbers::pi / 180);
-    for (const auto& [node, edges] : edges_at_)
-      is_corner_[node] = is_corner(node, edges, least_cosine);
-    for (const std::int32_t v : mesh.corners) {
-      if (v >= 0 && at(v) < mesh.points.size()) is_corner_[v] = true;
-    }
-  }
-
-  void trace(MetricMesh& out) {
-    for (const bool from_corners : {true, false}) {
-      for (std::size_t k = 0; k < held_.size(); ++k) {
-        if (is_used_[k]) continue;
-        const auto [a, b] = held_[k].first;
-        if (from_corners && !is_corner_[a] && !is_corner_[b]) continue;
-        follow(out, k, from_corners && !is_corner_[a] ? b : a);
-      }
-    }
-    for (const auto& [node, edges] : edges_at_) {
-      if (is_corner_[node]) out.curve_of_node[at(node)] = MetricMesh::corner;
-    }
-    for (const std::int32_t v : mesh_.corners) {
-      if (v >= 0 && at(v) < mesh_.points.size()) out.curve_of_node[at(v)] = MetricMesh::corner;
-    }
-  }
-
- private:
-  std::int32_t other_end(std::size_t edge, std::int32_t node) const {
-    const Edge& ends = held_[edge].first;
-    return ends[0] == node ? ends[1] : ends[0];
-  }
-
-  bool is_corner(std::int32_t node, const std::vector<std::size_t>& edges,
-                 double least_cosine) const {
-    if (edges.size() != 2 || held_[edges[0]].second != held_[edges[1]].second) return true;
-    const Vec2& p = mesh_.points[at(node)];
-    const Vec2& a = mesh_.points[at(other_end(edges[0], node))];
-    const Vec2& b = mesh_.points[at(other_end(edges[1], node))];
-    const Vec2 in{p.x - a.x, p.y - a.y};
-    const Vec2 out{b.x - p.x, b.y - p.y};
-    const double lengths = std::hypot(in.x, in.y) * std::hypot(out.x, out.y);
-    return in.x * out.x + in.y * out.y < least_cosine * lengths;
-  }
-
-  /// The curve that begins at `start` with the edge.
-  void follow(MetricMesh& out, std::size_t edge, std::int32_t start) {
-    const auto number = static_cast<std::int32_t>(out.curves.size());
-    const std::int32_t patch = held_[edge].second;
-    std::vector<std::int32_t> nodes{start};
-    for (;;) {
-      is_used_[edge] = true;
-      out.curve_of_edge[edge_key(held_[edge].first[0], held_[edge].first[1])] = number;
-      const std::int32_t node = other_end(edge, nodes.back());
-      nodes.push_back(node);
-      if (node == start || is_corner_[node]) break;
-      const std::vector<std::size_t>& edges = edges_at_[node];
-      edge = edges[0] == edge ? edges[1] : edges[0];
-    }
-    const bool is_closed = nodes.back() == start && !is_corner_[start];
-    if (is_closed) nodes.pop_back();
-    std::vector<Vec2> points;
-    points.reserve(nodes.size());
-    for (const std::int32_t v : nodes) points.push_back(mesh_.points[at(v)]);
-    BoundaryCurve shape(points, is_closed);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (is_corner_[nodes[i]]) continue;
-      out.curve_of_node[at(nodes[i])] = number;
-      out.parameters[at(nodes[i])] = shape.parameter_of(i);
-    }
-    out.curves.push_back({std::move(shape), patch});
-  }
-
-  const PlaneMesh& mesh_;
-  std::vector<std::pair<Edge, std::int32_t>> held_;
-  std::vector<bool> is_used_;
-  std::unordered_map<std::int32_t, std::vector<std::size_t>> edges_at_;
-  std::unordered_map<std::int32_t, bool> is_corner_;
-};
 
 /// The triangles in use along the Hilbert curve of their first nodes.
 std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
@@ -235,6 +114,10 @@ std::vector<std::int32_t> triangles_in_order(const MetricMesh& mesh) {
 }
 
 }  // namespace
+
+std::string in_file(const std::string& name, const std::string& what) {
+  return name.empty() ? what : name + ": " + what;
+}
 
 std::string place_text(const Vec2& p) {
   std::array<char, 80> text{};
@@ -289,7 +172,8 @@ void check_metrics(const PlaneMesh& mesh, std::span<const Metric2> metrics,
 }
 
 MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& complex,
-                            std::span<const Metric2> metrics, double corner_angle_deg) {
+                            std::span<const Metric2> metrics, double corner_angle_deg,
+                            std::span<const PatchCurve> curves) {
   TF_CHECK(metrics.size() == mesh.points.size() && mesh.patches.size() == mesh.edges.size());
   TF_CHECK(complex.triangles.size() == mesh.triangles.size());
   TF_CHECK(mesh.regions.empty() || mesh.regions.size() == mesh.triangles.size());
@@ -303,7 +187,10 @@ MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& comple
   out.curve_of_node.assign(mesh.points.size(), MetricMesh::inside);
   out.parameters.assign(mesh.points.size(), 0);
   out.active.assign(mesh.points.size(), 0);
-  CurveTracing(mesh, held_edges(mesh, out.complex), corner_angle_deg).trace(out);
+  const std::vector<HeldEdge> held = hold_edges(mesh, out.complex);
+  const TracedBoundary traced = trace_boundary(mesh, held, corner_angle_deg);
+  for (const BoundaryPiece& piece : traced.pieces) add_curve(out, piece, curves);
+  for (const std::int32_t v : traced.corners) out.curve_of_node[at(v)] = MetricMesh::corner;
   return out;
 }
 

@@ -1,8 +1,7 @@
 /// From the mesh of a file to the working mesh: checked, with its boundary as curves and corners.
 ///
-/// A corner is a node where boundary edges of two patches meet, or other than two, or two that turn
-/// by more than an angle; between corners the edges of a patch are one curve through their nodes.
-/// Edges between triangles of two regions are held like those of the boundary.
+/// Between corners (curve_tracing.h) the edges of a patch are one curve: a part of the one given
+/// for the patch, or the spline through their nodes.
 /// Determinism: curves are numbered in the order of their first edges in the complex.
 #pragma once
 
@@ -10,10 +9,13 @@
 #include <string>
 
 #include "mesh/adaptation/metric_mesh.h"
+#include "mesh/adaptation/patch_curve.h"
 #include "mesh/planar/plane_mesh.h"
 
 namespace tetfarm {
 
+/// "FILE: what"; without a file "what".
+std::string in_file(const std::string& name, const std::string& what);
 /// "(x, y)", for messages.
 std::string place_text(const Vec2& p);
 
@@ -32,9 +34,11 @@ void check_values(const PlaneMesh& mesh, std::span<const double> values, const s
 void check_metrics(const PlaneMesh& mesh, std::span<const Metric2> metrics,
                    const std::string& name = "");
 
-/// @pre checked. @throws InvalidInput when an edge of the mesh is no edge of a triangle.
+/// @pre checked; the nodes of patches with a curve lie on it (nodes_on_curves.h). @throws
+/// InvalidInput when an edge of the mesh is no edge of a triangle.
 MetricMesh make_metric_mesh(const PlaneMesh& mesh, const TriangleComplex& complex,
-                            std::span<const Metric2> metrics, double corner_angle_deg);
+                            std::span<const Metric2> metrics, double corner_angle_deg,
+                            std::span<const PatchCurve> curves = {});
 
 /// What is in use, with the nodes in the order in which the triangles, sorted along the Hilbert
 /// curve, name them.

@@ -69,13 +69,18 @@ std::array<std::int32_t, 2> ends_on_curve(const MetricMesh& mesh, std::int32_t n
 }
 
 /// The edges of a curve that meet at the node become one. False, with nothing changed, where there
-/// is such an edge already: of a hole or of a line inside there would be nothing left.
-bool join_curve_edges(MetricMesh& mesh, std::int32_t node, std::int32_t target, const Ball& ball) {
+/// is such an edge already (of a hole or of a line inside there would be nothing left), or where
+/// another wall is in its way.
+bool join_curve_edges(MetricMesh& mesh, std::int32_t node, std::int32_t target, const Ball& ball,
+                      const BorderNodes* border) {
   const std::int32_t curve = mesh.curve_of_node[at(node)];
   if (curve < 0) return true;
   const std::array<std::int32_t, 2> ends = ends_on_curve(mesh, node, ball);
   const std::int32_t other = ends[0] == target ? ends[1] : ends[0];
   if (curve_of_edge(mesh, target, other) >= 0) return false;
+  if (border != nullptr && !ball.is_closed && border->any_in_triangle(mesh, node, target, other)) {
+    return false;
+  }
   for (const std::int32_t end : ends) mesh.curve_of_edge.erase(edge_key(node, end));
   mesh.curve_of_edge[edge_key(target, other)] = curve;
   return true;
@@ -104,7 +109,7 @@ void remove_triangle(MetricMesh& mesh, EdgeHandle corner, std::int32_t target) {
 }  // namespace
 
 bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
-                   const CollapseLimits& limits, Ball& ball) {
+                   const CollapseLimits& limits, Ball& ball, const BorderNodes* border) {
   TF_CHECK(node != target);
   if (!may_join(mesh, node, target)) return false;
   collect_ball(mesh.complex, node, ball);
@@ -116,7 +121,7 @@ bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
     staying += ring.before == target || ring.after == target ? 0 : 1;
   }
   if (staying == 0) return false;
-  if (!join_curve_edges(mesh, node, target, ball)) return false;
+  if (!join_curve_edges(mesh, node, target, ball, border)) return false;
   for (const EdgeHandle corner : ball.corners) {
     const OppositeEdge ring = opposite_edge(mesh.complex, corner);
     mesh.active[at(ring.before)] = 1;
@@ -141,13 +146,15 @@ bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
 std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, bool only_active) {
   std::int64_t gone = 0;
   Ball ball;
+  const BorderNodes border(mesh);
   for (std::int32_t t = 0; t < mesh.complex.size(); ++t) {
     for (int i = 0; i < 3 && mesh.is_used(t); ++i) {
       const std::int32_t a = mesh.complex.node(t, next(i));
       const std::int32_t b = mesh.complex.node(t, previous(i));
       if (only_active && mesh.active[at(a)] == 0 && mesh.active[at(b)] == 0) continue;
       if (edge_length(mesh, a, b) >= limits.shortest) continue;
-      if (collapse_node(mesh, a, b, limits, ball) || collapse_node(mesh, b, a, limits, ball)) {
+      if (collapse_node(mesh, a, b, limits, ball, &border) ||
+          collapse_node(mesh, b, a, limits, ball, &border)) {
         ++gone;
       }
     }

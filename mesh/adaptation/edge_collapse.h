@@ -5,6 +5,7 @@
 /// long, so that refinement does not bring back what has gone. Cost: O(edges).
 #pragma once
 
+#include "mesh/adaptation/border_nodes.h"
 #include "mesh/adaptation/metric_mesh.h"
 
 namespace tetfarm {
@@ -21,7 +22,9 @@ struct CollapseLimits {
 std::int64_t collapse_edges(MetricMesh& mesh, const CollapseLimits& limits, bool only_active);
 
 /// Joins `node` to `target` along their edge, if that is allowed. False with nothing changed.
+/// `border`: of the mesh, where a node of a border may go: it stays where the new edge would meet
+/// another wall.
 bool collapse_node(MetricMesh& mesh, std::int32_t node, std::int32_t target,
-                   const CollapseLimits& limits, Ball& ball);
+                   const CollapseLimits& limits, Ball& ball, const BorderNodes* border = nullptr);
 
 }  // namespace tetfarm

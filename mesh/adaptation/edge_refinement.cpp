@@ -117,6 +117,7 @@ std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCav
   std::int64_t nodes = 0;
   // Triangles that come meanwhile have their turn the next time.
   const std::int32_t triangles = mesh.complex.size();
+  const std::int32_t nodes_before = mesh.nodes();
   for (std::int32_t t = 0; t < triangles; ++t) {
     for (int i = 0; i < 3 && mesh.is_used(t); ++i) {
       const EdgeHandle other = mesh.complex.neighbour(t, i);
@@ -127,6 +128,11 @@ std::int64_t refine_edges(MetricMesh& mesh, const MetricField& field, EllipseCav
       if (which == EdgesToRefine::active && mesh.active[at(a)] == 0 && mesh.active[at(b)] == 0)
         continue;
       if (edge_length(mesh, a, b) <= limits.longest) continue;
+      if (limits.at_middles) {
+        if (std::max(a, b) >= nodes_before) continue;  // half of an edge
+        nodes += divide_edge(mesh, field, cavity, edge_handle(t, i), 0.5, limits.shortest) ? 1 : 0;
+        continue;
+      }
       nodes += refine_edge(mesh, field, cavity, edge_handle(t, i), limits);
     }
   }

@@ -15,6 +15,8 @@ struct RefinementLimits {
   double longest = 1.41421356;                ///< longer edges are divided
   double shortest = 0.70710678;               ///< no new edge is shorter
   std::int64_t most_triangles = 500'000'000;  ///< it ends where there are more
+  /// One node in the middle of each long edge (thesis 3.3.3.1), however long it is.
+  bool at_middles = false;
 };
 
 enum class EdgesToRefine {

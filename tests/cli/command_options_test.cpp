@@ -289,6 +289,7 @@ TEST_F(CommandOptions, of_an_adaptation) {
   EXPECT_EQ(least.input, "m.mesh");
   EXPECT_EQ(least.output, "n.mesh");
   EXPECT_EQ(least.metric + least.solution + least.gradation, "");
+  EXPECT_TRUE(least.curves.empty());
   EXPECT_FALSE(least.vertices.has_value() || least.h_min.has_value() || least.h_max.has_value());
   EXPECT_EQ(least.norm, 2);
   EXPECT_EQ(least.aspect, 1e4);
@@ -311,6 +312,13 @@ TEST_F(CommandOptions, of_an_adaptation) {
   EXPECT_TRUE(all.json);
   EXPECT_EQ(parsed_as<AdaptCommand>({"adapt", "m", "-o", "n", "--metric", "m.sol"}).metric,
             "m.sol");
+  const auto curved = parsed_as<AdaptCommand>({"adapt", "--curve", "1=naca0012", "m", "--curve",
+                                               "2,3=circle", "-o", "n", "--mode", "thesis"});
+  EXPECT_THAT(curved.curves, ::testing::ElementsAre("1=naca0012", "2,3=circle"));
+  EXPECT_EQ(curved.input, "m");
+  EXPECT_EQ(curved.mode, "thesis");
+  EXPECT_THAT(parsed_as<PlaneCommand>({"plane", "--curve", "1=line", "a.xy", "-o", "n"}).curves,
+              ::testing::ElementsAre("1=line"));
 }
 
 TEST_F(CommandOptions, of_a_spacing) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "base/file_system.h"
 #include "cli/commands.h"
@@ -199,6 +200,103 @@ TEST_F(PlaneCommands, refuse_metrics_that_are_none_with_the_vertex) {
     command.output = path("adapted.mesh");
     EXPECT_THAT(message_of(command), HasSubstr("m.sol")) << bad;
   }
+}
+
+/// A loop of n points on a circle of radius 1 about (x, 0).
+std::string circle_loop(int n, double x) {
+  std::string text;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n;
+    text += std::to_string(x + std::cos(angle)) + " " + std::to_string(std::sin(angle)) + "\n";
+  }
+  return text;
+}
+
+TEST_F(PlaneCommands, keep_nodes_on_the_curve_of_their_patch) {
+  meshed(0.2, circle_loop(48, 3));
+  AdaptCommand command = to_solution(field("u.sol", shock));
+  command.vertices = 400;
+  command.curves = {"1=circle"};
+  const json result = adapted(command);
+  ASSERT_EQ(result["curves"].size(), 1U);
+  EXPECT_EQ(result["curves"][0]["curve"], "radius 1 about (3, 0)");
+  EXPECT_EQ(result["curves"][0]["patches"], json::array({1}));
+  EXPECT_LT(result["curves"][0]["farthest_move"], 1e-4);
+  const PlaneMesh mesh = read_plane_medit(path("adapted.mesh"));
+  for (const auto& [a, b] : mesh.edges) {
+    for (const std::int32_t v : {a, b}) {
+      const Vec2& p = mesh.points[static_cast<std::size_t>(v)];
+      EXPECT_NEAR(std::hypot(p.x - 3, p.y), 1, 1e-14);
+    }
+  }
+}
+
+TEST_F(PlaneCommands, make_the_first_mesh_on_a_curve) {
+  PlaneCommand command;
+  command.inputs = {write("circle.xy", circle_loop(30, 0))};
+  command.output = path("plane.mesh");
+  command.curves = {"1=circle:r=1"};
+  command.size = 0.05;
+  command.json = true;
+  EXPECT_EQ(json::parse(said_by([&] { return plane_command(command); }).out)["curves"].size(), 1U);
+  const PlaneMesh mesh = read_plane_medit(path("plane.mesh"));
+  EXPECT_GT(mesh.edges.size(), 100U);
+  for (const auto& edge : mesh.edges) {
+    const Vec2& p = mesh.points[static_cast<std::size_t>(edge[0])];
+    EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-14);
+  }
+}
+
+TEST_F(PlaneCommands, take_the_spline_of_a_file_for_a_curve) {
+  const std::string loop = write("circle.xy", circle_loop(48, 3));
+  meshed(0.2, circle_loop(48, 3));
+  AdaptCommand command = to_solution(field("u.sol", shock));
+  command.curves = {"1=spline:" + loop};
+  EXPECT_LT(adapted(command)["curves"][0]["farthest_move"], 1e-14);
+}
+
+TEST_F(PlaneCommands, refuse_a_curve_that_is_none_in_the_words_of_the_option) {
+  meshed(0.5);
+  AdaptCommand command = to_solution(field("u.sol", shock));
+  const auto message_with = [&](const std::vector<std::string>& curves) {
+    command.curves = curves;
+    return message_of(command);
+  };
+  EXPECT_THAT(message_with({"circle"}),
+              HasSubstr("--curve circle: is PATCH=KIND, and KIND one of"));
+  EXPECT_THAT(message_with({"1=square"}),
+              HasSubstr("there is no curve \"square\"; there are naca"));
+  EXPECT_THAT(message_with({"wall=line"}), HasSubstr("are numbers, not \"wall\""));
+  EXPECT_THAT(message_with({"1=line", "2,1=line"}), HasSubstr("patch 1 has a curve already"));
+  EXPECT_THAT(message_with({"1=circle:q=1"}), HasSubstr("there is no \"q\"; it has r, x, y"));
+  EXPECT_THAT(message_with({"1=circle:r=-1"}), HasSubstr("r must be a number above 0"));
+  EXPECT_THAT(message_with({"1=circle:r=1,r=2"}), HasSubstr("r is there twice"));
+  EXPECT_THAT(message_with({"1=circle:x=1"}), HasSubstr("a circle has a radius r"));
+  EXPECT_THAT(message_with({"1=naca2412"}), HasSubstr("only symmetric profiles"));
+  EXPECT_THAT(message_with({"1=naca12"}), HasSubstr("is naca and four digits"));
+  EXPECT_THAT(message_with({"1=naca0012:angle=x"}), HasSubstr("angle must be a number"));
+  EXPECT_THAT(message_with({"1=spline:"}), HasSubstr("spline:FILE.xy"));
+  EXPECT_THAT(message_with({"1=spline:none.xy"}), HasSubstr("none.xy"));
+  EXPECT_THAT(message_with({"7=line"}),
+              HasSubstr("there is no patch 7; " + path("plane.mesh") + " has 1"));
+  EXPECT_THAT(message_with({"1=naca0012"}), HasSubstr("--curve 1=naca0012: "));
+  EXPECT_THAT(message_with({"1=circle"}), HasSubstr("away from the curve"));
+}
+
+TEST_F(PlaneCommands, adapt_by_the_rules_of_the_thesis) {
+  meshed(0.05);
+  AdaptCommand command = to_solution(field("u.sol", shock));
+  command.mode = "thesis";
+  command.h_min = 0.005;
+  command.h_max = 0.2;
+  const json result = adapted(command);
+  const double before = result["mean_length_before"];
+  const double after = result["mean_length_after"];
+  EXPECT_GT(before, 0);
+  EXPECT_NEAR(after / before, 1, 0.3);
+  EXPECT_LT(result["edge_length_max"], 1.5);
+  command.vertices = 100;
+  EXPECT_THAT(message_of(command), HasSubstr("--vertices: --mode thesis keeps the mean length"));
 }
 
 TEST_F(PlaneCommands, refuse_what_does_not_belong_together) {

@@ -82,8 +82,25 @@ TEST(EdgeRefinement, changes_nothing_where_a_new_edge_would_be_too_short) {
       divide_edge(shape.mesh, shape.field, shape.cavity, some_edge(shape.mesh, true), 0.5, 0.49));
 }
 
+TEST(EdgeRefinement, at_middles_gives_every_long_edge_one_node) {
+  // Thesis, figures 32 and 34.
+  RefinedShape shape(plane_test::square(1), plane_test::round_metric(0.1));
+  shape.limits.at_middles = true;
+  shape.limits.shortest = 0;
+  // A side whose triangle was made anew meanwhile has its turn the next time.
+  const std::int64_t first = shape.refine(EdgesToRefine::on_curves);
+  EXPECT_GE(first, 2);
+  EXPECT_LE(first, 4);
+  for (std::int32_t v = 4; v < shape.mesh.nodes(); ++v) {
+    const Vec2& p = shape.mesh.complex.point(v);
+    EXPECT_TRUE((p.x == 0.5) != (p.y == 0.5)) << p.x << " " << p.y;
+    EXPECT_GE(shape.mesh.curve_of_node[at(v)], 0);
+  }
+  EXPECT_DOUBLE_EQ(plane_test::area(shape.mesh.complex), 1);
+}
+
 TEST(EdgeRefinement, puts_nodes_of_a_border_on_its_curve) {
-  // Thesis 3.3.3.3 leaves them on the chord.
+  // Thesis, figure 34, leaves them on the chord.
   RefinedShape shape(plane_test::disc(4), plane_test::round_metric(0.05));
   while (shape.refine(EdgesToRefine::on_curves) > 0) {
   }

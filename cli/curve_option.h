@@ -1,0 +1,32 @@
+/// `--curve PATCH=KIND`: the true curves of the boundary, as they are written on the command line.
+///
+/// PATCH is a number of the mesh, or several with commas; KIND is naca00XX, circle, line or
+/// spline:FILE, the first two with their numbers (`circle:x=0,y=0,r=2`) or without, to be found
+/// from the nodes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/adaptation/nodes_on_curves.h"
+
+namespace tetfarm {
+
+/// The curves that were asked for, and the mesh with its nodes on them.
+struct CurvesOfMesh {
+  PlaneMesh mesh;
+  std::vector<PatchCurve> curves;
+  std::vector<std::string> texts;  ///< what each is: "radius 2 about (0, 0)"
+  std::vector<MovedNodes> moved;
+};
+
+/// @throws UsageError for a word of the option that is wrong, before anything is read.
+void check_curve_options(const std::vector<std::string>& options);
+
+/// `complex`: checked_complex() of the mesh.
+/// @throws UsageError as above; InvalidInput for a patch that is not there, a file of loops that is
+/// none, nodes that lie on no such curve.
+CurvesOfMesh curves_of_options(const std::vector<std::string>& options, const PlaneMesh& mesh,
+                               const TriangleComplex& complex, double corner_angle_deg);
+
+}  // namespace tetfarm
