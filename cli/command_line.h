@@ -125,11 +125,11 @@ struct RenderCommand {
   std::string field;                 ///< .sol of a mesh of the plane; empty: none
   std::int64_t field_number = 1;     ///< of the numbers at a node
   int levels = 20;
-  std::vector<double> range;         ///< lowest and highest; empty: of the field
-  std::string metric;                ///< .sol of a mesh of the plane; empty: none
-  std::vector<std::int32_t> along;   ///< patches; not empty: a chart
-  bool reversed = false;             ///< the chart's y
-  std::vector<std::string> also;     ///< "MESH,FIELD" in the same chart
+  std::vector<double> range;        ///< lowest and highest; empty: of the field
+  std::string metric;               ///< .sol of a mesh of the plane; empty: none
+  std::vector<std::int32_t> along;  ///< patches; not empty: a chart
+  bool reversed = false;            ///< the chart's y
+  std::vector<std::string> also;    ///< "MESH,FIELD" in the same chart
 };
 
 struct ShapeCommand {

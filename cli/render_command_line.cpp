@@ -28,8 +28,7 @@ void add_view(CLI::App& sub, RenderCommand& render) {
             "Direction from the mesh to the viewer (default -1,-2,1; of a slice, at right angles "
             "to it)");
   add_place(sub, "--up", render.up, "Direction that points up in the picture (default 0,0,1)");
-  sub.add_option("--zoom", render.zoom,
-                 "Magnification; at 1 the mesh fits the picture (default 1)")
+  sub.add_option("--zoom", render.zoom, "Magnification; at 1 the mesh fits the picture (default 1)")
       ->check(positive_number())
       ->option_text("Z");
   sub.add_option("--across", render.across,
@@ -52,8 +51,7 @@ void add_parts(CLI::App& sub, RenderCommand& render) {
   add_place(sub, "--plane", render.plane, "Normal of the plane of a cut or slice (default 0,1,0)");
   sub.add_option("--at", render.at, "Position of the plane along its normal (default: the middle)")
       ->option_text("D");
-  sub.add_option("--explode", render.explode,
-                 "How far to pull the sub-domains apart (default 0.4)")
+  sub.add_option("--explode", render.explode, "How far to pull the sub-domains apart (default 0.4)")
       ->check(not_negative_number())
       ->option_text("SHARE");
   sub.add_option("--edges", render.edge_width,
@@ -91,8 +89,9 @@ void add_fields(CLI::App& sub, RenderCommand& render) {
                            ->option_text("PATCH,...");
   sub.add_flag("--reversed", render.reversed, "The chart with small values on top, as of Cp")
       ->needs(along);
-  sub.add_option("--also", render.also, "Another mesh and its field in the same chart; may be "
-                                        "repeated")
+  sub.add_option("--also", render.also,
+                 "Another mesh and its field in the same chart; may be "
+                 "repeated")
       ->allow_extra_args(false)
       ->needs(along)
       ->option_text("MESH,FIELD");

@@ -23,12 +23,15 @@ namespace {
 void require_no_space_options(const RenderCommand& command) {
   const RenderCommand plain;
   const bool is_of_regions = command.colour == plain.colour || command.colour == "region";
-  for (const auto& [is_given, option] :
-       {std::pair{command.view != plain.view, "--view"}, {!is_of_regions, "--colour"},
-        {!command.from.empty(), "--from"}, {command.up != plain.up, "--up"},
-        {!command.bodies.empty(), "--body"}, {!command.hidden.empty(), "--hide"},
-        {command.plane != plain.plane, "--plane"}, {command.at.has_value(), "--at"},
-        {command.explode != plain.explode, "--explode"}}) {
+  for (const auto& [is_given, option] : {std::pair{command.view != plain.view, "--view"},
+                                         {!is_of_regions, "--colour"},
+                                         {!command.from.empty(), "--from"},
+                                         {command.up != plain.up, "--up"},
+                                         {!command.bodies.empty(), "--body"},
+                                         {!command.hidden.empty(), "--hide"},
+                                         {command.plane != plain.plane, "--plane"},
+                                         {command.at.has_value(), "--at"},
+                                         {command.explode != plain.explode, "--explode"}}) {
     if (is_given) {
       throw UsageError("is for meshes of space; " + command.input + " is one of the plane", option);
     }
@@ -137,8 +140,9 @@ LineChart::Curve curve_of(const MeshAndField& files, const RenderCommand& comman
 ExitCode write_chart(const RenderCommand& command) {
   if (!has_ending(command.output, ".svg")) {
     throw ErrorWithHelp(ExitCode::usage,
-                        command.output + ": a chart is written as SVG; give a name that ends in "
-                                         ".svg",
+                        command.output +
+                            ": a chart is written as SVG; give a name that ends in "
+                            ".svg",
                         "");
   }
   constexpr std::array colours = {"#12459e", "#d64a0f", "#008f6e", "#c76ba8",
@@ -162,7 +166,8 @@ bool is_plane_mesh_name(const std::string& file) {
 }
 
 void require_no_plane_options(const RenderCommand& command) {
-  for (const auto& [value, option] : {std::pair{command.field, "--field"}, {command.metric, "--metric"}}) {
+  for (const auto& [value, option] :
+       {std::pair{command.field, "--field"}, {command.metric, "--metric"}}) {
     if (!value.empty()) throw UsageError("is for meshes of the plane (.mesh)", option);
   }
 }

@@ -31,8 +31,8 @@ class ChartAxis {
     const double rim = range > 1e-9 * largest ? margin * range : largest > 0 ? 0.5 * largest : 1;
     low_ = low - rim;
     high_ = high + rim;
-    ticks_ = axis_ticks(low_, high_,
-                        std::max(2, static_cast<int>(std::fabs(to - from) / room_each)));
+    ticks_ =
+        axis_ticks(low_, high_, std::max(2, static_cast<int>(std::fabs(to - from) / room_each)));
   }
   double at(double value) const { return from_ + (value - low_) / (high_ - low_) * (to_ - from_); }
   const std::vector<AxisTick>& ticks() const { return ticks_; }
@@ -118,7 +118,8 @@ std::string svg_file_of(const LineChart& chart) {
     svg += svg_line(across.at(tick.value), chart_top, across.at(tick.value), floor, "grid");
     svg += svg_text(across.at(tick.value), floor + 19, "middle", tick.text) + "\n";
   }
-  svg += svg_line(chart_left, floor, end, floor, "axis") + svg_line(chart_left, chart_top, chart_left, floor, "axis");
+  svg += svg_line(chart_left, floor, end, floor, "axis") +
+         svg_line(chart_left, chart_top, chart_left, floor, "axis");
   svg += svg_text((chart_left + end) / 2, chart.height - 8.0, "middle", chart.x_name);
   svg += formatted("<g transform=\"translate(16,%.1f) rotate(-90)\">", (chart_top + floor) / 2) +
          svg_text(0, 0, "middle", chart.y_name) + "</g>\n";

@@ -17,7 +17,7 @@ struct LineChart {
   std::string y_name = {};
   struct Curve {
     std::string name = {};
-    std::string colour = {};                      ///< as of CSS
+    std::string colour = {};                     ///< as of CSS
     std::vector<std::vector<Vec2>> pieces = {};  ///< lines through points that are finite
   };
   std::vector<Curve> curves = {};

@@ -23,7 +23,7 @@ std::string open(double width, double height, const std::string& title) {
 std::string box(double x, double y, double width, double height, const std::string& colour,
                 const std::string& what) {
   return formatted("<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" ", x, y, width,
-                height) +
+                   height) +
          "fill=\"" + colour + "\"><title>" + escaped(what) + "</title></rect>";
 }
 
@@ -189,7 +189,8 @@ std::string svg_of(Timeline timeline) {
   }
   svg += svg_text((labels + width) / 2, height - 5, "middle", "seconds since the first attempt");
   for (std::size_t i = 0; i < timeline.rows.size() && row >= 10; ++i) {
-    svg += svg_text(labels - 6, top + (static_cast<double>(i) + 0.7) * row, "end", timeline.rows[i]);
+    svg +=
+        svg_text(labels - 6, top + (static_cast<double>(i) + 0.7) * row, "end", timeline.rows[i]);
   }
   for (const Timeline::Span& span : timeline.spans) {
     const double x = scale.at(span.from_s);
@@ -224,8 +225,9 @@ std::string svg_of(const PointChart& chart) {
   svg += svg_text(left + 6, top + 12, "start", chart.y_name);
   for (const PointChart::Point& point : chart.points) {
     if (!(point.x > 0 && point.y > 0)) continue;
-    svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" ", across.at(point.x), up.at(point.y)) +
-           "fill=\"" + point.colour + "\"><title>" + escaped(point.what) + "</title></circle>";
+    svg +=
+        formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" ", across.at(point.x), up.at(point.y)) +
+        "fill=\"" + point.colour + "\"><title>" + escaped(point.what) + "</title></circle>";
   }
   return svg + "</svg>";
 }

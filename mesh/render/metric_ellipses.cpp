@@ -68,7 +68,9 @@ class EllipseGrid {
   }
   CellRange cells_of(const Vec2& p, const Vec2& half) const {
     const double margin = choice_.distance;
-    const auto column = [&](double x) { return std::min(cell_at(x - choice_.low.x), columns_ - 1); };
+    const auto column = [&](double x) {
+      return std::min(cell_at(x - choice_.low.x), columns_ - 1);
+    };
     const auto row = [&](double y) { return std::min(cell_at(y - choice_.low.y), rows_ - 1); };
     return {column(p.x - half.x - margin), column(p.x + half.x + margin),
             row(p.y - half.y - margin), row(p.y + half.y + margin)};
@@ -77,8 +79,9 @@ class EllipseGrid {
   bool for_each_cell(const CellRange& range, const Visit& visit) {
     for (int row = range.bottom; row <= range.top; ++row) {
       for (int column = range.left; column <= range.right; ++column) {
-        const std::size_t cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                                 static_cast<std::size_t>(column);
+        const std::size_t cell =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(column);
         if (!visit(cells_[cell])) return false;
       }
     }
@@ -126,8 +129,8 @@ std::vector<Vec2> ellipse_points(const EllipseRadii& radii, int count) {
     const Vec2 q{(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
     const std::array<Vec2, 4> turned = {q, Vec2{-q.y, q.x}, Vec2{-q.x, -q.y}, Vec2{q.y, -q.x}};
     const Vec2& c = turned[static_cast<std::size_t>(k / quarter)];
-    points.push_back({c.x * radii.first.x + c.y * radii.second.x,
-                      c.x * radii.first.y + c.y * radii.second.y});
+    points.push_back(
+        {c.x * radii.first.x + c.y * radii.second.x, c.x * radii.first.y + c.y * radii.second.y});
   }
   return points;
 }
@@ -164,7 +167,7 @@ std::vector<std::int32_t> spaced_ellipses(std::span<const Vec2> points,
   std::vector<double> determinants;
   for (const Metric2& m : metrics) determinants.push_back(determinant(m));
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return determinants[static_cast<std::size_t>(a)] < determinants[static_cast<std::size_t>(b)];
+    return determinants[static_cast<std::size_t>(a)] > determinants[static_cast<std::size_t>(b)];
   });
   EllipseGrid grid(points, metrics, choice);
   std::vector<std::int32_t> chosen;

@@ -2,8 +2,8 @@
 /// that they stay apart.
 ///
 /// Source: thesis 3.2.1, where a metric is the ellipse of its unit length, and figs. 19 to 30. The
-/// choice of nodes is ours: the largest ellipses first, so that none hides the small ones in its
-/// midst; of equal ones the first node.
+/// choice of nodes is ours: the smallest ellipses first, since they are what a metric was made
+/// for; of equal ones the first node.
 /// Units: those of the mesh. Cost: O(n log n) for n nodes, and for each that is not rejected at
 /// once the cells of a grid that its ellipse reaches.
 #pragma once

@@ -45,8 +45,9 @@ class PatchEdges {
 
  private:
   std::span<const EdgeEnd> at(std::int32_t node) const {
-    const auto first = std::lower_bound(ends_.begin(), ends_.end(), node,
-                                        [](const EdgeEnd& e, std::int32_t v) { return e.node < v; });
+    const auto first =
+        std::lower_bound(ends_.begin(), ends_.end(), node,
+                         [](const EdgeEnd& e, std::int32_t v) { return e.node < v; });
     auto last = first;
     while (last != ends_.end() && last->node == node) ++last;
     return {first, last};

@@ -104,16 +104,16 @@ void PlaneCanvas::fill(const std::array<Vec2, 3>& corners, const Shade& shade) {
   const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
   const double per_pixel = samples_;
   const auto share = 1 / static_cast<float>(samples_ * samples_);
-  const int last_row = floor_within(high * per_pixel, clip_.top * samples_ - 1,
-                                    clip_.bottom * samples_ - 1);
+  const int last_row =
+      floor_within(high * per_pixel, clip_.top * samples_ - 1, clip_.bottom * samples_ - 1);
   for (int row = floor_within(low * per_pixel - 1, clip_.top * samples_, clip_.bottom * samples_);
        row <= last_row; ++row) {
     const double y = (row + 0.5) / per_pixel;
     const Span span = span_at(p, y);
     const int last = floor_within(span.high * per_pixel + 1, clip_.left * samples_ - 1,
                                   clip_.right * samples_ - 1);
-    for (int column = floor_within(span.low * per_pixel - 2, clip_.left * samples_,
-                                   clip_.right * samples_);
+    for (int column =
+             floor_within(span.low * per_pixel - 2, clip_.left * samples_, clip_.right * samples_);
          column <= last; ++column) {
       const double x = (column + 0.5) / per_pixel;
       std::array<double, 3> value = {sides[0].at(x, y), sides[1].at(x, y), sides[2].at(x, y)};
@@ -170,8 +170,10 @@ void PlaneCanvas::draw_mesh_lines(std::span<const Stroke> strokes, const Colour&
   for (const Stroke& stroke : strokes) {
     const double width = stroke.width;
     cover_along(stroke, [&](std::size_t i, double along, double across, double length) {
-      const double side = std::clamp(width / 2 + 0.5 - std::fabs(across), 0.0, std::min(1.0, width));
-      const double way = std::clamp(std::min(along, length - along) + 0.5, 0.0, std::min(1.0, length));
+      const double side =
+          std::clamp(width / 2 + 0.5 - std::fabs(across), 0.0, std::min(1.0, width));
+      const double way =
+          std::clamp(std::min(along, length - along) + 0.5, 0.0, std::min(1.0, length));
       cover_[i] += static_cast<float>(side * way);
     });
   }

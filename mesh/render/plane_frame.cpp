@@ -54,7 +54,8 @@ PlaneBox seen_box(const PlaneBox& all, const PlaneWindow& window, const SheetRoo
   const double height = all.high.y - all.low.y;
   const double rim = margin * std::max(width, height);
   const double smallest = rim > 0 ? 2 * rim : 1;
-  const Vec2 half{std::max(width / 2 + rim, smallest / 2), std::max(height / 2 + rim, smallest / 2)};
+  const Vec2 half{std::max(width / 2 + rim, smallest / 2),
+                  std::max(height / 2 + rim, smallest / 2)};
   const Vec2 middle = window.centre.value_or(middle_of(all));
   if (window.shows_all()) {
     return {{middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}};

@@ -29,9 +29,9 @@ struct PlaneBox {
 /// One scale for both directions, y upwards.
 struct PlaneFrame {
   PixelBox pixels;
-  Vec2 low;                    ///< the lower left corner in the plane
+  Vec2 low;  ///< the lower left corner in the plane
   double pixels_per_unit = 1;
-  double text_height = 0;      ///< of numbers; 0: the picture is too small for any
+  double text_height = 0;  ///< of numbers; 0: the picture is too small for any
 
   Vec2 to_pixel(const Vec2& p) const {
     return {pixels.left + (p.x - low.x) * pixels_per_unit,

@@ -26,10 +26,10 @@ struct PlaneContents {
 struct PlanePictureOptions {
   int width = 1600;
   int height = 1000;
-  int samples = 3;  ///< along a pixel's side
+  int samples = 3;          ///< along a pixel's side
   double edge_width = 0.9;  ///< of the triangles' edges, in pixels; 0: none
   PlaneWindow window;
-  int levels = 20;                          ///< bands of the field
+  int levels = 20;                             ///< bands of the field
   std::optional<std::array<double, 2>> range;  ///< of the bands; nothing: that of the field
 };
 

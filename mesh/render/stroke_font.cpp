@@ -62,10 +62,10 @@ Vec2 between(const Vec2& a, const Vec2& b, double share) {
   return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
 }
 
-/// Points along a curve that starts and ends in the middle between two points, and bends at the
-/// one between them.
-void add_bend(std::vector<Vec2>& curve, const Vec2& from, const Vec2& bend, const Vec2& to) {
+/// Points that lead the curve from where it ends to the next place, bent towards a point.
+void add_bend(std::vector<Vec2>& curve, const Vec2& bend, const Vec2& to) {
   constexpr int pieces = 5;
+  const Vec2 from = curve.back();
   for (int i = 1; i <= pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
     curve.push_back(between(between(from, bend, share), between(bend, to, share), share));
@@ -81,7 +81,7 @@ std::vector<Vec2> curved(const std::vector<Vec2>& points, bool is_closed) {
   std::vector<Vec2> curve = {is_closed ? middle(0) : points.front()};
   for (std::size_t i = 1; i <= (is_closed ? count : count - 2); ++i) {
     const bool is_last = !is_closed && i == count - 2;
-    add_bend(curve, curve.back(), points[i % count], is_last ? points.back() : middle(i));
+    add_bend(curve, points[i % count], is_last ? points.back() : middle(i));
   }
   return curve;
 }
@@ -118,7 +118,8 @@ std::vector<Stroke> text_strokes(std::string_view text, const Vec2& at, double h
       std::vector<Vec2> line = next_line(lines);
       for (Vec2& p : line) p = {x + p.x * unit, at.y - (p.y - baseline) * unit};
       for (std::size_t i = 1; i < line.size(); ++i) {
-        strokes.push_back({line[i - 1], line[i], line.size() == 2 && line[0] == line[1] ? 1.3 * width : width});
+        strokes.push_back(
+            {line[i - 1], line[i], line.size() == 2 && line[0] == line[1] ? 1.3 * width : width});
       }
     }
     x += advance_of(letter) * unit;
