@@ -67,13 +67,13 @@ class EllipseGrid {
     return static_cast<int>(std::clamp(distance / size_, 0.0, far));
   }
   CellRange cells_of(const Vec2& p, const Vec2& half) const {
-    const double margin = choice_.distance;
+    const double room = choice_.distance;
     const auto column = [&](double x) {
       return std::min(cell_at(x - choice_.low.x), columns_ - 1);
     };
     const auto row = [&](double y) { return std::min(cell_at(y - choice_.low.y), rows_ - 1); };
-    return {column(p.x - half.x - margin), column(p.x + half.x + margin),
-            row(p.y - half.y - margin), row(p.y + half.y + margin)};
+    return {column(p.x - half.x - room), column(p.x + half.x + room), row(p.y - half.y - room),
+            row(p.y + half.y + room)};
   }
   template <class Visit>
   bool for_each_cell(const CellRange& range, const Visit& visit) {

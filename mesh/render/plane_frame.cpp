@@ -49,10 +49,10 @@ Vec2 middle_of(const PlaneBox& box) {
 
 /// What is seen, which has the shape of the room unless all is seen.
 PlaneBox seen_box(const PlaneBox& all, const PlaneWindow& window, const SheetRoom& room) {
-  constexpr double margin = 0.02;
+  constexpr double rim_share = 0.02;
   const double width = all.high.x - all.low.x;
   const double height = all.high.y - all.low.y;
-  const double rim = margin * std::max(width, height);
+  const double rim = rim_share * std::max(width, height);
   const double smallest = rim > 0 ? 2 * rim : 1;
   const Vec2 half{std::max(width / 2 + rim, smallest / 2),
                   std::max(height / 2 + rim, smallest / 2)};
