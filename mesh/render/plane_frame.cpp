@@ -145,7 +145,7 @@ void draw_axes(PlaneCanvas& canvas, const PlaneFrame& frame) {
               {x - text_width(tick.text, text) / 2, box.bottom + length + 1.6 * text}, text);
   }
   for (const AxisTick& tick :
-       axis_ticks(frame.low.y, frame.high().y, most_ticks(box.height(), 4 * text))) {
+       axis_ticks(frame.low.y, frame.high().y, most_ticks(box.height(), 5.5 * text))) {
     const double y = frame.to_pixel({0, tick.value}).y;
     marks.push_back({{1.0 * box.left, y}, {box.left - length, y}, width});
     draw_text(canvas, tick.text,

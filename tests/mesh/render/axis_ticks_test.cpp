@@ -19,7 +19,7 @@ std::vector<std::string> texts(double low, double high, int most) {
 
 TEST(AxisTicks, are_round_numbers_within_the_range) {
   EXPECT_THAT(texts(0, 1, 6), ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1.0"));
-  EXPECT_THAT(texts(-0.55, 0.55, 5), ElementsAre("-0.5", "0", "0.5"));
+  EXPECT_THAT(texts(-0.55, 0.55, 5), ElementsAre("-0.4", "-0.2", "0", "0.2", "0.4"));
   EXPECT_THAT(texts(101320, 101341, 3), ElementsAre("101320", "101330", "101340"));
   EXPECT_THAT(texts(-7, 113, 4), ElementsAre("0", "50", "100"));
 }
@@ -38,7 +38,7 @@ TEST(AxisTicks, are_at_most_as_many_as_asked_for_and_written_exactly) {
       const std::vector<AxisTick> ticks = axis_ticks(low, high, most);
       EXPECT_LE(ticks.size(), static_cast<std::size_t>(most));
       if (high - low < 1e-9) continue;
-      if (most > 3) EXPECT_GE(static_cast<int>(ticks.size()), most / 3);
+      EXPECT_GE(static_cast<int>(ticks.size()), most / 3);
       for (const AxisTick& tick : ticks) {
         EXPECT_EQ(std::strtod(tick.text.c_str(), nullptr), tick.value);
         EXPECT_GT(tick.value, low - 1e-6 * (high - low));

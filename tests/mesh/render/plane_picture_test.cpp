@@ -66,8 +66,11 @@ TEST(PlanePicture, has_the_colour_of_the_field_inside_of_a_triangle) {
 }
 
 TEST(PlanePicture, shows_regions_and_patches_in_colours_of_their_own) {
-  const Picture picture = plane_picture(square(), {}, small());
-  const PlaneFrame frame = plane_frame(unit_box, {}, 400, 300, Beside::legend);
+  PlanePictureOptions options = small();
+  options.width = 1200;
+  options.height = 900;
+  const Picture picture = plane_picture(square(), {}, options);
+  const PlaneFrame frame = plane_frame(unit_box, {}, 1200, 900, Beside::legend);
   EXPECT_NE(colour_at(picture, frame, {0.7, 0.3}), colour_at(picture, frame, {0.3, 0.7}));
   expect_same(colour_at(picture, frame, {0.5, 0}), bytes_of(line_colour(0)));
   expect_same(colour_at(picture, frame, {0, 0.5}), bytes_of(line_colour(3)));
