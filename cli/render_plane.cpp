@@ -1,12 +1,13 @@
 #include "cli/render_plane.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <filesystem>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "base/check.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "cli/picture_options.h"
@@ -87,6 +88,7 @@ PlanePictureOptions plane_options(const RenderCommand& command) {
 }
 
 ExitCode write_picture(const RenderCommand& command) {
+  TF_CHECK(command.along.empty());
   require_png(command.output);
   const PlanePictureOptions options = plane_options(command);
   const PlaneMesh mesh = read_plane_medit(command.input);
@@ -138,6 +140,7 @@ LineChart::Curve curve_of(const MeshAndField& files, const RenderCommand& comman
 }
 
 ExitCode write_chart(const RenderCommand& command) {
+  TF_CHECK(!command.along.empty());
   if (!has_ending(command.output, ".svg")) {
     throw ErrorWithHelp(ExitCode::usage,
                         command.output +

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"

@@ -8,6 +8,8 @@
 /// samples of the pixels.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 
 #include "mesh/metric/metric2.h"
