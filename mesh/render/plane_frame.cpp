@@ -66,7 +66,7 @@ PlaneBox seen_box(const PlaneBox& all, const PlaneWindow& window, const SheetRoo
   return {{middle.x - across / 2, middle.y - up / 2}, {middle.x + across / 2, middle.y + up / 2}};
 }
 
-void require_width(const PlaneBox& seen) {
+void require_width(const PlaneBox& seen, bool shows_all) {
   const double width = seen.high.x - seen.low.x;
   const double height = seen.high.y - seen.low.y;
   const double largest = std::max({std::fabs(seen.low.x), std::fabs(seen.low.y),
@@ -75,7 +75,7 @@ void require_width(const PlaneBox& seen) {
     return;
   }
   throw UsageError("what would be seen is too small or too large beside its coordinates",
-                   "--across or --zoom");
+                   shows_all ? "render" : "--across, --zoom or --centre");
 }
 
 void draw_text(PlaneCanvas& canvas, const std::string& text, const Vec2& at, double height) {
@@ -111,7 +111,7 @@ PlaneFrame plane_frame(const PlaneBox& all, const PlaneWindow& window, int width
   TF_CHECK(width > 0 && height > 0);
   const SheetRoom room = room_of(width, height, beside);
   const PlaneBox seen = seen_box(all, window, room);
-  require_width(seen);
+  require_width(seen, window.shows_all());
   const double seen_width = seen.high.x - seen.low.x;
   const double seen_height = seen.high.y - seen.low.y;
   PlaneFrame frame;

@@ -108,7 +108,8 @@ FieldLevels levels_of(std::span<const double> field, const PlanePictureOptions& 
     levels.high += half;
   }
   if (!std::isfinite(levels.high - levels.low)) {
-    throw UsageError("the values are too far apart for even bands; give --range", "--field");
+    throw UsageError("the values are too far apart for even bands",
+                     options.range ? "--range" : "--field");
   }
   return levels;
 }
@@ -250,7 +251,15 @@ class PlaneDrawing {
         strokes.push_back({round[i], round[(i + 1) % round.size()], width});
       }
     }
-    canvas_.draw_line(strokes, has_field() ? Colour{1, 1, 1} : line_colour(0));
+    if (!has_field()) {
+      canvas_.draw_line(strokes, line_colour(0));
+      return;
+    }
+    // On colours of any lightness: white with a dark rim.
+    std::vector<Stroke> rims = strokes;
+    for (Stroke& rim : rims) rim.width += 1.5;
+    canvas_.draw_line(rims, plane_ink, 0.6F);
+    canvas_.draw_line(strokes, {1, 1, 1});
   }
 
   std::vector<LegendEntry> legend_entries() const {
