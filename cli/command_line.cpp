@@ -11,6 +11,7 @@
 #include "cli/option_checks.h"
 #include "cli/plane_command_line.h"
 #include "cli/pool_command_line.h"
+#include "cli/render_command_line.h"
 #include "cli/service_command_line.h"
 #include "cli/unknown_words.h"
 #include "cli/view_command_line.h"
@@ -129,7 +130,9 @@ class Parser {
     add_plan();
     add_quality();
     add_export();
-    add_render();
+    add_render(add("render", "Draw a mesh as a PNG picture; no display is needed",
+                   "tetfarm render out -o wing.png --view cut --plane 0,1,0 --at 0.5", render_),
+               a_mesh() + "; a mesh of the plane (.mesh)", render_);
     add_shape();
     add_spacing();
     add_plane(add("plane", "Mesh the plane between closed loops",
@@ -333,61 +336,6 @@ class Parser {
     surface.add_option("OUT", convert_.output, "The output file: " + writable_surfaces())
         ->required();
     add_json(surface, convert_.json);
-  }
-
-  void add_render() {
-    CLI::App& sub =
-        add("render", "Draw a mesh as a PNG picture; no display is needed",
-            "tetfarm render out -o wing.png --view cut --plane 0,1,0 --at 0.5", render_);
-    const auto place = [&sub](const char* name, std::vector<double>& value, const char* what) {
-      sub.add_option(name, value, what)->delimiter(',')->expected(3)->option_text("X,Y,Z");
-    };
-    sub.add_option("FILE", render_.input, a_mesh())->required();
-    add_place_of_jobs(sub, render_.source);
-    sub.add_option("-o,--output", render_.output, "The picture")->required()->option_text("PNG");
-    sub.add_option(
-           "--view", render_.view,
-           "The surface, the sub-domains pulled apart, the mesh cut open, or a plane through its "
-           "cells (default surface)")
-        ->check(CLI::IsMember({"surface", "exploded", "cut", "slice"}))
-        ->option_text("surface|exploded|cut|slice");
-    sub.add_option("--colour", render_.colour, "Colour by (default subdomain)")
-        ->check(CLI::IsMember({"subdomain", "region", "patch", "layer"}))
-        ->option_text("subdomain|region|patch|layer");
-    sub.add_option("--size", render_.size, "Size in pixels (default 1600x1000)")
-        ->option_text("WxH");
-    place("--from", render_.from,
-          "Direction from the mesh to the viewer (default -1,-2,1; of a slice, at right angles to "
-          "it)");
-    place("--up", render_.up, "Direction that points up in the picture (default 0,0,1)");
-    sub.add_option("--zoom", render_.zoom,
-                   "Magnification; at 1 the mesh fits the picture (default 1)")
-        ->check(positive_number())
-        ->option_text("Z");
-    sub.add_option("--across", render_.across,
-                   "Width of the picture, in units of the mesh at its centre, instead of --zoom")
-        ->check(positive_number())
-        ->excludes("--zoom")
-        ->option_text("LENGTH");
-    place("--centre", render_.centre, "What is in the middle of the picture (default: the mesh)");
-    sub.add_option("--body", render_.bodies, "Patches to show whole (default: all but outer_*)")
-        ->delimiter(',')
-        ->option_text("PATCH,...");
-    sub.add_option("--hide", render_.hidden, "Patches to hide")
-        ->delimiter(',')
-        ->option_text("PATCH,...");
-    place("--plane", render_.plane, "Normal of the plane of a cut or slice (default 0,1,0)");
-    sub.add_option("--at", render_.at,
-                   "Position of the plane along its normal (default: the middle)")
-        ->option_text("D");
-    sub.add_option("--explode", render_.explode,
-                   "How far to pull the sub-domains apart (default 0.4)")
-        ->check(not_negative_number())
-        ->option_text("SHARE");
-    sub.add_option("--edges", render_.edge_width,
-                   "Width of the edges in pixels, 0 for none (default 0.9)")
-        ->check(not_negative_number())
-        ->option_text("W");
   }
 
   void add_shape() {

@@ -116,13 +116,21 @@ struct RenderCommand {
   std::vector<double> up = {0, 0, 1};
   double zoom = 1;
   std::optional<double> across;  ///< width of the picture; nothing: as zoom says
-  std::vector<double> centre;    ///< of the picture; empty: the middle
+  std::vector<double> centre;    ///< of the picture, two or three numbers; empty: the middle
   std::vector<std::string> bodies;
   std::vector<std::string> hidden;
   std::vector<double> plane = {0, 1, 0};
   std::optional<double> at;
   double explode = 0.4;
-  double edge_width = 0.9;
+  std::optional<double> edge_width;  ///< nothing: 0.9, or 0 over a field
+  std::string field;                 ///< .sol of a mesh of the plane; empty: none
+  std::int64_t field_number = 1;     ///< of the numbers at a node
+  int levels = 20;
+  std::vector<double> range;        ///< lowest and highest; empty: of the field
+  std::string metric;               ///< .sol of a mesh of the plane; empty: none
+  std::vector<std::int32_t> along;  ///< patches; not empty: a chart
+  bool reversed = false;            ///< the chart's y
+  std::vector<std::string> also;    ///< "MESH,FIELD" in the same chart
 };
 
 struct ShapeCommand {

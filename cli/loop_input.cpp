@@ -6,9 +6,8 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
-#include "cli/adapted_report.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
 #include "tasks/solve_contract.h"
 
 namespace tetfarm {
@@ -85,9 +84,14 @@ std::string names_of(const std::vector<SolverFile>& files) {
 LoopInput read_loop(const std::string& path) {
   LoopInput input;
   input.job = parse_loop_job(read_file(path), path);
-  require_plane_mesh_name(input.job.mesh);
-  checked_complex(read_plane_medit(input.job.mesh));
-  input.mesh = read_file(input.job.mesh);
+  require_plane_input_name(input.job.mesh);
+  require_plane_output_name(input.job.solver.mesh);
+  const PlaneMesh mesh = read_plane_mesh(input.job.mesh);
+  checked_complex(mesh);
+  input.mesh = medit_text(mesh);
+  for (const auto& [number, name] : mesh.patch_names) {
+    input.job.patch_names.emplace(number, name);
+  }
   input.job.mesh = fs::path(input.job.mesh).filename().string();
   input.files = solver_files(input.job, fs::path(path).parent_path());
   return input;

@@ -1,41 +1,19 @@
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <string>
-#include <string_view>
-#include <utility>
+#include <tuple>
 
-#include "base/error_with_help.h"
+#include "base/error.h"
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
+#include "cli/picture_options.h"
+#include "cli/render_plane.h"
 #include "mesh/formats/mesh_source.h"
 #include "mesh/render/render_mesh.h"
 
 namespace tetfarm {
 namespace {
-
-constexpr int most_pixels = 16384;
-
-/// "1600x1000". @throws UsageError
-std::pair<int, int> parse_size(std::string_view text) {
-  const auto refuse = [text] {
-    throw UsageError("\"" + std::string(text) + "\" is not WIDTHxHEIGHT, each from 1 to " +
-                         std::to_string(most_pixels),
-                     "--size");
-  };
-  const auto number = [&](std::string_view digits) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool is_whole = error == std::errc() && end == digits.data() + digits.size();
-    if (!is_whole || value < 1 || value > most_pixels) refuse();
-    return value;
-  };
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) refuse();
-  return {number(text.substr(0, cross)), number(text.substr(cross + 1))};
-}
 
 Vec3 direction(const std::vector<double>& numbers, const char* option) {
   const Vec3 v{numbers[0], numbers[1], numbers[2]};
@@ -76,8 +54,8 @@ RenderOptions options_of(const RenderCommand& command) {
     throw UsageError("layers have colours in cuts and slices; give --view cut or --view slice",
                      "--colour layer");
   }
-  std::tie(options.width, options.height) = parse_size(command.size);
-  options.edge_width = command.edge_width;
+  std::tie(options.width, options.height) = picture_size(command.size);
+  options.edge_width = command.edge_width.value_or(options.edge_width);
   options.camera.up = direction(command.up, "--up");
   options.camera.zoom = command.zoom;
   options.camera.across = command.across;
@@ -88,6 +66,9 @@ RenderOptions options_of(const RenderCommand& command) {
     options.camera.from = direction(command.from, "--from");
   } else if (options.view == View::slice) {
     options.camera.from = before_plane(options.cut_normal);
+  }
+  if (command.centre.size() == 2) {
+    throw UsageError("a place in space has three numbers: X,Y,Z", "--centre");
   }
   if (!command.centre.empty()) {
     options.camera.centre = Vec3{command.centre[0], command.centre[1], command.centre[2]};
@@ -117,19 +98,11 @@ Picture picture_of(const MeshSource& mesh, RenderOptions options) {
   return render_mesh(for_each_part, mesh.patch_names(), options);
 }
 
-void require_png(const std::string& output) {
-  std::string ending = std::filesystem::path(output).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".png") return;
-  throw ErrorWithHelp(ExitCode::usage,
-                      output + ": render writes only PNG pictures; give a name that ends in .png",
-                      "");
-}
-
 }  // namespace
 
 ExitCode render_command(const RenderCommand& command) {
+  if (is_plane_mesh_name(command.input)) return render_plane(command);
+  require_no_plane_options(command);
   require_png(command.output);
   const RenderOptions options = options_of(command);
   const std::filesystem::path folder = std::filesystem::absolute(command.output).parent_path();

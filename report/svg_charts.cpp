@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/check.h"
 #include "report/html_text.h"
+#include "report/svg_elements.h"
 
 namespace tetfarm {
 namespace {
@@ -15,32 +15,15 @@ constexpr double right = 8;
 constexpr double top = 26;
 constexpr double bottom = 40;
 
-template <class... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, arguments...);
-  return text;
-}
-
 std::string open(double width, double height, const std::string& title) {
-  return format("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">", width, height) +
-         format("<text class=\"title\" x=\"%.0f\" y=\"15\">", left) + escaped(title) + "</text>";
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& words) {
-  return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + escaped(words) +
-         "</text>";
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* kind) {
-  return format("<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>", kind, x1,
-                y1, x2, y2);
+  return formatted("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">", width, height) +
+         formatted("<text class=\"title\" x=\"%.0f\" y=\"15\">", left) + escaped(title) + "</text>";
 }
 
 std::string box(double x, double y, double width, double height, const std::string& colour,
                 const std::string& what) {
-  return format("<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" ", x, y, width,
-                height) +
+  return formatted("<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" ", x, y, width,
+                   height) +
          "fill=\"" + colour + "\"><title>" + escaped(what) + "</title></rect>";
 }
 
@@ -105,7 +88,7 @@ std::string names_below(const BarChart& chart, double slot, double y) {
   const auto step = static_cast<std::size_t>(std::max(1.0, std::ceil(least_room / slot)));
   std::string svg;
   for (std::size_t i = 0; i < chart.names.size(); i += step) {
-    svg += text_at(left + (static_cast<double>(i) + 0.5) * slot, y, "middle", chart.names[i]);
+    svg += svg_text(left + (static_cast<double>(i) + 0.5) * slot, y, "middle", chart.names[i]);
   }
   return svg;
 }
@@ -118,7 +101,7 @@ std::string legend(const BarChart& chart, double width) {
     const BarChart::Series& series = chart.series[i];
     if (series.name.empty()) continue;
     x -= letter * static_cast<double>(series.name.size());
-    svg += text_at(x, 15, "start", series.name);
+    svg += svg_text(x, 15, "start", series.name);
     svg += box(x - 14, 6, 10, 10, series.colour, series.name);
     x -= 26;
   }
@@ -128,8 +111,8 @@ std::string legend(const BarChart& chart, double width) {
 std::string grid(const Scale& scale, double width) {
   std::string svg;
   for (const double mark : scale.marks()) {
-    svg += line(left, scale.at(mark), width - right, scale.at(mark), "grid");
-    svg += text_at(left - 5, scale.at(mark) + 4, "end", short_number(mark));
+    svg += svg_line(left, scale.at(mark), width - right, scale.at(mark), "grid");
+    svg += svg_text(left - 5, scale.at(mark) + 4, "end", short_number(mark));
   }
   return svg;
 }
@@ -156,9 +139,9 @@ std::string short_number(double value) {
     double scaled = value;
     std::size_t unit = 0;
     for (scaled /= 1e3; std::fabs(scaled) >= 1e3 && unit < 2; scaled /= 1e3) ++unit;
-    return format("%.3g", scaled) + units[unit];
+    return formatted("%.3g", scaled) + units[unit];
   }
-  return size >= 1e3 && size < 1e4 ? format("%.0f", value) : format("%.3g", value);
+  return size >= 1e3 && size < 1e4 ? formatted("%.0f", value) : formatted("%.3g", value);
 }
 
 std::string svg_of(const BarChart& chart) {
@@ -179,12 +162,12 @@ std::string svg_of(const BarChart& chart) {
       const double x = left + (static_cast<double>(i) + 0.07) * slot + static_cast<double>(s) * bar;
       const double y = scale.at(value);
       svg += box(x, y, bar, height - bottom - y, chart.series[s].colour,
-                 chart.names[i] + ": " + format("%.4g ", value) + chart.series[s].name);
+                 chart.names[i] + ": " + formatted("%.4g ", value) + chart.series[s].name);
     }
   }
-  svg += line(left, height - bottom, width - right, height - bottom, "axis");
+  svg += svg_line(left, height - bottom, width - right, height - bottom, "axis");
   svg += names_below(chart, slot, height - bottom + 15);
-  return svg + text_at((left + width - right) / 2, height - 6, "middle", chart.unit) + "</svg>";
+  return svg + svg_text((left + width - right) / 2, height - 6, "middle", chart.unit) + "</svg>";
 }
 
 std::string svg_of(Timeline timeline) {
@@ -201,12 +184,13 @@ std::string svg_of(Timeline timeline) {
   const Scale scale(0, end > 0 ? end : 1, labels, width - right, false);
   std::string svg = open(width, height, has_more ? "the longest attempts only" : "");
   for (const double mark : scale.marks()) {
-    svg += line(scale.at(mark), top, scale.at(mark), height - 34, "grid");
-    svg += text_at(scale.at(mark), height - 20, "middle", short_number(mark));
+    svg += svg_line(scale.at(mark), top, scale.at(mark), height - 34, "grid");
+    svg += svg_text(scale.at(mark), height - 20, "middle", short_number(mark));
   }
-  svg += text_at((labels + width) / 2, height - 5, "middle", "seconds since the first attempt");
+  svg += svg_text((labels + width) / 2, height - 5, "middle", "seconds since the first attempt");
   for (std::size_t i = 0; i < timeline.rows.size() && row >= 10; ++i) {
-    svg += text_at(labels - 6, top + (static_cast<double>(i) + 0.7) * row, "end", timeline.rows[i]);
+    svg +=
+        svg_text(labels - 6, top + (static_cast<double>(i) + 0.7) * row, "end", timeline.rows[i]);
   }
   for (const Timeline::Span& span : timeline.spans) {
     const double x = scale.at(span.from_s);
@@ -233,16 +217,17 @@ std::string svg_of(const PointChart& chart) {
   const Scale up(low, high, height - bottom, top, true);
   svg += grid(up, width);
   for (const double mark : across.marks()) {
-    svg += line(across.at(mark), top, across.at(mark), height - bottom, "grid");
-    svg += text_at(across.at(mark), height - bottom + 15, "middle", short_number(mark));
+    svg += svg_line(across.at(mark), top, across.at(mark), height - bottom, "grid");
+    svg += svg_text(across.at(mark), height - bottom + 15, "middle", short_number(mark));
   }
-  svg += line(across.at(low), up.at(low), across.at(high), up.at(high), "equal");
-  svg += text_at((left + width) / 2, height - 6, "middle", chart.x_name);
-  svg += text_at(left + 6, top + 12, "start", chart.y_name);
+  svg += svg_line(across.at(low), up.at(low), across.at(high), up.at(high), "equal");
+  svg += svg_text((left + width) / 2, height - 6, "middle", chart.x_name);
+  svg += svg_text(left + 6, top + 12, "start", chart.y_name);
   for (const PointChart::Point& point : chart.points) {
     if (!(point.x > 0 && point.y > 0)) continue;
-    svg += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" ", across.at(point.x), up.at(point.y)) +
-           "fill=\"" + point.colour + "\"><title>" + escaped(point.what) + "</title></circle>";
+    svg +=
+        formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" ", across.at(point.x), up.at(point.y)) +
+        "fill=\"" + point.colour + "\"><title>" + escaped(point.what) + "</title></circle>";
   }
   return svg + "</svg>";
 }

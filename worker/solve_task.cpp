@@ -11,7 +11,7 @@
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/file_system.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/plane_files.h"
 #include "mesh/job_file/loop_job.h"
 #include "tasks/solve_contract.h"
 #include "worker/solver_process.h"
@@ -55,10 +55,22 @@ void put_files(const TaskIo& io, const SolveGiven& given, const fs::path& folder
   }
 }
 
-void prepare(const TaskIo& io, const SolveGiven& given, const LoopSolver& solver,
+void put_mesh(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
+              const fs::path& folder) {
+  const fs::path path = folder / job.solver.mesh;
+  make_folders(path.parent_path());
+  PlaneMesh mesh = read_plane_medit(io.path(given.mesh));
+  for (const auto& [number, name] : job.patch_names) {
+    mesh.patch_names[static_cast<std::int32_t>(number)] = name;
+  }
+  write_plane_mesh(mesh, path);
+}
+
+void prepare(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
              const fs::path& folder) {
+  const LoopSolver& solver = job.solver;
   put_files(io, given, folder);
-  put(folder, solver.mesh, io.read(given.mesh));
+  put_mesh(io, given, job, folder);
   if (given.start) put(folder, solver.start, io.read(*given.start));
 }
 
@@ -127,12 +139,12 @@ void require_permission() {
 void solve_task(TaskIo& io) {
   require_permission();
   const auto given = io.given<SolveGiven>();
-  const LoopSolver solver =
-      parse_loop_job(io.read(given.job), "job.toml").solver;
+  const LoopJob job = parse_loop_job(io.read(given.job), "job.toml");
+  const LoopSolver& solver = job.solver;
   const fs::path folder = io.scratch_path("solver");
   const fs::path log_path = io.scratch_path("solver.log");
   make_folders(folder);
-  prepare(io, given, solver, folder);
+  prepare(io, given, job, folder);
   report_cost(io, cost_of(SolveGiven::kind, {}, {}));
   io.progress().begin(WorkStage::solve);
   const std::int64_t start = steady_ms();

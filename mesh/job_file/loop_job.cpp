@@ -1,6 +1,7 @@
 #include "mesh/job_file/loop_job.h"
 
 #include <array>
+#include <charconv>
 #include <filesystem>
 
 #include "base/error.h"
@@ -12,8 +13,8 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 6> loop_keys = {"version", "name",   "mesh",
-                                                       "cycles",  "solver", "adapt"};
+constexpr std::array<std::string_view, 7> loop_keys = {"version", "name",  "mesh",       "cycles",
+                                                       "solver",  "adapt", "patch_names"};
 constexpr std::array<std::string_view, 8> solver_keys = {
     "command", "files", "mesh", "solution", "start", "time_limit", "memory", "keep"};
 constexpr std::array<std::string_view, 10> adapt_keys = {
@@ -107,6 +108,19 @@ LoopAdaptation parse_adaptation(const JobSection& section) {
   return adapt;
 }
 
+/// Each "NUMBER NAME".
+void parse_patch_names(const JobSection& top, LoopJob& job) {
+  for (const std::string& line : texts(top, "patch_names")) {
+    std::int64_t number = 0;
+    const char* const last = line.data() + line.size();
+    const auto [end, error] = std::from_chars(line.data(), last, number);
+    if (error != std::errc() || last - end < 2 || *end != ' ') {
+      top.fail("patch_names", "must hold texts like \"1 wing\"");
+    }
+    job.patch_names[number] = std::string(end + 1, last);
+  }
+}
+
 std::string toml_list(const std::vector<std::string>& all) {
   std::string text = "[";
   for (const std::string& one : all) text += (text.size() > 1 ? ", " : "") + quoted_toml(one);
@@ -170,6 +184,7 @@ LoopJob parse_loop_job(std::string_view text, const std::string& path) {
   if (mesh.empty()) top.fail("mesh", "must not be empty");
   job.mesh = (fs::path(path).parent_path() / mesh).lexically_normal().string();
   if (top.has("cycles")) job.cycles = top.integer("cycles", 1, most_cycles);
+  parse_patch_names(top, job);
   top.node("solver");
   job.solver = parse_solver(top.table("solver", solver_keys));
   job.adapt = parse_adaptation(top.table("adapt", adapt_keys));
@@ -177,13 +192,17 @@ LoopJob parse_loop_job(std::string_view text, const std::string& path) {
 }
 
 std::string to_toml(const LoopJob& job) {
+  std::vector<std::string> names;
+  for (const auto& [number, name] : job.patch_names) {
+    names.push_back(std::to_string(number) + " " + name);
+  }
   return "version = 1\nname = " + quoted_toml(job.name) + "\nmesh = " + quoted_toml(job.mesh) +
-         "\ncycles = " + std::to_string(job.cycles) + "\n" + solver_to_toml(job.solver) +
+         "\ncycles = " + std::to_string(job.cycles) + "\npatch_names = " + toml_list(names) + "\n" + solver_to_toml(job.solver) +
          adaptation_to_toml(job.adapt);
 }
 
 std::vector<std::string> loop_job_keys() {
-  std::vector<std::string> all = {"version", "name", "mesh", "cycles"};
+  std::vector<std::string> all = {"version", "name", "mesh", "cycles", "patch_names"};
   for (const std::string_view key : solver_keys) all.push_back("solver." + std::string(key));
   for (const std::string_view key : adapt_keys) all.push_back("adapt." + std::string(key));
   return all;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,9 @@ struct LoopJob {
   std::string name;
   std::string mesh;  ///< a file, resolved against the job file's folder
   std::int64_t cycles = 6;
+  /// Of the mesh, by the numbers of its patches: formats that have names give them to the solver.
+  /// Who reads the mesh adds them.
+  std::map<std::int64_t, std::string> patch_names;
   LoopSolver solver;
   LoopAdaptation adapt;
 };

@@ -38,6 +38,18 @@ Colour palette_colour(std::int32_t number) {
   return mixed(wheel_colour(first + golden * static_cast<double>(i), white), neutral_grey, 0.15F);
 }
 
+Colour line_colour(std::int32_t number) {
+  constexpr std::array<Colour, 8> strong = {{{0.07F, 0.27F, 0.62F},
+                                             {0.84F, 0.29F, 0.06F},
+                                             {0.00F, 0.56F, 0.43F},
+                                             {0.78F, 0.42F, 0.66F},
+                                             {0.88F, 0.62F, 0.00F},
+                                             {0.31F, 0.66F, 0.88F},
+                                             {0.44F, 0.20F, 0.52F},
+                                             {0.38F, 0.38F, 0.38F}}};
+  return strong[static_cast<std::size_t>(std::max(number, 0)) % strong.size()];
+}
+
 Colour layer_colour(std::int32_t layer, bool is_absorbing) {
   constexpr std::array<Colour, 2> of_walls = {Colour{0.95F, 0.69F, 0.34F}, {0.99F, 0.86F, 0.62F}};
   constexpr std::array<Colour, 2> absorbing = {Colour{0.47F, 0.71F, 0.55F}, {0.73F, 0.88F, 0.76F}};

@@ -11,6 +11,10 @@ namespace tetfarm {
 /// much: the hue goes on by the golden section of the circle.
 Colour palette_colour(std::int32_t number);
 
+/// Strong ones, for lines on light ground; people of any colour vision tell the first six apart by
+/// hue or lightness. After the last they start again.
+Colour line_colour(std::int32_t number);
+
 /// That of a cell of the layer, counted from 1: neighbouring layers differ.
 /// @param is_absorbing of absorbing layers, not boundary layers.
 Colour layer_colour(std::int32_t layer, bool is_absorbing);

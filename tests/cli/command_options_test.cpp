@@ -210,7 +210,7 @@ TEST_F(CommandOptions, of_a_picture) {
   EXPECT_TRUE(least.hidden.empty());
   EXPECT_FALSE(least.at);
   EXPECT_EQ(least.explode, 0.4);
-  EXPECT_EQ(least.edge_width, 0.9);
+  EXPECT_FALSE(least.edge_width);
   const auto all = parsed_as<RenderCommand>(
       {"render",    "m",     "-o",      "p.png", "--view",   "cut",   "--colour", "patch",
        "--size",    "80x60", "--from",  "1,2,3", "--up",     "4,5,6", "--plane",  "7,8,9",
@@ -237,6 +237,33 @@ TEST_F(CommandOptions, of_a_picture) {
   for (const char* by : {"subdomain", "region", "patch", "layer"}) {
     EXPECT_EQ(parsed_as<RenderCommand>({"render", "m", "-o", "p", "--colour", by}).colour, by);
   }
+}
+
+TEST_F(CommandOptions, of_a_picture_of_the_plane) {
+  const auto least = parsed_as<RenderCommand>({"render", "m.mesh", "-o", "p.png"});
+  EXPECT_EQ(least.field, "");
+  EXPECT_EQ(least.field_number, 1);
+  EXPECT_EQ(least.levels, 20);
+  EXPECT_TRUE(least.range.empty());
+  EXPECT_EQ(least.metric, "");
+  EXPECT_TRUE(least.along.empty());
+  EXPECT_FALSE(least.reversed);
+  EXPECT_TRUE(least.also.empty());
+  const auto all = parsed_as<RenderCommand>({"render", "m.mesh", "-o", "p.png", "--field", "u.sol",
+                                             "--field-number", "2", "--levels", "7", "--range",
+                                             "-1,2.5", "--metric", "m.sol", "--centre", "-1,2"});
+  EXPECT_EQ(all.field, "u.sol");
+  EXPECT_EQ(all.field_number, 2);
+  EXPECT_EQ(all.levels, 7);
+  EXPECT_THAT(all.range, ElementsAre(-1, 2.5));
+  EXPECT_EQ(all.metric, "m.sol");
+  EXPECT_THAT(all.centre, ElementsAre(-1, 2));
+  const auto chart = parsed_as<RenderCommand>({"render", "m.mesh", "-o", "c.svg", "--field",
+                                               "u.sol", "--along", "1,3", "--reversed", "--also",
+                                               "n.mesh,v.sol", "--also", "o.mesh,w.sol"});
+  EXPECT_THAT(chart.along, ElementsAre(1, 3));
+  EXPECT_TRUE(chart.reversed);
+  EXPECT_THAT(chart.also, ElementsAre("n.mesh,v.sol", "o.mesh,w.sol"));
 }
 
 TEST_F(CommandOptions, of_a_shape) {
@@ -401,6 +428,13 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
        "--explode: must be a number, 0 or above, not -1"},
       {{"render", "m", "-o", "p", "--edges", "-1"},
        "--edges: must be a number, 0 or above, not -1"},
+      {{"render", "m", "-o", "p", "--levels", "5"}, "--levels requires --field"},
+      {{"render", "m", "-o", "p", "--along", "1"}, "--along requires --field"},
+      {{"render", "m", "-o", "p", "--field", "u", "--reversed"}, "--reversed requires --along"},
+      {{"render", "m", "-o", "p", "--field", "u", "--levels", "0"},
+       "--levels: must be a whole number from 1 to 1000, not 0"},
+      {{"render", "m", "-o", "p", "--field", "u", "--field-number", "0"},
+       "--field-number: must be a whole number above 0, not 0"},
       {{"shape", "wing"}, "--output is required"},
       {{"shape", "wing", "-o", "w", "--spacing", "0"}, "--spacing" + positive + "0"},
       {{"shape", "wing", "-o", "w", "--growth", "0"}, "--growth" + positive + "0"},
@@ -466,7 +500,8 @@ TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
             HasSubstr("pixels (default 1600x1000)"),
             HasSubstr("viewer (default -1,-2,1; of a slice"), HasSubstr("picture (default 0,0,1)"),
             HasSubstr("fits the picture (default 1)"), HasSubstr("cut or slice (default 0,1,0)"),
-            HasSubstr("apart (default 0.4)"), HasSubstr("for none (default 0.9)")));
+            HasSubstr("apart (default 0.4)"), HasSubstr("for none (default 0.9; over a field 0)"),
+            HasSubstr("bands (default 20)"), HasSubstr("at a node (default 1)")));
   EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
                                            HasSubstr("away from the wing (default 0.2)")));
   EXPECT_THAT(help_words({"spacing"}), HasSubstr("off the wall (default 1)"));
