@@ -85,13 +85,6 @@ NodeFields with_components(const NodeFields& before, TransferredSolution after) 
   return fields;
 }
 
-template <class Write>
-TaskFile published(TaskIo& io, const char* name, const Write& write) {
-  const std::filesystem::path path = io.scratch_path(name);
-  write(path);
-  return io.publish(read_file(path));
-}
-
 }  // namespace
 
 void adapt_task(TaskIo& io) {
@@ -112,12 +105,10 @@ void adapt_task(TaskIo& io) {
   AdaptMade made;
   made.figures = io.publish(
       cycle_figures(next.result.mesh, quality, start.fields.empty() ? 0 : start.fields[0].gain));
-  made.mesh = published(io, "next.mesh", [&](const std::filesystem::path& path) {
-    write_plane_medit(next.result.mesh, path);
-  });
-  made.start = published(io, "start.sol", [&](const std::filesystem::path& path) {
-    write_plane_sol(with_components(solution, std::move(start)), path);
-  });
+  made.mesh = io.publish(medit_text(next.result.mesh));
+  const std::filesystem::path path = io.scratch_path("start.sol");
+  write_plane_sol(with_components(solution, std::move(start)), path);
+  made.start = io.publish(read_file(path));
   io.made(made);
   io.number("vertices", static_cast<double>(next.result.mesh.points.size()));
   io.number("triangles", static_cast<double>(next.result.mesh.triangles.size()));

@@ -31,7 +31,9 @@ constexpr std::size_t most_kept = 100;
 /// A name of a file in the solver's folder, or below it.
 std::string inner_name(const JobSection& section, std::string_view key, std::string name) {
   const std::filesystem::path path(name);
-  bool is_inside = !name.empty() && path.is_relative() && path.has_filename();
+  // A mesh may be a folder: "case/".
+  const bool may_be_folder = key == "mesh";
+  bool is_inside = !name.empty() && path.is_relative() && (may_be_folder || path.has_filename());
   for (const std::filesystem::path& step : path) is_inside = is_inside && step != "..";
   if (!is_inside) section.fail(key, "must name a file in the solver's own folder");
   return name;

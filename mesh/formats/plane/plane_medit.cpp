@@ -143,7 +143,7 @@ PlaneMesh read_plane_medit(const std::filesystem::path& path) {
   return read_plane_medit(read_whole_file(path.string()), path.string());
 }
 
-void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path) {
+std::string medit_text(const PlaneMesh& mesh) {
   TF_CHECK(mesh.patches.size() == mesh.edges.size());
   TF_CHECK(mesh.regions.size() == mesh.triangles.size());
   TextLines lines(60 * mesh.points.size() + 30 * mesh.triangles.size() + 1000);
@@ -163,7 +163,11 @@ void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path)
   begin_list(lines, "Corners", mesh.corners.size());
   for (const std::int32_t v : mesh.corners) lines.number(v + 1).end();
   lines.words("\nEnd\n");
-  write_file_atomically(path, lines.text());
+  return lines.text();
+}
+
+void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path) {
+  write_file_atomically(path, medit_text(mesh));
 }
 
 NodeFields read_plane_sol(const std::filesystem::path& path) {

@@ -21,6 +21,8 @@ namespace tetfarm {
 PlaneMesh read_plane_medit(const std::filesystem::path& path);
 PlaneMesh read_plane_medit(std::string_view bytes, const std::string& name);
 void write_plane_medit(const PlaneMesh& mesh, const std::filesystem::path& path);
+/// What is written. @pre a patch for each edge, a region for each triangle.
+std::string medit_text(const PlaneMesh& mesh);
 
 /// The kinds of fields, by their numbers in the file.
 enum class NodeFieldKind : std::uint8_t { scalar = 1, vector = 2, metric = 3 };
