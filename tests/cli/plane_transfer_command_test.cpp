@@ -42,7 +42,7 @@ class PlaneTransfer : public ::testing::Test {
     const PlaneMesh nodes = read_plane_medit(mesh);
     std::string text = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n" +
                        std::to_string(nodes.points.size()) + "\n" + kinds + "\n";
-    for (const Vec2& p : nodes.points) text += line_at(p) + "\n";
+    for (const Vec2& p : nodes.points) text += std::string(line_at(p)) + "\n";
     return write(name, text + "End\n");
   }
   PlaneTransferCommand from_a_to_b(const std::string& sol) const {
