@@ -124,6 +124,7 @@ TEST_F(PlaneCommands, keep_the_names_of_patches_and_write_by_the_ending) {
   adapt.input = command.output;
   adapt.metric = path("metric.sol");
   write_plane_sol(std::vector<Metric2>(mesh.points.size(), {100, 0, 100}), adapt.metric);
+  adapt.json = true;
   adapt.output = path("adapted.msh");
   adapted(adapt);
   EXPECT_EQ(read_plane_mesh(adapt.output).patch_names, names);
@@ -307,8 +308,8 @@ TEST_F(PlaneCommands, refuse_what_does_not_belong_together) {
   command.solution.clear();
   EXPECT_THAT(message_of(command), HasSubstr("--metric FILE or --solution FILE"));
   command.solution = "u.sol";
-  command.output = "m.vtu";
-  EXPECT_THAT(message_of(command), HasSubstr("m.vtu: meshes of the plane are read and written"));
+  command.output = "m.vtx";
+  EXPECT_THAT(message_of(command), HasSubstr("m.vtx: meshes of the plane are written to .mesh"));
 }
 
 }  // namespace
