@@ -88,7 +88,8 @@ void add_fields(CLI::App& sub, RenderCommand& render) {
                            ->needs(field)
                            ->option_text("PATCH,...");
   sub.add_flag("--reversed", render.reversed, "The chart with small values on top, as of Cp")
-      ->needs(along);
+      ->needs(along)
+      ->option_text(" ");
   sub.add_option("--also", render.also,
                  "Another mesh and its field in the same chart; may be "
                  "repeated")
