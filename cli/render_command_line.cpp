@@ -88,7 +88,8 @@ void add_fields(CLI::App& sub, RenderCommand& render) {
                            ->needs(field)
                            ->option_text("PATCH,...");
   sub.add_flag("--reversed", render.reversed, "The chart with small values on top, as of Cp")
-      ->needs(along);
+      ->needs(along)
+      ->option_text(" ");
   sub.add_option("--also", render.also,
                  "Another mesh and its field in the same chart; may be "
                  "repeated")
@@ -107,7 +108,9 @@ void add_fields(CLI::App& sub, RenderCommand& render) {
 void add_render(CLI::App& sub, const std::string& what_is_drawn, RenderCommand& render) {
   sub.add_option("FILE", render.input, what_is_drawn)->required();
   add_place_of_jobs(sub, render.source);
-  sub.add_option("-o,--output", render.output, "The picture")->required()->option_text("PNG");
+  sub.add_option("-o,--output", render.output, "The picture; with --along, the chart (.svg)")
+      ->required()
+      ->option_text("PNG");
   add_view(sub, render);
   add_parts(sub, render);
   add_fields(sub, render);
