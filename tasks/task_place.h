@@ -7,11 +7,11 @@
 
 namespace tetfarm {
 
-/// "0.1" of a sub-domain, "cycle 3" of a cycle, "" where it is in none. `kind`: the name of the
+/// "LR" of a sub-domain, "cycle 3" of a cycle, "" where it is in none. `kind`: the name of the
 /// kind.
 std::string task_place(std::string_view kind, std::uint64_t path);
 
-/// The same in a sentence: " of sub-domain 0.1", " of the whole domain", " of cycle 3", "".
+/// The same in a sentence: " of sub-domain LR", " of the whole domain", " of cycle 3", "".
 std::string of_task_place(std::string_view kind, std::uint64_t path);
 
 }  // namespace tetfarm

@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "tasks/adapt_contract.h"
 #include "tasks/assemble_contract.h"
 #include "tasks/assimilate_contract.h"
+#include "tasks/collect_contract.h"
 #include "tasks/cosmetic_contract.h"
 #include "tasks/decompose_contract.h"
 #include "tasks/extract_contract.h"
@@ -20,6 +22,7 @@
 #include "tasks/mesh_contract.h"
 #include "tasks/number_contract.h"
 #include "tasks/order_contract.h"
+#include "tasks/solve_contract.h"
 #include "tasks/task_contracts.h"
 #include "tasks/write_contract.h"
 
@@ -69,6 +72,12 @@ std::vector<Side> all_sides() {
   std::set<std::string> portions = each("portion:");
   portions.merge(each("tets:"));
   portions.insert("layer_map");
+  std::set<std::string> of_solver = each("file:");
+  of_solver.insert({"start", "file_names"});
+  std::set<std::string> of_cycles;
+  for (const char* prefix : {"mesh:", "solution:", "log:", "figures:", "kept:"}) {
+    of_cycles.merge(each(prefix));
+  }
   std::set<std::string> of_layers = each("layers:");
   of_layers.insert({"layer_table", "layer_map", "top_heights"});
   return {
@@ -112,6 +121,12 @@ std::vector<Side> all_sides() {
       side_of("grow made", GrowMade{file("p"), file("c")}),
       side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two, file("m")},
               portions),
+      side_of("solve given", SolveGiven{file("j"), file("m"), file("s"), file("n"), two, 3, 6},
+              of_solver),
+      side_of("solve made", SolveMade{file("s"), file("l"), two}, each("kept:")),
+      side_of("adapt given", AdaptGiven{file("j"), file("m"), file("s"), 3}),
+      side_of("adapt made", AdaptMade{file("m"), file("s"), file("f")}),
+      side_of("collect given", CollectGiven{file("j"), two, two, two, two, two}, of_cycles),
   };
 }
 
@@ -309,7 +324,12 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
       {"write made", "portion tets | |"},
       {"grow given", "job surface numbering layers | |"},
       {"grow made", "portion cells | |"},
-      {"assemble given", "job surface numbering portion: tets: layer_map | |"}};
+      {"assemble given", "job surface numbering portion: tets: layer_map | |"},
+      {"solve given", "job mesh start file_names file: | cycle cycles |"},
+      {"solve made", "solution log kept: | |"},
+      {"adapt given", "job mesh solution | cycle |"},
+      {"adapt made", "mesh start figures | |"},
+      {"collect given", "job mesh: solution: log: figures: kept: | |"}};
   for (const Side& side : all_sides()) {
     std::string text;
     std::set<std::string> seen;

@@ -34,7 +34,8 @@ TEST(TaskKinds, keep_the_names_and_numbers_that_they_were_given) {
   const std::map<std::string, std::uint32_t> given = {
       {"inspect", 1},  {"decompose", 2},  {"mesh", 3},  {"number", 4},
       {"assemble", 5}, {"assimilate", 6}, {"order", 7}, {"extract", 8},
-      {"cosmetic", 9}, {"write", 10},     {"grow", 11}};
+      {"cosmetic", 9}, {"write", 10},     {"grow", 11},
+      {"solve", 12},   {"adapt", 13},     {"collect", 14}};
   for (const auto& [name, number] : given) {
     const std::optional<TaskKind> kind = task_kind_named(name);
     ASSERT_TRUE(kind) << name;
@@ -76,7 +77,8 @@ TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
               ElementsAre("decompose", "order", "extract", "cosmetic"))
       << "what others wait for is handed out first";
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.rank == 1; }),
-              ElementsAre("inspect", "assimilate", "mesh", "number", "write", "grow", "assemble"));
+              ElementsAre("solve", "adapt", "collect", "inspect", "assimilate", "mesh", "number",
+                          "write", "grow", "assemble"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.shrinks_with_leaf; }),
               ElementsAre("mesh", "extract", "cosmetic"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.needs_whole_tree; }),
@@ -85,6 +87,14 @@ TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
               ElementsAre("order", "assemble"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.may_make_nothing; }),
               ElementsAre("decompose"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.is_of_others; }),
+              ElementsAre("solve"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.is_of_cycle; }),
+              ElementsAre("solve", "adapt"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.begins_job; }),
+              ElementsAre("solve", "inspect"));
+  EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.ends_job; }),
+              ElementsAre("collect", "assemble"));
 }
 
 TEST(TaskKinds, have_the_outputs_that_every_result_has) {
@@ -106,6 +116,9 @@ TEST(TaskKinds, have_the_outputs_that_every_result_has) {
   EXPECT_EQ(outputs(TaskKind::write), "portion tets");
   EXPECT_EQ(outputs(TaskKind::grow), "portion cells");
   EXPECT_EQ(outputs(TaskKind::assemble), "");
+  EXPECT_EQ(outputs(TaskKind::solve), "solution log");
+  EXPECT_EQ(outputs(TaskKind::adapt), "mesh start figures");
+  EXPECT_EQ(outputs(TaskKind::collect), "");
 }
 
 /// As they were measured: docs/decisions/0012 and 0024. A bound of memory that is too low ends
@@ -128,7 +141,10 @@ TEST(TaskKinds, cost_what_was_measured) {
            {TaskKind::number, {0.003, 0, 0.45e-6, 0}, {0, 0, 0, 0, 110, 0}},
            {TaskKind::write, {0.006, 0.3e-6, 0, 0}, {4e6, 0, 0, 150, 0, 0}},
            {TaskKind::grow, {0.006, 0.8e-6, 0, 0}, {4e6, 0, 0, 200, 0, 0}},
-           {TaskKind::assemble, {0.006, 0.02e-6, 0.4e-6, 0}, {4e6, 0, 0, 130, 250, 0}}}) {
+           {TaskKind::assemble, {0.006, 0.02e-6, 0.4e-6, 0}, {4e6, 0, 0, 130, 250, 0}},
+           {TaskKind::solve, {60, 0, 0, 0}, {256e6, 0, 0, 0, 0, 0}},
+           {TaskKind::adapt, {0.5, 0, 0, 0}, {32e6, 20, 0, 0, 0, 0}},
+           {TaskKind::collect, {0.05, 0, 0, 0}, {16e6, 2, 0, 0, 0, 0}}}) {
     const TaskKindTraits& traits = traits_of(costs.kind);
     const TaskMemory& memory = traits.memory;
     EXPECT_EQ(traits.seconds.of, costs.seconds) << traits.name;

@@ -1,0 +1,117 @@
+/// Adaptation loops by the built program, with solvers that are shell scripts.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/program.h"
+
+namespace tetfarm::test {
+namespace {
+
+using testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+/// A field with a shock, computed by awk; it waits when it is told to.
+constexpr const char* solver = R"(
+test -f wait && sleep 0.4
+awk 'function tanh(z) { return z > 20 ? 1 : z < -20 ? -1 : (exp(2 * z) - 1) / (exp(2 * z) + 1) }
+  $1 == "Vertices" { getline; left = $1; n = $1; print "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n" n "\n1 1"; next }
+  left > 0 { print tanh(20 * ($1 - 0.5 - 0.1 * $2)); --left }
+  END { print "End" }' "$TETFARM_MESH" > "$TETFARM_SOLUTION"
+echo "cycle $TETFARM_CYCLE of $TETFARM_CYCLES starts from '$TETFARM_START'"
+echo "kept $TETFARM_CYCLE" > figures.txt
+)";
+
+class Loop : public testing::Test {
+ protected:
+  Loop() {
+    write("square.xy", "0 0\n1 0\n1 1\n0 1\n");
+    write("solve.sh", solver);
+    EXPECT_EQ(run({"plane", "square.xy", "--size", "0.2", "-o", "first.mesh"}).code, 0);
+  }
+
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    write_contents(folder_.path() / name, text);
+  }
+  void write_job(const std::string& command, const std::string& more = "") const {
+    write("job.toml",
+          "mesh = \"first.mesh\"\ncycles = 3\n[solver]\ncommand = \"" + command +
+              "\"\nfiles = [\"solve.sh\"" +
+              (fs::exists(folder_.path() / "wait") ? ", \"wait\"" : "") +
+              "]\nkeep = [\"figures.txt\"]\n" + more + "[adapt]\nvertices = 150\n");
+  }
+  Ended run(const std::vector<std::string>& words) const {
+    return run_program(words, folder_.path());
+  }
+  static std::vector<std::string> words_for(const std::string& output) {
+    return {"loop", "job.toml", "-o", output, "--json", "--progress", "none"};
+  }
+  Ended loop(const std::string& output) const { return run(words_for(output)); }
+  static std::string digest(const Ended& ended) {
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.code == 0 ? nlohmann::json::parse(ended.out).at("digest") : "";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Loop, delivers_meshes_solutions_logs_and_kept_files_of_all_cycles) {
+  write_job("sh solve.sh");
+  const Ended ended = loop("out");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto result = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(result["cycles"], 3);
+  EXPECT_NEAR(result["vertices"].get<double>(), 150, 15);
+  for (const char* name : {"cycle_01.mesh", "cycle_02.sol", "cycle_03.mesh", "cycles.csv"}) {
+    EXPECT_TRUE(fs::exists(folder_.path() / "out" / name)) << name;
+  }
+  EXPECT_EQ(contents(path("out/cycle_01.log")), "cycle 1 of 3 starts from ''\n");
+  EXPECT_EQ(contents(path("out/cycle_03.log")), "cycle 3 of 3 starts from 'start.sol'\n");
+  EXPECT_EQ(contents(path("out/cycle_02_figures.txt")), "kept 2\n");
+  EXPECT_THAT(contents(path("out/cycles.csv")), testing::StartsWith("cycle,vertices,triangles"));
+}
+
+TEST_F(Loop, killed_wherever_it_is_goes_on_to_the_same_bytes) {
+  write_job("sh solve.sh");
+  const std::string undisturbed = digest(loop("undisturbed"));
+  write("wait", "");
+  write_job("sh solve.sh");
+  for (const int pause_ms : {150, 500, 900}) {
+    Program program(words_for("killed"), folder_.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    program.signal(SIGKILL);
+    program.wait();
+  }
+  EXPECT_EQ(digest(loop("killed")), undisturbed);
+}
+
+TEST_F(Loop, with_a_solver_that_fails_says_what_it_said_and_in_which_cycle) {
+  write_job("echo no such fluid; exit 3");
+  const Ended failed = loop("out");
+  EXPECT_NE(failed.code, 0);
+  EXPECT_THAT(failed.err, HasSubstr("cycle 1: the solver ended with exit code 3"));
+  EXPECT_THAT(failed.err, HasSubstr("no such fluid"));
+  write_job("sleep 60", "time_limit = 1\n");
+  EXPECT_THAT(loop("out").err, HasSubstr("did not end within its `time_limit` of 1 second"));
+  write_job("true");
+  EXPECT_THAT(loop("out").err, HasSubstr("left no file 'solution.sol'"));
+  write_job("echo nonsense > solution.sol");
+  EXPECT_THAT(loop("out").err, HasSubstr("left a file that cannot be read"));
+}
+
+TEST_F(Loop, is_refused_at_once_where_its_files_are_missing) {
+  fs::remove(path("solve.sh"));
+  write_job("sh solve.sh");
+  EXPECT_THAT(loop("out").err, HasSubstr("no such file or folder"));
+  write("job.toml", "mesh = \"none.mesh\"\n[solver]\ncommand = \"true\"\n");
+  EXPECT_THAT(loop("out").err, HasSubstr("none.mesh"));
+}
+
+}  // namespace
+}  // namespace tetfarm::test
