@@ -6,13 +6,13 @@
 #include "base/error.h"
 #include "cli/adapted_report.h"
 #include "cli/commands.h"
-#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_metric.h"
 #include "mesh/formats/plane/plane_files.h"
 #include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/metric/metric_intersection.h"
+#include "worker/curve_option.h"
 
 namespace tetfarm {
 namespace {
@@ -34,7 +34,7 @@ std::vector<Metric2> metrics_of_file(const std::string& file, const PlaneMesh& m
 }
 
 std::vector<Metric2> metrics_of_solution_file(const AdaptCommand& command, const PlaneMesh& mesh,
-                                                 const TriangleComplex& complex) {
+                                              const TriangleComplex& complex) {
   const NodeFields fields = read_plane_fields(command.solution);
   if (fields.scalars.empty()) {
     throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", command.solution);
@@ -68,8 +68,9 @@ ExitCode adapt_command(const AdaptCommand& command) {
   const PlaneMesh& mesh = curved.mesh;
   const TriangleComplex complex = checked_complex(mesh);
   const bool has_metric = !command.metric.empty();
-  const std::vector<Metric2> metrics = has_metric ? metrics_of_file(command.metric, mesh)
-                                                  : metrics_of_solution_file(command, mesh, complex);
+  const std::vector<Metric2> metrics = has_metric
+                                           ? metrics_of_file(command.metric, mesh)
+                                           : metrics_of_solution_file(command, mesh, complex);
   AdaptationWish wish;
   wish.metrics = metrics;
   wish.metric_name = has_metric ? command.metric : command.solution;

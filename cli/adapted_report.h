@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
+#include "worker/curve_option.h"
 
 namespace tetfarm {
 

@@ -250,8 +250,8 @@ std::string status_text(const wire::StatusReply& said) {
     if (status.state() != "running") continue;  // its message names them
     for (const wire::TaskInQuarantine& task : status.quarantine()) {
       text += "         in quarantine: task " + std::to_string(task.task()) + ", " + task.kind() +
-              (task.path() == 0 ? "" : " ") + task_place(task.kind(), task.path()) + ": " + task.reason() +
-              "\n";
+              (task.path() == 0 ? "" : " ") + task_place(task.kind(), task.path()) + ": " +
+              task.reason() + "\n";
     }
   }
   for (const wire::HostInQuarantine& host : reply.hosts()) {

@@ -107,9 +107,10 @@ std::vector<std::string> LocalFarm::coordinator_command() const {
 }
 
 std::vector<std::string> LocalFarm::worker_command() const {
-  std::vector<std::string> words = {this_program(), "worker",       "--quiet",
-                                    "--store",      options_.store, "--connect",
-                                    endpoint_,      "--grace",      std::to_string(options_.grace_s)};
+  std::vector<std::string> words = {
+      this_program(), "worker",       "--quiet",
+      "--store",      options_.store, "--connect",
+      endpoint_,      "--grace",      std::to_string(options_.grace_s)};
   if (options_.runs_solvers) words.emplace_back("--solvers");
   return words;
 }

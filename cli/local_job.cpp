@@ -95,7 +95,7 @@ std::vector<std::uint64_t> ask_what_is_under_way(CoordinatorConnection& connecti
 }
 
 LocalOutcome work(const RunOptions& options, const std::filesystem::path& store,
-             const wire::Submit& submit) {
+                  const wire::Submit& submit) {
   LocalFarm farm({.store = store,
                   .database = options.database,
                   .workers = worker_count(options),

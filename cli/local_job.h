@@ -1,5 +1,5 @@
-/// A job on this machine alone: a coordinator and workers for as long as it runs, in the store of an
-/// output folder. Stopped by a signal it ends at a checkpoint, and the same command goes on.
+/// A job on this machine alone: a coordinator and workers for as long as it runs, in the store of
+/// an output folder. Stopped by a signal it ends at a checkpoint, and the same command goes on.
 #pragma once
 
 #include <cstdint>

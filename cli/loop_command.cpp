@@ -87,8 +87,7 @@ ExitCode loop_command(const LoopCommand& command) {
   stop_listening();
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
   if (outcome.end->state() != "done") {
-    return report_outcome(*outcome.end,
-                          {.files = files, .seconds = seconds, .json = command.json});
+    return report_outcome(*outcome.end, {.files = files, .seconds = seconds, .json = command.json});
   }
   if (command.json) {
     tell_json(*outcome.end, files, seconds);

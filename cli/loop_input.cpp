@@ -9,6 +9,7 @@
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/formats/plane/plane_files.h"
 #include "tasks/solve_contract.h"
+#include "worker/curve_option.h"
 
 namespace tetfarm {
 namespace {
@@ -57,9 +58,10 @@ std::vector<SolverFile> solver_files(const LoopJob& job, const fs::path& folder)
                      read_file(file)});
       bytes += all.back().bytes.size();
       if (all.size() > most_solver_files || bytes > most_bytes) {
-        throw UsageError("`files` of the solver are more than 10,000 files or 2 GiB: name those "
-                         "that it needs",
-                         typed);
+        throw UsageError(
+            "`files` of the solver are more than 10,000 files or 2 GiB: name those "
+            "that it needs",
+            typed);
       }
     }
   }
@@ -87,7 +89,15 @@ LoopInput read_loop(const std::string& path) {
   require_plane_input_name(input.job.mesh);
   require_plane_output_name(input.job.solver.mesh);
   const PlaneMesh mesh = read_plane_mesh(input.job.mesh);
-  checked_complex(mesh);
+  for (const std::string& curve : input.job.adapt.curves) {
+    if (curve.find("spline:") != std::string::npos) {
+      throw UsageError("`curves` of a loop cannot name a file: splines are those of the mesh",
+                       curve);
+    }
+  }
+  check_curve_options(input.job.adapt.curves);
+  curves_of_options(input.job.adapt.curves, mesh, checked_complex(mesh),
+                    input.job.adapt.corner_angle_deg);
   input.mesh = medit_text(mesh);
   for (const auto& [number, name] : mesh.patch_names) {
     input.job.patch_names.emplace(number, name);

@@ -7,13 +7,13 @@
 #include "base/error.h"
 #include "cli/adapted_report.h"
 #include "cli/commands.h"
-#include "cli/curve_option.h"
 #include "mesh/adaptation/adapt_to_metric.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/loop_domain.h"
 #include "mesh/formats/plane/plane_files.h"
 #include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/read_loops.h"
+#include "worker/curve_option.h"
 
 namespace tetfarm {
 namespace {

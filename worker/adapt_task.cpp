@@ -10,6 +10,7 @@
 #include "mesh/formats/plane/plane_medit.h"
 #include "mesh/job_file/loop_job.h"
 #include "tasks/adapt_contract.h"
+#include "worker/curve_option.h"
 #include "worker/cycle_figures.h"
 #include "worker/task_cost.h"
 
@@ -38,7 +39,8 @@ std::vector<std::vector<double>> fields_to_adapt_to(const NodeFields& solution,
 }
 
 AdaptedMesh adapted(const PlaneMesh& mesh, const TriangleComplex& complex,
-                    const NodeFields& solution, const LoopAdaptation& job) {
+                    const NodeFields& solution, const LoopAdaptation& job,
+                    const std::vector<PatchCurve>& curves) {
   const std::vector<Metric2> metrics = metrics_of_solution(
       complex, fields_to_adapt_to(solution, job.fields), {job.mode == "lp", job.norm});
   AdaptationWish wish;
@@ -49,6 +51,7 @@ AdaptedMesh adapted(const PlaneMesh& mesh, const TriangleComplex& complex,
   if (!wish.vertices) wish.vertices = static_cast<std::int64_t>(mesh.points.size());
   AdaptationOptions options;
   options.corner_angle_deg = job.corner_angle_deg;
+  options.curves = curves;
   return adapt_to_metric(mesh, complex, wish, options);
 }
 
@@ -60,7 +63,7 @@ TransferMethod method_of(const LoopAdaptation& job) {
 std::vector<std::vector<double>> components_of(const NodeFields& solution) {
   std::vector<std::vector<double>> all = solution.scalars;
   for (const std::vector<Vec2>& field : solution.vectors) {
-    for (double Vec2::* const component : {&Vec2::x, &Vec2::y}) {
+    for (double Vec2::*const component : {&Vec2::x, &Vec2::y}) {
       std::vector<double>& values = all.emplace_back();
       for (const Vec2& v : field) values.push_back(v.*component);
     }
@@ -90,13 +93,16 @@ NodeFields with_components(const NodeFields& before, TransferredSolution after) 
 void adapt_task(TaskIo& io) {
   const auto given = io.given<AdaptGiven>();
   const LoopAdaptation job = parse_loop_job(io.read(given.job), "job.toml").adapt;
-  const PlaneMesh mesh = read_plane_medit(io.path(given.mesh));
+  const PlaneMesh read = read_plane_medit(io.path(given.mesh));
   const NodeFields solution = read_plane_sol(io.path(given.solution));
-  report_cost(io, cost_of(AdaptGiven::kind,
-                          {.input_bytes = static_cast<double>(given.mesh.size)}, {}));
+  report_cost(io,
+              cost_of(AdaptGiven::kind, {.input_bytes = static_cast<double>(given.mesh.size)}, {}));
   io.progress().begin(WorkStage::adapt);
+  const CurvesOfMesh curved =
+      curves_of_options(job.curves, read, checked_complex(read), job.corner_angle_deg);
+  const PlaneMesh& mesh = curved.mesh;
   const TriangleComplex complex = checked_complex(mesh);
-  const AdaptedMesh next = adapted(mesh, complex, solution, job);
+  const AdaptedMesh next = adapted(mesh, complex, solution, job, curved.curves);
   io.progress().begin(WorkStage::transfer);
   TransferredSolution start = transfer_solution(mesh, components_of(solution), solution.metrics,
                                                 next.result.mesh, method_of(job));

@@ -8,9 +8,9 @@ namespace {
 
 std::string number_text(double value) {
   std::array<char, 32> text{};
-  return {text.data(),
-          std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6)
-              .ptr};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, 6)
+                           .ptr};
 }
 
 std::string counts_of(const PlaneMesh& mesh) {

@@ -15,8 +15,8 @@ std::string cycle_figures_head();
 /// Of the first mesh, which was adapted to nothing.
 std::string cycle_figures(const PlaneMesh& mesh);
 
-/// @param gain what the integral of the first field has gained on the way to the mesh, as a share of
-/// that of its absolute values.
+/// @param gain what the integral of the first field has gained on the way to the mesh, as a share
+/// of that of its absolute values.
 std::string cycle_figures(const PlaneMesh& mesh, const MetricQuality& quality, double gain);
 
 }  // namespace tetfarm

@@ -92,8 +92,10 @@ std::vector<std::pair<std::string, std::string>> variables_of(const SolveGiven& 
 void require_good_end(const SolverEnd& end, const SolveGiven& given, const LoopSolver& solver,
                       const std::string& log) {
   if (end.is_overdue) {
-    refuse(given, "did not end within its `time_limit` of " + counted(
-                      static_cast<std::uint64_t>(solver.time_limit_s), "second"), log);
+    refuse(given,
+           "did not end within its `time_limit` of " +
+               counted(static_cast<std::uint64_t>(solver.time_limit_s), "second"),
+           log);
   }
   // What was killed may go well another time.
   if (end.signal != 0) {
@@ -111,19 +113,19 @@ std::string checked_solution(const TaskIo& io, const SolveGiven& given, const Lo
   const fs::path path = folder / solver.solution;
   if (!fs::is_regular_file(path)) refuse(given, "left no file '" + solver.solution + "'", log);
   const std::size_t nodes = read_plane_medit(io.path(given.mesh)).points.size();
-  try {
-    const NodeFields fields = read_plane_sol(path);
-    const std::size_t values = !fields.scalars.empty()   ? fields.scalars.front().size()
-                               : !fields.vectors.empty() ? fields.vectors.front().size()
-                                                         : 0;
-    if (values != nodes) {
-      refuse(given, "gives values at " + counted(values, "node") + " in '" + solver.solution +
-                        "'; the mesh has " + std::to_string(nodes), log);
-    }
-  } catch (const InvalidInput& error) {
-    refuse(given, std::string("left a file that cannot be read: ") + error.what(), log);
+  std::string bytes = read_file(path);
+  const NodeFields fields =
+      read_plane_sol(bytes, "cycle " + std::to_string(given.cycle) + ": " + solver.solution);
+  const std::size_t values = !fields.scalars.empty()   ? fields.scalars.front().size()
+                             : !fields.vectors.empty() ? fields.vectors.front().size()
+                                                       : 0;
+  if (values != nodes) {
+    refuse(given,
+           "gives values at " + counted(values, "node") + " in '" + solver.solution +
+               "'; the mesh has " + std::to_string(nodes),
+           log);
   }
-  return read_file(path);
+  return bytes;
 }
 
 void require_permission() {
@@ -148,9 +150,9 @@ void solve_task(TaskIo& io) {
   report_cost(io, cost_of(SolveGiven::kind, {}, {}));
   io.progress().begin(WorkStage::solve);
   const std::int64_t start = steady_ms();
-  const SolverEnd end = run_solver({solver.command, folder, log_path, variables_of(given, solver),
-                                    1000 * solver.time_limit_s},
-                                   [&io] { io.progress().add(0); });
+  const SolverEnd end = run_solver(
+      {solver.command, folder, log_path, variables_of(given, solver), 1000 * solver.time_limit_s},
+      [&io] { io.progress().add(0); });
   io.number("solver_seconds", static_cast<double>(steady_ms() - start) / 1000);
   const std::string log = end_of(read_file(log_path), longest_log_kept);
   require_good_end(end, given, solver, log);

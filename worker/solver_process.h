@@ -16,8 +16,8 @@ namespace tetfarm {
 
 struct SolverCommand {
   std::string command;
-  std::filesystem::path folder;  ///< that it works in
-  std::filesystem::path log;     ///< of what it says, on both outputs
+  std::filesystem::path folder;                                ///< that it works in
+  std::filesystem::path log;                                   ///< of what it says, on both outputs
   std::vector<std::pair<std::string, std::string>> variables;  ///< of its environment, besides ours
   std::int64_t time_limit_ms = 0;
 };

@@ -141,9 +141,10 @@ void JobState::advance(const TaskRow& task, Moment now) {
   const TaskRow* inspect = find_task(task.job, TaskKind::inspect, 0);
   switch (task.kind) {
     case TaskKind::solve:
-      add_task(after_solve(task, [this, job = task.job](TaskKind kind, std::uint64_t cycle) {
-                 return find_done(job, kind, cycle);
-               }),
+      add_task(after_solve(task,
+                           [this, job = task.job](TaskKind kind, std::uint64_t cycle) {
+                             return find_done(job, kind, cycle);
+                           }),
                now);
       break;
     case TaskKind::adapt:

@@ -14,8 +14,8 @@ namespace tetfarm {
 /// The task of a kind and cycle.
 using FindOfCycle = std::function<const TaskRow*(TaskKind kind, std::uint64_t cycle)>;
 
-/// What comes after a cycle's solution: the mesh of the next cycle, or the end. @pre `solve` is done
-/// and without problem, and so is every task before it, which `find` finds.
+/// What comes after a cycle's solution: the mesh of the next cycle, or the end. @pre `solve` is
+/// done and without problem, and so is every task before it, which `find` finds.
 TaskRow after_solve(const TaskRow& solve, const FindOfCycle& find);
 
 /// The solver on the new mesh. @pre both are done and without problem; `solve` is that of the cycle

@@ -154,8 +154,8 @@ std::string timeline(const QueryContext& context) {
     const int row = process2row.at({attempt.host(), attempt.process()});
     boxes += box(look, x, row * row_height, w, row_height - 2,
                  attempt.kind() + (attempt.path() == 0 ? "" : " ") +
-                     task_place(attempt.kind(), attempt.path()) +
-                     ", task " + std::to_string(attempt.task()) + " on " + attempt.host() + ": " +
+                     task_place(attempt.kind(), attempt.path()) + ", task " +
+                     std::to_string(attempt.task()) + " on " + attempt.host() + ": " +
                      attempt.state() + " " + attempt.message());
   }
   return "<h2>The last " + number(span / 1000) + " s</h2>\n<svg width=\"" + number(width) +

@@ -12,10 +12,9 @@ namespace {
 std::vector<Metric2> metrics_of_field(const TriangleComplex& complex,
                                       const std::vector<double>& values, bool is_alone,
                                       const SolutionMetricOptions& options) {
-  const std::vector<Metric2> hessians =
-      recover_hessians(complex, values,
-                       options.is_lp ? HessianRecovery::quadratic_fit
-                                     : HessianRecovery::double_projection);
+  const std::vector<Metric2> hessians = recover_hessians(
+      complex, values,
+      options.is_lp ? HessianRecovery::quadratic_fit : HessianRecovery::double_projection);
   if (!options.is_lp) return absolute(hessians);
   std::vector<Metric2> metrics = lp_metrics(hessians, options.norm);
   if (is_alone) return metrics;

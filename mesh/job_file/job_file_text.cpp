@@ -55,7 +55,8 @@ std::string array_of(const std::vector<double>& numbers) {
 std::string height_law_to_toml(const JobLayers& layers) {
   std::string text;
   if (layers.y_plus > 0) {
-    text += "y_plus = " + toml_number(layers.y_plus) + "\nreynolds = " + toml_number(layers.reynolds) +
+    text += "y_plus = " + toml_number(layers.y_plus) +
+            "\nreynolds = " + toml_number(layers.reynolds) +
             "\nlength = " + toml_number(layers.length) + "\n";
   } else {
     text += "first_height = " + toml_number(layers.first_height) + "\n";
@@ -103,8 +104,8 @@ std::string to_toml(const JobFile& job) {
                      "\n\n[geometry]\nsurface = " + quoted_toml(job.surface) +
                      "\n\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
   if (job.outer_kind != "none") {
-    text +=
-        "factor = " + toml_number(job.outer_factor) + "\nspacing = " + toml_number(job.outer_spacing) + "\n";
+    text += "factor = " + toml_number(job.outer_factor) +
+            "\nspacing = " + toml_number(job.outer_spacing) + "\n";
   }
   for (const JobRegion& region : job.regions) {
     text += "\n[[region]]\nat = " + place(region.at) + "\nname = " + quoted_toml(region.name) +

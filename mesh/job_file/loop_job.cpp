@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 7> loop_keys = {"version", "name",  "mesh
                                                        "solver",  "adapt", "patch_names"};
 constexpr std::array<std::string_view, 8> solver_keys = {
     "command", "files", "mesh", "solution", "start", "time_limit", "memory", "keep"};
-constexpr std::array<std::string_view, 10> adapt_keys = {
-    "vertices", "fields", "mode",      "norm",         "h_min",
-    "h_max",    "aspect", "gradation", "corner_angle", "transfer"};
+constexpr std::array<std::string_view, 11> adapt_keys = {
+    "vertices", "fields",    "mode",         "norm",   "h_min",   "h_max",
+    "aspect",   "gradation", "corner_angle", "curves", "transfer"};
 constexpr std::array<std::string_view, 2> transfer_methods = {"conservative", "linear"};
 constexpr std::array<std::string_view, 2> adapt_modes = {"lp", "hessian"};
 
@@ -44,7 +44,7 @@ std::vector<std::string> texts(const JobSection& section, std::string_view key) 
   if (!section.has(key)) return all;
   for (const toml::node& node : section.array(key)) {
     const auto text = node.value_exact<std::string>();
-    if (!text || text->empty()) section.fail(key, "must hold names of files");
+    if (!text || text->empty()) section.fail(key, "must hold texts, none of them empty");
     all.push_back(*text);
   }
   return all;
@@ -106,6 +106,7 @@ LoopAdaptation parse_adaptation(const JobSection& section) {
   if (section.has("gradation")) adapt.gradation = parse_gradation(section);
   if (section.has("corner_angle")) adapt.corner_angle_deg = section.not_negative("corner_angle");
   if (adapt.corner_angle_deg > 180) section.fail("corner_angle", "must be at most 180 degrees");
+  adapt.curves = texts(section, "curves");
   if (section.has("transfer")) adapt.transfer = section.one_of("transfer", transfer_methods);
   return adapt;
 }
@@ -158,17 +159,14 @@ std::string adaptation_to_toml(const LoopAdaptation& adapt) {
   text += "\naspect = " + toml_number(adapt.aspect);
   text += "\ngradation = " + (adapt.gradation > 0 ? toml_number(adapt.gradation) : "\"off\"");
   text += "\ncorner_angle = " + toml_number(adapt.corner_angle_deg);
+  if (!adapt.curves.empty()) text += "\ncurves = " + toml_list(adapt.curves);
   return text + "\ntransfer = " + quoted_toml(adapt.transfer) + "\n";
 }
 
 }  // namespace
 
 bool is_loop_job(std::string_view text, const std::string& path) {
-  try {
-    return parse_toml(text, path).contains("solver");
-  } catch (const UsageError&) {
-    return false;
-  }
+  return parse_toml(text, path).contains("solver");
 }
 
 LoopJob parse_loop_job(std::string_view text, const std::string& path) {
@@ -199,8 +197,8 @@ std::string to_toml(const LoopJob& job) {
     names.push_back(std::to_string(number) + " " + name);
   }
   return "version = 1\nname = " + quoted_toml(job.name) + "\nmesh = " + quoted_toml(job.mesh) +
-         "\ncycles = " + std::to_string(job.cycles) + "\npatch_names = " + toml_list(names) + "\n" + solver_to_toml(job.solver) +
-         adaptation_to_toml(job.adapt);
+         "\ncycles = " + std::to_string(job.cycles) + "\npatch_names = " + toml_list(names) + "\n" +
+         solver_to_toml(job.solver) + adaptation_to_toml(job.adapt);
 }
 
 std::vector<std::string> loop_job_keys() {

@@ -36,6 +36,7 @@ struct LoopAdaptation {
   double aspect = 1e4;
   double gradation = 1.4;  ///< 0: off
   double corner_angle_deg = 30;
+  std::vector<std::string> curves;        ///< as --curve: "1=naca0012"
   std::string transfer = "conservative";  ///< of the solution: "conservative" | "linear"
 };
 
@@ -52,7 +53,7 @@ struct LoopJob {
 
 inline constexpr std::int64_t most_cycles = 999;
 
-/// Whether the text is that of a loop: it has a table [solver]. False of a text that is no TOML.
+/// Whether the text is that of a loop: it has a table [solver]. @throws UsageError as below.
 bool is_loop_job(std::string_view text, const std::string& path);
 
 /// Without a name, the job is named like `path` without its folder and ending.

@@ -34,7 +34,7 @@ PLACES = {
         "worker/client.cpp": 6,
         "cli/farm_view.cpp": 1,
         "cli/pool_command.cpp": 2,
-        "cli/run_command.cpp": 3,
+        "cli/local_job.cpp": 3,
         "cli/run_folder.cpp": 1,
     },
     "a disk is full or gone, and the caller waits or says so": {

@@ -21,18 +21,17 @@ EVERY_KIND = {
 # What knows some kinds for what they are, each for a reason of its own.
 ONE_KIND = {
     # the graph
-    "coordinator/decisions/cosmetic_graph.cpp",
+    "coordinator/decisions/cosmetic_graph.cpp", "coordinator/decisions/loop_graph.cpp",
     "coordinator/decisions/task_graph.cpp", "coordinator/decisions/job_cosmetics.cpp",
     "coordinator/decisions/job_demand.cpp", "coordinator/decisions/job_finished.cpp",
     "coordinator/decisions/job_further_cuts.cpp", "coordinator/decisions/job_outlook.cpp",
-    "coordinator/decisions/job_quarantine.cpp", "coordinator/decisions/job_repair.cpp",
     # what people are told: cuts, leaves, the result
     "coordinator/decisions/job_status.cpp", "coordinator/decisions/job_workers.cpp",
     "coordinator/decisions/mesh_share.cpp", "coordinator/decisions/task_reuse.cpp",
     "coordinator/views/running_tasks.cpp", "coordinator/request_replies.cpp", "coordinator/space_watch.cpp",
     "cli/progress_display.cpp",
     # the first and the last: what was submitted, and what it became
-    "store/garbage.cpp", "store/rows.h", "store/store_check.cpp",
+    "store/rows.h",
     # what their sizes are; a new kind may say that in its own file (cost_of)
     "worker/task_cost.cpp", "worker/task_cost.h",
 }

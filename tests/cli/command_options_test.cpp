@@ -296,6 +296,23 @@ TEST_F(CommandOptions, of_a_mesh_of_the_plane) {
   EXPECT_TRUE(all.json);
 }
 
+TEST_F(CommandOptions, of_a_loop) {
+  const auto least = parsed_as<LoopCommand>({"loop", "shock.toml"});
+  EXPECT_EQ(least.input, "shock.toml");
+  EXPECT_EQ(least.output, "out");
+  EXPECT_EQ(least.workers, 1);
+  EXPECT_EQ(least.grace_s, 5);
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<LoopCommand>({"loop", "j.toml", "-o", "d", "-j", "2", "--database",
+                                           "b", "--grace", "7", "--json", "--progress", "none"});
+  EXPECT_EQ(all.output, "d");
+  EXPECT_EQ(all.workers, 2);
+  EXPECT_EQ(all.database, "b");
+  EXPECT_EQ(all.grace_s, 7);
+  EXPECT_TRUE(all.json);
+  EXPECT_EQ(all.progress, ProgressStyle::none);
+}
+
 TEST_F(CommandOptions, of_a_transfer) {
   const auto least = parsed_as<PlaneTransferCommand>(
       {"transfer", "a.mesh", "--solution", "a.sol", "--to", "b.mesh", "-o", "b.sol"});
@@ -453,6 +470,7 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
        "--aspect: must be a number from 1 to 1e+07, not 0.5"},
       {{"adapt", "m", "-o", "n", "--corner-angle", "0"},
        "--corner-angle: must be a number from 1 to 180, not 0"},
+      {{"loop", "-o", "d"}, "JOB is required"},
       {{"transfer", "m", "--to", "n", "-o", "t"}, "--solution is required"},
       {{"transfer", "m", "--solution", "s", "-o", "t"}, "--to is required"},
       {{"transfer", "m", "--solution", "s", "--to", "n"}, "--output is required"},
@@ -519,7 +537,7 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
         "render", "shape",   "submit", "wait",  "cancel",      "jobs",   "status",
         "tasks",  "workers", "events", "logs",  "explain",     "trace",  "report",
         "backup", "restore", "retry",  "drain", "coordinator", "worker", "pool",
-        "keys",   "spacing", "plane",  "adapt", "transfer"}) {
+        "keys",   "spacing", "plane",  "adapt", "transfer",    "loop"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

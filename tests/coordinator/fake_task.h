@@ -167,6 +167,18 @@ inline TaskResult run_fake_task(const TaskRow& task) {
       add("portion");
       add("cells");
       break;
+    case TaskKind::solve:
+      add("solution");
+      add("log");
+      break;
+    case TaskKind::adapt:
+      add("mesh");
+      add("start");
+      add("figures");
+      break;
+    case TaskKind::collect:
+      add("cycle_01.mesh");
+      break;
     case TaskKind::assemble:
       add("mesh.vtu");
       result.numbers = {{"tets", static_cast<double>(hash.high % 100000)}};

@@ -32,10 +32,9 @@ TEST(TaskKinds, have_names_and_numbers_of_their_own_by_which_they_are_found) {
 /// Both are kept in databases and said between programs of one protocol version.
 TEST(TaskKinds, keep_the_names_and_numbers_that_they_were_given) {
   const std::map<std::string, std::uint32_t> given = {
-      {"inspect", 1},  {"decompose", 2},  {"mesh", 3},  {"number", 4},
-      {"assemble", 5}, {"assimilate", 6}, {"order", 7}, {"extract", 8},
-      {"cosmetic", 9}, {"write", 10},     {"grow", 11},
-      {"solve", 12},   {"adapt", 13},     {"collect", 14}};
+      {"inspect", 1},    {"decompose", 2}, {"mesh", 3},    {"number", 4},   {"assemble", 5},
+      {"assimilate", 6}, {"order", 7},     {"extract", 8}, {"cosmetic", 9}, {"write", 10},
+      {"grow", 11},      {"solve", 12},    {"adapt", 13},  {"collect", 14}};
   for (const auto& [name, number] : given) {
     const std::optional<TaskKind> kind = task_kind_named(name);
     ASSERT_TRUE(kind) << name;

@@ -67,7 +67,8 @@ TEST_F(SolverProcess, leaves_nothing_behind_in_the_background) {
 }
 
 TEST_F(SolverProcess, ends_with_the_process_that_started_it) {
-  const SolverCommand solver = command("sleep 600 & echo $! > part; mv part child; sleep 600; true");
+  const SolverCommand solver =
+      command("sleep 600 & echo $! > part; mv part child; sleep 600; true");
   const pid_t task = ::fork();
   if (task == 0) {
     run_solver(solver, [] {});

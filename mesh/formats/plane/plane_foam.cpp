@@ -98,7 +98,7 @@ void write_prism_faces(const std::filesystem::path& folder, const PlaneMesh& mes
     put(standing_face(nodes, side.a, side.b), side.triangle);
     neighbours.push_back(side.neighbour);
   }
-  for (const BorderSide& side : sides.border) {
+  for (const OuterSide& side : sides.border) {
     put(standing_face(nodes, side.a, side.b), side.triangle);
   }
   for (const bool is_top : {false, true}) {

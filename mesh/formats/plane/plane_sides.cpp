@@ -52,9 +52,9 @@ std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> patch_of_edges(
 /// Nodes of the border that edges of it join, directly or over others.
 class BorderPieces {
  public:
-  BorderPieces(std::size_t nodes, const std::vector<BorderSide>& border) : parents_(nodes) {
+  BorderPieces(std::size_t nodes, const std::vector<OuterSide>& border) : parents_(nodes) {
     std::iota(parents_.begin(), parents_.end(), 0);
-    for (const BorderSide& side : border) parents_[at(root(side.a))] = root(side.b);
+    for (const OuterSide& side : border) parents_[at(root(side.a))] = root(side.b);
   }
   std::int32_t root(std::int32_t node) {
     while (parents_[at(node)] != node) {
@@ -96,7 +96,7 @@ PlaneSides sides_of(const PlaneMesh& mesh) {
   std::sort(sides.inner.begin(), sides.inner.end(), [](const InnerSide& s, const InnerSide& t) {
     return std::pair(s.triangle, s.neighbour) < std::pair(t.triangle, t.neighbour);
   });
-  std::sort(sides.border.begin(), sides.border.end(), [](const BorderSide& s, const BorderSide& t) {
+  std::sort(sides.border.begin(), sides.border.end(), [](const OuterSide& s, const OuterSide& t) {
     return std::tuple(s.patch, s.triangle, s.a) < std::tuple(t.patch, t.triangle, t.a);
   });
   return sides;
@@ -110,7 +110,7 @@ std::string patch_name_of(const PlaneMesh& mesh, std::int32_t number) {
 std::vector<PlanePatch> border_patches(const PlaneMesh& mesh, const PlaneSides& sides) {
   std::vector<PlanePatch> patches;
   std::vector<std::string> names;
-  for (const BorderSide& side : sides.border) {
+  for (const OuterSide& side : sides.border) {
     if (!patches.empty() && patches.back().number == side.patch) continue;
     patches.push_back({side.patch, ""});
     names.push_back(patch_name_of(mesh, side.patch));
@@ -125,7 +125,7 @@ std::vector<bool> bound_holes(const PlaneMesh& mesh, const PlaneSides& sides,
   BorderPieces pieces(mesh.points.size(), sides.border);
   // A hole runs clockwise: its area is negative.
   std::map<std::int32_t, double> area_of_piece;
-  for (const BorderSide& side : sides.border) {
+  for (const OuterSide& side : sides.border) {
     const Vec2& p = mesh.points[at(side.a)];
     const Vec2& q = mesh.points[at(side.b)];
     const Vec2& origin = mesh.points[at(pieces.root(side.a))];
@@ -134,7 +134,7 @@ std::vector<bool> bound_holes(const PlaneMesh& mesh, const PlaneSides& sides,
   }
   std::vector<bool> bound(patches.size(), true);
   std::size_t patch = 0;
-  for (const BorderSide& side : sides.border) {
+  for (const OuterSide& side : sides.border) {
     while (patches[patch].number != side.patch) ++patch;
     if (area_of_piece[pieces.root(side.a)] > 0) bound[patch] = false;
   }

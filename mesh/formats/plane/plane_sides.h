@@ -17,7 +17,7 @@ struct InnerSide {
 };
 
 /// Of one triangle, which is on its left.
-struct BorderSide {
+struct OuterSide {
   std::int32_t a = 0, b = 0;
   std::int32_t triangle = 0;
   std::int32_t patch = 0;  ///< the number that the mesh gives this edge; 0 without one
@@ -26,7 +26,7 @@ struct BorderSide {
 /// Inner sides by triangle and neighbour, those of the border by patch, triangle and place in it.
 struct PlaneSides {
   std::vector<InnerSide> inner;
-  std::vector<BorderSide> border;
+  std::vector<OuterSide> border;
 };
 /// @throws InvalidInput when more than two triangles have a side. Cost: O(n log n).
 PlaneSides sides_of(const PlaneMesh& mesh);

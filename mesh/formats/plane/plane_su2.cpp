@@ -144,7 +144,7 @@ void write_plane_su2(const PlaneMesh& mesh, const std::filesystem::path& path) {
   lines.words("NMARK= ").number(patches.size()).end();
   auto side = sides.border.begin();
   for (const PlanePatch& patch : patches) {
-    const auto end = std::find_if(side, sides.border.end(), [&](const BorderSide& other) {
+    const auto end = std::find_if(side, sides.border.end(), [&](const OuterSide& other) {
       return other.patch != patch.number;
     });
     lines.words("MARKER_TAG= " + patch.name + "\nMARKER_ELEMS= ").number(end - side).end();

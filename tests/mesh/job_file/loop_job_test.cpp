@@ -35,6 +35,7 @@ h_max = 2
 aspect = 100
 gradation = "off"
 corner_angle = 45
+curves = ["1=naca0012"]
 transfer = "linear"
 )";
 
@@ -64,6 +65,7 @@ TEST(LoopJob, has_what_is_written_and_defaults_for_the_rest) {
   EXPECT_THAT(job.adapt.fields, ElementsAre(2, 1));
   EXPECT_EQ(job.adapt.mode, "hessian");
   EXPECT_EQ(job.adapt.gradation, 0);
+  EXPECT_THAT(job.adapt.curves, ElementsAre("1=naca0012"));
   EXPECT_EQ(job.adapt.transfer, "linear");
   const LoopJob least =
       parse_loop_job("mesh = \"m.mesh\"\n[solver]\ncommand = \"solve\"\n", "runs/shock.toml");
@@ -86,7 +88,7 @@ TEST(LoopJob, is_the_same_after_it_was_written_and_read) {
 TEST(LoopJob, is_told_from_a_job_of_a_surface_by_its_solver) {
   EXPECT_TRUE(is_loop_job(whole, "loop.toml"));
   EXPECT_FALSE(is_loop_job("[geometry]\nsurface = \"a.stl\"\n", "job.toml"));
-  EXPECT_FALSE(is_loop_job("[solver", "job.toml"));
+  EXPECT_THROW(is_loop_job("[solver", "job.toml"), UsageError);
 }
 
 TEST(LoopJob, says_what_is_wrong_and_where) {

@@ -37,14 +37,14 @@ TEST(PlaneSides, have_their_first_triangle_on_the_left) {
     EXPECT_TRUE(runs_in(side.triangle, side.a, side.b));
     EXPECT_TRUE(runs_in(side.neighbour, side.b, side.a));
   }
-  for (const BorderSide& side : sides.border) EXPECT_TRUE(runs_in(side.triangle, side.a, side.b));
+  for (const OuterSide& side : sides.border) EXPECT_TRUE(runs_in(side.triangle, side.a, side.b));
 }
 
 TEST(PlaneSides, without_a_patch_in_the_mesh_are_on_patch_0) {
   PlaneMesh mesh = square_ring();
   mesh.edges.clear();
   mesh.patches.clear();
-  for (const BorderSide& side : sides_of(mesh).border) EXPECT_EQ(side.patch, 0);
+  for (const OuterSide& side : sides_of(mesh).border) EXPECT_EQ(side.patch, 0);
 }
 
 TEST(PlaneSides, of_three_triangles_are_refused) {

@@ -1,4 +1,4 @@
-#include "cli/curve_option.h"
+#include "worker/curve_option.h"
 
 #include <algorithm>
 #include <array>
