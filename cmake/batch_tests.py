@@ -39,6 +39,7 @@ class TestFile:
         for line in bare.splitlines():
             self.see(line)
         self.fixed |= self.names & set(MEMBERS.findall(bare))
+        self.words = set(re.findall(r'[A-Za-z_]\w*', bare))
 
     def headers_of(self, root, text):
         headers = []
@@ -89,10 +90,16 @@ class Batch:
         self.fixed |= file.fixed
         self.suites |= file.suites
 
+    def has_shadows(self):
+        """Whether a file may have a variable that is called like something of another file."""
+        return any(a.names & b.words for a, _ in self.files for b, _ in self.files if a is not b)
+
     def text(self):
         lines = []
         for header in dict.fromkeys(h for file, _ in self.files for h in file.headers):
             lines.append(f'#include {header}')
+        if self.has_shadows():
+            lines.append('#pragma GCC diagnostic ignored "-Wshadow"')
         for number, (file, renamed) in enumerate(self.files):
             lines += [f'#define {name} {name}_{number}' for name in renamed]
             lines.append(f'#include "{file.path}"')
