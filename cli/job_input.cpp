@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "base/job_name.h"
@@ -13,6 +14,7 @@
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/surface_formats.h"
 #include "mesh/inspect/defect_text.h"
+#include "mesh/job_file/loop_job.h"
 #include "mesh/job_file/toml_limits.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
@@ -88,7 +90,12 @@ void take_sources_of_file(JobFile& job) {
 JobFile base_job(const std::string& input) {
   if (input.ends_with(".toml")) {
     // One byte too many is enough to be refused.
-    JobFile read = parse_job_file(read_part_of_file(input, 0, largest_job_file + 1), input);
+    const std::string text = read_part_of_file(input, 0, largest_job_file + 1);
+    if (is_loop_job(text, input)) {
+      throw ErrorWithHelp(ExitCode::usage, input + ": this is the job file of an adaptation loop",
+                          "run it with `tetfarm loop " + input + " -o DIR`");
+    }
+    JobFile read = parse_job_file(text, input);
     take_sources_of_file(read);
     return read;
   }

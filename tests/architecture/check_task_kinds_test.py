@@ -42,9 +42,9 @@ class CheckTaskKinds(unittest.TestCase):
         self.assertIn("report/kinds.cpp: a list", self.complaints())
 
     def test_refuses_places_that_are_none_any_more(self):
-        self.files["store/garbage.cpp"] = ""
+        self.files["coordinator/decisions/mesh_share.cpp"] = ""
         self.files["coordinator/decisions/job_decisions.cpp"] = ""
-        self.assertIn("store/garbage.cpp: names no kind", self.complaints())
+        self.assertIn("coordinator/decisions/mesh_share.cpp: names no kind", self.complaints())
         self.assertIn("job_decisions.cpp: does not name every kind", self.complaints())
 
     def test_refuses_another_number_in_the_architecture(self):

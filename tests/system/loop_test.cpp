@@ -104,6 +104,11 @@ TEST_F(Loop, with_a_solver_that_fails_says_what_it_said_and_in_which_cycle) {
   EXPECT_THAT(loop("out").err, HasSubstr("cycle 1: solution.sol:1"));
 }
 
+TEST_F(Loop, is_no_job_of_a_surface_and_says_what_runs_it) {
+  write_job("sh solve.sh");
+  EXPECT_THAT(run({"run", "job.toml"}).err, HasSubstr("tetfarm loop job.toml -o DIR"));
+}
+
 TEST_F(Loop, is_refused_at_once_where_its_files_are_missing) {
   fs::remove(path("solve.sh"));
   write_job("sh solve.sh");
