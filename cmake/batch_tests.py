@@ -39,6 +39,7 @@ class TestFile:
         for line in bare.splitlines():
             self.see(line)
         self.fixed |= self.names & set(MEMBERS.findall(bare))
+        self.aliases = set(re.findall(r'^using (?:\w+::)*([a-z]\w*)(?: =|;)', bare, re.MULTILINE))
         self.words = set(re.findall(r'[A-Za-z_]\w*', bare))
 
     def headers_of(self, root, text):
@@ -92,7 +93,7 @@ class Batch:
 
     def has_shadows(self):
         """Whether a file may have a variable that is called like something of another file."""
-        return any(a.names & b.words for a, _ in self.files for b, _ in self.files if a is not b)
+        return any((a.names | a.aliases) & b.words for a, _ in self.files for b, _ in self.files if a is not b)
 
     def text(self):
         lines = []

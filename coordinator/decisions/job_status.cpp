@@ -198,6 +198,13 @@ void add_further_cut(const DurableState& durable, const TaskRow& task, JobSummar
   summary.texts["cut_further:" + std::to_string(task.path)] = task.message;
 }
 
+/// The kind with which a job ends that has tasks of this one.
+TaskKind end_after(TaskKind kind) {
+  const auto begin = all_task_kinds.begin() + static_cast<std::ptrdiff_t>(kind);
+  return *std::find_if(begin, all_task_kinds.end(),
+                       [](TaskKind later) { return traits_of(later).ends_job; });
+}
+
 }  // namespace
 
 TasksOfJobs tasks_of_jobs(const DurableState& durable) {
@@ -234,7 +241,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   summary.seconds = static_cast<double>(end_ms - job.created_ms) / 1000;
   count_subdomains(durable, summary);
   std::optional<TaskKind> left;
-  TaskKind stage = TaskKind::inspect;
+  TaskKind stage = all_task_kinds.back();
   LayerShapes shapes;
   for (const TaskRow* row : tasks) {
     const TaskRow& task = *row;
@@ -242,7 +249,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     add_further_cut(durable, task, summary);
     if (task.state == TaskState::replaced) continue;
     if (task.state != TaskState::done) left = std::min(left.value_or(task.kind), task.kind);
-    stage = std::max(stage, task.kind);
+    stage = end_after(task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {

@@ -18,8 +18,14 @@ using ::testing::HasSubstr;
 class RenderPlane : public ::testing::Test {
  protected:
   RenderPlane() {
-    const PlaneMesh mesh{"",     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}},
-                         {1, 2}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {1, 2, 3, 4},
+    const PlaneMesh mesh{"",
+                         {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                         {{0, 1, 2}, {0, 2, 3}},
+                         {1, 2},
+                         {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                         {1, 2, 3, 4},
+                         {},
+                         {},
                          {}};
     command_.input = path("square.mesh");
     command_.output = path("picture.png");

@@ -429,7 +429,7 @@ TEST(TaskContracts, are_found_by_the_kind) {
     TaskWords spare;
     spare.files.emplace_back("spare", file("x"));
     EXPECT_NE(breach_of_given(kind, spare), "") << name_of(kind);
-    const bool needs_nothing = kind == TaskKind::decompose || kind == TaskKind::assemble;
+    const bool needs_nothing = kind == TaskKind::decompose || traits_of(kind).ends_job;
     EXPECT_EQ(breach_of_made(kind, {}).empty(), needs_nothing) << name_of(kind);
   }
   EXPECT_EQ(breach_of_given(TaskKind::cosmetic, {}), "the file 'spacing' is missing");

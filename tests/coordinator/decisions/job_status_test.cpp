@@ -115,6 +115,13 @@ TEST_F(JobStatusTest, counts_its_tasks_and_what_went_wrong_with_them) {
   EXPECT_EQ(told.peak_rss_bytes_worker, 900U);
 }
 
+TEST_F(JobStatusTest, of_a_loop_is_at_its_solver_and_ends_with_its_results) {
+  add(TaskKind::solve, 1, TaskState::done);
+  EXPECT_EQ(summary().stage, "collect");
+  add(TaskKind::adapt, 2, TaskState::ready);
+  EXPECT_EQ(summary().stage, "adapt");
+}
+
 TEST_F(JobStatusTest, is_at_the_first_kind_of_task_that_is_not_done) {
   EXPECT_EQ(summary().stage, "assemble");
   add(TaskKind::inspect, 0, TaskState::done);
