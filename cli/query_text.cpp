@@ -140,9 +140,13 @@ std::string explanation_text(const wire::Explanation& said) {
   const wire::TaskLine& task = explanation.task();
   std::string text =
       "task " + std::to_string(task.task()) + " of " + task.job() + ": " + task.kind();
-  text += of_task_place(task.kind(), task.path());
-  const bool is_in_tree = !explanation.subdomain_state().empty();
-  if (is_in_tree) text += " (" + std::to_string(task.path()) + ")";
+  const bool is_in_tree = is_place_in_tree(task.kind(), task.path());
+  if (is_in_tree) {
+    text +=
+        " of sub-domain " + subdomain_name(task.path()) + " (" + std::to_string(task.path()) + ")";
+  } else {
+    text += of_task_place(task.kind(), task.path());
+  }
   text += ", " + state_text(task.state()) + "\n";
   if (is_in_tree && task.path() > 1) {
     text += "  in the tree: below " + subdomain_name(task.path() / 2) + ", beside " +

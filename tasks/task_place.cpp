@@ -15,6 +15,10 @@ bool is_of_cycle(std::string_view name) {
 
 }  // namespace
 
+bool is_place_in_tree(std::string_view kind, std::uint64_t path) {
+  return path != 0 && !is_of_cycle(kind);
+}
+
 std::string task_place(std::string_view kind, std::uint64_t path) {
   if (path == 0) return "";
   return is_of_cycle(kind) ? "cycle " + std::to_string(path) : tree_path(path);

@@ -70,6 +70,9 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "number | numbering: 1 of 2\n"
             "write | writing: 1 of 2\n"
             "layers | growing layers: 1 of 2\n"
+            "solve | running the solver: 1 of 2\n"
+            "adapt | adapting: 1 of 2\n"
+            "transfer | bringing the solution along: 1 of 2\n"
             "assemble | assembling: 1 of 2 sub-domains\n");
 }
 

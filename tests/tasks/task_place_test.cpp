@@ -14,6 +14,9 @@ TEST(TaskPlace, is_a_sub_domain_by_its_way_in_the_tree_or_a_cycle_by_its_number)
   EXPECT_EQ(of_task_place("mesh", 1), " of the whole domain");
   EXPECT_EQ(of_task_place("solve", 1), " of cycle 1");
   EXPECT_EQ(of_task_place("collect", 0), "");
+  EXPECT_TRUE(is_place_in_tree("mesh", 1));
+  EXPECT_FALSE(is_place_in_tree("mesh", 0));
+  EXPECT_FALSE(is_place_in_tree("solve", 1));
 }
 
 TEST(TaskPlace, of_a_kind_that_is_not_known_is_a_sub_domain) {
