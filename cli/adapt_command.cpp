@@ -62,11 +62,10 @@ ExitCode adapt_command(const AdaptCommand& command) {
   require_plane_output_name(command.output);
   check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
-  const PlaneMesh read = read_plane_mesh(command.input);
   const CurvesOfMesh curved =
-      curves_of_options(command.curves, read, checked_complex(read), command.corner_angle_deg);
+      curves_of_options(command.curves, read_plane_mesh(command.input), command.corner_angle_deg);
   const PlaneMesh& mesh = curved.mesh;
-  const TriangleComplex complex = checked_complex(mesh);
+  const TriangleComplex& complex = curved.complex;
   const bool has_metric = !command.metric.empty();
   const std::vector<Metric2> metrics = has_metric
                                            ? metrics_of_file(command.metric, mesh)

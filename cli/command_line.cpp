@@ -191,15 +191,21 @@ class Parser {
     sub.add_option("-j,--workers", loop_.workers, "Worker processes (default: 1)")
         ->check(whole_number(1, 1024))
         ->option_text("N");
-    sub.add_option("--database", loop_.database,
-                   "Folder of the database, on a local disk (default: in the output folder)")
+    add_local_farm(sub, loop_);
+  }
+
+  /// What any command has that runs a job on this machine.
+  template <class Options>
+  static void add_local_farm(CLI::App& sub, Options& options) {
+    sub.add_option("--database", options.database,
+                   "Folder for the database, on a local disk (default: in the output folder)")
         ->option_text("DIR");
-    sub.add_option("--grace", loop_.grace_s,
-                   "Time to finish running tasks after Ctrl-C or SIGTERM (default 5)")
+    sub.add_option("--grace", options.grace_s,
+                   "How long running tasks may continue after Ctrl-C (default 5)")
         ->check(not_negative_number())
         ->option_text("SECONDS");
-    add_json(sub, loop_.json);
-    add_progress(sub, loop_.progress);
+    add_json(sub, options.json);
+    add_progress(sub, options.progress);
   }
 
   void add_run() {
@@ -212,15 +218,7 @@ class Parser {
     sub.add_option("-j,--workers", run_.workers, "Worker processes (default: one per core)")
         ->check(whole_number(1, 4096))
         ->option_text("N");
-    sub.add_option("--database", run_.database,
-                   "Folder for the database, on a local disk (default: in the output folder)")
-        ->option_text("DIR");
-    sub.add_option("--grace", run_.grace_s,
-                   "How long running tasks may continue after Ctrl-C (default 5)")
-        ->check(not_negative_number())
-        ->option_text("SECONDS");
-    add_json(sub, run_.json);
-    add_progress(sub, run_.progress);
+    add_local_farm(sub, run_);
   }
 
   void add_check() {

@@ -67,7 +67,7 @@ nlohmann::ordered_json spans_json(const NumberSpans& spans) {
 
 /// "12 tets, 8 prisms, 30 nodes, 20 boundary triangles, 4 boundary quads": other types than tets
 /// and triangles where there are any.
-std::string text_of(const ExportCounts& counts) {
+std::string counts_text(const ExportCounts& counts) {
   std::string text = std::to_string(counts.elements[ElementType::tet]) + " tets, ";
   for (const ElementType type : cell_block_types) {
     const std::int64_t count = counts.elements[type];
@@ -137,7 +137,7 @@ ExitCode export_command(const ExportCommand& command) {
     return ExitCode::ok;
   }
   std::printf("%s: %s; %s\n", command.output.c_str(), std::string(format.what).c_str(),
-              text_of(counts).c_str());
+              counts_text(counts).c_str());
   if (!figures.cells.empty()) {
     std::printf("%s: largest/mean %.3f, %lld faces between them\n",
                 counted(figures.cells.size(), "part").c_str(), figures.largest_over_mean(),

@@ -11,21 +11,12 @@
 #include "cli/local_job.h"
 #include "cli/loop_input.h"
 #include "json/json_line.h"
+#include "json/reply_values.h"
 
 namespace tetfarm {
 namespace {
 
 namespace fs = std::filesystem;
-
-double number_of(const wire::JobStatus& status, const char* name) {
-  const auto found = status.numbers().find(name);
-  return found == status.numbers().end() ? 0 : found->second;
-}
-
-std::string text_of(const wire::JobStatus& status, const char* name) {
-  const auto found = status.texts().find(name);
-  return found == status.texts().end() ? std::string() : found->second;
-}
 
 void tell_json(const wire::JobStatus& status, const std::vector<fs::path>& files, double seconds) {
   nlohmann::ordered_json json = {

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
-#include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/formats/plane/plane_files.h"
 #include "tasks/solve_contract.h"
 #include "worker/curve_option.h"
@@ -54,15 +53,15 @@ std::vector<SolverFile> solver_files(const LoopJob& job, const fs::path& folder)
   for (const std::string& typed : job.solver.files) {
     const fs::path entry = (folder / typed).lexically_normal();
     for (const fs::path& file : files_of(entry, typed)) {
-      all.push_back({inner_name(file, folder.empty() ? fs::path(".") : folder), is_program(file),
-                     read_file(file)});
-      bytes += all.back().bytes.size();
-      if (all.size() > most_solver_files || bytes > most_bytes) {
+      bytes += size_of_file(file).value_or(0);
+      if (all.size() == most_solver_files || bytes > most_bytes) {
         throw UsageError(
             "`files` of the solver are more than 10,000 files or 2 GiB: name those "
             "that it needs",
             typed);
       }
+      all.push_back({inner_name(file, folder.empty() ? fs::path(".") : folder), is_program(file),
+                     read_file(file)});
     }
   }
   const auto by_name = [](const SolverFile& a, const SolverFile& b) { return a.name < b.name; };
@@ -96,8 +95,7 @@ LoopInput read_loop(const std::string& path) {
     }
   }
   check_curve_options(input.job.adapt.curves);
-  curves_of_options(input.job.adapt.curves, mesh, checked_complex(mesh),
-                    input.job.adapt.corner_angle_deg);
+  curves_of_options(input.job.adapt.curves, mesh, input.job.adapt.corner_angle_deg);
   input.mesh = medit_text(mesh);
   for (const auto& [number, name] : mesh.patch_names) {
     input.job.patch_names.emplace(number, name);

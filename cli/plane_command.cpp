@@ -63,9 +63,8 @@ ExitCode plane_command(const PlaneCommand& command) {
   require_plane_output_name(command.output);
   check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
-  const PlaneMesh domain = domain_of_loops(loops_of(command.inputs));
-  const CurvesOfMesh curved =
-      curves_of_options(command.curves, domain, checked_complex(domain), command.corner_angle_deg);
+  const CurvesOfMesh curved = curves_of_options(
+      command.curves, domain_of_loops(loops_of(command.inputs)), command.corner_angle_deg);
   const MeshWithMetrics asked = wish_of(command, curved.mesh);
   const bool is_by_boundary = !command.size.has_value() && command.metric.empty();
   AdaptationWish wish;

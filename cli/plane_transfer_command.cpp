@@ -13,17 +13,12 @@
 #include "json/json_line.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_transfer.h"
+#include "mesh/formats/plane/number_fields.h"
 #include "mesh/formats/plane/plane_files.h"
 #include "mesh/formats/plane/plane_meshb.h"
 
 namespace tetfarm {
 namespace {
-
-/// A field of numbers, or a component of vectors.
-struct NumberField {
-  std::string name;  ///< as people call it: "2", or "3.x" of a vector
-  std::vector<double> values;
-};
 
 NodeFields checked_fields(const std::string& file, const PlaneMesh& mesh) {
   NodeFields fields = read_plane_fields(file);
@@ -31,49 +26,6 @@ NodeFields checked_fields(const std::string& file, const PlaneMesh& mesh) {
   for (const std::vector<double>& values : fields.scalars) check_values(mesh, values, file);
   for (const std::vector<Metric2>& metrics : fields.metrics) check_metrics(mesh, metrics, file);
   return fields;
-}
-
-/// Those of numbers and vectors, numbered from 1 in the order of the file.
-std::vector<NumberField> number_fields(const NodeFields& fields, const PlaneMesh& mesh,
-                                       const std::string& file) {
-  std::vector<NumberField> result;
-  std::size_t scalar = 0;
-  std::size_t vector = 0;
-  for (std::size_t k = 0; k < fields.order.size(); ++k) {
-    const std::string number = std::to_string(k + 1);
-    if (fields.order[k] == NodeFieldKind::scalar) {
-      result.push_back({number, fields.scalars[scalar++]});
-    } else if (fields.order[k] == NodeFieldKind::vector) {
-      NumberField x{number + ".x", {}};
-      NumberField y{number + ".y", {}};
-      for (const Vec2& v : fields.vectors[vector++]) {
-        x.values.push_back(v.x);
-        y.values.push_back(v.y);
-      }
-      check_values(mesh, x.values, file);
-      check_values(mesh, y.values, file);
-      result.push_back(std::move(x));
-      result.push_back(std::move(y));
-    }
-  }
-  return result;
-}
-
-/// The fields of the new mesh in the order of the file.
-NodeFields assembled(const NodeFields& before, const TransferredSolution& solution) {
-  NodeFields after;
-  after.order = before.order;
-  after.metrics = solution.metrics;
-  std::size_t next = 0;
-  for (const NodeFieldKind kind : before.order) {
-    if (kind == NodeFieldKind::scalar) after.scalars.push_back(solution.fields[next++].values);
-    if (kind != NodeFieldKind::vector) continue;
-    const std::vector<double>& x = solution.fields[next++].values;
-    const std::vector<double>& y = solution.fields[next++].values;
-    std::vector<Vec2>& vectors = after.vectors.emplace_back();
-    for (std::size_t v = 0; v < x.size(); ++v) vectors.push_back({x[v], y[v]});
-  }
-  return after;
 }
 
 Hash128 digest_of_fields(const TransferredSolution& solution) {
@@ -157,14 +109,19 @@ ExitCode plane_transfer_command(const PlaneTransferCommand& command) {
   const std::int64_t start = steady_ms();
   const PlaneMesh from = read_plane_mesh(command.input);
   const NodeFields before = checked_fields(command.solution, from);
-  const std::vector<NumberField> fields = number_fields(before, from, command.solution);
+  const std::vector<NumberField> fields = number_fields(before);
   std::vector<std::vector<double>> numbers;
-  for (const NumberField& field : fields) numbers.push_back(field.values);
+  for (const NumberField& field : fields) {
+    if (field.is_component) check_values(from, field.values, command.solution);
+    numbers.push_back(field.values);
+  }
   const PlaneMesh to = read_plane_mesh(command.to);
   const TransferredSolution solution = transfer_solution(
       from, numbers, before.metrics, to,
       command.method == "linear" ? TransferMethod::linear : TransferMethod::conservative);
-  write_plane_sol(assembled(before, solution), command.output);
+  std::vector<std::vector<double>> brought;
+  for (const TransferredField& field : solution.fields) brought.push_back(field.values);
+  write_plane_sol(assembled_fields(before, std::move(brought), solution.metrics), command.output);
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
   if (command.json) {
     std::printf(

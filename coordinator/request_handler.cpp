@@ -405,9 +405,7 @@ void RequestHandler::failed(WorkerId worker, const wire::Failed& message, JobSta
 void RequestHandler::add_loop(const wire::Submit& message, Submission& submission) const {
   if (!message.surface_path().empty()) throw UsageError("names a surface", "the submission");
   const StoredArtifact job_file = store_.publish(message.job_toml());
-  submission.loop = first_cycle_of(message, {job_file.hash, job_file.size});
-  submission.loop_memory_bytes = static_cast<std::uint64_t>(
-      parse_loop_job(message.job_toml(), "job.toml").solver.memory_bytes);
+  add_first_cycle(message, {job_file.hash, job_file.size}, submission);
   for (const ArtifactRef& input : files_of(message.inputs())) {
     if (store_.has(input.hash, input.size)) continue;
     throw Error(ExitCode::not_found, "the input '" + input.name + "' is not in the store");

@@ -34,19 +34,18 @@ std::string checked_job_name(const wire::Submit& submit) {
   return good_name(submit.name().empty() ? job.name : submit.name());
 }
 
-SolveGiven first_cycle_of(const wire::Submit& submit, const TaskFile& job_file) {
+void add_first_cycle(const wire::Submit& submit, const TaskFile& job_file, Submission& submission) {
   const LoopJob job = parse_loop_job(submit.job_toml(), "job.toml");
-  SolveGiven given;
-  TaskWords words = to_words(given);
+  TaskWords words = to_words(SolveGiven{});
   words.files = {{field_name(&SolveGiven::job), job_file}};
   for (const ArtifactRef& input : files_of(submit.inputs())) {
     words.files.push_back({input.name, {input.hash, input.size}});
   }
   ContractReading<SolveGiven> reading = from_words<SolveGiven>(words);
   if (!reading.breach.empty()) throw UsageError(reading.breach, "the submission");
-  given = std::move(reading.contract);
-  given.cycles = static_cast<std::uint64_t>(job.cycles);
-  return given;
+  reading.contract.cycles = static_cast<std::uint64_t>(job.cycles);
+  submission.loop = std::move(reading.contract);
+  submission.loop_memory_bytes = static_cast<std::uint64_t>(job.solver.memory_bytes);
 }
 
 }  // namespace tetfarm

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "coordinator/decisions/job_state.h"
 #include "proto/messages.pb.h"
-#include "tasks/solve_contract.h"
 
 namespace tetfarm {
 
@@ -13,8 +13,9 @@ namespace tetfarm {
 /// none that a job may have.
 std::string checked_job_name(const wire::Submit& submit);
 
-/// What the first task of an adaptation loop is given. @pre is_loop_job(submit.job_toml()).
+/// Puts what the first task of an adaptation loop is given into the submission.
+/// @pre is_loop_job(submit.job_toml()).
 /// @throws UsageError as before, and when an input is missing or is none that a loop has.
-SolveGiven first_cycle_of(const wire::Submit& submit, const TaskFile& job_file);
+void add_first_cycle(const wire::Submit& submit, const TaskFile& job_file, Submission& submission);
 
 }  // namespace tetfarm

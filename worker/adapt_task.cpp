@@ -1,13 +1,14 @@
 #include "worker/adapt_task.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "base/file_system.h"
+#include "base/error.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/solution_metric.h"
 #include "mesh/adaptation/solution_transfer.h"
-#include "mesh/formats/plane/plane_medit.h"
+#include "mesh/formats/plane/number_fields.h"
 #include "mesh/job_file/loop_job.h"
 #include "tasks/adapt_contract.h"
 #include "worker/curve_option.h"
@@ -59,33 +60,28 @@ TransferMethod method_of(const LoopAdaptation& job) {
   return job.transfer == "linear" ? TransferMethod::linear : TransferMethod::conservative;
 }
 
-/// Vectors are carried over component by component.
-std::vector<std::vector<double>> components_of(const NodeFields& solution) {
-  std::vector<std::vector<double>> all = solution.scalars;
-  for (const std::vector<Vec2>& field : solution.vectors) {
-    for (double Vec2::*const component : {&Vec2::x, &Vec2::y}) {
-      std::vector<double>& values = all.emplace_back();
-      for (const Vec2& v : field) values.push_back(v.*component);
-    }
-  }
-  return all;
-}
-
-NodeFields with_components(const NodeFields& before, TransferredSolution after) {
+struct BroughtAlong {
   NodeFields fields;
-  fields.order = before.order;
-  auto next = after.fields.begin();
-  for (std::size_t k = 0; k < before.scalars.size(); ++k) {
-    fields.scalars.push_back(std::move((next++)->values));
+  double gain = 0;  ///< of the integral of the first field of numbers
+};
+
+/// The solution on the new mesh; of vectors each component.
+BroughtAlong brought_along(const PlaneMesh& from, const NodeFields& solution, const PlaneMesh& to,
+                           TransferMethod method) {
+  const std::vector<NumberField> fields = number_fields(solution);
+  std::vector<std::vector<double>> numbers;
+  for (const NumberField& field : fields) numbers.push_back(field.values);
+  TransferredSolution after = transfer_solution(from, numbers, solution.metrics, to, method);
+  BroughtAlong result;
+  const auto first = std::find_if(fields.begin(), fields.end(),
+                                  [](const NumberField& field) { return !field.is_component; });
+  if (first != fields.end()) {
+    result.gain = after.fields[static_cast<std::size_t>(first - fields.begin())].gain;
   }
-  for (std::size_t k = 0; k < before.vectors.size(); ++k) {
-    const std::vector<double> x = std::move((next++)->values);
-    const std::vector<double> y = std::move((next++)->values);
-    std::vector<Vec2>& field = fields.vectors.emplace_back();
-    for (std::size_t v = 0; v < x.size(); ++v) field.push_back({x[v], y[v]});
-  }
-  fields.metrics = std::move(after.metrics);
-  return fields;
+  std::vector<std::vector<double>> brought;
+  for (TransferredField& field : after.fields) brought.push_back(std::move(field.values));
+  result.fields = assembled_fields(solution, std::move(brought), std::move(after.metrics));
+  return result;
 }
 
 }  // namespace
@@ -93,28 +89,22 @@ NodeFields with_components(const NodeFields& before, TransferredSolution after) 
 void adapt_task(TaskIo& io) {
   const auto given = io.given<AdaptGiven>();
   const LoopAdaptation job = parse_loop_job(io.read(given.job), "job.toml").adapt;
-  const PlaneMesh read = read_plane_medit(io.path(given.mesh));
   const NodeFields solution = read_plane_sol(io.path(given.solution));
   report_cost(io,
               cost_of(AdaptGiven::kind, {.input_bytes = static_cast<double>(given.mesh.size)}, {}));
   io.progress().begin(WorkStage::adapt);
   const CurvesOfMesh curved =
-      curves_of_options(job.curves, read, checked_complex(read), job.corner_angle_deg);
+      curves_of_options(job.curves, read_plane_medit(io.path(given.mesh)), job.corner_angle_deg);
   const PlaneMesh& mesh = curved.mesh;
-  const TriangleComplex complex = checked_complex(mesh);
-  const AdaptedMesh next = adapted(mesh, complex, solution, job, curved.curves);
+  const AdaptedMesh next = adapted(mesh, curved.complex, solution, job, curved.curves);
   io.progress().begin(WorkStage::transfer);
-  TransferredSolution start = transfer_solution(mesh, components_of(solution), solution.metrics,
-                                                next.result.mesh, method_of(job));
+  const BroughtAlong start = brought_along(mesh, solution, next.result.mesh, method_of(job));
   const MetricQuality quality =
       metric_quality(checked_complex(next.result.mesh), next.result.metrics);
   AdaptMade made;
-  made.figures = io.publish(
-      cycle_figures(next.result.mesh, quality, start.fields.empty() ? 0 : start.fields[0].gain));
+  made.figures = io.publish(cycle_figures(next.result.mesh, quality, start.gain));
   made.mesh = io.publish(medit_text(next.result.mesh));
-  const std::filesystem::path path = io.scratch_path("start.sol");
-  write_plane_sol(with_components(solution, std::move(start)), path);
-  made.start = io.publish(read_file(path));
+  made.start = io.publish(sol_text(start.fields));
   io.made(made);
   io.number("vertices", static_cast<double>(next.result.mesh.points.size()));
   io.number("triangles", static_cast<double>(next.result.mesh.triangles.size()));

@@ -14,6 +14,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/adaptation/circle_curve.h"
 #include "mesh/adaptation/naca_fit.h"
 #include "mesh/adaptation/point_spline.h"
@@ -212,12 +213,13 @@ NamedParts parts_of(const CurveWish& wish, const std::vector<Vec2>& nodes,
 
 void check_curve_options(const std::vector<std::string>& options) { wishes_of(options); }
 
-CurvesOfMesh curves_of_options(const std::vector<std::string>& options, const PlaneMesh& mesh,
-                               const TriangleComplex& complex, double corner_angle_deg) {
+CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
+                               double corner_angle_deg) {
   CurvesOfMesh result;
+  result.complex = checked_complex(mesh);
   for (const CurveWish& wish : wishes_of(options)) {
     std::vector<Vec2> nodes;
-    for (const std::int32_t v : nodes_of_patches(mesh, complex, wish.patches, wish.name)) {
+    for (const std::int32_t v : nodes_of_patches(mesh, result.complex, wish.patches, wish.name)) {
       nodes.push_back(mesh.points[static_cast<std::size_t>(v)]);
     }
     NamedParts named = parts_of(wish, nodes, corner_angle_deg);
@@ -225,11 +227,12 @@ CurvesOfMesh curves_of_options(const std::vector<std::string>& options, const Pl
     result.texts.push_back(std::move(named.text));
   }
   if (result.curves.empty()) {
-    result.mesh = mesh;
+    result.mesh = std::move(mesh);
     return result;
   }
-  NodesOnCurves placed = put_on_curves(mesh, complex, result.curves, corner_angle_deg);
+  NodesOnCurves placed = put_on_curves(mesh, result.complex, result.curves, corner_angle_deg);
   result.mesh = std::move(placed.mesh);
+  result.complex = checked_complex(result.mesh);
   result.moved = std::move(placed.moved);
   TF_CHECK(result.moved.size() == result.curves.size());
   return result;

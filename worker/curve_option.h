@@ -15,6 +15,7 @@ namespace tetfarm {
 /// The curves that were asked for, and the mesh with its nodes on them.
 struct CurvesOfMesh {
   PlaneMesh mesh;
+  TriangleComplex complex;  ///< checked_complex() of it
   std::vector<PatchCurve> curves;
   std::vector<std::string> texts;  ///< what each is: "radius 2 about (0, 0)"
   std::vector<MovedNodes> moved;
@@ -23,10 +24,9 @@ struct CurvesOfMesh {
 /// @throws UsageError for a word of the option that is wrong, before anything is read.
 void check_curve_options(const std::vector<std::string>& options);
 
-/// `complex`: checked_complex() of the mesh.
-/// @throws UsageError as above; InvalidInput for a patch that is not there, a file of loops that is
-/// none, nodes that lie on no such curve.
-CurvesOfMesh curves_of_options(const std::vector<std::string>& options, const PlaneMesh& mesh,
-                               const TriangleComplex& complex, double corner_angle_deg);
+/// @throws UsageError as above; InvalidInput for a mesh that is wrong, a patch that is not there, a
+/// file of loops that is none, nodes that lie on no such curve.
+CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
+                               double corner_angle_deg);
 
 }  // namespace tetfarm

@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -45,18 +44,17 @@ void put_files(const TaskIo& io, const SolveGiven& given, const fs::path& folder
   std::string line;
   for (std::uint64_t number = 1; std::getline(lines, line); ++number) {
     const std::string name = line.size() > 2 ? line.substr(2) : "";
-    const fs::path path(name);
-    const bool leads_out = std::find(path.begin(), path.end(), "..") != path.end();
-    if (name.empty() || path.is_absolute() || leads_out) {
+    if (!stays_inside(name)) {
       throw UsageError("a file of the solver may not be named '" + name + "'", "the loop");
     }
     put(folder, name, io.read(file_of_leaf(given.files, number)));
-    if (line.front() == 'x') ::chmod((folder / path).c_str(), 0777);
+    if (line.front() == 'x') ::chmod((folder / name).c_str(), 0777);
   }
 }
 
-void put_mesh(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
-              const fs::path& folder) {
+/// How many nodes it has.
+std::size_t put_mesh(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
+                     const fs::path& folder) {
   const fs::path path = folder / job.solver.mesh;
   make_folders(path.parent_path());
   PlaneMesh mesh = read_plane_medit(io.path(given.mesh));
@@ -64,14 +62,16 @@ void put_mesh(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
     mesh.patch_names[static_cast<std::int32_t>(number)] = name;
   }
   write_plane_mesh(mesh, path);
+  return mesh.points.size();
 }
 
-void prepare(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
-             const fs::path& folder) {
-  const LoopSolver& solver = job.solver;
+/// How many nodes the mesh has.
+std::size_t prepare(const TaskIo& io, const SolveGiven& given, const LoopJob& job,
+                    const fs::path& folder) {
   put_files(io, given, folder);
-  put_mesh(io, given, job, folder);
-  if (given.start) put(folder, solver.start, io.read(*given.start));
+  const std::size_t nodes = put_mesh(io, given, job, folder);
+  if (given.start) put(folder, job.solver.start, io.read(*given.start));
+  return nodes;
 }
 
 std::vector<std::pair<std::string, std::string>> variables_of(const SolveGiven& given,
@@ -108,11 +108,10 @@ void require_good_end(const SolverEnd& end, const SolveGiven& given, const LoopS
 }
 
 /// Numbers at each vertex of the mesh.
-std::string checked_solution(const TaskIo& io, const SolveGiven& given, const LoopSolver& solver,
+std::string checked_solution(const SolveGiven& given, const LoopSolver& solver, std::size_t nodes,
                              const fs::path& folder, const std::string& log) {
   const fs::path path = folder / solver.solution;
   if (!fs::is_regular_file(path)) refuse(given, "left no file '" + solver.solution + "'", log);
-  const std::size_t nodes = read_plane_medit(io.path(given.mesh)).points.size();
   std::string bytes = read_file(path);
   const NodeFields fields =
       read_plane_sol(bytes, "cycle " + std::to_string(given.cycle) + ": " + solver.solution);
@@ -146,7 +145,7 @@ void solve_task(TaskIo& io) {
   const fs::path folder = io.scratch_path("solver");
   const fs::path log_path = io.scratch_path("solver.log");
   make_folders(folder);
-  prepare(io, given, job, folder);
+  const std::size_t nodes = prepare(io, given, job, folder);
   report_cost(io, cost_of(SolveGiven::kind, {}, {}));
   io.progress().begin(WorkStage::solve);
   const std::int64_t start = steady_ms();
@@ -157,7 +156,7 @@ void solve_task(TaskIo& io) {
   const std::string log = end_of(read_file(log_path), longest_log_kept);
   require_good_end(end, given, solver, log);
   SolveMade made;
-  made.solution = io.publish(checked_solution(io, given, solver, folder, log));
+  made.solution = io.publish(checked_solution(given, solver, nodes, folder, log));
   made.log = io.publish(log);
   for (std::size_t i = 0; i < solver.keep.size(); ++i) {
     const fs::path kept = folder / solver.keep[i];

@@ -1,5 +1,6 @@
 #include "mesh/job_file/loop_job.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -30,12 +31,10 @@ constexpr std::size_t most_kept = 100;
 
 /// A name of a file in the solver's folder, or below it.
 std::string inner_name(const JobSection& section, std::string_view key, std::string name) {
-  const std::filesystem::path path(name);
   // A mesh may be a folder: "case/".
-  const bool may_be_folder = key == "mesh";
-  bool is_inside = !name.empty() && path.is_relative() && (may_be_folder || path.has_filename());
-  for (const std::filesystem::path& step : path) is_inside = is_inside && step != "..";
-  if (!is_inside) section.fail(key, "must name a file in the solver's own folder");
+  const bool is_file = key == "mesh" || std::filesystem::path(name).has_filename();
+  if (!is_file || !stays_inside(name))
+    section.fail(key, "must name a file in the solver's own folder");
   return name;
 }
 
@@ -164,6 +163,12 @@ std::string adaptation_to_toml(const LoopAdaptation& adapt) {
 }
 
 }  // namespace
+
+bool stays_inside(std::string_view name) {
+  const std::filesystem::path path(name);
+  return !name.empty() && path.is_relative() &&
+         std::find(path.begin(), path.end(), "..") == path.end();
+}
 
 bool is_loop_job(std::string_view text, const std::string& path) {
   return parse_toml(text, path).contains("solver");

@@ -56,6 +56,9 @@ inline constexpr std::int64_t most_cycles = 999;
 /// Whether the text is that of a loop: it has a table [solver]. @throws UsageError as below.
 bool is_loop_job(std::string_view text, const std::string& path);
 
+/// Whether a name, put behind that of a folder, names something in it or below it.
+bool stays_inside(std::string_view name);
+
 /// Without a name, the job is named like `path` without its folder and ending.
 /// @throws UsageError "file:line:column: …", with "did you mean" for an unknown key.
 LoopJob parse_loop_job(std::string_view text, const std::string& path);

@@ -218,6 +218,10 @@ void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::pa
 }
 
 void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path) {
+  write_file_atomically(path, sol_text(fields));
+}
+
+std::string sol_text(const NodeFields& fields) {
   const std::size_t nodes = node_count(fields);
   TextLines lines(25 * nodes * fields.order.size() * 3 + 200);
   lines.words("MeshVersionFormatted 2\n\nDimension 2\n");
@@ -241,7 +245,7 @@ void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path
     lines.end();
   }
   lines.words("\nEnd\n");
-  write_file_atomically(path, lines.text());
+  return lines.text();
 }
 
 }  // namespace tetfarm

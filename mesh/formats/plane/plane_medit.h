@@ -41,5 +41,7 @@ NodeFields read_plane_sol(std::string_view bytes, const std::string& name);
 void write_plane_sol(std::span<const Metric2> metrics, const std::filesystem::path& path);
 /// @pre `order` counts the fields, and all have a value for each node.
 void write_plane_sol(const NodeFields& fields, const std::filesystem::path& path);
+/// What is written. @pre as above.
+std::string sol_text(const NodeFields& fields);
 
 }  // namespace tetfarm
