@@ -298,6 +298,7 @@ struct PoolCommand {
   std::size_t rate = 60;
   std::vector<std::string> options;
   std::vector<std::string> hosts;
+  bool solvers = false;  ///< its workers run the solvers of loops
   bool dry_run = false;
   bool stop = false;
   bool json = false;

@@ -6,6 +6,7 @@
 #include "base/printable_text.h"
 #include "cli/coloured_text.h"
 #include "cli/job_text.h"
+#include "cli/loop_report.h"
 #include "json/job_json.h"
 #include "json/quality_gates.h"
 
@@ -33,6 +34,10 @@ ExitCode report_outcome(const wire::JobStatus& status, const OutcomeOptions& opt
       message += "\n  see " + printable(shown(file));
     }
     throw Error(static_cast<ExitCode>(status.exit_code()), message);
+  }
+  if (is_of_loop(status)) {
+    report_loop(status, options.files, options.seconds, options.json);
+    return ExitCode::ok;
   }
   if (options.json) {
     std::printf("%s\n", result_json(status, options.seconds, options.files).c_str());

@@ -7,6 +7,7 @@
 #include "base/file_system.h"
 #include "base/hash.h"
 #include "mesh/formats/plane/plane_files.h"
+#include "mesh/job_file/toml_limits.h"
 #include "tasks/solve_contract.h"
 #include "worker/curve_option.h"
 
@@ -105,24 +106,37 @@ LoopInput read_loop(const std::string& path) {
   return input;
 }
 
-wire::Submit publish_loop(const ArtifactStore& store, const LoopInput& input) {
+bool is_loop_file(const std::string& path) {
+  // One byte too many is enough to be refused by who reads it.
+  return path.ends_with(".toml") &&
+         is_loop_job(read_part_of_file(path, 0, largest_job_file + 1), path);
+}
+
+BringFile published_in(const ArtifactStore& store) {
+  return [store](const std::string&, const std::string& bytes) { return store.publish(bytes); };
+}
+
+wire::Submit submission_of_loop(const LoopInput& input, const BringFile& bring) {
   wire::Submit submit;
   submit.set_job_toml(to_toml(input.job));
   submit.set_name(input.job.name);
   std::string key = submit.job_toml();
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    const StoredArtifact stored = store.publish(bytes);
+  const auto add = [&](const std::string& name, const std::string& shown,
+                       const std::string& bytes) {
+    const StoredArtifact stored = bring(shown, bytes);
     wire::Artifact& artifact = *submit.add_inputs();
     artifact.set_name(name);
     artifact.set_hash(stored.hash);
     artifact.set_size(stored.size);
     key += name + stored.hash;
   };
-  add(field_name(&SolveGiven::mesh), input.mesh);
-  if (!input.files.empty()) add(field_name(&SolveGiven::file_names), names_of(input.files));
+  add(field_name(&SolveGiven::mesh), input.job.mesh, input.mesh);
+  if (!input.files.empty()) {
+    add(field_name(&SolveGiven::file_names), "names of files", names_of(input.files));
+  }
   std::uint64_t number = 0;
   for (const SolverFile& file : input.files) {
-    add(field_name(&SolveGiven::files) + std::to_string(++number), file.bytes);
+    add(field_name(&SolveGiven::files) + std::to_string(++number), file.name, file.bytes);
   }
   submit.set_key(hash128(key).hex());
   return submit;

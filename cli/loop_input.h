@@ -2,6 +2,7 @@
 /// brings along.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,17 @@ struct LoopInput {
 /// is none, or files of the solver are missing.
 LoopInput read_loop(const std::string& path);
 
-/// Puts what it starts from into the store. The same input has the same key.
-wire::Submit publish_loop(const ArtifactStore& store, const LoopInput& input);
+/// Brings bytes, named as people know them, to where the coordinator finds them.
+using BringFile = std::function<StoredArtifact(const std::string& name, const std::string& bytes)>;
+
+BringFile published_in(const ArtifactStore& store);
+
+/// The message that submits it, when what it starts from has been brought. The same input has the
+/// same key. @throws what `bring` throws.
+wire::Submit submission_of_loop(const LoopInput& input, const BringFile& bring);
+
+/// Whether a path is that of a loop's job file. @throws UsageError, IoError: it is a job file that
+/// cannot be read.
+bool is_loop_file(const std::string& path);
 
 }  // namespace tetfarm

@@ -91,6 +91,7 @@ class Pool {
       : system_(system),
         decisions_(rules),
         json_(command.json),
+        runs_solvers_(command.solvers),
         connection_(command.endpoint, read_peer_keys(command.keys, command.store)) {}
 
   /// One look at everything, and what follows from it. How many jobs are there; nothing when the
@@ -143,7 +144,7 @@ class Pool {
 
   std::optional<CoordinatorView> look() {
     try {
-      return coordinator_view(connection_.farm(status_timeout_ms));
+      return coordinator_view(connection_.farm(status_timeout_ms), runs_solvers_);
     } catch (const Error& error) {
       if (error.code() != ExitCode::not_found) throw;
       spdlog::warn("{}", error.what());
@@ -191,6 +192,7 @@ class Pool {
   const BatchSystem& system_;
   PoolDecisions decisions_;
   bool json_;
+  bool runs_solvers_;
   CoordinatorConnection connection_;
 };
 

@@ -63,6 +63,9 @@ void add_workers(CLI::App& sub, PoolCommand& pool) {
                  "Extra line for the script (\"--partition=mesh\", \"-q long\") or the submit "
                  "description; may be repeated")
       ->option_text("TEXT");
+  sub.add_flag(
+      "--solvers", pool.solvers,
+      "The workers also run the solvers of adaptation loops: commands that job files name");
   sub.add_option("--hosts", pool.hosts, "For ssh: hosts to start workers on, and how many on each")
       ->delimiter(',')
       ->option_text("NAME:N,...");

@@ -63,6 +63,7 @@ PoolSettings pool_settings(const PoolCommand& command, const PoolRules& rules) {
   settings.most_bytes = rules.most_bytes;
   settings.options = command.options;
   settings.hosts = command.hosts;
+  settings.runs_solvers = command.solvers;
   return settings;
 }
 

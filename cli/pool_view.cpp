@@ -5,7 +5,7 @@
 
 namespace tetfarm {
 
-CoordinatorView coordinator_view(const wire::StatusReply& reply) {
+CoordinatorView coordinator_view(const wire::StatusReply& reply, bool runs_solvers) {
   std::set<std::string> bad_hosts;
   for (const wire::HostInQuarantine& host : reply.hosts()) bad_hosts.insert(host.host());
   CoordinatorView view;
@@ -14,6 +14,7 @@ CoordinatorView coordinator_view(const wire::StatusReply& reply) {
                             worker.memory_bytes(), bad_hosts.contains(worker.host())});
   }
   for (const wire::TaskDemand& demand : reply.demand()) {
+    if (demand.of_solvers() && !runs_solvers) continue;
     view.demand[demand.memory_bytes()] += demand.tasks();
   }
   return view;

@@ -8,18 +8,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "base/clock.h"
 #include "base/counted.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
-#include "cli/bring_surface.h"
+#include "cli/bring_file.h"
 #include "cli/commands.h"
 #include "cli/converted_meshes.h"
 #include "cli/coordinator_connection.h"
 #include "cli/deliver_files.h"
 #include "cli/fetch_files.h"
 #include "cli/job_outcome.h"
+#include "cli/loop_input.h"
 #include "cli/progress_display.h"
 #include "cli/service_options.h"
 #include "coordinator/log_lines.h"
@@ -103,13 +105,55 @@ wire::Submit bring_job(const SubmitCommand& command, const JobInput& input,
   if (command.coordinator_reads) return name_job(input);
   const std::string& store = command.job.store;
   if (!store.empty()) return publish_job(ArtifactStore::open_existing(store), input);
-  return submission_of(input, bring_surface(connection, input.surface, input.job.surface,
-                                            fetch_options(command.client)));
+  return submission_of(input, bring_file(connection, input.surface, input.job.surface,
+                                         fetch_options(command.client)));
+}
+
+/// An option of surfaces' jobs that was given; "": none.
+std::string option_of_surfaces(const SubmitCommand& command) {
+  const RunOptions& job = command.job;
+  const std::pair<bool, const char*> given[] = {{job.subdomains.has_value(), "--subdomains"},
+                                                {job.groups.has_value(), "--groups"},
+                                                {!job.max_memory.empty(), "--max-memory"},
+                                                {job.size.has_value(), "--size"},
+                                                {job.growth.has_value(), "--growth"},
+                                                {job.outer.has_value(), "--outer"},
+                                                {job.outer_size.has_value(), "--outer-size"},
+                                                {!job.layers.empty(), "--layers"},
+                                                {!job.pml.empty(), "--pml"},
+                                                {job.max_elements.has_value(), "--max-elements"},
+                                                {job.force, "--force"},
+                                                {!job.formats.empty(), "--format"},
+                                                {command.coordinator_reads, "--coordinator-reads"}};
+  for (const auto& [is_given, name] : given) {
+    if (is_given) return name;
+  }
+  return {};
+}
+
+ExitCode submit_loop(const SubmitCommand& command) {
+  const ClientOptions& client = command.client;
+  if (const std::string option = option_of_surfaces(command); !option.empty()) {
+    throw UsageError(command.job.input +
+                         " is the job file of an adaptation loop, and this an option for surfaces",
+                     option);
+  }
+  const LoopInput input = read_loop(command.job.input);
+  CoordinatorConnection connection = connect(client, command.job.store);
+  const std::string& store = command.job.store;
+  const BringFile over_connection = [&](const std::string& name, const std::string& bytes) {
+    return bring_file(connection, bytes, name, fetch_options(client));
+  };
+  const BringFile bring =
+      store.empty() ? over_connection : published_in(ArtifactStore::open_existing(store));
+  const wire::Submit submit = submission_of_loop(input, bring);
+  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);
 }
 
 }  // namespace
 
 ExitCode submit_command(const SubmitCommand& command) {
+  if (is_loop_file(command.job.input)) return submit_loop(command);
   const ClientOptions& client = command.client;
   const JobInput input = job_to_submit(command);
   CoordinatorConnection connection = connect(client, command.job.store);

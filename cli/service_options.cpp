@@ -56,6 +56,7 @@ WorkerOptions worker_options(const WorkerCommand& command, const Environment& en
   options.memory_bytes = command.memory_bytes;
   options.tag = command.tag;
   options.pool_memory_bytes = command.pool_memory_bytes;
+  options.runs_solvers = command.solvers;
   options.ends_in_ms = command.walltime_s > 0 ? in_ms(command.walltime_s)
                                               : walltime_left_ms(environment, now_wall_ms);
   options.grace_ms = in_ms(command.grace_s);

@@ -30,6 +30,7 @@ struct PoolSettings {
   std::uint64_t most_bytes = 0;      ///< of the largest job of the pool
   std::vector<std::string> options;  ///< lines for the script, or for the submit description
   std::vector<std::string> hosts;    ///< of ssh: "name" or "name:slots"
+  bool runs_solvers = false;         ///< of adaptation loops, which job files name
 };
 
 /// A program with its arguments, and what it reads on standard input.

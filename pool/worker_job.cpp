@@ -43,6 +43,7 @@ std::vector<std::string> worker_words(const PoolSettings& settings, std::uint64_
   if (!settings.coordinator_key.empty()) {
     words.insert(words.end(), {"--coordinator-key", settings.coordinator_key});
   }
+  if (settings.runs_solvers) words.emplace_back("--solvers");
   words.insert(words.end(),
                {"--memory", size(bytes), "--pool-memory", size(settings.most_bytes), "--walltime",
                 std::to_string(settings.walltime_s), "--grace", std::to_string(settings.grace_s)});

@@ -41,6 +41,7 @@ wire::Hello self_of(const WorkerOptions& options) {
   hello.set_nonce(random_hex(nonce_bytes));
   hello.set_tag(options.tag);
   hello.set_pool_memory_bytes(options.pool_memory_bytes);
+  hello.set_runs_solvers(options.runs_solvers);
   return hello;
 }
 

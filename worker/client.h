@@ -27,6 +27,7 @@ struct WorkerOptions {
   std::uint64_t memory_bytes = 0;            ///< for its tasks; 0: what the machine has
   std::string tag;                           ///< of the pool that submitted it: "POOL/JOB"
   std::uint64_t pool_memory_bytes = 0;       ///< the most that another of its pool can have
+  bool runs_solvers = false;                 ///< of loops: programs that job files name
   std::int64_t ends_in_ms = 0;               ///< until its batch system ends it; 0: not known
   std::int64_t grace_ms = 30'000;            ///< how long a running task may go on after SIGTERM
   bool handle_signals = true;                ///< off in a thread

@@ -33,12 +33,16 @@ std::vector<TaskId> JobState::running_and_next(std::size_t count) const {
   return tasks;
 }
 
-std::map<std::uint64_t, std::uint64_t> JobState::demand() const {
+std::map<std::uint64_t, std::uint64_t> JobState::demand(bool of_solvers) const {
   std::map<std::uint64_t, std::uint64_t> tasks;
   const auto wanted = [this](const TaskRow& task) {
     return std::max(task.memory_bytes, expectation_.bytes(task.kind));
   };
-  for (const auto& [rank, id] : lists_.offers()) ++tasks[wanted(durable_.tasks.at(id))];
+  for (const auto& [rank, id] : lists_.offers()) {
+    const TaskRow& task = durable_.tasks.at(id);
+    if (traits_of(task.kind).is_of_others == of_solvers) ++tasks[wanted(task)];
+  }
+  if (of_solvers) return tasks;  // none comes beside the one whose worker can take it
   for (const auto& [id, attempt] : durable_.running_attempts) {
     const TaskRow& running = durable_.tasks.at(attempt.task);
     const std::uint64_t brought = attempt.is_rival ? 0 : tasks_brought_by(running);

@@ -21,7 +21,8 @@ bool JobState::waits_for_another_host(const TaskRow& task, const std::string& ho
   return std::any_of(workers_.all().begin(), workers_.all().end(), [&](const auto& entry) {
     const WorkerSession& session = entry.second;
     const WorkerRow& other = session.row;
-    return other.host != host && !session.drains && memory_for(task) <= other.memory_bytes &&
+    return other.host != host && !session.drains && does_kind(session, task.kind) &&
+           memory_for(task) <= other.memory_bytes &&
            !durable_.quarantined_hosts.contains(other.host) &&
            !host_crashes_.crashed_on(other.host, task.id) && has_time_for(session, task, now);
   });

@@ -75,6 +75,8 @@ std::vector<std::string> JobState::obstacles(const TaskRow& task, Moment now) co
       ++causes["on a host in quarantine"];
     } else if (session.drains) {
       ++causes["about to leave"];
+    } else if (!does_kind(session, task.kind)) {
+      ++causes["started without --solvers"];
     } else if (memory_for(task) > free_bytes) {
       ++causes["without room for it"];
     } else if (!has_time_for(session, task, now)) {

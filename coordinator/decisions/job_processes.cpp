@@ -15,7 +15,7 @@ WorkerProcess process_of(const WorkerInfo& info) {
 
 SessionTerms terms_of(const WorkerInfo& info, Moment now) {
   return {process_of(info), info.tag, info.shares_memory,
-          info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0};
+          info.ends_in_ms > 0 ? now.steady_ms + info.ends_in_ms : 0, info.runs_solvers};
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ struct WorkerInfo {
   std::int64_t ends_in_ms = 0;  ///< until its batch system ends it; 0: not known
   std::string tag = {};         ///< of the pool that brought it
   std::uint64_t pool_memory_bytes = 0;  ///< the most that another worker of its pool can have
+  bool runs_solvers = false;            ///< programs of somebody else's, which job files name
   std::string key = {};                 ///< public key of its connection, "": plain
 };
 
@@ -230,7 +231,8 @@ class JobState {
   /// How many tasks would run if there were workers for them, by the memory that each wants (0: not
   /// known): ready ones, and those that a running one brings beside the first. Cost: O(running and
   /// ready tasks), at most O(sub-domains) for each job that joins or orders them.
-  std::map<std::uint64_t, std::uint64_t> demand() const;
+  /// @param of_solvers those that only workers with solvers do, or the others
+  std::map<std::uint64_t, std::uint64_t> demand(bool of_solvers = false) const;
   /// The tasks that run, and as many of the ready ones as are named, those first that are handed
   /// out first.
   std::vector<TaskId> running_and_next(std::size_t count) const;
@@ -288,6 +290,7 @@ class JobState {
   void end_leases(Moment now);
   void hand_out(Moment now);
   bool may_work(WorkerId worker) const;
+  static bool does_kind(const WorkerSession& session, TaskKind kind);
   bool suits(WorkerId worker, TaskId task, std::uint64_t free_bytes, Moment now) const;
   TaskId pick_for(WorkerId worker, const WorkerSessions::HostMemory& used, Moment now);
   void lease(WorkerId worker, TaskId task, WorkerSessions::HostMemory& used, Moment now);

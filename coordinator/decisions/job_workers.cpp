@@ -166,13 +166,19 @@ void JobState::hand_out(Moment now) {
   }
 }
 
+/// Whether the worker does tasks of this kind at all.
+bool JobState::does_kind(const WorkerSession& session, TaskKind kind) {
+  return session.terms.runs_solvers || !traits_of(kind).is_of_others;
+}
+
 /// Whether a ready task may go to the worker now: not before its back-off is over, elsewhere than
 /// where it failed for a while, on another host than where it crashed, with time and room for it.
 bool JobState::suits(WorkerId worker, TaskId id, std::uint64_t free_bytes, Moment now) const {
   if (delays_.wait_ms(id, now.steady_ms) > 0) return false;
   if (worker_count() > 1 && delays_.prefers_other(id, worker, now.steady_ms)) return false;
   const TaskRow& task = durable_.tasks.at(id);
-  return memory_for(task) <= free_bytes && has_time_for(workers_.at(worker), task, now) &&
+  return does_kind(workers_.at(worker), task.kind) && memory_for(task) <= free_bytes &&
+         has_time_for(workers_.at(worker), task, now) &&
          !waits_for_another_host(task, workers_.at(worker).row.host, now);
 }
 

@@ -40,6 +40,7 @@ WorkerInfo worker_info_of(const wire::Hello& hello) {
   info.ends_in_ms = static_cast<std::int64_t>(std::min(hello.ends_in_ms(), longest_ms));
   info.tag = hello.tag();
   info.pool_memory_bytes = hello.pool_memory_bytes();
+  info.runs_solvers = hello.runs_solvers();
   return info;
 }
 
@@ -120,10 +121,13 @@ void add_farm(const JobState& state, wire::StatusReply& message) {
     worker.set_memory_bytes(at_work.row.memory_bytes);
     worker.set_tag(at_work.tag);
   }
-  for (const auto& [bytes, tasks] : state.demand()) {
-    wire::TaskDemand& demand = *message.add_demand();
-    demand.set_memory_bytes(bytes);
-    demand.set_tasks(tasks);
+  for (const bool of_solvers : {false, true}) {
+    for (const auto& [bytes, tasks] : state.demand(of_solvers)) {
+      wire::TaskDemand& demand = *message.add_demand();
+      demand.set_memory_bytes(bytes);
+      demand.set_tasks(tasks);
+      demand.set_of_solvers(of_solvers);
+    }
   }
 }
 

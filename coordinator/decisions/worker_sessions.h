@@ -29,6 +29,7 @@ struct SessionTerms {
   std::string tag = {};  ///< of the pool that brought it
   bool shares_memory = true;
   std::int64_t ends_ms = 0;  ///< 0: not known
+  bool runs_solvers = false;
 };
 
 struct WorkerSession {

@@ -51,6 +51,7 @@ TEST(PoolRules, of_the_batch_system_are_what_workers_need) {
   command.walltime_s = 77;
   command.options = {"-q long"};
   command.hosts = {"a:2"};
+  command.solvers = true;
   const PoolSettings settings = pool_settings(command, pool_rules(command));
   EXPECT_EQ(settings.name, "night");
   EXPECT_EQ(settings.program, "/opt/tetfarm");
@@ -65,6 +66,7 @@ TEST(PoolRules, of_the_batch_system_are_what_workers_need) {
   EXPECT_EQ(settings.most_bytes, 3000 * mebibyte);
   EXPECT_EQ(settings.options, command.options);
   EXPECT_EQ(settings.hosts, command.hosts);
+  EXPECT_TRUE(settings.runs_solvers);
   EXPECT_FALSE(settings.user.empty());
 }
 

@@ -15,7 +15,17 @@ TEST(PoolView, adds_up_what_asks_for_the_same_memory) {
     demand.set_memory_bytes(static_cast<std::uint64_t>(bytes));
     demand.set_tasks(static_cast<std::uint32_t>(tasks));
   }
-  EXPECT_THAT(coordinator_view(reply).demand, ElementsAre(Pair(4, 7), Pair(8, 1)));
+  EXPECT_THAT(coordinator_view(reply, false).demand, ElementsAre(Pair(4, 7), Pair(8, 1)));
+}
+
+TEST(PoolView, sees_what_waits_for_solvers_where_its_workers_run_them) {
+  wire::StatusReply reply;
+  reply.add_demand()->set_tasks(3);
+  wire::TaskDemand& solvers = *reply.add_demand();
+  solvers.set_tasks(2);
+  solvers.set_of_solvers(true);
+  EXPECT_THAT(coordinator_view(reply, false).demand, ElementsAre(Pair(0, 3)));
+  EXPECT_THAT(coordinator_view(reply, true).demand, ElementsAre(Pair(0, 5)));
 }
 
 TEST(PoolView, shuns_the_workers_of_hosts_in_quarantine) {
@@ -29,7 +39,7 @@ TEST(PoolView, shuns_the_workers_of_hosts_in_quarantine) {
     worker.set_task(3);
     worker.set_memory_bytes(100);
   }
-  const std::vector<PoolWorker> workers = coordinator_view(reply).workers;
+  const std::vector<PoolWorker> workers = coordinator_view(reply, false).workers;
   ASSERT_EQ(workers.size(), 2U);
   EXPECT_FALSE(workers[0].is_shunned);
   EXPECT_TRUE(workers[1].is_shunned);

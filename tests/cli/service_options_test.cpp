@@ -76,6 +76,7 @@ TEST(ServiceOptions, of_a_worker_are_those_of_its_command_line) {
   command.memory_bytes = 12;
   command.pool_memory_bytes = 13;
   command.tag = "p/1";
+  command.solvers = true;
   command.grace_s = 1.5;
   command.walltime_s = 2.5;
   const WorkerOptions options = worker_options(command, empty_environment, 0);
@@ -88,6 +89,7 @@ TEST(ServiceOptions, of_a_worker_are_those_of_its_command_line) {
   EXPECT_EQ(options.memory_bytes, 12U);
   EXPECT_EQ(options.pool_memory_bytes, 13U);
   EXPECT_EQ(options.tag, "p/1");
+  EXPECT_TRUE(options.runs_solvers);
   EXPECT_EQ(options.grace_ms, 1'500);
   EXPECT_EQ(options.ends_in_ms, 2'500);
   EXPECT_THAT(options.task_command, ElementsAre("/proc/self/exe", "task"));

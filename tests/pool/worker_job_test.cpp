@@ -5,8 +5,10 @@
 namespace tetfarm {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::Optional;
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
@@ -49,6 +51,13 @@ TEST(WorkerJob, tells_its_worker_all_that_it_needs) {
       ElementsAre("/opt/tetfarm", "worker", "--connect", "tcp://head:5555", "--store", "/farm",
                   "--cache", "/cache", "--key", "w.key", "--coordinator-key", "c.pub", "--memory",
                   "7168MB", "--pool-memory", "14336MB", "--walltime", "3600", "--grace", "30"));
+}
+
+TEST(WorkerJob, of_a_pool_for_loops_runs_solvers) {
+  PoolSettings settings = night();
+  EXPECT_THAT(worker_words(settings, mebibyte), Not(Contains("--solvers")));
+  settings.runs_solvers = true;
+  EXPECT_THAT(worker_words(settings, mebibyte), Contains("--solvers"));
 }
 
 TEST(WorkerJob, has_words_that_a_shell_reads_back) {

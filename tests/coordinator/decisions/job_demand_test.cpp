@@ -33,6 +33,48 @@ TEST_F(Demand, a_cut_that_is_being_made_will_bring_one_task_more_than_its_worker
   EXPECT_EQ(tasks, 1U);
 }
 
+class LoopDemand : public Demand {
+ protected:
+  /// A loop: its first task runs a solver.
+  SubmitAnswer submit_loop() {
+    Submission submission{"loop", "wing", "toml", {}};
+    SolveGiven first;
+    first.job = {job_file_.hash, job_file_.size};
+    first.mesh = {surface_.hash, surface_.size};
+    submission.loop = first;
+    return state_->submit(submission, now_);
+  }
+};
+
+TEST_F(LoopDemand, a_solver_waits_for_a_worker_that_runs_some) {
+  const JobId loop = submit_loop().job;
+  commit();
+  EXPECT_THAT(state_->demand(), IsEmpty());
+  EXPECT_THAT(state_->demand(true), ElementsAre(Pair(0, 1)));
+  worker_ = new_worker();
+  EXPECT_FALSE(next(worker_).attempt) << "it was started without --solvers";
+  const TaskRow& first = state_->durable().tasks.begin()->second;
+  ASSERT_EQ(first.job, loop);
+  EXPECT_THAT(state_->outlook(first.id, now_).reasons,
+              ElementsAre("1 of 1 workers: started without --solvers"));
+  const WorkerId other = add_worker({.host = "other", .runs_solvers = true});
+  EXPECT_EQ(next(other).task, first.id);
+  EXPECT_THAT(state_->demand(true), IsEmpty());
+}
+
+TEST_F(LoopDemand, a_solver_that_crashed_waits_for_no_host_that_runs_none) {
+  submit_loop();
+  commit();
+  worker_ = add_worker({.host = "here", .runs_solvers = true});
+  add_worker({.host = "elsewhere"});
+  TaskFailure crash;
+  crash.cause = FailureCause::error;
+  const SendAssign first = next(worker_);
+  fail(worker_, first, crash);
+  wait(rules_.lease_ms - 1);
+  EXPECT_EQ(next(worker_).task, first.task);
+}
+
 TEST_F(Demand, names_the_memory_that_a_starved_task_wants_though_no_worker_has_it) {
   submit();
   worker_ =

@@ -19,6 +19,7 @@ TEST(MessageTranslation, a_hello_is_a_worker_with_all_that_it_says) {
   hello.set_ends_in_ms(15);
   hello.set_tag("pool/7");
   hello.set_pool_memory_bytes(16);
+  hello.set_runs_solvers(true);
   const WorkerInfo info = worker_info_of(hello);
   EXPECT_EQ(info.host, "node-1");
   EXPECT_EQ(info.process, 11);
@@ -29,6 +30,7 @@ TEST(MessageTranslation, a_hello_is_a_worker_with_all_that_it_says) {
   EXPECT_EQ(info.ends_in_ms, 15);
   EXPECT_EQ(info.tag, "pool/7");
   EXPECT_EQ(info.pool_memory_bytes, 16U);
+  EXPECT_TRUE(info.runs_solvers);
   EXPECT_TRUE(info.shares_memory);
   EXPECT_EQ(info.key, "") << "that is not the worker's to say";
   hello.set_own_memory(true);

@@ -1,4 +1,4 @@
-#include "cli/bring_surface.h"
+#include "cli/bring_file.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ void expect_brought(std::size_t there, int chunks) {
   FakeCoordinator coordinator([&taker](const wire::Envelope& said) { return taker.answer(said); });
   CoordinatorConnection connection(coordinator.endpoint());
   const StoredArtifact file =
-      bring_surface(connection, bytes, "wing.stl", {5'000, ProgressStyle::none});
+      bring_file(connection, bytes, "wing.stl", {5'000, ProgressStyle::none});
   EXPECT_EQ(file.hash, hash128(bytes).hex());
   EXPECT_EQ(file.size, bytes.size());
   EXPECT_EQ(taker.taken(), bytes);
@@ -61,9 +61,9 @@ void expect_brought(std::size_t there, int chunks) {
   EXPECT_EQ(coordinator.heard().front().offer_file().size(), file.size);
 }
 
-TEST(BringSurface, sends_all_of_it_chunk_by_chunk) { expect_brought(0, 3); }
+TEST(BringFile, sends_all_of_it_chunk_by_chunk) { expect_brought(0, 3); }
 
-TEST(BringSurface, sends_nothing_of_what_is_there) {
+TEST(BringFile, sends_nothing_of_what_is_there) {
   expect_brought(chunk_bytes, 2);
   expect_brought(bytes_of_three_chunks().size(), 0);
 }

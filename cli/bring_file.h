@@ -1,5 +1,5 @@
-/// Brings the surface of a job to the coordinator over the connection, for those who do not see its
-/// store.
+/// Brings a file that a job starts from to the coordinator over the connection, for those who do
+/// not see its store.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tetfarm {
 /// of the same user that was killed, is not sent again. `name` is shown.
 /// @return what Submit names it by. @throws Error when the coordinator refuses (too large, no room)
 /// or falls silent.
-StoredArtifact bring_surface(CoordinatorConnection& connection, const std::string& bytes,
-                             const std::string& name, const FetchOptions& options);
+StoredArtifact bring_file(CoordinatorConnection& connection, const std::string& bytes,
+                          const std::string& name, const FetchOptions& options);
 
 }  // namespace tetfarm

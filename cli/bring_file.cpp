@@ -1,4 +1,4 @@
-#include "cli/bring_surface.h"
+#include "cli/bring_file.h"
 
 #include "base/hash.h"
 #include "worker/file_send.h"
@@ -6,9 +6,9 @@
 namespace tetfarm {
 namespace {
 
-class SurfaceSend : public PieceExchange {
+class BroughtFile : public PieceExchange {
  public:
-  SurfaceSend(const std::string& bytes, const StoredArtifact& file) : bytes_(bytes), send_(file) {}
+  BroughtFile(const std::string& bytes, const StoredArtifact& file) : bytes_(bytes), send_(file) {}
 
   const FileSend& send() const { return send_; }
   bool is_complete() const override { return send_.is_whole(); }
@@ -42,10 +42,10 @@ class SurfaceSend : public PieceExchange {
 
 }  // namespace
 
-StoredArtifact bring_surface(CoordinatorConnection& connection, const std::string& bytes,
-                             const std::string& name, const FetchOptions& options) {
+StoredArtifact bring_file(CoordinatorConnection& connection, const std::string& bytes,
+                          const std::string& name, const FetchOptions& options) {
   const StoredArtifact file{hash128(bytes).hex(), bytes.size()};
-  SurfaceSend files(bytes, file);
+  BroughtFile files(bytes, file);
   TransferDisplay display(options.progress);
   connection.exchange(files, options.timeout_ms,
                       [&] { display.show("sending " + name, files.send().there(), file.size); });
