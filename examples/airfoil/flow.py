@@ -5,8 +5,8 @@
 
 The mesh is case/constant/polyMesh, one layer of prisms, as the loop writes it where the job says `mesh = "case/"`. What the solver
 reads and leaves at vertices are the Mach number, the density, both components of the velocity, and the pressure. The gas is scaled:
-far away pressure, temperature and speed of sound are 1. cp.csv has the pressure coefficient along the wall; lift, drag and shocks
-are printed.
+far away pressure, temperature and speed of sound are 1. cp.sol has the pressure coefficient at the vertices, cp.csv at the sides of
+the wall; lift, drag and shocks are printed.
 """
 
 import argparse
@@ -112,8 +112,8 @@ def run_foam(steps):
     (CASE / "steps").write_text(f"endTime {steps};\nwriteInterval {steps // REPORTS};\n")
     environment = {"WM_PROJECT_DIR": "/usr/share/openfoam"} | os.environ  # where Debian has it
     with open("foam.log", "w", encoding="utf-8") as log:
-        code = subprocess.run(["rhoCentralFoam", "-case", str(CASE)], env=environment, stdout=log, stderr=log, check=False).returncode
-    if code:
+        ended = subprocess.run(["rhoCentralFoam", "-case", str(CASE)], env=environment, stdout=log, stderr=log, check=False)
+    if ended.returncode != 0:
         sys.exit("rhoCentralFoam failed:\n" + "\n".join(pathlib.Path("foam.log").read_text().split("\n")[-20:]))
 
 
@@ -161,14 +161,18 @@ def weights_of_fit(offsets):
 class Flow:
     def __init__(self, mach, alpha_deg):
         self.mach = mach
+        self.head = 0.5 * GAMMA * mach**2
         self.along = (math.cos(math.radians(alpha_deg)), math.sin(math.radians(alpha_deg)))
 
     def wall_pressure(self, layer, rows):
         """Middle, pressure coefficient, and the way along each side of the walls."""
-        head = 0.5 * GAMMA * self.mach**2
         return [
-            (mean2([a, b]), (rows[cell][-1] - 1) / head, (b[0] - a[0], b[1] - a[1])) for cell, a, b in layer.wall_sides
+            (mean2([a, b]), self.pressure_coefficient(rows[cell]), (b[0] - a[0], b[1] - a[1]))
+            for cell, a, b in layer.wall_sides
         ]
+
+    def pressure_coefficient(self, row):
+        return (row[-1] - 1) / self.head
 
     def forces(self, wall):
         """Coefficients of lift and drag, for a chord of 1."""
@@ -213,7 +217,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--mach", type=float, required=True)
     parser.add_argument("--alpha", type=float, required=True, help="angle of attack in degrees")
-    parser.add_argument("--steps", type=int, default=8000)
+    parser.add_argument("--steps", type=int, default=6000)
     options = parser.parse_args()
     flow = Flow(options.mach, options.alpha)
     layer = Layer(CASE / "constant" / "polyMesh")
@@ -222,7 +226,9 @@ def main():
     steps = options.steps // REPORTS * REPORTS
     run_foam(steps)
     report(layer, flow, steps)
-    write_solution(os.environ["TETFARM_SOLUTION"], at_vertices(layer, solution_of_cells(steps)))
+    solution = at_vertices(layer, solution_of_cells(steps))
+    write_solution("cp.sol", [(flow.pressure_coefficient(row),) for row in solution])
+    write_solution(os.environ["TETFARM_SOLUTION"], solution)
 
 
 if __name__ == "__main__":
