@@ -114,7 +114,7 @@ def run_foam(steps):
     with open("foam.log", "w", encoding="utf-8") as log:
         ended = subprocess.run(["rhoCentralFoam", "-case", str(CASE)], env=environment, stdout=log, stderr=log, check=False)
     if ended.returncode != 0:
-        sys.exit("rhoCentralFoam failed:\n" + "\n".join(pathlib.Path("foam.log").read_text().split("\n")[-20:]))
+        sys.exit("rhoCentralFoam failed:\n" + "\n".join(pathlib.Path("foam.log").read_text(encoding="utf-8").split("\n")[-20:]))
 
 
 def cell_values(step, name):
