@@ -15,7 +15,9 @@
 namespace tetfarm {
 namespace {
 
-constexpr double flat_share = 1e-6;
+constexpr double flat_share = 1e-6;      // of a field's largest second derivative
+constexpr double lp_flat_share = 1e-12;  // far away from a wing some 1e-10 is flow
+constexpr double straight_share = 1e-8;  // of a node's own largest: an aspect of 1e4
 constexpr int most_rounds = 400;
 constexpr int most_steps = 40;
 constexpr double close_enough = 0.01;
@@ -80,7 +82,10 @@ std::vector<Metric2> graded(const TriangleComplex& complex, std::vector<Metric2>
   return metrics;
 }
 
-std::vector<Metric2> absolute(std::span<const Metric2> hessians) {
+namespace {
+
+/// Absolute eigenvalues, raised to a share of the field's largest and of the node's own.
+std::vector<Metric2> raised(std::span<const Metric2> hessians, double share, double own_share) {
   double largest = 0;
   std::vector<Eigen2> eigenvalues;
   for (const Metric2& h : hessians) {
@@ -91,18 +96,25 @@ std::vector<Metric2> absolute(std::span<const Metric2> hessians) {
     eigenvalues.push_back(e);
   }
   // A field without any second derivative asks for the same everywhere.
-  const double floor = largest > 0 ? flat_share * largest : 1;
+  const double floor = largest > 0 ? share * largest : 1;
   std::vector<Metric2> metrics;
   for (Eigen2 e : eigenvalues) {
-    e.first = std::max(e.first, floor);
-    e.second = std::max(e.second, floor);
+    const double least = std::max(floor, own_share * std::max(e.first, e.second));
+    e.first = std::max(e.first, least);
+    e.second = std::max(e.second, least);
     metrics.push_back(metric_of_eigen(e));
   }
   return metrics;
 }
 
+}  // namespace
+
+std::vector<Metric2> absolute(std::span<const Metric2> hessians) {
+  return raised(hessians, flat_share, 0);
+}
+
 std::vector<Metric2> lp_metrics(std::span<const Metric2> hessians, double norm) {
-  std::vector<Metric2> metrics = absolute(hessians);
+  std::vector<Metric2> metrics = raised(hessians, lp_flat_share, straight_share);
   for (Metric2& m : metrics) m = std::pow(determinant(m), -1 / (2 * norm + 2)) * m;
   return metrics;
 }

@@ -35,10 +35,12 @@ std::vector<Metric2> graded(const TriangleComplex& complex, std::vector<Metric2>
                             double gradation);
 
 /// |H| det(|H|)^(-1/(2p+2)) of a field: the metric whose meshes have the least error in the Lp norm
-/// for their number of nodes, but for its scale. Eigenvalues below 1e-6 of the field's largest are
-/// raised to that: where a field is flat it asks for nothing.
+/// for their number of nodes, but for its scale. Eigenvalues below 1e-12 of the field's largest, or
+/// 1e-8 of the node's own, are raised to that: where a field is flat it asks for nothing. A higher
+/// share, as absolute() has it, spends most nodes far away where the domain is large.
 std::vector<Metric2> lp_metrics(std::span<const Metric2> hessians, double norm);
-/// Absolute eigenvalues as they are (thesis, equation 14).
+/// Absolute eigenvalues as they are (thesis, equation 14), but at least 1e-6 of the field's
+/// largest.
 std::vector<Metric2> absolute(std::span<const Metric2> hessians);
 
 /// Nodes of a mesh of unit edges for each unit of complexity; more where much of it is boundary.

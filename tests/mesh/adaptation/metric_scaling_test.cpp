@@ -111,6 +111,15 @@ TEST(MetricScaling, lp_metrics_weigh_weak_features_by_the_norm) {
   EXPECT_LT(ratio(1), ratio(10));
 }
 
+TEST(LpMetrics, tell_weak_flow_far_away_from_none) {
+  const double weak = 1e-10;  // of the largest, as some chords from a wing
+  const std::vector<Metric2> metrics =
+      lp_metrics(std::vector<Metric2>{{1, 0, 1}, {weak, 0, weak}, {weak / 10, 0, weak / 10}}, 2);
+  // h of |H| det^(-1/6): the density goes as |H| to the power of 2/3.
+  EXPECT_NEAR(metrics[1].xx / metrics[0].xx / std::pow(weak, 2.0 / 3), 1, 1e-9);
+  EXPECT_NEAR(metrics[2].xx / metrics[1].xx / std::pow(0.1, 2.0 / 3), 1, 1e-9);
+}
+
 TEST(MetricScaling, of_a_field_without_second_derivatives_asks_for_the_same_everywhere) {
   const std::vector<Metric2> flat(5, Metric2{0, 0, 0});
   for (const Metric2& m : lp_metrics(flat, 2)) {
