@@ -1,6 +1,7 @@
 #include "mesh/partition/part_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 
@@ -10,6 +11,7 @@
 #include "mesh/assemble/part_cells.h"
 #include "mesh/core/element_block.h"
 #include "mesh/formats/node_records.h"
+#include "mesh/partition/reordered_marks.h"
 
 namespace tetfarm {
 namespace {
@@ -55,6 +57,7 @@ class PieceOfPart {
     });
     for (const ElementType type : cell_block_types) first = add_of_block(cells, first, type);
     TF_CHECK(cells.empty() || cells.back() < first);
+    add_marks(cells);
   }
   void add_faces(std::span<const std::size_t> faces) {
     std::size_t first = add_run(faces, 0, from_.faces.size(), [this](std::size_t f) {
@@ -90,6 +93,15 @@ class PieceOfPart {
       to.regions.push_back(from.regions[i]);
       if (!is_cell(type)) to.patches.push_back(from.patches[i]);
     });
+  }
+
+  void add_marks(std::span<const std::size_t> cells) {
+    for (const CellMark mark : all_cell_marks) {
+      const std::vector<std::int32_t>& from = from_.marks[mark];
+      if (from.empty()) continue;
+      TF_CHECK(std::ssize(from) == cells_of(from_));
+      for (const std::size_t cell : cells) piece_.marks[mark].push_back(from[cell]);
+    }
   }
 
   template <class Element>
@@ -174,6 +186,40 @@ void append_elements(const NumberedPart& piece, const std::vector<std::int32_t>&
   });
 }
 
+/// The marks of the cells of pieces, put in the order that the cells get in the whole: by type,
+/// then by region, then as they came.
+class MarksOfPieces {
+ public:
+  void add(const NumberedPart& piece) {
+    const std::vector<std::int32_t> regions = regions_of_cells(piece);
+    for_each_cell(piece, [&](std::int32_t cell, ElementType type, std::span<const std::int32_t>) {
+      places_.emplace_back(type, regions[at(cell)]);
+    });
+    for (const CellMark mark : all_cell_marks) {
+      append(marks_[mark], piece.marks[mark]);
+      bool& has = has_.at(static_cast<std::size_t>(mark));
+      has = has || !piece.marks[mark].empty();
+      marks_[mark].resize(places_.size(), 0);
+    }
+  }
+
+  CellMarks in_order() {
+    for (const CellMark mark : all_cell_marks) {
+      if (!has_.at(static_cast<std::size_t>(mark))) marks_[mark].clear();
+    }
+    std::vector<std::size_t> order(places_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t a, std::size_t b) { return places_[a] < places_[b]; });
+    return reordered_marks(marks_, order);
+  }
+
+ private:
+  std::vector<std::pair<ElementType, std::int32_t>> places_;  // type and region of each cell
+  CellMarks marks_;
+  std::array<bool, all_cell_marks.size()> has_{};
+};
+
 std::vector<std::size_t> order_of(const std::vector<std::int32_t>& regions) {
   std::vector<std::size_t> order(regions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -224,7 +270,7 @@ void PartPieces::add(const NumberedPart& subdomain, const std::vector<std::int32
 
 void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
   Piece& entry = pieces_[part].emplace_back();
-  entry = {file_.size(), piece.nodes.size(), piece.tets.size(), piece.faces.size(), {}};
+  entry = {file_.size(), piece.nodes.size(), piece.tets.size(), piece.faces.size(), {}, {}};
   append_numbers(file_, piece.nodes);
   append_numbers(file_, piece.local2global);
   append_numbers(file_, piece.tets);
@@ -238,6 +284,10 @@ void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
     append_numbers(file_, block.regions);
     append_numbers(file_, block.patches);
   });
+  for (const CellMark mark : all_cell_marks) {
+    entry.marks.at(static_cast<std::size_t>(mark)) = piece.marks[mark].size();
+    append_numbers(file_, piece.marks[mark]);
+  }
 }
 
 NumberedPart PartPieces::read(const Piece& piece) const {
@@ -256,6 +306,10 @@ NumberedPart PartPieces::read(const Piece& piece) const {
     read_numbers(file_, place, count, block.regions);
     read_numbers(file_, place, is_cell(type) ? 0 : count, block.patches);
   });
+  for (const CellMark mark : all_cell_marks) {
+    const std::size_t count = piece.marks.at(static_cast<std::size_t>(mark));
+    read_numbers(file_, place, count, part.marks[mark]);
+  }
   return part;
 }
 
@@ -279,6 +333,9 @@ NumberedPart PartPieces::part(std::size_t i) const {
   whole.local2global = numbers_of(i);
   const std::vector<std::int64_t>& numbers = whole.local2global;
   whole.nodes.resize(numbers.size());
+  const bool has_marks = std::ranges::any_of(
+      pieces_.at(i), [](const Piece& piece) { return piece.marks != CountsOfMarks{}; });
+  MarksOfPieces marks;
   for (const Piece& entry : pieces_.at(i)) {
     const NumberedPart piece = read(entry);
     std::vector<std::int32_t> local;
@@ -289,8 +346,10 @@ NumberedPart PartPieces::part(std::size_t i) const {
       whole.nodes[at(local.back())] = piece.nodes[v];
     }
     append_elements(piece, local, whole);
+    if (has_marks) marks.add(piece);
   }
   settle_regions(whole);
+  whole.marks = marks.in_order();
   return whole;
 }
 

@@ -2,6 +2,7 @@
 /// sub-domain has of one part, and taken part by part.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -16,22 +17,26 @@ class PartPieces {
   PartPieces(std::int32_t parts, const std::filesystem::path& folder)
       : file_(folder), pieces_(static_cast<std::size_t>(parts)) {}
 
-  /// Cells are counted as in part_cells.h. A boundary face goes with the cell that it is a face of.
+  /// Cells are counted as in part_cells.h. A boundary face goes with the cell that it is a face of,
+  /// and so do the marks of a cell.
   /// @throws IoError, InvalidInput.
   void add(const NumberedPart& subdomain, const std::vector<std::int32_t>& part_of_cell);
 
   std::size_t size() const { return pieces_.size(); }
   /// Nodes ascend by their numbers in the whole mesh; cells of a type are in the order of the
-  /// sub-domains, by regions first. @throws IoError. Cost: O(n log n).
+  /// sub-domains, by regions first. Marks that some of them have not are 0 there. @throws IoError.
+  /// Cost: O(n log n).
   NumberedPart part(std::size_t i) const;
 
  private:
+  using CountsOfMarks = std::array<std::size_t, all_cell_marks.size()>;
   struct Piece {
     std::int64_t place = 0;
     std::size_t nodes = 0;
     std::size_t tets = 0;
     std::size_t faces = 0;
     ByType<std::size_t> others;  ///< in blocks
+    CountsOfMarks marks{};       ///< of each: of all cells, or of none
   };
   void lay_down(const NumberedPart& piece, std::size_t part);
   NumberedPart read(const Piece& piece) const;

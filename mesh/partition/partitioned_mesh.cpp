@@ -202,6 +202,7 @@ double PartitionFigures::largest_over_mean() const {
 PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOptions& options,
                                  const std::filesystem::path& folder)
     : pieces_(options.parts, folder),
+      cell_marks_(source.cell_marks()),
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);

@@ -8,6 +8,7 @@
 #include "base/array_index.h"
 #include "mesh/assemble/part_cells.h"
 #include "mesh/geometry/hilbert_order.h"
+#include "mesh/partition/reordered_marks.h"
 
 namespace tetfarm {
 namespace {
@@ -49,24 +50,38 @@ std::vector<std::size_t> order_of_cells(const std::vector<std::int32_t>& regions
   return order;
 }
 
-void sort_tets(NumberedPart& part) {
+/// @return which was the first before, which the second, and so on.
+std::vector<std::size_t> sort_tets(NumberedPart& part) {
   std::vector<std::int32_t> region_of_tet = part.region_of_tet;
   region_of_tet.resize(part.tets.size(), part.region);
   std::vector<Tet> tets;
   std::vector<std::int32_t> regions;
-  for (const std::size_t t :
-       order_of_cells(region_of_tet, [&](std::size_t i) { return std::span(part.tets[i]); })) {
+  std::vector<std::size_t> order =
+      order_of_cells(region_of_tet, [&](std::size_t i) { return std::span(part.tets[i]); });
+  for (const std::size_t t : order) {
     tets.push_back(part.tets[t]);
     if (!part.region_of_tet.empty()) regions.push_back(part.region_of_tet[t]);
   }
   part.tets = std::move(tets);
   part.region_of_tet = std::move(regions);
+  return order;
 }
 
-void sort_block(ElementType type, ElementBlock& cells) {
-  const std::vector<std::size_t> order =
+std::vector<std::size_t> sort_block(ElementType type, ElementBlock& cells) {
+  std::vector<std::size_t> order =
       order_of_cells(cells.regions, [&](std::size_t i) { return cells.element(type, i); });
   cells = reordered(type, cells, order);
+  return order;
+}
+
+/// The cells of each type, and their marks with them.
+void sort_cells(NumberedPart& part) {
+  std::vector<std::size_t> order = sort_tets(part);
+  for (const ElementType type : cell_block_types) {
+    const std::size_t first = order.size();
+    for (const std::size_t i : sort_block(type, part.blocks[type])) order.push_back(first + i);
+  }
+  part.marks = reordered_marks(part.marks, order);
 }
 
 /// The nodes by rising new number; elements follow.
@@ -200,10 +215,8 @@ NumberedPart RenumberedMesh::part(std::size_t i) const {
     if (numbers[v] < 0) numbers[v] = shared_[shared(part.local2global[v]).value()].number;
   }
   part.local2global = std::move(numbers);
-  part.marks = {};  // of cells in another order
   put_in_order(part);
-  sort_tets(part);
-  for (const ElementType type : cell_block_types) sort_block(type, part.blocks[type]);
+  sort_cells(part);
   return part;
 }
 

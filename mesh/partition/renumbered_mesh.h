@@ -22,7 +22,8 @@ enum class NodeNumbering {
 };
 
 /// The parts of `source`, each with its nodes by rising new number, and its cells of each type
-/// region by region by the lowest of their nodes, then the next. They lose their marks.
+/// region by region by the lowest of their nodes, then the next. Marks go with their
+/// cells.
 class RenumberedMesh : public MeshSource {
  public:
   /// Reads each part three times. The same mesh gets the same numbers.
@@ -36,6 +37,7 @@ class RenumberedMesh : public MeshSource {
   CountedPart counted_part(std::size_t i) const override { return source_->counted_part(i); }
   bool takes_threads() const override { return source_->takes_threads(); }
   bool knows_subdomains() const override { return source_->knows_subdomains(); }
+  std::vector<CellMark> cell_marks() const override { return source_->cell_marks(); }
   std::vector<std::string> patch_names() const override { return source_->patch_names(); }
   std::vector<std::string> region_names() const override { return source_->region_names(); }
 

@@ -204,6 +204,58 @@ TEST_F(PartPiecesOfGrid, have_cells_of_each_type_by_region_whichever_sub_domain_
   EXPECT_EQ(cells, expected);
 }
 
+/// Cells by type and nodes in the whole mesh, with their marks of all kinds.
+using MarkedCells = std::map<std::pair<ElementType, std::vector<std::int64_t>>,
+                             std::array<std::int32_t, all_cell_marks.size()>>;
+
+void add_marked_cells(const NumberedPart& part, MarkedCells& marked) {
+  Cells cells;
+  add_cells(part, cells);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    auto& marks = marked[{std::get<0>(cells[i]), std::get<1>(cells[i])}];
+    for (const CellMark mark : all_cell_marks) {
+      const std::vector<std::int32_t>& of_cells = part.marks[mark];
+      if (!of_cells.empty()) marks.at(static_cast<std::size_t>(mark)) = of_cells.at(i);
+    }
+  }
+}
+
+TEST(PartPieces, keep_the_marks_of_each_cell_and_have_0_of_sub_domains_without_them) {
+  const TempFolder folder;
+  HybridGrid grid(4, 3, true);
+  std::mt19937 random(12);
+  for (const auto& [subdomain, mark] :
+       {std::pair{0, CellMark::layer}, {0, CellMark::pml_axes}, {2, CellMark::layer}}) {
+    NumberedPart& part = grid.parts[at(subdomain)];
+    for (std::int64_t i = 0; i < cells_of(part); ++i) {
+      part.marks[mark].push_back(static_cast<std::int32_t>(random() % 1000));
+    }
+  }
+  PartPieces pieces(2, folder.path());
+  MarkedCells before;
+  // Regions come last first, so that cells are put in order.
+  for (std::size_t i = grid.size(); i-- > 0;) {
+    std::vector<std::int32_t> part_of_cell;
+    for (std::int64_t k = 0; k < cells_of(grid.parts[i]); ++k) {
+      part_of_cell.push_back(static_cast<std::int32_t>(random() % 2));
+    }
+    pieces.add(grid.parts[i], part_of_cell);
+    add_marked_cells(grid.parts[i], before);
+  }
+  MarkedCells after;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const NumberedPart part = pieces.part(i);
+    EXPECT_EQ(std::ssize(part.marks[CellMark::layer]), cells_of(part));
+    EXPECT_TRUE(part.marks[CellMark::pml_depth].empty()) << "no sub-domain has it";
+    add_marked_cells(part, after);
+  }
+  EXPECT_EQ(after, before);
+}
+
+TEST_F(PartPiecesOfGrid, of_a_mesh_without_marks_have_none) {
+  for (const NumberedPart& part : parts_) EXPECT_TRUE(part.marks.empty());
+}
+
 /// Two tets with a face in common.
 NumberedPart two_tets(std::int32_t number, std::int32_t region) {
   NumberedPart part;

@@ -16,6 +16,7 @@
 #include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/mesh/formats/marked_grid.h"
 #include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
@@ -68,6 +69,26 @@ Found found_in(const MeshSource& mesh) {
     for (const SeamFace& seam : seams.next_part()) found.cut_faces += seam.neighbour > seam.part;
   }
   return found;
+}
+
+TEST(PartitionedMesh, has_the_marks_of_the_mesh_in_the_files_that_hold_them) {
+  const TempFolder folder;
+  const MarkedGrid grid;
+  const PartitionedMesh mesh(grid, {3}, folder.path());
+  EXPECT_EQ(mesh.cell_marks(), grid.cell_marks());
+  const auto file = folder.path() / "parts.vtkhdf";
+  export_mesh(mesh, find_mesh_format("", file), file);
+  const std::unique_ptr<MeshSource> written = open_mesh(file);
+  std::multiset<std::int32_t> before;
+  std::multiset<std::int32_t> after;
+  for (const NumberedPart& part : grid.parts) {
+    before.insert(part.marks[CellMark::layer].begin(), part.marks[CellMark::layer].end());
+  }
+  for (std::size_t i = 0; i < written->size(); ++i) {
+    const NumberedPart part = written->part(i);
+    after.insert(part.marks[CellMark::layer].begin(), part.marks[CellMark::layer].end());
+  }
+  EXPECT_EQ(after, before);
 }
 
 TEST(PartitionedMesh, parts_are_even_of_one_piece_and_together_the_mesh) {

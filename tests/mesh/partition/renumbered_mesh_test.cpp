@@ -7,12 +7,14 @@
 #include <map>
 #include <set>
 
+#include "mesh/assemble/part_cells.h"
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
+#include "tests/mesh/formats/marked_grid.h"
 #include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
@@ -178,6 +180,31 @@ TEST(RenumberedMesh, of_all_types_of_cells_is_the_same_mesh) {
     for (const ElementType type : all_element_types) {
       EXPECT_EQ(outline_of(mesh).elements()[type], outline_of(grid).elements()[type]);
     }
+  }
+}
+
+/// Of each cell, by the places of its nodes, which no numbering changes.
+std::map<std::vector<std::array<double, 3>>, std::int32_t> layers_of(const MeshSource& mesh) {
+  std::map<std::vector<std::array<double, 3>>, std::int32_t> layer_of_cell;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for_each_cell(part, [&](std::int32_t cell, ElementType, std::span<const std::int32_t> nodes) {
+      std::vector<std::array<double, 3>> places;
+      for (const std::int32_t v : nodes) {
+        const Vec3& place = part.nodes[static_cast<std::size_t>(v)];
+        places.push_back({place.x, place.y, place.z});
+      }
+      layer_of_cell[places] = part.marks[CellMark::layer].at(static_cast<std::size_t>(cell));
+    });
+  }
+  return layer_of_cell;
+}
+
+TEST(RenumberedMesh, keeps_the_marks_of_each_cell) {
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<MarkedGrid>(), numbering);
+    EXPECT_EQ(mesh.cell_marks(), std::vector{CellMark::layer});
+    EXPECT_EQ(layers_of(mesh), layers_of(MarkedGrid()));
   }
 }
 
