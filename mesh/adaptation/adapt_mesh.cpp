@@ -147,10 +147,11 @@ AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex comp
     return adapted_by_mean_length(input, std::move(complex), metrics, options);
   }
   check_size(complexity(complex, metrics), options.max_triangles);
-  const std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
+  std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
   MetricMesh mesh =
       make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
   const MetricField field(std::move(complex), scaled);
+  scaled = {};  // the field has their logarithms
   adapt_to_unit_length(mesh, field, options);
   MeshWithMetrics result = plane_mesh_of(mesh);
   result.mesh.patch_names = input.patch_names;

@@ -20,9 +20,9 @@ struct Quadrilateral {
 bool is_better_by_energy(const MetricMesh& mesh, const Quadrilateral& at) {
   const double before = std::max(triangle_energy(mesh, {at.p, at.a, at.b}),
                                  triangle_energy(mesh, {at.q, at.b, at.a}));
-  const double after = std::max(triangle_energy(mesh, {at.p, at.a, at.q}),
-                                triangle_energy(mesh, {at.p, at.q, at.b}));
-  return after < before * enough_better;
+  const double allowed = before * enough_better;
+  return triangle_energy(mesh, {at.p, at.a, at.q}) < allowed &&
+         triangle_energy(mesh, {at.p, at.q, at.b}) < allowed;
 }
 
 /// Whether the angles at p and q, by the mean metric, are together more than two right angles.

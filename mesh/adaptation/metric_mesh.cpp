@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/array_index.h"
 #include "base/check.h"
@@ -10,26 +9,6 @@
 
 namespace tetfarm {
 namespace {
-
-Vec2 difference(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
-
-double energy_of(const Vec2 (&p)[3], const Metric2& mean) {
-  const Vec2 u = difference(p[1], p[0]);
-  const Vec2 v = difference(p[2], p[0]);
-  const Vec2 w = difference(p[2], p[1]);
-  const double doubled = u.x * v.y - u.y * v.x;
-  const double det = mean.xx * mean.yy - mean.xy * mean.xy;
-  if (!(doubled > 0) || !(det > 0)) return std::numeric_limits<double>::infinity();
-  const double squares =
-      squared_length(mean, u) + squared_length(mean, v) + squared_length(mean, w);
-  // |J|² is 2/3 of the squares, and the determinant of J the area over that of the unit triangle.
-  const double area_squared = doubled * doubled * det * (4.0 / 3);
-  return 2.0 / 3 * squares * (1 + 1 / area_squared);
-}
-
-Metric2 mean_of(const Metric2& a, const Metric2& b, const Metric2& c) {
-  return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
-}
 
 void validate_boundary(const MetricMesh& mesh, Complaints& wrong) {
   std::size_t constrained = 0;
@@ -88,10 +67,6 @@ void move_node(MetricMesh& mesh, std::int32_t node, const NodePlace& place) {
   mesh.homes[at(node)] = place.home;
 }
 
-NodePlace place_of(const MetricMesh& mesh, std::int32_t node) {
-  return {mesh.complex.point(node), mesh.metrics[at(node)], mesh.homes[at(node)]};
-}
-
 std::int32_t take_triangle(MetricMesh& mesh) {
   if (!mesh.unused.empty()) {
     const std::int32_t t = mesh.unused.back();
@@ -108,26 +83,6 @@ void drop_triangle(MetricMesh& mesh, std::int32_t triangle) {
   mesh.complex.neighbours[at(triangle)] = {no_edge, no_edge, no_edge};
   mesh.complex.constrained[at(triangle)] = 0;
   mesh.unused.push_back(triangle);
-}
-
-double edge_length(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
-  return length_between(difference(mesh.complex.point(b), mesh.complex.point(a)),
-                        mesh.metrics[at(a)], mesh.metrics[at(b)]);
-}
-
-double edge_length(const MetricMesh& mesh, const NodePlace& place, std::int32_t node) {
-  return length_between(difference(mesh.complex.point(node), place.point), place.metric,
-                        mesh.metrics[at(node)]);
-}
-
-double triangle_energy(const NodePlace& a, const NodePlace& b, const NodePlace& c) {
-  return energy_of({a.point, b.point, c.point}, mean_of(a.metric, b.metric, c.metric));
-}
-
-double triangle_energy(const MetricMesh& mesh, const TriangleComplex::Nodes& nodes) {
-  return energy_of(
-      {mesh.complex.point(nodes[0]), mesh.complex.point(nodes[1]), mesh.complex.point(nodes[2])},
-      mean_of(mesh.metrics[at(nodes[0])], mesh.metrics[at(nodes[1])], mesh.metrics[at(nodes[2])]));
 }
 
 void collect_ball(const TriangleComplex& complex, std::int32_t node, Ball& ball) {

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "base/array_index.h"
 #include "mesh/adaptation/boundary_curve.h"
 #include "mesh/adaptation/metric_field.h"
 #include "mesh/metric/metric2.h"
@@ -65,21 +67,57 @@ struct NodePlace {
 
 std::int32_t add_node(MetricMesh& mesh, const NodePlace& place);
 void move_node(MetricMesh& mesh, std::int32_t node, const NodePlace& place);
-NodePlace place_of(const MetricMesh& mesh, std::int32_t node);
+inline NodePlace place_of(const MetricMesh& mesh, std::int32_t node) {
+  return {mesh.complex.point(node), mesh.metrics[at(node)], mesh.homes[at(node)]};
+}
 /// A triangle to be overwritten.
 std::int32_t take_triangle(MetricMesh& mesh);
 void drop_triangle(MetricMesh& mesh, std::int32_t triangle);
 
 /// The metric length of the edge between two nodes.
-double edge_length(const MetricMesh& mesh, std::int32_t a, std::int32_t b);
+inline double edge_length(const MetricMesh& mesh, std::int32_t a, std::int32_t b) {
+  const Vec2& p = mesh.complex.point(a);
+  const Vec2& q = mesh.complex.point(b);
+  return length_between({q.x - p.x, q.y - p.y}, mesh.metrics[at(a)], mesh.metrics[at(b)]);
+}
 /// The same from a place to a node.
-double edge_length(const MetricMesh& mesh, const NodePlace& place, std::int32_t node);
+inline double edge_length(const MetricMesh& mesh, const NodePlace& place, std::int32_t node) {
+  const Vec2& q = mesh.complex.point(node);
+  return length_between({q.x - place.point.x, q.y - place.point.y}, place.metric,
+                        mesh.metrics[at(node)]);
+}
 
 /// How far a triangle is from an equilateral one of unit edges, by the mean of the metrics of its
 /// nodes: the symmetric Dirichlet energy |J|² + |J⁻¹|² of the map from that triangle, 4 when equal;
 /// infinite when it does not turn anticlockwise.
-double triangle_energy(const NodePlace& a, const NodePlace& b, const NodePlace& c);
-double triangle_energy(const MetricMesh& mesh, const TriangleComplex::Nodes& nodes);
+inline double triangle_energy(const Vec2& a, const Vec2& b, const Vec2& c, const Metric2& mean) {
+  const Vec2 u{b.x - a.x, b.y - a.y};
+  const Vec2 v{c.x - a.x, c.y - a.y};
+  const Vec2 w{c.x - b.x, c.y - b.y};
+  const double doubled = u.x * v.y - u.y * v.x;
+  const double det = mean.xx * mean.yy - mean.xy * mean.xy;
+  if (!(doubled > 0) || !(det > 0)) return std::numeric_limits<double>::infinity();
+  const double squares =
+      squared_length(mean, u) + squared_length(mean, v) + squared_length(mean, w);
+  // |J|² is 2/3 of the squares, and the determinant of J the area over that of the unit triangle.
+  const double area_squared = doubled * doubled * det * (4.0 / 3);
+  return 2.0 / 3 * squares * (1 + 1 / area_squared);
+}
+inline Metric2 mean_metric(const Metric2& a, const Metric2& b, const Metric2& c) {
+  return {(a.xx + b.xx + c.xx) / 3, (a.xy + b.xy + c.xy) / 3, (a.yy + b.yy + c.yy) / 3};
+}
+inline double triangle_energy(const MetricMesh& mesh, const TriangleComplex::Nodes& nodes) {
+  const auto& [a, b, c] = nodes;
+  return triangle_energy(
+      mesh.complex.point(a), mesh.complex.point(b), mesh.complex.point(c),
+      mean_metric(mesh.metrics[at(a)], mesh.metrics[at(b)], mesh.metrics[at(c)]));
+}
+/// Of a node at the place, with two of the mesh.
+inline double triangle_energy(const MetricMesh& mesh, const NodePlace& place, std::int32_t b,
+                              std::int32_t c) {
+  return triangle_energy(place.point, mesh.complex.point(b), mesh.complex.point(c),
+                         mean_metric(place.metric, mesh.metrics[at(b)], mesh.metrics[at(c)]));
+}
 
 /// The triangles round a node, anticlockwise; from the border on where it has one. Triangles
 /// beyond constrained edges inside are among them.

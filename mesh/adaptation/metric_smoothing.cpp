@@ -21,7 +21,7 @@ double ball_energy(const MetricMesh& mesh, const Ball& ball, const NodePlace& pl
   double sum = 0;
   for (const EdgeHandle corner : ball.corners) {
     const OppositeEdge sides = opposite_edge(mesh.complex, corner);
-    sum += triangle_energy(place, place_of(mesh, sides.before), place_of(mesh, sides.after));
+    sum += triangle_energy(mesh, place, sides.before, sides.after);
   }
   return sum;
 }

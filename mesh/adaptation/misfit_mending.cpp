@@ -34,8 +34,7 @@ class NodeSearch {
     double sum = 0;
     for (const EdgeHandle corner : ball_.corners) {
       const OppositeEdge edge = opposite_edge(mesh_.complex, corner);
-      const double energy =
-          triangle_energy(place, place_of(mesh_, edge.before), place_of(mesh_, edge.after)) / 4;
+      const double energy = triangle_energy(mesh_, place, edge.before, edge.after) / 4;
       const double beyond = excess(edge_length(mesh_, place, edge.before));
       sum += energy * energy * energy + weight_of_length * beyond * beyond;
     }

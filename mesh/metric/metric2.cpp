@@ -68,23 +68,6 @@ Metric2 exp_of(const Metric2& log) {
   return {half_sum + slope * half_difference, slope * log.xy, half_sum - slope * half_difference};
 }
 
-double length_between(double a, double b) {
-  const double difference = a - b;
-  const double sum = a + b;
-  // With x = difference / sum the length is difference / (2 atanh x); near x = 0 as a series.
-  const double x = difference / sum;
-  const double square = x * x;
-  if (square < 1e-3) {
-    return sum / 2 /
-           (1 + square * (1.0 / 3 + square * (1.0 / 5 + square * (1.0 / 7 + square / 9))));
-  }
-  return difference / std::log(a / b);
-}
-
-double length_between(const Vec2& edge, const Metric2& a, const Metric2& b) {
-  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
-}
-
 double share_at_length(double a, double b, double part) {
   // The length passed at share t is a (r^t - 1) / ln r with r = b / a.
   const double log_ratio = std::log(b / a);

@@ -8,6 +8,8 @@
 /// their digits up to an aspect of 1e7. Cost: a few dozen flops each.
 #pragma once
 
+#include <cmath>
+
 #include "mesh/geometry/predicates.h"
 
 namespace tetfarm {
@@ -65,10 +67,23 @@ inline double squared_length(const Metric2& m, const Vec2& v) {
 
 /// The metric length of an edge with lengths a and b by the metrics of its two ends, where the size
 /// grows geometrically between them: (a - b) / ln(a / b).
-double length_between(double a, double b);
+inline double length_between(double a, double b) {
+  const double difference = a - b;
+  const double sum = a + b;
+  // With x = difference / sum the length is difference / (2 atanh x); near x = 0 as a series.
+  const double x = difference / sum;
+  const double square = x * x;
+  if (square < 1e-3) {
+    return sum / 2 /
+           (1 + square * (1.0 / 3 + square * (1.0 / 5 + square * (1.0 / 7 + square / 9))));
+  }
+  return difference / std::log(a / b);
+}
 
 /// The same of an edge by the metrics at its two ends.
-double length_between(const Vec2& edge, const Metric2& a, const Metric2& b);
+inline double length_between(const Vec2& edge, const Metric2& a, const Metric2& b) {
+  return length_between(std::sqrt(squared_length(a, edge)), std::sqrt(squared_length(b, edge)));
+}
 
 /// Where along such an edge, as a share of it from the end of length a, a metric length `part` of
 /// its whole length has been passed.
