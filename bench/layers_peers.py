@@ -4,8 +4,8 @@
     bench/layers_peers.py [--tetfarm build/release/bin/tetfarm] [--case cube]... [--limit 300]
 
 Gmsh runs in a process group of its own, with a limit of time and 8 GiB of address space; one that fails has its failure in
-its row. Of each prism: the smallest volume of its corners' tets, its scaled Jacobian over that of its wall triangle, and
-the normal height of the first on each wall triangle. Needs Gmsh's module, numpy and h5py.
+its row. Of each prism its scaled Jacobian over that of its wall triangle (bad: none above zero at some corner), and the normal
+height of the first on each wall triangle. The tets are not judged but for the step to them. Needs Gmsh's module, numpy and h5py.
 """
 
 import argparse
@@ -32,6 +32,14 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
+def reason(code, log):
+    """Of a program that failed: its signal, or the last line that it wrote."""
+    if code < 0:
+        return f"no mesh: signal {-code}"
+    lines = pathlib.Path(log).read_text(encoding="utf-8", errors="replace").split("\n")
+    return "no mesh: " + next((line for line in reversed(lines) if line.strip()), f"exit code {code}")
+
+
 def bounded(command, limit, log):
     """Why it failed, or nothing, with CPU seconds and peak megabytes."""
     with open(log, "wb") as output:
@@ -43,7 +51,7 @@ def bounded(command, limit, log):
         _, status, used = os.wait4(child.pid, 0)
         timer.cancel()
         child.returncode = os.waitstatus_to_exitcode(status)
-    why = "" if child.returncode == 0 else f"no mesh: exit code {child.returncode}"
+    why = "" if child.returncode == 0 else reason(child.returncode, log)
     return "time limit" if late.is_set() else why, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
