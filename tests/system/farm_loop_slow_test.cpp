@@ -1,4 +1,5 @@
 /// Adaptation loops on a farm: submitted by clients, some of whom see no store.
+#include "base/error.h"
 #include "tests/system/daemon_farm.h"
 
 namespace tetfarm::test {
