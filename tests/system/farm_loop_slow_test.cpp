@@ -62,7 +62,7 @@ TEST_F(FarmLoop, gives_the_bytes_of_a_local_loop_to_a_client_and_workers_that_se
   EXPECT_EQ(submit_loop("a", {"--store", "store"}), job) << "the same loop is the same job";
   const auto surfaces_only = start_worker();
   pause_ms(500);
-  EXPECT_THAT(ask({"explain", job}).out, HasSubstr("started without --solvers"));
+  EXPECT_THAT(ask({"explain", "1"}).out, HasSubstr("started without --solvers"));
   const Program worker({"worker", "--connect", endpoint_, "--no-shared-store", "--solvers"},
                        folder_.path());
   const Ended ended = fetch(job, "fetched");
