@@ -5,54 +5,24 @@
 
 Gmsh runs in a process group of its own, with a limit of time and 8 GiB of address space; one that fails has its failure in
 its row. Of each prism its scaled Jacobian over that of its wall triangle (bad: none above zero at some corner), and the normal
-height of the first on each wall triangle. The tets are not judged but for the step to them. Needs Gmsh's module, numpy and h5py.
+height of the first on each wall triangle. The tets are not judged but for the step to them. CPU seconds are the user's. Needs
+Gmsh's module, numpy, h5py and prlimit.
 """
 
 import argparse
-import os
 import pathlib
-import resource
-import signal
-import subprocess
 import sys
 import tempfile
-import threading
 import types
 
 import numpy as np
 
+import adapt
 import layers
 
 MEMORY = 8 << 30
 # name: (surface, first height, growth, layers, side on which they stand)
 CASES = {"cube": (layers.CUBE, 1e-3, 1.2, 15, -1), "spheres": (layers.SPHERES, 5e-4, 1.2, 20, 1)}
-
-
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
-
-def reason(code, log):
-    """Of a program that failed: its signal, or the last line that it wrote."""
-    if code < 0:
-        return f"no mesh: signal {-code}"
-    lines = pathlib.Path(log).read_text(encoding="utf-8", errors="replace").split("\n")
-    return "no mesh: " + next((line for line in reversed(lines) if line.strip()), f"exit code {code}")
-
-
-def bounded(command, limit, log):
-    """Why it failed, or nothing, with CPU seconds and peak megabytes."""
-    with open(log, "wb") as output:
-        child = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
-                                 preexec_fn=limit_memory)
-        late = threading.Event()
-        timer = threading.Timer(limit, lambda: (late.set(), os.killpg(child.pid, signal.SIGKILL)))
-        timer.start()
-        _, status, used = os.wait4(child.pid, 0)
-        timer.cancel()
-        child.returncode = os.waitstatus_to_exitcode(status)
-    why = "" if child.returncode == 0 else reason(child.returncode, log)
-    return "time limit" if late.is_set() else why, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
 def first_heights(part, wall, first):
@@ -67,10 +37,11 @@ def row_of(name, arguments, folder):
     surface, first, growth, count, side = CASES[name]
     file, out = layers.shape(arguments.tetfarm, surface, folder), folder / f"{name}.npz"
     script = pathlib.Path(__file__).with_name("layers_by_gmsh.py")
-    why, cpu, peak = bounded([sys.executable, script, file, str(first), str(growth), str(count), str(side), out],
-                             arguments.limit, folder / "log")
-    if why:
-        return f"| {name} | {why} | | | | | | | | | {cpu:.1f} | {peak:.0f} |"
+    command = ["prlimit", f"--as={MEMORY}", sys.executable, script, file, first, growth, count, side, out]
+    try:
+        run = adapt.run([str(word) for word in command], folder, out, arguments.limit)
+    except adapt.Failed as failure:
+        return f"| {name} | no mesh: {failure} " + "| " * 10 + "|"
     mesh = np.load(out)
     part = types.SimpleNamespace(places=mesh["places"], names=np.arange(len(mesh["places"])), tets=mesh["tets"],
                                  prisms=mesh["prisms"])
@@ -82,7 +53,7 @@ def row_of(name, arguments, folder):
     jumps = layers.top_jumps([part])
     return (f"| {name} | {len(part.prisms)} | {len(part.tets)} | {full:.2f} | {near[0]:.2f} | {near[1]:.2f} | "
             f"{(jacobians <= 0).sum()} | {jacobians.min():.3f} | {np.median(jacobians):.4f} | {np.median(jumps):.2f} | "
-            f"{cpu:.1f} | {peak:.0f} |")
+            f"{run.cpu:.1f} | {run.peak_bytes / 1e6:.0f} |")
 
 
 def main():
@@ -91,6 +62,7 @@ def main():
     parser.add_argument("--case", action="append", choices=CASES, help="default: all")
     parser.add_argument("--limit", type=float, default=300, help="seconds by the clock")
     arguments = parser.parse_args()
+    adapt.adopt_orphans()
     print("| Gmsh | prisms | tets | all layers, % of stacks | first height within 2 %, % | 10 %, % | bad prisms | "
           "Jacobian over the wall's, min | median | tet : last prism, median | CPU s | peak MB |")
     print("|---|" + "--:|" * 11)

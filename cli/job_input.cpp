@@ -89,8 +89,7 @@ void take_sources_of_file(JobFile& job) {
 
 JobFile base_job(const std::string& input) {
   if (input.ends_with(".toml")) {
-    // One byte too many is enough to be refused.
-    const std::string text = read_part_of_file(input, 0, largest_job_file + 1);
+    const std::string text = text_of_job_file(input);
     if (is_loop_job(text, input)) {
       throw ErrorWithHelp(ExitCode::usage, input + ": this is the job file of an adaptation loop",
                           "run it with `tetfarm loop " + input + " -o DIR`");
@@ -110,6 +109,11 @@ JobFile base_job(const std::string& input) {
 }
 
 }  // namespace
+
+std::string text_of_job_file(const std::string& path) {
+  // One byte too many is enough to be refused by who parses it.
+  return read_part_of_file(path, 0, largest_job_file + 1);
+}
 
 JobInput describe_job(const RunOptions& options) {
   JobInput input{base_job(options.input), {}, {}};

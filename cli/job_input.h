@@ -15,6 +15,9 @@ struct JobInput {
   std::string surface;  ///< the file's bytes, unpacked
 };
 
+/// As much of it as a job file may have, and a byte more where it has more. @throws IoError.
+std::string text_of_job_file(const std::string& path);
+
 /// Options win over the job file. @throws UsageError, InvalidInput, IoError.
 JobInput read_job(const RunOptions& options);
 

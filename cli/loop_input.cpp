@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/hash.h"
+#include "cli/job_input.h"
 #include "mesh/formats/plane/plane_files.h"
-#include "mesh/job_file/toml_limits.h"
 #include "tasks/solve_contract.h"
 #include "worker/curve_option.h"
 
@@ -85,7 +85,7 @@ std::string names_of(const std::vector<SolverFile>& files) {
 
 LoopInput read_loop(const std::string& path) {
   LoopInput input;
-  input.job = parse_loop_job(read_file(path), path);
+  input.job = parse_loop_job(text_of_job_file(path), path);
   require_plane_input_name(input.job.mesh);
   require_plane_output_name(input.job.solver.mesh);
   const PlaneMesh mesh = read_plane_mesh(input.job.mesh);
@@ -107,9 +107,7 @@ LoopInput read_loop(const std::string& path) {
 }
 
 bool is_loop_file(const std::string& path) {
-  // One byte too many is enough to be refused by who reads it.
-  return path.ends_with(".toml") &&
-         is_loop_job(read_part_of_file(path, 0, largest_job_file + 1), path);
+  return path.ends_with(".toml") && is_loop_job(text_of_job_file(path), path);
 }
 
 BringFile published_in(const ArtifactStore& store) {

@@ -99,14 +99,22 @@ JobInput job_to_submit(const SubmitCommand& command) {
   return input;
 }
 
+/// Into the store that both see, or over the connection, which has to outlive it.
+BringFile way_to_coordinator(const SubmitCommand& command, CoordinatorConnection& connection) {
+  const std::string& store = command.job.store;
+  if (!store.empty()) return published_in(ArtifactStore::open_existing(store));
+  return [&connection, options = fetch_options(command.client)](const std::string& name,
+                                                                const std::string& bytes) {
+    return bring_file(connection, bytes, name, options);
+  };
+}
+
 /// After the surface has gone where the coordinator finds it, unless only its path goes.
 wire::Submit bring_job(const SubmitCommand& command, const JobInput& input,
                        CoordinatorConnection& connection) {
   if (command.coordinator_reads) return name_job(input);
-  const std::string& store = command.job.store;
-  if (!store.empty()) return publish_job(ArtifactStore::open_existing(store), input);
-  return submission_of(input, bring_file(connection, input.surface, input.job.surface,
-                                         fetch_options(command.client)));
+  const BringFile bring = way_to_coordinator(command, connection);
+  return submission_of(input, bring(input.job.surface, input.surface));
 }
 
 /// An option of surfaces' jobs that was given; "": none.
@@ -140,13 +148,7 @@ ExitCode submit_loop(const SubmitCommand& command) {
   }
   const LoopInput input = read_loop(command.job.input);
   CoordinatorConnection connection = connect(client, command.job.store);
-  const std::string& store = command.job.store;
-  const BringFile over_connection = [&](const std::string& name, const std::string& bytes) {
-    return bring_file(connection, bytes, name, fetch_options(client));
-  };
-  const BringFile bring =
-      store.empty() ? over_connection : published_in(ArtifactStore::open_existing(store));
-  const wire::Submit submit = submission_of_loop(input, bring);
+  const wire::Submit submit = submission_of_loop(input, way_to_coordinator(command, connection));
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);
 }
 

@@ -35,6 +35,29 @@ Metric2 grown(const Metric2& from, const Vec2& edge, double log_gradation) {
   return (1 / (growth * growth)) * from;
 }
 
+/// Absolute eigenvalues, raised to a share of the field's largest and of the node's own.
+std::vector<Metric2> raised(std::span<const Metric2> hessians, double share, double own_share) {
+  double largest = 0;
+  std::vector<Eigen2> eigenvalues;
+  for (const Metric2& h : hessians) {
+    Eigen2 e = eigen(h);
+    e.first = std::abs(e.first);
+    e.second = std::abs(e.second);
+    largest = std::max({largest, e.first, e.second});
+    eigenvalues.push_back(e);
+  }
+  // A field without any second derivative asks for the same everywhere.
+  const double floor = largest > 0 ? share * largest : 1;
+  std::vector<Metric2> metrics;
+  for (Eigen2 e : eigenvalues) {
+    const double least = std::max(floor, own_share * std::max(e.first, e.second));
+    e.first = std::max(e.first, least);
+    e.second = std::max(e.second, least);
+    metrics.push_back(metric_of_eigen(e));
+  }
+  return metrics;
+}
+
 }  // namespace
 
 Metric2 limited(const Metric2& metric, const MetricLimits& limits) {
@@ -81,33 +104,6 @@ std::vector<Metric2> graded(const TriangleComplex& complex, std::vector<Metric2>
   }
   return metrics;
 }
-
-namespace {
-
-/// Absolute eigenvalues, raised to a share of the field's largest and of the node's own.
-std::vector<Metric2> raised(std::span<const Metric2> hessians, double share, double own_share) {
-  double largest = 0;
-  std::vector<Eigen2> eigenvalues;
-  for (const Metric2& h : hessians) {
-    Eigen2 e = eigen(h);
-    e.first = std::abs(e.first);
-    e.second = std::abs(e.second);
-    largest = std::max({largest, e.first, e.second});
-    eigenvalues.push_back(e);
-  }
-  // A field without any second derivative asks for the same everywhere.
-  const double floor = largest > 0 ? share * largest : 1;
-  std::vector<Metric2> metrics;
-  for (Eigen2 e : eigenvalues) {
-    const double least = std::max(floor, own_share * std::max(e.first, e.second));
-    e.first = std::max(e.first, least);
-    e.second = std::max(e.second, least);
-    metrics.push_back(metric_of_eigen(e));
-  }
-  return metrics;
-}
-
-}  // namespace
 
 std::vector<Metric2> absolute(std::span<const Metric2> hessians) {
   return raised(hessians, flat_share, 0);

@@ -41,16 +41,19 @@ TEST_F(PoolCommandLine, a_pool_has_defaults_for_what_is_not_said) {
   EXPECT_EQ(pool.rate, 60U);
   EXPECT_TRUE(pool.options.empty());
   EXPECT_TRUE(pool.hosts.empty());
-  EXPECT_FALSE(pool.dry_run || pool.stop || pool.json);
+  EXPECT_FALSE(pool.solvers || pool.dry_run || pool.stop || pool.json);
 }
 
 TEST_F(PoolCommandLine, a_pool_takes_each_of_its_options) {
-  const PoolCommand pool =
-      with({"--key",   "p.key", "--coordinator-key", "c.pub",        "--name", "night",
-            "--store", "/farm", "--program",         "/bin/tetfarm", "--logs", "/logs",
-            "--grace", "0",     "--hosts",           "a:2,b",        "--min",  "1",
-            "--idle",  "0.5",   "--interval",        "0.1",          "--rate", "7",
-            "--stop",  "--json"});
+  const PoolCommand pool = with({"--key",        "p.key",     "--coordinator-key",
+                                 "c.pub",        "--name",    "night",
+                                 "--store",      "/farm",     "--program",
+                                 "/bin/tetfarm", "--logs",    "/logs",
+                                 "--grace",      "0",         "--hosts",
+                                 "a:2,b",        "--min",     "1",
+                                 "--idle",       "0.5",       "--interval",
+                                 "0.1",          "--rate",    "7",
+                                 "--stop",       "--solvers", "--json"});
   EXPECT_EQ(pool.keys.own, "p.key");
   EXPECT_EQ(pool.keys.coordinator, "c.pub");
   EXPECT_EQ(pool.name, "night");
@@ -63,6 +66,7 @@ TEST_F(PoolCommandLine, a_pool_takes_each_of_its_options) {
   EXPECT_EQ(pool.idle_s, 0.5);
   EXPECT_EQ(pool.interval_s, 0.1);
   EXPECT_EQ(pool.rate, 7U);
+  EXPECT_TRUE(pool.solvers);
   EXPECT_TRUE(pool.stop);
   EXPECT_TRUE(pool.json);
   EXPECT_FALSE(pool.dry_run);
