@@ -8,7 +8,6 @@
 #include "mesh/formats/openfoam/seam_faces.h"
 #include "mesh/formats/pvtu/write_pvtu.h"
 #include "mesh/formats/registry/export_mesh.h"
-#include "mesh/formats/ugrid/ugrid_source.h"
 #include "mesh/formats/vtkhdf/read_vtkhdf.h"
 #include "mesh/formats/vtkhdf/write_vtkhdf.h"
 #include "tests/base/temp_folder.h"
@@ -285,15 +284,6 @@ TEST_P(LimitOf32Bits, is_written_up_to_it_and_refused_above_before_anything_is_t
     EXPECT_THAT(error.what(), HasSubstr("2147483648"));
   }
   EXPECT_TRUE(std::filesystem::is_empty(empty.path()));
-}
-
-TEST(LimitOf32BitsOf, ugrid_reads_back_at_the_limit) {
-  const TempFolder folder;
-  const LastOfLargeMesh mesh(CountsBefore{most - 4, 0, 0});
-  const auto source = open_ugrid(written(mesh, folder, "lb8.ugrid", "a.lb8.ugrid"));
-  ASSERT_EQ(source->size(), 1u);
-  EXPECT_EQ(source->part(0).local2global, mesh.part(0).local2global);
-  EXPECT_EQ(source->part(0).nodes, mesh.part(0).nodes);
 }
 
 TEST(LimitOf32BitsOf, openfoam_has_everything_at_its_place) {

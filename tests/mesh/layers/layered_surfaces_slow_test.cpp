@@ -12,13 +12,32 @@
 namespace tetfarm {
 namespace {
 
-class ManyLayeredSurfaces : public testing::TestWithParam<shapes::SurfaceGenerator> {};
+/// Surfaces until there are enough of them, or of their triangles: a gear has a thousand times as
+/// many as a prism.
+class ManyLayeredSurfaces : public testing::TestWithParam<shapes::SurfaceGenerator> {
+ protected:
+  void count(const SurfaceMesh& surface) {
+    ++planned_;
+    triangles_ += std::ssize(surface.triangles);
+  }
+
+  bool are_enough() const { return planned_ >= few && triangles_ > many_triangles; }
+
+  /// Of those that were asked for.
+  void expect_most_of(std::int64_t seeds) const {
+    EXPECT_GT(planned_, are_enough() ? few - 1 : seeds / 2);
+  }
+
+  static constexpr std::int64_t few = 80;
+  static constexpr std::int64_t many_triangles = 40'000;
+  std::int64_t planned_ = 0;
+  std::int64_t triangles_ = 0;
+};
 
 /// Layers of any height and number: thin ones, and such as are higher than there is room.
 TEST_P(ManyLayeredSurfaces, have_layers_that_are_a_mesh) {
-  std::int64_t planned = 0;
   std::int64_t cells = 0;
-  for (std::uint64_t seed = 100; seed < 550; ++seed) {
+  for (std::uint64_t seed = 100; seed < 550 && !are_enough(); ++seed) {
     SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
     const CheckedSurface checked = check_surface(GetParam().make(seed, 1));
     if (!checked.report.defects.empty() || region_count(checked.surface) > 1) continue;
@@ -31,18 +50,17 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_are_a_mesh) {
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
     const test::LayerFigures figures = test::expect_valid_layers(plan, surface, request.step);
     cells += figures.prisms + figures.pyramids + figures.tets;
-    ++planned;
+    count(surface);
     if (HasFailure()) return;
   }
-  EXPECT_GT(planned, 250);
-  EXPECT_GT(cells, 10 * planned);
+  expect_most_of(450);
+  EXPECT_GT(cells, 10 * planned_);
 }
 
 /// The same with flat pieces of each surface that do not grow.
 TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
-  std::int64_t planned = 0;
   std::int64_t with_planes = 0;
-  for (std::uint64_t seed = 100; seed < 400; ++seed) {
+  for (std::uint64_t seed = 100; seed < 400 && !are_enough(); ++seed) {
     SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
     const CheckedSurface checked =
         check_surface(test::with_flat_patches(GetParam().make(seed, 1), seed));
@@ -64,18 +82,17 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_end_on_planes) {
     } else {
       test::expect_valid_layers(plan, surface, request.step);
     }
-    ++planned;
+    count(surface);
     if (HasFailure()) return;
   }
-  EXPECT_GT(planned, 150);
-  EXPECT_GT(with_planes, planned / 10) << planned;
+  expect_most_of(300);
+  EXPECT_GT(with_planes, planned_ / 10) << planned_;
 }
 
 /// In small chunks, with fans that end in planes; every other of tets alone and of listed heights.
 TEST_P(ManyLayeredSurfaces, have_layers_that_close_beside_planes) {
-  std::int64_t planned = 0;
   std::int64_t with_planes = 0;
-  for (std::uint64_t seed = 100; seed < 250; ++seed) {
+  for (std::uint64_t seed = 100; seed < 250 && !are_enough(); ++seed) {
     SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
     const CheckedSurface checked =
         check_surface(test::with_flat_patches(GetParam().make(seed, 1), seed));
@@ -107,18 +124,17 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_close_beside_planes) {
       const ChunkCounts counts = counts_of(chunk);
       EXPECT_TRUE(!request.in_tets || counts.cells() == counts.tets);
     }
-    ++planned;
+    count(surface);
     if (HasFailure()) return;
   }
-  EXPECT_GT(planned, 70);
-  EXPECT_GT(with_planes, planned / 10) << planned;
+  expect_most_of(150);
+  EXPECT_GT(with_planes, planned_ / 10) << planned_;
 }
 
 /// Bodies in a box, with several lines at their sharp edges.
 TEST_P(ManyLayeredSurfaces, have_layers_that_fan) {
-  std::int64_t planned = 0;
   std::int64_t with_fans = 0;
-  for (std::uint64_t seed = 100; seed < 400; ++seed) {
+  for (std::uint64_t seed = 100; seed < 400 && !are_enough(); ++seed) {
     SCOPED_TRACE(std::string(GetParam().name) + ", seed " + std::to_string(seed));
     const SurfaceMesh body = GetParam().make(seed, 1);
     if (!check_surface(body).report.defects.empty()) continue;
@@ -132,11 +148,11 @@ TEST_P(ManyLayeredSurfaces, have_layers_that_fan) {
     const LayerPlan plan = plan_layers(surface, std::span(&request, 1));
     test::expect_valid_layers(plan, surface, request.step);
     with_fans += plan.fans.empty() ? 0 : 1;
-    ++planned;
+    count(surface);
     if (HasFailure()) return;
   }
-  EXPECT_GT(planned, 150);
-  EXPECT_GT(with_fans, planned / 10) << planned;
+  expect_most_of(300);
+  EXPECT_GT(with_fans, planned_ / 10) << planned_;
 }
 
 std::vector<shapes::SurfaceGenerator> all_generators() {
