@@ -75,10 +75,25 @@ std::vector<SolverFile> solver_files(const LoopJob& job, const fs::path& folder)
   return all;
 }
 
+std::string numbered(const std::string& prefix, std::size_t place) {
+  return prefix + std::to_string(place + 1);
+}
+
 std::string names_of(const std::vector<SolverFile>& files) {
   std::string lines;
   for (const SolverFile& file : files) lines += (file.is_program ? "x " : "- ") + file.name + "\n";
   return lines;
+}
+
+/// Of files beside the job file; the mesh must lie on them.
+std::vector<std::string> bytes_of_splines(const LoopAdaptation& job, const PlaneMesh& mesh,
+                                          const fs::path& folder) {
+  const auto place = [&folder](const std::string& typed) { return folder / typed; };
+  check_curve_options(job.curves);
+  curves_of_options(job.curves, mesh, job.corner_angle_deg, place);
+  std::vector<std::string> all;
+  for (const std::string& typed : spline_files(job.curves)) all.push_back(read_file(place(typed)));
+  return all;
 }
 
 }  // namespace
@@ -89,14 +104,7 @@ LoopInput read_loop(const std::string& path) {
   require_plane_input_name(input.job.mesh);
   require_plane_output_name(input.job.solver.mesh);
   const PlaneMesh mesh = read_plane_mesh(input.job.mesh);
-  for (const std::string& curve : input.job.adapt.curves) {
-    if (curve.find("spline:") != std::string::npos) {
-      throw UsageError("`curves` of a loop cannot name a file: splines are those of the mesh",
-                       curve);
-    }
-  }
-  check_curve_options(input.job.adapt.curves);
-  curves_of_options(input.job.adapt.curves, mesh, input.job.adapt.corner_angle_deg);
+  input.splines = bytes_of_splines(input.job.adapt, mesh, fs::path(path).parent_path());
   input.mesh = medit_text(mesh);
   for (const auto& [number, name] : mesh.patch_names) {
     input.job.patch_names.emplace(number, name);
@@ -132,9 +140,11 @@ wire::Submit submission_of_loop(const LoopInput& input, const BringFile& bring) 
   if (!input.files.empty()) {
     add(field_name(&SolveGiven::file_names), "names of files", names_of(input.files));
   }
-  std::uint64_t number = 0;
-  for (const SolverFile& file : input.files) {
-    add(field_name(&SolveGiven::files) + std::to_string(++number), file.name, file.bytes);
+  for (std::size_t i = 0; i < input.files.size(); ++i) {
+    add(numbered(field_name(&SolveGiven::files), i), input.files[i].name, input.files[i].bytes);
+  }
+  for (std::size_t i = 0; i < input.splines.size(); ++i) {
+    add(numbered(field_name(&SolveGiven::splines), i), "the points of a curve", input.splines[i]);
   }
   submit.set_key(hash128(key).hex());
   return submit;

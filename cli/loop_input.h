@@ -22,6 +22,7 @@ struct LoopInput {
   LoopJob job;       ///< its mesh is a plain file name: the bytes travel apart
   std::string mesh;  ///< as Medit's text
   std::vector<SolverFile> files;
+  std::vector<std::string> splines;  ///< the bytes of spline_files() of its curves
 };
 
 /// @param path that of the job file. @throws UsageError, InvalidInput, IoError: also where the mesh

@@ -22,6 +22,7 @@ void AdaptGiven::describe(ContractFields& fields) {
   fields.file("job", job);
   fields.file("mesh", mesh);
   fields.file("solution", solution);
+  fields.files("spline:", splines);
   fields.count("cycle", cycle, most_parts);
 }
 

@@ -12,6 +12,7 @@ struct AdaptGiven {
   TaskFile job;  ///< of the loop
   TaskFile mesh;
   TaskFile solution;
+  LeafFiles splines;  ///< loops of points, by their place in spline_files() of the job, from 1
   std::uint64_t cycle = 2;  ///< whose mesh it makes
 
   static constexpr TaskKind kind = TaskKind::adapt;

@@ -26,6 +26,7 @@ void SolveGiven::describe(ContractFields& fields) {
   fields.file("start", start);
   fields.file("file_names", file_names);
   fields.files("file:", files);
+  fields.files("spline:", splines);
   fields.count("cycle", cycle, most_parts);
   fields.count("cycles", cycles, most_parts);
 }

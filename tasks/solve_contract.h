@@ -18,6 +18,7 @@ struct SolveGiven {
   std::optional<TaskFile> start;       ///< the solution of the cycle before, on this mesh
   std::optional<TaskFile> file_names;  ///< a line for each of `files`
   LeafFiles files;                     ///< that lie beside the mesh, from 1
+  LeafFiles splines;                   ///< for adapt, which follows
   std::uint64_t cycle = 1;
   std::uint64_t cycles = 1;  ///< of the loop
 

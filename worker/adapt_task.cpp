@@ -84,6 +84,16 @@ BroughtAlong brought_along(const PlaneMesh& from, const NodeFields& solution, co
   return result;
 }
 
+CurvesOfMesh curves_of_job(const TaskIo& io, const AdaptGiven& given, const LoopAdaptation& job) {
+  const std::vector<std::string> files = spline_files(job.curves);
+  const auto place = [&](const std::string& typed) {
+    const auto number = std::find(files.begin(), files.end(), typed) - files.begin() + 1;
+    return io.path(file_of_leaf(given.splines, static_cast<std::uint64_t>(number)));
+  };
+  return curves_of_options(job.curves, read_plane_medit(io.path(given.mesh)), job.corner_angle_deg,
+                           place);
+}
+
 }  // namespace
 
 void adapt_task(TaskIo& io) {
@@ -93,8 +103,7 @@ void adapt_task(TaskIo& io) {
   report_cost(io,
               cost_of(AdaptGiven::kind, {.input_bytes = static_cast<double>(given.mesh.size)}, {}));
   io.progress().begin(WorkStage::adapt);
-  const CurvesOfMesh curved =
-      curves_of_options(job.curves, read_plane_medit(io.path(given.mesh)), job.corner_angle_deg);
+  const CurvesOfMesh curved = curves_of_job(io, given, job);
   const PlaneMesh& mesh = curved.mesh;
   const AdaptedMesh next = adapted(mesh, curved.complex, solution, job, curved.curves);
   io.progress().begin(WorkStage::transfer);

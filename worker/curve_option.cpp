@@ -191,9 +191,10 @@ NamedParts naca_of(const CurveWish& wish, const std::vector<Vec2>& nodes) {
   return {naca_parts(place), naca_text(place)};
 }
 
-NamedParts splines_of(const CurveWish& wish, double corner_angle_deg) {
+NamedParts splines_of(const CurveWish& wish, const std::filesystem::path& file,
+                      double corner_angle_deg) {
   NamedParts named;
-  for (const PlaneLoop& loop : read_loops(wish.file)) {
+  for (const PlaneLoop& loop : read_loops(file)) {
     for (auto& part : splines_of_loop(loop.points, corner_angle_deg)) {
       named.parts.push_back(std::move(part));
     }
@@ -203,9 +204,9 @@ NamedParts splines_of(const CurveWish& wish, double corner_angle_deg) {
 }
 
 NamedParts parts_of(const CurveWish& wish, const std::vector<Vec2>& nodes,
-                    double corner_angle_deg) {
+                    double corner_angle_deg, const PlaceOfSpline& place) {
   if (wish.kind == "line") return {{}, "straight between corners"};
-  if (wish.kind == "spline") return splines_of(wish, corner_angle_deg);
+  if (wish.kind == "spline") return splines_of(wish, place(wish.file), corner_angle_deg);
   return wish.kind == "circle" ? circle_of(wish, nodes) : naca_of(wish, nodes);
 }
 
@@ -213,8 +214,25 @@ NamedParts parts_of(const CurveWish& wish, const std::vector<Vec2>& nodes,
 
 void check_curve_options(const std::vector<std::string>& options) { wishes_of(options); }
 
+std::vector<std::string> spline_files(const std::vector<std::string>& options) {
+  std::vector<std::string> files;
+  for (const CurveWish& wish : wishes_of(options)) {
+    if (wish.file.empty() || std::find(files.begin(), files.end(), wish.file) != files.end()) {
+      continue;
+    }
+    files.push_back(wish.file);
+  }
+  return files;
+}
+
 CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
                                double corner_angle_deg) {
+  return curves_of_options(options, std::move(mesh), corner_angle_deg,
+                           [](const std::string& typed) { return typed; });
+}
+
+CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
+                               double corner_angle_deg, const PlaceOfSpline& place) {
   CurvesOfMesh result;
   result.complex = checked_complex(mesh);
   for (const CurveWish& wish : wishes_of(options)) {
@@ -222,7 +240,7 @@ CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMes
     for (const std::int32_t v : nodes_of_patches(mesh, result.complex, wish.patches, wish.name)) {
       nodes.push_back(mesh.points[static_cast<std::size_t>(v)]);
     }
-    NamedParts named = parts_of(wish, nodes, corner_angle_deg);
+    NamedParts named = parts_of(wish, nodes, corner_angle_deg, place);
     result.curves.push_back({wish.patches, wish.name, std::move(named.parts)});
     result.texts.push_back(std::move(named.text));
   }

@@ -5,6 +5,8 @@
 /// from the nodes.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,11 +23,21 @@ struct CurvesOfMesh {
   std::vector<MovedNodes> moved;
 };
 
+/// Where the file lies that an option names as `typed`.
+using PlaceOfSpline = std::function<std::filesystem::path(const std::string& typed)>;
+
 /// @throws UsageError for a word of the option that is wrong, before anything is read.
 void check_curve_options(const std::vector<std::string>& options);
 
+/// The files that options name, each once, in their order. @throws UsageError as above.
+std::vector<std::string> spline_files(const std::vector<std::string>& options);
+
 /// @throws UsageError as above; InvalidInput for a mesh that is wrong, a patch that is not there, a
 /// file of loops that is none, nodes that lie on no such curve.
+CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
+                               double corner_angle_deg, const PlaceOfSpline& place);
+
+/// Of files that lie where the options say.
 CurvesOfMesh curves_of_options(const std::vector<std::string>& options, PlaneMesh mesh,
                                double corner_angle_deg);
 

@@ -13,6 +13,7 @@ TaskRow adapt_task(const TaskRow& solve, const SolveGiven& given) {
   adapt.job = given.job;
   adapt.mesh = given.mesh;
   adapt.solution = made_by<SolveMade>(solve).solution;
+  adapt.splines = given.splines;
   adapt.cycle = given.cycle + 1;
   return new_task(solve.job, adapt.cycle, adapt);
 }

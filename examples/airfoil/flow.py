@@ -34,7 +34,7 @@ class Layer:
         self.cells = lying[: len(lying) // 2]
         self.centres = [mean2([self.points[v] for v in cell]) for cell in self.cells]
         self.patches = dict()  # name: is it a wall
-        self.wall_sides = []  # cell, start and end; the flow is on the left
+        self.walls = []  # of each wall its sides: cell, start and end; the flow is on the left
         text = (poly_mesh / "boundary").read_text()
         for name, body in re.findall(r"(\w+)\s*\{([^}]*)\}", text[text.index("(") :]):
             kind, count, start = (re.search(rf"\b{key}\s+(\w+);", body)[1] for key in ("type", "nFaces", "startFace"))
@@ -43,7 +43,7 @@ class Layer:
             self.patches[name] = kind == "wall"
             if kind == "wall":
                 sides = range(int(start), int(start) + int(count))
-                self.wall_sides += [(owner[f], self.points[faces[f][0]], self.points[faces[f][1]]) for f in sides]
+                self.walls.append([(owner[f], self.points[faces[f][0]], self.points[faces[f][1]]) for f in sides])
 
     def cells_at_vertices(self):
         cells_at = [[] for _ in self.points]
@@ -164,12 +164,9 @@ class Flow:
         self.head = 0.5 * GAMMA * mach**2
         self.along = (math.cos(math.radians(alpha_deg)), math.sin(math.radians(alpha_deg)))
 
-    def wall_pressure(self, layer, rows):
-        """Middle, pressure coefficient, and the way along each side of the walls."""
-        return [
-            (mean2([a, b]), self.pressure_coefficient(rows[cell]), (b[0] - a[0], b[1] - a[1]))
-            for cell, a, b in layer.wall_sides
-        ]
+    def wall_pressure(self, wall, rows):
+        """Middle, pressure coefficient, and the way along each side of a wall."""
+        return [(mean2([a, b]), self.pressure_coefficient(rows[cell]), (b[0] - a[0], b[1] - a[1])) for cell, a, b in wall]
 
     def pressure_coefficient(self, row):
         return (row[-1] - 1) / self.head
@@ -198,19 +195,27 @@ def shock(side):
     return place(0.5), place(0.9) - place(0.1), high - low
 
 
+def shocks(wall):
+    """In words, on both sides of a profile, away from its ends."""
+    nose = min(x for (x, _), _, _ in wall)
+    chord = max(x for (x, _), _, _ in wall) - nose
+    words = ""
+    for name, sign in (("upper", 1), ("lower", -1)):
+        side = sorted((x, cp) for (x, _), cp, way in wall if way[0] * sign > 0 and 0.05 < (x - nose) / chord < 0.97)
+        words += "; {} shock at {:.5f}, {:.5f} wide, jump {:.3f}".format(name, *shock(side))
+    return words
+
+
 def report(layer, flow, steps):
     for number in range(1, REPORTS + 1):
         step = number * (steps // REPORTS)
-        wall = flow.wall_pressure(layer, solution_of_cells(step))
-        lift, drag = flow.forces(wall)
-        line = f"step {step}: CL {lift:.5f}, CD {drag:.5f}"
-        for name, sign in (("upper", 1), ("lower", -1)):
-            side = sorted((x, cp) for (x, y), cp, _ in wall if y * sign > 0 and 0.05 < x < 0.97)
-            line += "; {} shock at {:.5f}, {:.5f} wide, jump {:.3f}".format(name, *shock(side))
-        print(line)
+        rows = solution_of_cells(step)
+        walls = [flow.wall_pressure(wall, rows) for wall in layer.walls]
+        lift, drag = flow.forces(sum(walls, []))
+        print(f"step {step}: CL {lift:.5f}, CD {drag:.5f}" + "".join(map(shocks, walls)))
     with open("cp.csv", "w", encoding="ascii") as out:
         out.write("x,y,cp\n")
-        out.writelines(f"{x!r},{y!r},{cp!r}\n" for (x, y), cp, _ in sorted(wall))
+        out.writelines(f"{x!r},{y!r},{cp!r}\n" for wall in walls for (x, y), cp, _ in sorted(wall))
 
 
 def main():

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,30 @@ TEST_F(Loop, killed_wherever_it_is_goes_on_to_the_same_bytes) {
     program.wait();
   }
   EXPECT_EQ(digest(loop("killed")), undisturbed);
+}
+
+/// A ring of points beside the job file, which is elsewhere than where the loop is started.
+TEST_F(Loop, keeps_the_nodes_on_the_spline_of_a_file_that_goes_along) {
+  fs::create_directory(path("case"));
+  std::string ring;
+  for (int i = 0; i < 20; ++i) {
+    ring += std::to_string(0.5 + 0.5 * std::cos(i * std::acos(-1) / 10)) + " " +
+            std::to_string(0.3 * std::sin(i * std::acos(-1) / 10)) + "\n";
+  }
+  write("case/ring.xy", ring);
+  ASSERT_EQ(run({"plane", "case/ring.xy", "-o", "case/first.mesh"}).code, 0);
+  write_job("sh solve.sh");
+  const std::string job = contents(path("job.toml"));
+  write("case/job.toml", job + "curves = [\"1=spline:ring.xy\"]\n");
+  fs::rename(path("solve.sh"), path("case/solve.sh"));
+  const Ended ended = run({"loop", "case/job.toml", "-o", "out", "--json", "--progress", "none"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Ended last = run({"adapt", "out/cycle_03.mesh", "--solution", "out/cycle_03.sol", "--curve",
+                          "1=spline:case/ring.xy", "-o", "next.mesh"});
+  ASSERT_EQ(last.code, 0) << last.err;
+  EXPECT_THAT(last.out, testing::ContainsRegex("all [0-9]+ nodes lay on it"));
+  fs::remove(path("case/ring.xy"));
+  EXPECT_THAT(run({"loop", "case/job.toml", "-o", "again"}).err, HasSubstr("ring.xy"));
 }
 
 TEST_F(Loop, with_a_solver_that_fails_says_what_it_said_and_in_which_cycle) {

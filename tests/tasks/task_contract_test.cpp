@@ -73,6 +73,7 @@ std::vector<Side> all_sides() {
   portions.merge(each("tets:"));
   portions.insert("layer_map");
   std::set<std::string> of_solver = each("file:");
+  of_solver.merge(each("spline:"));
   of_solver.insert({"start", "file_names"});
   std::set<std::string> of_cycles;
   for (const char* prefix : {"mesh:", "solution:", "log:", "figures:", "kept:"}) {
@@ -121,10 +122,10 @@ std::vector<Side> all_sides() {
       side_of("grow made", GrowMade{file("p"), file("c")}),
       side_of("assemble given", AssembleGiven{file("j"), file("s"), file("n"), two, two, file("m")},
               portions),
-      side_of("solve given", SolveGiven{file("j"), file("m"), file("s"), file("n"), two, 3, 6},
+      side_of("solve given", SolveGiven{file("j"), file("m"), file("s"), file("n"), two, two, 3, 6},
               of_solver),
       side_of("solve made", SolveMade{file("s"), file("l"), two}, each("kept:")),
-      side_of("adapt given", AdaptGiven{file("j"), file("m"), file("s"), 3}),
+      side_of("adapt given", AdaptGiven{file("j"), file("m"), file("s"), two, 3}, each("spline:")),
       side_of("adapt made", AdaptMade{file("m"), file("s"), file("f")}),
       side_of("collect given", CollectGiven{file("j"), two, two, two, two, two}, of_cycles),
   };
@@ -325,9 +326,9 @@ TEST(TaskContracts, have_the_names_that_they_always_had) {
       {"grow given", "job surface numbering layers | |"},
       {"grow made", "portion cells | |"},
       {"assemble given", "job surface numbering portion: tets: layer_map | |"},
-      {"solve given", "job mesh start file_names file: | cycle cycles |"},
+      {"solve given", "job mesh start file_names file: spline: | cycle cycles |"},
       {"solve made", "solution log kept: | |"},
-      {"adapt given", "job mesh solution | cycle |"},
+      {"adapt given", "job mesh solution spline: | cycle |"},
       {"adapt made", "mesh start figures | |"},
       {"collect given", "job mesh: solution: log: figures: kept: | |"}};
   for (const Side& side : all_sides()) {

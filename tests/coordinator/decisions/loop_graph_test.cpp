@@ -22,6 +22,7 @@ TaskRow solved(std::uint64_t cycle, std::uint64_t cycles) {
   given.mesh = named("mesh" + std::to_string(cycle));
   given.file_names = named("names");
   given.files = {{1, named("run.sh")}};
+  given.splines = {{1, named("profile")}};
   given.cycle = cycle;
   given.cycles = cycles;
   TaskRow task = new_task(JobId{1}, cycle, given);
@@ -51,6 +52,7 @@ TEST(LoopGraph, a_solution_is_adapted_to_until_the_last_cycle) {
   EXPECT_EQ(given.mesh, named("mesh1"));
   EXPECT_EQ(given.solution, named("u1"));
   EXPECT_EQ(given.job, named("job"));
+  EXPECT_EQ(given.splines, (LeafFiles{{1, named("profile")}}));
 }
 
 TEST(LoopGraph, the_solver_goes_on_from_the_solution_on_the_new_mesh_with_the_same_files) {
@@ -64,6 +66,7 @@ TEST(LoopGraph, the_solver_goes_on_from_the_solution_on_the_new_mesh_with_the_sa
   EXPECT_EQ(given.start, named("start"));
   EXPECT_EQ(given.file_names, named("names"));
   EXPECT_EQ(given.files, (LeafFiles{{1, named("run.sh")}}));
+  EXPECT_EQ(given.splines, (LeafFiles{{1, named("profile")}}));
 }
 
 TEST(LoopGraph, the_end_has_the_files_of_all_cycles) {
