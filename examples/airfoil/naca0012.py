@@ -3,7 +3,8 @@
 
     naca0012.py FOLDER
 
-writes FOLDER/naca0012.xy, of chord 1 from (0, 0) to (1, 0), and FOLDER/farfield.xy, a circle of radius 30 round (0.5, 0).
+writes FOLDER/naca0012.xy, of chord 1 from (0, 0) to (1, 0), FOLDER/flap.xy, the same profile with a chord of 0.3 behind a slot of
+2 % and turned down by 10 degrees, and FOLDER/farfield.xy, a circle of radius 30 round (0.5, 0).
 """
 
 import math
@@ -13,6 +14,9 @@ import sys
 POINTS = 60  # round the profile, closest at both ends
 FAR_POINTS = 60
 RADIUS = 30
+FLAP_CHORD = 0.3
+FLAP_NOSE = (0.995, -0.028)
+FLAP_DEG = 10
 
 
 def half_thickness(x):
@@ -27,6 +31,13 @@ def profile():
         yield x, math.copysign(half_thickness(x) if i else 0, math.sin(angle))
 
 
+def flap():
+    along = math.cos(math.radians(FLAP_DEG)), -math.sin(math.radians(FLAP_DEG))
+    for x, y in profile():
+        x, y = FLAP_CHORD * x, FLAP_CHORD * y
+        yield FLAP_NOSE[0] + x * along[0] - y * along[1], FLAP_NOSE[1] + x * along[1] + y * along[0]
+
+
 def far_field():
     for i in range(FAR_POINTS):
         angle = 2 * math.pi * i / FAR_POINTS
@@ -35,7 +46,7 @@ def far_field():
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    for name, points in (("naca0012.xy", profile()), ("farfield.xy", far_field())):
+    for name, points in (("naca0012.xy", profile()), ("flap.xy", flap()), ("farfield.xy", far_field())):
         (folder / name).write_text("".join(f"{x!r} {y!r}\n" for x, y in points), encoding="ascii")
 
 
