@@ -148,15 +148,13 @@ ExitCode write_chart(const RenderCommand& command) {
                             ".svg",
                         "");
   }
-  constexpr std::array colours = {"#12459e", "#d64a0f", "#008f6e", "#c76ba8",
-                                  "#e09e00", "#4fa8e0", "#703385", "#616161"};
   LineChart chart;
   std::tie(chart.width, chart.height) = picture_size(command.size);
   chart.x_name = "x";
   chart.is_reversed = command.reversed;
   for (const MeshAndField& files : all_of_chart(command)) {
     chart.curves.push_back(curve_of(files, command));
-    chart.curves.back().colour = colours[(chart.curves.size() - 1) % colours.size()];
+    chart.curves.back().colour = chart_colours.at((chart.curves.size() - 1) % chart_colours.size());
   }
   write_file_atomically(command.output, svg_file_of(chart));
   return ExitCode::ok;

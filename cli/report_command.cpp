@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
 #include "cli/report_picture.h"
+#include "cli/reported_cycles.h"
 #include "cli/reported_layers.h"
 #include "cli/run_folder.h"
 #include "cli/small_patches.h"
@@ -120,9 +121,27 @@ std::string text_of_cells(const MeshFigures& figures) {
   return text.empty() ? "no elements" : text;
 }
 
+void tell_page(const ReportCommand& command, const std::string& contents) {
+  if (command.view.client.json) {
+    std::printf("%s\n", copy_json("report", command.output).c_str());
+  } else {
+    std::fprintf(stderr, "%s: %s\n", command.output.c_str(), contents.c_str());
+  }
+}
+
+ExitCode report_loop_folder(const ReportCommand& command) {
+  const CyclesContent content = reported_cycles(command.view.client.job);
+  write_file_atomically(command.output, cycles_page(content));
+  tell_page(command, std::to_string(content.cycles) + (content.cycles == 1 ? " cycle" : " cycles"));
+  return ExitCode::ok;
+}
+
 }  // namespace
 
 ExitCode report_command(const ReportCommand& command) {
+  if (command.view.client.endpoint.empty() && is_loop_folder(command.view.client.job)) {
+    return report_loop_folder(command);
+  }
   Reported reported = reported_of(command);
   ReportContent content;
   content.name = reported.name;
@@ -137,12 +156,7 @@ ExitCode report_command(const ReportCommand& command) {
   }
   content.work = std::move(reported.work);
   write_file_atomically(command.output, report_page(content));
-  if (command.view.client.json) {
-    std::printf("%s\n", copy_json("report", command.output).c_str());
-  } else {
-    std::fprintf(stderr, "%s: %s\n", command.output.c_str(),
-                 text_of_cells(content.figures).c_str());
-  }
+  tell_page(command, text_of_cells(content.figures));
   return ExitCode::ok;
 }
 

@@ -103,7 +103,7 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
           "tetfarm report out -o report.html", views.report);
   report
       .add_option("JOB", views.report.view.client.job,
-                  "The output folder of a run, a mesh, or a job (job-7)")
+                  "The output folder of a run or a loop, a mesh, or a job (job-7)")
       ->required();
   report.add_option("-o,--output", views.report.output, "The output file")
       ->required()

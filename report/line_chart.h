@@ -5,6 +5,7 @@
 /// The same numbers give the same bytes.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct LineChart {
   int width = 800;
   int height = 500;
 };
+
+/// For curves in this order: told apart also by people who do not see all colours.
+inline constexpr std::array chart_colours = {"#12459e", "#d64a0f", "#008f6e", "#c76ba8",
+                                             "#e09e00", "#4fa8e0", "#703385", "#616161"};
 
 /// Curves with names have them listed on top. @pre there is a point.
 /// @throws UsageError when the values are too far apart to be drawn on one axis.

@@ -203,8 +203,8 @@ NamedParts splines_of(const CurveWish& wish, const std::filesystem::path& file,
   return named;
 }
 
-NamedParts parts_of(const CurveWish& wish, const std::vector<Vec2>& nodes,
-                    double corner_angle_deg, const PlaceOfSpline& place) {
+NamedParts parts_of(const CurveWish& wish, const std::vector<Vec2>& nodes, double corner_angle_deg,
+                    const PlaceOfSpline& place) {
   if (wish.kind == "line") return {{}, "straight between corners"};
   if (wish.kind == "spline") return splines_of(wish, place(wish.file), corner_angle_deg);
   return wish.kind == "circle" ? circle_of(wish, nodes) : naca_of(wish, nodes);
