@@ -40,7 +40,7 @@ ROOMS = {
     "mesh/formats/surfaces": ["base", "mesh/core", "mesh/formats", "mesh/formats/list"],
     "mesh/formats/registry": ["base", "mesh/assemble", "mesh/core", "mesh/formats", "mesh/formats/list",
                               "mesh/formats/ugrid", "mesh/formats/vtkhdf"],
-    "mesh/formats/plane": ["base", "mesh/formats", "mesh/formats/medit", "mesh/formats/msh",
+    "mesh/formats/plane": ["base", "mesh/formats", "mesh/formats/cgns", "mesh/formats/medit", "mesh/formats/msh",
                            "mesh/formats/openfoam", "mesh/formats/su2", "mesh/geometry", "mesh/metric", "mesh/planar"],
     "mesh/quality": ["base", "mesh/assemble", "mesh/core", "mesh/formats"],
     "mesh/partition": ["base", "mesh/assemble", "mesh/core", "mesh/formats", "mesh/geometry", "mesh/graph"],

@@ -131,6 +131,12 @@ void CgnsTree::large_node(const std::string& parent, const std::string& name,
   fill(group.get(), H5T_STD_I64LE, size, values.data());
 }
 
+void CgnsTree::double_node(const std::string& parent, const std::string& name,
+                           const std::string& label, const std::vector<double>& values) {
+  const Hdf5Handle group = make(parent, name, label, "R8");
+  fill(group.get(), H5T_IEEE_F64LE, {values.size()}, values.data());
+}
+
 void CgnsTree::version_node(float version) {
   const Hdf5Handle group = make("", "CGNSLibraryVersion", "CGNSLibraryVersion_t", "R4");
   fill(group.get(), H5T_IEEE_F32LE, {1}, &version);

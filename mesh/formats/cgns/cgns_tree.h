@@ -31,6 +31,8 @@ class CgnsTree {
   /// With `rows` > 0 a table of so many rows, column after column; 0: a list.
   void large_node(const std::string& parent, const std::string& name, const std::string& label,
                   const std::vector<std::int64_t>& values, std::size_t rows = 0);
+  void double_node(const std::string& parent, const std::string& name, const std::string& label,
+                   const std::vector<double>& values);
   void version_node(float version);
   /// An array to be filled later; returns where in the file it begins. @pre count > 0
   std::int64_t room_for_doubles(const std::string& parent, const std::string& name,

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
+#include "mesh/formats/plane/plane_cgns.h"
 #include "mesh/formats/plane/plane_foam.h"
 #include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/plane_msh.h"
@@ -36,6 +37,7 @@ constexpr std::array plane_formats = {
     PlaneFormat{".meshb", "Medit, binary", read_plane_meshb, write_plane_meshb},
     PlaneFormat{".su2", "SU2", read_plane_su2, write_plane_su2},
     PlaneFormat{".msh", "Gmsh", read_plane_msh, write_plane_msh},
+    PlaneFormat{".cgns", "CGNS", nullptr, write_plane_cgns},
     PlaneFormat{".vtu", "VTK XML", nullptr, write_mesh_as_vtu},
     PlaneFormat{folder_ending, "a folder: OpenFOAM case", nullptr, write_plane_foam}};
 
