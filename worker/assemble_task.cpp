@@ -112,8 +112,7 @@ class ResultFiles {
       if (has_feet(job_)) shared_feet_ = shared_feet_of(io_, given_, numbering_);
       vtkhdf_ = std::make_unique<SharedVtkhdf>(
           shared_file(), counts_of(io_, given_, numbering_),
-          names_of_file(job_, surface_.patch_names, surface_.region_names),
-          [this](std::size_t i) {
+          names_of_file(job_, surface_.patch_names, surface_.region_names), [this](std::size_t i) {
             const LeafNumbers& leaf = numbering_.leaves.at(i);
             Portion portion = read_portion(io_, given_, leaf);
             read_cells(io_, given_, leaf, portion);

@@ -41,9 +41,8 @@ void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const Surfac
   if (!is_wanted || !numbering.first_face) return;
   SharedFile file = shared_mesh_file(io, mesh.surface, mesh.numbering);
   if (io.is_without_shared_store()) file.path.clear();
-  portion.placed =
-      place_cells(file, portion.part, numbering,
-                  names_of_file(job, surface.patch_names(), surface.region_names()));
+  portion.placed = place_cells(file, portion.part, numbering,
+                               names_of_file(job, surface.patch_names(), surface.region_names()));
 }
 
 }  // namespace tetfarm

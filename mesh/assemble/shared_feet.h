@@ -14,8 +14,8 @@ namespace tetfarm {
 
 class SharedFeet {
  public:
-  /// Only nodes with numbers below this are kept: those of the surface and of the cuts, of which the
-  /// top of the layers is one. The others are in chunks of layers alone, which know them.
+  /// Only nodes with numbers below this are kept: those of the surface and of the cuts, of which
+  /// the top of the layers is one. The others are in chunks of layers alone, which know them.
   explicit SharedFeet(std::int64_t shared_nodes) : shared_nodes_(shared_nodes) {}
 
   /// Of a chunk of layers. Cost: O(nodes). Memory: 24 bytes for each node that is kept, of which

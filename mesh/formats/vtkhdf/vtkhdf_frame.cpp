@@ -54,8 +54,8 @@ void begin_frame(const VtkhdfNames& names, Hdf5Output& file) {
 }
 
 /// `all` is what `partitions` have together.
-VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all,
-                      const VtkhdfNames& names, Hdf5Output& file) {
+VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, const VtkhdfNames& names,
+                      Hdf5Output& file) {
   TF_CHECK(partitions >= 0);
   VtkhdfPlaces places;
   places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
@@ -124,8 +124,7 @@ VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
   Hdf5Output file(path.string());
   begin_frame(names, file);
   add_counts(parts, file);
-  const VtkhdfPlaces places =
-      add_room(std::ssize(parts), before_each(parts).back(), names, file);
+  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), names, file);
   file.close();
   return places;
 }
