@@ -25,6 +25,7 @@ class ReadAhead : public MeshSource {
   std::vector<std::string> complaints() const override { return source_->complaints(); }
   bool knows_subdomains() const override { return source_->knows_subdomains(); }
   std::vector<CellMark> cell_marks() const override { return source_->cell_marks(); }
+  bool has_feet() const override { return source_->has_feet(); }
   std::vector<std::string> patch_names() const override { return source_->patch_names(); }
   std::vector<std::string> region_names() const override { return source_->region_names(); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "mesh/assemble/forced_dihedral.h"
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/numbering_file.h"
+#include "mesh/assemble/shared_feet.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/inspect/small_angles.h"
 #include "mesh/job_file/job_file.h"
@@ -36,17 +38,33 @@ void read_cells(const TaskIo& io, const AssembleGiven& given, const LeafNumbers&
   add_portion_cells(io.read(cells), io.name_of(cells), portion);
 }
 
+PortionCounts counts_of(const TaskIo& io, const AssembleGiven& given, const LeafNumbers& leaf) {
+  const TaskFile& file = file_of_leaf(given.portions, leaf.path.heap);
+  return io.look_into(file, [&](const std::filesystem::path& path) {
+    return portion_counts(path, io.name_of(file));
+  });
+}
+
 std::vector<VtkhdfCounts> counts_of(const TaskIo& io, const AssembleGiven& given,
                                     const Numbering& numbering) {
   std::vector<VtkhdfCounts> counts;
   for (const LeafNumbers& leaf : numbering.leaves) {
-    const TaskFile& file = file_of_leaf(given.portions, leaf.path.heap);
-    const PortionCounts portion = io.look_into(file, [&](const std::filesystem::path& path) {
-      return portion_counts(path, io.name_of(file));
-    });
+    const PortionCounts portion = counts_of(io, given, leaf);
     counts.push_back({portion.nodes, portion.tets, portion.faces, portion.others});
   }
   return counts;
+}
+
+/// Chunks of layers come last, and their nodes are in the sub-domains before as well.
+SharedFeet shared_feet_of(const TaskIo& io, const AssembleGiven& given,
+                          const Numbering& numbering) {
+  TF_CHECK(!numbering.leaves.empty());
+  SharedFeet feet(numbering.leaves.front().nodes.first_node);
+  for (const LeafNumbers& leaf : numbering.leaves) {
+    if (counts_of(io, given, leaf).has_feet) feet.add(read_portion(io, given, leaf).part);
+  }
+  feet.finish();
+  return feet;
 }
 
 /// The files of the result in the making.
@@ -72,6 +90,8 @@ class ResultFiles {
         vtkhdf_ && !io_.is_without_shared_store() &&
         vtkhdf_->takes(static_cast<std::size_t>(portion.part.number), portion.placed);
     if (!is_placed || ugrid_) read_cells(io_, given_, leaf, portion);
+    NumberedPart& part = portion.part;
+    if (shared_feet_ && part.feet.empty()) part.feet = shared_feet_->of(part.local2global);
     return portion;
   }
 
@@ -89,10 +109,10 @@ class ResultFiles {
 
   void start(const std::string& format) {
     if (format == "vtkhdf") {
+      if (has_feet(job_)) shared_feet_ = shared_feet_of(io_, given_, numbering_);
       vtkhdf_ = std::make_unique<SharedVtkhdf>(
           shared_file(), counts_of(io_, given_, numbering_),
-          VtkhdfNames{surface_.patch_names, surface_.region_names, marks_of_job(job_)},
-          [this](std::size_t i) {
+          names_of_file(job_, surface_.patch_names, surface_.region_names), [this](std::size_t i) {
             const LeafNumbers& leaf = numbering_.leaves.at(i);
             Portion portion = read_portion(io_, given_, leaf);
             read_cells(io_, given_, leaf, portion);
@@ -110,6 +130,7 @@ class ResultFiles {
   const JobFile& job_;
   const SurfaceMesh& surface_;
   const Numbering& numbering_;
+  std::optional<SharedFeet> shared_feet_;  // where they are written
   std::unique_ptr<SharedVtkhdf> vtkhdf_;
   std::filesystem::path ugrid_path_;
   std::unique_ptr<GlobalMeshWriter> ugrid_;

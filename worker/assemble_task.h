@@ -15,7 +15,9 @@
 
 namespace tetfarm {
 
-/// One sub-domain is in memory at a time. @throws UsageError for a format that is not known.
+/// One sub-domain is in memory at a time, and, of a mesh with layers in VTKHDF, the feet of the
+/// nodes on the wall and on the top (mesh/assemble/shared_feet.h): chunks of layers are read first
+/// for them. @throws UsageError for a format that is not known.
 void assemble_task(TaskIo& io);
 
 }  // namespace tetfarm

@@ -25,6 +25,7 @@ MeshPart part_of(GrownLayers layers) {
   part.mesh = std::move(layers.mesh);
   part.blocks = std::move(layers.blocks);
   part.marks = std::move(layers.marks);
+  part.feet = std::move(layers.feet);
   part.is_of_layers = true;
   return part;
 }

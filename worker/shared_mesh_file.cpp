@@ -8,6 +8,16 @@
 #include "mesh/job_file/job_formats.h"
 
 namespace tetfarm {
+namespace {
+
+std::vector<CellMark> marks_of_job(const JobFile& job) {
+  std::vector<CellMark> marks;
+  if (!job.layers.empty()) marks.push_back(CellMark::layer);
+  if (job.pml) marks.insert(marks.end(), {CellMark::pml_depth, CellMark::pml_axes});
+  return marks;
+}
+
+}  // namespace
 
 SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const TaskFile& numbering) {
   const std::string what = io.assign().job() + '\n' + surface.hash + '\n' + numbering.hash;
@@ -16,11 +26,11 @@ SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const Tas
           io.scratch_path("frame.vtkhdf")};
 }
 
-std::vector<CellMark> marks_of_job(const JobFile& job) {
-  std::vector<CellMark> marks;
-  if (!job.layers.empty()) marks.push_back(CellMark::layer);
-  if (job.pml) marks.insert(marks.end(), {CellMark::pml_depth, CellMark::pml_axes});
-  return marks;
+bool has_feet(const JobFile& job) { return !job.layers.empty() || job.pml; }
+
+VtkhdfNames names_of_file(const JobFile& job, const std::vector<std::string>& patches,
+                          const std::vector<std::string>& regions) {
+  return {patches, regions, marks_of_job(job), has_feet(job)};
 }
 
 void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const SurfaceInput& surface,
@@ -32,7 +42,7 @@ void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const Surfac
   SharedFile file = shared_mesh_file(io, mesh.surface, mesh.numbering);
   if (io.is_without_shared_store()) file.path.clear();
   portion.placed = place_cells(file, portion.part, numbering,
-                               {surface.patch_names(), surface.region_names(), marks_of_job(job)});
+                               names_of_file(job, surface.patch_names(), surface.region_names()));
 }
 
 }  // namespace tetfarm

@@ -1,6 +1,7 @@
 /// Which file of the store the write and grow tasks of a job and its assemble task fill together.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesh/formats/vtkhdf/shared_vtkhdf.h"
@@ -15,8 +16,12 @@ namespace tetfarm {
 /// sees.
 SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const TaskFile& numbering);
 
-/// The marks that the cells of a job have.
-std::vector<CellMark> marks_of_job(const JobFile& job);
+/// Whether the nodes of a job have feet: where it asks for layers.
+bool has_feet(const JobFile& job);
+
+/// What the file has once, of a job whose surface has these patches and regions.
+VtkhdfNames names_of_file(const JobFile& job, const std::vector<std::string>& patches,
+                          const std::vector<std::string>& regions);
 
 /// What a mesh is written by.
 struct SharedMesh {

@@ -72,6 +72,16 @@ void check_surface_triangle(const Subdomain& subdomain, std::size_t t, Triangle 
   }
 }
 
+/// By the numbers that the nodes have in the whole mesh.
+NodeFeet with_global_feet(NodeFeet feet, const std::vector<std::int64_t>& local2global) {
+  TF_CHECK(feet.empty() || feet.foot.size() == local2global.size());
+  TF_CHECK(feet.foot.size() == feet.depth.size());
+  for (std::int64_t& foot : feet.foot) {
+    if (foot != no_foot) foot = local2global.at(static_cast<std::size_t>(foot));
+  }
+  return feet;
+}
+
 void add_surface_triangles(const Subdomain& subdomain, const SurfacePieces& surface,
                            Portion& portion) {
   std::size_t next = 0;
@@ -198,6 +208,7 @@ Portion make_portion(MeshPart part, const SurfacePieces& surface, const LeafNumb
   numbered.tets = std::move(part.mesh.tets);
   numbered.blocks = std::move(part.blocks);
   numbered.marks = std::move(part.marks);
+  numbered.feet = with_global_feet(std::move(part.feet), numbered.local2global);
   part.is_on_cut.resize(numbered.nodes.size(), false);
   ElementCounts first = numbering.first_other;
   first[ElementType::tet] = numbering.first_tet;

@@ -18,6 +18,7 @@
 #include "mesh/assemble/mesh_shapes.h"
 #include "mesh/core/cell_marks.h"
 #include "mesh/core/element_block.h"
+#include "mesh/core/node_feet.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
 
@@ -32,6 +33,7 @@ struct MeshPart {
   std::vector<bool> is_on_cut;  ///< of the first nodes, or of none: for the figures near cuts
   ElementBlocks blocks;         ///< of layers, by the numbers of the mesh's nodes
   CellMarks marks;              ///< of those and of the tets
+  NodeFeet feet;                ///< by the numbers of the mesh's nodes
   /// Its tets are as flat as layers are: they have no part in the figures of shape.
   bool is_of_layers = false;
 };
@@ -56,6 +58,7 @@ struct NumberedPart {
   ElementBlocks blocks;  ///< the other elements; cells of a type by region, as tets are
   CellMarks marks;       ///< known where layers are grown, and where a file has them
   std::vector<std::int64_t> local2global;
+  NodeFeet feet;  ///< by numbers in the whole mesh; known as marks are
 
   std::int32_t region_of(std::size_t tet) const {
     return region_of_tet.empty() ? region : region_of_tet[tet];
@@ -118,6 +121,7 @@ struct PortionCounts {
   std::int64_t tets = 0;
   std::int64_t faces = 0;
   ElementCounts others{};
+  bool has_feet = false;  ///< as those of chunks of layers
 };
 
 /// Of a file of a portion; nothing but its head is read, and no checksum.

@@ -15,9 +15,11 @@ static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12 && sizeof(Tet) == 16)
 
 constexpr std::string_view portion_magic = "TFPORT\r\n";
 constexpr std::string_view cells_magic = "TFPTET\r\n";
-/// Of a portion of tets and triangles alone, and of one that has others besides.
+/// Of a portion of tets and triangles alone, of one that has others besides, and of one that tells
+/// of the feet of its nodes as well.
 constexpr std::uint32_t portion_version = 2;
 constexpr std::uint32_t version_with_others = 3;
+constexpr std::uint32_t version_with_feet = 4;
 constexpr std::uint32_t cells_version = 1;
 constexpr std::uint32_t cells_version_with_others = 2;
 constexpr std::uint32_t cells_version_with_marks = 3;
@@ -92,8 +94,16 @@ void check_indices(const std::vector<Element>& elements, std::size_t nodes,
   }
 }
 
-bool says_others(std::string_view bytes) {
-  return says_version(bytes, portion_magic, version_with_others);
+std::uint32_t version_of_portion(std::string_view bytes) {
+  for (const std::uint32_t version : {version_with_others, version_with_feet}) {
+    if (says_version(bytes, portion_magic, version)) return version;
+  }
+  return portion_version;
+}
+
+std::uint32_t version_for(const Portion& portion) {
+  if (!portion.part.feet.empty()) return version_with_feet;
+  return portion.others != ElementCounts{} ? version_with_others : portion_version;
 }
 
 std::uint32_t version_without_marks(const ElementCounts& others) {
@@ -163,9 +173,18 @@ ElementBlock read_block(ElementType type, std::int64_t count, const NumberedPart
   return block;
 }
 
+NodeFeet read_feet(std::size_t nodes, ByteReader& reader) {
+  NodeFeet feet;
+  feet.foot = reader.array<std::int64_t>(nodes);
+  feet.depth = reader.array<std::int32_t>(nodes);
+  return feet;
+}
+
 void check_header(const Portion& portion) {
   const NumberedPart& part = portion.part;
   TF_CHECK(part.local2global.size() == part.nodes.size());
+  TF_CHECK(part.feet.empty() || part.feet.foot.size() == part.nodes.size());
+  TF_CHECK(part.feet.foot.size() == part.feet.depth.size());
   TF_CHECK(part.patch_of_face.size() == part.faces.size() &&
            portion.surface_triangles.size() == part.faces.size());
   for (const ElementType type : face_block_types) {
@@ -215,16 +234,18 @@ PortionCounts portion_counts(const std::filesystem::path& path, const std::strin
   for (std::int64_t* count : {&counts.nodes, &counts.tets, &counts.faces}) {
     *count = static_cast<std::int64_t>(reader.count());
   }
-  if (says_others(head)) counts.others = read_other_counts(reader);
+  const std::uint32_t version = version_of_portion(head);
+  if (version >= version_with_others) counts.others = read_other_counts(reader);
+  counts.has_feet = version >= version_with_feet;
   return counts;
 }
 
 std::string portion_to_bytes(const Portion& portion) {
   const NumberedPart& part = portion.part;
-  const bool has_others = portion.others != ElementCounts{};
+  const std::uint32_t version = version_for(portion);
+  const bool has_others = version >= version_with_others;
   check_header(portion);
-  ByteWriter writer =
-      begin_checked(portion_magic, has_others ? version_with_others : portion_version);
+  ByteWriter writer = begin_checked(portion_magic, version);
   writer.number(part.number);
   writer.number(part.region);
   writer.number<std::uint64_t>(part.nodes.size());
@@ -233,6 +254,8 @@ std::string portion_to_bytes(const Portion& portion) {
   if (has_others) write_other_counts(portion.others, writer);
   writer.array(part.nodes);
   writer.array(part.local2global);
+  writer.array(part.feet.foot);
+  writer.array(part.feet.depth);
   writer.array(part.faces);
   writer.array(part.patch_of_face);
   writer.array(portion.surface_triangles);
@@ -256,9 +279,9 @@ std::string portion_to_bytes(const Portion& portion) {
 }
 
 Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
-  const bool has_others = says_others(bytes);
-  ByteReader reader =
-      read_checked(bytes, portion_magic, has_others ? version_with_others : portion_version, name);
+  const std::uint32_t version = version_of_portion(bytes);
+  const bool has_others = version >= version_with_others;
+  ByteReader reader = read_checked(bytes, portion_magic, version, name);
   Portion portion;
   NumberedPart& part = portion.part;
   part.number = reader.number<std::int32_t>();
@@ -271,6 +294,7 @@ Portion portion_from_bytes(std::string_view bytes, const std::string& name) {
   if (has_others) portion.others = read_other_counts(reader);
   part.nodes = reader.array<Vec3>(nodes);
   part.local2global = reader.array<std::int64_t>(nodes);
+  if (version >= version_with_feet) part.feet = read_feet(nodes, reader);
   part.faces = reader.array<Triangle>(faces);
   part.patch_of_face = reader.array<std::int32_t>(faces);
   portion.surface_triangles = reader.array<std::uint32_t>(faces);

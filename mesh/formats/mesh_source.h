@@ -26,6 +26,8 @@ class MeshSource {
   virtual bool takes_threads() const { return false; }
   /// Which marks the parts have, if not all cells have 0.
   virtual std::vector<CellMark> cell_marks() const { return {}; }
+  /// Whether the parts tell of the feet of nodes, if some have one. A foot is a node of the mesh.
+  virtual bool has_feet() const { return false; }
   /// What is wrong with what the file has beside its parts, a line each.
   virtual std::vector<std::string> complaints() const { return {}; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none

@@ -30,9 +30,22 @@ struct LineNodes {
   std::int32_t at_level(int level) const { return level == 0 ? foot : first + level - 1; }
 };
 
-void add_node(const Vec3& place, const Origin& origin, GrownLayers& layers) {
+/// How a node stands to the foot of its line.
+struct OnLine {
+  std::int32_t foot = 0;  ///< node
+  std::int32_t depth = 0;
+};
+
+/// Absorbing layers are counted from the inside, where their lines end.
+OnLine on_line(const LayerLine& line, const LineNodes& nodes, int level) {
+  if (line.of_pml) return {nodes.at_level(line.stop), line.stop - level};
+  return {nodes.foot, level};
+}
+
+void add_node(const Vec3& place, const Origin& origin, const OnLine& on, GrownLayers& layers) {
   layers.mesh.nodes.push_back(place);
   layers.subdomain.node_origin.push_back(origin);
+  layers.feet.add(on.foot, on.depth);
 }
 
 /// Adds the nodes of all lines: a foot, which several may have, with the first of them.
@@ -50,7 +63,9 @@ std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
     nodes.push_back({is_there ? foot->second : next, is_there ? next : next + 1});
     int level = 0;
     for (const Vec3& point : points_of(line.line)) {
-      if (level > 0 || !is_there) add_node(point, origin_of(line, level), layers);
+      if (level > 0 || !is_there) {
+        add_node(point, origin_of(line, level), on_line(line.line, nodes.back(), level), layers);
+      }
       ++level;
     }
   }
@@ -58,7 +73,9 @@ std::vector<LineNodes> add_nodes(const LayerChunk& chunk, GrownLayers& layers) {
 }
 
 /// Adds those in the middle of pieces of fans; of each piece its own, or -1.
-std::vector<std::int32_t> add_centres(const LayerChunk& chunk, GrownLayers& layers) {
+std::vector<std::int32_t> add_centres(const LayerChunk& chunk,
+                                      const std::vector<LineNodes>& line_nodes,
+                                      GrownLayers& layers) {
   std::vector<std::int32_t> centres;
   auto next = static_cast<std::uint32_t>(nodes_of_lines(chunk));
   for (const ChunkFan& fan : chunk.fans) {
@@ -66,7 +83,8 @@ std::vector<std::int32_t> add_centres(const LayerChunk& chunk, GrownLayers& laye
     centres.push_back(-1);
     if (!has_centre(lines)) continue;
     centres.back() = static_cast<std::int32_t>(layers.mesh.nodes.size());
-    add_node(base_points(lines)[fan_centre], {chunk.path.heap, next++}, layers);
+    add_node(base_points(lines)[fan_centre], {chunk.path.heap, next++},
+             {line_nodes[at(fan.lines[0])].foot, 1}, layers);
   }
   return centres;
 }
@@ -295,7 +313,7 @@ GrownLayers grow(const LayerChunk& chunk) {
   TF_CHECK(chunk.triangles.size() == chunk.surface_triangles.size());
   layers.subdomain.path = chunk.path;
   const std::vector<LineNodes> line_nodes = add_nodes(chunk, layers);
-  const std::vector<std::int32_t> centres = add_centres(chunk, layers);
+  const std::vector<std::int32_t> centres = add_centres(chunk, line_nodes, layers);
   layers.mesh.boundary_nodes = static_cast<std::int32_t>(layers.mesh.nodes.size());
   layers.subdomain.vertices = layers.mesh.nodes;
   const auto add_column = [&](const Triangle& lines, int from) {

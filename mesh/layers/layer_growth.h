@@ -10,6 +10,7 @@
 
 #include "mesh/core/cell_marks.h"
 #include "mesh/core/element_block.h"
+#include "mesh/core/node_feet.h"
 #include "mesh/core/subdomain.h"
 #include "mesh/core/tet_mesh.h"
 #include "mesh/layers/layer_chunks.h"
@@ -24,6 +25,8 @@ struct GrownLayers {
   TetMesh mesh;
   ElementBlocks blocks;  ///< pyramids, prisms and quads of sides, by the numbers of the nodes
   CellMarks marks;       ///< of each cell its layer, or its depth in a PML and its axes
+  /// Of all nodes, by the numbers here. In the middle of a fan it is the foot that the fan is from.
+  NodeFeet feet;
 };
 
 /// Cells come triangle by triangle, each from the wall up. Cost: O(cells).

@@ -116,6 +116,7 @@ class PieceOfPart {
       old_number_.push_back(v);
       piece_.nodes.push_back(from_.nodes[at(v)]);
       piece_.local2global.push_back(global_node(from_, v));
+      if (!from_.feet.empty()) piece_.feet.add(from_.feet.foot[at(v)], from_.feet.depth[at(v)]);
     }
     return number;
   }
@@ -184,6 +185,18 @@ void append_elements(const NumberedPart& piece, const std::vector<std::int32_t>&
     append(to.regions, from.regions);
     append(to.patches, from.patches);
   });
+}
+
+/// Those of a piece, whose node v is `local[v]` in the whole.
+void add_feet(const NodeFeet& feet, const std::vector<std::int32_t>& local, NumberedPart& whole) {
+  if (feet.empty()) return;
+  whole.feet.foot.resize(whole.nodes.size(), no_foot);
+  whole.feet.depth.resize(whole.nodes.size(), no_foot);
+  for (std::size_t v = 0; v < local.size(); ++v) {
+    if (feet.foot[v] == no_foot) continue;
+    whole.feet.foot[at(local[v])] = feet.foot[v];
+    whole.feet.depth[at(local[v])] = feet.depth[v];
+  }
 }
 
 /// The marks of the cells of pieces, put in the order that the cells get in the whole: by type,
@@ -270,7 +283,8 @@ void PartPieces::add(const NumberedPart& subdomain, const std::vector<std::int32
 
 void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
   Piece& entry = pieces_[part].emplace_back();
-  entry = {file_.size(), piece.nodes.size(), piece.tets.size(), piece.faces.size(), {}, {}};
+  entry = {file_.size(), piece.nodes.size(),    piece.tets.size(), piece.faces.size(), {},
+           {},           piece.feet.foot.size()};
   append_numbers(file_, piece.nodes);
   append_numbers(file_, piece.local2global);
   append_numbers(file_, piece.tets);
@@ -288,6 +302,8 @@ void PartPieces::lay_down(const NumberedPart& piece, std::size_t part) {
     entry.marks.at(static_cast<std::size_t>(mark)) = piece.marks[mark].size();
     append_numbers(file_, piece.marks[mark]);
   }
+  append_numbers(file_, piece.feet.foot);
+  append_numbers(file_, piece.feet.depth);
 }
 
 NumberedPart PartPieces::read(const Piece& piece) const {
@@ -310,6 +326,8 @@ NumberedPart PartPieces::read(const Piece& piece) const {
     const std::size_t count = piece.marks.at(static_cast<std::size_t>(mark));
     read_numbers(file_, place, count, part.marks[mark]);
   }
+  read_numbers(file_, place, piece.feet, part.feet.foot);
+  read_numbers(file_, place, piece.feet, part.feet.depth);
   return part;
 }
 
@@ -346,6 +364,7 @@ NumberedPart PartPieces::part(std::size_t i) const {
       whole.nodes[at(local.back())] = piece.nodes[v];
     }
     append_elements(piece, local, whole);
+    add_feet(piece.feet, local, whole);
     if (has_marks) marks.add(piece);
   }
   settle_regions(whole);

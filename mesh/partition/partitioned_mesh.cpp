@@ -203,6 +203,7 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
                                  const std::filesystem::path& folder)
     : pieces_(options.parts, folder),
       cell_marks_(source.cell_marks()),
+      has_feet_(source.has_feet()),
       patch_names_(source.patch_names()),
       region_names_(source.region_names()) {
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);

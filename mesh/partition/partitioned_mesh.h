@@ -33,11 +33,12 @@ struct PartitionFigures {
 };
 
 /// The parts 0, 1, …: each of one piece, joined by faces, in each piece of the mesh that it has a
-/// share of; nodes have the numbers, and cells the marks, that they have in `source`.
+/// share of; nodes have the numbers and feet, and cells the marks, that they have in `source`.
 class PartitionedMesh : public MeshSource {
  public:
   /// Reads each sub-domain twice; `source` need not live longer. `folder` is for files that are
-  /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell, 4 for each mark.
+  /// gone afterwards, about 30 bytes a tet, 8 more for each node of another cell, 4 for each mark,
+  /// 12 for the foot of a node.
   /// The same mesh gives the same parts.
   /// @throws UsageError when there are fewer cells, or columns, than parts; InvalidInput, IoError.
   /// Cost: some microseconds a cell. Memory: one sub-domain, the clusters and their neighbours (20
@@ -50,6 +51,7 @@ class PartitionedMesh : public MeshSource {
   NumberedPart part(std::size_t i) const override { return pieces_.part(i); }
   bool takes_threads() const override { return true; }
   std::vector<CellMark> cell_marks() const override { return cell_marks_; }
+  bool has_feet() const override { return has_feet_; }
   std::vector<std::string> patch_names() const override { return patch_names_; }
   std::vector<std::string> region_names() const override { return region_names_; }
   const PartitionFigures& figures() const { return figures_; }
@@ -58,6 +60,7 @@ class PartitionedMesh : public MeshSource {
   PartPieces pieces_;
   PartitionFigures figures_;
   std::vector<CellMark> cell_marks_;
+  bool has_feet_ = false;
   std::vector<std::string> patch_names_;
   std::vector<std::string> region_names_;
 };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/array_index.h"
+#include "base/error.h"
 #include "mesh/assemble/part_cells.h"
 #include "mesh/geometry/hilbert_order.h"
 #include "mesh/partition/reordered_marks.h"
@@ -97,6 +98,9 @@ void put_in_order(NumberedPart& part) {
     old2new[at(order[v])] = static_cast<std::int32_t>(v);
     part.nodes[v] = before.nodes[at(order[v])];
     part.local2global[v] = before.local2global[at(order[v])];
+    if (part.feet.empty()) continue;
+    part.feet.foot[v] = before.feet.foot[at(order[v])];
+    part.feet.depth[v] = before.feet.depth[at(order[v])];
   }
   for (Tet& tet : part.tets) {
     for (std::int32_t& v : tet) v = old2new[at(v)];
@@ -107,6 +111,14 @@ void put_in_order(NumberedPart& part) {
   for_each_block(part.blocks, [&](ElementType, ElementBlock& block) {
     for (std::int32_t& v : block.nodes) v = old2new[at(v)];
   });
+}
+
+/// Ascending, each once.
+std::vector<std::int64_t> feet_of(const NumberedPart& part) {
+  std::vector<std::int64_t> feet = part.feet.foot;
+  std::sort(feet.begin(), feet.end());
+  feet.erase(std::unique(feet.begin(), feet.end()), feet.end());
+  return feet;
 }
 
 }  // namespace
@@ -120,6 +132,7 @@ RenumberedMesh::RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering
 void RenumberedMesh::find_shared_nodes() {
   std::vector<bool> is_met;
   std::vector<bool> has_several;
+  std::vector<std::int64_t> feet;
   for (std::size_t i = 0; i < size(); ++i) {
     const CountedPart counted = source_->counted_part(i);
     for (const std::int64_t number : counted.part.local2global) {
@@ -131,9 +144,17 @@ void RenumberedMesh::find_shared_nodes() {
       if (is_met[node]) has_several[node] = true;
       is_met[node] = true;
     }
+    const std::vector<std::int64_t> of_part = feet_of(counted.part);
+    feet.insert(feet.end(), of_part.begin(), of_part.end());
   }
+  std::sort(feet.begin(), feet.end());
+  auto foot = std::lower_bound(feet.begin(), feet.end(), 0);
   for (std::size_t node = 0; node < has_several.size(); ++node) {
-    if (has_several[node]) shared_.push_back({static_cast<std::int64_t>(node), -1, UINT32_MAX});
+    const auto number = static_cast<std::int64_t>(node);
+    const bool is_foot = foot != feet.end() && *foot == number && is_met[node];
+    while (foot != feet.end() && *foot == number) ++foot;
+    if (!has_several[node] && !is_foot) continue;
+    shared_.push_back({number, -1, UINT32_MAX, has_several[node] ? border : inside});
   }
 }
 
@@ -203,6 +224,19 @@ RenumberedMesh::OwnNodes RenumberedMesh::own_nodes(const NumberedPart& part,
   return own;
 }
 
+NodeFeet RenumberedMesh::with_new_numbers(NodeFeet feet, std::size_t part) const {
+  for (std::int64_t& foot : feet.foot) {
+    if (foot == no_foot) continue;
+    const std::optional<std::size_t> known = shared(foot);
+    if (!known) {
+      throw InvalidInput("a node has a foot that is no node of the mesh",
+                         "sub-domain " + std::to_string(part));
+    }
+    foot = shared_[*known].number;
+  }
+  return feet;
+}
+
 NumberedPart RenumberedMesh::part(std::size_t i) const {
   NumberedPart part = source_->part(i);
   const OwnNodes own = own_nodes(part, i);
@@ -215,6 +249,7 @@ NumberedPart RenumberedMesh::part(std::size_t i) const {
     if (numbers[v] < 0) numbers[v] = shared_[shared(part.local2global[v]).value()].number;
   }
   part.local2global = std::move(numbers);
+  part.feet = with_new_numbers(std::move(part.feet), i);
   put_in_order(part);
   sort_cells(part);
   return part;

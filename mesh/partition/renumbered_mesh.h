@@ -23,12 +23,13 @@ enum class NodeNumbering {
 
 /// The parts of `source`, each with its nodes by rising new number, and its cells of each type
 /// region by region by the lowest of their nodes, then the next. Marks go with their
-/// cells.
+/// cells, and feet with their nodes, by the new numbers.
 class RenumberedMesh : public MeshSource {
  public:
   /// Reads each part three times. The same mesh gets the same numbers.
-  /// @throws as outline_of. Cost: O(n log n). Memory: one part, two bits a node, 16 bytes a node
-  /// that several parts have. `part` costs an ordering of the part each time.
+  /// @throws as outline_of, and so does `part` where a foot is no node. Cost: O(n log n). Memory:
+  /// one part, two bits a node, 24 bytes a node that several parts have or that is a foot. `part`
+  /// costs an ordering of the part each time.
   RenumberedMesh(std::unique_ptr<MeshSource> source, NodeNumbering numbering);
 
   std::size_t size() const override { return source_->size(); }
@@ -38,6 +39,7 @@ class RenumberedMesh : public MeshSource {
   bool takes_threads() const override { return source_->takes_threads(); }
   bool knows_subdomains() const override { return source_->knows_subdomains(); }
   std::vector<CellMark> cell_marks() const override { return source_->cell_marks(); }
+  bool has_feet() const override { return source_->has_feet(); }
   std::vector<std::string> patch_names() const override { return source_->patch_names(); }
   std::vector<std::string> region_names() const override { return source_->region_names(); }
 
@@ -45,7 +47,8 @@ class RenumberedMesh : public MeshSource {
   enum Kind : std::uint8_t { surface, border, inside };
   static constexpr std::size_t kinds = 3;
 
-  /// A node of several parts.
+  /// A node of several parts, or one that other nodes have as their foot, whichever part they are
+  /// of.
   struct SharedNode {
     std::int64_t old_number = 0;
     std::int64_t number = -1;
@@ -57,7 +60,8 @@ class RenumberedMesh : public MeshSource {
 
   void find_shared_nodes();
   void number_nodes();
-  /// Its place in shared_; nothing when one part alone has it.
+  NodeFeet with_new_numbers(NodeFeet feet, std::size_t part) const;
+  /// Its place in shared_; nothing when one part alone has it, and it is no foot.
   std::optional<std::size_t> shared(std::int64_t old_number) const;
   OwnNodes own_nodes(const NumberedPart& part, std::size_t index) const;
   std::vector<std::int32_t> order_of(const NumberedPart& part) const;

@@ -21,6 +21,7 @@ class NumberedParts : public MeshSource {
   }
   bool takes_threads() const override { return true; }
   std::vector<CellMark> cell_marks() const override { return {CellMark::pml_depth}; }
+  bool has_feet() const override { return true; }
   std::vector<std::string> patch_names() const override { return {}; }
   std::vector<std::string> region_names() const override { return {}; }
 
@@ -36,9 +37,10 @@ TEST(ReadAhead, gives_the_parts_in_whatever_order_they_are_asked_for) {
   }
 }
 
-TEST(ReadAhead, has_the_marks_that_the_mesh_has) {
+TEST(ReadAhead, has_the_marks_and_feet_that_the_mesh_has) {
   const ReadAhead mesh(std::make_unique<NumberedParts>(99));
   EXPECT_EQ(mesh.cell_marks(), std::vector{CellMark::pml_depth});
+  EXPECT_TRUE(mesh.has_feet());
 }
 
 TEST(ReadAhead, a_part_that_cannot_be_read_fails_when_it_is_asked_for) {

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <set>
 
+#include "base/array_index.h"
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/quality/mesh_check.h"
 #include "tasks/ratio_histogram.h"
+#include "tests/mesh/assemble/expect_feet.h"
 #include "tests/mesh/layers/boxes_with_planes.h"
 #include "tests/mesh/layers/layered_bodies.h"
 #include "tests/support/shapes.h"
@@ -54,7 +57,7 @@ class LayerTasks : public TaskChain {
     std::string table;
     files_ = {{"job", publish(to_toml(job))}, {"surface", surface}, {"spacing", spacing}};
     const auto parts = static_cast<std::int64_t>(inspected.done().numbers().at("parts"));
-    files_["top_heights"] = output(inspected, "top_heights");
+    if (!job.layers.empty()) files_["top_heights"] = output(inspected, "top_heights");
     EXPECT_TRUE(settle(output(inspected, "root"), 2, parts, spacing, table, files_))
         << last_.failed().message();
     const wire::Envelope numbered =
@@ -85,6 +88,7 @@ class LayerTasks : public TaskChain {
     const MeshCheckResult result = check_mesh(*source);
     EXPECT_THAT(result.complaints, testing::IsEmpty()) << name;
     EXPECT_EQ(result.digest.hex(), assembled.done().texts().at("digest")) << name;
+    if (name.ends_with(".vtkhdf")) test::FeetOfMesh(*source).expect_sound();
   }
 
   /// Of the five layers and of nothing else.
@@ -101,9 +105,25 @@ class LayerTasks : public TaskChain {
         ++cells_of_layer[layers[c]];
       }
     }
+    expect_feet_on_the_boundary(*source);
     cells_of_layer.erase(0);
     EXPECT_EQ(cells_of_layer,
               (std::map<std::int32_t, int>{{1, 320}, {2, 320}, {3, 320}, {4, 320}, {5, 320}}));
+  }
+
+  /// Its nodes are the feet, and no others.
+  static void expect_feet_on_the_boundary(const MeshSource& mesh) {
+    std::set<std::int64_t> boundary;
+    std::set<std::int64_t> feet;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      const NumberedPart part = mesh.part(i);
+      for (const Triangle& face : part.faces) {
+        for (const std::int32_t v : face) boundary.insert(part.local2global[at(v)]);
+      }
+      feet.insert(part.feet.foot.begin(), part.feet.foot.end());
+    }
+    feet.erase(no_foot);
+    EXPECT_EQ(feet, boundary);
   }
 
   Files files_;
@@ -269,6 +289,40 @@ TEST_F(LayerTasks, are_those_of_a_job_without_layers_where_nothing_can_grow) {
   const Subdomain root = subdomain_from_bytes(bytes(output(inspected, "root")), "root");
   EXPECT_EQ(root.path.heap, 1U);
   EXPECT_EQ(inspected.done().numbers().at("layers_none"), thin.triangles.size());
+}
+
+TEST_F(LayerTasks, that_absorb_have_their_feet_on_the_inner_side) {
+  for (const char* elements : {"prisms", "tets"}) {
+    JobFile job = job_of(3);
+    job.spacing_default = 0.3;
+    JobPml pml;
+    pml.patches = {"*"};
+    pml.layers = 3;
+    pml.height = 0.125;
+    pml.elements = elements;
+    job.pml = pml;
+    const Vec3 middle = {1, 2, 3};
+    const wire::Envelope assembled =
+        run(assemble_task, prepared(job, shapes::sphere(middle, 1, 2)));
+    ASSERT_TRUE(assembled.has_done()) << assembled.failed().message();
+    expect_sound(assembled, "ball.vtkhdf");
+    const auto mesh = open_mesh(folder_ + "/ball.vtkhdf", folder_);
+    std::map<std::int32_t, int> nodes_of_depth;
+    for (std::size_t i = 0; i < mesh->size(); ++i) {
+      const NumberedPart part = mesh->part(i);
+      for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+        const std::int32_t depth = part.feet.depth[v];
+        const double radius = norm(part.nodes[v] - middle);
+        if (depth == no_foot) {
+          EXPECT_LT(radius, 1);
+        } else {
+          EXPECT_NEAR(radius, 1 + 0.125 * depth, 1e-12);
+        }
+        ++nodes_of_depth[depth];
+      }
+    }
+    EXPECT_EQ(nodes_of_depth.rbegin()->first, 3) << "those of the outer boundary";
+  }
 }
 
 }  // namespace

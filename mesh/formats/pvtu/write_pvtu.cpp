@@ -20,10 +20,24 @@ struct Array {
 
 constexpr Array points = {"Float64", "Points", 3};
 constexpr Array node_number = {"Int64", "GlobalNodeId", 1};
+constexpr std::array<Array, 2> feet_of_nodes = {
+    {{"Int64", foot_array, 1}, {"Int32", depth_array, 1}}};
 constexpr std::array<Array, 3> cells = {
     {{"Int64", "connectivity", 1}, {"Int64", "offsets", 1}, {"UInt8", "types", 1}}};
 constexpr std::array<Array, 3> cell_data = {
     {{"Int32", "subdomain", 1}, {"Int32", "region", 1}, {"Int32", "patch", 1}}};
+
+/// What the pieces have besides what all have.
+struct MoreArrays {
+  std::vector<CellMark> marks;
+  bool has_feet = false;
+};
+
+std::vector<Array> point_data_with(bool has_feet) {
+  std::vector<Array> arrays = {node_number};
+  if (has_feet) arrays.insert(arrays.end(), feet_of_nodes.begin(), feet_of_nodes.end());
+  return arrays;
+}
 
 std::vector<Array> cell_data_with(const std::vector<CellMark>& marks) {
   std::vector<Array> arrays(cell_data.begin(), cell_data.end());
@@ -94,7 +108,22 @@ std::vector<std::int32_t> mark_of_cells(const NumberedPart& part, CellMark mark,
   return values;
 }
 
-void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks, AppendedData data) {
+NodeFeet feet_of_all(const NumberedPart& part) {
+  if (!part.feet.empty()) return part.feet;
+  return {std::vector<std::int64_t>(part.nodes.size(), no_foot),
+          std::vector<std::int32_t>(part.nodes.size(), no_foot)};
+}
+
+void write_point_arrays(const NumberedPart& part, bool has_feet, AppendedData& data) {
+  data.add(part.nodes);
+  data.add(part.local2global);
+  if (!has_feet) return;
+  const NodeFeet feet = feet_of_all(part);
+  data.add(feet.foot);
+  data.add(feet.depth);
+}
+
+void write_arrays(const NumberedPart& part, const MoreArrays& more, AppendedData data) {
   TF_CHECK(part.local2global.size() == part.nodes.size());
   TF_CHECK(part.patch_of_face.size() == part.faces.size());
   const auto cells_of_part = static_cast<std::size_t>(cells_of(part));
@@ -105,8 +134,7 @@ void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks, 
   for (const ElementType type : cell_block_types) append_nodes(type, part.blocks[type], numbers);
   for (const Triangle& face : part.faces) numbers.insert(numbers.end(), face.begin(), face.end());
   for (const ElementType type : face_block_types) append_nodes(type, part.blocks[type], numbers);
-  data.add(part.nodes);
-  data.add(part.local2global);
+  write_point_arrays(part, more.has_feet, data);
   data.add(numbers);
   numbers.clear();
   std::vector<std::uint8_t> types;
@@ -132,14 +160,14 @@ void write_arrays(const NumberedPart& part, const std::vector<CellMark>& marks, 
     patches.insert(patches.end(), of_type.begin(), of_type.end());
   }
   data.add(patches);
-  for (const CellMark mark : marks) data.add(mark_of_cells(part, mark, count));
+  for (const CellMark mark : more.marks) data.add(mark_of_cells(part, mark, count));
 }
 
-void write_piece(const NumberedPart& part, const std::vector<CellMark>& marks,
+void write_piece(const NumberedPart& part, const MoreArrays& more,
                  const std::filesystem::path& path) {
   const std::int64_t cells_of_piece = cells_of(part) + boundary_faces_of(part);
-  const VtuLayout layout =
-      vtu_layout(std::ssize(part.nodes), cells_of_piece, connected_nodes(part), marks.size());
+  const VtuLayout layout = vtu_layout(std::ssize(part.nodes), cells_of_piece, connected_nodes(part),
+                                      more.marks.size(), more.has_feet);
   std::size_t next = 0;
   const auto array = [&](const Array& what) {
     return described("DataArray", what) + " format=\"appended\" offset=\"" +
@@ -150,15 +178,15 @@ void write_piece(const NumberedPart& part, const std::vector<CellMark>& marks,
                      std::to_string(cells_of_piece) + "\">\n<Points>\n";
   text += array(points);
   text += "</Points>\n<PointData>\n";
-  text += array(node_number);
+  for (const Array& what : point_data_with(more.has_feet)) text += array(what);
   text += "</PointData>\n<Cells>\n";
   for (const Array& what : cells) text += array(what);
   text += "</Cells>\n<CellData>\n";
-  for (const Array& what : cell_data_with(marks)) text += array(what);
+  for (const Array& what : cell_data_with(more.marks)) text += array(what);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   OutputFile file(path);
   file.write(0, text);
-  write_arrays(part, marks, {file, std::ssize(text), layout});
+  write_arrays(part, more, {file, std::ssize(text), layout});
   // The line's end belongs there: meshio looks for the last one to find the end of the data.
   file.write(std::ssize(text) + layout.bytes, std::string_view("\n</AppendedData>\n</VTKFile>\n"));
   file.finish();
@@ -167,10 +195,11 @@ void write_piece(const NumberedPart& part, const std::vector<CellMark>& marks,
 }  // namespace
 
 VtuLayout vtu_layout(std::int64_t points, std::int64_t cells_of_piece, std::int64_t cell_nodes,
-                     std::size_t marks) {
+                     std::size_t marks, bool has_feet) {
   VtuLayout layout;
-  std::vector<std::int64_t> sizes = {24 * points, 8 * points, 8 * cell_nodes, 8 * cells_of_piece,
-                                     cells_of_piece};
+  std::vector<std::int64_t> sizes = {24 * points, 8 * points};
+  if (has_feet) sizes.insert(sizes.end(), {8 * points, 4 * points});
+  sizes.insert(sizes.end(), {8 * cell_nodes, 8 * cells_of_piece, cells_of_piece});
   sizes.resize(sizes.size() + cell_data.size() + marks, 4 * cells_of_piece);
   for (const std::int64_t bytes : sizes) {
     layout.arrays.push_back({layout.bytes, bytes});
@@ -187,16 +216,21 @@ void write_pvtu(const MeshSource& source, const MeshOutline&, const std::filesys
                      path.string());
   }
   make_folders(path.parent_path() / stem);
-  const std::vector<CellMark> marks = source.cell_marks();
+  const MoreArrays more = {source.cell_marks(), source.has_feet()};
   std::string text = head("PUnstructuredGrid") +
                      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
-                     described("PDataArray", points) + "/>\n</PPoints>\n<PPointData>\n" +
-                     described("PDataArray", node_number) + "/>\n</PPointData>\n<PCellData>\n";
-  for (const Array& what : cell_data_with(marks)) text += described("PDataArray", what) + "/>\n";
+                     described("PDataArray", points) + "/>\n</PPoints>\n<PPointData>\n";
+  for (const Array& what : point_data_with(more.has_feet)) {
+    text += described("PDataArray", what) + "/>\n";
+  }
+  text += "</PPointData>\n<PCellData>\n";
+  for (const Array& what : cell_data_with(more.marks)) {
+    text += described("PDataArray", what) + "/>\n";
+  }
   text += "</PCellData>\n";
   for (std::size_t i = 0; i < source.size(); ++i) {
     const std::string piece = stem + "/" + stem + "_" + std::to_string(i) + ".vtu";
-    write_piece(source.part(i), marks, path.parent_path() / piece);
+    write_piece(source.part(i), more, path.parent_path() / piece);
     text += "<Piece Source=\"" + piece + "\"/>\n";
   }
   write_file_atomically(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");

@@ -13,8 +13,9 @@
 
 namespace tetfarm {
 
-/// Where the arrays of a piece lie in its appended data: points, their numbers, connectivity,
-/// offsets, types, sub-domain, region, patch, marks of cells.
+/// Where the arrays of a piece lie in its appended data: points, their numbers, their feet and
+/// depths if there are any, connectivity, offsets, types, sub-domain, region, patch, marks of
+/// cells.
 struct VtuLayout {
   struct Place {
     std::int64_t offset = 0;  ///< of the array's length, which comes before it
@@ -26,7 +27,7 @@ struct VtuLayout {
 };
 /// `cell_nodes`: how many the cells have, each for itself.
 VtuLayout vtu_layout(std::int64_t points, std::int64_t cells, std::int64_t cell_nodes,
-                     std::size_t marks = 0);
+                     std::size_t marks = 0, bool has_feet = false);
 
 /// NAME.pvtu, and NAME/NAME_0.vtu … in a folder beside it, which is made. @throws IoError, what the
 /// source throws. One pass; memory of one part.

@@ -48,9 +48,11 @@ struct KnownArrays {
   bool patches = false;
   bool regions = false;
   std::vector<CellMark> marks;
+  bool feet = false;
 };
 
 std::string path_of(CellMark mark) { return std::string("VTKHDF/CellData/") + name_of(mark); }
+std::string path_of_points(const char* array) { return std::string("VTKHDF/PointData/") + array; }
 
 Hdf5Input open_mesh(const std::filesystem::path& path) {
   Hdf5Input file(path.string());
@@ -64,26 +66,34 @@ KnownArrays known_arrays(const Hdf5Input& file) {
   KnownArrays known{file.has("VTKHDF/PointData/GlobalNodeId"),
                     file.has("VTKHDF/CellData/patch"),
                     file.has("VTKHDF/CellData/region"),
-                    {}};
+                    {},
+                    false};
   if (!file.has("Tetfarm")) return known;  // what others call so may be anything
   std::copy_if(all_cell_marks.begin(), all_cell_marks.end(), std::back_inserter(known.marks),
                [&file](CellMark mark) { return file.has(path_of(mark)); });
+  known.feet = known.node_numbers && file.has(path_of_points(foot_array)) &&
+               file.has(path_of_points(depth_array));
   return known;
 }
 
-void read_points(const Hdf5Input& file, const VtkhdfPartition& here, bool has_numbers,
+void read_points(const Hdf5Input& file, const VtkhdfPartition& here, const KnownArrays& known,
                  NumberedPart& part) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   const Hdf5Rows points = file.rows("VTKHDF/Points", 3);
   points.check(here.first_point, here.points);
   part.nodes.resize(at(here.points));
   points.read<double>(here.first_point, here.points, &part.nodes.data()->x);
-  if (has_numbers) {
+  if (known.node_numbers) {
     part.local2global =
         file.slice<std::int64_t>("VTKHDF/PointData/GlobalNodeId", here.first_point, here.points);
   } else {
     for (std::int64_t i = 0; i < here.points; ++i) part.local2global.push_back(i);
   }
+  if (!known.feet) return;
+  part.feet.foot =
+      file.slice<std::int64_t>(path_of_points(foot_array), here.first_point, here.points);
+  part.feet.depth =
+      file.slice<std::int32_t>(path_of_points(depth_array), here.first_point, here.points);
 }
 
 /// A partition lies in one region, or says it of each cell. Blocks have it of each element.
@@ -134,7 +144,7 @@ CountedPart count_part(const Hdf5Input& file, const VtkhdfPartition& here,
   NumberedPart& part = counted.part;
   part.number = static_cast<std::int32_t>(here.number);
   if (known.regions) read_regions(file, here, part);
-  read_points(file, here, known.node_numbers, part);
+  read_points(file, here, known, part);
   VtkhdfCells cells(file, here);
   const ElementCounts counts = cells.count();
   counted.tets = counts[ElementType::tet];
@@ -247,6 +257,7 @@ bool VtkhdfParts::has_node_numbers() const { return content_->known.node_numbers
 void VtkhdfParts::fail(const std::string& what) const { content_->file.fail(what); }
 
 const std::vector<CellMark>& VtkhdfParts::cell_marks() const { return content_->known.marks; }
+bool VtkhdfParts::has_feet() const { return content_->known.feet; }
 
 NumberedPart VtkhdfParts::part(std::size_t i) const {
   return read_part(content_->file, content_->partitions.at(i), content_->known);

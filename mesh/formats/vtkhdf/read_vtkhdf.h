@@ -33,6 +33,8 @@ class VtkhdfParts {
   std::vector<std::string> region_names() const;
   /// Which marks the cells have; other programs' files have none.
   const std::vector<CellMark>& cell_marks() const;
+  /// Whether the nodes have feet; those of other programs' files have none.
+  bool has_feet() const;
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

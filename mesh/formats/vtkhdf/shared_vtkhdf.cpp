@@ -59,6 +59,10 @@ void SharedVtkhdf::write_frame() {
       {places_.patches, 4 * all.cells},      {places_.points, 24 * all.points},
       {places_.node_numbers, 8 * all.points}};
   for (const auto& mark : places_.marks) rooms.emplace_back(mark.second, 4 * all.cells);
+  if (places_.feet) {
+    rooms.emplace_back(places_.feet->foot, 8 * all.points);
+    rooms.emplace_back(places_.feet->depth, 4 * all.points);
+  }
   std::sort(rooms.begin(), rooms.end());
   const auto size = static_cast<std::int64_t>(size_of_file(path_.scratch).value());
   rooms.emplace_back(size, 0);

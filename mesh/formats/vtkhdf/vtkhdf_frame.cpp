@@ -54,8 +54,8 @@ void begin_frame(const VtkhdfNames& names, Hdf5Output& file) {
 }
 
 /// `all` is what `partitions` have together.
-VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all,
-                      std::span<const CellMark> marks, Hdf5Output& file) {
+VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all, const VtkhdfNames& names,
+                      Hdf5Output& file) {
   TF_CHECK(partitions >= 0);
   VtkhdfPlaces places;
   places.connectivity = file.room_for<std::int64_t>("VTKHDF/Connectivity", all.ids);
@@ -64,12 +64,17 @@ VtkhdfPlaces add_room(std::int64_t partitions, const VtkhdfBefore& all,
   places.subdomains = file.room_for<std::int32_t>("VTKHDF/CellData/subdomain", all.cells);
   places.regions = file.room_for<std::int32_t>("VTKHDF/CellData/region", all.cells);
   places.patches = file.room_for<std::int32_t>("VTKHDF/CellData/patch", all.cells);
-  for (const CellMark mark : marks) {
+  for (const CellMark mark : names.marks) {
     const std::string name = std::string("VTKHDF/CellData/") + name_of(mark);
     places.marks.emplace_back(mark, file.room_for<std::int32_t>(name, all.cells));
   }
   places.points = file.room_for<double>("VTKHDF/Points", all.points, 3);
   places.node_numbers = file.room_for<std::int64_t>("VTKHDF/PointData/GlobalNodeId", all.points);
+  if (names.has_feet) {
+    const std::string folder = "VTKHDF/PointData/";
+    const std::int64_t foot = file.room_for<std::int64_t>(folder + foot_array, all.points);
+    places.feet = {foot, file.room_for<std::int32_t>(folder + depth_array, all.points)};
+  }
   return places;
 }
 
@@ -119,8 +124,7 @@ VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
   Hdf5Output file(path.string());
   begin_frame(names, file);
   add_counts(parts, file);
-  const VtkhdfPlaces places =
-      add_room(std::ssize(parts), before_each(parts).back(), names.marks, file);
+  const VtkhdfPlaces places = add_room(std::ssize(parts), before_each(parts).back(), names, file);
   file.close();
   return places;
 }
@@ -130,8 +134,7 @@ VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t 
   Hdf5Output file(scratch.string());
   begin_frame(names, file);
   for (const char* counts : arrays_of_counts) file.room_for<std::int64_t>(counts, partitions);
-  const VtkhdfPlaces places =
-      add_room(partitions, {0, cells_of(all), ids_of(all)}, names.marks, file);
+  const VtkhdfPlaces places = add_room(partitions, {0, cells_of(all), ids_of(all)}, names, file);
   file.close();
   remove_file(scratch);
   return places;

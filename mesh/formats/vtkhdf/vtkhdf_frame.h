@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,6 +28,12 @@ struct VtkhdfCounts {
 };
 VtkhdfCounts vtkhdf_counts(const NumberedPart& part);
 
+/// Where the arrays of NodeFeet begin.
+struct VtkhdfFeetPlaces {
+  std::int64_t foot = 0;
+  std::int64_t depth = 0;
+};
+
 /// Where the arrays begin in the file, bytes.
 struct VtkhdfPlaces {
   std::int64_t connectivity = 0;
@@ -38,6 +45,7 @@ struct VtkhdfPlaces {
   std::vector<std::pair<CellMark, std::int64_t>> marks;
   std::int64_t points = 0;
   std::int64_t node_numbers = 0;
+  std::optional<VtkhdfFeetPlaces> feet;
 };
 
 /// How much of the arrays comes before a partition.
@@ -79,6 +87,7 @@ struct VtkhdfNames {
   std::vector<std::string> patches;
   std::vector<std::string> regions = {};  ///< none: one region
   std::vector<CellMark> marks = {};  ///< arrays of these; of a part that does not know them, zeros
+  bool has_feet = false;             ///< arrays of NodeFeet; of a part without them, no_foot
 };
 
 /// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.

@@ -115,6 +115,17 @@ FileRange write_mark(const VtkhdfPlace& place, CellMark mark, const NumberedPart
   return values.finish();
 }
 
+void write_feet(const VtkhdfFeetPlaces& places, const VtkhdfBefore& before,
+                const NumberedPart& part, OutputFile& file) {
+  const std::size_t nodes = part.nodes.size();
+  const NodeFeet none = {std::vector<std::int64_t>(part.feet.empty() ? nodes : 0, no_foot),
+                         std::vector<std::int32_t>(part.feet.empty() ? nodes : 0, no_foot)};
+  const NodeFeet& feet = part.feet.empty() ? none : part.feet;
+  TF_CHECK(feet.foot.size() == nodes && feet.depth.size() == nodes);
+  file.write(places.foot + before.points * 8, feet.foot);
+  file.write(places.depth + before.points * 4, feet.depth);
+}
+
 }  // namespace
 
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
@@ -164,6 +175,7 @@ void write_vtkhdf_points(const VtkhdfPlaces& places, const VtkhdfBefore& before,
   TF_CHECK(part.local2global.size() == part.nodes.size());
   file.write(places.points + before.points * bytes_of_point, part.nodes);
   file.write(places.node_numbers + before.points * 8, part.local2global);
+  if (places.feet) write_feet(*places.feet, before, part, file);
 }
 
 }  // namespace tetfarm

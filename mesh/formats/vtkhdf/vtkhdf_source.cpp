@@ -18,6 +18,7 @@ class VtkhdfSource : public MeshSource {
   CountedPart counted_part(std::size_t i) const override { return parts_.count(i); }
   bool takes_threads() const override { return hdf5_takes_threads(); }
   std::vector<CellMark> cell_marks() const override { return parts_.cell_marks(); }
+  bool has_feet() const override { return parts_.has_feet(); }
   std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
   std::vector<std::string> region_names() const override { return parts_.region_names(); }
 

@@ -189,6 +189,29 @@ TEST(PortionFile, of_cells_without_marks_are_without_them_also_behind_others_wit
   EXPECT_TRUE(portion.part.marks.empty());
 }
 
+TEST(PortionFile, with_feet_of_its_nodes_has_a_version_of_its_own) {
+  const TempFolder folder;
+  for (const bool has_hex : {false, true}) {
+    Portion portion = small_portion(has_hex);
+    EXPECT_EQ(portion_to_bytes(portion)[8], has_hex ? 3 : 2);
+    for (std::int32_t v = 0; v < 8; ++v) portion.part.feet.add(17 - v, v - 1);
+    const std::string bytes = portion_to_bytes(portion);
+    EXPECT_EQ(bytes[8], 4);
+    const Portion read = portion_from_bytes(bytes, "p");
+    EXPECT_EQ(read.part.feet, portion.part.feet);
+    EXPECT_EQ(read.part.faces, portion.part.faces);
+    EXPECT_EQ(read.others, portion.others);
+    EXPECT_EQ(read.placed, portion.placed);
+    const std::string path = folder.path() / "p";
+    write_file_atomically(path, bytes);
+    EXPECT_TRUE(portion_counts(path, "p").has_feet);
+    EXPECT_EQ(portion_counts(path, "p").others, portion.others);
+    EXPECT_EQ(error_text_of<CorruptFile>(
+                  [&] { portion_from_bytes(forged(bytes, 20, std::uint64_t{1} << 40), "p"); }),
+              "p: has a count of 1099511627776");
+  }
+}
+
 TEST(PortionFile, tells_its_counts_by_its_first_bytes_alone) {
   const TempFolder folder;
   const std::string path = folder.path() / "p";
@@ -205,6 +228,7 @@ TEST(PortionFile, tells_its_counts_by_its_first_bytes_alone) {
   EXPECT_EQ(counts.others[ElementType::hex], 1);
   EXPECT_EQ(counts.others[ElementType::quad], 1);
   EXPECT_EQ(counts.others[ElementType::prism], 0);
+  EXPECT_FALSE(counts.has_feet);
   EXPECT_EQ(said_of(bytes.substr(0, 19)), "p: does not begin like the expected kind of file");
   EXPECT_EQ(said_of("TFPTET\r\n" + bytes.substr(8)),
             "p: does not begin like the expected kind of file");

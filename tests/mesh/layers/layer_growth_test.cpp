@@ -354,5 +354,41 @@ TEST(LayerGrowth, names_cells_that_are_flat_or_turned) {
   EXPECT_THAT(complaints, SizeIs(testing::Le(20)));
 }
 
+TEST(LayerGrowth, tells_of_each_node_the_foot_and_the_level_of_its_line) {
+  const LayeredSphere sphere = LayeredSphere::uneven();
+  for (const LayerChunk& chunk : chunks_of(sphere.plan, sphere.surface, 200)) {
+    const GrownLayers layers = grow(chunk);
+    const std::vector<Origin>& origins = layers.subdomain.node_origin;
+    ASSERT_EQ(layers.feet.foot.size(), origins.size());
+    std::vector<std::int32_t> levels = levels_of_nodes(layers);
+    EXPECT_EQ(layers.feet.depth, levels);
+    for (std::size_t v = 0; v < origins.size(); ++v) {
+      const auto foot = static_cast<std::size_t>(layers.feet.foot[v]);
+      EXPECT_EQ(origins.at(foot).owner, 0U) << "a vertex of the surface";
+      const LayerLine& line = sphere.plan.lines.at(
+          static_cast<std::size_t>(sphere.plan.vertex2line.at(origins[foot].index)));
+      EXPECT_EQ(layers.mesh.nodes[v], point_of(line, layers.feet.depth[v]));
+    }
+  }
+}
+
+TEST(LayerGrowth, has_a_node_in_the_middle_of_a_fan_on_the_first_layer_of_one_of_its_feet) {
+  for (const test::LayeredBody& body : fanned_bodies()) {
+    for (const LayerChunk& chunk : chunks_of(body.plan, body.surface, 300)) {
+      const GrownLayers layers = grow(chunk);
+      const auto first = static_cast<std::size_t>(std::ssize(layers.mesh.nodes) -
+                                                  counts_of(chunk).nodes + nodes_of_lines(chunk));
+      std::size_t centre = first;
+      for (const ChunkFan& fan : chunk.fans) {
+        if (!has_centre(lines_of(chunk, fan))) continue;
+        const auto foot = static_cast<std::size_t>(layers.feet.foot.at(centre));
+        EXPECT_EQ(layers.feet.depth.at(centre++), 1);
+        EXPECT_EQ(layers.mesh.nodes.at(foot), chunk.lines.at(at(fan.lines[0])).line.at);
+      }
+      EXPECT_EQ(centre, layers.mesh.nodes.size());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -252,8 +252,44 @@ TEST(PartPieces, keep_the_marks_of_each_cell_and_have_0_of_sub_domains_without_t
   EXPECT_EQ(after, before);
 }
 
-TEST_F(PartPiecesOfGrid, of_a_mesh_without_marks_have_none) {
-  for (const NumberedPart& part : parts_) EXPECT_TRUE(part.marks.empty());
+TEST_F(PartPiecesOfGrid, of_a_mesh_without_marks_and_feet_have_none) {
+  for (const NumberedPart& part : parts_) {
+    EXPECT_TRUE(part.marks.empty());
+    EXPECT_TRUE(part.feet.empty());
+  }
+}
+
+TEST(PartPieces, keep_the_foot_of_each_node_and_have_none_of_sub_domains_without_them) {
+  const TempFolder folder;
+  HybridGrid grid(4, 3);
+  std::map<std::int64_t, std::pair<std::int64_t, std::int32_t>> before;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const std::int64_t v : grid.parts[i].local2global) {
+      before[v] = {v / 3, static_cast<std::int32_t>(v % 3)};
+      if (i == 2) before[v] = {no_foot, no_foot};
+    }
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const std::int64_t v : grid.parts[i].local2global) {
+      grid.parts[i].feet.add(before.at(v).first, before.at(v).second);
+    }
+  }
+  PartPieces pieces(2, folder.path());
+  std::mt19937 random(13);
+  for (const NumberedPart& subdomain : grid.parts) {
+    std::vector<std::int32_t> part_of_cell;
+    for (std::int64_t k = 0; k < cells_of(subdomain); ++k) {
+      part_of_cell.push_back(static_cast<std::int32_t>(random() % 2));
+    }
+    pieces.add(subdomain, part_of_cell);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const NumberedPart part = pieces.part(i);
+    ASSERT_EQ(part.feet.foot.size(), part.nodes.size());
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      EXPECT_EQ(std::pair(part.feet.foot[v], part.feet.depth[v]), before.at(part.local2global[v]));
+    }
+  }
 }
 
 /// Two tets with a face in common.

@@ -71,7 +71,7 @@ Found found_in(const MeshSource& mesh) {
   return found;
 }
 
-TEST(PartitionedMesh, has_the_marks_of_the_mesh_in_the_files_that_hold_them) {
+TEST(PartitionedMesh, has_the_marks_and_feet_of_the_mesh_in_the_files_that_hold_them) {
   const TempFolder folder;
   const MarkedGrid grid;
   const PartitionedMesh mesh(grid, {3}, folder.path());
@@ -79,6 +79,7 @@ TEST(PartitionedMesh, has_the_marks_of_the_mesh_in_the_files_that_hold_them) {
   const auto file = folder.path() / "parts.vtkhdf";
   export_mesh(mesh, find_mesh_format("", file), file);
   const std::unique_ptr<MeshSource> written = open_mesh(file);
+  EXPECT_TRUE(written->has_feet());
   std::multiset<std::int32_t> before;
   std::multiset<std::int32_t> after;
   for (const NumberedPart& part : grid.parts) {
@@ -87,6 +88,10 @@ TEST(PartitionedMesh, has_the_marks_of_the_mesh_in_the_files_that_hold_them) {
   for (std::size_t i = 0; i < written->size(); ++i) {
     const NumberedPart part = written->part(i);
     after.insert(part.marks[CellMark::layer].begin(), part.marks[CellMark::layer].end());
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      const std::int64_t node = part.local2global[v];
+      EXPECT_EQ(part.feet.foot.at(v), node % 5 < 4 ? node - node % 5 : no_foot);
+    }
   }
   EXPECT_EQ(after, before);
 }

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
+#include "base/error.h"
 #include "mesh/assemble/part_cells.h"
 #include "mesh/formats/communication/communication_table.h"
 #include "mesh/formats/registry/export_mesh.h"
@@ -15,6 +17,7 @@
 #include "tests/base/temp_folder.h"
 #include "tests/mesh/formats/grid_source.h"
 #include "tests/mesh/formats/marked_grid.h"
+#include "tests/support/error_text.h"
 #include "tests/support/hybrid_grid.h"
 
 namespace tetfarm {
@@ -205,6 +208,60 @@ TEST(RenumberedMesh, keeps_the_marks_of_each_cell) {
     const RenumberedMesh mesh(std::make_unique<MarkedGrid>(), numbering);
     EXPECT_EQ(mesh.cell_marks(), std::vector{CellMark::layer});
     EXPECT_EQ(layers_of(mesh), layers_of(MarkedGrid()));
+  }
+}
+
+/// Of each node by its place the place of its foot, and its depth.
+using FeetByPlace = std::map<std::array<double, 3>, std::pair<std::array<double, 3>, std::int32_t>>;
+
+FeetByPlace feet_by_place(const MeshSource& mesh) {
+  std::map<std::int64_t, std::array<double, 3>> places = {{no_foot, {-1, -1, -1}}};
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      places[part.local2global[v]] = {part.nodes[v].x, part.nodes[v].y, part.nodes[v].z};
+    }
+  }
+  FeetByPlace feet;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const NumberedPart part = mesh.part(i);
+    for (std::size_t v = 0; v < part.nodes.size(); ++v) {
+      feet[places.at(part.local2global[v])] = {places.at(part.feet.foot.at(v)),
+                                               part.feet.depth.at(v)};
+    }
+  }
+  return feet;
+}
+
+TEST(RenumberedMesh, has_the_new_numbers_of_feet_whichever_part_they_are_of) {
+  for (const NodeNumbering numbering : both) {
+    const RenumberedMesh mesh(std::make_unique<MarkedGrid>(), numbering);
+    EXPECT_TRUE(mesh.has_feet());
+    EXPECT_EQ(feet_by_place(mesh), feet_by_place(MarkedGrid()));
+  }
+}
+
+TEST(RenumberedMesh, numbers_nodes_as_if_they_had_no_feet) {
+  for (const NodeNumbering numbering : both) {
+    auto without = std::make_unique<MarkedGrid>();
+    for (NumberedPart& part : without->parts) part.feet = {};
+    const RenumberedMesh mesh(std::make_unique<MarkedGrid>(), numbering);
+    const RenumberedMesh other(std::move(without), numbering);
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      EXPECT_EQ(mesh.part(i).nodes, other.part(i).nodes);
+      EXPECT_EQ(mesh.part(i).local2global, other.part(i).local2global);
+    }
+  }
+}
+
+TEST(RenumberedMesh, refuses_a_foot_that_is_no_node) {
+  for (const std::int64_t foot : {std::int64_t{-2}, std::int64_t{1} << 60}) {
+    auto grid = std::make_unique<MarkedGrid>();
+    grid->parts[1].feet.foot[3] = foot;
+    const RenumberedMesh mesh(std::move(grid), NodeNumbering::hilbert);
+    EXPECT_NO_THROW(mesh.part(0));
+    EXPECT_EQ(error_text_of<InvalidInput>([&] { mesh.part(1); }),
+              "sub-domain 1: a node has a foot that is no node of the mesh");
   }
 }
 

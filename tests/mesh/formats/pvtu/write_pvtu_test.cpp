@@ -63,5 +63,29 @@ TEST(WritePvtu, marks_of_cells_are_an_array_of_their_own_which_boundary_faces_ha
   }
 }
 
+TEST(WritePvtu, feet_of_nodes_are_two_arrays_which_meshes_without_them_have_not) {
+  const TempFolder folder;
+  const MarkedGrid grid;
+  const std::string pieces = read_file(export_as(grid, folder, "", "a.pvtu"));
+  EXPECT_THAT(pieces, testing::HasSubstr(
+                          R"(<PDataArray type="Int64" Name="foot" NumberOfComponents="1"/>)"));
+  EXPECT_THAT(pieces, testing::HasSubstr(
+                          R"(<PDataArray type="Int32" Name="depth" NumberOfComponents="1"/>)"));
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const NodeFeet& feet = grid.parts[i].feet;
+    const std::string bytes = read_file(folder.path() / ("a/a_" + std::to_string(i) + ".vtu"));
+    FileNumbers foot = array(bytes, "foot");
+    FileNumbers depth = array(bytes, "depth");
+    EXPECT_EQ(foot.large(), std::ssize(feet.foot) * 8);
+    EXPECT_EQ(depth.large(), std::ssize(feet.depth) * 4);
+    for (std::size_t v = 0; v < feet.foot.size(); ++v) {
+      ASSERT_EQ(foot.large(), feet.foot[v]);
+      ASSERT_EQ(depth.small(), feet.depth[v]);
+    }
+  }
+  const std::string without = read_file(export_as(HybridGrid(2, 1), folder, "", "b.pvtu"));
+  EXPECT_THAT(without, testing::Not(testing::HasSubstr("foot")));
+}
+
 }  // namespace
 }  // namespace tetfarm

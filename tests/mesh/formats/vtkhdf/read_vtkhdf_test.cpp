@@ -210,16 +210,18 @@ TEST(ReadVtkhdf, counts_what_a_partition_has_without_reading_it) {
   EXPECT_EQ(counted.part.patch_of_face, parts.part(1).patch_of_face);
 }
 
-TEST(ReadVtkhdf, gives_back_the_marks_of_cells) {
+TEST(ReadVtkhdf, gives_back_the_marks_of_cells_and_the_feet_of_nodes) {
   const TempFolder folder;
   const MarkedGrid grid;
   const std::string path = folder.path() / "a.vtkhdf";
   export_mesh(grid, find_mesh_format("", path), path);
   const auto read = open_mesh(path);
   EXPECT_EQ(read->cell_marks(), grid.cell_marks());
+  EXPECT_TRUE(read->has_feet());
   ASSERT_EQ(read->size(), grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
     EXPECT_EQ(read->part(i).marks, grid.parts[i].marks);
+    EXPECT_EQ(read->part(i).feet, grid.parts[i].feet);
   }
 }
 
@@ -231,6 +233,32 @@ TEST(ReadVtkhdf, an_array_of_another_program_that_is_called_like_a_mark_is_none)
   const auto read = open_mesh(path);
   EXPECT_TRUE(read->cell_marks().empty());
   EXPECT_TRUE(read->part(0).marks.empty());
+  EXPECT_FALSE(read->has_feet());
+  EXPECT_TRUE(read->part(0).feet.empty());
+}
+
+TEST(ReadVtkhdf, knows_no_feet_where_one_of_their_arrays_or_the_numbers_of_nodes_are_missing) {
+  for (const char* array : {"foot", "depth"}) {
+    const TempFolder folder;
+    const std::string path = folder.path() / "a.vtkhdf";
+    export_mesh(MarkedGrid(), find_mesh_format("", path), path);
+    remove_from_hdf5(path, std::string("VTKHDF/PointData/") + array);
+    EXPECT_FALSE(open_mesh(path)->has_feet());
+    EXPECT_TRUE(open_mesh(path)->part(0).feet.empty());
+  }
+}
+
+TEST(ReadVtkhdf, nodes_of_a_part_without_feet_have_none_beside_those_with) {
+  const TempFolder folder;
+  MarkedGrid grid;
+  grid.parts[1].feet = {};
+  const std::string path = folder.path() / "a.vtkhdf";
+  export_mesh(grid, find_mesh_format("", path), path);
+  const auto read = open_mesh(path);
+  EXPECT_EQ(read->part(0).feet, grid.parts[0].feet);
+  const std::size_t nodes = grid.parts[1].nodes.size();
+  EXPECT_EQ(read->part(1).feet.foot, (std::vector<std::int64_t>(nodes, no_foot)));
+  EXPECT_EQ(read->part(1).feet.depth, (std::vector<std::int32_t>(nodes, no_foot)));
 }
 
 }  // namespace

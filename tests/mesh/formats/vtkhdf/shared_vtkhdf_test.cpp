@@ -97,6 +97,23 @@ TEST_F(SharedVtkhdfFile, has_the_bytes_of_one_that_was_written_alone) {
   EXPECT_FALSE(std::filesystem::exists(file_.scratch));
 }
 
+TEST_F(SharedVtkhdfFile, has_the_feet_of_nodes_that_come_with_the_rest_of_the_part) {
+  names_.has_feet = true;
+  const auto first = place(0);
+  for (std::size_t v = 0; v < parts_[0].nodes.size(); ++v) {
+    parts_[0].feet.add(parts_[0].local2global[v], static_cast<std::int32_t>(v));
+  }
+  damage(first.front().offset + 20);
+  EXPECT_EQ(finish({{0, first}}), 1) << "places of cells depend on how many nodes there are";
+  const auto read = open_vtkhdf(file_.path, {});
+  EXPECT_EQ(read->part(0).feet, parts_[0].feet);
+  EXPECT_EQ(read->part(1).feet.foot.front(), no_foot);
+  const auto writer = write_vtkhdf(folder_.path() / "alone", grid_.counts(), names_);
+  for (const NumberedPart& part : parts_) writer->add(part);
+  writer->finish();
+  EXPECT_EQ(result(), alone());
+}
+
 TEST_F(SharedVtkhdfFile, nobody_need_have_placed_anything) {
   EXPECT_EQ(finish({}), 0);
   EXPECT_EQ(result(), alone());
