@@ -37,8 +37,8 @@ void add_condition(CgnsTree& tree, const std::string& name, std::int64_t first, 
 std::vector<std::string> names_of(const std::vector<PlanePatch>& patches) {
   std::vector<std::string> names;
   for (const PlanePatch& patch : patches) names.push_back(patch.name);
-  return plain_names(names, 32,
-                     {"Zone1", "ZoneType", "GridCoordinates", "GridElements", "ZoneBC", "CellData"});
+  return plain_names(
+      names, 32, {"Zone1", "ZoneType", "GridCoordinates", "GridElements", "ZoneBC", "CellData"});
 }
 
 void add_patches(CgnsTree& tree, const PlaneMesh& mesh) {
@@ -86,8 +86,8 @@ void write_plane_cgns(const PlaneMesh& mesh, const std::filesystem::path& path) 
   CgnsTree tree(path);
   tree.version_node(3.4F);
   tree.small_node("", base, "CGNSBase_t", {2, 2});
-  tree.large_node(base, "Zone1", "Zone_t",
-                  {std::ssize(mesh.points), std::ssize(mesh.triangles), 0}, 1);
+  tree.large_node(base, "Zone1", "Zone_t", {std::ssize(mesh.points), std::ssize(mesh.triangles), 0},
+                  1);
   tree.text_node(zone, "ZoneType", "ZoneType_t", "Unstructured");
   add_coordinates(tree, mesh);
   add_triangles(tree, mesh);

@@ -2,8 +2,9 @@
 ///
 /// Source: CGNS/SIDS and "SIDS-to-HDF5 file mapping". One Base of two dimensions, one Zone1; the
 /// triangles are the section GridElements, each patch of the border a section of lines, a BC and a
-/// Family of its own (what kind of boundary it is, the user has to say); the region of each triangle
-/// is in the solution CellData. Names are plain, at most 32 bytes. Edges inside are left out.
+/// Family of its own (what kind of boundary it is, the user has to say); the region of each
+/// triangle is in the solution CellData. Names are plain, at most 32 bytes. Edges inside are left
+/// out.
 #pragma once
 
 #include <filesystem>
