@@ -21,7 +21,13 @@ double length_of(const Vec2& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 /// At most the smaller eigenvalue, and at least half of it.
 double least_of(const Metric2& m) { return determinant(m) / (m.xx + m.yy); }
 
-/// With the larger size in that direction where `along` is the larger.
+/// Whether lengths by a are as long as by b in every direction.
+bool is_at_least(const Metric2& a, const Metric2& b) {
+  const Metric2 rest{a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+  return rest.xx >= 0 && rest.yy >= 0 && rest.xx * rest.yy >= rest.xy * rest.xy;
+}
+
+/// Of one size in a direction and another across it.
 Metric2 metric_along(const Vec2& direction, double along, double across) {
   const double first = 1 / (along * along);
   const double second = 1 / (across * across);
@@ -83,7 +89,9 @@ Metric2 MetricSources::at(const Vec2& point, const Metric2& base, double factor)
     const double coarser = coarsening(source, point);
     const double share = factor / (coarser * coarser);
     if (source.most * share <= least) continue;
-    all = intersection(all, share * source.metric);
+    const Metric2 asked = share * source.metric;
+    if (is_at_least(all, asked)) continue;
+    all = intersection(all, asked);
     least = least_of(all);
   }
   return all;
@@ -92,10 +100,8 @@ Metric2 MetricSources::at(const Vec2& point, const Metric2& base, double factor)
 bool MetricSources::acts(std::size_t source, const Vec2& point, const Metric2& base) const {
   const double coarser = coarsening(sources_[source], point);
   const Metric2 asked = (1 / (coarser * coarser)) * sources_[source].metric;
-  // Somewhere its lengths are longer by a thousandth.
-  const Metric2 rest{1.002 * base.xx - asked.xx, 1.002 * base.xy - asked.xy,
-                     1.002 * base.yy - asked.yy};
-  return !(rest.xx >= 0 && rest.yy >= 0 && determinant(rest) >= 0);
+  // In some direction its lengths are longer by more than a thousandth.
+  return !is_at_least(1.002 * base, asked);
 }
 
 bool MetricSources::is_noticeable() const {
