@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/adaptation/border_crossings.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
@@ -143,6 +144,7 @@ void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
 AdaptationResult adapted_by_mean_length(const PlaneMesh& input, TriangleComplex complex,
                                         std::span<const Metric2> metrics,
                                         const AdaptationOptions& options) {
+  TF_CHECK(options.sources == nullptr);
   const double mean = mean_edge_length(complex, metrics);
   const std::vector<Metric2> scaled = scaled_metrics(metrics, 1 / mean);
   check_size(complexity(complex, scaled), options.max_triangles);

@@ -11,8 +11,9 @@
 namespace tetfarm {
 namespace {
 
-// Of an edge that is much longer than the sizes of a source between its ends, the length by the
-// metrics there is at least 2 / slope / 2: 2.97, and so it is divided.
+// The longest edge of a triangle that holds a source is nowhere farther from it than it is long. So
+// where it is much longer than the sizes of the source its length is nearly 1 / slope or more: 2.97,
+// and it is divided.
 const double noticeable_slope = std::log(1.4);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
