@@ -62,8 +62,7 @@ std::vector<int> lines_without_effect(const PlaneSources& sources,
 
 void print_sources(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
   if (telling.sources == nullptr) return;
-  const std::vector<int> lines =
-      lines_without_effect(*telling.sources, adapted.asked.sources_act);
+  const std::vector<int> lines = lines_without_effect(*telling.sources, adapted.asked.sources_act);
   for (const int line : lines) {
     std::printf("%s:%d: this source has no effect: the mesh is as fine without it\n",
                 telling.sources_file.c_str(), line);
@@ -100,8 +99,7 @@ nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedM
   }
   if (telling.sources != nullptr) {
     result["sources"] = telling.sources->sources.size();
-    result["sources_without_effect"] =
-        lines_without_effect(*telling.sources, asked.sources_act);
+    result["sources_without_effect"] = lines_without_effect(*telling.sources, asked.sources_act);
   }
   if (!telling.curved->curves.empty()) result["curves"] = curves_json(*telling.curved);
   return result;

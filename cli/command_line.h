@@ -309,7 +309,7 @@ struct PlaneCommand {
   std::vector<std::string> inputs;
   std::string output;
   std::optional<double> size;
-  std::string metric;  ///< a file of metrics at the points; "": by the lengths of the loops' edges
+  std::string metric;   ///< a file of metrics at the points; "": by the lengths of the loops' edges
   std::string sources;  ///< a file of point and line sources; "": none
   std::optional<std::int64_t> vertices;
   std::string gradation;  ///< "off" or a number above 1; "": off

@@ -181,10 +181,9 @@ AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex comp
                          : complexity(complex, metrics),
              options.max_triangles);
   std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
-  MetricMesh mesh =
-      has_sources
-          ? resolved_mesh(input, complex, scaled, options)
-          : make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
+  MetricMesh mesh = has_sources ? resolved_mesh(input, complex, scaled, options)
+                                : make_metric_mesh(input, complex, scaled, options.corner_angle_deg,
+                                                   options.curves);
   const MetricField field(std::move(complex), scaled, {options.sources, metric_factor});
   scaled = {};  // the field has their logarithms
   if (has_sources && !options.sources->is_noticeable()) take_metrics(mesh, field);

@@ -12,8 +12,8 @@ namespace tetfarm {
 namespace {
 
 // The longest edge of a triangle that holds a source is nowhere farther from it than it is long. So
-// where it is much longer than the sizes of the source its length is nearly 1 / slope or more: 2.97,
-// and it is divided.
+// where it is much longer than the sizes of the source its length is nearly 1 / slope or
+// more: 2.97, and it is divided.
 const double noticeable_slope = std::log(1.4);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -33,8 +33,7 @@ Metric2 metric_along(const Vec2& direction, double along, double across) {
   const double first = 1 / (along * along);
   const double second = 1 / (across * across);
   const auto& [c, s] = direction;
-  return {c * c * first + s * s * second, c * s * (first - second),
-          s * s * first + c * c * second};
+  return {c * c * first + s * s * second, c * s * (first - second), s * s * first + c * c * second};
 }
 
 }  // namespace
@@ -65,8 +64,8 @@ MetricSources::MetricSources(const std::vector<MetricSource>& sources) {
 Vec2 MetricSources::from_axis(const Source& source, const Vec2& point) {
   Vec2 away{point.x - source.from.x, point.y - source.from.y};
   if (source.square > 0) {
-    const double share = std::clamp(
-        (away.x * source.way.x + away.y * source.way.y) / source.square, 0.0, 1.0);
+    const double share =
+        std::clamp((away.x * source.way.x + away.y * source.way.y) / source.square, 0.0, 1.0);
     away.x -= share * source.way.x;
     away.y -= share * source.way.y;
   }

@@ -342,10 +342,10 @@ TEST_F(CommandOptions, of_an_adaptation) {
   EXPECT_EQ(least.corner_angle_deg, 30);
   EXPECT_FALSE(least.json);
   const auto all = parsed_as<AdaptCommand>(
-      {"adapt",    "m",  "-o",      "n",       "--solution",     "u.sol", "--vertices",  "9",
-       "--norm",   "1",  "--h-min", "0.1",     "--h-max",        "2",     "--gradation", "off",
-       "--aspect", "50", "--mode",  "hessian", "--corner-angle", "20",    "--sources",   "s.toml",
-       "--json"});
+      {"adapt",       "m",         "-o",       "n",       "--solution", "u.sol",   "--vertices",
+       "9",           "--norm",    "1",        "--h-min", "0.1",        "--h-max", "2",
+       "--gradation", "off",       "--aspect", "50",      "--mode",     "hessian", "--corner-angle",
+       "20",          "--sources", "s.toml",   "--json"});
   EXPECT_EQ(all.sources, "s.toml");
   EXPECT_EQ(all.solution, "u.sol");
   EXPECT_EQ(all.vertices, 9);

@@ -123,9 +123,9 @@ TEST_F(PlaneSourcesCommand, refuses_a_file_that_is_wrong_with_its_place) {
   EXPECT_EQ(said_of(command).code, ExitCode::not_found);
   command.sources = "/dev/zero";
   EXPECT_THAT(said_of(command).error, HasSubstr("/dev/zero: more than 1048576 bytes"));
-  EXPECT_THAT(said_of(plane_with("[[point]]\nat = [0.5, 0.5]\nsizes = [1e-9, 1e-9]\nradius = 1\n"))
-                  .error,
-              HasSubstr("triangles; the most that can be had are 1e+08"));
+  EXPECT_THAT(
+      said_of(plane_with("[[point]]\nat = [0.5, 0.5]\nsizes = [1e-9, 1e-9]\nradius = 1\n")).error,
+      HasSubstr("triangles; the most that can be had are 1e+08"));
 }
 
 TEST_F(PlaneSourcesCommand, adapts_a_mesh_that_stays_as_fine_as_it_is_elsewhere) {
@@ -153,8 +153,8 @@ TEST_F(PlaneSourcesCommand, counts_beside_a_metric_and_a_solution) {
   const int with_metric = result_of(command)["vertices"];
   EXPECT_GT(with_both, with_metric + 50);
   command.metric.clear();
-  std::string text = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n" +
-                     std::to_string(nodes) + "\n1 1\n";
+  std::string text =
+      "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n" + std::to_string(nodes) + "\n1 1\n";
   for (const Vec2& p : read_plane_medit(command.input).points) {
     text += std::to_string(p.x * p.x) + "\n";
   }

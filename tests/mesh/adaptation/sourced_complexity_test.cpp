@@ -46,9 +46,9 @@ TEST(SourcedComplexity, is_nearly_the_same_on_any_mesh) {
 }
 
 TEST(SourcedComplexity, without_effect_is_that_of_the_background) {
-  const SourcedComplexity found =
-      of_square(2, 0.1, {circle({0.5, 0.5}, 0.3, 0.2), circle({7, 0.5}, 0.3, 0.01),
-                         circle({0.5, 0.5}, 0.3, 0.05)});
+  const SourcedComplexity found = of_square(
+      2, 0.1,
+      {circle({0.5, 0.5}, 0.3, 0.2), circle({7, 0.5}, 0.3, 0.01), circle({0.5, 0.5}, 0.3, 0.05)});
   EXPECT_EQ(found.acts, (std::vector<std::uint8_t>{0, 0, 1}));
   EXPECT_NEAR(of_square(2, 0.1, {circle({7, 7}, 1, 0.01)}).complexity, 100, 1e-9);
 }
