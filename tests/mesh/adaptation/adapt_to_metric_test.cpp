@@ -128,15 +128,17 @@ TEST(AdaptToSources, has_unit_edges_by_the_metric_of_the_sources_wherever_it_beg
 TEST(AdaptToSources, fills_sources_that_end_at_their_radius_from_two_triangles_on) {
   for (const double growth : {0.0, 20.0}) {
     MetricSource source = crossing_lines(growth).front();
-    source.from = {0.2, 0.33};
-    source.to = {0.7, 0.62};
-    source.radius = 0.03;
+    source.from = {0.2, 0.18};
+    source.to = {0.7, 0.47};
+    source.radius = 0.06;
     const MetricSources sources({source});
     const PlaneMesh mesh = adapted_to_sources(plane_test::square(1), sources, 0.5).result.mesh;
     int within = 0;
     for (const Vec2& p : mesh.points) within += sources.at(p, {4, 0, 4}).xx > 300 ? 1 : 0;
-    // Two nodes for each parallelogram of sides 0.06 and 0.015 sqrt(3).
-    EXPECT_NEAR(within, 2 * (0.06 * 0.578 + 0.0028) / (0.06 * 0.015 * 1.732), 15) << growth;
+    // Two triangles of the sizes for each node; the outermost of them reach beyond the radius.
+    const double nodes = (0.12 * 0.578 + 0.0113) / (0.06 * 0.015 * 0.866);
+    EXPECT_GT(within, 0.65 * nodes) << growth;
+    EXPECT_LT(within, 1.3 * nodes) << growth;
   }
 }
 
