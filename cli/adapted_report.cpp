@@ -3,9 +3,11 @@
 #include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "base/check.h"
 #include "base/clock.h"
+#include "base/error.h"
 #include "base/hash.h"
 #include "json/json_line.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
@@ -47,6 +49,26 @@ nlohmann::ordered_json curves_json(const CurvesOfMesh& curved) {
   return curves;
 }
 
+/// The lines in the file of the sources that ask nowhere for more than the background does.
+std::vector<int> lines_without_effect(const PlaneSources& sources,
+                                      const std::vector<std::uint8_t>& act) {
+  TF_CHECK(act.size() == sources.sources.size());
+  std::vector<int> lines;
+  for (std::size_t k = 0; k < act.size(); ++k) {
+    if (act[k] == 0) lines.push_back(sources.sources[k].line);
+  }
+  return lines;
+}
+
+void print_sources(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
+  if (telling.sources == nullptr) return;
+  const std::vector<int> lines = lines_without_effect(*telling.sources, adapted.asked.sources_act);
+  for (const int line : lines) {
+    std::printf("%s:%d: this source has no effect: the mesh is as fine without it\n",
+                telling.sources_file.c_str(), line);
+  }
+}
+
 nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedMesh& adapted,
                                    const MetricQuality& quality, double seconds) {
   const ScaledMetric& asked = adapted.asked;
@@ -74,6 +96,10 @@ nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedM
   if (adapted.result.mean_length_before > 0) {
     result["mean_length_before"] = adapted.result.mean_length_before;
     result["mean_length_after"] = adapted.result.mean_length_after;
+  }
+  if (telling.sources != nullptr) {
+    result["sources"] = telling.sources->sources.size();
+    result["sources_without_effect"] = lines_without_effect(*telling.sources, asked.sources_act);
   }
   if (!telling.curved->curves.empty()) result["curves"] = curves_json(*telling.curved);
   return result;
@@ -117,6 +143,7 @@ void print_result(const AdaptedTelling& telling, const AdaptedMesh& adapted,
   tell("--h-max", asked.at_h_max);
   tell("--aspect", asked.at_aspect);
   tell("--gradation", asked.by_gradation);
+  print_sources(telling, adapted);
   print_curves(*telling.curved);
 }
 
@@ -132,6 +159,15 @@ void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
   } else {
     print_result(telling, adapted, quality, seconds);
   }
+}
+
+void check_that_sources_act(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
+  if (telling.sources == nullptr) return;
+  const std::vector<std::uint8_t>& act = adapted.asked.sources_act;
+  if (lines_without_effect(*telling.sources, act).size() < act.size()) return;
+  throw InvalidInput(
+      "no source has any effect: none is near the domain, or the mesh is as fine without them",
+      telling.sources_file);
 }
 
 double gradation_of(const std::string& text, double otherwise) {

@@ -139,7 +139,7 @@ class Parser {
                   "tetfarm plane airfoil.xy farfield.xy -o flow.mesh", plane_),
               plane_);
     add_adapt(
-        add("adapt", "Adapt a mesh of the plane to a metric or a solution",
+        add("adapt", "Adapt a mesh of the plane to a metric, a solution or sources",
             "tetfarm adapt flow.mesh --solution mach.sol --vertices 5000 -o next.mesh", adapt_),
         adapt_);
     add_loop();

@@ -309,7 +309,8 @@ struct PlaneCommand {
   std::vector<std::string> inputs;
   std::string output;
   std::optional<double> size;
-  std::string metric;  ///< a file of metrics at the points; "": by the lengths of the loops' edges
+  std::string metric;   ///< a file of metrics at the points; "": by the lengths of the loops' edges
+  std::string sources;  ///< a file of point and line sources; "": none
   std::optional<std::int64_t> vertices;
   std::string gradation;  ///< "off" or a number above 1; "": off
   double corner_angle_deg = 30;
@@ -323,6 +324,7 @@ struct AdaptCommand {
   std::string output;
   std::string metric;    ///< a file of metrics at the nodes; "": of a solution
   std::string solution;  ///< a file of numbers at the nodes; "": a metric
+  std::string sources;   ///< a file of point and line sources; "": none
   std::optional<std::int64_t> vertices;
   double norm = 2;
   std::optional<double> h_min;

@@ -15,6 +15,8 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& wor
 
 /// Commands that take a job, and so a surface or a job file.
 constexpr std::array<std::string_view, 3> of_jobs = {"run", "plan", "submit"};
+/// Commands for meshes of the plane.
+constexpr std::array<std::string_view, 3> of_planes = {"plane", "adapt", "loop"};
 /// Commands that ask a coordinator.
 constexpr std::array<std::string_view, 16> of_clients = {
     "submit",  "status", "wait", "cancel",  "retry", "drain",  "jobs", "tasks",
@@ -27,7 +29,8 @@ std::string help_for_usage(const Error& error, std::string_view command) {
   const std::string help =
       "see `tetfarm " + (is_command ? std::string(command) + " " : "") + "--help`";
   const bool is_of_job_file = std::string_view(error.what()).find(".toml:") != std::string::npos;
-  if (is_of_job_file) return help + " and docs/job_file.md";
+  const char* document = is_one_of(command, of_planes) ? "docs/adaptation.md" : "docs/job_file.md";
+  if (is_of_job_file) return help + " and " + document;
   return is_one_of(command, of_keys) ? help + " and docs/security.md" : help;
 }
 

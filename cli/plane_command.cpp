@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "mesh/formats/plane/plane_meshb.h"
 #include "mesh/formats/plane/read_loops.h"
 #include "worker/curve_option.h"
+#include "worker/metric_source_file.h"
 
 namespace tetfarm {
 namespace {
@@ -40,9 +42,10 @@ std::vector<DomainLoop> loops_of(const std::vector<std::string>& files) {
 
 /// What is asked for on the domain, or, where the edges of the loops say the sizes, on one with
 /// points inside.
-MeshWithMetrics wish_of(const PlaneCommand& command, PlaneMesh domain) {
-  if (command.size.has_value()) {
-    const Metric2 metric = metric_of_sizes({*command.size, *command.size, 0});
+MeshWithMetrics wish_of(const PlaneCommand& command, const std::optional<double>& size,
+                        PlaneMesh domain) {
+  if (size.has_value()) {
+    const Metric2 metric = metric_of_sizes({*size, *size, 0});
     std::vector<Metric2> metrics(domain.points.size(), metric);
     return {std::move(domain), std::move(metrics)};
   }
@@ -63,10 +66,15 @@ ExitCode plane_command(const PlaneCommand& command) {
   require_plane_output_name(command.output);
   check_curve_options(command.curves);
   const std::int64_t start = steady_ms();
+  PlaneSources written;
+  if (!command.sources.empty()) written = read_plane_sources(command.sources);
+  const MetricSources sources = metric_sources_of(written.sources);
+  const std::optional<double> size =
+      command.size.has_value() || !command.metric.empty() ? command.size : written.size;
   const CurvesOfMesh curved = curves_of_options(
       command.curves, domain_of_loops(loops_of(command.inputs)), command.corner_angle_deg);
-  const MeshWithMetrics asked = wish_of(command, curved.mesh);
-  const bool is_by_boundary = !command.size.has_value() && command.metric.empty();
+  const MeshWithMetrics asked = wish_of(command, size, curved.mesh);
+  const bool is_by_boundary = !size.has_value() && command.metric.empty();
   AdaptationWish wish;
   wish.metrics = asked.metrics;
   wish.metric_name = command.metric;
@@ -75,10 +83,17 @@ ExitCode plane_command(const PlaneCommand& command) {
   AdaptationOptions options;
   options.corner_angle_deg = command.corner_angle_deg;
   options.curves = curved.curves;
+  AdaptedTelling telling{"plane", command.output, command.json, start, &curved};
+  if (sources.size() > 0) {
+    options.sources = &sources;
+    telling.sources = &written;
+    telling.sources_file = command.sources;
+  }
   const AdaptedMesh adapted =
       adapt_to_metric(asked.mesh, checked_complex(asked.mesh), wish, options);
+  check_that_sources_act(telling, adapted);
   write_plane_mesh(adapted.result.mesh, command.output);
-  tell_adapted({"plane", command.output, command.json, start, &curved}, adapted);
+  tell_adapted(telling, adapted);
   return ExitCode::ok;
 }
 

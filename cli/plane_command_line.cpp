@@ -27,6 +27,14 @@ void add_curves(CLI::App& sub, std::vector<std::string>& curves) {
       ->option_text("PATCH=KIND");
 }
 
+void add_sources(CLI::App& sub, std::string& sources) {
+  sub.add_option("--sources", sources,
+                 "Points and lines round which edges have the lengths and directions that it says "
+                 "(.toml)")
+      ->check(not_empty())
+      ->option_text("FILE");
+}
+
 void add_vertices(CLI::App& sub, std::optional<std::int64_t>& vertices,
                   const std::string& otherwise) {
   sub.add_option("--vertices", vertices,
@@ -52,6 +60,7 @@ void add_plane(CLI::App& sub, PlaneCommand& plane) {
       ->check(not_empty())
       ->excludes(size)
       ->option_text("FILE");
+  add_sources(sub, plane.sources);
   add_vertices(sub, plane.vertices, "as the sizes say");
   sub.add_option("--gradation", plane.gradation,
                  "How fast sizes may grow from edge to edge (default 1.25 where the edges of the "
@@ -77,6 +86,7 @@ void add_adapt(CLI::App& sub, AdaptCommand& adapt) {
       ->check(not_empty())
       ->excludes(metric)
       ->option_text("FILE");
+  add_sources(sub, adapt.sources);
   add_vertices(sub, adapt.vertices, "as the metric says; with a solution, as many as MESH");
   sub.add_option("--norm", adapt.norm,
                  "Norm of the error that is made small: low for weak features too, high for the "

@@ -13,6 +13,7 @@
 #include "tasks/adapt_contract.h"
 #include "worker/curve_option.h"
 #include "worker/cycle_figures.h"
+#include "worker/metric_source_file.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -53,6 +54,8 @@ AdaptedMesh adapted(const PlaneMesh& mesh, const TriangleComplex& complex,
   AdaptationOptions options;
   options.corner_angle_deg = job.corner_angle_deg;
   options.curves = curves;
+  const MetricSources sources = metric_sources_of(job.sources);
+  if (sources.size() > 0) options.sources = &sources;
   return adapt_to_metric(mesh, complex, wish, options);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/array_index.h"
+#include "base/check.h"
 #include "base/error.h"
 #include "mesh/adaptation/border_crossings.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
@@ -17,6 +18,7 @@
 #include "mesh/adaptation/metric_scaling.h"
 #include "mesh/adaptation/metric_smoothing.h"
 #include "mesh/adaptation/misfit_mending.h"
+#include "mesh/adaptation/sourced_complexity.h"
 
 namespace tetfarm {
 namespace {
@@ -29,6 +31,7 @@ constexpr int most_passes = 60;
 // Between the limits of 1/sqrt 2 and sqrt 2 lengths settle below 1: the mesh is made to a metric
 // that is coarser by this factor, so that their median is 1 in the metric that was asked for.
 constexpr double length_scale = 0.945;
+constexpr double metric_factor = length_scale * length_scale;
 constexpr RefinementLimits limits_of_length{1.36, 0.69};
 
 std::vector<Metric2> scaled_metrics(std::span<const Metric2> metrics, double length_factor) {
@@ -102,6 +105,32 @@ void mend(MetricMesh& mesh, const MetricField& field, EllipseCavity& cavity) {
   mend_misfits(mesh, field, fitting);
 }
 
+/// The mesh with so many nodes near the sources that its edges, which are measured by the metrics
+/// of their ends, notice them. `scaled`: of the background.
+MetricMesh resolved_mesh(const PlaneMesh& input, const TriangleComplex& complex,
+                         std::span<const Metric2> scaled, const AdaptationOptions& options) {
+  const MetricSources slow = options.sources->noticeable();
+  std::vector<Metric2> metrics(scaled.begin(), scaled.end());
+  for (std::size_t v = 0; v < metrics.size(); ++v) {
+    metrics[v] = slow.at(input.points[v], metrics[v], metric_factor);
+  }
+  MetricMesh mesh =
+      make_metric_mesh(input, complex, metrics, options.corner_angle_deg, options.curves);
+  EllipseCavity cavity(options.cavity);
+  refine(mesh, MetricField(complex, scaled, {&slow, metric_factor}), cavity, options);
+  return mesh;
+}
+
+/// Of the field, at each node.
+void take_metrics(MetricMesh& mesh, const MetricField& field) {
+  for (std::int32_t v = 0; v < mesh.nodes(); ++v) {
+    if (mesh.complex.node2triangle[at(v)] < 0) continue;
+    NodePlace place = place_of(mesh, v);
+    place.metric = field.at(place.point, place.home);
+    move_node(mesh, v, place);
+  }
+}
+
 void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
                           const AdaptationOptions& options) {
   EllipseCavity cavity(options.cavity);
@@ -115,6 +144,7 @@ void adapt_to_unit_length(MetricMesh& mesh, const MetricField& field,
 AdaptationResult adapted_by_mean_length(const PlaneMesh& input, TriangleComplex complex,
                                         std::span<const Metric2> metrics,
                                         const AdaptationOptions& options) {
+  TF_CHECK(options.sources == nullptr);
   const double mean = mean_edge_length(complex, metrics);
   const std::vector<Metric2> scaled = scaled_metrics(metrics, 1 / mean);
   check_size(complexity(complex, scaled), options.max_triangles);
@@ -146,12 +176,17 @@ AdaptationResult adapt_checked_mesh(const PlaneMesh& input, TriangleComplex comp
   if (options.rules == EdgeRules::mean_length) {
     return adapted_by_mean_length(input, std::move(complex), metrics, options);
   }
-  check_size(complexity(complex, metrics), options.max_triangles);
+  const bool has_sources = options.sources != nullptr;
+  check_size(has_sources ? sourced_complexity(complex, metrics, *options.sources).complexity
+                         : complexity(complex, metrics),
+             options.max_triangles);
   std::vector<Metric2> scaled = scaled_metrics(metrics, length_scale);
-  MetricMesh mesh =
-      make_metric_mesh(input, complex, scaled, options.corner_angle_deg, options.curves);
-  const MetricField field(std::move(complex), scaled);
+  MetricMesh mesh = has_sources ? resolved_mesh(input, complex, scaled, options)
+                                : make_metric_mesh(input, complex, scaled, options.corner_angle_deg,
+                                                   options.curves);
+  const MetricField field(std::move(complex), scaled, {options.sources, metric_factor});
   scaled = {};  // the field has their logarithms
+  if (has_sources && !options.sources->is_noticeable()) take_metrics(mesh, field);
   adapt_to_unit_length(mesh, field, options);
   MeshWithMetrics result = plane_mesh_of(mesh);
   result.mesh.patch_names = input.patch_names;

@@ -15,6 +15,7 @@
 #include "mesh/adaptation/ellipse_cavity.h"
 #include "mesh/adaptation/mean_length_rules.h"
 #include "mesh/adaptation/metric_mesh.h"
+#include "mesh/adaptation/metric_sources.h"
 #include "mesh/adaptation/patch_curve.h"
 #include "mesh/planar/plane_mesh.h"
 
@@ -35,6 +36,9 @@ struct AdaptationOptions {
   /// Of patches; those of others are splines through the nodes. @pre the nodes lie on them
   /// (nodes_on_curves.h)
   std::vector<PatchCurve> curves = {};
+  /// What they ask for is intersected with the metrics, exactly where each node comes to be; with
+  /// EdgeRules::unit_length alone. They outlive the call.
+  const MetricSources* sources = nullptr;
   int sweeps = 8;
   std::int64_t max_triangles = 100'000'000;
 };

@@ -18,7 +18,7 @@ AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& comple
   check_metrics(mesh, wish.metrics, wish.metric_name);
   AdaptedMesh adapted;
   if (!wish.vertices.has_value()) {
-    adapted.asked = limited_metric(complex, wish.metrics, wish.limits);
+    adapted.asked = limited_metric(complex, wish.metrics, wish.limits, options.sources);
     adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
     adapted.asked.metrics.clear();
     return adapted;
@@ -26,7 +26,7 @@ AdaptedMesh adapt_to_metric(const PlaneMesh& mesh, const TriangleComplex& comple
   const auto wanted = static_cast<double>(*wish.vertices);
   double complexity = wanted / nodes_per_complexity;
   for (int i = 0; i < most_tries; ++i) {
-    adapted.asked = scaled_to(complex, wish.metrics, wish.limits, complexity);
+    adapted.asked = scaled_to(complex, wish.metrics, wish.limits, complexity, options.sources);
     adapted.result = adapt_checked_mesh(mesh, complex, adapted.asked.metrics, options);
     adapted.asked.metrics.clear();
     const double share = static_cast<double>(adapted.result.mesh.points.size()) / wanted;

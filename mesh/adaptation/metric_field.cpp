@@ -16,8 +16,9 @@ constexpr int longest_walk = 100'000;
 
 }  // namespace
 
-MetricField::MetricField(TriangleComplex background, std::span<const Metric2> metrics)
-    : background_(std::move(background)) {
+MetricField::MetricField(TriangleComplex background, std::span<const Metric2> metrics,
+                         const SourcesOfField& sources)
+    : background_(std::move(background)), sources_(sources) {
   TF_CHECK(metrics.size() == background_.points.size());
   logs_.reserve(metrics.size());
   for (const Metric2& m : metrics) logs_.push_back(log_of(m));
@@ -39,7 +40,8 @@ Metric2 MetricField::at(const Vec2& point, std::int32_t& home) const {
     log.xy += weight * of_node.xy;
     log.yy += weight * of_node.yy;
   }
-  return exp_of(log);
+  if (sources_.sources == nullptr) return exp_of(log);
+  return sources_.sources->at(point, exp_of(log), sources_.factor);
 }
 
 }  // namespace tetfarm

@@ -3,23 +3,32 @@
 ///
 /// Source: thesis 3.3.1 (metrics at the nodes of the mesh of the solution). Departs: between nodes
 /// the logarithms are interpolated linearly, so that no order of inputs matters and the density
-/// stays between those of the nodes; nothing is taken from the mesh that is being changed.
+/// stays between those of the nodes; nothing is taken from the mesh that is being changed. Sources,
+/// where there are some, are not interpolated: they count at the point itself (3.2.2).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "mesh/adaptation/metric_sources.h"
 #include "mesh/metric/metric2.h"
 #include "mesh/planar/plane_mesh.h"
 #include "mesh/planar/triangle_complex.h"
 
 namespace tetfarm {
 
+/// What a field has beside the metrics of its nodes.
+struct SourcesOfField {
+  const MetricSources* sources = nullptr;  ///< that outlive the field; none
+  double factor = 1;                       ///< of their metrics
+};
+
 class MetricField {
  public:
   /// `metrics` at the points of the triangles. @pre each is_metric; triangles are valid
-  MetricField(TriangleComplex background, std::span<const Metric2> metrics);
+  MetricField(TriangleComplex background, std::span<const Metric2> metrics,
+              const SourcesOfField& sources = {});
 
   /// The metric at a point; one outside gets that of the nearest place of the triangle where the
   /// walk ended. `home`: a triangle near the point; becomes the one that holds it.
@@ -33,6 +42,7 @@ class MetricField {
  private:
   TriangleComplex background_;
   std::vector<Metric2> logs_;
+  SourcesOfField sources_;
 };
 
 }  // namespace tetfarm

@@ -10,6 +10,7 @@
 #include "base/array_index.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "mesh/adaptation/sourced_complexity.h"
 #include "mesh/metric/metric_intersection.h"
 
 namespace tetfarm {
@@ -133,7 +134,7 @@ double complexity(const TriangleComplex& complex, std::span<const Metric2> metri
 namespace {
 
 ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> wish,
-                      const MetricLimits& limits, double scale) {
+                      const MetricLimits& limits, const MetricSources* sources, double scale) {
   ScaledMetric result;
   result.scale = scale;
   for (const Metric2& m : wish) {
@@ -149,19 +150,25 @@ ScaledMetric at_scale(const TriangleComplex& complex, std::span<const Metric2> w
   for (std::size_t v = 0; v < before.size(); ++v) {
     result.by_gradation += before[v] == result.metrics[v] ? 0 : 1;
   }
-  result.complexity = complexity(complex, result.metrics);
+  if (sources == nullptr) {
+    result.complexity = complexity(complex, result.metrics);
+    return result;
+  }
+  SourcedComplexity sourced = sourced_complexity(complex, result.metrics, *sources);
+  result.complexity = sourced.complexity;
+  result.sources_act = std::move(sourced.acts);
   return result;
 }
 
 }  // namespace
 
 ScaledMetric limited_metric(const TriangleComplex& complex, std::span<const Metric2> wish,
-                            const MetricLimits& limits) {
-  return at_scale(complex, wish, limits, 1);
+                            const MetricLimits& limits, const MetricSources* sources) {
+  return at_scale(complex, wish, limits, sources, 1);
 }
 
 ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> wish,
-                       const MetricLimits& limits, double wanted) {
+                       const MetricLimits& limits, double wanted, const MetricSources* sources) {
   // Complexity rises with the square of the scale where no limit holds, and never falls.
   TF_CHECK(wanted > 0);
   double low = 0;
@@ -169,7 +176,7 @@ ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> 
   double scale = std::sqrt(wanted / complexity(complex, wish));
   ScaledMetric result;
   for (int step = 0; step < most_steps; ++step) {
-    result = at_scale(complex, wish, limits, scale);
+    result = at_scale(complex, wish, limits, sources, scale);
     if (std::abs(result.complexity / wanted - 1) < close_enough) return result;
     (result.complexity < wanted ? low : high) = scale;
     double next_scale = scale * std::sqrt(wanted / result.complexity);
@@ -187,6 +194,7 @@ ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> 
                 "with these limits a mesh has about %.0f vertices: they leave no way to %s",
                 result.complexity * nodes_per_complexity,
                 result.complexity < wanted ? "more (is --h-min too large?)"
+                : sources != nullptr       ? "fewer (do the sources ask for so many?)"
                                            : "fewer (is --h-max too small?)");
   throw InvalidInput(text.data(), "--vertices");
 }

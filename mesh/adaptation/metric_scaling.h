@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/adaptation/metric_sources.h"
 #include "mesh/metric/metric2.h"
 #include "mesh/planar/triangle_complex.h"
 
@@ -58,14 +59,17 @@ struct ScaledMetric {
   std::int64_t at_h_max = 0;
   std::int64_t at_aspect = 0;
   std::int64_t by_gradation = 0;
+  std::vector<std::uint8_t> sources_act = {};  ///< sourced_complexity.h
 };
 
-/// The wish as it is, limited and graded.
+/// The wish as it is, limited and graded. `sources`, where there are some, count in the complexity
+/// alone: neither limits nor scale are theirs.
 ScaledMetric limited_metric(const TriangleComplex& complex, std::span<const Metric2> wish,
-                            const MetricLimits& limits);
+                            const MetricLimits& limits, const MetricSources* sources = nullptr);
 /// Scaled so that its complexity, limited and graded, is `wanted` within 1 %.
-/// @throws InvalidInput when the limits do not let it: says how many they allow.
+/// @throws InvalidInput when limits or sources do not let it: says how many they allow.
 ScaledMetric scaled_to(const TriangleComplex& complex, std::span<const Metric2> wish,
-                       const MetricLimits& limits, double wanted);
+                       const MetricLimits& limits, double wanted,
+                       const MetricSources* sources = nullptr);
 
 }  // namespace tetfarm

@@ -14,8 +14,8 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 7> loop_keys = {"version", "name",  "mesh",       "cycles",
-                                                       "solver",  "adapt", "patch_names"};
+constexpr std::array<std::string_view, 9> loop_keys = {
+    "version", "name", "mesh", "cycles", "solver", "adapt", "patch_names", "point", "line"};
 constexpr std::array<std::string_view, 8> solver_keys = {
     "command", "files", "mesh", "solution", "start", "time_limit", "memory", "keep"};
 constexpr std::array<std::string_view, 11> adapt_keys = {
@@ -193,6 +193,7 @@ LoopJob parse_loop_job(std::string_view text, const std::string& path) {
   top.node("solver");
   job.solver = parse_solver(top.table("solver", solver_keys));
   job.adapt = parse_adaptation(top.table("adapt", adapt_keys));
+  job.adapt.sources = plane_sources_of(top);
   return job;
 }
 
@@ -203,13 +204,14 @@ std::string to_toml(const LoopJob& job) {
   }
   return "version = 1\nname = " + quoted_toml(job.name) + "\nmesh = " + quoted_toml(job.mesh) +
          "\ncycles = " + std::to_string(job.cycles) + "\npatch_names = " + toml_list(names) + "\n" +
-         solver_to_toml(job.solver) + adaptation_to_toml(job.adapt);
+         solver_to_toml(job.solver) + adaptation_to_toml(job.adapt) + to_toml(job.adapt.sources);
 }
 
 std::vector<std::string> loop_job_keys() {
   std::vector<std::string> all = {"version", "name", "mesh", "cycles", "patch_names"};
   for (const std::string_view key : solver_keys) all.push_back("solver." + std::string(key));
   for (const std::string_view key : adapt_keys) all.push_back("adapt." + std::string(key));
+  for (const std::string& key : plane_source_keys()) all.push_back(key);
   return all;
 }
 

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/job_file/plane_sources.h"
+
 namespace tetfarm {
 
 /// The program that computes a solution on a mesh. It is run by /bin/sh in a folder of its own.
@@ -38,6 +40,7 @@ struct LoopAdaptation {
   double corner_angle_deg = 30;
   std::vector<std::string> curves;        ///< as --curve: "1=naca0012"
   std::string transfer = "conservative";  ///< of the solution: "conservative" | "linear"
+  std::vector<PlaneSource> sources;       ///< beside the solution, in each cycle
 };
 
 struct LoopJob {

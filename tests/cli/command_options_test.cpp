@@ -284,11 +284,12 @@ TEST_F(CommandOptions, of_a_mesh_of_the_plane) {
   EXPECT_THAT(least.inputs, ElementsAre("a.xy", "b.xy"));
   EXPECT_EQ(least.output, "p.mesh");
   EXPECT_FALSE(least.size.has_value() || least.vertices.has_value() || least.json);
-  EXPECT_EQ(least.gradation + least.metric, "");
+  EXPECT_EQ(least.gradation + least.metric + least.sources, "");
   EXPECT_EQ(least.corner_angle_deg, 30);
-  const auto all =
-      parsed_as<PlaneCommand>({"plane", "a.xy", "-o", "p", "--size", "0.5", "--vertices", "7",
-                               "--gradation", "1.2", "--corner-angle", "40", "--json"});
+  const auto all = parsed_as<PlaneCommand>({"plane", "a.xy", "-o", "p", "--size", "0.5",
+                                            "--vertices", "7", "--gradation", "1.2", "--sources",
+                                            "s.toml", "--corner-angle", "40", "--json"});
+  EXPECT_EQ(all.sources, "s.toml");
   EXPECT_EQ(all.size, 0.5);
   EXPECT_EQ(all.vertices, 7);
   EXPECT_EQ(all.gradation, "1.2");
@@ -332,7 +333,7 @@ TEST_F(CommandOptions, of_an_adaptation) {
   const auto least = parsed_as<AdaptCommand>({"adapt", "m.mesh", "-o", "n.mesh"});
   EXPECT_EQ(least.input, "m.mesh");
   EXPECT_EQ(least.output, "n.mesh");
-  EXPECT_EQ(least.metric + least.solution + least.gradation, "");
+  EXPECT_EQ(least.metric + least.solution + least.sources + least.gradation, "");
   EXPECT_TRUE(least.curves.empty());
   EXPECT_FALSE(least.vertices.has_value() || least.h_min.has_value() || least.h_max.has_value());
   EXPECT_EQ(least.norm, 2);
@@ -341,9 +342,11 @@ TEST_F(CommandOptions, of_an_adaptation) {
   EXPECT_EQ(least.corner_angle_deg, 30);
   EXPECT_FALSE(least.json);
   const auto all = parsed_as<AdaptCommand>(
-      {"adapt",    "m",  "-o",      "n",       "--solution",     "u.sol", "--vertices",  "9",
-       "--norm",   "1",  "--h-min", "0.1",     "--h-max",        "2",     "--gradation", "off",
-       "--aspect", "50", "--mode",  "hessian", "--corner-angle", "20",    "--json"});
+      {"adapt",       "m",         "-o",       "n",       "--solution", "u.sol",   "--vertices",
+       "9",           "--norm",    "1",        "--h-min", "0.1",        "--h-max", "2",
+       "--gradation", "off",       "--aspect", "50",      "--mode",     "hessian", "--corner-angle",
+       "20",          "--sources", "s.toml",   "--json"});
+  EXPECT_EQ(all.sources, "s.toml");
   EXPECT_EQ(all.solution, "u.sol");
   EXPECT_EQ(all.vertices, 9);
   EXPECT_EQ(all.norm, 1);

@@ -306,7 +306,7 @@ TEST_F(PlaneCommands, refuse_what_does_not_belong_together) {
       write("short.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n2\n1 1\n1\n2\n"));
   EXPECT_THAT(message_of(command), HasSubstr("gives values at 2 nodes; the mesh has "));
   command.solution.clear();
-  EXPECT_THAT(message_of(command), HasSubstr("--metric FILE or --solution FILE"));
+  EXPECT_THAT(message_of(command), HasSubstr("--metric FILE, --solution FILE or --sources FILE"));
   command.solution = "u.sol";
   command.output = "m.vtx";
   EXPECT_THAT(message_of(command), HasSubstr("m.vtx: meshes of the plane are written to .mesh"));

@@ -17,6 +17,7 @@
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/job_file/job_file.h"
+#include "mesh/job_file/plane_sources.h"
 #include "mesh/layers/layer_chunk_file.h"
 #include "mesh/layers/layer_growth.h"
 #include "mesh/spacing/spacing_field.h"
@@ -184,9 +185,21 @@ const std::array<Read, 13> kinds = {
     [](const std::string& bytes) { read_layer_chunk(with_checksum_last(bytes)); },
 };
 
+/// The same text as a file of sources of the plane.
+void plane_sources(std::string_view input) {
+  try {
+    const PlaneSources written = parse_plane_sources(input, "/job/sources.toml");
+    const std::string canonical = to_toml(written.sources);
+    TF_CHECK(to_toml(parse_plane_sources(canonical, "/job/sources.toml").sources) == canonical);
+  } catch (const UsageError&) {
+    return;
+  }
+}
+
 }  // namespace
 
 void job_file(std::string_view input) {
+  plane_sources(input);
   try {
     const JobFile job = parse_job_file(input, "/job/job.toml");
     const std::string canonical = to_toml(job);

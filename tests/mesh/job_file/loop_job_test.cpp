@@ -85,6 +85,19 @@ TEST(LoopJob, is_the_same_after_it_was_written_and_read) {
   }
 }
 
+TEST(LoopJob, has_point_and_line_sources_beside_the_solution) {
+  const std::string text = std::string(whole) +
+                           "[[line]]\nfrom = [0, 0]\nto = [1, 0]\nsizes = [1, 0.1]\nradius = 2\n"
+                           "[[point]]\nat = [3, 4]\nsizes = [1, 1]\nradius = 2\n";
+  const LoopJob job = parse_loop_job(to_toml(parse_loop_job(text, "loop.toml")), "loop.toml");
+  ASSERT_EQ(job.adapt.sources.size(), 2U);
+  EXPECT_TRUE(job.adapt.sources[0].is_line);
+  EXPECT_EQ(job.adapt.sources[0].sizes[1], 0.1);
+  EXPECT_EQ(job.adapt.sources[1].from[1], 4);
+  EXPECT_THAT(refusal(text + "[[point]]\nat = [3, 4]\nsizes = [1, -1]\nradius = 2\n"),
+              testing::HasSubstr("`sizes` must be positive"));
+}
+
 TEST(LoopJob, is_told_from_a_job_of_a_surface_by_its_solver) {
   EXPECT_TRUE(is_loop_job(whole, "loop.toml"));
   EXPECT_FALSE(is_loop_job("[geometry]\nsurface = \"a.stl\"\n", "job.toml"));
