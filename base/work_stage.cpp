@@ -35,7 +35,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"solve", "running the solver", ""},
     {"adapt", "adapting", ""},
     {"transfer", "bringing the solution along", ""},
-    {"collect", "collecting", "cycles"},
+    {"cycles", "collecting", "cycles"},
     {"assemble", "assembling", "sub-domains"},
 }};
 

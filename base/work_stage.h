@@ -36,7 +36,7 @@ enum class WorkStage : std::uint8_t {
   solve,
   adapt,
   transfer,
-  collect,
+  cycles,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

@@ -52,7 +52,7 @@ void collect_task(TaskIo& io) {
   const auto given = io.given<CollectGiven>();
   const LoopJob job = parse_loop_job(io.read(given.job), "job.toml");
   report_cost(io, cost_of(CollectGiven::kind, {}, {}));
-  io.progress().begin(WorkStage::collect, given.meshes.size());
+  io.progress().begin(WorkStage::cycles, given.meshes.size());
   deliver(io, given.meshes, ".mesh");
   deliver(io, given.solutions, ".sol");
   deliver(io, given.logs, ".log");
