@@ -176,6 +176,17 @@ std::int64_t CgnsTree::room_for_small(const std::string& parent, const std::stri
   return room(parent, name, "I4", H5T_STD_I32LE, count);
 }
 
+void CgnsTree::boundary(const std::string& name, std::int64_t first, std::int64_t last,
+                        const std::string& location) {
+  const std::string conditions = "Base/Zone1/ZoneBC";
+  const std::string here = conditions + "/" + name;
+  node("Base", name, "Family_t");
+  text_node(conditions, name, "BC_t", "FamilySpecified");
+  large_node(here, "PointRange", "IndexRange_t", {first, last}, 1);
+  text_node(here, "GridLocation", "GridLocation_t", location);
+  text_node(here, "FamilyName", "FamilyName_t", name);
+}
+
 void CgnsTree::close() {
   errno = 0;
   checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL));

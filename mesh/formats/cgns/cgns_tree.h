@@ -41,6 +41,10 @@ class CgnsTree {
                               std::int64_t count);
   std::int64_t room_for_small(const std::string& parent, const std::string& name,
                               std::int64_t count);
+  /// A boundary condition over the elements `first` to `last` of Base/Zone1, which has a ZoneBC,
+  /// and a family for it: what it means is for the user to say. @param location "FaceCenter"
+  void boundary(const std::string& name, std::int64_t first, std::int64_t last,
+                const std::string& location);
   void close();
 
  private:

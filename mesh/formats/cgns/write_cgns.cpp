@@ -65,15 +65,6 @@ class SectionNames {
   std::set<std::string> taken_;
 };
 
-void add_patch(CgnsTree& tree, const std::string& name, std::int64_t first, std::int64_t last) {
-  const std::string conditions = std::string(zone) + "/ZoneBC";
-  tree.node(base, name, "Family_t");
-  tree.text_node(conditions, name, "BC_t", "FamilySpecified");
-  tree.large_node(conditions + "/" + name, "PointRange", "IndexRange_t", {first, last}, 1);
-  tree.text_node(conditions + "/" + name, "GridLocation", "GridLocation_t", "FaceCenter");
-  tree.text_node(conditions + "/" + name, "FamilyName", "FamilyName_t", name);
-}
-
 /// Sections and boundary conditions, behind `last` elements.
 void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, Places& places) {
   const std::vector<std::string> names = names_of_patches(outline);
@@ -93,7 +84,7 @@ void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, 
     for (const ElementType type : face_block_types) {
       places.faces[type].push_back(add(type, outline.blocks[type].of_group[i]));
     }
-    if (last >= first) add_patch(tree, names[i], first, last);
+    if (last >= first) tree.boundary(names[i], first, last, "FaceCenter");
   }
 }
 

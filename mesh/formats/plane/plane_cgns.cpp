@@ -25,15 +25,6 @@ void add_elements(CgnsTree& tree, const std::string& name, std::int32_t type, st
   tree.large_node(section, "ElementConnectivity", "DataArray_t", nodes);
 }
 
-void add_condition(CgnsTree& tree, const std::string& name, std::int64_t first, std::int64_t last) {
-  const std::string conditions = std::string(zone) + "/ZoneBC";
-  tree.node(base, name, "Family_t");
-  tree.text_node(conditions, name, "BC_t", "FamilySpecified");
-  tree.large_node(conditions + "/" + name, "PointRange", "IndexRange_t", {first, last}, 1);
-  tree.text_node(conditions + "/" + name, "GridLocation", "GridLocation_t", "EdgeCenter");
-  tree.text_node(conditions + "/" + name, "FamilyName", "FamilyName_t", name);
-}
-
 std::vector<std::string> names_of(const std::vector<PlanePatch>& patches) {
   std::vector<std::string> names;
   for (const PlanePatch& patch : patches) names.push_back(patch.name);
@@ -54,7 +45,7 @@ void add_patches(CgnsTree& tree, const PlaneMesh& mesh) {
       nodes.insert(nodes.end(), {side->a + 1, side->b + 1});
     }
     add_elements(tree, names[i], lines, last + 1, nodes, 2);
-    add_condition(tree, names[i], last + 1, last + std::ssize(nodes) / 2);
+    tree.boundary(names[i], last + 1, last + std::ssize(nodes) / 2, "EdgeCenter");
     last += std::ssize(nodes) / 2;
   }
 }
