@@ -1,7 +1,7 @@
 /// One page about an adaptation loop: the meshes and solutions of its cycles side by side, what the
 /// solution is along the walls, and the table of cycles.
 ///
-/// Source: thesis 3.4.2, figs. 40 to 44, which show a loop in this way.
+/// Source: thesis 3.4.2, figs. 40 to 42, which show a loop in this way.
 #pragma once
 
 #include <cstdint>
