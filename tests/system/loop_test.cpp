@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/program.h"
@@ -113,6 +114,27 @@ TEST_F(Loop, keeps_the_nodes_on_the_spline_of_a_file_that_goes_along) {
   EXPECT_THAT(last.out, testing::ContainsRegex("all [0-9]+ nodes lay on it"));
   fs::remove(path("case/ring.xy"));
   EXPECT_THAT(run({"loop", "case/job.toml", "-o", "again"}).err, HasSubstr("ring.xy"));
+}
+
+TEST_F(Loop, counts_the_sources_of_its_job_beside_the_solution) {
+  write_job("sh solve.sh");
+  const auto vertices_near_source = [this](const std::string& output) {
+    EXPECT_EQ(loop(output).code, 0);
+    std::istringstream words(contents(path(output + "/cycle_03.mesh")));
+    std::string word;
+    while (words >> word && word != "Vertices") continue;
+    int count = 0;
+    int near = 0;
+    words >> count;
+    for (double x = 0, y = 0, mark = 0; count > 0 && words >> x >> y >> mark; --count) {
+      near += std::hypot(x - 0.1, y - 0.9) < 0.05 ? 1 : 0;
+    }
+    return near;
+  };
+  EXPECT_LT(vertices_near_source("without"), 6);
+  write("job.toml", contents(path("job.toml")) +
+                        "[[point]]\nat = [0.1, 0.9]\nsizes = [0.02, 0.02]\nradius = 0.04\n");
+  EXPECT_GT(vertices_near_source("with"), 12);
 }
 
 TEST_F(Loop, with_a_solver_that_fails_says_what_it_said_and_in_which_cycle) {
