@@ -73,6 +73,7 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "solve | running the solver: 1 of 2\n"
             "adapt | adapting: 1 of 2\n"
             "transfer | bringing the solution along: 1 of 2\n"
+            "cycles | collecting: 1 of 2 cycles\n"
             "assemble | assembling: 1 of 2 sub-domains\n");
 }
 
