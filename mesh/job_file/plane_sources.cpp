@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/error.h"
 #include "mesh/job_file/toml_text.h"
@@ -122,7 +121,7 @@ std::vector<PlaneSource> plane_sources_of(const JobSection& top) {
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.place < b.place; });
   std::vector<PlaneSource> sources;
-  for (Found& one : found) sources.push_back(std::move(one.source));
+  for (const Found& one : found) sources.push_back(one.source);
   return sources;
 }
 
