@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
+#include "cli/node_field.h"
 #include "cli/picture_options.h"
 #include "mesh/adaptation/checked_plane_mesh.h"
 #include "mesh/formats/plane/plane_medit.h"
@@ -42,27 +43,9 @@ void require_no_space_options(const RenderCommand& command) {
   }
 }
 
-void require_count(std::size_t values, const PlaneMesh& mesh, const std::string& file) {
-  if (values == mesh.points.size()) return;
-  throw InvalidInput("gives values at " + std::to_string(values) + " nodes; " + mesh.name +
-                         " has " + std::to_string(mesh.points.size()),
-                     file);
-}
-
-std::vector<double> field_of(const std::string& file, std::int64_t number, const PlaneMesh& mesh) {
-  NodeFields fields = read_plane_sol(file);
-  const auto count = static_cast<std::int64_t>(fields.scalars.size());
-  if (count == 0) {
-    throw InvalidInput("has no numbers at the nodes: a scalar field has kind 1", file);
-  }
-  if (number > count) {
-    throw UsageError(file + " has " + std::to_string(count) +
-                         (count == 1 ? " number at a node" : " numbers at a node"),
-                     "--field-number " + std::to_string(number));
-  }
-  std::vector<double>& values = fields.scalars[static_cast<std::size_t>(number - 1)];
-  require_count(values.size(), mesh, file);
-  return std::move(values);
+std::vector<double> field_on(const PlaneMesh& mesh, const std::string& file,
+                             const RenderCommand& command) {
+  return node_field(file, command.field_number, mesh.points.size(), mesh.name);
 }
 
 std::vector<Metric2> metrics_at_nodes(const std::string& file, const PlaneMesh& mesh) {
@@ -70,7 +53,7 @@ std::vector<Metric2> metrics_at_nodes(const std::string& file, const PlaneMesh& 
   if (fields.metrics.empty()) {
     throw InvalidInput("has no symmetric tensors: a metric has kind 3", file);
   }
-  require_count(fields.metrics.front().size(), mesh, file);
+  require_value_for_each_node(fields.metrics.front().size(), mesh.points.size(), mesh.name, file);
   check_metrics(mesh, fields.metrics.front(), file);
   return std::move(fields.metrics.front());
 }
@@ -94,7 +77,7 @@ ExitCode write_picture(const RenderCommand& command) {
   const PlaneMesh mesh = read_plane_medit(command.input);
   std::vector<double> field;
   std::vector<Metric2> metrics;
-  if (!command.field.empty()) field = field_of(command.field, command.field_number, mesh);
+  if (!command.field.empty()) field = field_on(mesh, command.field, command);
   if (!command.metric.empty()) metrics = metrics_at_nodes(command.metric, mesh);
   const Picture picture = plane_picture(mesh, {field, metrics}, options);
   write_file_atomically(command.output, png_of(picture));
@@ -135,7 +118,7 @@ LineChart::Curve curve_of(const MeshAndField& files, const RenderCommand& comman
   const PlaneMesh mesh = read_plane_medit(files.mesh);
   require_nodes_of_mesh(mesh);
   require_patches(mesh, command.along);
-  const std::vector<double> field = field_of(files.field, command.field_number, mesh);
+  const std::vector<double> field = field_on(mesh, files.field, command);
   return {files.field, "", values_over_x(mesh, field, command.along)};
 }
 

@@ -4,15 +4,16 @@
 #include <array>
 #include <charconv>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <utility>
 
 #include "base/error.h"
 #include "base/file_system.h"
 #include "base/work_stage.h"
+#include "cli/node_field.h"
 #include "cli/text_table.h"
 #include "mesh/formats/plane/plane_files.h"
+#include "mesh/formats/plane/plane_sides.h"
 #include "mesh/render/crowded_window.h"
 #include "mesh/render/patch_curve.h"
 #include "mesh/render/plane_picture.h"
@@ -102,17 +103,8 @@ PlaneMesh mesh_of(const Cycle& cycle) {
   return mesh;
 }
 
-/// The first, with a value for each of the mesh's nodes.
-std::vector<double> field_of(const Cycle& cycle, const PlaneMesh& mesh) {
-  const std::string file = cycle.stem + ".sol";
-  NodeFields fields = read_plane_sol(file);
-  if (fields.scalars.empty()) throw InvalidInput("has no numbers at the nodes", file);
-  if (fields.scalars.front().size() != mesh.points.size()) {
-    throw InvalidInput("gives values at " + std::to_string(fields.scalars.front().size()) +
-                           " nodes; the mesh has " + std::to_string(mesh.points.size()),
-                       file);
-  }
-  return std::move(fields.scalars.front());
+std::vector<double> first_field_of(const Cycle& cycle, const PlaneMesh& mesh) {
+  return node_field(cycle.stem + ".sol", 1, mesh.points.size(), "the mesh");
 }
 
 /// The last line that is not empty, of the end of the log.
@@ -129,25 +121,16 @@ std::string last_words_of(const Cycle& cycle) {
   return last.empty() ? last : harmless(last, 400);
 }
 
-/// All whose edges keep clear of the sides of the box round the mesh.
+/// What the flow goes round: the patches that bound holes alone.
 std::vector<std::int32_t> walls_of(const PlaneMesh& mesh) {
-  const auto place = [&mesh](std::int32_t v) { return mesh.points[static_cast<std::size_t>(v)]; };
-  const auto [left, right] =
-      std::minmax_element(mesh.points.begin(), mesh.points.end(),
-                          [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
-  const auto [low, high] =
-      std::minmax_element(mesh.points.begin(), mesh.points.end(),
-                          [](const Vec2& a, const Vec2& b) { return a.y < b.y; });
-  std::set<std::int32_t> inner(mesh.patches.begin(), mesh.patches.end());
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
-    for (const std::int32_t v : mesh.edges[i]) {
-      const Vec2 p = place(v);
-      if (p.x <= left->x || p.x >= right->x || p.y <= low->y || p.y >= high->y) {
-        inner.erase(mesh.patches[i]);
-      }
-    }
+  const PlaneSides sides = sides_of(mesh);
+  const std::vector<PlanePatch> patches = border_patches(mesh, sides);
+  const std::vector<bool> are_walls = bound_holes(mesh, sides, patches);
+  std::vector<std::int32_t> walls;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (are_walls[i]) walls.push_back(patches[i].number);
   }
-  return {inner.begin(), inner.end()};
+  return walls;
 }
 
 /// What all pictures have in common.
@@ -158,7 +141,7 @@ PlanePictureOptions options_for(const std::vector<Cycle>& cycles, int picture_wi
   std::array<double, 2> range = {};
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     const PlaneMesh mesh = mesh_of(cycles[i]);
-    const std::vector<double> field = field_of(cycles[i], mesh);
+    const std::vector<double> field = first_field_of(cycles[i], mesh);
     const auto [low, high] = std::minmax_element(field.begin(), field.end());
     range = i == 0 ? std::array<double, 2>{*low, *high}
                    : std::array<double, 2>{std::min(range[0], *low), std::max(range[1], *high)};
@@ -205,7 +188,7 @@ CyclesContent reported_cycles(const fs::path& folder, int picture_width) {
   chart.y_name = "first field";
   for (const Cycle& cycle : shown) {
     const PlaneMesh mesh = mesh_of(cycle);
-    const std::vector<double> field = field_of(cycle, mesh);
+    const std::vector<double> field = first_field_of(cycle, mesh);
     const std::string name = "Cycle " + std::to_string(cycle.number);
     add_to_chart(chart, cycle, mesh, field);
     content.shown.push_back({cycle.number,
