@@ -20,7 +20,8 @@ std::vector<CellMark> marks_of_job(const JobFile& job) {
 }  // namespace
 
 SharedFile shared_mesh_file(const TaskIo& io, const TaskFile& surface, const TaskFile& numbering) {
-  const std::string what = io.assign().job() + '\n' + surface.hash + '\n' + numbering.hash;
+  const std::string what =
+      io.assign().job() + '\n' + surface.hash + '\n' + numbering.hash + "\npacked";
   const std::string name = "mesh." + hash128(what).hex() + ".vtkhdf";
   return {io.is_without_shared_store() ? io.scratch_path(name) : io.store().scratch_folder() / name,
           io.scratch_path("frame.vtkhdf")};

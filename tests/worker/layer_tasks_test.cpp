@@ -259,7 +259,7 @@ TEST_F(LayerTasks, in_tets_make_a_sound_mesh_of_tets_alone_beside_planes_and_rou
 TEST_F(LayerTasks, place_their_cells_in_the_file_of_all_where_all_is_counted) {
   prepared(layered_job(1), shapes::sphere({0, 0, 0}, 1, 2));
   const Portion portion = portion_from_bytes(bytes(output(last_, "portion")), "portion");
-  EXPECT_EQ(portion.placed.size(), 7U) << "an array each";
+  EXPECT_EQ(portion.placed.size(), 2U) << "nodes of cells, and layers";
   EXPECT_EQ(portion.others[ElementType::prism], 5 * 320);
   EXPECT_EQ(portion.shapes.all.tets, 0);
 }

@@ -50,10 +50,24 @@ Hdf5Handle of_no_time() {
   return properties;
 }
 
-/// Whole chunks go between the file and our memory without being copied once more.
-Hdf5Handle open_uncached(hid_t file, const std::string& name) {
+/// Bytes of a chunk of the array as it is read; 0 of one without chunks, or with huge ones.
+std::size_t chunk_bytes(hid_t dataset) {
+  constexpr std::size_t most = std::size_t{1} << 26;
+  const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose);
+  std::array<hsize_t, H5S_MAX_RANK> size{};
+  const int rank = H5Pget_chunk(properties.get(), H5S_MAX_RANK, size.data());
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+  std::size_t bytes = rank > 0 ? H5Tget_size(type.get()) : 0;
+  for (int k = 0; k < rank && bytes <= most; ++k) bytes *= size[static_cast<std::size_t>(k)];
+  return bytes <= most ? bytes : 0;
+}
+
+/// The cache holds the one chunk that two pieces may share; arrays without chunks need none.
+Hdf5Handle open_for_pieces(hid_t file, const std::string& name) {
+  const Hdf5Handle whole(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const std::size_t chunk = whole.is_open() ? chunk_bytes(whole.get()) : 0;
   const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
-  H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT);
+  H5Pset_chunk_cache(access.get(), chunk > 0 ? 1 : 0, chunk, H5D_CHUNK_CACHE_W0_DEFAULT);
   return {H5Dopen2(file, name.c_str(), access.get()), H5Dclose};
 }
 
@@ -168,6 +182,33 @@ std::int64_t Hdf5Output::room_for(const std::string& name, hid_t type, std::int6
   return static_cast<std::int64_t>(place);
 }
 
+Hdf5Chunks Hdf5Output::packed_array(const std::string& name, hid_t type, std::int64_t rows) {
+  constexpr std::int64_t most_rows_of_chunk = 65536;
+  TF_CHECK(rows >= 0);
+  const Hdf5Handle properties = of_no_time();
+  const std::int64_t chunk_rows = std::clamp(rows, std::int64_t{1}, most_rows_of_chunk);
+  if (rows > 0) {
+    const auto chunk = static_cast<hsize_t>(chunk_rows);
+    checked(H5Pset_chunk(properties.get(), 1, &chunk));
+    checked(H5Pset_shuffle(properties.get()));
+    checked(H5Pset_deflate(properties.get(), hdf5_deflate_level));
+  }
+  const Hdf5Handle here = space({static_cast<hsize_t>(rows)});
+  Hdf5Handle dataset(H5Dcreate2(file_.get(), name.c_str(), type, here.get(), H5P_DEFAULT,
+                                properties.get(), H5P_DEFAULT),
+                     H5Dclose);
+  checked(dataset.get());
+  return {path_, std::move(dataset), chunk_rows};
+}
+
+void Hdf5Chunks::write(std::int64_t number, const std::string& packed) {
+  const auto first = static_cast<hsize_t>(number * chunk_rows_);
+  errno = 0;
+  if (H5Dwrite_chunk(dataset_.get(), H5P_DEFAULT, 0, &first, packed.size(), packed.data()) < 0) {
+    throw IoError("cannot write", path_, errno != 0 ? errno : EIO);
+  }
+}
+
 void Hdf5Output::close() {
   TF_CHECK(file_.is_open());  // closed once
   errno = 0;
@@ -263,8 +304,13 @@ Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name, int columns)
       rows_(static_cast<std::int64_t>(file.rows_of(name_, columns))),
       columns_(columns) {
   TF_CHECK(columns >= 1);
-  dataset_ = open_uncached(file.file_.get(), name_);
+  dataset_ = open_for_pieces(file.file_.get(), name_);
   if (!dataset_.is_open()) file.fail("no array " + name_);
+}
+
+std::size_t Hdf5Rows::number_size() const {
+  const Hdf5Handle type(H5Dget_type(dataset_.get()), H5Tclose);
+  return H5Tget_size(type.get());
 }
 
 void Hdf5Rows::check(std::int64_t first, std::int64_t count) const {

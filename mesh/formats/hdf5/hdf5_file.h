@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tetfarm {
@@ -69,6 +70,27 @@ inline hid_t hdf5_type<std::uint8_t>() {
   return H5T_STD_U8LE;
 }
 
+/// How hard packed arrays are compressed: little, as they are alike from row to row.
+inline constexpr int hdf5_deflate_level = 1;
+
+/// An array in chunks of so many rows, the last filled up, each to be written packed
+/// (packed_rows.h).
+class Hdf5Chunks {
+ public:
+  std::int64_t chunk_rows() const { return chunk_rows_; }
+  /// Chunk `number`. @throws IoError
+  void write(std::int64_t number, const std::string& packed);
+
+ private:
+  friend class Hdf5Output;
+  Hdf5Chunks(std::string path, Hdf5Handle dataset, std::int64_t chunk_rows)
+      : path_(std::move(path)), dataset_(std::move(dataset)), chunk_rows_(chunk_rows) {}
+
+  std::string path_;
+  Hdf5Handle dataset_;
+  std::int64_t chunk_rows_;
+};
+
 /// A file being written. Nothing in it depends on time or on what the memory held before.
 class Hdf5Output {
  public:
@@ -93,12 +115,18 @@ class Hdf5Output {
   std::int64_t room_for(const std::string& name, std::int64_t rows, int columns = 1) {
     return room_for(name, hdf5_type<T>(), rows, columns);
   }
+  /// An array in chunks that are shuffled and deflated. It must not outlive the file.
+  template <class T>
+  Hdf5Chunks packed_array(const std::string& name, std::int64_t rows) {
+    return packed_array(name, hdf5_type<T>(), rows);
+  }
   /// Writes everything to the file. @throws IoError
   void close();
 
  private:
   void add_array(const std::string& name, hid_t type, const void* numbers, std::size_t count);
   std::int64_t room_for(const std::string& name, hid_t type, std::int64_t rows, int columns);
+  Hdf5Chunks packed_array(const std::string& name, hid_t type, std::int64_t rows);
   hid_t checked(hid_t result) const;
 
   std::string path_;
@@ -107,8 +135,9 @@ class Hdf5Output {
 
 class Hdf5Input;
 
-/// One array of a file being read, opened once to be read piece by piece. Pieces go from the file
-/// to where they are wanted, through no cache.
+/// One array of a file being read, opened once to be read piece by piece, one after the other.
+/// Pieces go from the file to where they are wanted, through no cache but one for the chunk that a
+/// piece ends in.
 class Hdf5Rows {
  public:
   /// `count` numbers of a one-dimensional array, or rows of `columns`, from `first` on.
@@ -118,6 +147,8 @@ class Hdf5Rows {
     read(hdf5_type<T>(), first, count, numbers);
   }
 
+  /// Bytes that a number has in the file.
+  std::size_t number_size() const;
   /// @throws InvalidInput when they are not all there.
   void check(std::int64_t first, std::int64_t count) const;
 

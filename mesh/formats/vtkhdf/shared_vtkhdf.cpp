@@ -5,8 +5,6 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/file_system.h"
-#include "mesh/formats/hdf5/hdf5_file.h"
 
 namespace tetfarm {
 namespace {
@@ -26,6 +24,7 @@ bool is_at(const FileRange& range, const VtkhdfPlace& place) {
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
                                    const LeafNumbering& numbering, const VtkhdfNames& names) {
   TF_CHECK(part.number == numbering.number);
+  if (!has_narrow_ids(vtkhdf_counts(part))) return {};
   const MeshTotals& whole = numbering.whole;
   const VtkhdfPlaces places = places_of_cells(file.scratch, whole.subdomains,
                                               {0, whole.tets, whole.faces, whole.others}, names);
@@ -39,48 +38,16 @@ std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& p
 
 SharedVtkhdf::SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts,
                            const VtkhdfNames& names, ReadWhole read_whole)
-    : path_(std::move(file)),
+    : path_(std::move(file.path)),
       parts_(std::move(parts)),
       before_(before_each(parts_)),
       read_whole_(std::move(read_whole)),
-      places_(write_vtkhdf_frame(path_.scratch, parts_, names)),
-      file_(path_.path, OutputFile::Start::as_it_is) {
-  write_frame();
-}
-
-/// All of the frame that is not room for arrays, but for the signature.
-void SharedVtkhdf::write_frame() {
-  const VtkhdfBefore& all = before_.back();
-  const auto cell_offsets = all.cells + std::ssize(parts_);
-  std::vector<std::pair<std::int64_t, std::int64_t>> rooms = {
-      {0, std::ssize(hdf5_signature)},       {places_.connectivity, 8 * all.ids},
-      {places_.offsets, 8 * cell_offsets},   {places_.types, all.cells},
-      {places_.subdomains, 4 * all.cells},   {places_.regions, 4 * all.cells},
-      {places_.patches, 4 * all.cells},      {places_.points, 24 * all.points},
-      {places_.node_numbers, 8 * all.points}};
-  for (const auto& mark : places_.marks) rooms.emplace_back(mark.second, 4 * all.cells);
-  if (places_.feet) {
-    rooms.emplace_back(places_.feet->foot, 8 * all.points);
-    rooms.emplace_back(places_.feet->depth, 4 * all.points);
-  }
-  std::sort(rooms.begin(), rooms.end());
-  const auto size = static_cast<std::int64_t>(size_of_file(path_.scratch).value());
-  rooms.emplace_back(size, 0);
-  std::int64_t from = 0;
-  for (const auto& [place, bytes] : rooms) {
-    if (place > from) {
-      file_.write(from, read_part_of_file(path_.scratch, static_cast<std::uint64_t>(from),
-                                          static_cast<std::size_t>(place - from)));
-    }
-    from = std::max(from, place + bytes);
-  }
-  remove_file(path_.scratch);
-}
+      frame_(std::move(file.scratch), parts_, names),
+      file_(path_, OutputFile::Start::as_it_is) {}
 
 bool SharedVtkhdf::takes(std::size_t part, std::span<const FileRange> cells) {
-  const auto wanted =
-      cell_places(places_, static_cast<std::int64_t>(part), before_.at(part), parts_.at(part))
-          .in_order();
+  const std::vector<VtkhdfPlace> wanted =
+      cell_places(frame_.places(), before_.at(part), parts_.at(part)).in_order();
   if (!std::equal(cells.begin(), cells.end(), wanted.begin(), wanted.end(), is_at)) return false;
   for (const FileRange& range : cells) placed_.emplace_back(range, part);
   taken_.insert(part);
@@ -95,8 +62,9 @@ void SharedVtkhdf::add(const NumberedPart& part) {
   if (here != counts && !(is_placed && here == without_cells(counts))) {
     throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
   }
-  if (!is_placed) write_vtkhdf_cells(places_, before_[number], part, &file_);
-  write_vtkhdf_points(places_, before_[number], part, file_);
+  frame_.add(part);
+  if (!is_placed) write_vtkhdf_cells(frame_.places(), before_[number], part, &file_);
+  write_vtkhdf_points(frame_.places(), before_[number], part, file_);
 }
 
 void SharedVtkhdf::look_at_placed() {
@@ -104,16 +72,16 @@ void SharedVtkhdf::look_at_placed() {
             [](const auto& a, const auto& b) { return a.first.offset < b.first.offset; });
   std::vector<FileRange> ranges;
   for (const auto& [range, part] : placed_) ranges.push_back(range);
-  finished_ = read_through(path_.path, ranges);
+  finished_ = read_through(path_, ranges);
 }
 
 void SharedVtkhdf::finish() {
-  file_.write(0, hdf5_signature);
+  frame_.finish(file_);
   look_at_placed();
   std::set<std::size_t> missing;
   for (const std::size_t range : finished_.wrong) missing.insert(placed_[range].second);
   for (const std::size_t part : missing) {
-    write_vtkhdf_cells(places_, before_[part], read_whole_(part), &file_);
+    write_vtkhdf_cells(frame_.places(), before_[part], read_whole_(part), &file_);
   }
   if (!missing.empty()) look_at_placed();
   if (!finished_.wrong.empty()) {

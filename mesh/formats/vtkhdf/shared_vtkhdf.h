@@ -25,9 +25,10 @@ struct SharedFile {
   std::filesystem::path scratch;
 };
 
-/// Writes the cells of a leaf, and returns where they are. The file is made when it is missing, and
-/// is not made durable; without a path, it is only told where they would be. @pre `part` is whole
-/// and of `numbering`, which knows its first face. @throws IoError. Cost: O(cells of the part).
+/// Writes the nodes and marks of the cells of a leaf, and returns where they are: nowhere of a leaf
+/// whose offsets need more than 32 bits. The file is made when it is missing, and is not made
+/// durable; without a path, it is only told where they would be. @pre `part` is whole and of
+/// `numbering`, which knows its first face. @throws IoError. Cost: O(cells of the part).
 std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& part,
                                    const LeafNumbering& numbering, const VtkhdfNames& names);
 
@@ -52,14 +53,13 @@ class SharedVtkhdf : public GlobalMeshWriter {
   const ReadThrough& finished() const { return finished_; }
 
  private:
-  void write_frame();
   void look_at_placed();
 
-  SharedFile path_;
+  std::filesystem::path path_;
   std::vector<VtkhdfCounts> parts_;
   std::vector<VtkhdfBefore> before_;
   ReadWhole read_whole_;
-  VtkhdfPlaces places_;
+  VtkhdfFrame frame_;
   OutputFile file_;
   std::vector<std::pair<FileRange, std::size_t>> placed_;  ///< with the part that they are of
   std::set<std::size_t> taken_;

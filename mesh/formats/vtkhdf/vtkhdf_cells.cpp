@@ -7,8 +7,8 @@
 namespace tetfarm {
 namespace {
 
-template <class Element>
-const std::int64_t* take(const std::int64_t* ids, Element& element) {
+template <class Id, class Element>
+const Id* take(const Id* ids, Element& element) {
   for (std::int32_t& v : element) v = static_cast<std::int32_t>(*ids++);
   return ids;
 }
@@ -95,14 +95,24 @@ void VtkhdfCells::read_patches(bool has_patches, const ElementCounts& counts, Nu
   });
 }
 
+/// As they are in the file: converted by the library, they would cost more than to be read.
 void VtkhdfCells::read_nodes(NumberedPart& part) {
+  const Hdf5Rows id_rows = file_.rows("VTKHDF/Connectivity");
+  id_rows.check(here_.first_id, here_.ids);
+  if (id_rows.number_size() <= sizeof(std::int32_t)) {
+    read_nodes_as<std::int32_t>(id_rows, part);
+  } else {
+    read_nodes_as<std::int64_t>(id_rows, part);
+  }
+}
+
+template <class Id>
+void VtkhdfCells::read_nodes_as(const Hdf5Rows& id_rows, NumberedPart& part) {
   std::vector<Tet>& tets = part.tets;
   std::vector<Triangle>& faces = part.faces;
   const Hdf5Rows offset_rows = file_.rows("VTKHDF/Offsets");
-  const Hdf5Rows id_rows = file_.rows("VTKHDF/Connectivity");
-  id_rows.check(here_.first_id, here_.ids);
   std::vector<std::int64_t> offsets;
-  std::vector<std::int64_t> ids;
+  std::vector<Id> ids;
   for_each_block([&](std::int64_t first, std::int64_t cells) {
     offsets.resize(at(cells) + 1);
     offset_rows.read(here_.first_cell + here_.number + first, cells + 1, offsets.data());
@@ -119,15 +129,15 @@ void VtkhdfCells::read_nodes(NumberedPart& part) {
     faces.resize(faces.size() + at(cells) - tets_here);
     Tet* tet = tets.data() + (tets.size() - tets_here);
     Triangle* face = faces.data() + (faces.size() + tets_here - at(cells));
-    const std::int64_t* next = ids.data();
+    const Id* next = ids.data();
     for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
       next = types_[i] == vtkhdf_tet_type ? take(next, *tet++) : take(next, *face++);
     }
   });
 }
 
-void VtkhdfCells::read_mixed_nodes(const std::int64_t* next, std::int64_t cells,
-                                   NumberedPart& part) const {
+template <class Id>
+void VtkhdfCells::read_mixed_nodes(const Id* next, std::int64_t cells, NumberedPart& part) const {
   for (std::int64_t i = 0; i < cells; ++i) {
     const ElementType type = type_of_cell(types_[at(i)]);
     if (type == ElementType::tet) {
@@ -158,10 +168,11 @@ void VtkhdfCells::check_offsets(const std::vector<std::int64_t>& offsets) const 
   }
 }
 
-void VtkhdfCells::check_nodes(const std::vector<std::int64_t>& ids) const {
+template <class Id>
+void VtkhdfCells::check_nodes(const std::vector<Id>& ids) const {
   const auto points = static_cast<std::uint64_t>(here_.points);
   bool is_wrong = false;
-  for (const std::int64_t v : ids) is_wrong |= static_cast<std::uint64_t>(v) >= points;
+  for (const Id v : ids) is_wrong |= static_cast<std::uint64_t>(v) >= points;  // or negative
   if (is_wrong) file_.fail("a cell has a node that does not exist");
 }
 

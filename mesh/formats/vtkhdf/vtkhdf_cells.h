@@ -1,5 +1,5 @@
 /// Reads the cells of one partition of a VTKHDF file, block after block: the arrays of a block fit
-/// into the processor's caches, and the partition's numbers of 64 bits are never all in memory.
+/// into the processor's caches, and the partition's numbers are never in memory twice.
 #pragma once
 
 #include <cstdint>
@@ -45,10 +45,14 @@ class VtkhdfCells {
   void for_each_block(const Visit& visit);
   std::int64_t tets_of_block(std::int64_t cells) const;
   bool has_blocks(std::int64_t cells) const;
-  void read_mixed_nodes(const std::int64_t* next, std::int64_t cells, NumberedPart& part) const;
+  template <class Id>
+  void read_nodes_as(const Hdf5Rows& id_rows, NumberedPart& part);
+  template <class Id>
+  void read_mixed_nodes(const Id* next, std::int64_t cells, NumberedPart& part) const;
   ElementType type_of_cell(std::uint8_t code) const;
   void check_offsets(const std::vector<std::int64_t>& offsets) const;
-  void check_nodes(const std::vector<std::int64_t>& ids) const;
+  template <class Id>
+  void check_nodes(const std::vector<Id>& ids) const;
 
   const Hdf5Input& file_;
   const VtkhdfPartition& here_;

@@ -1,32 +1,27 @@
 /// A VTKHDF file with room for everything that is large, and where in it that comes.
 ///
-/// Arrays of cells come before arrays of points, so the places of the first depend on the numbers
-/// of partitions, cells and their nodes alone: they are known before all points are counted.
+/// The nodes of cells and their marks, and all of points, lie in one piece each, to be written by
+/// whoever has them; what little the other arrays of cells say is packed (packed_cells.h). The
+/// first come before the points, so their places depend on the numbers of partitions, cells and
+/// their nodes alone: they are known before all points are counted.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mesh/assemble/output_file.h"
 #include "mesh/assemble/portion.h"
+#include "mesh/formats/hdf5/hdf5_file.h"
+#include "mesh/formats/vtkhdf/packed_cells.h"
+#include "mesh/formats/vtkhdf/vtkhdf_counts.h"
 
 namespace tetfarm {
-
-/// What a partition has. Its cells lie in the arrays as tets, pyramids, prisms, hexes, then
-/// triangles and quads of the boundary.
-struct VtkhdfCounts {
-  std::int64_t points = 0;
-  std::int64_t tets = 0;
-  std::int64_t faces = 0;
-  ElementCounts others{};  ///< of the types in blocks
-
-  friend bool operator==(const VtkhdfCounts&, const VtkhdfCounts&) = default;
-};
-VtkhdfCounts vtkhdf_counts(const NumberedPart& part);
 
 /// Where the arrays of NodeFeet begin.
 struct VtkhdfFeetPlaces {
@@ -34,29 +29,16 @@ struct VtkhdfFeetPlaces {
   std::int64_t depth = 0;
 };
 
-/// Where the arrays begin in the file, bytes.
+/// Where the arrays begin that lie in one piece, bytes. Numbers of nodes and offsets have 32 bits
+/// where every partition's fit, else 64: VTK 9.1 asks both to be alike.
 struct VtkhdfPlaces {
+  std::int64_t id_size = 4;
   std::int64_t connectivity = 0;
-  std::int64_t offsets = 0;
-  std::int64_t types = 0;
-  std::int64_t subdomains = 0;
-  std::int64_t regions = 0;
-  std::int64_t patches = 0;
   std::vector<std::pair<CellMark, std::int64_t>> marks;
   std::int64_t points = 0;
   std::int64_t node_numbers = 0;
   std::optional<VtkhdfFeetPlaces> feet;
 };
-
-/// How much of the arrays comes before a partition.
-struct VtkhdfBefore {
-  std::int64_t points = 0;
-  std::int64_t cells = 0;
-  std::int64_t ids = 0;
-};
-
-/// For each partition, and behind the last.
-std::vector<VtkhdfBefore> before_each(std::span<const VtkhdfCounts> parts);
 
 /// A partition's piece of an array, bytes in the file.
 struct VtkhdfPlace {
@@ -67,20 +49,18 @@ struct VtkhdfPlace {
 /// Its pieces of the arrays of cells.
 struct VtkhdfCellPlaces {
   VtkhdfPlace connectivity;
-  VtkhdfPlace offsets;
-  VtkhdfPlace types;
-  VtkhdfPlace subdomains;
-  VtkhdfPlace regions;
-  VtkhdfPlace patches;
   std::vector<VtkhdfPlace> marks;  ///< in the order of the file's
 
   /// As they follow one another in the file.
   std::vector<VtkhdfPlace> in_order() const;
 };
 
-/// Of partition `number`, which has `counts` and comes behind `before`; its points do not count.
-VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, std::int64_t number,
-                             const VtkhdfBefore& before, const VtkhdfCounts& counts);
+/// Of a partition that has `counts` and comes behind `before`; its points do not count.
+VtkhdfCellPlaces cell_places(const VtkhdfPlaces& places, const VtkhdfBefore& before,
+                             const VtkhdfCounts& counts);
+
+/// Whether its numbers of nodes and offsets fit into 32 bits.
+bool has_narrow_ids(const VtkhdfCounts& part);
 
 /// What a file has once.
 struct VtkhdfNames {
@@ -90,14 +70,40 @@ struct VtkhdfNames {
   bool has_feet = false;             ///< arrays of NodeFeet; of a part without them, no_foot
 };
 
-/// Truncates `path`. The file is complete but for the content of the large arrays, which is zero.
-/// @throws IoError
-VtkhdfPlaces write_vtkhdf_frame(const std::filesystem::path& path,
-                                std::span<const VtkhdfCounts> parts, const VtkhdfNames& names);
+/// The file but for the content of the arrays in one piece, in a file of its own. That has room for
+/// them as well, which takes no place on the disk.
+class VtkhdfFrame {
+ public:
+  /// Truncates `scratch`. @throws IoError, also later.
+  VtkhdfFrame(std::filesystem::path scratch, std::span<const VtkhdfCounts> parts,
+              const VtkhdfNames& names);
+  ~VtkhdfFrame();
+  VtkhdfFrame(const VtkhdfFrame&) = delete;
+  VtkhdfFrame& operator=(const VtkhdfFrame&) = delete;
+
+  const VtkhdfPlaces& places() const { return places_; }
+  /// The rows that a part has of the packed arrays. Its cells need not have come with it.
+  /// @pre parts come in the order of their numbers; some may be left out.
+  void add(const NumberedPart& part);
+  /// Copies everything to its place in `file`, the signature last: without it, it is no HDF5 file.
+  /// The scratch file goes. @pre called once, when all parts were added.
+  void finish(OutputFile& file);
+
+ private:
+  /// Where the arrays in one piece lie.
+  std::vector<VtkhdfPlace> rooms() const;
+
+  std::filesystem::path scratch_;
+  std::vector<VtkhdfCounts> parts_;
+  std::vector<VtkhdfBefore> before_;
+  VtkhdfPlaces places_;
+  Hdf5Output file_;
+  std::unique_ptr<PackedCells> packed_;
+};
 
 /// The places that the arrays of cells have in the frame of `partitions` parts which have `all` of
-/// the cells together, whose they may be; those of points are not told. A file `scratch` comes and
-/// goes. @throws IoError. Cost: O(names), whatever the number of partitions.
+/// the cells together, whose they may be, with narrow ids; those of points are not told. A file
+/// `scratch` comes and goes. @throws IoError. Cost: O(names), whatever the number of partitions.
 VtkhdfPlaces places_of_cells(const std::filesystem::path& scratch, std::int64_t partitions,
                              const VtkhdfCounts& all, const VtkhdfNames& names);
 

@@ -8,7 +8,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::int32_t no_patch = -1;
 /// What is written at once: it stays in the processor's caches until then.
 constexpr std::size_t values_of_block = 65536;
 
@@ -70,37 +69,14 @@ class Row {
   std::vector<T> values_;
 };
 
-constexpr auto vtk_code(ElementType type) {
-  return static_cast<std::uint8_t>(code_of(ElementCodes::vtk, type));
-}
-
-FileRange write_offsets(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
-  Row<std::int64_t> offsets(file, place);
-  std::int64_t offset = 0;
-  offsets.add(offset);
-  const auto add = [&](ElementType type, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      offsets.add(offset += static_cast<std::int64_t>(nodes_of(type)));
-    }
-  };
-  add(ElementType::tet, part.tets.size());
-  for (const ElementType type : cell_block_types) add(type, part.blocks[type].size());
-  add(ElementType::triangle, part.faces.size());
-  for (const ElementType type : face_block_types) add(type, part.blocks[type].size());
-  return offsets.finish();
-}
-
-FileRange write_regions(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
-  Row<std::int32_t> regions(file, place);
-  const auto add = [&](const std::vector<std::int32_t>& of_each, std::size_t count) {
-    if (of_each.empty()) regions.add(count, part.region);
-    for (const std::int32_t region : of_each) regions.add(region);
-  };
-  add(part.region_of_tet, part.tets.size());
-  for (const ElementType type : cell_block_types) add(part.blocks[type].regions, 0);
-  add(part.region_of_face, part.faces.size());
-  for (const ElementType type : face_block_types) add(part.blocks[type].regions, 0);
-  return regions.finish();
+template <class Id>
+FileRange write_ids(const VtkhdfPlace& place, const NumberedPart& part, OutputFile* file) {
+  Row<Id> ids(file, place);
+  ids.add_nodes(part.tets);
+  for (const ElementType type : cell_block_types) ids.add_nodes(type, part.blocks[type]);
+  ids.add_nodes(part.faces);
+  for (const ElementType type : face_block_types) ids.add_nodes(type, part.blocks[type]);
+  return ids.finish();
 }
 
 FileRange write_mark(const VtkhdfPlace& place, CellMark mark, const NumberedPart& part,
@@ -130,38 +106,10 @@ void write_feet(const VtkhdfFeetPlaces& places, const VtkhdfBefore& before,
 
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                                           const NumberedPart& part, OutputFile* file) {
-  const VtkhdfCellPlaces here = cell_places(places, part.number, before, vtkhdf_counts(part));
-  const auto cells = static_cast<std::size_t>(cells_of(part));
-  const auto faces = static_cast<std::size_t>(boundary_faces_of(part));
-  Row<std::int64_t> ids(file, here.connectivity);
-  ids.add_nodes(part.tets);
-  for (const ElementType type : cell_block_types) ids.add_nodes(type, part.blocks[type]);
-  ids.add_nodes(part.faces);
-  for (const ElementType type : face_block_types) ids.add_nodes(type, part.blocks[type]);
-  std::vector<FileRange> written = {ids.finish()};
-  written.push_back(write_offsets(here.offsets, part, file));
-  Row<std::uint8_t> types(file, here.types);
-  types.add(part.tets.size(), vtk_code(ElementType::tet));
-  for (const ElementType type : cell_block_types) {
-    types.add(part.blocks[type].size(), vtk_code(type));
-  }
-  types.add(part.faces.size(), vtk_code(ElementType::triangle));
-  for (const ElementType type : face_block_types) {
-    types.add(part.blocks[type].size(), vtk_code(type));
-  }
-  written.push_back(types.finish());
-  Row<std::int32_t> subdomains(file, here.subdomains);
-  subdomains.add(cells + faces, part.number);
-  written.push_back(subdomains.finish());
-  written.push_back(write_regions(here.regions, part, file));
-  TF_CHECK(part.patch_of_face.size() == part.faces.size());
-  Row<std::int32_t> patches(file, here.patches);
-  patches.add(cells, no_patch);
-  for (const std::int32_t patch : part.patch_of_face) patches.add(patch);
-  for (const ElementType type : face_block_types) {
-    for (const std::int32_t patch : part.blocks[type].patches) patches.add(patch);
-  }
-  written.push_back(patches.finish());
+  const VtkhdfCellPlaces here = cell_places(places, before, vtkhdf_counts(part));
+  std::vector<FileRange> written = {places.id_size == sizeof(std::int32_t)
+                                        ? write_ids<std::int32_t>(here.connectivity, part, file)
+                                        : write_ids<std::int64_t>(here.connectivity, part, file)};
   for (std::size_t i = 0; i < places.marks.size(); ++i) {
     written.push_back(write_mark(here.marks[i], places.marks[i].first, part, file));
   }

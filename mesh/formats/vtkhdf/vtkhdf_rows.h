@@ -1,4 +1,4 @@
-/// Writes what a partition has of the arrays of a VTKHDF file to its places there.
+/// Writes what a partition has of the arrays in one piece of a VTKHDF file to its places there.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace tetfarm {
 
-/// The arrays of cells. Returns what was written, in the order of the file; without a file, what
-/// would be. @throws IoError. Cost: O(n), 53 bytes a cell and 4 for each mark; constant memory.
+/// The nodes and the marks of cells. Returns what was written, in the order of the file; without a
+/// file, what would be. @throws IoError. Cost: O(n), 16 bytes a tet and 4 for each mark; constant
+/// memory.
 std::vector<FileRange> write_vtkhdf_cells(const VtkhdfPlaces& places, const VtkhdfBefore& before,
                                           const NumberedPart& part, OutputFile* file);
 

@@ -1,9 +1,6 @@
 #include "mesh/formats/vtkhdf/write_vtkhdf.h"
 
-#include <string_view>
-
 #include "base/error.h"
-#include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/vtkhdf/vtkhdf_rows.h"
 
 namespace tetfarm {
@@ -15,11 +12,8 @@ class VtkhdfWriter : public GlobalMeshWriter {
                const VtkhdfNames& names)
       : parts_(parts.begin(), parts.end()),
         before_(before_each(parts)),
-        places_(write_vtkhdf_frame(path, parts, names)),
-        file_(path, OutputFile::Start::as_it_is) {
-    // HDF5 knows its files by their first eight bytes: until the last is written it is none.
-    file_.write(0, std::string(hdf5_signature.size(), '\0'));
-  }
+        frame_(path.string() + ".frame", parts, names),
+        file_(path, OutputFile::Start::empty) {}
 
   void add(const NumberedPart& part) override {
     const auto number = static_cast<std::size_t>(part.number);
@@ -27,19 +21,20 @@ class VtkhdfWriter : public GlobalMeshWriter {
     if (vtkhdf_counts(part) != counts) {
       throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
     }
-    write_vtkhdf_cells(places_, before_[number], part, &file_);
-    write_vtkhdf_points(places_, before_[number], part, file_);
+    frame_.add(part);
+    write_vtkhdf_cells(frame_.places(), before_[number], part, &file_);
+    write_vtkhdf_points(frame_.places(), before_[number], part, file_);
   }
 
   void finish() override {
-    file_.write(0, hdf5_signature);
+    frame_.finish(file_);
     file_.finish();
   }
 
  private:
   std::vector<VtkhdfCounts> parts_;
   std::vector<VtkhdfBefore> before_;
-  VtkhdfPlaces places_;
+  VtkhdfFrame frame_;
   OutputFile file_;
 };
 

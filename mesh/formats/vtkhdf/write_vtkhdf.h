@@ -14,8 +14,8 @@
 
 namespace tetfarm {
 
-/// Truncates `path`. The parts may come in any order: `add` goes by their numbers. Without names
-/// there is one region, "domain". 61 bytes a tet or triangle, 32 a node.
+/// Truncates `path`; a file beside it comes and goes. The parts must come in the order of their
+/// numbers. Without names there is one region, "domain". 16 bytes a tet, 12 a triangle, 32 a node.
 /// @throws IoError, also later from the writer; Error when a part has other counts.
 std::unique_ptr<GlobalMeshWriter> write_vtkhdf(const std::filesystem::path& path,
                                                std::span<const VtkhdfCounts> parts,

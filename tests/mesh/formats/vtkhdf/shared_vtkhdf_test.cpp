@@ -148,7 +148,7 @@ TEST_F(SharedVtkhdfFile, a_task_that_goes_on_after_the_file_is_finished_does_no_
 
 TEST_F(SharedVtkhdfFile, other_places_are_not_believed) {
   auto first = place(0);
-  first[1].offset += 8;
+  first.front().offset += 8;
   EXPECT_EQ(finish({{0, first}}), 0);
   EXPECT_EQ(result(), alone());
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/base/temp_folder.h"
 
 namespace tetfarm {
@@ -16,15 +18,12 @@ class PlacesOfCells : public testing::Test {
       all.tets += part.tets;
       all.faces += part.faces;
     }
-    const VtkhdfPlaces frame = write_vtkhdf_frame(folder_.path() / "frame", parts, names);
+    const VtkhdfFrame frame(folder_.path() / "frame", parts, names);
     const VtkhdfPlaces alone =
         places_of_cells(folder_.path() / "scratch", std::ssize(parts), all, names);
-    EXPECT_EQ(alone.connectivity, frame.connectivity) << parts.size();
-    EXPECT_EQ(alone.offsets, frame.offsets) << parts.size();
-    EXPECT_EQ(alone.types, frame.types) << parts.size();
-    EXPECT_EQ(alone.subdomains, frame.subdomains) << parts.size();
-    EXPECT_EQ(alone.regions, frame.regions) << parts.size();
-    EXPECT_EQ(alone.patches, frame.patches) << parts.size();
+    EXPECT_EQ(alone.id_size, frame.places().id_size) << parts.size();
+    EXPECT_EQ(alone.connectivity, frame.places().connectivity) << parts.size();
+    EXPECT_EQ(alone.marks, frame.places().marks) << parts.size();
   }
 
   TempFolder folder_;
@@ -53,12 +52,28 @@ TEST_F(PlacesOfCells, are_those_of_the_frame_whatever_the_names) {
   for (int i = 0; i < 40; ++i) {
     patches.push_back(std::string(static_cast<std::size_t>(3 * i), 'p') + std::to_string(i));
     expect_those_of_the_frame(some_parts(37, 5), {patches, {"steel", "air"}});
+    expect_those_of_the_frame(some_parts(37, 5), {patches, {}, {CellMark::layer}, true});
   }
 }
 
 TEST_F(PlacesOfCells, leave_no_file) {
   expect_those_of_the_frame(some_parts(3, 10), {{"wall"}, {}});
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "scratch"));
+}
+
+TEST(VtkhdfFrame, has_wide_ids_once_those_of_a_part_do_not_fit_32_bits) {
+  const TempFolder folder;
+  constexpr std::int64_t most = (std::int64_t{1} << 31U) - 1;
+  const VtkhdfCounts fits = {10, most / 4, 1};
+  const VtkhdfCounts is_too_large = {10, most / 4, 2};
+  ASSERT_EQ(ids_of(fits), most);
+  EXPECT_TRUE(has_narrow_ids(fits));
+  EXPECT_FALSE(has_narrow_ids(is_too_large));
+  const std::vector<VtkhdfCounts> narrow = {fits, fits, fits};
+  const std::vector<VtkhdfCounts> wide = {fits, is_too_large};
+  EXPECT_EQ(VtkhdfFrame(folder.path() / "a", narrow, {}).places().id_size, 4);
+  EXPECT_EQ(VtkhdfFrame(folder.path() / "b", wide, {}).places().id_size, 8);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "a frame that is not finished stays";
 }
 
 }  // namespace
