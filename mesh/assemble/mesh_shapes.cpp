@@ -4,6 +4,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/assemble/congruent_tets.h"
 #include "mesh/core/tet_layers.h"
 
 namespace tetfarm {
@@ -30,9 +31,10 @@ void add_shapes(std::span<const Vec3> nodes, std::span<const Tet> tets, std::int
   shapes.regions.resize(std::max(shapes.regions.size(), at(region)));
   RegionShapes& here = shapes.regions[at(region - 1)];
   double volume = 0;
+  CongruentTets congruent;
   for (std::size_t t = 0; t < tets.size(); ++t) {
     const auto node = [&](std::size_t i) -> const Vec3& { return nodes[at(tets[t][i])]; };
-    const TetShape shape = tet_shape(node(0), node(1), node(2), node(3));
+    const TetShape shape = congruent.shape(node(0), node(1), node(2), node(3));
     volume += tet_volume(node(0), node(1), node(2), node(3));
     shapes.all.add(shape);
     here.shapes.add(shape);

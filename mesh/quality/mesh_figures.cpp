@@ -8,6 +8,7 @@
 
 #include "base/array_index.h"
 #include "base/check.h"
+#include "mesh/assemble/congruent_tets.h"
 #include "mesh/assemble/part_edges.h"
 #include "mesh/core/element_block.h"
 #include "mesh/quality/cut_nodes.h"
@@ -69,7 +70,7 @@ class Figures {
     TF_CHECK(is_near.size() == tets.size());
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const auto node = [&](std::size_t i) -> const Vec3& { return part.nodes[at(tets[t][i])]; };
-      const TetShape shape = tet_shape(node(0), node(1), node(2), node(3));
+      const TetShape shape = congruent_.shape(node(0), node(1), node(2), node(3));
       const double volume = tet_volume(node(0), node(1), node(2), node(3));
       here.volume += volume;
       region.volume += volume;
@@ -141,6 +142,7 @@ class Figures {
   const CutNodes cut_nodes_;
   std::vector<bool> is_counted_;  ///< of each node whether a part before has it
   MeshFigures figures_;
+  CongruentTets congruent_;
 };
 
 }  // namespace
