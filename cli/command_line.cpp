@@ -349,11 +349,11 @@ class Parser {
                        "Put a box round the surface, so far from its bounding box: patch \"outer\"")
             ->check(positive_number())
             ->option_text("MARGIN");
-    CLI::Option* box_size = sub.add_option("--box-size", convert_.box_size,
-                                           "Edge length on the box")
-                                ->check(positive_number())
-                                ->needs(box)
-                                ->option_text("H");
+    CLI::Option* box_size =
+        sub.add_option("--box-size", convert_.box_size, "Edge length on the box")
+            ->check(positive_number())
+            ->needs(box)
+            ->option_text("H");
     box->needs(box_size);
     add_json(sub, convert_.json);
   }

@@ -10,11 +10,11 @@ namespace tetfarm {
 namespace {
 
 constexpr double straight = 1;
-constexpr double quarter_turn = 0x1.921fb54442d18p+0;  // of a bend of radius 1
+constexpr double quarter_arc = 0x1.921fb54442d18p+0;  // of a bend of radius 1
 
 std::vector<DuctStation> stations_of(double spacing) {
   const int along = parts_of_length(straight, spacing * equilateral_height, 2);
-  const int bend = parts_of_length(quarter_turn, spacing * equilateral_height, 3);
+  const int bend = parts_of_length(quarter_arc, spacing * equilateral_height, 3);
   std::vector<DuctStation> stations;
   for (int i = 0; i < along; ++i) stations.push_back({{straight * i / along, 0, 0}, {0, 1, 0}});
   for (int i = 0; i <= bend; ++i) {

@@ -40,7 +40,8 @@ SurfaceMesh boxed_body(const SurfaceMesh& body, const FittingBox& box) {
   }
   const SurfaceMesh boundary = box_surface(outer, parts);
 
-  SurfaceMesh result{body.vertices, body.triangles, body.patch_of_triangle, body.patch_names, {}, {}};
+  SurfaceMesh result{
+      body.vertices, body.triangles, body.patch_of_triangle, body.patch_names, {}, {}};
   for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
   if (result.patch_of_triangle.empty()) {
     result.patch_of_triangle.assign(result.triangles.size(), 0);

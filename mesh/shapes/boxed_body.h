@@ -1,5 +1,5 @@
-/// A body in a box that fits it, for waves that need only a few of their lengths of room round it: the
-/// cube of mesh/inspect/outer_boundary.h would have many times the volume of a flat body.
+/// A body in a box that fits it, for waves that need only a few of their lengths of room round it:
+/// the cube of mesh/inspect/outer_boundary.h would have many times the volume of a flat body.
 ///
 /// Source: thesis 5.2.2, fig. 120: the box round the Dassault Falcon.
 #pragma once

@@ -12,7 +12,7 @@ namespace tetfarm {
 
 std::vector<std::string> shape_names() {
   return {"sphere-in-sphere", "sphere-in-box", "corner-reflector", "duct", "s-duct",
-          "trihedral", "wing"};
+          "trihedral",        "wing"};
 }
 
 SurfaceMesh make_shape(std::string_view name, const ShapeOptions& options) {

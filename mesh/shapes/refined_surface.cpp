@@ -117,8 +117,8 @@ double least_pieces(const SurfaceMesh& surface, double longest_edge) {
     const double longest =
         std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
     const double area = 0.5 * norm(cross(p[1] - p[0], p[2] - p[0]));
-    pieces += std::max({1.0, longest / longest_edge,
-                        area / longest_edge / longest_edge / equilateral_area});
+    pieces += std::max(
+        {1.0, longest / longest_edge, area / longest_edge / longest_edge / equilateral_area});
   }
   return pieces;
 }

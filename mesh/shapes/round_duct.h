@@ -1,5 +1,5 @@
-/// A round tube along any centre line with flat ends, in triangles that are nearly equilateral: what
-/// the ducts are made of.
+/// A round tube along any centre line with flat ends, in triangles that are nearly equilateral:
+/// what the ducts are made of.
 #pragma once
 
 #include <vector>

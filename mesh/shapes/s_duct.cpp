@@ -25,8 +25,7 @@ std::vector<DuctStation> first_half(double spacing) {
   for (int i = 0; i < along; ++i) stations.push_back({{straight_end * i / along, 0, 0}, {0, 1, 0}});
   for (int i = 0; i <= bend; ++i) {
     const auto [c, s] = circle_point(i, arcs_of_circle * bend);
-    stations.push_back(
-        {{straight_end + bend_radius * s, bend_radius * (1 - c), 0}, {0 - s, c, 0}});
+    stations.push_back({{straight_end + bend_radius * s, bend_radius * (1 - c), 0}, {0 - s, c, 0}});
   }
   return stations;
 }

@@ -10,8 +10,8 @@
 
 namespace tetfarm {
 
-/// The cavity's faces are right-angled triangles with legs of 0.36 from the origin along x, y and z;
-/// its plates are 0.03 thick and end at the plane of its mouth, x + y + z = 0.36. The box is
+/// The cavity's faces are right-angled triangles with legs of 0.36 from the origin along x, y and
+/// z; its plates are 0.03 thick and end at the plane of its mouth, x + y + z = 0.36. The box is
 /// [-0.15, 0.54]^3. Patches: "outer"; "cavity", its three faces; "body", the rest of the plates.
 /// @throws UsageError when the spacing is not positive or far too small. Cost: O(n log n).
 SurfaceMesh trihedral_cavity(double spacing);

@@ -24,8 +24,8 @@ class Giants : public ::testing::Test {
                      const std::vector<std::string>& more) {
     std::filesystem::copy_file(examples / "giants" / job, folder_.path() / job,
                                std::filesystem::copy_options::overwrite_existing);
-    std::vector<std::string> words = {"run", job,      "-o",         output, "-j",
-                                      std::to_string(workers), "--json", "--progress", "none"};
+    std::vector<std::string> words = {
+        "run", job, "-o", output, "-j", std::to_string(workers), "--json", "--progress", "none"};
     words.insert(words.end(), more.begin(), more.end());
     const Ended ended = run_program(words, folder_.path(), 600);
     EXPECT_EQ(ended.code, 0) << ended.err;
@@ -35,8 +35,7 @@ class Giants : public ::testing::Test {
   /// What three workers made, once it is known to be sound, and to be what one makes.
   nlohmann::json meshed_twice(const std::string& job, const std::vector<std::string>& more) {
     nlohmann::json result = run(job, "three", 3, more);
-    const Ended checked =
-        run_program({"quality", "three", "--json"}, folder_.path(), 300);
+    const Ended checked = run_program({"quality", "three", "--json"}, folder_.path(), 300);
     EXPECT_EQ(checked.code, 0) << checked.err;
     const nlohmann::json quality = test::result_of(checked);
     EXPECT_EQ(quality["valid"], true);
@@ -65,6 +64,19 @@ TEST_F(Giants, the_trihedral_cavity_is_meshed_in_63_subdomains_and_its_absorbing
   EXPECT_NEAR(elements, 980e3, 150e3);
   EXPECT_NEAR(result["pml"]["cells"].get<double>() / elements, 100.0 / 980, 0.03);
   EXPECT_GT(result["min_dihedral_deg"], 10);
+}
+
+TEST_F(Giants, the_aircraft_is_meshed_in_128_subdomains_and_its_absorbing_layers) {
+  make_surface({"convert", examples / "d150_aircraft/d150_aircraft.msh.gz", "falcon.stl", "--scale",
+                "0.5295", "--max-edge", "0.5", "--box", "0.3", "--box-size", "0.355"});
+  const nlohmann::json result =
+      meshed_twice("falcon.toml", {"--size", "0.355", "--pml", "outer:layers=1"});
+  EXPECT_GE(result["subdomains"], 128 + 1) << "with the chunks of the layers";
+  EXPECT_EQ(result["pml"]["layers"], 1);
+  EXPECT_EQ(result["pml"]["tets"], 3 * result["pml"]["outer_triangles"].get<std::int64_t>());
+  // The aircraft's own triangles, which are finer than a thousandth asks for, have most of them.
+  EXPECT_GT(result["elements"], 500'000);
+  EXPECT_GT(result["unforced"]["min_dihedral_deg"], 5);
 }
 
 }  // namespace

@@ -73,8 +73,9 @@ TEST(RefinedSurface, keeps_vertices_patches_and_what_is_fine_enough) {
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
       const auto& [a, b, c] = mesh->triangles[t];
       area[mesh->patch_of_triangle[t]] +=
-          sign * 0.5 * norm(cross(mesh->vertices[at(b)] - mesh->vertices[at(a)],
-                                  mesh->vertices[at(c)] - mesh->vertices[at(a)]));
+          sign * 0.5 *
+          norm(cross(mesh->vertices[at(b)] - mesh->vertices[at(a)],
+                     mesh->vertices[at(c)] - mesh->vertices[at(a)]));
     }
   }
   ASSERT_EQ(area.size(), 3U);
@@ -92,8 +93,7 @@ TEST(RefinedSurface, halves_an_edge_alike_on_all_its_triangles_and_keeps_their_s
   const SurfaceMesh fine = refined_surface(three, 0.9);
   EXPECT_EQ(fine.vertices.size(), 6U);
   EXPECT_EQ(fine.triangles.size(), 6U);
-  EXPECT_EQ(fine.sides,
-            (std::vector<Sides>{{1, 2}, {1, 2}, {2, 3}, {2, 3}, {3, 1}, {3, 1}}));
+  EXPECT_EQ(fine.sides, (std::vector<Sides>{{1, 2}, {1, 2}, {2, 3}, {2, 3}, {3, 1}, {3, 1}}));
   EXPECT_THAT(fine.patch_of_triangle, IsEmpty());
 }
 
