@@ -328,12 +328,34 @@ class Parser {
     add_place_of_jobs(mesh, export_.source);
     add_json(mesh, export_.json);
 
-    CLI::App& surface = add("convert", "Write a surface in another format",
-                            "tetfarm convert wing.msh wing.stl", convert_);
-    surface.add_option("IN", convert_.input, "The surface")->required();
-    surface.add_option("OUT", convert_.output, "The output file: " + writable_surfaces())
-        ->required();
-    add_json(surface, convert_.json);
+    add_convert();
+  }
+
+  void add_convert() {
+    CLI::App& sub =
+        add("convert", "Write a surface in another format, in finer triangles, or with a box",
+            "tetfarm convert wing.msh wing.stl --scale 0.001 --max-edge 0.02", convert_);
+    sub.add_option("IN", convert_.input, "The surface")->required();
+    sub.add_option("OUT", convert_.output, "The output file: " + writable_surfaces())->required();
+    sub.add_option("--scale", convert_.scale, "Multiply all coordinates (default 1)")
+        ->check(positive_number())
+        ->option_text("F");
+    sub.add_option("--max-edge", convert_.max_edge,
+                   "Halve edges, of the scaled surface, until none is longer")
+        ->check(positive_number())
+        ->option_text("H");
+    CLI::Option* box =
+        sub.add_option("--box", convert_.box,
+                       "Put a box round the surface, so far from its bounding box: patch \"outer\"")
+            ->check(positive_number())
+            ->option_text("MARGIN");
+    CLI::Option* box_size =
+        sub.add_option("--box-size", convert_.box_size, "Edge length on the box")
+            ->check(positive_number())
+            ->needs(box)
+            ->option_text("H");
+    box->needs(box_size);
+    add_json(sub, convert_.json);
   }
 
   void add_shape() {

@@ -102,6 +102,10 @@ struct ExportCommand {
 struct ConvertCommand {
   std::string input;
   std::string output;
+  double scale = 1;
+  double max_edge = 0;  ///< 0: edges stay
+  double box = 0;       ///< its distance from the surface; 0: no box
+  double box_size = 0;
   bool json = false;
 };
 

@@ -15,8 +15,6 @@
 #include "mesh/formats/list/format.h"
 #include "mesh/formats/registry/export_mesh.h"
 #include "mesh/formats/registry/open_mesh.h"
-#include "mesh/formats/surfaces/read_surface.h"
-#include "mesh/formats/surfaces/write_surface.h"
 #include "mesh/partition/partitioned_mesh.h"
 #include "mesh/partition/renumbered_mesh.h"
 
@@ -149,24 +147,6 @@ ExitCode export_command(const ExportCommand& command) {
         "%.0f, %lld)\n",
         numbering->after.mean(), static_cast<long long>(numbering->after.bandwidth),
         numbering->before.mean(), static_cast<long long>(numbering->before.bandwidth));
-  }
-  return ExitCode::ok;
-}
-
-ExitCode convert_command(const ConvertCommand& command) {
-  const SurfaceMesh surface = read_surface(command.input);
-  write_surface(surface, command.output);
-  if (command.json) {
-    std::printf("%s\n", json_line({{"type", "convert"},
-                                   {"file", command.output},
-                                   {"vertices", surface.vertices.size()},
-                                   {"triangles", surface.triangles.size()},
-                                   {"patches", surface.patch_names}})
-                            .c_str());
-  } else {
-    std::printf("%s: %zu triangles, %zu vertices, %s\n", command.output.c_str(),
-                surface.triangles.size(), surface.vertices.size(),
-                counted(surface.patch_names.size(), "patch", "patches").c_str());
   }
   return ExitCode::ok;
 }

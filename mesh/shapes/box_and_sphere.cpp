@@ -18,7 +18,7 @@ using LatticePoint = std::array<int, 3>;
 /// Corners and steps of a box, each lattice point numbered when first asked for.
 class BoxLattice {
  public:
-  BoxLattice(const Box3& box, int n) : box_(box), n_(n) {}
+  BoxLattice(const Box3& box, const LatticePoint& n) : box_(box), n_(n) {}
 
   std::int32_t node(const LatticePoint& p) {
     const auto [it, is_new] =
@@ -33,18 +33,20 @@ class BoxLattice {
 
  private:
   double at(int axis, int i) const {
-    if (i == n_) return box_.high[axis];
-    return box_.low[axis] + (box_.high[axis] - box_.low[axis]) * i / n_;
+    const int n = n_[static_cast<std::size_t>(axis)];
+    if (i == n) return box_.high[axis];
+    return box_.low[axis] + (box_.high[axis] - box_.low[axis]) * i / n;
   }
 
   Box3 box_;
-  int n_;
+  LatticePoint n_;
   std::map<LatticePoint, std::int32_t> number_;
 };
 
 /// One square of a face, anticlockwise seen along the positive axis when `u` and `v` are the next
 /// two axes.
-void add_square(BoxLattice& lattice, std::size_t axis, int level, int i, int j, int n) {
+void add_square(BoxLattice& lattice, std::size_t axis, int level, int i, int j,
+                const LatticePoint& n) {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
   std::array<std::int32_t, 4> q{};
@@ -56,7 +58,7 @@ void add_square(BoxLattice& lattice, std::size_t axis, int level, int i, int j, 
     p[v] = j + corners[k][1];
     q[k] = lattice.node(p);
   }
-  const bool rising = (2 * i < n) == (2 * j < n);
+  const bool rising = (2 * i < n[u]) == (2 * j < n[v]);
   std::array<Triangle, 2> pair =
       rising ? std::array<Triangle, 2>{{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}}
              : std::array<Triangle, 2>{{{q[0], q[1], q[3]}, {q[1], q[2], q[3]}}};
@@ -128,13 +130,15 @@ class SphereLattice {
 
 }  // namespace
 
-SurfaceMesh box_surface(const Box3& box, int n) {
-  TF_CHECK(n > 0);
+SurfaceMesh box_surface(const Box3& box, int n) { return box_surface(box, {n, n, n}); }
+
+SurfaceMesh box_surface(const Box3& box, const std::array<int, 3>& n) {
+  TF_CHECK(*std::ranges::min_element(n) > 0);
   BoxLattice lattice(box, n);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int level : {0, n}) {
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) add_square(lattice, axis, level, i, j, n);
+    for (const int level : {0, n[axis]}) {
+      for (int i = 0; i < n[(axis + 1) % 3]; ++i) {
+        for (int j = 0; j < n[(axis + 2) % 3]; ++j) add_square(lattice, axis, level, i, j, n);
       }
     }
   }

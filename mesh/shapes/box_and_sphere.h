@@ -3,6 +3,8 @@
 /// Only + − × ÷ and sqrt make the coordinates: the same bits on every machine. Without patches.
 #pragma once
 
+#include <array>
+
 #include "mesh/core/surface_mesh.h"
 
 namespace tetfarm {
@@ -11,6 +13,8 @@ namespace tetfarm {
 /// towards its middle, so that no tetrahedron is forced into a corner of the box: 12 n² triangles.
 /// The corners are exactly those of the box. @pre n > 0.
 SurfaceMesh box_surface(const Box3& box, int n);
+/// The same with so many squares along each axis.
+SurfaceMesh box_surface(const Box3& box, const std::array<int, 3>& n);
 
 /// An icosahedron with each edge in n parts, blown up to the sphere: 20 n² triangles. @pre n > 0.
 SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n);

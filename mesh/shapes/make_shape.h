@@ -12,7 +12,7 @@
 
 namespace tetfarm {
 
-/// "sphere-in-sphere", "sphere-in-box", "corner-reflector", "duct", "wing".
+/// "sphere-in-sphere", "sphere-in-box", "corner-reflector", "duct", "s-duct", "trihedral", "wing".
 std::vector<std::string> shape_names();
 
 struct ShapeOptions {

@@ -62,14 +62,14 @@ void PatchedSurface::zip_rings(VertexRow left, VertexRow right) {
   zip(left, right);
 }
 
-int parts_of_length(double length, double spacing, int least) {
+int parts_of_length(double length, double spacing, int least, const std::string& option) {
   TF_CHECK(least > 0);
   constexpr double most = 20'000;
   const double parts = std::floor(length / spacing + 0.5);
   if (!(spacing > 0) || !(parts <= most)) {
     throw UsageError(
         "the spacing " + text_of(spacing) + " is too small for a length of " + text_of(length),
-        "--spacing");
+        option);
   }
   return std::max(least, static_cast<int>(parts));
 }

@@ -39,7 +39,9 @@ class PatchedSurface {
 };
 
 /// How many parts of about `spacing` a length has; at least `least`.
+/// @param option what the spacing was typed as.
 /// @throws UsageError when they would be more than 20 000.
-int parts_of_length(double length, double spacing, int least);
+int parts_of_length(double length, double spacing, int least,
+                    const std::string& option = "--spacing");
 
 }  // namespace tetfarm

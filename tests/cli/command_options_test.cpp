@@ -192,6 +192,15 @@ TEST_F(CommandOptions, of_an_export_and_a_conversion) {
   EXPECT_EQ(convert.input, "a.msh");
   EXPECT_EQ(convert.output, "b.stl");
   EXPECT_TRUE(convert.json);
+  EXPECT_EQ(convert.scale, 1);
+  EXPECT_EQ(convert.max_edge + convert.box + convert.box_size, 0);
+  const auto boxed =
+      parsed_as<ConvertCommand>({"convert", "a.msh", "b.stl", "--scale", "0.5", "--max-edge",
+                                 "0.25", "--box", "3", "--box-size", "0.125"});
+  EXPECT_EQ(boxed.scale, 0.5);
+  EXPECT_EQ(boxed.max_edge, 0.25);
+  EXPECT_EQ(boxed.box, 3);
+  EXPECT_EQ(boxed.box_size, 0.125);
 }
 
 TEST_F(CommandOptions, of_a_picture) {
@@ -455,6 +464,10 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
        "--levels: must be a whole number from 1 to 1000, not 0"},
       {{"render", "m", "-o", "p", "--field", "u", "--field-number", "0"},
        "--field-number: must be a whole number above 0, not 0"},
+      {{"convert", "a", "b", "--scale", "0"}, "--scale" + positive + "0"},
+      {{"convert", "a", "b", "--max-edge", "-1"}, "--max-edge" + positive + "-1"},
+      {{"convert", "a", "b", "--box", "1"}, "--box requires --box-size"},
+      {{"convert", "a", "b", "--box-size", "1"}, "--box-size requires --box"},
       {{"shape", "wing"}, "--output is required"},
       {{"shape", "wing", "-o", "w", "--spacing", "0"}, "--spacing" + positive + "0"},
       {{"shape", "wing", "-o", "w", "--growth", "0"}, "--growth" + positive + "0"},
@@ -525,6 +538,7 @@ TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
             HasSubstr("bands (default 20)"), HasSubstr("at a node (default 1)")));
   EXPECT_THAT(help_words({"shape"}), AllOf(HasSubstr("on the wing itself (default 0.1)"),
                                            HasSubstr("away from the wing (default 0.2)")));
+  EXPECT_THAT(help_words({"convert"}), HasSubstr("all coordinates (default 1)"));
   EXPECT_THAT(help_words({"spacing"}), HasSubstr("off the wall (default 1)"));
   EXPECT_THAT(help_words({"submit"}), HasSubstr("wait for an answer (default 10)"));
 }

@@ -154,7 +154,9 @@ TEST(ConvertCommand, tells_what_the_surface_is) {
   const std::string in = (folder.path() / "tet.off").string();
   write_file_atomically(
       in, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
-  ConvertCommand command{in, (folder.path() / "tet.stl").string(), false};
+  ConvertCommand command;
+  command.input = in;
+  command.output = (folder.path() / "tet.stl").string();
   EXPECT_EQ(said_by([&] { return convert_command(command); }).out,
             command.output + ": 4 triangles, 4 vertices, 1 patch\n");
   EXPECT_EQ(read_surface(command.output).triangles.size(), 4U);
@@ -165,6 +167,25 @@ TEST(ConvertCommand, tells_what_the_surface_is) {
                         {"vertices", 4},
                         {"triangles", 4},
                         {"patches", read_surface(in).patch_names}}));
+}
+
+TEST(ConvertCommand, scales_then_refines_then_puts_a_box_round) {
+  const TempFolder folder;
+  ConvertCommand command;
+  command.input = (folder.path() / "tet.off").string();
+  command.output = (folder.path() / "tet.stl").string();
+  write_file_atomically(
+      command.input,
+      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  command.scale = 2;
+  command.max_edge = 2.5;  // halves the three edges of 2.83
+  command.box = 1;
+  command.box_size = 2;
+  EXPECT_EQ(said_by([&] { return convert_command(command); }).code, ExitCode::ok);
+  const SurfaceMesh surface = read_surface(command.output);
+  EXPECT_EQ(surface.triangles.size(), 3 * 2 + 4 + 12 * 4U);
+  EXPECT_EQ(surface.patch_names.back(), "outer");
+  EXPECT_EQ(bounding_box(surface.vertices).high, (Vec3{3, 3, 3}));
 }
 
 TEST(ShapeCommand, tells_what_it_wrote) {

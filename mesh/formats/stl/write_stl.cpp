@@ -9,6 +9,9 @@
 namespace tetfarm {
 namespace {
 
+/// Few facets have more: a text that grows by doubling would be in memory twice.
+constexpr std::size_t facet_bytes = 320;
+
 void append_facet(std::string& text, const Vec3& a, const Vec3& b, const Vec3& c) {
   text += "facet normal ";
   append_coordinates(text, normalized(cross(b - a, c - a)));
@@ -28,6 +31,7 @@ std::string write_stl(const SurfaceMesh& surface) {
   const std::size_t patches = has_patches ? surface.patch_names.size() : 1;
   TF_CHECK(!has_patches || surface.patch_of_triangle.size() == surface.triangles.size());
   std::string text;
+  text.reserve(facet_bytes * surface.triangles.size());
   for (std::size_t patch = 0; patch < patches; ++patch) {
     const std::string name = has_patches ? surface.patch_names[patch] : std::string(unnamed_patch);
     text += "solid " + name + "\n";

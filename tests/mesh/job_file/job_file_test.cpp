@@ -340,7 +340,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
   EXPECT_EQ(blocks, 8);
 }
 
-TEST(Examples, are_jobs_whose_surfaces_exist) {
+TEST(Examples, are_jobs_whose_surfaces_exist_or_can_be_made) {
   int jobs = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project / "examples")) {
     if (entry.path().extension() != ".toml") continue;
@@ -357,9 +357,13 @@ TEST(Examples, are_jobs_whose_surfaces_exist) {
       continue;
     }
     const JobFile job = parse_job_file(text, entry.path());
-    EXPECT_TRUE(fs::exists(job.surface)) << job.surface;
+    // Those that are too large to lie here say which command makes them.
+    const std::string surface = fs::path(job.surface).filename();
+    EXPECT_TRUE(fs::exists(job.surface) || text.find(" -o " + surface + "\n") != text.npos ||
+                text.find(".gz " + surface + " --scale") != text.npos)
+        << job.surface;
   }
-  EXPECT_GE(jobs, 2);
+  EXPECT_GE(jobs, 5);
 }
 
 TEST(ParseMemory, knows_decimal_and_binary_units) {

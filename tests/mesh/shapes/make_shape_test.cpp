@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/error.h"
@@ -81,6 +82,9 @@ constexpr double pi = std::numbers::pi;
 const std::vector<std::string> nested = {"outer", "inner"};
 const std::vector<std::string> reflector = {"outer", "reflector", "body"};
 const std::vector<std::string> duct = {"inlet", "wall", "outlet"};
+const double s_duct_volume = 6.2 * pi * 0.225 * 0.225;  // of Pappus
+const std::vector<std::string> trihedral = {"outer", "cavity", "body"};
+const double trihedral_volume = std::pow(0.69, 3) - (std::pow(0.45, 3) - std::pow(0.36, 3)) / 6;
 const std::vector<std::string> wing = {"symmetry", "wing", "far field"};
 
 INSTANTIATE_TEST_SUITE_P(
@@ -92,6 +96,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Made{"corner-reflector", 0.3, "", reflector, 216 - 7, 1e-12, 40},
                     Made{"duct", 0.2, "", duct, (2 + pi / 2) * pi / 4, 0.05, 20},
                     Made{"duct", 0.06, "", duct, (2 + pi / 2) * pi / 4, 0.01, 20},
+                    Made{"s-duct", 0.1, "", duct, s_duct_volume, 0.1, 20},
+                    Made{"s-duct", 0.03, "", duct, s_duct_volume, 0.01, 25},
+                    Made{"trihedral", 0.1, "", trihedral, trihedral_volume, 1e-12, 15},
+                    Made{"trihedral", 0.03, "", trihedral, trihedral_volume, 1e-12, 29.9},
+                    Made{"trihedral", 0.015, "", trihedral, trihedral_volume, 1e-12, 29.9},
                     Made{"wing", 0.1, "wing", wing, 2000 * pi / 3, 0.05, 3},
                     Made{"wing", 0.033, "wing", wing, 2000 * pi / 3, 0.05, 3}),
     [](const auto& test) {

@@ -82,7 +82,7 @@ TEST(MakeShapes, say_what_is_wrong_with_a_name_or_a_number) {
   EXPECT_EQ(refusal("corner-reflector", {.spacing = -1}),
             "--spacing: the spacing -1 is too small for a length of 1");
   EXPECT_EQ(refusal("duct", {.spacing = 0}),
-            "--spacing: the spacing 0 is too small for a length of 0.51");
+            "--spacing: the spacing 0 is too small for a length of 1");
   EXPECT_EQ(refusal("wing", {.spacing = 0.21}),
             "--spacing: the spacing must be positive and at most 0.2, or the wing has no shape; it "
             "is 0.21");
