@@ -21,19 +21,22 @@ CongruentTets::CongruentTets() : known_(places) {
 }
 
 /// By the three edges from the first node. Products are added, not multiplied on: they do not wait
-/// for each other.
+/// for each other. Signs and exponents are turned to the low end first: a product takes bits to
+/// higher places only.
 std::size_t CongruentTets::place_of(const Edges& edges) {
   constexpr std::array<std::uint64_t, 9> factors = {
       0x9e3779b97f4a7c15, 0xc2b2ae3d27d4eb4f, 0x165667b19e3779f9,
       0xd6e8feb86659fd93, 0xa0761d6478bd642f, 0xe7037ed1a0b428db,
       0x8ebc6af09c88c6e3, 0x589965cc75374cc3, 0x1d8e4e27c47d124f};
+  constexpr int bits_of_sign_and_exponent = 12;
   std::uint64_t sum = 0;
+  std::size_t next = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    sum += std::bit_cast<std::uint64_t>(edges[i].x) * factors[3 * i] +
-           std::bit_cast<std::uint64_t>(edges[i].y) * factors[3 * i + 1] +
-           std::bit_cast<std::uint64_t>(edges[i].z) * factors[3 * i + 2];
+    for (const double number : {edges[i].x, edges[i].y, edges[i].z}) {
+      sum += std::rotl(std::bit_cast<std::uint64_t>(number), bits_of_sign_and_exponent) *
+             factors[next++];
+    }
   }
-  // Bits of round numbers end in zeros, which their products do too: only high bits are mixed.
   sum = (sum ^ (sum >> 32U)) * factors[0];
   return sum >> (64U - place_bits);
 }
@@ -47,6 +50,7 @@ TetShape CongruentTets::shape(const Vec3& a, const Vec3& b, const Vec3& c, const
     shape.centroid = 0.25 * (a + b + c + d);
     return shape;
   }
+  ++worked_out_;
   const TetShape shape = tet_shape(a, b, c, d);
   if (!known.is_frequent) known = {edges, shape, false};
   known.is_frequent = false;

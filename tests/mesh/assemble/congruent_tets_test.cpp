@@ -20,11 +20,13 @@ void expect_the_same(const TetShape& shape, const TetShape& expected) {
   EXPECT_EQ(shape.centroid, expected.centroid);
 }
 
-void expect_shapes_of(const std::vector<Corners>& tets) {
+/// How many were worked out.
+std::int64_t expect_shapes_of(const std::vector<Corners>& tets) {
   CongruentTets shapes;
   for (const auto& [a, b, c, d] : tets) {
     expect_the_same(shapes.shape(a, b, c, d), tet_shape(a, b, c, d));
   }
+  return shapes.worked_out();
 }
 
 Corners moved(const Corners& tet, const Vec3& by) {
@@ -54,7 +56,34 @@ TEST(CongruentTets, copies_of_few_have_their_shapes_and_places_of_their_own) {
     const Vec3 by = {static_cast<double>(random() % 100), static_cast<double>(random() % 100), 7};
     tets.push_back(moved(few[random() % few.size()], by));
   }
-  expect_shapes_of(tets);
+  EXPECT_LT(expect_shapes_of(tets), 2500) << "copies were not known";
+}
+
+/// The tets of a body-centred lattice: each axis, with each pair of neighbours round it.
+TEST(CongruentTets, of_a_lattice_are_worked_out_once_each) {
+  const double h = 0x1.37a6ep-5;
+  std::vector<Corners> kinds;
+  for (const bool is_turned : {false, true}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 4; ++side) {
+        const auto along = [&](double x, double y, double z) {
+          const std::array<double, 3> p = {x, is_turned ? -y : y, z};
+          const auto of = [&](int i) { return h * p[static_cast<std::size_t>((i + axis) % 3)]; };
+          return Vec3{of(0), of(1), of(2)};
+        };
+        const double y = side % 2 == 0 ? 0.5 : -0.5;
+        const double z = side < 2 ? 0.5 : -0.5;
+        kinds.push_back({along(0, 0, 0), along(1, 0, 0), along(0.5, y, z), along(0.5, -y, z)});
+      }
+    }
+  }
+  std::vector<Corners> tets;
+  for (int i = 0; i < 4000; ++i) {
+    const auto along = [i](int step) { return 0x1.37a6ep-5 * static_cast<double>(i / step % 16); };
+    tets.push_back(
+        moved(kinds[static_cast<std::size_t>(i) % kinds.size()], {along(24), along(5), along(90)}));
+  }
+  EXPECT_LE(expect_shapes_of(tets), 2 * std::ssize(kinds));
 }
 
 TEST(CongruentTets, tets_that_nearly_are_copies_have_shapes_of_their_own) {
