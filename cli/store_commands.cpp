@@ -43,8 +43,9 @@ std::string task_text(const TaskRow& task) {
 
 Json json_of(const StoreReport& report, const DurableState& rows) {
   Json json = {{"type", "store_check"},           {"files", report.files},
-               {"sound", report.damaged.empty()}, {"damaged", Json::array()},
-               {"redo", Json::array()},           {"hopeless", Json::array()}};
+               {"removed", report.gone},          {"sound", report.damaged.empty()},
+               {"damaged", Json::array()},        {"redo", Json::array()},
+               {"hopeless", Json::array()}};
   for (const DamagedFile& file : report.damaged) {
     Json makers = Json::array();
     for (const TaskId maker : file.makers) makers.push_back(maker.value);
@@ -67,7 +68,9 @@ Json json_of(const StoreReport& report, const DurableState& rows) {
 }
 
 void print(const StoreReport& report, const DurableState& rows) {
-  std::printf("files           %zu, %zu damaged\n", report.files, report.damaged.size());
+  std::printf("files           %zu, %zu damaged", report.files, report.damaged.size());
+  if (report.gone > 0) std::printf(", %zu removed as no task needs them any more", report.gone);
+  std::printf("\n");
   for (const DamagedFile& damaged : report.damaged) {
     std::printf("%s  '%s': %s", damaged.file.hash.c_str(), damaged.file.name.c_str(),
                 name_of(damaged.state));

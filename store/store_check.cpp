@@ -31,6 +31,7 @@ class StoreCheck {
       if (is_to_run) need(task.job, task.inputs);
       if (has_results) need(task.job, task.outputs);
     }
+    forget_what_was_removed();
     report_.redone.assign(redone_.begin(), redone_.end());
     report_.hopeless.assign(hopeless_.begin(), hopeless_.end());
     for (auto& [hash, file] : damaged_) report_.damaged.push_back(std::move(file));
@@ -43,7 +44,18 @@ class StoreCheck {
       makers_[{task.job, file.hash}].push_back(task.id);
       if (look_once(file)) damaged_.at(file.hash).makers.push_back(task.id);
     }
-    for (const ArtifactRef& file : task.inputs) look_once(file);
+    for (const ArtifactRef& file : task.inputs) {
+      look_once(file);
+      if (task.state == TaskState::done) was_read_.insert(file.hash);
+    }
+  }
+
+  void forget_what_was_removed() {
+    report_.gone = std::erase_if(damaged_, [this](const auto& entry) {
+      const auto& [hash, file] = entry;
+      return file.state == FileState::missing && !file.is_needed && !file.makers.empty() &&
+             was_read_.contains(hash);
+    });
   }
 
   /// Whether it is damaged.
@@ -74,6 +86,7 @@ class StoreCheck {
   const LookAtFile& look_;
   StoreReport report_;
   std::set<std::string> seen_;
+  std::set<std::string> was_read_;  ///< by a task that is done
   std::map<std::string, DamagedFile> damaged_;
   std::map<FileKey, std::vector<TaskId>> makers_;
   std::set<TaskId> redone_;

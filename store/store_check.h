@@ -21,7 +21,8 @@ struct DamagedFile {
 };
 
 struct StoreReport {
-  std::size_t files = 0;
+  std::size_t files = 0;  ///< that rows name
+  std::size_t gone = 0;   ///< of these: made and not there, and all that read them is done
   std::vector<DamagedFile> damaged;
   std::vector<TaskId> redone;   ///< tasks that would run again, by id
   std::vector<JobId> hopeless;  ///< jobs whose own input is gone: to be submitted again
@@ -35,7 +36,8 @@ LookAtFile look_into(const ArtifactStore& store, bool checksums);
 
 /// Every file of every job is looked at once. A damaged file that is needed is made again by the
 /// task that made it, and so are that task's own inputs where they are damaged. Files of jobs that
-/// were cancelled are not needed.
+/// were cancelled are not needed. A file that is not there and that nobody has to read any more is
+/// not damaged: jobs remove what no task needs (coordinator/decisions/file_needs.h).
 StoreReport check_store(const DurableState& state, const LookAtFile& look);
 
 const char* name_of(FileState state);
