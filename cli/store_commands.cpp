@@ -6,6 +6,7 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/run_folder.h"
+#include "coordinator/kept_files.h"
 #include "coordinator/start_rules.h"
 #include "json/json_line.h"
 #include "store/folder_lock.h"
@@ -42,9 +43,9 @@ std::string task_text(const TaskRow& task) {
 }
 
 Json json_of(const StoreReport& report, const DurableState& rows) {
-  Json json = {{"type", "store_check"},           {"files", report.files},
-               {"removed", report.gone},          {"sound", report.damaged.empty()},
-               {"damaged", Json::array()},        {"redo", Json::array()},
+  Json json = {{"type", "store_check"},    {"files", report.files},
+               {"removed", report.gone},   {"sound", report.damaged.empty()},
+               {"damaged", Json::array()}, {"redo", Json::array()},
                {"hopeless", Json::array()}};
   for (const DamagedFile& file : report.damaged) {
     Json makers = Json::array();
@@ -90,7 +91,8 @@ void print(const StoreReport& report, const DurableState& rows) {
 ExitCode check_store_command(const CheckOptions& options) {
   const ArtifactStore store = ArtifactStore::open_existing(require_store_of(options.store));
   const DurableState rows = database_of(store.folder(), options.database).load();
-  const StoreReport report = check_store(rows, look_into(store, true));
+  const StoreReport report = check_store(rows, look_into(store, true),
+                                         [](const JobRow& job) { return keeps_all_files(job); });
   if (options.json) {
     std::printf("%s\n", json_line(json_of(report, rows)).c_str());
   } else {

@@ -48,13 +48,4 @@ void add_first_cycle(const wire::Submit& submit, const TaskFile& job_file, Submi
   submission.loop_memory_bytes = static_cast<std::uint64_t>(job.solver.memory_bytes);
 }
 
-bool keeps_all_files(const JobRow& job) {
-  try {
-    if (is_loop_job(job.job_toml, "job.toml")) return true;
-    return keeps_all_files(parse_job_file(job.job_toml, "job.toml"));
-  } catch (const Error&) {
-    return true;
-  }
-}
-
 }  // namespace tetfarm

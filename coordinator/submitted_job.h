@@ -18,8 +18,4 @@ std::string checked_job_name(const wire::Submit& submit);
 /// @throws UsageError as before, and when an input is missing or is none that a loop has.
 void add_first_cycle(const wire::Submit& submit, const TaskFile& job_file, Submission& submission);
 
-/// Whether a job that was submitted keeps all files between its tasks: loops do, and jobs whose text
-/// an earlier version took and this one does not.
-bool keeps_all_files(const JobRow& job);
-
 }  // namespace tetfarm

@@ -17,7 +17,13 @@ using FileKey = std::pair<JobId, std::string>;  ///< a file as a job knows it
 /// Walks the rows once to see who makes and reads what, then follows what is damaged.
 class StoreCheck {
  public:
-  StoreCheck(const DurableState& state, const LookAtFile& look) : state_(state), look_(look) {}
+  StoreCheck(const DurableState& state, const LookAtFile& look, const KeepsAll& keeps_all)
+      : state_(state), look_(look) {
+    if (!keeps_all) return;
+    for (const auto& [id, job] : state.jobs) {
+      if (!keeps_all(job)) removes_.insert(id);
+    }
+  }
 
   StoreReport run() {
     for (const auto& [id, task] : state_.tasks) {
@@ -53,7 +59,11 @@ class StoreCheck {
   void forget_what_was_removed() {
     report_.gone = std::erase_if(damaged_, [this](const auto& entry) {
       const auto& [hash, file] = entry;
-      return file.state == FileState::missing && !file.is_needed && !file.makers.empty() &&
+      const bool may_go = !file.makers.empty() &&
+                          std::all_of(file.makers.begin(), file.makers.end(), [this](TaskId maker) {
+                            return removes_.contains(state_.tasks.at(maker).job);
+                          });
+      return may_go && file.state == FileState::missing && !file.is_needed &&
              was_read_.contains(hash);
     });
   }
@@ -91,6 +101,7 @@ class StoreCheck {
   std::map<FileKey, std::vector<TaskId>> makers_;
   std::set<TaskId> redone_;
   std::set<JobId> hopeless_;
+  std::set<JobId> removes_;  ///< that do not keep all
 };
 
 }  // namespace
@@ -111,8 +122,9 @@ LookAtFile look_into(const ArtifactStore& store, bool checksums) {
   };
 }
 
-StoreReport check_store(const DurableState& state, const LookAtFile& look) {
-  return StoreCheck(state, look).run();
+StoreReport check_store(const DurableState& state, const LookAtFile& look,
+                        const KeepsAll& keeps_all) {
+  return StoreCheck(state, look, keeps_all).run();
 }
 
 const char* name_of(FileState state) {

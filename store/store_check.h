@@ -34,11 +34,15 @@ using LookAtFile = std::function<FileState(const ArtifactRef&)>;
 /// Looks at the size and, with `checksums`, at every byte.
 LookAtFile look_into(const ArtifactStore& store, bool checksums);
 
+/// Whether a job keeps all files between its tasks; without it all do.
+using KeepsAll = std::function<bool(const JobRow&)>;
+
 /// Every file of every job is looked at once. A damaged file that is needed is made again by the
 /// task that made it, and so are that task's own inputs where they are damaged. Files of jobs that
 /// were cancelled are not needed. A file that is not there and that nobody has to read any more is
-/// not damaged: jobs remove what no task needs (coordinator/decisions/file_needs.h).
-StoreReport check_store(const DurableState& state, const LookAtFile& look);
+/// not damaged where its makers' jobs do not keep all (coordinator/decisions/file_needs.h).
+StoreReport check_store(const DurableState& state, const LookAtFile& look,
+                        const KeepsAll& keeps_all = {});
 
 const char* name_of(FileState state);
 
