@@ -62,7 +62,8 @@ void RemovalThread::run() {
       std::filesystem::remove(store_.path_of(at_work_on_), error);
     }
     lock.lock();
-    if (error) troubles_.push_back("cannot remove artifact " + at_work_on_ + ": " + error.message());
+    if (error)
+      troubles_.push_back("cannot remove artifact " + at_work_on_ + ": " + error.message());
     at_work_on_.clear();
     has_removed_.notify_all();
   }

@@ -89,7 +89,7 @@ class FileNeeds {
   void set(bool& known, bool is_needed, const std::vector<ArtifactRef>& files, bool may_go);
 
   Counts counts_;
-  std::map<TaskId, Needed> tasks_;                ///< that need anything
+  std::map<TaskId, Needed> tasks_;                  ///< that need anything
   std::map<SubdomainKey, std::string> subdomains_;  ///< whose files are needed: hashes
   std::set<std::string> doubtful_;
 };

@@ -2,9 +2,9 @@
 /// somebody asks for them.
 ///
 /// Kept of each: its status, its result files, how many tasks there are, under which names its
-/// work may serve later jobs: 24 bytes a task, and which files of it stay: 16 bytes each. Only what was committed is put here, so it stays
-/// valid when decisions that could not be committed are thrown away. A job that goes on again is in
-/// the hands of JobState, whose rows count then.
+/// work may serve later jobs: 24 bytes a task, and which files of it stay: 16 bytes each. Only what
+/// was committed is put here, so it stays valid when decisions that could not be committed are
+/// thrown away. A job that goes on again is in the hands of JobState, whose rows count then.
 #pragma once
 
 #include <cstdint>

@@ -34,8 +34,7 @@ void JobState::note_files_of_tree(JobId job) {
 }
 
 void JobState::note_files(const TaskRow& task, const FilesOfJob& files) {
-  const bool outputs = files.stay ? has_result(task)
-                                  : may_get_readers(task, files.stage);
+  const bool outputs = files.stay ? has_result(task) : may_get_readers(task, files.stage);
   const bool inputs = files.stay || needs_inputs(task, files.stage);
   const bool wants_more = file_needs_.update(task, inputs, outputs);
   // One that was done before: what it read may be about to be removed, and stays if asked for.
@@ -49,7 +48,8 @@ void JobState::note_files(const SubdomainRow& subdomain, const FilesOfJob& files
 
 std::vector<std::string> JobState::take_unneeded_files() {
   std::vector<std::string> unneeded = file_needs_.take_unneeded();
-  std::erase_if(unneeded, [this](const std::string& hash) { return finished_->needs(hash, at_hand_); });
+  std::erase_if(unneeded,
+                [this](const std::string& hash) { return finished_->needs(hash, at_hand_); });
   return unneeded;
 }
 

@@ -106,7 +106,7 @@ struct JobFile {
   double min_dihedral_deg = 0;                  // [quality] min_dihedral, a gate; 0: none
   double min_unforced_dihedral_deg = 0.1;       // [quality] min_unforced_dihedral, the same
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
-  std::string keep;  // [output] keep = "needed" | "all", "": not said
+  std::string keep;                               // [output] keep = "needed" | "all", "": not said
 };
 
 /// Whether the files between the job's tasks stay until somebody removes them; otherwise each goes

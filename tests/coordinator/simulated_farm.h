@@ -116,9 +116,9 @@ class Farm {
   std::vector<Submission> submissions() const {
     std::vector<Submission> jobs;
     for (const ArtifactRef& job : wish_.jobs) {
-      jobs.push_back(
-          {"key-" + std::to_string(jobs.size()), "wing",
-           jobs.empty() && wish_.first_keeps_all ? keeps_all_text : "", to_inspect(job, surface())});
+      jobs.push_back({"key-" + std::to_string(jobs.size()), "wing",
+                      jobs.empty() && wish_.first_keeps_all ? keeps_all_text : "",
+                      to_inspect(job, surface())});
     }
     return jobs;
   }

@@ -55,9 +55,8 @@ TEST(FileNeeds, what_a_kind_makes_waits_for_the_last_task_to_come_that_may_read_
   };
   EXPECT_THAT(kinds_at(FileStage::growing), Not(Contains("decompose")));
   EXPECT_EQ(kinds_at(FileStage::growing).size(), all_task_kinds.size() - 1);
-  EXPECT_THAT(kinds_at(FileStage::numbered),
-              ElementsAre("solve", "adapt", "collect", "inspect", "number", "write", "grow",
-                          "assemble"));
+  EXPECT_THAT(kinds_at(FileStage::numbered), ElementsAre("solve", "adapt", "collect", "inspect",
+                                                         "number", "write", "grow", "assemble"));
   const auto for_good = ElementsAre("solve", "adapt", "collect", "inspect", "assemble");
   EXPECT_THAT(kinds_at(FileStage::assembling), for_good);
   EXPECT_THAT(kinds_at(FileStage::over), for_good);
@@ -156,9 +155,9 @@ TEST(FileNeeds, what_a_killed_coordinator_did_not_remove_is_found_at_the_next_st
   rows.jobs.at(JobId{1}).phase = JobPhase::done;
   const TaskRow mesh = done_task(TaskKind::mesh);
   rows.tasks = {{mesh.id, mesh}};
-  FinishedJobs finished({[&rows](JobId) { return rows; },
-                         [](TaskId) { return std::optional<TaskRow>(); }},
-                        [](const JobRow&) { return false; });
+  FinishedJobs finished(
+      {[&rows](JobId) { return rows; }, [](TaskId) { return std::optional<TaskRow>(); }},
+      [](const JobRow&) { return false; });
   DurableState unfinished;
   unfinished.jobs = rows.jobs;
   finished.put_others_than(unfinished, [](const ArtifactRef&) { return true; });

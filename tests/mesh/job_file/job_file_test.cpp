@@ -386,14 +386,13 @@ TEST(ToToml, says_which_files_are_kept_where_the_job_does) {
   EXPECT_TRUE(keeps_all_files(silent));
   EXPECT_EQ(to_toml(silent).find("keep"), std::string::npos);
   for (const std::string word : {"all", "needed"}) {
-    const JobFile job = parse_job_file(
-        "geometry.surface = \"a.stl\"\noutput.keep = \"" + word + "\"", "/x/a.toml");
+    const JobFile job =
+        parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"" + word + "\"", "/x/a.toml");
     EXPECT_EQ(keeps_all_files(job), word == "all");
     EXPECT_EQ(parse_job_file(to_toml(job), "/x/b.toml").keep, word);
   }
-  EXPECT_THROW(
-      parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"none\"", "/x/a.toml"),
-      UsageError);
+  EXPECT_THROW(parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"none\"", "/x/a.toml"),
+               UsageError);
 }
 
 }  // namespace
