@@ -6,6 +6,7 @@
 #include "base/file_system.h"
 #include "cli/commands.h"
 #include "cli/run_folder.h"
+#include "coordinator/kept_files.h"
 #include "coordinator/start_rules.h"
 #include "json/json_line.h"
 #include "store/folder_lock.h"
@@ -42,9 +43,10 @@ std::string task_text(const TaskRow& task) {
 }
 
 Json json_of(const StoreReport& report, const DurableState& rows) {
-  Json json = {{"type", "store_check"},           {"files", report.files},
-               {"sound", report.damaged.empty()}, {"damaged", Json::array()},
-               {"redo", Json::array()},           {"hopeless", Json::array()}};
+  Json json = {{"type", "store_check"},    {"files", report.files},
+               {"removed", report.gone},   {"sound", report.damaged.empty()},
+               {"damaged", Json::array()}, {"redo", Json::array()},
+               {"hopeless", Json::array()}};
   for (const DamagedFile& file : report.damaged) {
     Json makers = Json::array();
     for (const TaskId maker : file.makers) makers.push_back(maker.value);
@@ -67,7 +69,9 @@ Json json_of(const StoreReport& report, const DurableState& rows) {
 }
 
 void print(const StoreReport& report, const DurableState& rows) {
-  std::printf("files           %zu, %zu damaged\n", report.files, report.damaged.size());
+  std::printf("files           %zu, %zu damaged", report.files, report.damaged.size());
+  if (report.gone > 0) std::printf(", %zu removed as no task needs them any more", report.gone);
+  std::printf("\n");
   for (const DamagedFile& damaged : report.damaged) {
     std::printf("%s  '%s': %s", damaged.file.hash.c_str(), damaged.file.name.c_str(),
                 name_of(damaged.state));
@@ -87,7 +91,8 @@ void print(const StoreReport& report, const DurableState& rows) {
 ExitCode check_store_command(const CheckOptions& options) {
   const ArtifactStore store = ArtifactStore::open_existing(require_store_of(options.store));
   const DurableState rows = database_of(store.folder(), options.database).load();
-  const StoreReport report = check_store(rows, look_into(store, true));
+  const StoreReport report = check_store(rows, look_into(store, true),
+                                         [](const JobRow& job) { return keeps_all_files(job); });
   if (options.json) {
     std::printf("%s\n", json_line(json_of(report, rows)).c_str());
   } else {

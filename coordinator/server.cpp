@@ -23,7 +23,9 @@
 #include "coordinator/decisions/job_state.h"
 #include "coordinator/file_thread.h"
 #include "coordinator/guarded_database.h"
+#include "coordinator/kept_files.h"
 #include "coordinator/log_lines.h"
+#include "coordinator/removal_thread.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/service_manager.h"
 #include "coordinator/space_watch.h"
@@ -97,6 +99,8 @@ void keep_others_out(const CoordinatorOptions& options) {
 
 Moment now() { return {steady_ms(), wall_ms()}; }
 
+bool keeps_all_of_row(const JobRow& job) { return keeps_all_files(job); }
+
 std::string environment_variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -110,7 +114,7 @@ class Server {
         lock_(FolderLock::of_store(options.store)),
         log_(make_log(options)),
         database_(prepared_database(options.store, options.database, store_.probe())),
-        finished_(rows_in(database_.rows())),
+        finished_(rows_in(database_.rows()), keeps_all_of_row),
         roots_(options.allowed_roots, closed_places(options)),
         keys_(keys_of(options)),
         authenticator_(context_,
@@ -126,6 +130,7 @@ class Server {
                   .may_replace_jobs = options.one_job},
                  refusals_),
         files_(store_),
+        removals_(store_),
         space_(options.store, database_folder(options.store, options.database)),
         status_({.address = options.http_address, .token_file = options.http_token}, options.store,
                 wall_ms()),
@@ -134,6 +139,7 @@ class Server {
     rules_.least_limit_ms = options.task_limit_ms;
     rules_.unknown_limit_ms = options.first_task_limit_ms;
     rules_.program = program_identity();
+    rules_.keeps_all_files = keeps_all_of_row;
     allow_open_files(2 * options.max_connections);
     restore();
     sweep_up();
@@ -159,10 +165,11 @@ class Server {
  private:
   void restore() {
     DurableState rows = database_.rows().load_unfinished();
-    finished_.put_others_than(rows);
+    finished_.put_others_than(rows, [this](const ArtifactRef& file) { return has_file(file); });
     state_ = std::make_unique<JobState>(
         std::move(rows), rules_, [this](const ArtifactRef& file) { return has_file(file); }, now(),
         &finished_);
+    for (const std::string& hash : finished_.take_leavings()) state_->consider_file(hash);
     for (const auto& [id, task] : state_->durable().tasks) space_.note(task);
   }
 
@@ -174,8 +181,10 @@ class Server {
     handler_.remember_surfaces(begun_surfaces(store_), now());
   }
 
-  /// While tasks are handed out, a file that many of them read is looked for once.
+  /// While tasks are handed out, a file that many of them read is looked for once. One that
+  /// somebody asks for is not removed now.
   bool has_file(const ArtifactRef& file) const {
+    if (removals_.keep(file.hash)) spared_files_.push_back(file.hash);
     if (seen_files_ && seen_files_->contains({file.hash, file.size})) return true;
     try {
       const bool is_there = store_.has(file.hash, file.size);
@@ -252,13 +261,16 @@ class Server {
     receive();
     if (database_.is_closed()) return turn_while_closed();
     watch_space();
+    for (const std::string& hash : std::exchange(spared_files_, {})) state_->consider_file(hash);
     seen_files_.emplace();
     state_->tick(now());
     seen_files_.reset();
     handler_.carry_out(*state_, now());
     const ChangeSet changes = state_->take_changes();
+    const std::vector<std::string> unneeded = state_->take_unneeded_files();
     const bool committed = commit(changes);
     if (committed) note(changes);
+    if (committed) removals_.give(unneeded);
     write_complaints();
     send_all(committed ? handler_.take_replies() : handler_.take_replies_uncommitted());
     if (!committed) start_over();
@@ -369,6 +381,7 @@ class Server {
     for (const std::string& line : authenticator_.take_complaints()) log_.warn("{}", line);
     for (const std::string& line : refusals_.take_complaints()) log_.warn("{}", line);
     for (const std::string& line : handler_.take_complaints()) log_.warn("{}", line);
+    for (const std::string& line : removals_.take_troubles()) log_.warn("{}", line);
   }
 
   /// False when the database is locked by somebody, which passes, or closed.
@@ -447,12 +460,14 @@ class Server {
   zmq::socket_t socket_;
   RequestHandler handler_;
   FileThread files_;
+  mutable RemovalThread removals_;
   SpaceWatch space_;
   StatusServer status_;
   ServiceManager service_;
   std::unique_ptr<JobState> state_;
   std::vector<std::string> endpoints_;
   mutable std::optional<std::set<std::pair<std::string, std::uint64_t>>> seen_files_;
+  mutable std::vector<std::string> spared_files_;  ///< that were to be removed, and were asked for
 };
 
 }  // namespace

@@ -17,7 +17,13 @@ using FileKey = std::pair<JobId, std::string>;  ///< a file as a job knows it
 /// Walks the rows once to see who makes and reads what, then follows what is damaged.
 class StoreCheck {
  public:
-  StoreCheck(const DurableState& state, const LookAtFile& look) : state_(state), look_(look) {}
+  StoreCheck(const DurableState& state, const LookAtFile& look, const KeepsAll& keeps_all)
+      : state_(state), look_(look) {
+    if (!keeps_all) return;
+    for (const auto& [id, job] : state.jobs) {
+      if (!keeps_all(job)) removes_.insert(id);
+    }
+  }
 
   StoreReport run() {
     for (const auto& [id, task] : state_.tasks) {
@@ -31,6 +37,7 @@ class StoreCheck {
       if (is_to_run) need(task.job, task.inputs);
       if (has_results) need(task.job, task.outputs);
     }
+    forget_what_was_removed();
     report_.redone.assign(redone_.begin(), redone_.end());
     report_.hopeless.assign(hopeless_.begin(), hopeless_.end());
     for (auto& [hash, file] : damaged_) report_.damaged.push_back(std::move(file));
@@ -43,7 +50,22 @@ class StoreCheck {
       makers_[{task.job, file.hash}].push_back(task.id);
       if (look_once(file)) damaged_.at(file.hash).makers.push_back(task.id);
     }
-    for (const ArtifactRef& file : task.inputs) look_once(file);
+    for (const ArtifactRef& file : task.inputs) {
+      look_once(file);
+      if (task.state == TaskState::done) was_read_.insert(file.hash);
+    }
+  }
+
+  void forget_what_was_removed() {
+    report_.gone = std::erase_if(damaged_, [this](const auto& entry) {
+      const auto& [hash, file] = entry;
+      const bool may_go = !file.makers.empty() &&
+                          std::all_of(file.makers.begin(), file.makers.end(), [this](TaskId maker) {
+                            return removes_.contains(state_.tasks.at(maker).job);
+                          });
+      return may_go && file.state == FileState::missing && !file.is_needed &&
+             was_read_.contains(hash);
+    });
   }
 
   /// Whether it is damaged.
@@ -74,10 +96,12 @@ class StoreCheck {
   const LookAtFile& look_;
   StoreReport report_;
   std::set<std::string> seen_;
+  std::set<std::string> was_read_;  ///< by a task that is done
   std::map<std::string, DamagedFile> damaged_;
   std::map<FileKey, std::vector<TaskId>> makers_;
   std::set<TaskId> redone_;
   std::set<JobId> hopeless_;
+  std::set<JobId> removes_;  ///< that do not keep all
 };
 
 }  // namespace
@@ -98,8 +122,9 @@ LookAtFile look_into(const ArtifactStore& store, bool checksums) {
   };
 }
 
-StoreReport check_store(const DurableState& state, const LookAtFile& look) {
-  return StoreCheck(state, look).run();
+StoreReport check_store(const DurableState& state, const LookAtFile& look,
+                        const KeepsAll& keeps_all) {
+  return StoreCheck(state, look, keeps_all).run();
 }
 
 const char* name_of(FileState state) {

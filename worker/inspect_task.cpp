@@ -153,6 +153,7 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.min_dihedral_deg = defaults.min_dihedral_deg;
   settings.min_unforced_dihedral_deg = defaults.min_unforced_dihedral_deg;
   settings.formats = defaults.formats;
+  settings.keep = defaults.keep;
   settings.layers = defaults.layers;
   settings.pml = defaults.pml;
   return settings;

@@ -1,6 +1,7 @@
 #include "coordinator/decisions/finished_jobs.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <tuple>
 
@@ -10,6 +11,25 @@
 #include "coordinator/decisions/task_reuse.h"
 
 namespace tetfarm {
+namespace {
+
+/// Lists of like length become one, so that there are few of them and each entry is moved seldom.
+template <class Entry, class ComesBefore>
+void merge_into(std::vector<std::vector<Entry>>& lists, std::vector<Entry> list,
+                ComesBefore comes_before) {
+  std::sort(list.begin(), list.end(), comes_before);
+  while (!lists.empty() && lists.back().size() < 2 * list.size()) {
+    std::vector<Entry> merged;
+    merged.reserve(list.size() + lists.back().size());
+    std::merge(list.begin(), list.end(), lists.back().begin(), lists.back().end(),
+               std::back_inserter(merged), comes_before);
+    list = std::move(merged);
+    lists.pop_back();
+  }
+  if (!list.empty()) lists.push_back(std::move(list));
+}
+
+}  // namespace
 
 void FinishedJobs::put(const DurableState& rows) {
   TF_CHECK(rows.jobs.size() == 1);
@@ -29,6 +49,7 @@ void FinishedJobs::put(const DurableState& rows) {
     if (std::find(known.begin(), known.end(), id) == known.end()) work.push_back({key, id});
   }
   remember(std::move(work));
+  remember_files(rows);
   // Of each kind no more than are remembered.
   std::map<TaskKind, std::uint64_t> left;
   for (const auto& [what, count] : finished.tasks) {
@@ -40,11 +61,55 @@ void FinishedJobs::put(const DurableState& rows) {
   }
 }
 
-void FinishedJobs::put_others_than(const DurableState& unfinished) {
+void FinishedJobs::remember_files(const DurableState& rows) {
+  const JobRow& job = rows.jobs.begin()->second;
+  const bool may_go_on = job.phase != JobPhase::done;
+  const bool all = may_go_on || keeps_all(keeps_all_files_, job);
+  std::vector<FileKey> files;
+  const auto add = [&files](const std::vector<ArtifactRef>& more) {
+    for (const ArtifactRef& file : more) files.push_back(file_key(file.hash));
+  };
+  for (const auto& [id, task] : rows.tasks) {
+    if (all || traits_of(task.kind).begins_job) add(task.inputs);
+    if (all || stays(task.kind)) add(task.outputs);
+  }
+  files_of_others_.erase(job.id);
+  if (!may_go_on) return merge_into(files_, std::move(files), std::less<>());
+  std::sort(files.begin(), files.end());
+  files_of_others_[job.id] = std::move(files);
+}
+
+bool FinishedJobs::needs(const std::string& hash, const std::set<JobId>& others) const {
+  const auto has = [key = file_key(hash)](const std::vector<FileKey>& list) {
+    return std::binary_search(list.begin(), list.end(), key);
+  };
+  if (std::any_of(files_.begin(), files_.end(), has)) return true;
+  return std::any_of(files_of_others_.begin(), files_of_others_.end(), [&](const auto& job) {
+    return !others.contains(job.first) && has(job.second);
+  });
+}
+
+void FinishedJobs::note_leavings(const DurableState& rows,
+                                 const std::function<bool(const ArtifactRef&)>& has_file) {
+  const JobRow& job = rows.jobs.begin()->second;
+  if (!has_file || job.phase != JobPhase::done || keeps_all(keeps_all_files_, job)) return;
+  for (const auto& [id, task] : rows.tasks) {
+    if (stays(task.kind)) continue;
+    for (const ArtifactRef& file : task.outputs) {
+      if (has_file(file)) leavings_.push_back(file.hash);
+    }
+  }
+}
+
+void FinishedJobs::put_others_than(const DurableState& unfinished,
+                                   const std::function<bool(const ArtifactRef&)>& has_file) {
   std::map<JobId, bool> is_there;
   for (const auto& [id, task] : unfinished.tasks) is_there[task.job] = true;
   for (const auto& [id, job] : unfinished.jobs) {
-    if (!is_there.contains(id) && !contains(id)) put(rows_of(id));
+    if (is_there.contains(id) || contains(id)) continue;
+    const DurableState rows = rows_of(id);
+    put(rows);
+    note_leavings(rows, has_file);
   }
 }
 
@@ -62,18 +127,8 @@ bool FinishedJobs::comes_before(const Work& a, const Work& b) {
   return std::tie(a.key.high, a.key.low, a.task) < std::tie(b.key.high, b.key.low, b.task);
 }
 
-/// Lists of like length become one, so that there are few of them and each task is moved seldom.
 void FinishedJobs::remember(std::vector<Work> work) {
-  std::sort(work.begin(), work.end(), comes_before);
-  while (!work_.empty() && work_.back().size() < 2 * work.size()) {
-    std::vector<Work> merged;
-    merged.reserve(work.size() + work_.back().size());
-    std::merge(work.begin(), work.end(), work_.back().begin(), work_.back().end(),
-               std::back_inserter(merged), comes_before);
-    work = std::move(merged);
-    work_.pop_back();
-  }
-  if (!work.empty()) work_.push_back(std::move(work));
+  merge_into(work_, std::move(work), comes_before);
 }
 
 std::vector<TaskId> FinishedJobs::did(const Hash128& work) const {

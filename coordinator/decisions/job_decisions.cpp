@@ -44,6 +44,9 @@ void JobState::done(WorkerId worker, TaskId id, AttemptId attempt, const TaskRes
   workers_.hear(worker, now.steady_ms);
   if (!holds(worker, id, attempt)) {
     commands_.emplace_back(SendAccepted{worker, id, attempt, was_accepted(id, attempt)});
+    // Who comes too late has made the same files once more.
+    const auto known = durable_.tasks.find(id);
+    if (known != durable_.tasks.end()) note_files(known->second, files_of(known->second.job));
     return;
   }
   store_log(attempt, result.log, result.peak_rss_bytes);

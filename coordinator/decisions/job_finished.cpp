@@ -18,6 +18,7 @@ void JobState::take_in(const TaskRow& task) {
   at_hand_.insert(task.job);
   if (task.state == TaskState::replaced) {
     note_replaced(task);
+    note_files(task, files_of(task.job));
     return;
   }
   lists_.place(task);
@@ -44,6 +45,7 @@ void JobState::bring_back(JobId job) {
   for (auto& [id, row] : rows.tasks) {
     take_in(durable_.tasks.insert_or_assign(id, std::move(row)).first->second);
   }
+  note_files_of_tree(job);
 }
 
 std::vector<DurableState> JobState::take_finished() {
@@ -73,14 +75,17 @@ DurableState JobState::take_out(JobId job) {
     if (work != done_work_.end()) work->second.erase(task->first);
     if (work != done_work_.end() && work->second.empty()) done_work_.erase(work);
     delays_.forget(task->first);
+    file_needs_.forget(task->second);
     rows.tasks.insert(durable_.tasks.extract(task));
   }
   const auto end = durable_.subdomains.lower_bound({JobId{job.value + 1}, 0});
   for (auto next = durable_.subdomains.lower_bound({job, 0}); next != end;) {
+    file_needs_.forget(next->first);
     rows.subdomains.insert(durable_.subdomains.extract(next++));
   }
   lists_.forget(job);
   progress_.forget(job);
+  files_of_jobs_.erase(job);
   at_hand_.erase(job);
   return rows;
 }

@@ -44,7 +44,8 @@ std::vector<std::string> JobState::validate() const {
        {workers_.validate(durable_.running_attempts), leases_.validate(durable_.running_attempts),
         races_.validate(durable_.running_attempts, durable_.tasks),
         delays_.validate(durable_.tasks), lists_.validate(durable_.tasks, durable_.jobs),
-        progress_.validate(durable_.subdomains), host_crashes_.validate()}) {
+        progress_.validate(durable_.subdomains), host_crashes_.validate(),
+        file_needs_.validate(durable_)}) {
     broken.insert(broken.end(), part.begin(), part.end());
   }
   return broken;

@@ -28,6 +28,7 @@ JobState::JobState(DurableState durable, const FarmRules& rules, HasFile has_fil
     take_in(task);
     if (task.state == TaskState::done) expectation_.learn(task);
   }
+  for (const JobId job : at_hand_) note_files_of_tree(job);
   if (!durable_.tasks.empty()) all_back_ms_ = now.steady_ms + rules_.lease_ms;
   for (const auto& [id, attempt] : durable_.running_attempts) {
     leases_.begin(attempt, now.steady_ms);
@@ -50,6 +51,7 @@ JobRow& JobState::edit(JobId job) {
 
 void JobState::index(const TaskRow& task) {
   lists_.update(task, durable_.jobs.at(task.job).phase == JobPhase::running);
+  note_files(task, files_of(task.job));
 }
 
 void JobState::set_state(TaskRow& task, TaskState state) {
@@ -73,6 +75,7 @@ void JobState::put(const SubdomainRow& subdomain) {
     place->second = subdomain;
   }
   progress_.add(subdomain);
+  note_files(subdomain, files_of(subdomain.job));
   changes_.note(key);
 }
 

@@ -9,7 +9,8 @@
 /// which attempt until when), races.h (second attempts of slow tasks), retry_delays.h and
 /// host_crashes.h (what fails, when it is tried again, whose fault it is), task_lists.h (what is on
 /// offer, at work, in quarantine, and where), tree_progress.h (how far each job is),
-/// task_expectation.h, full_disk_pause.h; pending_changes.h collects what is to be committed.
+/// task_expectation.h, full_disk_pause.h, file_needs.h (which files nobody needs any more);
+/// pending_changes.h collects what is to be committed.
 ///
 /// States and transitions of a task: coordinator/decisions/task_states.dot. Messages:
 /// proto/protocol.md. Invariants, checked by validate() with those of the parts (5: wherever a task
@@ -38,6 +39,7 @@
 
 #include "coordinator/decisions/attempt_work.h"
 #include "coordinator/decisions/cosmetic_graph.h"
+#include "coordinator/decisions/file_needs.h"
 #include "coordinator/decisions/finished_jobs.h"
 #include "coordinator/decisions/full_disk_pause.h"
 #include "coordinator/decisions/host_crashes.h"
@@ -88,6 +90,8 @@ struct FarmRules {
   // A second attempt races one that takes this many times what is expected, at least …
   std::int64_t late_factor = 3;
   std::int64_t least_late_ms = 10'000;
+  /// Which jobs keep all files between their tasks; without it all do.
+  KeepsAllFiles keeps_all_files = {};
 };
 
 struct WorkerInfo {
@@ -164,7 +168,8 @@ using Command = std::variant<SendWelcome, SendAssign, SendAccepted, SendDrain>;
 
 class JobState {
  public:
-  /// Whether the store has a file of that hash and size, without reading it.
+  /// Whether the store has a file of that hash and size, without reading it. One that was about to
+  /// be removed, as take_unneeded_files() told, stays when it is asked for.
   using HasFile = std::function<bool(const ArtifactRef&)>;
 
   /// Goes on from what was committed. Attempts that were running keep their lease for another term,
@@ -215,6 +220,12 @@ class JobState {
   /// Rows changed since the last call; commit them before carrying out the commands.
   ChangeSet take_changes();
   std::vector<Command> take_commands();
+
+  /// Files that no job needs any more, by their hashes: to be removed once all changes that were
+  /// taken are durable, and not before. Some may be gone already.
+  std::vector<std::string> take_unneeded_files();
+  /// Was in that list, and was not removed.
+  void consider_file(const std::string& hash) { file_needs_.consider(hash); }
 
   /// Jobs that have ended and of which nothing runs, each with its rows, which are forgotten here.
   /// None without a FinishedJobs that takes them. @pre all changes are taken, and committed.
@@ -361,6 +372,17 @@ class JobState {
   void extract_when_ordered(JobId job, std::uint64_t leaf, Moment now);
   void give_turns_round(JobId job, std::uint64_t leaf, Moment now);
 
+  // job_files.cpp: files that nobody needs
+  struct FilesOfJob {
+    FileStage stage = FileStage::growing;
+    bool stay = true;
+  };
+  FileStage file_stage(JobId job) const;
+  FilesOfJob files_of(JobId job);
+  void note_files(const TaskRow& task, const FilesOfJob& files);
+  void note_files(const SubdomainRow& subdomain, const FilesOfJob& files);
+  void note_files_of_tree(JobId job);
+
   // job_repair.cpp: files that were lost
   void settle_waiting(TaskId task, Moment now);
   void wake_waiting(JobId job, Moment now);
@@ -387,6 +409,8 @@ class JobState {
   FullDiskPause disk_pause_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::set<TaskId>> done_work_;  ///< by work_key
   std::map<std::pair<std::string, std::string>, JobId> keys_;  ///< by owner and key
+  std::map<JobId, FilesOfJob> files_of_jobs_;
+  FileNeeds file_needs_;
   PendingChanges changes_;
   std::vector<Command> commands_;
 };

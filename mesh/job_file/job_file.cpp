@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 5> decompose_keys = {"subdomains", "targe
                                                             "plane", "max_memory", "assimilate"};
 constexpr std::array<std::string_view, 2> assimilate_keys = {"groups", "method"};
 constexpr std::array<std::string_view, 2> quality_keys = {"min_dihedral", "min_unforced_dihedral"};
-constexpr std::array<std::string_view, 1> output_keys = {"formats"};
+constexpr std::array<std::string_view, 2> output_keys = {"formats", "keep"};
+constexpr std::array<std::string_view, 2> kinds_of_keeping = {"needed", "all"};
 
 constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
 constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
@@ -188,7 +189,7 @@ void parse_quality(const JobSection& section, JobFile& job) {
   parse_gate(section, "min_unforced_dihedral", job.min_unforced_dihedral_deg);
 }
 
-void parse_output(const JobSection& section, JobFile& job) {
+void parse_formats(const JobSection& section, JobFile& job) {
   if (!section.has("formats")) return;
   job.formats.clear();
   for (const toml::node& node : section.array("formats")) {
@@ -203,6 +204,11 @@ void parse_output(const JobSection& section, JobFile& job) {
   if (job.formats.empty()) section.fail("formats", "must name at least one format");
 }
 
+void parse_output(const JobSection& section, JobFile& job) {
+  parse_formats(section, job);
+  if (section.has("keep")) job.keep = section.one_of("keep", kinds_of_keeping);
+}
+
 /// `file` as named in the job file at `path`, as a person would type it: relative where `path` is.
 std::string beside(const std::string& path, const std::string& file) {
   return (std::filesystem::path(path).parent_path() / file).lexically_normal().string();
@@ -214,6 +220,8 @@ double default_outer_factor(std::string_view outer_kind) {
   if (outer_kind == "box") return 3;
   return outer_kind == "sphere" ? 5 : 0;
 }
+
+bool keeps_all_files(const JobFile& job) { return job.keep != "needed"; }
 
 JobFile parse_job_file(std::string_view text, const std::string& path) {
   namespace fs = std::filesystem;

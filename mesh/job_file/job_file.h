@@ -106,7 +106,12 @@ struct JobFile {
   double min_dihedral_deg = 0;                  // [quality] min_dihedral, a gate; 0: none
   double min_unforced_dihedral_deg = 0.1;       // [quality] min_unforced_dihedral, the same
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
+  std::string keep;                               // [output] keep = "needed" | "all", "": not said
 };
+
+/// Whether the files between the job's tasks stay until somebody removes them; otherwise each goes
+/// when no task needs it any more.
+bool keeps_all_files(const JobFile& job);
 
 /// The factor of an outer boundary when none is given: 3 for a box, 5 for a sphere, 0 for "none".
 double default_outer_factor(std::string_view outer_kind);

@@ -135,6 +135,7 @@ std::string to_toml(const JobFile& job) {
           "\n\n[quality]\nmin_dihedral = " + toml_number(job.min_dihedral_deg) +
           "\nmin_unforced_dihedral = " + toml_number(job.min_unforced_dihedral_deg) +
           "\n\n[output]\nformats = " + array_of(job.formats) + "\n";
+  if (!job.keep.empty()) text += "keep = " + quoted_toml(job.keep) + "\n";
   return text;
 }
 

@@ -26,6 +26,7 @@ PLACES = {
         "coordinator/request_client_files.cpp": 1,
         "coordinator/request_replies.cpp": 2,
         "coordinator/file_orders.cpp": 6,
+        "coordinator/kept_files.cpp": 1,
         "coordinator/views/status_server.cpp": 1,
     },
     "a loop goes on without the one that failed": {

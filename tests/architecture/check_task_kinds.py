@@ -25,6 +25,7 @@ ONE_KIND = {
     "coordinator/decisions/task_graph.cpp", "coordinator/decisions/job_cosmetics.cpp",
     "coordinator/decisions/job_demand.cpp", "coordinator/decisions/job_finished.cpp",
     "coordinator/decisions/job_further_cuts.cpp", "coordinator/decisions/job_outlook.cpp",
+    "coordinator/decisions/file_needs.cpp", "coordinator/decisions/job_files.cpp",
     # what people are told: cuts, leaves, the result
     "coordinator/decisions/job_status.cpp", "coordinator/decisions/job_workers.cpp",
     "coordinator/decisions/mesh_share.cpp", "coordinator/decisions/task_reuse.cpp",

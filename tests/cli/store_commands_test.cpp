@@ -120,7 +120,8 @@ TEST_F(StoreCommands, a_check_tells_of_each_file_that_is_damaged_and_what_runs_a
   EXPECT_EQ(checked().out, "files           1, 0 damaged\n");
   options.json = true;
   EXPECT_EQ(checked().out,
-            "{\"type\":\"store_check\",\"files\":1,\"sound\":true,\"damaged\":[],\"redo\":[],"
+            "{\"type\":\"store_check\",\"files\":1,\"removed\":0,\"sound\":true,\"damaged\":[],"
+            "\"redo\":[],"
             "\"hopeless\":[]}\n");
   std::filesystem::remove(store_.path_of(result_.hash));
   const nlohmann::json told = nlohmann::json::parse(checked().out);

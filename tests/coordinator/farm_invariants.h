@@ -133,6 +133,35 @@ class Invariants {
               6 * (state.subdomains.size() + state.jobs.size()));
   }
 
+  /// A file that is removed is needed by nothing that was committed.
+  void removed(const std::string& hash, const DurableRecord& record,
+               const KeepsAllFiles& keeps_all_files) {
+    ++removed_;
+    const DurableState& state = record.state();
+    for (const auto& [id, task] : state.tasks) {
+      const JobRow& job = state.jobs.at(task.job);
+      const bool is_whole = keeps_all_files(job) && task.state != TaskState::replaced;
+      const bool is_to_run = task.state == TaskState::waiting || task.state == TaskState::ready ||
+                             task.state == TaskState::failed;
+      const bool reads = task.state == TaskState::leased || traits_of(task.kind).begins_job ||
+                         (is_to_run && job.phase != JobPhase::done);
+      const bool delivers = traits_of(task.kind).ends_job && task.state == TaskState::done;
+      const bool needs_inputs = is_whole || reads;
+      const bool needs_outputs = is_whole || delivers;
+      EXPECT_FALSE(needs_inputs && names(task.inputs, hash)) << "task " << id.value << " needs it";
+      EXPECT_FALSE(needs_outputs && names(task.outputs, hash)) << "task " << id.value << " made it";
+    }
+  }
+  std::size_t removed() const { return removed_; }
+
+  /// Where no file was lost, none is made again.
+  static void none_made_again(const DurableRecord& record) {
+    for (const EventRow& event : record.events()) {
+      EXPECT_NE(event.what, "again") << "task " << event.task.value << " " << event.message;
+      EXPECT_NE(event.what, "waiting") << "task " << event.task.value << " " << event.message;
+    }
+  }
+
   /// 6. What was committed is all that is needed: decisions go on from it.
   void resumable(const DurableState& found, const JobState& state) {
     EXPECT_TRUE(state.durable().running_attempts == found.running_attempts);
@@ -202,6 +231,11 @@ class Invariants {
   }
 
  private:
+  static bool names(const std::vector<ArtifactRef>& files, const std::string& hash) {
+    return std::any_of(files.begin(), files.end(),
+                       [&hash](const ArtifactRef& file) { return file.hash == hash; });
+  }
+
   bool state_has_quarantined(const DurableState& state, WorkerId worker) const {
     const auto host = worker2host_.find(worker);
     return host != worker2host_.end() && state.quarantined_hosts.contains(host->second);
@@ -251,6 +285,7 @@ class Invariants {
   std::map<WorkerId, std::string> worker2host_;
   std::set<TaskId> assembled_;
   std::set<TaskId> replaced_;
+  std::size_t removed_ = 0;
 };
 
 }  // namespace tetfarm::simulation

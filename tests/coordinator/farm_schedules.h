@@ -92,6 +92,7 @@ inline Wish wish_of(std::uint64_t seed) {
     wish.giant = 2 + static_cast<std::uint64_t>(random.pick(6));
     wish.giant_kind = kinds.at(static_cast<std::size_t>(random.pick(kinds.size())));
   }
+  wish.first_keeps_all = random.chance(0.2);
   return wish;
 }
 
@@ -141,6 +142,7 @@ class Schedules {
     }
     EXPECT_EQ(final_table(farm.state()), expected);
     farm.invariants().all_accepted_once(farm.state());
+    if (trouble_of(seed).vanish == 0) Invariants::none_made_again(farm.record());
   }
 
  private:

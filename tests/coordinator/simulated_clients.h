@@ -12,10 +12,14 @@
 
 namespace tetfarm::simulation {
 
+/// What the text of such a job says.
+inline constexpr const char* keeps_all_text = "keep = all";
+
 /// What is to be done. Meshing the sub-domain `hopeless` (0: none) always fails. No worker has the
 /// memory for tasks of the kind `giant_kind` on the sub-domain `giant` (0: none).
 struct Wish {
   std::vector<ArtifactRef> jobs;
+  bool first_keeps_all = false;  ///< files between its tasks; the others keep what is needed
   std::uint64_t hopeless = 0;
   std::uint64_t giant = 0;
   TaskKind giant_kind = TaskKind::mesh;

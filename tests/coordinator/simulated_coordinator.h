@@ -31,7 +31,7 @@ class Coordinator {
   struct Farm {
     Random& random;
     const Trouble& trouble;
-    const Disk& disk;
+    Disk& disk;
     Invariants& invariants;
     FarmDatabase& database;
     const std::vector<Submission>& jobs;
@@ -69,18 +69,33 @@ class Coordinator {
 
   /// What Server does in a turn, after it has received.
   void turn() {
+    for (const std::string& hash : std::exchange(spared_, {})) state_->consider_file(hash);
     state_->tick(moment());
     const ChangeSet changes = state_->take_changes();
+    const std::vector<std::string> unneeded = state_->take_unneeded_files();
     const std::vector<Command> commands = state_->take_commands();
     const std::vector<Message> messages = words_for(commands);
     const bool is_worth_a_look = !changes.empty() || !commands.empty();
     if (is_worth_a_look) validate();
     if (farm_.random.chance(farm_.trouble.restart)) return restart();  // before the commit
     if (!changes.empty() && !commit(changes)) return;
+    files_to_remove_.insert(unneeded.begin(), unneeded.end());
+    remove_files(0.3);
     for (std::size_t i = 0; i < commands.size(); ++i) {
       farm_.invariants.spoken_after_commit(commands[i], farm_.database.record());
       if (farm_.random.chance(farm_.trouble.restart / 4)) return restart();  // between replies
       send(commands[i], messages[i]);
+    }
+  }
+
+  /// What RemovalThread does beside the turns, and does not come to when the process is killed.
+  void remove_files(double share) {
+    for (auto next = files_to_remove_.begin(); next != files_to_remove_.end();) {
+      const auto file = next++;
+      if (!removal_random_.chance(share)) continue;
+      farm_.invariants.removed(*file, farm_.database.record(), rules_.keeps_all_files);
+      farm_.disk.remove(*file);
+      files_to_remove_.erase(file);
     }
   }
 
@@ -106,7 +121,10 @@ class Coordinator {
   /// A process that knows nothing yet.
   void restore(const DurableState& found) {
     finished_ = FinishedJobs({[this](JobId job) { return farm_.database.load_job(job); },
-                              [this](TaskId task) { return farm_.database.find_task(task); }});
+                              [this](TaskId task) { return farm_.database.find_task(task); }},
+                             rules_.keeps_all_files);
+    files_to_remove_.clear();
+    spared_.clear();
     decide_anew(found);
   }
 
@@ -119,11 +137,19 @@ class Coordinator {
       farm_.invariants.found_after_a_restart(*late, farm_.database.record());
     }
     DurableState rows = farm_.database.load_unfinished();
-    finished_.put_others_than(rows);
+    finished_.put_others_than(rows,
+                              [this](const ArtifactRef& file) { return farm_.disk.has(file); });
     state_ = std::make_unique<JobState>(
-        std::move(rows), rules_, [this](const ArtifactRef& file) { return farm_.disk.has(file); },
+        std::move(rows), rules_, [this](const ArtifactRef& file) { return has_file(file); },
         moment(), &finished_);
+    for (const std::string& hash : finished_.take_leavings()) state_->consider_file(hash);
     farm_.invariants.resumable(found, *state_);
+  }
+
+  /// A file that somebody asks for is not removed now.
+  bool has_file(const ArtifactRef& file) {
+    if (files_to_remove_.erase(file.hash) > 0) spared_.push_back(file.hash);
+    return farm_.disk.has(file);
   }
 
   Fault next_fault() {
@@ -310,6 +336,9 @@ class Coordinator {
   std::map<WorkerId, int> worker2connection_;
   std::set<WorkerId> blind_;  ///< that do not see the store
   std::map<WorkerId, std::int64_t> answered_ms_;
+  std::set<std::string> files_to_remove_;
+  std::vector<std::string> spared_;  ///< that were to be removed, and were asked for
+  Random removal_random_{1};         ///< so that removals do not change what else happens
 };
 
 }  // namespace tetfarm::simulation

@@ -66,6 +66,10 @@ class Farm {
   }
 
   const DurableState& state() const { return database_.record().state(); }
+  const DurableRecord& record() const { return database_.record(); }
+  const Disk& disk() const { return disk_; }
+  /// What the coordinator was about to remove.
+  void remove_the_rest() { coordinator_.remove_files(1); }
   Invariants& invariants() { return invariants_; }
 
   std::string report() const {
@@ -105,14 +109,16 @@ class Farm {
     rules.least_limit_ms = 4000;
     rules.unknown_limit_ms = 6000;
     rules.least_late_ms = 500;
+    rules.keeps_all_files = [](const JobRow& job) { return job.job_toml == keeps_all_text; };
     return rules;
   }
 
   std::vector<Submission> submissions() const {
     std::vector<Submission> jobs;
     for (const ArtifactRef& job : wish_.jobs) {
-      jobs.push_back(
-          {"key-" + std::to_string(jobs.size()), "wing", "", to_inspect(job, surface())});
+      jobs.push_back({"key-" + std::to_string(jobs.size()), "wing",
+                      jobs.empty() && wish_.first_keeps_all ? keeps_all_text : "",
+                      to_inspect(job, surface())});
     }
     return jobs;
   }

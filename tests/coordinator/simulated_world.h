@@ -105,6 +105,13 @@ class Disk {
       return entry.second.host == host && !entry.second.is_durable;
     });
   }
+  /// Whoever removes a file says that nobody needs it; it may be gone already.
+  void remove(const std::string& hash) { files_.erase(hash); }
+  std::set<std::string> hashes() const {
+    std::set<std::string> all;
+    for (const auto& [hash, file] : files_) all.insert(hash);
+    return all;
+  }
   /// Any file but those that a client gave; none when the lot falls on one of those.
   void lose_one(Random& random) {
     if (files_.empty()) return;

@@ -124,6 +124,20 @@ TEST_F(StoreRows, what_is_damaged_in_the_middle_of_a_done_job_is_redone_only_wit
   EXPECT_THAT(check().redone, ElementsAre(TaskId{2}, TaskId{3}));
 }
 
+TEST_F(StoreRows, what_was_removed_as_all_had_read_it_is_counted_and_not_damaged) {
+  remove_file(store_.path_of(file("mesh").hash));
+  EXPECT_EQ(check().damaged.size(), 1U) << "its job keeps all";
+  const auto check_needed = [this] {
+    return check_store(state_, look_into(store_, true), [](const JobRow&) { return false; });
+  };
+  EXPECT_THAT(check_needed().damaged, IsEmpty());
+  EXPECT_EQ(check_needed().gone, 1U);
+  state_.jobs[JobId{1}].phase = JobPhase::running;
+  state_.tasks[TaskId{3}].state = TaskState::ready;
+  EXPECT_EQ(check_needed().gone, 0U) << "a task is to read it";
+  EXPECT_EQ(check_needed().damaged.size(), 1U);
+}
+
 TEST_F(StoreRows, a_running_job_redoes_what_its_next_tasks_read) {
   state_.jobs[JobId{1}].phase = JobPhase::running;
   state_.tasks[TaskId{3}].state = TaskState::ready;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 #include "base/sanitizers.h"
@@ -17,6 +18,26 @@ TEST(SimulatedFarm, whatever_fails_the_invariants_hold_and_the_end_is_that_of_an
 
 TEST(SimulatedFarm, the_same_holds_with_the_real_database_on_a_disk_that_fails) {
   simulation::run_schedules(1'000'001, 60, true);
+}
+
+TEST(SimulatedFarm, without_trouble_nothing_stays_but_results_and_what_a_job_begins_with) {
+  simulation::Wish wish;
+  wish.jobs = {fake_job(7, 0, 2)};
+  simulation::Farm farm(1, simulation::Trouble{}, wish, false);
+  simulation::run_to_the_end(farm);
+  farm.remove_the_rest();
+  std::set<std::string> stay;
+  for (const auto& [id, task] : farm.state().tasks) {
+    const TaskKindTraits& traits = traits_of(task.kind);
+    for (const ArtifactRef& file : task.inputs) {
+      if (traits.begins_job) stay.insert(file.hash);
+    }
+    for (const ArtifactRef& file : task.outputs) {
+      if (traits.begins_job || traits.ends_job) stay.insert(file.hash);
+    }
+  }
+  EXPECT_EQ(farm.disk().hashes(), stay);
+  EXPECT_GT(farm.invariants().removed(), 20U);
 }
 
 TEST(SimulatedFarm, of_two_jobs_the_second_may_arrive_first) {

@@ -385,5 +385,19 @@ TEST(ToToml, keeps_a_limit_of_memory) {
   EXPECT_EQ(parse_job_file(to_toml(job), "/x/b.toml").max_memory_bytes, job.max_memory_bytes);
 }
 
+TEST(ToToml, says_which_files_are_kept_where_the_job_does) {
+  const JobFile silent = parse_job_file("geometry.surface = \"a.stl\"", "/x/a.toml");
+  EXPECT_TRUE(keeps_all_files(silent));
+  EXPECT_EQ(to_toml(silent).find("keep"), std::string::npos);
+  for (const std::string word : {"all", "needed"}) {
+    const JobFile job =
+        parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"" + word + "\"", "/x/a.toml");
+    EXPECT_EQ(keeps_all_files(job), word == "all");
+    EXPECT_EQ(parse_job_file(to_toml(job), "/x/b.toml").keep, word);
+  }
+  EXPECT_THROW(parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"none\"", "/x/a.toml"),
+               UsageError);
+}
+
 }  // namespace
 }  // namespace tetfarm

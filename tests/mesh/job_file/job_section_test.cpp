@@ -166,7 +166,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "
       "decompose.assimilate.method mesh.points cosmetics.across_cuts quality.min_dihedral "
-      "quality.min_unforced_dihedral output.formats ");
+      "quality.min_unforced_dihedral output.formats output.keep ");
 }
 
 }  // namespace
