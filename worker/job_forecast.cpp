@@ -11,12 +11,13 @@
 namespace tetfarm {
 namespace {
 
-/// Of a tet, and of a triangle of a sub-domain, when most files are there
-/// (docs/measurements/2026-11-subdomains_and_workers.md).
-constexpr double disk_bytes_per_element = 104;
+/// Of a tet, and of a triangle of a sub-domain, when most files are there, and of a tet where files
+/// between tasks go (docs/measurements/2026-11-subdomains_and_workers.md).
+constexpr double disk_bytes_per_element = 67;
+constexpr double disk_bytes_per_element_of_needed = 46;
 constexpr double disk_bytes_per_triangle = 250;
 /// Of a cell of layers, nearly always a prism, in its portion, its cells and the result.
-constexpr double disk_bytes_per_layer_cell = 190;
+constexpr double disk_bytes_per_layer_cell = 145;
 constexpr int most_trials = 8;
 
 std::string with_prefix(double amount, const char* unit) {
@@ -103,8 +104,10 @@ JobForecast forecast_of(const JobFile& job, double input_bytes, const SubdomainS
                         cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes).seconds);
     }
   }
+  const double per_element =
+      keeps_all_files(job) ? disk_bytes_per_element : disk_bytes_per_element_of_needed;
   forecast.disk_bytes = input_bytes + 2 * root.spacing_bytes + disk_bytes_per_triangle * triangles +
-                        disk_bytes_per_element * root.elements;
+                        per_element * root.elements;
   return forecast;
 }
 

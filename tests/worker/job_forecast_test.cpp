@@ -110,6 +110,14 @@ TEST(JobForecast, is_worded_for_people) {
             "about 950 elements, 25.0 MB of memory per task, 100 kB of disk, 25 h on one core");
 }
 
+TEST(JobForecast, needs_less_disk_where_files_go_that_nobody_needs) {
+  JobFile job;
+  const SubdomainSize root{1e8, 1e5, 1e6};
+  const double all = forecast_of(job, 1e6, root, 50).disk_bytes;
+  job.keep = "needed";
+  EXPECT_NEAR(all - forecast_of(job, 1e6, root, 50).disk_bytes, 1e8 * (67 - 46), 1);
+}
+
 TEST(JobForecast, is_the_sum_of_its_tasks_and_the_largest_of_them) {
   JobFile job;
   const SubdomainSize root{8e6, 1e5, 3e6, 80};
@@ -126,7 +134,7 @@ TEST(JobForecast, is_the_sum_of_its_tasks_and_the_largest_of_them) {
   EXPECT_EQ(plain.subdomains, 4);
   EXPECT_NEAR(plain.seconds, once, 1e-9 * once);
   EXPECT_EQ(plain.task_bytes, mesh_cost(leaf).bytes);
-  EXPECT_NEAR(plain.disk_bytes, 5e6 + 2 * 3e6 + 250 * triangles + 104 * 8e6, 1e-3);
+  EXPECT_NEAR(plain.disk_bytes, 5e6 + 2 * 3e6 + 250 * triangles + 67 * 8e6, 1e-3);
   job.across_cuts = true;
   const double turns =
       order_cost(triangles).seconds + 4 * (extract_cost(2e6, leaf.triangles).seconds +

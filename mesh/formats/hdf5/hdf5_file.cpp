@@ -54,6 +54,7 @@ Hdf5Handle of_no_time() {
 std::size_t chunk_bytes(hid_t dataset) {
   constexpr std::size_t most = std::size_t{1} << 26;
   const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose);
+  if (H5Pget_layout(properties.get()) != H5D_CHUNKED) return 0;
   std::array<hsize_t, H5S_MAX_RANK> size{};
   const int rank = H5Pget_chunk(properties.get(), H5S_MAX_RANK, size.data());
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);

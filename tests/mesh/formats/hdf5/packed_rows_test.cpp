@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <numeric>
+#include <thread>
 
 #include "tests/base/temp_folder.h"
 
@@ -99,6 +100,28 @@ TEST_F(PackedArray, is_read_in_pieces_that_share_chunks) {
     ASSERT_EQ(piece.front(), first);
     ASSERT_EQ(piece.back(), first + 999);
   }
+}
+
+/// HDF5 tells each thread anew of its errors.
+TEST_F(PackedArray, and_one_in_one_piece_are_read_by_another_thread_without_a_word_of_hdf5) {
+  Hdf5Output output(path_);
+  output.add_array("whole", std::vector<std::int32_t>{1, 2, 3});
+  {
+    PackedRows<std::int32_t> array(output, "a", 3);
+    array.add(3, 7);
+    array.finish();
+  }
+  output.close();
+  const Hdf5Input file(path_);
+  testing::internal::CaptureStderr();
+  std::vector<std::int32_t> numbers;
+  std::thread([&] {
+    for (const char* name : {"whole", "a"}) {
+      for (const std::int32_t n : file.slice<std::int32_t>(name, 0, 3)) numbers.push_back(n);
+    }
+  }).join();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(numbers, (std::vector<std::int32_t>{1, 2, 3, 7, 7, 7}));
 }
 
 }  // namespace
