@@ -1,6 +1,7 @@
 #include "mesh/shapes/trihedral_cavity.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -83,7 +84,7 @@ TriangularRing ring_between(PatchedSurface& surface, const TriangularRing& inner
                             const TriangularRing& outer, double share) {
   const auto from = static_cast<double>(inner[0].size() - 1);
   const auto to = static_cast<double>(outer[0].size() - 1);
-  const int parts = static_cast<int>(from + share * (to - from) + 0.5);
+  const int parts = static_cast<int>(std::lround(from + share * (to - from)));
   std::array<std::int32_t, 3> corner{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 a = surface.at(inner[i].front());
