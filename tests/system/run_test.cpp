@@ -112,7 +112,7 @@ TEST(Run, a_file_that_does_not_fit_ends_with_6_and_the_same_command_goes_on_with
   const TemporaryFolder folder;
   std::vector<std::string> words =
       test::run_words(test::sphere_in_box(folder.path(), 3, 1), "out", 1, 1);
-  words.insert(words.end(), {"--size", "0.3"});
+  words.insert(words.end(), {"--size", "0.2"});
   // As on a full disk, for files of more than half a megabyte.
   const Ended full = Program(words, folder.path(),
                              {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f 1000; exec \"$0\" \"$@\"",
