@@ -4,25 +4,19 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <utility>
 
 #include "base/check.h"
 #include "base/error.h"
+#include "coordinator/thread_without_signals.h"
 
 namespace tetfarm {
 
 FileThread::FileThread(const ArtifactStore& store)
     : store_(store), event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (event_ < 0) throw IoError("cannot create an eventfd", "files", errno);
-  // Signals are for the coordinator's own thread: a new thread has its parent's mask.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { run(); });
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = thread_without_signals([this] { run(); });
 }
 
 FileThread::~FileThread() {

@@ -1,21 +1,15 @@
 #include "coordinator/removal_thread.h"
 
-#include <csignal>
 #include <system_error>
 #include <utility>
 
 #include "base/check.h"
+#include "coordinator/thread_without_signals.h"
 
 namespace tetfarm {
 
 RemovalThread::RemovalThread(const ArtifactStore& store) : store_(store) {
-  // Signals are for the coordinator's own thread: a new thread has its parent's mask.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { run(); });
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = thread_without_signals([this] { run(); });
 }
 
 RemovalThread::~RemovalThread() {

@@ -36,18 +36,16 @@ std::vector<FileRange> place_cells(const SharedFile& file, const NumberedPart& p
   return write_vtkhdf_cells(places, before, part, &output);
 }
 
-SharedVtkhdf::SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts,
+SharedVtkhdf::SharedVtkhdf(SharedFile file, std::span<const VtkhdfCounts> parts,
                            const VtkhdfNames& names, ReadWhole read_whole)
     : path_(std::move(file.path)),
-      parts_(std::move(parts)),
-      before_(before_each(parts_)),
       read_whole_(std::move(read_whole)),
-      frame_(std::move(file.scratch), parts_, names),
+      frame_(std::move(file.scratch), parts, names),
       file_(path_, OutputFile::Start::as_it_is) {}
 
 bool SharedVtkhdf::takes(std::size_t part, std::span<const FileRange> cells) {
   const std::vector<VtkhdfPlace> wanted =
-      cell_places(frame_.places(), before_.at(part), parts_.at(part)).in_order();
+      cell_places(frame_.places(), frame_.before(part), frame_.counts(part)).in_order();
   if (!std::equal(cells.begin(), cells.end(), wanted.begin(), wanted.end(), is_at)) return false;
   for (const FileRange& range : cells) placed_.emplace_back(range, part);
   taken_.insert(part);
@@ -56,15 +54,15 @@ bool SharedVtkhdf::takes(std::size_t part, std::span<const FileRange> cells) {
 
 void SharedVtkhdf::add(const NumberedPart& part) {
   const auto number = static_cast<std::size_t>(part.number);
-  const VtkhdfCounts& counts = parts_.at(number);
+  const VtkhdfCounts& counts = frame_.counts(number);
   const bool is_placed = taken_.contains(number);
   const VtkhdfCounts here = vtkhdf_counts(part);
   if (here != counts && !(is_placed && here == without_cells(counts))) {
     throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
   }
   frame_.add(part);
-  if (!is_placed) write_vtkhdf_cells(frame_.places(), before_[number], part, &file_);
-  write_vtkhdf_points(frame_.places(), before_[number], part, file_);
+  if (!is_placed) write_vtkhdf_cells(frame_.places(), frame_.before(number), part, &file_);
+  write_vtkhdf_points(frame_.places(), frame_.before(number), part, file_);
 }
 
 void SharedVtkhdf::look_at_placed() {
@@ -81,7 +79,7 @@ void SharedVtkhdf::finish() {
   std::set<std::size_t> missing;
   for (const std::size_t range : finished_.wrong) missing.insert(placed_[range].second);
   for (const std::size_t part : missing) {
-    write_vtkhdf_cells(frame_.places(), before_[part], read_whole_(part), &file_);
+    write_vtkhdf_cells(frame_.places(), frame_.before(part), read_whole_(part), &file_);
   }
   if (!missing.empty()) look_at_placed();
   if (!finished_.wrong.empty()) {

@@ -40,7 +40,7 @@ class SharedVtkhdf : public GlobalMeshWriter {
   using ReadWhole = std::function<NumberedPart(std::size_t part)>;
 
   /// @throws IoError
-  SharedVtkhdf(SharedFile file, std::vector<VtkhdfCounts> parts, const VtkhdfNames& names,
+  SharedVtkhdf(SharedFile file, std::span<const VtkhdfCounts> parts, const VtkhdfNames& names,
                ReadWhole read_whole);
 
   /// Whether these are the places where the cells of that part belong: then they need not come, but
@@ -56,8 +56,6 @@ class SharedVtkhdf : public GlobalMeshWriter {
   void look_at_placed();
 
   std::filesystem::path path_;
-  std::vector<VtkhdfCounts> parts_;
-  std::vector<VtkhdfBefore> before_;
   ReadWhole read_whole_;
   VtkhdfFrame frame_;
   OutputFile file_;

@@ -119,7 +119,7 @@ VtkhdfFrame::~VtkhdfFrame() {
 
 void VtkhdfFrame::add(const NumberedPart& part) {
   const auto number = static_cast<std::size_t>(part.number);
-  packed_->add(part, parts_.at(number), before_.at(number));
+  packed_->add(part, counts(number), before(number));
 }
 
 std::vector<VtkhdfPlace> VtkhdfFrame::rooms() const {

@@ -82,6 +82,8 @@ class VtkhdfFrame {
   VtkhdfFrame& operator=(const VtkhdfFrame&) = delete;
 
   const VtkhdfPlaces& places() const { return places_; }
+  const VtkhdfCounts& counts(std::size_t part) const { return parts_.at(part); }
+  const VtkhdfBefore& before(std::size_t part) const { return before_.at(part); }
   /// The rows that a part has of the packed arrays. Its cells need not have come with it.
   /// @pre parts come in the order of their numbers; some may be left out.
   void add(const NumberedPart& part);

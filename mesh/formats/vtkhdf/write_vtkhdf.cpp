@@ -10,20 +10,16 @@ class VtkhdfWriter : public GlobalMeshWriter {
  public:
   VtkhdfWriter(const std::filesystem::path& path, std::span<const VtkhdfCounts> parts,
                const VtkhdfNames& names)
-      : parts_(parts.begin(), parts.end()),
-        before_(before_each(parts)),
-        frame_(path.string() + ".frame", parts, names),
-        file_(path, OutputFile::Start::empty) {}
+      : frame_(path.string() + ".frame", parts, names), file_(path, OutputFile::Start::empty) {}
 
   void add(const NumberedPart& part) override {
     const auto number = static_cast<std::size_t>(part.number);
-    const VtkhdfCounts& counts = parts_.at(number);
-    if (vtkhdf_counts(part) != counts) {
+    if (vtkhdf_counts(part) != frame_.counts(number)) {
       throw Error(ExitCode::failed, "a sub-domain has different counts from those announced");
     }
     frame_.add(part);
-    write_vtkhdf_cells(frame_.places(), before_[number], part, &file_);
-    write_vtkhdf_points(frame_.places(), before_[number], part, file_);
+    write_vtkhdf_cells(frame_.places(), frame_.before(number), part, &file_);
+    write_vtkhdf_points(frame_.places(), frame_.before(number), part, file_);
   }
 
   void finish() override {
@@ -32,8 +28,6 @@ class VtkhdfWriter : public GlobalMeshWriter {
   }
 
  private:
-  std::vector<VtkhdfCounts> parts_;
-  std::vector<VtkhdfBefore> before_;
   VtkhdfFrame frame_;
   OutputFile file_;
 };
