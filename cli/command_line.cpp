@@ -115,6 +115,11 @@ void add_job(CLI::App& app, RunOptions& job) {
                  "Formats to write, any that export writes (default vtkhdf)")
       ->delimiter(',')
       ->option_text("F,...");
+  app.add_option("--keep", job.keep,
+                 "Files between the tasks to keep: needed (each goes when no task needs it any "
+                 "more) or all (default all)")
+      ->check(CLI::IsMember({"needed", "all"}))
+      ->option_text("needed|all");
 }
 
 /// The parser with one sub-command for each Command, and room for what it reads.

@@ -31,6 +31,7 @@ struct RunOptions {
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
+  std::string keep;  ///< "needed" or "all"; "": as the job file says
   bool json = false;
   ProgressStyle progress = ProgressStyle::automatic;
   std::string store;     ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm

@@ -137,6 +137,7 @@ JobInput describe_job(const RunOptions& options) {
     require_known_formats(options.formats);
     job.formats = options.formats;
   }
+  if (!options.keep.empty()) job.keep = options.keep;
   input.path = job.surface;
   surface_format_of(input.path);  // refused before a file is read or anything is started
   job.surface = std::filesystem::path(without_ending(job.surface, ".gz")).filename().string();

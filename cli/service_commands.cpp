@@ -132,6 +132,7 @@ std::string option_of_surfaces(const SubmitCommand& command) {
                                                 {job.max_elements.has_value(), "--max-elements"},
                                                 {job.force, "--force"},
                                                 {!job.formats.empty(), "--format"},
+                                                {!job.keep.empty(), "--keep"},
                                                 {command.coordinator_reads, "--coordinator-reads"}};
   for (const auto& [is_given, name] : given) {
     if (is_given) return name;

@@ -3,7 +3,8 @@
 
 The checks are those of .clang-tidy; any finding is an error. Each finding is told once, though headers are read by many.
 Headers that no .cpp of their name includes first (check_own_header_first.py sees to the others), those of tests among
-them, are compiled alone.
+them, are compiled alone. What was clean before and reads the same, comments and macros included, is not looked at again
+(lint_cache.py).
 """
 
 import concurrent.futures
@@ -13,6 +14,8 @@ import re
 import shlex
 import subprocess
 import sys
+
+import lint_cache
 
 ROOMS = "base json mesh tasks proto store coordinator worker pool report cli".split()
 FINDING = re.compile(r"^(/\S+?):(\d+):(\d+): (?:warning|error): .*")
@@ -58,6 +61,66 @@ def tidy(folder, path):
     return run.returncode, run.stdout, run.stderr
 
 
+def preprocessed(command, folder):
+    """What the compiler reads, with comments and macros, which clang-tidy reads too; None where that fails."""
+    run = subprocess.run([*command, "-E", "-C", "-dD", "-o", "-"], cwd=folder, capture_output=True)
+    return run.stdout if run.returncode == 0 else None
+
+
+def command_of(entry):
+    """Of a compilation, without where its object goes."""
+    words = shlex.split(entry["command"])
+    if "-o" in words:
+        at = words.index("-o")
+        del words[at:at + 2]
+    return [word for word in words if word not in ("-c", "ccache") and not word.endswith("/ccache")]
+
+
+def what_clean_rests_on(root):
+    """What a clean result rests on beside the file: the checks, the programs, and this one."""
+    versions = [subprocess.run([program, "--version"], capture_output=True).stdout
+                for program in ("clang-tidy", "clang++")]
+    files = []
+    for path in (os.path.join(root, ".clang-tidy"), os.path.abspath(__file__)):
+        with open(path, "rb") as file:
+            files.append(file.read())
+    return versions + files
+
+
+class Lint:
+    """The checks of one run, which know what was clean before."""
+
+    def __init__(self, folder, root, entries, results):
+        self.folder = folder
+        self.root = root
+        self.commands = {entry["file"]: (command_of(entry), entry["directory"]) for entry in entries}
+        self.options = ways_to_headers(entries)
+        self.results = results
+        self.rests_on = what_clean_rests_on(root)
+
+    def key(self, command, folder):
+        text = preprocessed(command, folder)
+        return text and lint_cache.key_of(*self.rests_on, " ".join(command).encode(), text)
+
+    def tidy(self, path):
+        key = self.key(*self.commands[path])
+        if key and self.results.has(key):
+            return 0, "", ""
+        status, output, errors = tidy(self.folder, path)
+        if key and status == 0 and not findings_of(output):
+            self.results.add(key)
+        return status, output, errors
+
+    def compile_alone(self, header):
+        key = self.key(command_alone(header, self.options, self.root), self.root)
+        if key and self.results.has(key):
+            return ""
+        problem = compile_alone(header, self.options, self.root)
+        if key and not problem:
+            self.results.add(key)
+        return problem
+
+
 def headers_alone(root):
     """Headers without a .cpp of their name, relative to the root."""
     headers = []
@@ -81,9 +144,12 @@ def ways_to_headers(entries):
     return list(ways)
 
 
+def command_alone(header, options, root):
+    return ["clang++", "-std=c++20", "-Wno-pragma-once-outside-header", *options, "-x", "c++", os.path.join(root, header)]
+
+
 def compile_alone(header, options, root):
-    run = subprocess.run(["clang++", "-std=c++20", "-Wno-pragma-once-outside-header", *options, "-fsyntax-only", "-x", "c++", os.path.join(root, header)],
-                         capture_output=True, text=True)
+    run = subprocess.run([*command_alone(header, options, root), "-fsyntax-only"], capture_output=True, text=True)
     return "" if run.returncode == 0 else f"{header}: does not compile alone\n{run.stderr.strip()}"
 
 
@@ -104,15 +170,17 @@ def main():
     findings = {}
     # The longest first, so that the last to end is a short one.
     order = sorted(files, key=lambda path: -len(files[path]))
+    results = lint_cache.CleanResults(lint_cache.folder_of_user())
+    results.forget_unused()
+    lint = Lint(folder, root, entries, results)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for path, (status, output, errors) in zip(order, pool.map(lambda path: tidy(folder, path), order)):
+        for path, (status, output, errors) in zip(order, pool.map(lint.tidy, order)):
             found = findings_of(output)
             findings.update(found)
             if status != 0 and not found:
                 problems.append(f"{path}: clang-tidy ended with {status}\n{errors.strip()}")
         headers = headers_alone(root)
-        ways = ways_to_headers(entries)
-        problems += filter(None, pool.map(lambda header: compile_alone(header, ways, root), headers))
+        problems += filter(None, pool.map(lint.compile_alone, headers))
     for _, lines in sorted(findings.items()):
         print("\n".join(lines))
     print("\n".join(problems))

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """What lint.py makes of what clang-tidy says, and of what is compiled."""
 
+import json
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 import lint
+import lint_cache
 
 OUTPUT = """/r/base/a.h:3:5: error: name is bad [readability-identifier-naming,-warnings-as-errors]
   int Bad;
@@ -49,6 +52,63 @@ class Lint(unittest.TestCase):
             self.assertEqual(headers, ["base/bad.h", "base/good.h"])
             self.assertIn("does not compile alone", lint.compile_alone("base/bad.h", [], root))
             self.assertEqual(lint.compile_alone("base/good.h", [], root), "")
+
+    def entry_of(self, root, text, check):
+        """A file to look at and its compilation, in a folder whose checks are `check` alone."""
+        for name, words in (("a.cpp", text), (".clang-tidy", f"Checks: '-*,{check}'\n")):
+            with open(os.path.join(root, name), "w", encoding="utf-8") as file:
+                file.write(words)
+        path = os.path.join(root, "a.cpp")
+        entry = {"file": path, "directory": root, "command": f"/usr/bin/ccache clang++ -std=c++20 -o a.o -c {path}"}
+        with open(os.path.join(root, "compile_commands.json"), "w", encoding="utf-8") as file:
+            json.dump([entry], file)
+        return path, entry
+
+    def looks(self, root, text, check="misc-unused-parameters"):
+        """What is told of the text, and whether clang-tidy was asked."""
+        path, entry = self.entry_of(root, text, check)
+        checked = lint.Lint(root, root, [entry], lint_cache.CleanResults(os.path.join(root, "lint")))
+        with mock.patch.object(lint, "tidy", wraps=lint.tidy) as asked:
+            findings = lint.findings_of(checked.tidy(path)[1])
+        return len(findings), asked.called
+
+    def test_what_was_clean_is_not_looked_at_again_until_it_or_the_checks_change(self):
+        with tempfile.TemporaryDirectory() as root:
+            self.assertEqual(self.looks(root, "int f(int a) { return a; }\n"), (0, True))
+            self.assertEqual(self.looks(root, "int f(int a) { return a; }\n"), (0, False))
+            self.assertEqual(self.looks(root, "int f(int a) { return a; }  // said\n"), (0, True))
+            self.assertEqual(self.looks(root, "int f(int a) { return a; }\n", "modernize-use-trailing-return-type"), (1, True))
+
+    def test_a_finding_is_told_each_time(self):
+        with tempfile.TemporaryDirectory() as root:
+            for _ in range(2):
+                self.assertEqual(self.looks(root, "int f(int a) { return 1; }\n"), (1, True))
+
+    def test_a_header_that_compiled_alone_and_lacks_an_include_later_is_told(self):
+        with tempfile.TemporaryDirectory() as root:
+            _, entry = self.entry_of(root, "", "misc-unused-parameters")
+            checked = lint.Lint(root, root, [entry], lint_cache.CleanResults(os.path.join(root, "lint")))
+            header = os.path.join(root, "a.h")
+            for text, problem in (("#include <string>\nstd::string f();\n", ""), ("std::string f();\n", "does not compile alone")):
+                with open(header, "w", encoding="utf-8") as file:
+                    file.write(text)
+                self.assertIn(problem, checked.compile_alone("a.h"))
+            self.assertNotEqual(checked.compile_alone("a.h"), "")
+
+    def test_results_that_nobody_asked_for_in_a_month_go(self):
+        with tempfile.TemporaryDirectory() as root:
+            results = lint_cache.CleanResults(root)
+            for key in ("old", "new"):
+                results.add(key)
+            os.utime(os.path.join(root, "old"), (1, 1))
+            results.forget_unused()
+            self.assertEqual((results.has("old"), results.has("new")), (False, True))
+
+    def test_a_folder_that_cannot_be_written_keeps_nothing(self):
+        results = lint_cache.CleanResults("/proc/none")
+        results.add("key")
+        results.forget_unused()
+        self.assertFalse(results.has("key"))
 
 
 if __name__ == "__main__":

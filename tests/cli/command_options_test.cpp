@@ -15,10 +15,10 @@ using CommandOptions = PlainEnvironment;
 
 /// What `run`, `plan` and `submit` take.
 const std::vector<std::string> job_words = {
-    "wing.stl", "--size",     "0.5",          "--growth", "0.2",
-    "--outer",  "box:3",      "--outer-size", "0.25",     "--max-elements",
-    "7",        "--format",   "vtkhdf,su2",   "--layers", "wing_*,tip:first=1e-4,count=20",
-    "--layers", "[a]:first=1"};
+    "wing.stl", "--size",      "0.5",          "--growth", "0.2",
+    "--outer",  "box:3",       "--outer-size", "0.25",     "--max-elements",
+    "7",        "--format",    "vtkhdf,su2",   "--layers", "wing_*,tip:first=1e-4,count=20",
+    "--layers", "[a]:first=1", "--keep",       "needed"};
 
 void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.input, "wing.stl");
@@ -28,6 +28,7 @@ void expect_job(const RunOptions& job) {
   EXPECT_EQ(job.outer_size, 0.25);
   EXPECT_EQ(job.max_elements, 7);
   EXPECT_THAT(job.formats, ElementsAre("vtkhdf", "su2"));
+  EXPECT_EQ(job.keep, "needed");
   EXPECT_THAT(job.layers, ElementsAre("wing_*,tip:first=1e-4,count=20", "[a]:first=1"));
   EXPECT_FALSE(job.force);
 }

@@ -71,6 +71,7 @@ TEST(JobInput, takes_each_option_of_a_job) {
   options.outer_size = 0.25;
   options.max_elements = 7;
   options.formats = {"su2", "vtkhdf"};
+  options.keep = "needed";
   options.layers = {"wing_*:first=1e-4", "tip:first=2e-4,count=7"};
   const JobFile job = describe_job(options).job;
   ASSERT_EQ(job.layers.size(), 2U);
@@ -85,6 +86,7 @@ TEST(JobInput, takes_each_option_of_a_job) {
   EXPECT_EQ(job.outer_spacing, 0.25);
   EXPECT_EQ(job.max_elements, 7);
   EXPECT_THAT(job.formats, ElementsAre("su2", "vtkhdf"));
+  EXPECT_EQ(job.keep, "needed");
   options.force = true;
   EXPECT_EQ(describe_job(options).job.max_elements, 0);
 }
@@ -150,7 +152,8 @@ TEST_F(JobOfAFile, options_win_over_it) {
   RunOptions options = of_surface(
       write("job.toml",
             "name = \"mine\"\n[geometry]\nsurface = \"in/wing.off\"\n[spacing]\ndefault = 0.5\n"
-            "growth = 0.1\n[decompose]\nmax_memory = \"2GiB\"\n[output]\nformats = [\"su2\"]\n"));
+            "growth = 0.1\n[decompose]\nmax_memory = \"2GiB\"\n[output]\nformats = [\"su2\"]\n"
+            "keep = \"needed\"\n"));
   const JobInput plain = describe_job(options);
   EXPECT_EQ(plain.job.name, "mine");
   EXPECT_EQ(plain.job.surface, "wing.off");
@@ -159,8 +162,10 @@ TEST_F(JobOfAFile, options_win_over_it) {
   EXPECT_EQ(plain.job.growth, 0.1);
   EXPECT_EQ(plain.job.max_memory_bytes, std::int64_t{2} << 30);
   EXPECT_THAT(plain.job.formats, ElementsAre("su2"));
+  EXPECT_EQ(plain.job.keep, "needed");
   options.size = 0.25;
   options.formats = {"vtkhdf"};
+  options.keep = "all";
   options.subdomains = 5;
   const JobFile changed = describe_job(options).job;
   EXPECT_EQ(changed.spacing_default, 0.25);
@@ -168,6 +173,7 @@ TEST_F(JobOfAFile, options_win_over_it) {
   EXPECT_EQ(changed.subdomains, 5);
   EXPECT_EQ(changed.max_memory_bytes, 0) << "the number is asked for instead";
   EXPECT_THAT(changed.formats, ElementsAre("vtkhdf"));
+  EXPECT_EQ(changed.keep, "all");
   RunOptions groups = of_surface(options.input);
   groups.groups = 2;
   EXPECT_EQ(describe_job(groups).job.max_memory_bytes, 0);
