@@ -19,6 +19,10 @@ std::uint64_t sum(const std::vector<ArtifactRef>& files) {
   return bytes;
 }
 
+/// What a task writes at most for each byte that it reads. The last one puts in a row what it
+/// reads, and most of that lies in the file of the mesh already.
+std::uint64_t bytes_of_byte_read(TaskKind kind) { return kind == TaskKind::assemble ? 1 : 2; }
+
 /// Estimated elements of a task that is told them; 0 of others.
 std::uint64_t work_of(const TaskRow& task) {
   return static_cast<std::uint64_t>(told_size(task).value_or(ToldSize{}).elements);
@@ -40,7 +44,7 @@ std::uint64_t SpaceWatch::expected_bytes(const JobState& state, std::size_t work
     const bool by_work = task.kind == TaskKind::mesh && work_of(task) > 0;
     expected += known != largest_.end() ? known->second
                 : by_work               ? bytes_per_element * work_of(task)
-                                        : 2 * sum(task.inputs);
+                                        : bytes_of_byte_read(task.kind) * sum(task.inputs);
   }
   return expected;
 }

@@ -26,7 +26,8 @@ class SpaceWatch {
 
   /// Bytes that the running tasks, and the next ready one for each of so many workers, are expected
   /// to write: as much as the largest result of their kind in their job so far; where there is
-  /// none, by the estimated elements, or twice what they read. Cost: O(running tasks, workers).
+  /// none, by the estimated elements, or twice what they read, and of `assemble` as much.
+  /// Cost: O(running tasks, workers).
   std::uint64_t expected_bytes(const JobState& state, std::size_t workers) const;
 
   /// What is wrong, for people; "": there is room, or it was looked at a moment ago.

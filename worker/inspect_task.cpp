@@ -194,9 +194,18 @@ void require_room(const JobFile& job, double input_bytes, const SubdomainSize& r
 
 namespace {
 
+struct InputSurface {
+  SurfaceMesh surface;
+  double bytes = 0;  ///< of its file, unpacked
+};
+
+InputSurface read_input(const TaskIo& io, const JobFile& job, const TaskFile& file) {
+  const std::string bytes = io.read(file, unpacked);
+  return {read_surface_bytes(bytes, job.surface), static_cast<double>(bytes.size())};
+}
+
 /// @throws RefusedInput.
-CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const std::string& input) {
-  const SurfaceMesh surface = read_surface_bytes(input, job.surface);
+CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh& surface) {
   io.progress().begin(WorkStage::check);
   CheckedSurface checked = check_surface(surface, region_rules_of(job));
   if (checked.report.defects.empty()) return checked;
@@ -205,16 +214,25 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const std::string
                      {{file_name_of_job(job.name, ".defects.vtp"), defects}});
 }
 
+struct CheckedInput {
+  CheckedSurface checked;
+  double bytes = 0;  ///< of the file, unpacked
+};
+
+/// Neither the file nor the surface as it was read stays in memory.
+CheckedInput checked_input(TaskIo& io, const JobFile& job, const TaskFile& file) {
+  io.progress().begin(WorkStage::read);
+  const InputSurface input = read_input(io, job, file);
+  return {checked_surface(io, job, input.surface), input.bytes};
+}
+
 }  // namespace
 
 void inspect_task(TaskIo& io) {
   const auto given = io.given<InspectGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   if (!given.input_surface) throw OwnDefect("the job has no surface", {});
-  io.progress().begin(WorkStage::read);
-  const std::string input = io.read(*given.input_surface, unpacked);
-  const auto input_bytes = static_cast<double>(input.size());
-  const CheckedSurface checked = checked_surface(io, job, input);
+  const auto [checked, input_bytes] = checked_input(io, job, *given.input_surface);
   io.progress().begin(WorkStage::spacing);
   const JobDomain domain = domain_of_job(job, checked.surface);
   const std::string spacing_bytes = domain.spacing.to_bytes();

@@ -95,11 +95,14 @@ Subdomain root_subdomain(const SurfaceMesh& surface) {
   TF_CHECK(surface.vertices.size() <= std::numeric_limits<std::int32_t>::max());
   Subdomain whole;
   whole.vertices = surface.vertices;
+  whole.node_origin.reserve(surface.vertices.size());
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     whole.node_origin.push_back({0, static_cast<std::uint32_t>(v)});
   }
   whole.triangles = surface.triangles;
   whole.region = 0;
+  whole.triangle_origin.reserve(surface.triangles.size());
+  whole.sides.reserve(surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     whole.triangle_origin.push_back({0, static_cast<std::uint32_t>(t)});
     whole.sides.push_back(sides_of(surface, t));

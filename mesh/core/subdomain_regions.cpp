@@ -19,6 +19,10 @@ void take_used_vertices(const Subdomain& whole, Subdomain& part) {
       old2new[static_cast<std::size_t>(v)] = 0;
     }
   }
+  const auto used =
+      old2new.size() - static_cast<std::size_t>(std::count(old2new.begin(), old2new.end(), -1));
+  part.vertices.reserve(used);
+  part.node_origin.reserve(used);
   for (std::size_t v = 0; v < old2new.size(); ++v) {
     if (old2new[v] < 0) continue;
     old2new[v] = static_cast<std::int32_t>(part.vertices.size());
@@ -86,9 +90,19 @@ Subdomain part_of_regions(const Subdomain& whole, const std::vector<std::int32_t
   const auto kept = [&regions](std::int32_t region) {
     return std::binary_search(regions.begin(), regions.end(), region) ? region : 0;
   };
+  const auto kept_sides = [&kept](const Sides& sides) {
+    return Sides{kept(sides[0]), kept(sides[1])};
+  };
   TF_CHECK(whole.sides.size() == whole.triangles.size());
+  const auto triangles = static_cast<std::size_t>(
+      std::count_if(whole.sides.begin(), whole.sides.end(), [&](const Sides& sides) {
+        return kept_sides(sides) != Sides{0, 0};
+      }));
+  part.triangles.reserve(triangles);
+  part.triangle_origin.reserve(triangles);
+  if (part.region == 0) part.sides.reserve(triangles);
   for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
-    const Sides sides = {kept(whole.sides[t][0]), kept(whole.sides[t][1])};
+    const Sides sides = kept_sides(whole.sides[t]);
     if (sides == Sides{0, 0}) continue;
     Triangle triangle = whole.triangles[t];
     if (part.region > 0 && sides[0] == 0) std::swap(triangle[1], triangle[2]);

@@ -51,6 +51,11 @@ TEST_F(ExpectedBytes, of_the_first_of_a_kind_are_twice_what_it_reads_or_follow_i
   EXPECT_EQ(expected_bytes(0), 20'100U);
 }
 
+TEST_F(ExpectedBytes, of_assemble_are_as_many_as_it_reads) {
+  add(TaskKind::assemble, TaskState::leased, 50, 0);
+  EXPECT_EQ(expected_bytes(0), 50U);
+}
+
 TEST_F(ExpectedBytes, of_ready_tasks_count_for_as_many_as_there_are_workers) {
   for (int i = 0; i < 5; ++i) add(TaskKind::extract, TaskState::ready, 50, 0);
   EXPECT_EQ(expected_bytes(2), 200U);
