@@ -130,6 +130,12 @@ std::vector<SubdomainSize> leaves_of_tree(const Plan& plan) {
   return leaves;
 }
 
+double most_triangles(const std::vector<SubdomainSize>& leaves) {
+  double most = 0;
+  for (const SubdomainSize& leaf : leaves) most = std::max(most, leaf.triangles);
+  return most;
+}
+
 double sum_of_triangles(const std::vector<SubdomainSize>& leaves) {
   double sum = 0;
   for (const SubdomainSize& leaf : leaves) sum += leaf.triangles;
@@ -161,7 +167,7 @@ void add_leaves(const Plan& plan, const std::vector<SubdomainSize>& leaves, Cost
   TF_CHECK(!leaves.empty());
   const bool has_turns = plan.across_cuts && leaves.size() > 1;
   const double all_triangles = sum_of_triangles(leaves);
-  if (has_turns) costs.add(order_cost(all_triangles));
+  if (has_turns) costs.add(order_cost(all_triangles, most_triangles(leaves)));
   const double cut_triangles =
       std::max(0.0, all_triangles - plan.root.triangles) / static_cast<double>(leaves.size());
   for (const SubdomainSize& leaf : leaves) {

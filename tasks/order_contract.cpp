@@ -12,8 +12,8 @@ constinit const TaskKindTraits order_traits = {
     .colour = "#999999",
     .trace_colour = "grey",
     .outputs = {"shared:"},
-    .seconds = {.of = {0.006, 0, 0.1e-6, 0}},
-    .memory = {.of_triangle = 90},
+    .seconds = {.of = {0.006, 0, 0.3e-6, 0}},
+    .memory = {.of_triangle = 32, .of_triangle_of_largest = 200},
     .needs_whole_tree = true,
     .reads_file_by_file = true,
 };

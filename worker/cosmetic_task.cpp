@@ -10,6 +10,7 @@
 #include "mesh/spacing/spacing_field.h"
 #include "tasks/cosmetic_contract.h"
 #include "worker/element_input.h"
+#include "worker/spacing_input.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -95,7 +96,7 @@ void report(TaskIo& io, const SeamResult& result, const CosmeticGiven& given,
 
 void cosmetic_task(TaskIo& io) {
   const auto given = io.given<CosmeticGiven>();
-  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  const SpacingField spacing = spacing_input(io, given.spacing);
   Surroundings inputs = open_inputs(io, given);
   io.progress().begin(WorkStage::read);
   std::vector<ElementSection> sections;

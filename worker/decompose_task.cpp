@@ -11,6 +11,7 @@
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/region_split.h"
 #include "tasks/decompose_contract.h"
+#include "worker/spacing_input.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -142,7 +143,7 @@ void decompose_task(TaskIo& io) {
   const auto given = io.given<DecomposeGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const Subdomain subdomain = io.read(given.subdomain, subdomain_from_bytes);
-  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  const SpacingField spacing = spacing_input(io, given.spacing);
   report_cost(io,
               decompose_cost(size_of(subdomain, static_cast<double>(given.work), given.spacing)));
   const Wanted wanted(given);

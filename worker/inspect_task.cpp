@@ -183,7 +183,8 @@ void require_room(const JobFile& job, double input_bytes, const SubdomainSize& r
   double least = least_memory(input_bytes, root);
   if (job.across_cuts && most_bytes >= least) {
     const auto parts = static_cast<double>(parts_for_memory(root, most_bytes));
-    if (parts > 1) least = order_cost(triangles_of_leaves(root, parts)).bytes;
+    const double triangles = triangles_of_leaves(root, parts);
+    if (parts > 1) least = order_cost(triangles, triangles / parts).bytes;
   }
   if (most_bytes >= least) return;
   throw UsageError("this surface needs at least " + std::to_string(std::llround(least / 1e6)) +

@@ -96,10 +96,10 @@ JobForecast forecast_of(const JobFile& job, double input_bytes, const SubdomainS
   if (subdomains > 1) {
     forecast.task_bytes = std::max(forecast.task_bytes, decompose_cost(root).bytes);
     if (job.across_cuts) {
-      forecast.task_bytes =
-          std::max({forecast.task_bytes, leaf_bytes(leaf), order_cost(triangles).bytes});
+      const TaskCost order = order_cost(triangles, leaf.triangles);
+      forecast.task_bytes = std::max({forecast.task_bytes, leaf_bytes(leaf), order.bytes});
       forecast.seconds +=
-          order_cost(triangles).seconds +
+          order.seconds +
           subdomains * (extract_cost(leaf.elements, leaf.triangles).seconds +
                         cosmetic_cost(turn_elements(leaf), leaf.spacing_bytes).seconds);
     }

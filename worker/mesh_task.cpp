@@ -14,6 +14,7 @@
 #include "tasks/mesh_contract.h"
 #include "worker/decompose_task.h"
 #include "worker/evidence.h"
+#include "worker/spacing_input.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -63,7 +64,7 @@ void mesh_task(TaskIo& io) {
   const auto given = io.given<MeshGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   const Subdomain leaf = io.read(given.subdomain, subdomain_from_bytes);
-  const SpacingField spacing = io.read(given.spacing, SpacingField::from_bytes);
+  const SpacingField spacing = spacing_input(io, given.spacing);
   report_cost(io, mesh_cost(size_of(leaf, static_cast<double>(given.work), given.spacing)));
   const TetMesh mesh = mesh_or_refuse(io, job, leaf, spacing);
   io.progress().begin(WorkStage::validate);

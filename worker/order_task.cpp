@@ -35,15 +35,18 @@ CosmeticOrder order_by_region(std::map<std::int32_t, std::vector<InterfaceNodes>
 void order_task(TaskIo& io) {
   std::map<std::int32_t, std::vector<InterfaceNodes>> region2leaves;
   double triangles = 0;
+  double largest_leaf = 0;
   const auto given = io.given<OrderGiven>();
   io.progress().begin(WorkStage::order, given.subdomains.size());
   for (const auto& [heap, file] : given.subdomains) {
     io.progress().add();
     const Subdomain leaf = io.read(file, subdomain_from_bytes);
-    triangles += static_cast<double>(leaf.triangles.size());
+    const auto of_leaf = static_cast<double>(leaf.triangles.size());
+    triangles += of_leaf;
+    largest_leaf = std::max(largest_leaf, of_leaf);
     region2leaves[leaf.region].push_back(interface_nodes(leaf));
   }
-  report_cost(io, order_cost(triangles));
+  report_cost(io, order_cost(triangles, largest_leaf));
   const CosmeticOrder order = order_by_region(std::move(region2leaves));
   OrderMade made;
   std::string& text = made.order;

@@ -58,8 +58,8 @@ TaskCost assimilate_cost(double triangles, double largest_group) {
   return cost_of(TaskKind::assimilate, {0, triangles, 0, 0, largest_group}, {0, triangles, 0});
 }
 
-TaskCost order_cost(double triangles) {
-  return cost_of(TaskKind::order, {0, triangles}, {0, triangles, 0});
+TaskCost order_cost(double triangles, double largest_leaf) {
+  return cost_of(TaskKind::order, {0, triangles, 0, 0, largest_leaf}, {0, triangles, 0});
 }
 
 TaskCost extract_cost(double elements, double triangles) {

@@ -51,8 +51,8 @@ TaskCost decompose_cost(const SubdomainSize& size);
 TaskCost mesh_cost(const SubdomainSize& size);
 /// `triangles` of all leaves together, and of the largest group when joined.
 TaskCost assimilate_cost(double triangles, double largest_group);
-/// `triangles` of all sub-domains together.
-TaskCost order_cost(double triangles);
+/// `triangles` of all sub-domains together, and of the largest.
+TaskCost order_cost(double triangles, double largest_leaf);
 /// `elements` counted.
 TaskCost extract_cost(double elements, double triangles);
 /// `elements` counted: of all sections that the turn reads.

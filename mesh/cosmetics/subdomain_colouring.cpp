@@ -1,14 +1,17 @@
 #include "mesh/cosmetics/subdomain_colouring.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
 
+/// One of millions, which is why owners are numbered.
 struct NodeOfLeaf {
-  Origin origin;
+  std::uint32_t owner = 0;  // its place in the list
+  std::uint32_t index = 0;
   std::uint32_t leaf = 0;  // its place in the list
 
   friend auto operator<=>(const NodeOfLeaf&, const NodeOfLeaf&) = default;
@@ -20,39 +23,80 @@ void sort_unique(std::vector<T>& items) {
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-std::vector<NodeOfLeaf> all_nodes(const std::vector<InterfaceNodes>& leaves) {
-  std::vector<NodeOfLeaf> nodes;
-  for (std::uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    for (const Origin& origin : leaves[leaf].nodes) nodes.push_back({origin, leaf});
-  }
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
-/// Calls visit(origin, the places of its leaves) for every node that several leaves have.
-template <class Visitor>
-void for_each_shared(const std::vector<NodeOfLeaf>& nodes, Visitor&& visit) {
-  std::vector<std::uint32_t> leaves;
-  for (std::size_t first = 0; first < nodes.size();) {
-    leaves.clear();
-    std::size_t next = first;
-    for (; next < nodes.size() && nodes[next].origin == nodes[first].origin; ++next) {
-      leaves.push_back(nodes[next].leaf);
+/// Ascending.
+std::vector<std::uint64_t> owners_of(const std::vector<InterfaceNodes>& leaves) {
+  std::set<std::uint64_t> owners;
+  for (const InterfaceNodes& leaf : leaves) {
+    const Origin* last = nullptr;
+    for (const Origin& origin : leaf.nodes) {
+      if (last == nullptr || origin.owner != last->owner) owners.insert(origin.owner);
+      last = &origin;
     }
-    if (leaves.size() > 1) visit(nodes[first].origin, leaves);
-    first = next;
   }
+  return {owners.begin(), owners.end()};
 }
 
-/// The sets of leaves that share some node, each once.
-std::vector<std::vector<std::uint32_t>> sharer_sets(const std::vector<NodeOfLeaf>& nodes) {
-  std::vector<std::vector<std::uint32_t>> sets;
-  for_each_shared(nodes, [&](const Origin&, const std::vector<std::uint32_t>& leaves) {
+/// The nodes of all leaves, by origin; those of each leaf leave memory on the way.
+class NodesOfLeaves {
+ public:
+  explicit NodesOfLeaves(std::vector<InterfaceNodes>& leaves) : owners_(owners_of(leaves)) {
+    std::size_t count = 0;
+    for (const InterfaceNodes& leaf : leaves) count += leaf.nodes.size();
+    nodes_.reserve(count);
+    for (std::uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
+      for (const Origin& origin : leaves[leaf].nodes) {
+        nodes_.push_back({number_of(origin.owner), origin.index, leaf});
+      }
+      leaves[leaf].nodes = {};
+    }
+    std::sort(nodes_.begin(), nodes_.end());
+  }
+
+  /// Calls visit(origin, the places of its leaves) for every node that several leaves have.
+  template <class Visitor>
+  void for_each_shared(Visitor&& visit) const {
+    std::vector<std::uint32_t> leaves;
+    for (auto first = nodes_.begin(); first != nodes_.end();) {
+      leaves.clear();
+      auto next = first;
+      for (; next != nodes_.end() && is_same_node(*next, *first); ++next) {
+        leaves.push_back(next->leaf);
+      }
+      if (leaves.size() > 1) visit(Origin{owners_[first->owner], first->index}, leaves);
+      first = next;
+    }
+  }
+
+ private:
+  static bool is_same_node(const NodeOfLeaf& a, const NodeOfLeaf& b) {
+    return a.owner == b.owner && a.index == b.index;
+  }
+  std::uint32_t number_of(std::uint64_t owner) const {
+    const auto place = std::lower_bound(owners_.begin(), owners_.end(), owner);
+    return static_cast<std::uint32_t>(place - owners_.begin());
+  }
+
+  std::vector<std::uint64_t> owners_;
+  std::vector<NodeOfLeaf> nodes_;
+};
+
+/// The sets of leaves that share some node, each once, ascending.
+std::vector<std::vector<std::uint32_t>> sharer_sets(const NodesOfLeaves& nodes) {
+  std::set<std::vector<std::uint32_t>> sets;
+  nodes.for_each_shared([&](const Origin&, const std::vector<std::uint32_t>& leaves) {
     TF_CHECK(leaves.size() <= most_sharers);
-    if (sets.empty() || sets.back() != leaves) sets.push_back(leaves);
+    sets.insert(leaves);
   });
-  sort_unique(sets);
-  return sets;
+  return {sets.begin(), sets.end()};
+}
+
+/// Of each leaf.
+std::vector<std::size_t> shared_counts(const NodesOfLeaves& nodes, std::size_t leaves) {
+  std::vector<std::size_t> counts(leaves, 0);
+  nodes.for_each_shared([&](const Origin&, const std::vector<std::uint32_t>& sharers) {
+    for (const std::uint32_t leaf : sharers) ++counts[leaf];
+  });
+  return counts;
 }
 
 std::int32_t free_colour(const ColouredLeaf& leaf, const std::vector<ColouredLeaf>& leaves) {
@@ -84,19 +128,22 @@ InterfaceNodes interface_nodes(const Subdomain& leaf) {
     }
   }
   sort_unique(result.nodes);
+  result.nodes.shrink_to_fit();  // a sixth of what was listed
   return result;
 }
 
 CosmeticOrder colour_subdomains(std::vector<InterfaceNodes> leaves) {
   std::sort(leaves.begin(), leaves.end(),
             [](const InterfaceNodes& a, const InterfaceNodes& b) { return a.path < b.path; });
-  const std::vector<NodeOfLeaf> nodes = all_nodes(leaves);
+  const NodesOfLeaves nodes(leaves);
   const auto sets = sharer_sets(nodes);
   CosmeticOrder order;
   order.leaves.resize(leaves.size());
   order.shared.resize(leaves.size());
+  const std::vector<std::size_t> counts = shared_counts(nodes, leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     order.leaves[i].path = order.shared[i].path = leaves[i].path;
+    order.shared[i].nodes.reserve(counts[i]);
   }
   // The sets of each leaf, and where a set stands among those of its leaf.
   std::vector<std::vector<std::size_t>> sets_of_leaf(leaves.size());
@@ -111,7 +158,7 @@ CosmeticOrder colour_subdomains(std::vector<InterfaceNodes> leaves) {
       }
     }
   }
-  for_each_shared(nodes, [&](const Origin& origin, const std::vector<std::uint32_t>& sharers) {
+  nodes.for_each_shared([&](const Origin& origin, const std::vector<std::uint32_t>& sharers) {
     const auto set = static_cast<std::size_t>(std::lower_bound(sets.begin(), sets.end(), sharers) -
                                               sets.begin());
     TF_CHECK(set < sets.size());

@@ -37,7 +37,7 @@ struct CosmeticOrder {
 /// Leaves are coloured greedily by rising heap number: each gets the smallest colour that no
 /// neighbour before it has. At most 1 + the most neighbours of a leaf colours.
 /// @pre the leaves' paths are all different, no node is shared by more than most_sharers leaves.
-/// Cost: O(n log n) for n interface nodes in all.
+/// Cost: O(n log n) for n interface nodes in all. Memory: 36 bytes for each of these.
 CosmeticOrder colour_subdomains(std::vector<InterfaceNodes> leaves);
 
 }  // namespace tetfarm

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
+#include "base/mapped_file.h"
 #include "mesh/formats/input_scanner.h"
 
 namespace tetfarm {
@@ -16,7 +16,6 @@ class MeshText {
   explicit MeshText(const std::filesystem::path& path, char comment = '\0');
   MeshText(const MeshText&) = delete;
   MeshText& operator=(const MeshText&) = delete;
-  ~MeshText();
 
   InputScanner& scanner() { return scanner_; }
   const std::string& name() const { return name_; }
@@ -27,11 +26,10 @@ class MeshText {
   }
 
  private:
-  static std::string_view mapped(const std::string& name);
-  void let_go();
+  void let_go() const;
 
   std::string name_;
-  std::string_view bytes_;
+  MappedFile file_;
   InputScanner scanner_;
   std::size_t passed_ = 0;
 };

@@ -114,7 +114,7 @@ double CornerSpacing::interpolated(std::int32_t leaf, const GridPoint& p) const 
   return sum;
 }
 
-void CornerSpacing::make_continuous(const std::vector<std::int32_t>& child_of) {
+void CornerSpacing::make_continuous(std::span<const std::int32_t> child_of) {
   // By the level of the coarse leaf: its own corners may hang on coarser ones still.
   std::array<std::vector<Hanging>, octree_max_level + 1> hanging;
   for (std::size_t c = 0; c < corners_.size(); ++c) {

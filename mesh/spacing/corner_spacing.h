@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "mesh/spacing/spacing_octree.h"
@@ -33,7 +34,7 @@ class CornerSpacing {
 
   /// Gives hanging corners their interpolated values.
   /// @pre child_of is the tree of the leaves added.
-  void make_continuous(const std::vector<std::int32_t>& child_of);
+  void make_continuous(std::span<const std::int32_t> child_of);
 
   std::vector<std::array<float, 8>> leaf_values() const;
 

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/mapped_file.h"
 #include "mesh/spacing/lattice_planes.h"
 #include "mesh/spacing/lattice_volume.h"
 #include "mesh/spacing/octree_build.h"
@@ -16,8 +19,14 @@
 namespace tetfarm {
 
 struct SpacingField::Octree : SpacingOctree {
+  Octree() = default;
+  Octree(SpacingOctree octree, double everywhere, MappedFile holder)
+      : SpacingOctree(std::move(octree)), constant(everywhere), file(std::move(holder)) {}
+
   /// Not 0: the spacing everywhere, to the last bit.
   double constant = 0;
+  /// Holds the arrays where they are not the octree's own.
+  MappedFile file;
 };
 
 namespace {
@@ -41,16 +50,69 @@ constexpr std::size_t checksum_from = 24;
 constexpr std::size_t bytes_per_leaf = sizeof(std::array<float, 8>) + 2;
 
 template <typename T>
-void append(std::string& bytes, const std::vector<T>& items) {
+void append(std::string& bytes, const TreeArray<T>& items) {
   bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
 }
 
+enum class Arrays { copied, left_in_place };
+
+/// The first so many items of the bytes, which lose them. @pre those left in place are aligned.
 template <typename T>
-void take(std::string_view& bytes, std::vector<T>& items, std::uint64_t count) {
-  if (count == 0) return;
-  items.resize(static_cast<std::size_t>(count));
-  std::memcpy(items.data(), bytes.data(), items.size() * sizeof(T));
-  bytes.remove_prefix(items.size() * sizeof(T));
+TreeArray<T> take(std::string_view& bytes, std::uint64_t count, Arrays arrays) {
+  const char* const first = bytes.data();
+  const auto items = static_cast<std::size_t>(count);
+  bytes.remove_prefix(items * sizeof(T));
+  if (arrays == Arrays::left_in_place) {
+    return TreeArray<T>::elsewhere(std::span<const T>(reinterpret_cast<const T*>(first), items));
+  }
+  std::vector<T> own(items);
+  if (items > 0) std::memcpy(own.data(), first, items * sizeof(T));
+  return own;
+}
+
+/// @throws CorruptFile when what follows it has another checksum or length than it says.
+BytesHeader checked_header(std::string_view bytes, const std::string& name) {
+  BytesHeader header;
+  if (bytes.size() < sizeof header) throw CorruptFile("is too short for a spacing field", name);
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic != BytesHeader{}.magic) throw CorruptFile("is not a spacing field", name);
+  const Hash128 checksum = hash128(bytes.substr(checksum_from));
+  if (checksum != Hash128{header.checksum_high, header.checksum_low}) {
+    throw CorruptFile("the spacing field has a wrong checksum", name);
+  }
+  bytes.remove_prefix(sizeof header);
+  if (header.node_count > bytes.size() || header.leaf_count > bytes.size() ||
+      header.node_count * 4 + header.leaf_count * bytes_per_leaf != bytes.size()) {
+    throw CorruptFile("the spacing field has a wrong length", name);
+  }
+  return header;
+}
+
+struct StoredField {
+  SpacingOctree octree;
+  double constant = 0;
+};
+
+/// @throws CorruptFile.
+StoredField stored_field(std::string_view bytes, const std::string& name, Arrays arrays) {
+  const BytesHeader header = checked_header(bytes, name);
+  bytes.remove_prefix(sizeof header);
+  StoredField field;
+  SpacingOctree& octree = field.octree;
+  octree.frame = {header.low, header.unit};
+  octree.child_of = take<std::int32_t>(bytes, header.node_count, arrays);
+  octree.values = take<std::array<float, 8>>(bytes, header.leaf_count, arrays);
+  octree.lattice_level = take<std::uint8_t>(bytes, header.leaf_count, arrays);
+  octree.owned_corners = take<std::uint8_t>(bytes, header.leaf_count, arrays);
+  const char* fault = validate(octree);
+  field.constant = header.constant;
+  if (fault == nullptr && !(field.constant >= 0 && std::isfinite(field.constant))) {
+    fault = "constant";
+  }
+  if (fault != nullptr) {
+    throw CorruptFile(std::string("the spacing field is unsound: ") + fault, name);
+  }
+  return field;
 }
 
 void check_options(const SpacingOptions& options) {
@@ -169,34 +231,16 @@ std::string SpacingField::to_bytes() const {
 }
 
 SpacingField SpacingField::from_bytes(std::string_view bytes, const std::string& name) {
-  BytesHeader header;
-  if (bytes.size() < sizeof header) throw CorruptFile("is too short for a spacing field", name);
-  std::memcpy(&header, bytes.data(), sizeof header);
-  if (header.magic != BytesHeader{}.magic) throw CorruptFile("is not a spacing field", name);
-  const Hash128 checksum = hash128(bytes.substr(checksum_from));
-  if (checksum != Hash128{header.checksum_high, header.checksum_low}) {
-    throw CorruptFile("the spacing field has a wrong checksum", name);
-  }
-  bytes.remove_prefix(sizeof header);
-  if (header.node_count > bytes.size() || header.leaf_count > bytes.size() ||
-      header.node_count * 4 + header.leaf_count * bytes_per_leaf != bytes.size()) {
-    throw CorruptFile("the spacing field has a wrong length", name);
-  }
-  auto octree = std::make_unique<Octree>();
-  octree->frame = {header.low, header.unit};
-  octree->constant = header.constant;
-  take(bytes, octree->child_of, header.node_count);
-  take(bytes, octree->values, header.leaf_count);
-  take(bytes, octree->lattice_level, header.leaf_count);
-  take(bytes, octree->owned_corners, header.leaf_count);
-  const char* fault = validate(*octree);
-  if (fault == nullptr && !(header.constant >= 0 && std::isfinite(header.constant))) {
-    fault = "constant";
-  }
-  if (fault != nullptr) {
-    throw CorruptFile(std::string("the spacing field is unsound: ") + fault, name);
-  }
-  return SpacingField(std::move(octree));
+  StoredField field = stored_field(bytes, name, Arrays::copied);
+  return SpacingField(
+      std::make_unique<Octree>(std::move(field.octree), field.constant, MappedFile()));
+}
+
+SpacingField SpacingField::from_file(const std::filesystem::path& path, const std::string& name) {
+  MappedFile file(path);
+  StoredField field = stored_field(file.bytes(), name, Arrays::left_in_place);
+  return SpacingField(
+      std::make_unique<Octree>(std::move(field.octree), field.constant, std::move(file)));
 }
 
 SpacingField make_spacing_field(const SurfaceMesh& surface, const SpacingOptions& options) {

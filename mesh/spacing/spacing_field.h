@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -146,6 +147,10 @@ class SpacingField {
   std::string to_bytes() const;
   /// @throws CorruptFile when the bytes are not what to_bytes wrote.
   static SpacingField from_bytes(std::string_view bytes, const std::string& name);
+  /// The same of a file, of which only those parts come into memory that are asked for, beside the
+  /// check of all of it now. It must not be shortened while the field is there. `name` is for
+  /// messages. @throws IoError; CorruptFile.
+  static SpacingField from_file(const std::filesystem::path& path, const std::string& name);
 
  private:
   friend SpacingField make_spacing_field(const SurfaceMesh&, const SpacingOptions&);

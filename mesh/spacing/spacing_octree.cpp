@@ -93,7 +93,7 @@ const char* validate(const SpacingOctree& octree) {
   return nullptr;
 }
 
-LeafAt leaf_at(const std::vector<std::int32_t>& child_of, const GridPoint& p) {
+LeafAt leaf_at(std::span<const std::int32_t> child_of, const GridPoint& p) {
   LeafAt found;
   std::int32_t child = child_of[0];
   for (; child >= 0; ++found.cell.level) {

@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/core/vec3.h"
 #include "mesh/spacing/spacing_field.h"
+#include "mesh/spacing/tree_array.h"
 
 namespace tetfarm {
 
@@ -67,10 +69,10 @@ struct LatticeCell {
 ///     each of its cells owns its corner k (even_blocks.h), or else it is 0.
 struct SpacingOctree {
   GridFrame frame;
-  std::vector<std::int32_t> child_of;
-  std::vector<std::array<float, 8>> values;
-  std::vector<std::uint8_t> lattice_level;
-  std::vector<std::uint8_t> owned_corners;
+  TreeArray<std::int32_t> child_of;
+  TreeArray<std::array<float, 8>> values;
+  TreeArray<std::uint8_t> lattice_level;
+  TreeArray<std::uint8_t> owned_corners;
 
   std::int32_t leaf_count() const { return static_cast<std::int32_t>(lattice_level.size()); }
   double at(const Vec3& point) const;
@@ -85,7 +87,7 @@ struct LeafAt {
   LatticeCell cell;
 };
 /// The leaf that holds the smallest cell at `p`. @pre each of `p` is in [0, octree_span).
-LeafAt leaf_at(const std::vector<std::int32_t>& child_of, const GridPoint& p);
+LeafAt leaf_at(std::span<const std::int32_t> child_of, const GridPoint& p);
 
 /// The lattice's cell that holds the smallest cell at `p`. @pre as leaf_at.
 LatticeCell lattice_cell_at(const SpacingOctree& octree, const GridPoint& p);

@@ -136,9 +136,9 @@ TEST(JobForecast, is_the_sum_of_its_tasks_and_the_largest_of_them) {
   EXPECT_EQ(plain.task_bytes, mesh_cost(leaf).bytes);
   EXPECT_NEAR(plain.disk_bytes, 5e6 + 2 * 3e6 + 250 * triangles + 67 * 8e6, 1e-3);
   job.across_cuts = true;
-  const double turns =
-      order_cost(triangles).seconds + 4 * (extract_cost(2e6, leaf.triangles).seconds +
-                                           cosmetic_cost(turn_elements(leaf), 3e6).seconds);
+  const double turns = order_cost(triangles, leaf.triangles).seconds +
+                       4 * (extract_cost(2e6, leaf.triangles).seconds +
+                            cosmetic_cost(turn_elements(leaf), 3e6).seconds);
   EXPECT_NEAR(forecast_of(job, 5e6, root, 4).seconds, once + turns, 1e-9 * once);
   EXPECT_NEAR(forecast_of(job, 5e6, root, 1).seconds,
               inspect_cost(5e6, root).seconds +
@@ -160,9 +160,9 @@ TEST(JobForecast, has_the_memory_of_whichever_task_is_the_largest) {
   EXPECT_EQ(forecast_of(job, 0, small, 10).task_bytes,
             std::max(leaf_bytes(leaf), decompose_cost(small).bytes));
   const SubdomainSize large{1e10, 1e3, 0};
-  EXPECT_EQ(
-      forecast_of(job, 0, large, 1e6).task_bytes,
-      std::max(order_cost(triangles_of_leaves(large, 1e6)).bytes, decompose_cost(large).bytes));
+  const double triangles = triangles_of_leaves(large, 1e6);
+  EXPECT_EQ(forecast_of(job, 0, large, 1e6).task_bytes,
+            std::max(order_cost(triangles, triangles / 1e6).bytes, decompose_cost(large).bytes));
 }
 
 TEST(JobForecast, has_numbers_of_three_digits_at_most_and_fitting_units) {

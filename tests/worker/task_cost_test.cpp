@@ -74,7 +74,7 @@ TEST(TaskCost, is_so_many_bytes_for_each_element_triangle_and_byte_read) {
   EXPECT_NEAR(decompose_cost(size).bytes, (19 + 13 + 2 + 1 + 26) * megabyte, 1);
   EXPECT_NEAR(mesh_cost(size).bytes, (19 + 2 + 2 + 330 * 1.15 + 70) * megabyte, 1);
   EXPECT_NEAR(assimilate_cost(1e5, 2e4).bytes, (19 + 0.8 + 10) * megabyte, 1);
-  EXPECT_NEAR(order_cost(1e5).bytes, (19 + 9) * megabyte, 1);
+  EXPECT_NEAR(order_cost(1e5, 2e4).bytes, (19 + 3.2 + 4) * megabyte, 1);
   EXPECT_NEAR(extract_cost(1e6, 1e5).bytes, (19 + 190 + 20) * megabyte, 1);
   EXPECT_NEAR(cosmetic_cost(1e6, 2e6).bytes, (19 + 4 + 2 + 360) * megabyte, 1);
   EXPECT_NEAR(number_cost(1e5).bytes, (19 + 11) * megabyte, 1);
@@ -96,7 +96,7 @@ TEST(TaskCost, is_expected_to_take_what_tasks_of_that_kind_and_size_take) {
   expect(decompose_cost(size), TaskKind::decompose, {1e6, 1e5, 50});
   expect(mesh_cost(size), TaskKind::mesh, {1e6, 1e5, 50});
   expect(assimilate_cost(1e5, 2e4), TaskKind::assimilate, {0, 1e5, 0});
-  expect(order_cost(1e5), TaskKind::order, {0, 1e5, 0});
+  expect(order_cost(1e5, 2e4), TaskKind::order, {0, 1e5, 0});
   expect(extract_cost(1e6, 1e5), TaskKind::extract, {1e6, 1e5, 0});
   expect(cosmetic_cost(1e6, 2e6), TaskKind::cosmetic, {1e6, 0, 0});
   expect(number_cost(1e5), TaskKind::number, {0, 1e5, 0});

@@ -146,7 +146,8 @@ TEST_F(TaskFigures, memory_has_to_do_for_the_order_of_so_many_sub_domains) {
   job.max_memory_bytes = 45'000'000;
   const SubdomainSize root{1e7, 1e4, 0};
   const auto parts = static_cast<double>(parts_for_memory(root, 4.5e7));
-  const double order = order_cost(triangles_of_leaves(root, parts)).bytes;
+  const double triangles = triangles_of_leaves(root, parts);
+  const double order = order_cost(triangles, triangles / parts).bytes;
   ASSERT_GT(order, 4.5e7);
   ASSERT_LT(least_memory(0, root), 4.5e7);
   try {

@@ -9,6 +9,8 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/file_system.h"
+#include "tests/base/temp_folder.h"
 #include "tests/support/shapes.h"
 
 namespace tetfarm {
@@ -209,6 +211,36 @@ TEST(SpacingField, comes_back_from_bytes) {
     EXPECT_EQ(back.at(p), field.at(p));
   }
   EXPECT_EQ(SpacingField::from_bytes(SpacingField(0.7).to_bytes(), "test").at({1, 2, 3}), 0.7);
+}
+
+TEST(SpacingField, comes_back_from_a_file_that_may_be_removed_while_it_is_used) {
+  const TempFolder folder;
+  const SpacingField field = graded_field();
+  const std::filesystem::path path = folder.path() / "spacing";
+  write_file_atomically(path, field.to_bytes());
+  const SpacingField back = SpacingField::from_file(path, "test");
+  std::filesystem::remove(path);
+  EXPECT_EQ(back.to_bytes(), field.to_bytes());
+  EXPECT_EQ(back.smallest(), field.smallest());
+  const Box3 box = box_of({-1, -1, -1}, {2, 2, 2});
+  Dice dice;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p = dice.in(box);
+    EXPECT_EQ(back.at(p), field.at(p));
+  }
+  EXPECT_EQ(back.lattice_nodes(box).size(), field.lattice_nodes(box).size());
+}
+
+TEST(SpacingField, refuses_a_damaged_file) {
+  const TempFolder folder;
+  const std::filesystem::path path = folder.path() / "spacing";
+  EXPECT_THROW(SpacingField::from_file(path, "missing"), IoError);
+  std::string bytes = graded_field().to_bytes();
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+  write_file_atomically(path, bytes);
+  EXPECT_THROW(SpacingField::from_file(path, "damaged"), CorruptFile);
+  write_file_atomically(path, "");
+  EXPECT_THROW(SpacingField::from_file(path, "empty"), CorruptFile);
 }
 
 TEST(SpacingField, refuses_damaged_bytes) {
