@@ -67,6 +67,19 @@ TEST(SubdomainColouring, nodes_know_all_who_share_them) {
   EXPECT_THAT(order.leaves[3].neighbours, IsEmpty());
 }
 
+TEST(SubdomainColouring, nodes_of_one_number_that_different_cuts_made_are_different) {
+  const std::uint64_t deep = std::uint64_t{1} << 40U;
+  const CosmeticOrder order = colour_subdomains(
+      {{{4}, {{0, 1}, {3, 1}, {deep, 1}}}, {{5}, {{3, 1}}}, {{6}, {{0, 1}}}, {{7}, {{2, 1}}}});
+  EXPECT_THAT(heaps(order.leaves[0].neighbours), ElementsAre(5, 6));
+  EXPECT_THAT(heaps(order.leaves[1].neighbours), ElementsAre(4));
+  EXPECT_THAT(order.leaves[3].neighbours, IsEmpty());
+  const SharedNodes& shared = order.shared[0];
+  ASSERT_THAT(shared.nodes, SizeIs(2));
+  EXPECT_EQ(shared.nodes[0].origin, (Origin{0, 1}));
+  EXPECT_EQ(shared.nodes[1].origin, (Origin{3, 1}));
+}
+
 TEST(SubdomainColouring, does_not_depend_on_the_order_of_the_leaves) {
   std::vector<InterfaceNodes> leaves = {nodes_of(4, {1}), nodes_of(5, {1, 2}), nodes_of(6, {2, 3})};
   const CosmeticOrder once = colour_subdomains(leaves);
