@@ -21,10 +21,10 @@ endforeach()
 # The program with its manual and what makes shells complete its commands, which it prints itself:
 # cmake --install build/release --component program leaves out the library.
 install(TARGETS tetfarm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-install(CODE "set(program \"$<TARGET_FILE:tetfarm>\")
-set(made \"${PROJECT_BINARY_DIR}/told_by_program\")
-set(manual \"${CMAKE_INSTALL_MANDIR}\")
-set(data \"${CMAKE_INSTALL_DATADIR}\")" COMPONENT program)
+install(CODE "set(tetfarm_program \"$<TARGET_FILE:tetfarm>\")
+set(tetfarm_made \"${PROJECT_BINARY_DIR}/told_by_program\")
+set(tetfarm_manual \"${CMAKE_INSTALL_MANDIR}\")
+set(tetfarm_data \"${CMAKE_INSTALL_DATADIR}\")" COMPONENT program)
 install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_manual.cmake COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/deploy/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/deploy COMPONENT program
         PATTERN Containerfile EXCLUDE)

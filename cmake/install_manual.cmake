@@ -1,21 +1,22 @@
-# While it is installed: has `program` print its manual and its completion of shells, and puts them where man and the
-# shells look. `made` is a folder for them, `manual` and `data` are where such files go below the prefix.
+# While it is installed: has tetfarm_program print its manual and its completion for shells, and puts them where man and
+# the shells look. tetfarm_made is a folder for them; tetfarm_manual and tetfarm_data are where such files go below the
+# prefix.
 function(ask_program)
-  execute_process(COMMAND ${program} ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${tetfarm_program} ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 function(install_completion shell folder name)
-  ask_program(completion ${shell} OUTPUT_FILE ${made}/${name})
-  file(INSTALL ${made}/${name} DESTINATION ${data}/${folder})
+  ask_program(completion ${shell} OUTPUT_FILE ${tetfarm_made}/${name})
+  file(INSTALL ${tetfarm_made}/${name} DESTINATION ${tetfarm_data}/${folder})
 endfunction()
 
-foreach(folder manual data)
+foreach(folder tetfarm_manual tetfarm_data)
   cmake_path(ABSOLUTE_PATH ${folder} BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX})
 endforeach()
-file(REMOVE_RECURSE ${made})
-file(MAKE_DIRECTORY ${made}/man)
-ask_program(man --output ${made}/man)
-file(INSTALL ${made}/man/ DESTINATION ${manual})
+file(REMOVE_RECURSE ${tetfarm_made})
+file(MAKE_DIRECTORY ${tetfarm_made}/man)
+ask_program(man --output ${tetfarm_made}/man)
+file(INSTALL ${tetfarm_made}/man/ DESTINATION ${tetfarm_manual})
 install_completion(bash bash-completion/completions tetfarm)
 # Debian's zsh has a folder for packages, and looks nowhere else below /usr.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")

@@ -24,7 +24,7 @@ std::vector<std::string> told_to_zsh(const std::string& functions) {
                  "compdef() { }\nsource ./_tetfarm\n"
                  "_arguments() { print -rl -- \"$@\"; state=command; return 1 }\n"
                  "_describe() { print -rl -- $commands }\n" +
-                     functions);
+                     functions + "\n:\n");
   return lines_of(printed_by({"zsh", "-f", "asked"}, folder.path()));
 }
 
