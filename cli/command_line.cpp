@@ -6,7 +6,11 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/program_version.h"
+#include "cli/about_command_line.h"
 #include "cli/client_options.h"
+#include "cli/command_purposes.h"
+#include "cli/exit_codes.h"
 #include "cli/keys_command_line.h"
 #include "cli/option_checks.h"
 #include "cli/plane_command_line.h"
@@ -19,15 +23,11 @@
 #include "mesh/formats/registry/open_mesh.h"
 #include "mesh/formats/surfaces/surface_formats.h"
 #include "mesh/job_file/job_file.h"
+#include "mesh/job_file/job_formats.h"
 #include "mesh/shapes/make_shape.h"
 
 namespace tetfarm {
 namespace {
-
-constexpr const char* exit_codes =
-    "Exit codes: 0 done; 1 failed; 2 invalid command line or job file; 3 bad geometry;\n"
-    "4 done, but below the quality gate; 5 not found or unreachable; 6 out of disk or memory;\n"
-    "75 stopped at a checkpoint: run the same command again to continue.";
 
 std::string a_mesh() {
   return "A mesh (" + readable_meshes() + "), the output folder of a run, or a job (job-7)";
@@ -113,6 +113,7 @@ void add_job(CLI::App& app, RunOptions& job) {
       ->excludes(most);
   app.add_option("--format", job.formats,
                  "Formats to write, any that export writes (default vtkhdf)")
+      ->check(suggested(job_output_formats()))
       ->delimiter(',')
       ->option_text("F,...");
   app.add_option("--keep", job.keep,
@@ -127,11 +128,10 @@ class Parser {
  public:
   Parser() {
     app_.require_subcommand(1);
-    app_.set_version_flag("--version", "tetfarm 0.1.0");
-    app_.footer(exit_codes);
+    app_.set_version_flag("--version", std::string("tetfarm ") + program_version);
+    app_.footer(exit_codes_text());
     add_run();
     add_check();
-    add_gc();
     add_plan();
     add_quality();
     add_export();
@@ -154,15 +154,23 @@ class Parser {
             plane_transfer_),
         plane_transfer_);
     add_clients();
-    add_viewers();
-    add_operators();
-    add_services(app_, services_, [this](const Command& command) { command_ = command; });
+    const auto chosen = [this](const Command& command) { command_ = command; };
+    add_views(app_, views_, chosen);
+    add_services(app_, services_, chosen);
     add_pool(app_, pool_, [this] { command_ = pool_; });
+    add_drain();
     add_keys(app_, keys_, [this] { command_ = keys_; });
+    add_gc();
+    add_copies(app_, views_, chosen);
+    add_about(app_, about_, chosen);
     refuse_empty_paths(app_);
+    group_by_purpose(app_);
   }
 
+  const CLI::App& app() const { return app_; }
+
   Command parse(int argc, const char* const* argv) {
+    if (argc < 2) std::fputs(commands_by_purpose(declared_command(app_)).c_str(), stderr);
     require_known_command(app_, argc, argv);
     try {
       app_.parse(argc, argv);
@@ -170,7 +178,7 @@ class Parser {
       std::printf("%s", app_.help().c_str());
       return NothingToDo{};
     } catch (const CLI::CallForVersion&) {
-      std::printf("tetfarm 0.1.0\n");
+      std::printf("tetfarm %s\n", program_version);
       return NothingToDo{};
     } catch (const CLI::ParseError& error) {
       throw UsageError(what_is_wrong(app_, error), "");
@@ -190,7 +198,7 @@ class Parser {
   void add_loop() {
     CLI::App& sub = add("loop", "Solve and adapt in cycles, on this machine",
                         "tetfarm loop examples/adaptation/shock.toml -o out/shock", loop_);
-    sub.add_option("JOB", loop_.input, "A job file with a [solver] (.toml)")->required();
+    sub.add_option("INPUT", loop_.input, "A job file with a [solver] (.toml)")->required();
     sub.add_option("-o,--output", loop_.output, "Folder of the results (default: out)")
         ->option_text("DIR");
     sub.add_option("-j,--workers", loop_.workers, "Worker processes (default: 1)")
@@ -311,6 +319,7 @@ class Parser {
         ->option_text("OUT");
     mesh.add_option("--format", export_.format,
                     "Format, one of those below (default: by the file extension)")
+        ->check(suggested(job_output_formats()))
         ->option_text("F");
     mesh.footer("Formats, each with the file extension that selects it:\n" +
                 written_formats_text() + mesh.get_footer());
@@ -436,13 +445,11 @@ class Parser {
     CLI::App& cancel = add("cancel", "Cancel a job", "tetfarm cancel job-7", cancel_);
     cancel.add_option("JOB", cancel_.client.job, "The job")->required();
     add_client(cancel, cancel_.client, StoreOption::no);
+
+    add_retry();
   }
 
-  void add_viewers() {
-    add_views(app_, views_, [this](const Command& command) { command_ = command; });
-  }
-
-  void add_operators() {
+  void add_retry() {
     CLI::App& retry = add("retry", "Take failed tasks, or a host, out of quarantine",
                           "tetfarm retry job-7 31", retry_);
     CLI::Option* job = retry.add_option("JOB", retry_.client.job, "The job");
@@ -452,7 +459,9 @@ class Parser {
         ->excludes(job)
         ->option_text("NAME");
     add_client(retry, retry_.client, StoreOption::no);
+  }
 
+  void add_drain() {
     CLI::App& drain =
         add("drain", "Let workers finish their tasks and leave", "tetfarm drain worker-7", drain_);
     CLI::Option* worker = drain.add_option(
@@ -487,10 +496,13 @@ class Parser {
   Services services_;
   PoolCommand pool_;
   KeysCommand keys_;
+  About about_;
 };
 
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) { return Parser().parse(argc, argv); }
+
+DeclaredCommand declared_commands() { return declared_command(Parser().app()); }
 
 }  // namespace tetfarm

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/declared_command.h"
 #include "proto/peer_security.h"
 
 namespace tetfarm {
@@ -363,6 +364,21 @@ struct PlaneTransferCommand {
   bool json = false;
 };
 
+/// Prints the script that makes a shell complete what is typed.
+struct CompletionCommand {
+  std::string shell;  ///< bash, zsh or fish
+};
+
+/// Prints a page of the manual, or writes all of them.
+struct ManCommand {
+  std::string command;  ///< "": of the program
+  std::string output;   ///< a folder for all pages; "": one is printed
+};
+
+struct VersionCommand {
+  bool json = false;
+};
+
 /// What a worker starts for each task; not for people.
 struct TaskCommand {
   std::string store;
@@ -381,9 +397,13 @@ using Command =
                  WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
                  JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
                  ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand>;
+                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand,
+                 CompletionCommand, ManCommand, VersionCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);
+
+/// All commands and options, for what tells of them.
+DeclaredCommand declared_commands();
 
 }  // namespace tetfarm

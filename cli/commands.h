@@ -81,6 +81,12 @@ ExitCode worker_command(const WorkerCommand& command);
 ExitCode pool_command(const PoolCommand& command);
 /// Makes keys, and says who may speak with a coordinator.
 ExitCode keys_command(const KeysCommand& command);
+
+/// The program about itself.
+ExitCode completion_command(const CompletionCommand& command);
+ExitCode man_command(const ManCommand& command);
+ExitCode version_command(const VersionCommand& command);
+
 ExitCode task_command(const TaskCommand& command);
 ExitCode task_host_command();
 

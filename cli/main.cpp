@@ -69,6 +69,11 @@ struct Execute {
   ExitCode operator()(const ReportCommand& command) const { return report_command(command); }
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }
   ExitCode operator()(const RestoreCommand& command) const { return restore_command(command); }
+  ExitCode operator()(const CompletionCommand& command) const {
+    return completion_command(command);
+  }
+  ExitCode operator()(const ManCommand& command) const { return man_command(command); }
+  ExitCode operator()(const VersionCommand& command) const { return version_command(command); }
   ExitCode operator()(const TaskCommand& command) const { return task_command(command); }
   ExitCode operator()(const TaskHostCommand& /*command*/) const { return task_host_command(); }
 };

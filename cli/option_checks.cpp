@@ -96,6 +96,11 @@ CLI::Validator number_of_parts(std::int64_t most) {
   return CLI::Validator(translate, "", "");
 }
 
+CLI::Validator suggested(std::span<const std::string_view> words) {
+  const auto take_all = [](std::string& /*text*/) { return std::string(); };
+  return CLI::Validator(take_all, "{" + CLI::detail::join(words, ", ") + "}", "");
+}
+
 CLI::Validator not_empty() {
   const auto check = [](std::string& text) {
     return std::string(text.empty() ? "must not be empty" : "");

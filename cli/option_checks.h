@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace tetfarm {
 
@@ -21,6 +23,9 @@ CLI::Validator counting_number();
 CLI::Validator off_or_number_above(double bound, double most);
 /// "as-meshed", which becomes 0, or a whole number from 1 to `most`.
 CLI::Validator number_of_parts(std::int64_t most);
+/// Any text: whoever reads it later refuses what it does not know, in better words. These are what
+/// completion and the manual name.
+CLI::Validator suggested(std::span<const std::string_view> words);
 /// "must not be empty".
 CLI::Validator not_empty();
 

@@ -29,16 +29,20 @@ void add_folders(CLI::App& sub, CoordinatorCommand& coordinator) {
 void add_limits(CLI::App& sub, CoordinatorCommand& coordinator) {
   sub.add_option("--heartbeat-ms", coordinator.heartbeat_ms,
                  "Time between heartbeats (default 1000)")
-      ->check(whole_number(10, 600'000));
+      ->check(whole_number(10, 600'000))
+      ->option_text("MS");
   sub.add_option("--lease-ms", coordinator.lease_ms,
                  "Time after which a silent worker counts as lost (default 10000)")
-      ->check(whole_number(50, 86'400'000));
+      ->check(whole_number(50, 86'400'000))
+      ->option_text("MS");
   sub.add_option("--max-connections", coordinator.max_connections,
                  "Maximum simultaneous connections (default 16384)")
-      ->check(whole_number(1, 1'000'000));
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
   sub.add_option("--max-workers", coordinator.max_workers,
                  "Maximum simultaneous workers (default 10000)")
-      ->check(whole_number(1, 1'000'000));
+      ->check(whole_number(1, 1'000'000))
+      ->option_text("N");
   sub.add_option(
          "--task-limit", coordinator.task_limit_s,
          "End a task after this time, or after 20 times its expected time if longer (default 3600)")

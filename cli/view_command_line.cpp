@@ -1,7 +1,11 @@
 #include "cli/view_command_line.h"
 
+#include <string_view>
+#include <vector>
+
 #include "cli/client_options.h"
 #include "cli/option_checks.h"
+#include "tasks/task_kind.h"
 
 namespace tetfarm {
 namespace {
@@ -22,22 +26,10 @@ void add_copy(CLI::App& sub, BackupCommand& copy) {
   add_json(sub, copy.json);
 }
 
-void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
-  CLI::App& backup = add_command(
-      app, "backup", "Copy the database to a file, even while a coordinator is using it",
-      "tetfarm backup /shared/farm -o farm.backup", views.backup, chosen);
-  backup.add_option("STORE", views.backup.store, "The store")->required();
-  backup.add_option("-o,--output", views.backup.file, "The backup")
-      ->required()
-      ->option_text("FILE");
-  add_copy(backup, views.backup);
-
-  CLI::App& restore = add_command(
-      app, "restore", "Replace a store's database with a backup; no coordinator may be using it",
-      "tetfarm restore farm.backup /shared/farm", views.restore, chosen);
-  restore.add_option("FILE", views.restore.from.file, "The backup")->required();
-  restore.add_option("STORE", views.restore.from.store, "The store")->required();
-  add_copy(restore, views.restore.from);
+std::vector<std::string_view> names_of_kinds() {
+  std::vector<std::string_view> names;
+  for (const TaskKind kind : all_task_kinds) names.emplace_back(name_of(kind));
+  return names;
 }
 
 }  // namespace
@@ -64,7 +56,9 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
       ->check(
           CLI::IsMember({"waiting", "ready", "running", "leased", "done", "failed", "replaced"}))
       ->option_text("waiting|ready|running|done|failed");
-  tasks.add_option("--kind", views.tasks.kind, "Only of this kind: inspect, decompose, mesh, ...");
+  tasks.add_option("--kind", views.tasks.kind, "Only of this kind: inspect, decompose, mesh, ...")
+      ->check(suggested(names_of_kinds()))
+      ->option_text("KIND");
 
   CLI::App& workers =
       add("workers", "List the workers, what they are running and what they have done",
@@ -74,11 +68,14 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
   CLI::App& events =
       add("events", "Show what happened, oldest first", "tetfarm events job-7 --all", views.events);
   events.add_option("JOB", views.events.view.client.job, "Only of this job (default: all)");
-  events.add_option("--task", views.events.task, "Only of this task")->check(counting_number());
+  events.add_option("--task", views.events.task, "Only of this task")
+      ->check(counting_number())
+      ->option_text("N");
   CLI::Option* last =
       events
           .add_option("-n,--last", views.events.last, "How many to show, the newest (default 50)")
-          ->check(whole_number(1, 1000));
+          ->check(whole_number(1, 1000))
+          ->option_text("N");
   events.add_flag("--all", views.events.all, "Show all that are kept")->excludes(last);
 
   CLI::App& logs =
@@ -102,13 +99,30 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
       add("report", "Write an HTML page about a finished job: quality, balance, work",
           "tetfarm report out -o report.html", views.report);
   report
-      .add_option("JOB", views.report.view.client.job,
+      .add_option("FILE", views.report.view.client.job,
                   "The output folder of a run or a loop, a mesh, or a job (job-7)")
       ->required();
   report.add_option("-o,--output", views.report.output, "The output file")
       ->required()
       ->option_text("HTML");
-  add_copies(app, views, chosen);
+}
+
+void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
+  CLI::App& backup = add_command(
+      app, "backup", "Copy the database to a file, even while a coordinator is using it",
+      "tetfarm backup /shared/farm -o farm.backup", views.backup, chosen);
+  backup.add_option("STORE", views.backup.store, "The store")->required();
+  backup.add_option("-o,--output", views.backup.file, "The backup")
+      ->required()
+      ->option_text("FILE");
+  add_copy(backup, views.backup);
+
+  CLI::App& restore = add_command(
+      app, "restore", "Replace a store's database with a backup; no coordinator may be using it",
+      "tetfarm restore farm.backup /shared/farm", views.restore, chosen);
+  restore.add_option("FILE", views.restore.from.file, "The backup")->required();
+  restore.add_option("STORE", views.restore.from.store, "The store")->required();
+  add_copy(restore, views.restore.from);
 }
 
 }  // namespace tetfarm

@@ -1,5 +1,5 @@
 /// The command lines of the commands that only look: jobs, status, tasks, workers, events, logs,
-/// explain, trace, report.
+/// explain, trace, report; and of those that copy the database.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,7 +24,10 @@ struct Views {
   RestoreCommand restore;
 };
 
-/// Adds them; `chosen` is called with the one that was given. @pre `views` outlives the app.
+/// Adds those that look; `chosen` is called with the one that was given. @pre `views` outlives the
+/// app.
 void add_views(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen);
+/// The same of backup and restore.
+void add_copies(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen);
 
 }  // namespace tetfarm

@@ -1,4 +1,4 @@
-# cmake --install: the program, and the mesh rooms as a library for other programs
+# cmake --install: the program with its manual, and the mesh rooms as a library for other programs
 # (examples/library): find_package(tetfarm), or pkg-config tetfarm.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -17,7 +17,17 @@ foreach(room ${library_rooms})
           FILES_MATCHING PATTERN "*.h")
   string(APPEND archives " -ltetfarm_${target}")
 endforeach()
-install(TARGETS tetfarm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+# The program with its manual and what makes shells complete its commands, which it prints itself:
+# cmake --install build/release --component program leaves out the library.
+install(TARGETS tetfarm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(CODE "set(tetfarm_program \"$<TARGET_FILE:tetfarm>\")
+set(tetfarm_made \"${PROJECT_BINARY_DIR}/told_by_program\")
+set(tetfarm_manual \"${CMAKE_INSTALL_MANDIR}\")
+set(tetfarm_data \"${CMAKE_INSTALL_DATADIR}\")" COMPONENT program)
+install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_manual.cmake COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/deploy/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/deploy COMPONENT program
+        PATTERN Containerfile EXCLUDE)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tetfarm)
 install(EXPORT tetfarm NAMESPACE tetfarm:: FILE tetfarm-targets.cmake DESTINATION ${package_folder})

@@ -9,6 +9,7 @@
 
 #include "base/clock.h"
 #include "base/ids.h"
+#include "base/program_version.h"
 #include "store/attempt_scratch.h"
 #include "worker/child_task.h"
 #include "worker/coordinator_socket.h"
@@ -21,7 +22,6 @@
 namespace tetfarm {
 namespace {
 
-constexpr const char* program_version = "0.1.0";
 constexpr std::size_t nonce_bytes = 16;
 constexpr std::int64_t longest_wait_ms = 100;
 constexpr std::int64_t flag_wait_ms = 10;

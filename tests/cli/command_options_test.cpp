@@ -487,7 +487,7 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
        "--aspect: must be a number from 1 to 1e+07, not 0.5"},
       {{"adapt", "m", "-o", "n", "--corner-angle", "0"},
        "--corner-angle: must be a number from 1 to 180, not 0"},
-      {{"loop", "-o", "d"}, "JOB is required"},
+      {{"loop", "-o", "d"}, "INPUT is required"},
       {{"transfer", "m", "--to", "n", "-o", "t"}, "--solution is required"},
       {{"transfer", "m", "--solution", "s", "-o", "t"}, "--to is required"},
       {{"transfer", "m", "--solution", "s", "--to", "n"}, "--output is required"},
@@ -551,11 +551,12 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run",    "check",   "gc",     "plan",  "quality",     "export", "convert",
-        "render", "shape",   "submit", "wait",  "cancel",      "jobs",   "status",
-        "tasks",  "workers", "events", "logs",  "explain",     "trace",  "report",
-        "backup", "restore", "retry",  "drain", "coordinator", "worker", "pool",
-        "keys",   "spacing", "plane",  "adapt", "transfer",    "loop"}) {
+       {"run",        "check",   "gc",     "plan",  "quality",     "export", "convert",
+        "render",     "shape",   "submit", "wait",  "cancel",      "jobs",   "status",
+        "tasks",      "workers", "events", "logs",  "explain",     "trace",  "report",
+        "backup",     "restore", "retry",  "drain", "coordinator", "worker", "pool",
+        "keys",       "spacing", "plane",  "adapt", "transfer",    "loop",   "man",
+        "completion", "version"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

@@ -151,7 +151,7 @@ TEST_F(ViewCommandLine, what_cannot_be_is_refused) {
       {{"trace", "job-7"}, "--output is required"},
       {{"trace", "-o", "t.json"}, "JOB is required"},
       {{"report", "out"}, "--output is required"},
-      {{"report", "-o", "r.html"}, "JOB is required"},
+      {{"report", "-o", "r.html"}, "FILE is required"},
       {{"backup", "/farm"}, "--output is required"},
       {{"backup", "-o", "b"}, "STORE is required"},
       {{"restore", "b"}, "STORE is required"},
