@@ -134,7 +134,7 @@ TEST(TaskKinds, cost_what_was_measured) {
            {TaskKind::decompose, {0.02, 0.1e-6, 1e-6, 0.15e-3}, {13e6, 0, 1, 1, 260, 0}},
            {TaskKind::assimilate, {0.01, 0, 1.5e-6, 0}, {0, 0, 0, 0, 8, 500}},
            {TaskKind::mesh, {0.006, 1.8e-6, 8e-6, 0.45e-3}, {2e6, 0, 1, 330, 700, 0}},
-           {TaskKind::order, {0.006, 0, 0.1e-6, 0}, {0, 0, 0, 0, 90, 0}},
+           {TaskKind::order, {0.006, 0, 0.3e-6, 0}, {0, 0, 0, 0, 32, 200}},
            {TaskKind::extract, {0.006, 0.1e-6, 0, 0}, {0, 0, 0, 190, 200, 0}},
            {TaskKind::cosmetic, {0.006, 3e-6, 0, 0}, {4e6, 0, 1, 360, 0, 0}},
            {TaskKind::number, {0.003, 0, 0.45e-6, 0}, {0, 0, 0, 0, 110, 0}},

@@ -113,8 +113,8 @@ TEST(SpacingRefusals, of_octrees_name_the_first_invariant_that_does_not_hold) {
     return found == nullptr ? "none" : found;
   };
   EXPECT_EQ(fault([](SpacingOctree&) {}), "none");
-  EXPECT_EQ(fault([](SpacingOctree& o) { o.child_of.clear(); }), "no node");
-  EXPECT_EQ(fault([](SpacingOctree& o) { o.values.pop_back(); }), "lengths");
+  EXPECT_EQ(fault([](SpacingOctree& o) { o.child_of.resize(0); }), "no node");
+  EXPECT_EQ(fault([](SpacingOctree& o) { o.values.resize(o.values.size() - 1); }), "lengths");
   EXPECT_EQ(fault([](SpacingOctree& o) { o.owned_corners.push_back(0); }), "lengths");
   EXPECT_EQ(fault([](SpacingOctree& o) { o.frame.unit = 0; }), "unit");
   EXPECT_EQ(fault([](SpacingOctree& o) { o.frame.unit = HUGE_VAL; }), "unit");
@@ -125,7 +125,7 @@ TEST(SpacingRefusals, of_octrees_name_the_first_invariant_that_does_not_hold) {
   EXPECT_EQ(fault([](SpacingOctree& o) { o.frame.low[1] = GridFrame::farthest; }), "none");
   EXPECT_EQ(fault([](SpacingOctree& o) { o.child_of.push_back(~0); }), "tree");
   EXPECT_EQ(fault([](SpacingOctree& o) { o.values[5][3] = 0; }), "value");
-  EXPECT_EQ(fault([](SpacingOctree& o) { o.values.back()[7] = HUGE_VALF; }), "value");
+  EXPECT_EQ(fault([](SpacingOctree& o) { o.values[o.values.size() - 1][7] = HUGE_VALF; }), "value");
 }
 
 }  // namespace

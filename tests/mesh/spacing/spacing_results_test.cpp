@@ -88,6 +88,11 @@ TEST(SpacingResults, of_fields_and_their_lattices_are_known) {
   take_field("background", make_spacing_field(shapes::box({-1, -1, -1}, {1, 1, 1}, 6), background));
 }
 
+template <class T>
+std::vector<T> items_of(const TreeArray<T>& array) {
+  return {array.begin(), array.end()};
+}
+
 TEST(SpacingResults, of_counts_by_volume_are_known) {
   SpacingDemand demand{
       DemandTree(surface_spacing(shapes::sphere({0, 0, 0}, 1, 1)), 0.4), {}, 0.5, 0.4, 0.5};
@@ -104,8 +109,9 @@ TEST(SpacingResults, of_counts_by_volume_are_known) {
   expect_known("tree", tree_found);
   const SpacingOctree octree = build_octree(demand, frame, domain);
   ResultDigest result;
-  result.add(octree.frame.low, octree.frame.unit, octree.child_of, octree.values,
-             octree.lattice_level, octree.owned_corners);
+  result.add(octree.frame.low, octree.frame.unit, items_of(octree.child_of),
+             items_of(octree.values), items_of(octree.lattice_level),
+             items_of(octree.owned_corners));
   const Box3 box{{-0.6, -0.5, -0.7}, {0.5, 0.7, 0.4}};
   result.add(cells_to_walk(octree, box), cells_to_walk(octree, domain));
   for (const std::size_t most : {7UL, 500UL}) {
