@@ -37,12 +37,12 @@ TEST(AboutCommands, man_writes_all_pages) {
   const Said said = said_by([&] { return man_command({"", folder.path() / "man"}); });
   EXPECT_EQ(said.code, ExitCode::ok);
   EXPECT_EQ(said.out, "");
+  const auto page_of = [](const std::string& name) {
+    return said_by([&name] { return man_command({name, ""}); }).out;
+  };
   for (const auto& [name, file] : std::vector<std::pair<std::string, std::string>>{
            {"", "man1/tetfarm.1"}, {"run", "man1/tetfarm-run.1"}, {"gc", "man8/tetfarm-gc.8"}}) {
-    EXPECT_EQ(contents(folder.path() / "man" / file), said_by([&] {
-                                                        return man_command({name, ""});
-                                                      }).out)
-        << file;
+    EXPECT_EQ(contents(folder.path() / "man" / file), page_of(name)) << file;
   }
 }
 
