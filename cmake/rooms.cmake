@@ -22,6 +22,10 @@ function(precompile_headers)
   target_link_libraries(common_headers PRIVATE proto GTest::gmock)
   target_include_directories(common_headers PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(common_headers PRIVATE ${TETFARM_OUTER_FLAGS})
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    # Else the times of the headers are in it, and no other clone finds in the cache what is compiled with it.
+    target_compile_options(common_headers PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
   target_precompile_headers(common_headers PRIVATE
     <gtest/gtest.h> <gmock/gmock.h> <nlohmann/json.hpp> "${PROJECT_BINARY_DIR}/generated/proto/messages.pb.h"
     <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <random> <set>
