@@ -178,22 +178,7 @@ function(batch_tests program sources out)
   set(${out} ${batches} PARENT_SCOPE)
 endfunction()
 
-# With sanitizers a program takes longer to start than most of its tests.
-option(TETFARM_TESTS_IN_SHARDS "Run many tests in one process" OFF)
-set(TETFARM_FILES_IN_SHARD 4 CACHE STRING "Of how many files of tests a process has as many tests")
-
-function(add_test_shards program files label)
-  math(EXPR shards "(${files} + ${TETFARM_FILES_IN_SHARD} - 1) / ${TETFARM_FILES_IN_SHARD}")
-  math(EXPR last "${shards} - 1")
-  foreach(shard RANGE ${last})
-    add_test(NAME ${program}:${shard}_of_${shards} COMMAND ${program} --gtest_brief=1)
-    set_tests_properties(${program}:${shard}_of_${shards} PROPERTIES LABELS ${label} ENVIRONMENT
-      "XDG_CONFIG_HOME=${PROJECT_BINARY_DIR}/no_configuration;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}")
-  endforeach()
-endfunction()
-
 function(add_test_program program sources label)
-  list(LENGTH sources files)
   if(TETFARM_TESTS_IN_BATCHES)
     batch_tests(${program} "${sources}" sources)
   endif()
@@ -205,10 +190,6 @@ function(add_test_program program sources label)
   endif()
   if(label STREQUAL "slow" AND NOT TETFARM_SLOW_TESTS)
     set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
-    return()
-  endif()
-  if(TETFARM_TESTS_IN_SHARDS)
-    add_test_shards(${program} ${files} ${label})
     return()
   endif()
   gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 TEST_PREFIX "${program}:"
