@@ -32,6 +32,17 @@ std::vector<std::string_view> names_of_kinds() {
   return names;
 }
 
+void add_choice_of_tasks(CLI::App& sub, TasksCommand& tasks) {
+  sub.add_option("JOB", tasks.view.client.job, "Only of this job (default: all)");
+  sub.add_option("--state", tasks.state, "Only in this state")
+      ->check(
+          CLI::IsMember({"waiting", "ready", "running", "leased", "done", "failed", "replaced"}))
+      ->option_text("waiting|ready|running|done|failed");
+  sub.add_option("--kind", tasks.kind, "Only of this kind: inspect, decompose, mesh, ...")
+      ->check(suggested(names_of_kinds()))
+      ->option_text("KIND");
+}
+
 }  // namespace
 
 void add_views(CLI::App& app, Views& views, const std::function<void(const Command&)>& chosen) {
@@ -51,14 +62,7 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
 
   CLI::App& tasks =
       add("tasks", "List the tasks", "tetfarm tasks job-7 --state ready", views.tasks);
-  tasks.add_option("JOB", views.tasks.view.client.job, "Only of this job (default: all)");
-  tasks.add_option("--state", views.tasks.state, "Only in this state")
-      ->check(
-          CLI::IsMember({"waiting", "ready", "running", "leased", "done", "failed", "replaced"}))
-      ->option_text("waiting|ready|running|done|failed");
-  tasks.add_option("--kind", views.tasks.kind, "Only of this kind: inspect, decompose, mesh, ...")
-      ->check(suggested(names_of_kinds()))
-      ->option_text("KIND");
+  add_choice_of_tasks(tasks, views.tasks);
 
   CLI::App& workers =
       add("workers", "List the workers, what they are running and what they have done",
