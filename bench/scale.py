@@ -4,7 +4,7 @@
 The space between two spheres is meshed with even sizes, in sub-domains of about 1.6 million tetrahedra, each size
 alone. Of each run: seconds, CPU seconds by kind of task and for a million tetrahedra, how that is to the first row's,
 the largest task and the largest resident set of any process, and the disk: the result, and the most that lay in the output folder at any time, result included. Nothing else should run on
-the machine. A thousand million need some 70 GB of disk; the folder of a size is removed before the next. With --kill-every all processes of
+the machine. A thousand million need some 70 GB of disk, 40 with --files needed; the folder of a size is removed before the next. With --kill-every all processes of
 a run are killed with SIGKILL again and again, and the same command goes on: the digest tells whether anything was lost.
 
     bench/scale.py FOLDER [--to 2e7] [--from 1e6] [--program build/release/bin/tetfarm] [--workers 2] [--files needed] [--kill-every 20] [--keep]

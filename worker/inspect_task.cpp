@@ -215,13 +215,13 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh
                      {{file_name_of_job(job.name, ".defects.vtp"), defects}});
 }
 
-struct CheckedInput {
+struct ReadAndChecked {
   CheckedSurface checked;
   double bytes = 0;  ///< of the file, unpacked
 };
 
 /// Neither the file nor the surface as it was read stays in memory.
-CheckedInput checked_input(TaskIo& io, const JobFile& job, const TaskFile& file) {
+ReadAndChecked read_and_checked(TaskIo& io, const JobFile& job, const TaskFile& file) {
   io.progress().begin(WorkStage::read);
   const InputSurface input = read_input(io, job, file);
   return {checked_surface(io, job, input.surface), input.bytes};
@@ -233,7 +233,7 @@ void inspect_task(TaskIo& io) {
   const auto given = io.given<InspectGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
   if (!given.input_surface) throw OwnDefect("the job has no surface", {});
-  const auto [checked, input_bytes] = checked_input(io, job, *given.input_surface);
+  const auto [checked, input_bytes] = read_and_checked(io, job, *given.input_surface);
   io.progress().begin(WorkStage::spacing);
   const JobDomain domain = domain_of_job(job, checked.surface);
   const std::string spacing_bytes = domain.spacing.to_bytes();

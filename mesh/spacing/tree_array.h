@@ -21,7 +21,7 @@ class TreeArray {
   using const_iterator = const T*;
 
   TreeArray() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): a vector is one.
+  /// A vector is one.
   TreeArray(std::vector<T> own) : own_(std::move(own)) { look_at_own(); }
   TreeArray(std::initializer_list<T> items) : own_(items) { look_at_own(); }
   TreeArray(const TreeArray& other) : own_(other.begin(), other.end()) { look_at_own(); }
