@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "base/edit_distance.h"
 #include "base/error_with_help.h"
 #include "base/file_system.h"
 #include "base/program_version.h"
 #include "cli/commands.h"
+#include "cli/did_you_mean.h"
 #include "cli/manual_page.h"
 
 namespace tetfarm {
@@ -17,10 +17,8 @@ namespace {
 [[noreturn]] void refuse_page(const std::string& name, const DeclaredCommand& program) {
   std::vector<std::string_view> known;
   for (const DeclaredCommand& command : program.commands) known.push_back(command.name);
-  const std::string_view nearest = nearest_word(name, known);
   throw ErrorWithHelp(ExitCode::usage,
-                      "unknown command `" + name + "`" +
-                          (nearest.empty() ? "" : "; did you mean `" + std::string(nearest) + "`?"),
+                      "unknown command " + in_ticks(name) + did_you_mean(name, known),
                       "`tetfarm --help` lists the commands");
 }
 

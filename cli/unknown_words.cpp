@@ -4,18 +4,14 @@
 #include <string_view>
 #include <vector>
 
-#include "base/edit_distance.h"
 #include "base/error_with_help.h"
+#include "cli/did_you_mean.h"
 
 namespace tetfarm {
 namespace {
 
-std::string in_ticks(std::string_view word) { return "`" + std::string(word) + "`"; }
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-  const std::vector<std::string_view> words(known.begin(), known.end());
-  const std::string_view nearest = nearest_word(word, words);
-  return nearest.empty() ? "" : "; did you mean " + in_ticks(nearest) + "?";
+std::string nearest_of(const std::string& word, const std::vector<std::string>& known) {
+  return did_you_mean(word, {known.begin(), known.end()});
 }
 
 /// What a person may call: those that only processes call are in no group.
@@ -70,7 +66,7 @@ void require_known_command(CLI::App& app, int argc, const char* const* argv, int
   if (chosen != nullptr) return;
   const bool is_surface = before.empty() && std::filesystem::exists(word);
   const std::string meant = is_surface ? "; did you mean " + in_ticks("tetfarm run " + word) + "?"
-                                       : did_you_mean(word, names_of_commands(app));
+                                       : nearest_of(word, names_of_commands(app));
   throw ErrorWithHelp(ExitCode::usage, "unknown command " + in_ticks(before + word) + meant, list);
 }
 
@@ -79,7 +75,7 @@ std::string what_is_wrong(CLI::App& app, const CLI::ParseError& error) {
   for (const std::string& word : app.remaining(true)) {
     if (!word.starts_with('-')) continue;
     const std::string name = word.substr(0, word.find('='));
-    return "unknown option " + in_ticks(name) + did_you_mean(name, names_of_options(command));
+    return "unknown option " + in_ticks(name) + nearest_of(name, names_of_options(command));
   }
   return error.what();
 }
