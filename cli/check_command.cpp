@@ -1,16 +1,15 @@
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/angle_text.h"
 #include "base/counted.h"
 #include "cli/commands.h"
+#include "cli/defects_file.h"
 #include "cli/job_input.h"
 #include "cli/layers_report.h"
 #include "json/json_line.h"
 #include "json/surface_angles.h"
 #include "mesh/formats/surfaces/read_surface.h"
-#include "mesh/inspect/defect_text.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
@@ -90,14 +89,6 @@ void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
   for (const std::string& remark : report.remarks) print_remark(remark);
 }
 
-/// `asked` is a file, a folder, or empty: here.
-std::string defects_file(const std::string& asked, const std::string& job) {
-  const std::string name = job + ".defects.vtp";
-  if (asked.empty()) return name;
-  return std::filesystem::is_directory(asked) ? (std::filesystem::path(asked) / name).string()
-                                              : asked;
-}
-
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
@@ -139,11 +130,8 @@ ExitCode check_command(const CheckOptions& options) {
     }
   }
   if (options.json) std::printf("%s\n", json_line(json).c_str());
-  if (is_sound) return ExitCode::ok;
-  const std::string file = defects_file(options.defects_file, input.job.name);
-  write_defects_vtp(surface, checked.report.defects, file);
-  throw Error(ExitCode::bad_geometry,
-              input.path + ": " + defects_text(checked.report.defects) + "\n  see " + file);
+  require_no_defects(surface, checked.report, input, options.defects_file);
+  return ExitCode::ok;
 }
 
 }  // namespace tetfarm

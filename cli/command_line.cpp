@@ -343,6 +343,41 @@ class Parser {
     add_json(mesh, export_.json);
 
     add_convert();
+    add_surface();
+  }
+
+  void add_surface() {
+    CLI::App& sub =
+        add("surface", "Remesh a surface: even triangles instead of those that CAD wrote",
+            "tetfarm surface part.stl -o part_fine.stl --size 2", surface_);
+    sub.add_option("IN", surface_.input, "A surface, or a job file with its surface and sources")
+        ->required();
+    sub.add_option("-o,--output", surface_.output,
+                   "The output file: " + writable_surfaces() + " (default NAME.remeshed.stl)")
+        ->option_text("OUT");
+    sub.add_option("--size", surface_.size,
+                   "Edge length away from features (default 1/20 of the surface's diagonal)")
+        ->check(positive_number())
+        ->option_text("H");
+    sub.add_option("--min-size", surface_.min_size,
+                   "Shortest edge that curvature and narrow places may ask for (default H/16)")
+        ->check(positive_number())
+        ->option_text("H");
+    sub.add_option("--angle", surface_.angle, "Sharper edges are kept, in degrees (default 30)")
+        ->check(number_between(1, 179))
+        ->option_text("A");
+    sub.add_option("--tolerance", surface_.tolerance,
+                   "Farthest from the input (default 1/1000 of the diagonal)")
+        ->check(positive_number())
+        ->option_text("T");
+    sub.add_option("--growth", surface_.growth,
+                   "Growth of the edge length for each unit of length (default 0.3)")
+        ->check(positive_number())
+        ->option_text("G");
+    sub.add_option("--defects", surface_.defects_file,
+                   "Where the triangles of a bad surface go (default NAME.defects.vtp)")
+        ->option_text("FILE");
+    add_json(sub, surface_.json);
   }
 
   void add_convert() {
@@ -480,6 +515,7 @@ class Parser {
   QualityOptions quality_;
   ExportCommand export_;
   ConvertCommand convert_;
+  SurfaceCommand surface_;
   RenderCommand render_;
   ShapeCommand shape_;
   SpacingCommand spacing_;

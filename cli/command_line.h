@@ -111,6 +111,19 @@ struct ConvertCommand {
   bool json = false;
 };
 
+/// A surface remeshed.
+struct SurfaceCommand {
+  std::string input;         ///< a surface or a job file
+  std::string output;        ///< empty: NAME.remeshed.stl
+  std::string defects_file;  ///< as of CheckOptions
+  double size = 0;           ///< 0: the job's, or a part of the surface's size
+  double min_size = 0;
+  double angle = 30;
+  double tolerance = 0;
+  double growth = 0;  ///< 0: the job's
+  bool json = false;
+};
+
 struct RenderCommand {
   std::string input;   ///< as of QualityOptions
   ViewOptions source;  ///< of a job
@@ -392,13 +405,13 @@ struct NothingToDo {};
 
 using Command =
     std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
-                 ConvertCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
-                 CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand,
-                 WorkerCommand, GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand,
-                 JobsCommand, TasksCommand, WorkersCommand, EventsCommand, LogsCommand,
-                 ExplainCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
-                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand,
-                 CompletionCommand, ManCommand, VersionCommand>;
+                 ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
+                 WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
+                 CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
+                 TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
+                 EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
+                 BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand,
+                 PlaneTransferCommand, LoopCommand, CompletionCommand, ManCommand, VersionCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -30,6 +30,8 @@ std::filesystem::path mesh_file(const std::filesystem::path& input);
 ExitCode export_command(const ExportCommand& command);
 /// Writes a surface in another format.
 ExitCode convert_command(const ConvertCommand& command);
+/// Remeshes a surface.
+ExitCode surface_command(const SurfaceCommand& command);
 
 /// Writes one page about a finished job, or about a mesh alone.
 ExitCode report_command(const ReportCommand& command);

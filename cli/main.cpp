@@ -38,6 +38,7 @@ struct Execute {
   ExitCode operator()(const QualityOptions& options) const { return quality_command(options); }
   ExitCode operator()(const ExportCommand& command) const { return export_command(command); }
   ExitCode operator()(const ConvertCommand& command) const { return convert_command(command); }
+  ExitCode operator()(const SurfaceCommand& command) const { return surface_command(command); }
   ExitCode operator()(const RenderCommand& command) const { return render_command(command); }
   ExitCode operator()(const ShapeCommand& command) const { return shape_command(command); }
   ExitCode operator()(const SpacingCommand& command) const { return spacing_command(command); }

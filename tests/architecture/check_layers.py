@@ -33,6 +33,7 @@ ROOMS = {
     "mesh/volume": ["base", "mesh/core", "mesh/cosmetics", "mesh/filling", "mesh/geometry", "mesh/recovery",
                     "mesh/spacing"],
     "mesh/layers": ["base", "mesh/artifacts", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/planar"],
+    "mesh/remeshing": ["base", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/spacing"],
     "mesh/library": ["base", "mesh/core", "mesh/decompose", "mesh/inspect", "mesh/spacing", "mesh/volume"],
     "mesh/assemble": ["base", "mesh/artifacts", "mesh/core"],
     "mesh/formats": ["base", "mesh/assemble", "mesh/core"],
@@ -65,7 +66,7 @@ ROOMS = {
             "mesh/formats", "mesh/formats/flite", "mesh/formats/list", "mesh/formats/plane",
             "mesh/formats/registry", "mesh/formats/surfaces", "mesh/inspect", "mesh/job_file", "mesh/layers",
             "mesh/metric", "mesh/partition",
-            "mesh/quality", "mesh/render", "mesh/shapes", "mesh/spacing", "pool", "proto", "report", "store",
+            "mesh/quality", "mesh/remeshing", "mesh/render", "mesh/shapes", "mesh/spacing", "pool", "proto", "report", "store",
             "tasks", "worker"],
 }
 

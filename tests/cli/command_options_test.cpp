@@ -204,6 +204,25 @@ TEST_F(CommandOptions, of_an_export_and_a_conversion) {
   EXPECT_EQ(boxed.box_size, 0.125);
 }
 
+TEST_F(CommandOptions, of_remeshing) {
+  const auto least = parsed_as<SurfaceCommand>({"surface", "a.stl"});
+  EXPECT_EQ(least.input, "a.stl");
+  EXPECT_EQ(least.output, "");
+  EXPECT_EQ(least.angle, 30);
+  EXPECT_EQ(least.size + least.min_size + least.tolerance + least.growth, 0);
+  EXPECT_FALSE(least.json);
+  const auto all = parsed_as<SurfaceCommand>({"surface", "a.toml", "-o", "b.off", "--size", "2",
+                                              "--min-size", "0.5", "--angle", "40", "--tolerance",
+                                              "0.125", "--growth", "0.25", "--json"});
+  EXPECT_EQ(all.output, "b.off");
+  EXPECT_EQ(all.size, 2);
+  EXPECT_EQ(all.min_size, 0.5);
+  EXPECT_EQ(all.angle, 40);
+  EXPECT_EQ(all.tolerance, 0.125);
+  EXPECT_EQ(all.growth, 0.25);
+  EXPECT_TRUE(all.json);
+}
+
 TEST_F(CommandOptions, of_a_picture) {
   const auto least = parsed_as<RenderCommand>({"render", "m", "-o", "p.png"});
   EXPECT_EQ(least.input, "m");
@@ -466,6 +485,8 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {{"render", "m", "-o", "p", "--field", "u", "--field-number", "0"},
        "--field-number: must be a whole number above 0, not 0"},
       {{"convert", "a", "b", "--scale", "0"}, "--scale" + positive + "0"},
+      {{"surface"}, "IN is required"},
+      {{"surface", "a", "--size", "0"}, "--size" + positive + "0"},
       {{"convert", "a", "b", "--max-edge", "-1"}, "--max-edge" + positive + "-1"},
       {{"convert", "a", "b", "--box", "1"}, "--box requires --box-size"},
       {{"convert", "a", "b", "--box-size", "1"}, "--box-size requires --box"},
@@ -551,12 +572,12 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run",        "check",   "gc",     "plan",  "quality",     "export", "convert",
-        "render",     "shape",   "submit", "wait",  "cancel",      "jobs",   "status",
-        "tasks",      "workers", "events", "logs",  "explain",     "trace",  "report",
-        "backup",     "restore", "retry",  "drain", "coordinator", "worker", "pool",
-        "keys",       "spacing", "plane",  "adapt", "transfer",    "loop",   "man",
-        "completion", "version"}) {
+       {"run",     "check",      "gc",      "plan",   "quality", "export",      "convert",
+        "surface", "render",     "shape",   "submit", "wait",    "cancel",      "jobs",
+        "status",  "tasks",      "workers", "events", "logs",    "explain",     "trace",
+        "report",  "backup",     "restore", "retry",  "drain",   "coordinator", "worker",
+        "pool",    "keys",       "spacing", "plane",  "adapt",   "transfer",    "loop",
+        "man",     "completion", "version"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

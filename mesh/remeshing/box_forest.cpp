@@ -1,0 +1,66 @@
+#include "mesh/remeshing/box_forest.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tetfarm {
+namespace {
+
+constexpr std::int32_t items_in_leaf = 4;
+
+int longest_axis(const Vec3& size) {
+  if (size.x >= size.y && size.x >= size.z) return 0;
+  return size.y >= size.z ? 1 : 2;
+}
+
+}  // namespace
+
+BoxForest::BoxForest(std::span<const Box3> boxes, std::span<const std::int32_t> group,
+                     std::int32_t group_count)
+    : items_(boxes.size()), roots_(static_cast<std::size_t>(group_count), -1) {
+  std::iota(items_.begin(), items_.end(), 0);
+  const auto group_of = [group](std::int32_t item) {
+    return group[static_cast<std::size_t>(item)];
+  };
+  std::ranges::stable_sort(items_, {}, group_of);
+  nodes_.reserve(boxes.size());
+  for (std::size_t begin = 0; begin < items_.size();) {
+    const std::int32_t of = group_of(items_[begin]);
+    std::size_t end = begin;
+    while (end < items_.size() && group_of(items_[end]) == of) ++end;
+    roots_[static_cast<std::size_t>(of)] = static_cast<std::int32_t>(nodes_.size());
+    build(boxes, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end));
+    begin = end;
+  }
+}
+
+void BoxForest::build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last) {
+  const auto box_of = [boxes](std::int32_t item) -> const Box3& {
+    return boxes[static_cast<std::size_t>(item)];
+  };
+  const auto here = nodes_.size();
+  Node node;
+  for (std::int32_t k = first; k < last; ++k)
+    node.box.add(box_of(items_[static_cast<std::size_t>(k)]));
+  if (last - first <= items_in_leaf) {
+    std::sort(items_.begin() + first, items_.begin() + last);
+    node.first = first;
+    node.count = last - first;
+    nodes_.push_back(node);
+    return;
+  }
+  nodes_.push_back(node);
+  const int axis = longest_axis(node.box.size());
+  const std::int32_t middle = first + (last - first) / 2;
+  const auto less = [&](std::int32_t a, std::int32_t b) {
+    const double at_a = box_of(a).low[axis] + box_of(a).high[axis];
+    const double at_b = box_of(b).low[axis] + box_of(b).high[axis];
+    return at_a != at_b ? at_a < at_b : a < b;
+  };
+  std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last, less);
+  build(boxes, first, middle);
+  nodes_[here].right = static_cast<std::int32_t>(nodes_.size());
+  build(boxes, middle, last);
+}
+
+}  // namespace tetfarm

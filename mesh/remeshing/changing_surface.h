@@ -1,0 +1,108 @@
+/// A surface while it is remeshed: triangles go, and others that fill the same hole come.
+///
+/// Edges may have more than two triangles (sheets between regions), so there are no neighbour
+/// links: each vertex knows its triangles. Invariants (complaints_of tells of them):
+///  1. a triangle that is there has three different vertices, and is in the ring of each, and in no
+///     other; a triangle that is gone has first vertex -1;
+///  2. all triangles on an edge agree on whether it is a feature, and an edge that has not exactly
+///     two triangles of one face is one;
+///  3. the tree holds the box of each triangle that is there;
+///  4. a vertex on a curve has exactly two feature edges, a smooth one none, and all triangles of a
+///     smooth one are of its home face.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/core/surface_mesh.h"
+#include "mesh/geometry/triangle_intersection.h"
+#include "mesh/remeshing/surface_features.h"
+#include "mesh/remeshing/triangle_octree.h"
+
+namespace tetfarm {
+
+/// Bit k of `features`: the edge from nodes[k] to nodes[(k + 1) % 3] is a feature.
+struct FaceTriangle {
+  Triangle nodes{-1, -1, -1};
+  std::int32_t face = 0;
+  std::uint8_t features = 0;
+};
+
+struct SurfaceVertex {
+  VertexKind kind = VertexKind::smooth;
+  std::int32_t home = -1;  ///< the face of a smooth vertex, the curve of one on a curve
+  std::int32_t foot = -1;  ///< the triangle or edge of the input that it lies on: a first guess
+  double spacing = 0;      ///< wanted there
+};
+
+class ChangingSurface {
+ public:
+  explicit ChangingSurface(const Box3& whole) : tree_(whole) {}
+
+  std::int32_t add_vertex(const Vec3& at, const SurfaceVertex& vertex);
+  /// @pre it has no triangles.
+  void remove_vertex(std::int32_t v);
+  std::int32_t add_triangle(const FaceTriangle& triangle);
+  void remove_triangle(std::int32_t t);
+  /// Moves a vertex, its triangles with it.
+  void move_vertex(std::int32_t v, const Vec3& to);
+
+  std::int32_t vertex_end() const { return static_cast<std::int32_t>(vertices_.size()); }
+  std::int32_t triangle_end() const { return static_cast<std::int32_t>(triangles_.size()); }
+  std::int64_t triangle_count() const { return triangle_count_; }
+  bool is_there(std::int32_t t) const { return triangle(t).nodes[0] >= 0; }
+
+  const SurfaceVertex& vertex(std::int32_t v) const {
+    return vertices_[static_cast<std::size_t>(v)];
+  }
+  SurfaceVertex& vertex(std::int32_t v) { return vertices_[static_cast<std::size_t>(v)]; }
+  const Vec3& at(std::int32_t v) const { return places_[static_cast<std::size_t>(v)]; }
+  const std::vector<Vec3>& places() const { return places_; }
+  const FaceTriangle& triangle(std::int32_t t) const {
+    return triangles_[static_cast<std::size_t>(t)];
+  }
+  const std::vector<std::int32_t>& ring(std::int32_t v) const {
+    return rings_[static_cast<std::size_t>(v)];
+  }
+  const TriangleOctree& tree() const { return tree_; }
+
+  TrianglePoints points(const Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
+  Box3 box(const Triangle& t) const;
+
+  /// The triangles that have both vertices, in the order of their numbers. Cost: O(ring).
+  std::vector<std::int32_t> triangles_on(std::int32_t a, std::int32_t b) const;
+  /// The same, put into `found`.
+  void find_triangles_on(std::int32_t a, std::int32_t b, std::vector<std::int32_t>& found) const;
+  bool has_edge(std::int32_t a, std::int32_t b) const;
+  /// Whether the edge of triangle t between its vertices a and b is a feature.
+  bool is_feature(std::int32_t t, std::int32_t a, std::int32_t b) const;
+  /// The other ends of the feature edges of v, each once, sorted.
+  std::vector<std::int32_t> feature_neighbours(std::int32_t v) const;
+
+ private:
+  std::vector<Vec3> places_;
+  std::vector<SurfaceVertex> vertices_;
+  std::vector<std::vector<std::int32_t>> rings_;
+  std::vector<FaceTriangle> triangles_;
+  std::vector<std::int32_t> free_vertices_;
+  std::vector<std::int32_t> free_triangles_;
+  std::int64_t triangle_count_ = 0;
+  TriangleOctree tree_;
+};
+
+/// The place of v among the triangle's nodes. @pre it is one of them.
+inline std::size_t corner_of(const Triangle& t, std::int32_t v) {
+  return t[0] == v ? 0 : t[1] == v ? 1 : 2;
+}
+inline bool has_corner(const Triangle& t, std::int32_t v) {
+  return t[0] == v || t[1] == v || t[2] == v;
+}
+/// The bit of `features` for the edge between two of the triangle's nodes.
+std::uint8_t edge_bit(const Triangle& t, std::int32_t a, std::int32_t b);
+
+/// What is wrong by the invariants above, the first few; empty: nothing. For tests. O(n).
+std::vector<std::string> complaints_of(const ChangingSurface& surface);
+
+}  // namespace tetfarm

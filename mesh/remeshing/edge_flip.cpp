@@ -1,0 +1,128 @@
+#include "mesh/remeshing/edge_flip.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tetfarm {
+namespace {
+
+/// Less than that is rounding.
+constexpr double least_gain = 1e-6;
+constexpr std::int64_t flips_a_triangle = 10;
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+std::int32_t opposite(const FaceTriangle& t, std::int32_t a, std::int32_t b) {
+  return t.nodes[0] + t.nodes[1] + t.nodes[2] - a - b;
+}
+
+/// The triangle with `gone` replaced by `come`, whose edge from `come` to `apex` is new.
+FaceTriangle flipped(const FaceTriangle& old, const FaceTriangle& other, std::int32_t kept,
+                     std::int32_t gone, std::int32_t come) {
+  FaceTriangle made = old;
+  made.nodes[corner_of(old.nodes, gone)] = come;
+  const std::int32_t apex = opposite(old, kept, gone);
+  made.features = 0;
+  if ((old.features & edge_bit(old.nodes, kept, apex)) != 0) {
+    made.features |= edge_bit(made.nodes, kept, apex);
+  }
+  if ((other.features & edge_bit(other.nodes, kept, come)) != 0) {
+    made.features |= edge_bit(made.nodes, kept, come);
+  }
+  return made;
+}
+
+/// How many triangles too many the vertex has; 0 of a corner, whose angle says how many.
+std::ptrdiff_t valence_excess(const ChangingSurface& surface, std::int32_t v, std::int32_t face) {
+  const auto in_face = std::ranges::count_if(
+      surface.ring(v), [&](std::int32_t t) { return surface.triangle(t).face == face; });
+  switch (surface.vertex(v).kind) {
+    case VertexKind::smooth:
+      return in_face - 6;
+    case VertexKind::on_curve:
+      return in_face - 3;
+    default:
+      return 0;
+  }
+}
+
+/// Whether taking the edge from the first two vertices and giving it to the others brings all four
+/// nearer to what they should have.
+bool evens_valences(const ChangingSurface& surface, const std::array<std::int32_t, 4>& vertices) {
+  std::ptrdiff_t before = 0;
+  std::ptrdiff_t after = 0;
+  const std::vector<std::int32_t> on = surface.triangles_on(vertices[0], vertices[1]);
+  const std::int32_t face = surface.triangle(on.front()).face;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (surface.vertex(vertices[i]).kind == VertexKind::corner) continue;
+    const std::ptrdiff_t excess = valence_excess(surface, vertices[i], face);
+    const std::ptrdiff_t changed = excess + (i < 2 ? -1 : 1);
+    before += excess * excess;
+    after += changed * changed;
+  }
+  return after < before;
+}
+
+}  // namespace
+
+bool flip_edge(RemeshingWork& work, std::int32_t a, std::int32_t b, FlipFor wanted) {
+  const ChangingSurface& surface = work.surface;
+  std::vector<std::int32_t>& on = work.replacement.removed;
+  work.replacement.clear();
+  surface.find_triangles_on(a, b, on);
+  if (on.size() != 2 || surface.is_feature(on.front(), a, b)) return false;
+  const FaceTriangle& first = surface.triangle(on[0]);
+  const FaceTriangle& second = surface.triangle(on[1]);
+  const std::int32_t c = opposite(first, a, b);
+  const std::int32_t d = opposite(second, a, b);
+  if (c == d) return false;
+  work.replacement.fills_hole = true;
+  work.replacement.made.push_back(flipped(first, second, a, b, d));
+  work.replacement.made.push_back(flipped(second, first, b, a, c));
+  const double made = worst_shape(surface, work.replacement.made);
+  if (wanted == FlipFor::shape ? made < worst_shape(surface, on) + least_gain
+                               : made < passable_shape || !evens_valences(surface, {a, b, c, d}))
+    return false;
+  if (surface.has_edge(c, d)) return false;
+  // Each of the two has the new edge; as its first vertex, it is looked at once from each end.
+  if (!lies_on_input(work, c) || !meets_nothing(work)) return false;
+  replace(work);
+  return true;
+}
+
+std::int64_t flip_edges(RemeshingWork& work, FlipFor wanted) {
+  const ChangingSurface& surface = work.surface;
+  std::vector<Edge> waiting;
+  const auto add_edges = [&](const FaceTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t a = t.nodes[k];
+      const std::int32_t b = t.nodes[(k + 1) % 3];
+      if ((t.features >> k & 1U) == 0) waiting.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  };
+  for (std::int32_t t = 0; t < surface.triangle_end(); ++t) {
+    if (surface.is_there(t)) add_edges(surface.triangle(t));
+  }
+  std::ranges::sort(waiting);
+  waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
+  std::int64_t left = flips_a_triangle * surface.triangle_count();
+  std::int64_t flips = 0;
+  for (std::vector<Edge> now; !waiting.empty() && left > 0;) {
+    now.swap(waiting);
+    waiting.clear();
+    for (const Edge& edge : now) {
+      if (left <= 0 || !flip_edge(work, edge.first, edge.second, wanted)) continue;
+      --left;
+      ++flips;
+      for (const FaceTriangle& made : work.replacement.made) add_edges(made);
+    }
+    std::ranges::sort(waiting);
+    waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
+  }
+  return flips;
+}
+
+}  // namespace tetfarm

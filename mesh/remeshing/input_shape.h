@@ -1,0 +1,67 @@
+/// The input surface as that which the remeshed one must stay on: nearest points of its faces and
+/// curves, and which faces are plane.
+///
+/// Points are only ever compared with the face or curve that they belong to, so that the two sides
+/// of a thin plate, or two curves near each other, are never taken for each other. Units: lengths
+/// in the unit of the input.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/core/surface_mesh.h"
+#include "mesh/remeshing/box_forest.h"
+#include "mesh/remeshing/feature_curves.h"
+#include "mesh/remeshing/surface_features.h"
+
+namespace tetfarm {
+
+struct InputFoot {
+  Vec3 at;
+  std::int32_t item = -1;  ///< the triangle or feature edge of the input
+  double distance2 = 0;
+};
+
+class InputShape {
+ public:
+  /// @pre both outlive this. Cost: O(n log n), some 150 bytes a triangle.
+  InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features);
+
+  /// The nearest point of the face's triangles whose normals do not turn away from `normal`, when
+  /// it is nearer than `limit`. `guess`: a triangle likely to be near, or -1.
+  std::optional<InputFoot> on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
+                                   double limit, std::int32_t guess) const;
+  /// The nearest point of the curve, when it is nearer than `limit`.
+  std::optional<InputFoot> on_curve(std::int32_t curve, const Vec3& p, double limit,
+                                    std::int32_t guess) const;
+  /// The curve nearest to p and the point of it, when it is nearer than `limit`.
+  std::optional<InputFoot> on_any_curve(const Vec3& p, double limit) const;
+  std::int32_t curve_of(std::int32_t edge) const {
+    return curves_.curve_of_edge[static_cast<std::size_t>(edge)];
+  }
+  std::int32_t curve_of_vertex(std::int32_t v) const {
+    return curves_.curve_of_vertex[static_cast<std::size_t>(v)];
+  }
+
+  /// Of unit length; zero where it has no sure direction, as the triangle is a needle.
+  const Vec3& normal(std::int32_t triangle) const {
+    return normals_[static_cast<std::size_t>(triangle)];
+  }
+  /// The normal of a face all of whose vertices lie in one plane, to rounding of the coordinates.
+  const std::optional<Vec3>& plane(std::int32_t face) const {
+    return planes_[static_cast<std::size_t>(face)];
+  }
+
+ private:
+  const SurfaceMesh& surface_;
+  const SurfaceFeatures& features_;
+  FeatureCurves curves_;
+  std::vector<Vec3> normals_;
+  std::vector<std::optional<Vec3>> planes_;
+  BoxForest triangles_;  ///< grouped by face
+  BoxForest edges_;      ///< grouped by curve
+  BoxForest all_edges_;
+};
+
+}  // namespace tetfarm

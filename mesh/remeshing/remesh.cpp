@@ -1,0 +1,144 @@
+#include "mesh/remeshing/remesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "mesh/inspect/self_intersection.h"
+#include "mesh/remeshing/changing_surface.h"
+#include "mesh/remeshing/edge_collapse.h"
+#include "mesh/remeshing/edge_flip.h"
+#include "mesh/remeshing/edge_length.h"
+#include "mesh/remeshing/edge_split.h"
+#include "mesh/remeshing/input_shape.h"
+#include "mesh/remeshing/surface_to_remesh.h"
+#include "mesh/remeshing/tangential_smoothing.h"
+
+namespace tetfarm {
+namespace {
+
+/// Edges longer than this many spacings are split, shorter ones drawn together: halves of the one
+/// are about as far from 1 as twice the other.
+constexpr double longest_edge = 4.0 / 3.0;
+constexpr double shortest_edge = 4.0 / 5.0;
+/// Worse triangles may be made only of worse ones yet.
+constexpr double good_shape = 0.6;
+constexpr int most_splitting_sweeps = 40;
+constexpr int turns = 6;
+constexpr int smoothings_a_turn = 2;
+
+bool collapse_either_way(RemeshingWork& work, const MeasuredEdge& edge) {
+  const auto [a, b] = edge.ends;
+  // First the one that has more freedom to go.
+  const bool is_a_first = work.surface.vertex(a).kind <= work.surface.vertex(b).kind;
+  const std::int32_t first = is_a_first ? a : b;
+  const std::int32_t second = is_a_first ? b : a;
+  return collapse_edge(work, first, second, longest_edge, good_shape) ||
+         collapse_edge(work, second, first, longest_edge, good_shape);
+}
+
+std::int64_t collapse_short_edges(RemeshingWork& work) {
+  std::int64_t count = 0;
+  for (const MeasuredEdge& edge : edges_shorter_than(work, shortest_edge)) {
+    const auto [a, b] = edge.ends;
+    // What came meanwhile may be longer.
+    if (work.surface.ring(a).empty() || work.surface.ring(b).empty()) continue;
+    if (edge_length(work, a, b) < shortest_edge && collapse_either_way(work, edge)) ++count;
+  }
+  return count;
+}
+
+std::int64_t split_long_edges(RemeshingWork& work) {
+  std::int64_t count = 0;
+  for (const MeasuredEdge& edge : edges_longer_than(work, longest_edge)) {
+    if (split_edge(work, edge.ends[0], edge.ends[1])) ++count;
+  }
+  return count;
+}
+
+void split_until_short(RemeshingWork& work) {
+  for (int sweep = 0; sweep < most_splitting_sweeps; ++sweep) {
+    const std::int64_t splits = split_long_edges(work);
+    flip_edges(work, FlipFor::shape);
+    if (splits == 0) return;
+  }
+}
+
+RemeshedSurface result_of(const ChangingSurface& changed, const SurfaceMesh& input,
+                          const SurfaceFeatures& features) {
+  RemeshedSurface result;
+  SurfaceMesh& surface = result.surface;
+  surface.patch_names = input.patch_names;
+  surface.region_names = input.region_names;
+  std::vector<std::size_t> triangle_of_face(static_cast<std::size_t>(features.face_count));
+  for (std::size_t t = input.triangles.size(); t-- > 0;) {
+    triangle_of_face[static_cast<std::size_t>(features.face[t])] = t;
+  }
+  std::vector<std::int32_t> number(static_cast<std::size_t>(changed.vertex_end()), -1);
+  for (std::int32_t v = 0; v < changed.vertex_end(); ++v) {
+    if (changed.ring(v).empty()) continue;
+    number[static_cast<std::size_t>(v)] = static_cast<std::int32_t>(surface.vertices.size());
+    surface.vertices.push_back(changed.at(v));
+  }
+  for (std::int32_t t = 0; t < changed.triangle_end(); ++t) {
+    if (!changed.is_there(t)) continue;
+    const FaceTriangle& of = changed.triangle(t);
+    Triangle nodes{};
+    for (std::size_t k = 0; k < 3; ++k) nodes[k] = number[static_cast<std::size_t>(of.nodes[k])];
+    surface.triangles.push_back(nodes);
+    const std::size_t from = triangle_of_face[static_cast<std::size_t>(of.face)];
+    if (!input.patch_of_triangle.empty()) {
+      surface.patch_of_triangle.push_back(input.patch_of_triangle[from]);
+    }
+    if (!input.sides.empty()) surface.sides.push_back(input.sides[from]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((of.features >> k & 1U) == 0) continue;
+      const std::int32_t a = nodes[k];
+      const std::int32_t b = nodes[(k + 1) % 3];
+      result.feature_edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::ranges::sort(result.feature_edges);
+  result.feature_edges.erase(std::unique(result.feature_edges.begin(), result.feature_edges.end()),
+                             result.feature_edges.end());
+  return result;
+}
+
+RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                         const InputShape& shape, const RemeshingSpacing& spacing,
+                         const RemeshOptions& options, bool is_strict) {
+  ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
+  RemeshingWork work{changed, shape, spacing, options.tolerance, is_strict};
+  flip_edges(work, FlipFor::shape);
+  for (int turn = 0; turn < turns; ++turn) {
+    while (collapse_short_edges(work) > changed.triangle_count() / 100) {
+    }
+    flip_edges(work, FlipFor::shape);
+    split_until_short(work);
+    if (turn + 1 < turns) flip_edges(work, FlipFor::valence);
+    for (int i = 0; i < smoothings_a_turn; ++i) smooth_vertices(work, good_shape);
+    flip_edges(work, FlipFor::shape);
+    smooth_vertices(work, good_shape);
+  }
+  return result_of(changed, surface, features);
+}
+
+bool has_crossings(const SurfaceMesh& surface) {
+  const std::vector<char> all(surface.triangles.size(), 1);
+  return check_self_intersection(surface, all).has_value();
+}
+
+}  // namespace
+
+RemeshedSurface remesh(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                       const RemeshingSpacing& spacing, const RemeshOptions& options) {
+  const InputShape shape(surface, features);
+  RemeshedSurface result = remeshed(surface, features, shape, spacing, options, false);
+  if (has_crossings(result.surface)) {
+    result = remeshed(surface, features, shape, spacing, options, true);
+    TF_CHECK(!has_crossings(result.surface));
+  }
+  return result;
+}
+
+}  // namespace tetfarm

@@ -1,0 +1,164 @@
+#include "mesh/remeshing/surface_replacement.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tetfarm {
+namespace {
+
+/// Cosines of the angle between a triangle and the input under its middle: more than 60 and 72
+/// degrees are a fold.
+constexpr double plane_cosine = 0.5;
+constexpr double curved_cosine = 0.3;
+
+/// Rounding cannot turn a triangle of a better shape over.
+constexpr double surely_not_flat = 1e-6;
+
+/// Cosine of the angle between normals, 25 degrees, up to which neighbours do not fold.
+constexpr double even_cosine = 0.9;
+
+constexpr double sqrt_3 = 1.7320508075688772;
+
+bool lies_near(const RemeshingWork& work, std::int32_t face, const Vec3& p, const Vec3& normal,
+               std::int32_t guess) {
+  return work.shape.on_face(face, p, normal, work.tolerance, guess).has_value();
+}
+
+bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_t hub) {
+  const TrianglePoints c = work.surface.points(t.nodes);
+  const Vec3 normal = normalized(cross(c[1] - c[0], c[2] - c[0]));
+  if (const std::optional<Vec3>& plane = work.shape.plane(t.face)) {
+    return dot(normal, *plane) > plane_cosine;
+  }
+  std::int32_t guess = -1;
+  for (const std::int32_t v : t.nodes) {
+    const SurfaceVertex& vertex = work.surface.vertex(v);
+    if (vertex.kind == VertexKind::smooth) guess = vertex.foot;
+  }
+  const std::optional<InputFoot> foot =
+      work.shape.on_face(t.face, (c[0] + c[1] + c[2]) / 3.0, normal, work.tolerance, guess);
+  if (!foot) return false;
+  const Vec3& below = work.shape.normal(foot->item);
+  if (norm2(below) > 0 && dot(below, normal) < curved_cosine) return false;
+  const std::size_t k = corner_of(t.nodes, hub);
+  if ((t.features >> k & 1U) != 0) return true;
+  return lies_near(work, t.face, 0.5 * (c[k] + c[(k + 1) % 3]), normal, foot->item);
+}
+
+Vec3 doubled_area(const ChangingSurface& surface, const Triangle& t) {
+  const TrianglePoints c = surface.points(t);
+  return cross(c[1] - c[0], c[2] - c[0]);
+}
+
+/// The mean normal of what is made, where all of it is nearly across it.
+std::optional<Vec3> common_normal(const RemeshingWork& work) {
+  Vec3 sum;
+  for (const FaceTriangle& t : work.replacement.made) sum += doubled_area(work.surface, t.nodes);
+  const Vec3 mean = normalized(sum);
+  for (const FaceTriangle& t : work.replacement.made) {
+    const Vec3 normal = doubled_area(work.surface, t.nodes);
+    if (!(dot(normal, mean) > even_cosine * norm(normal))) return std::nullopt;
+  }
+  return mean;
+}
+
+/// Whether a triangle next to those made, in their face, is nearly across their normal: then it
+/// does not fold back over them.
+bool goes_on_evenly(const RemeshingWork& work, const FaceTriangle& other, const Vec3& normal) {
+  const std::vector<FaceTriangle>& made = work.replacement.made;
+  if (other.face != made.front().face) return false;
+  const Vec3 area = doubled_area(work.surface, other.nodes);
+  if (!(dot(area, normal) > even_cosine * norm(area))) return false;
+  return std::ranges::any_of(made, [&](const FaceTriangle& m) {
+    return std::ranges::any_of(m.nodes, [&](std::int32_t v) { return has_corner(other.nodes, v); });
+  });
+}
+
+bool meet(const ChangingSurface& surface, const Triangle& a, const Triangle& b) {
+  return surface.box(a).overlaps(surface.box(b)) &&
+         triangles_meet_beyond_shared(surface.places(), a, b);
+}
+
+bool meet_each_other(const RemeshingWork& work) {
+  const std::vector<FaceTriangle>& made = work.replacement.made;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    for (std::size_t j = i + 1; j < made.size(); ++j) {
+      if (meet(work.surface, made[i].nodes, made[j].nodes)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+double triangle_shape(const TrianglePoints& t) {
+  const Vec3 u = t[1] - t[0];
+  const Vec3 v = t[2] - t[0];
+  const double squares = norm2(u) + norm2(v) + norm2(t[2] - t[1]);
+  return squares > 0 ? 2 * sqrt_3 * norm(cross(u, v)) / squares : 0;
+}
+
+double worst_shape(const ChangingSurface& surface, const std::vector<std::int32_t>& triangles) {
+  double worst = 1;
+  for (const std::int32_t t : triangles) {
+    worst = std::min(worst, triangle_shape(surface.points(surface.triangle(t).nodes)));
+  }
+  return worst;
+}
+
+double worst_shape(const ChangingSurface& surface, const std::vector<FaceTriangle>& triangles) {
+  double worst = 1;
+  for (const FaceTriangle& t : triangles) {
+    worst = std::min(worst, triangle_shape(surface.points(t.nodes)));
+  }
+  return worst;
+}
+
+Vec3 normal_at(const ChangingSurface& surface, std::int32_t v, std::int32_t face) {
+  Vec3 sum;
+  for (const std::int32_t t : surface.ring(v)) {
+    const FaceTriangle& triangle = surface.triangle(t);
+    if (triangle.face != face) continue;
+    const TrianglePoints c = surface.points(triangle.nodes);
+    sum += cross(c[1] - c[0], c[2] - c[0]);
+  }
+  return sum;
+}
+
+bool lies_on_input(const RemeshingWork& work, std::int32_t hub) {
+  return std::ranges::all_of(work.replacement.made,
+                             [&](const FaceTriangle& t) { return lies_on_input(work, t, hub); });
+}
+
+bool meets_nothing(RemeshingWork& work) {
+  const ChangingSurface& surface = work.surface;
+  const SurfaceReplacement& change = work.replacement;
+  const bool is_simple = change.fills_hole && !work.is_strict;
+  if (is_simple && work.shape.plane(change.made.front().face) &&
+      worst_shape(surface, change.made) > surely_not_flat) {
+    return true;
+  }
+  Box3 all;
+  for (const FaceTriangle& t : change.made) {
+    if (is_degenerate(surface.points(t.nodes))) return false;
+    all.add(surface.box(t.nodes));
+  }
+  const std::optional<Vec3> common = is_simple ? common_normal(work) : std::nullopt;
+  if (!common && meet_each_other(work)) return false;
+  work.near.clear();
+  surface.tree().query(all, [&work](std::int32_t t) { work.near.push_back(t); });
+  return std::ranges::none_of(work.near, [&](std::int32_t t) {
+    const FaceTriangle& other = surface.triangle(t);
+    if (std::ranges::find(change.removed, t) != change.removed.end()) return false;
+    if (common && goes_on_evenly(work, other, *common)) return false;
+    return std::ranges::any_of(
+        change.made, [&](const FaceTriangle& m) { return meet(surface, m.nodes, other.nodes); });
+  });
+}
+
+void replace(RemeshingWork& work) {
+  for (const std::int32_t t : work.replacement.removed) work.surface.remove_triangle(t);
+  for (const FaceTriangle& t : work.replacement.made) work.surface.add_triangle(t);
+}
+
+}  // namespace tetfarm
