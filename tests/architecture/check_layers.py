@@ -33,6 +33,7 @@ ROOMS = {
     "mesh/volume": ["base", "mesh/core", "mesh/cosmetics", "mesh/filling", "mesh/geometry", "mesh/recovery",
                     "mesh/spacing"],
     "mesh/layers": ["base", "mesh/artifacts", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/planar"],
+    "mesh/remeshing": ["base", "mesh/core", "mesh/geometry", "mesh/inspect", "mesh/spacing"],
     "mesh/library": ["base", "mesh/core", "mesh/decompose", "mesh/inspect", "mesh/spacing", "mesh/volume"],
     "mesh/assemble": ["base", "mesh/artifacts", "mesh/core"],
     "mesh/formats": ["base", "mesh/assemble", "mesh/core"],
