@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -18,6 +20,7 @@ int longest_axis(const Vec3& size) {
 BoxForest::BoxForest(std::span<const Box3> boxes, std::span<const std::int32_t> group,
                      std::int32_t group_count)
     : items_(boxes.size()), roots_(static_cast<std::size_t>(group_count), -1) {
+  TF_CHECK(boxes.size() == group.size());
   std::iota(items_.begin(), items_.end(), 0);
   const auto group_of = [group](std::int32_t item) {
     return group[static_cast<std::size_t>(item)];

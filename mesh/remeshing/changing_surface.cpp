@@ -68,6 +68,8 @@ void ChangingSurface::remove_vertex(std::int32_t v) {
 }
 
 std::int32_t ChangingSurface::add_triangle(const FaceTriangle& triangle) {
+  const Triangle& n = triangle.nodes;
+  TF_CHECK(n[0] >= 0 && n[0] != n[1] && n[1] != n[2] && n[2] != n[0]);
   std::int32_t t = 0;
   if (free_triangles_.empty()) {
     t = static_cast<std::int32_t>(triangles_.size());

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace tetfarm {
+namespace {
+
+/// A triangle lower than 1e-7 of its edges has a normal of rounding, and is its edges.
+constexpr double least_height_share2 = 1e-14;
+
+}  // namespace
 
 Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -13,8 +19,8 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = cross(b - a, c - a);
-  const double area = norm2(normal);
-  if (area > 0) {
+  const double longest2 = std::max(norm2(b - a), norm2(c - a));
+  if (norm2(normal) > least_height_share2 * longest2 * longest2) {
     // The foot on the plane, by the areas that it makes with the edges.
     const double at_a = dot(cross(b - p, c - p), normal);
     const double at_b = dot(cross(c - p, a - p), normal);

@@ -65,15 +65,19 @@ double facing_distance(const RaySearch& search, const Vec3& from, const Vec3& no
   return found;
 }
 
-void add_walls(const RaySearch& search, const Vec3& from, const Vec3& normal,
-               const RemeshOptions& options, std::vector<PointDemand>& demands) {
+/// The least distance found.
+double add_walls(const RaySearch& search, const Vec3& from, const Vec3& normal,
+                 const RemeshOptions& options, std::vector<PointDemand>& demands) {
+  double least = HUGE_VAL;
   for (const double side : {-1.0, 1.0}) {
     const double across = facing_distance(search, from, normal, side);
     const double wanted = std::max(across / edges_across, options.min_size);
     if (!(wanted < options.size)) continue;
+    least = std::min(least, across);
     demands.push_back({from, wanted, across});
     demands.push_back({from + across * side * normal, wanted, across});
   }
+  return least;
 }
 
 double surface_area(const SurfaceMesh& surface) {
@@ -100,10 +104,20 @@ void add_thin_parts(const SurfaceMesh& surface, const RemeshOptions& options,
   }
   const double step =
       std::max(options.size, std::sqrt(surface_area(surface) / most_proximity_samples));
+  double samples_left = most_proximity_samples;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    sample_triangle(
-        triangle_points(surface.vertices, surface.triangles[t]), step,
-        [&](const Vec3& p) { add_walls(search, p, search.normals[t], options, demands); });
+    const TrianglePoints c = triangle_points(surface.vertices, surface.triangles[t]);
+    double least = HUGE_VAL;
+    const auto look = [&](const Vec3& p) {
+      least = std::min(least, add_walls(search, p, search.normals[t], options, demands));
+    };
+    sample_triangle(c, step, look);
+    // A demand reaches as far as the walls are from each other: nearer samples where they are near.
+    const double finer = std::max(least, options.min_size);
+    const double samples = 0.5 * norm(cross(c[1] - c[0], c[2] - c[0])) / (finer * finer);
+    if (finer >= step || samples > samples_left) continue;
+    samples_left -= samples;
+    sample_triangle(c, finer, look);
   }
 }
 

@@ -15,9 +15,10 @@
 namespace tetfarm {
 
 /// Each less than size, and at least min_size but for edges between corners, which stay as they
-/// are. Rays start from points of the triangles `size` apart, one a triangle at least; strips are
-/// looked for from points of the feature edges as near to each other as the strip may be narrow. No
-/// more than most_proximity_samples points of each kind: farther apart, where there would be more.
+/// are. Rays start from points of the triangles `size` apart, one a triangle at least, and where
+/// walls are found, as near as these are; strips are looked for from points of the feature edges as
+/// near to each other as the strip may be narrow. No more than most_proximity_samples points of
+/// each kind: farther apart, where there would be more.
 /// @pre the options have been through with_defaults. Cost: O(samples log n), and what lies near the
 /// rays.
 std::vector<PointDemand> proximity_demands(const SurfaceMesh& surface,

@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/triangle_distance.h"
+#include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/self_intersection.h"
+#include "mesh/remeshing/box_forest.h"
 #include "mesh/remeshing/changing_surface.h"
 #include "mesh/remeshing/edge_collapse.h"
 #include "mesh/remeshing/edge_flip.h"
@@ -23,6 +27,10 @@ constexpr double longest_edge = 4.0 / 3.0;
 constexpr double shortest_edge = 4.0 / 5.0;
 /// Worse triangles may be made only of worse ones yet.
 constexpr double good_shape = 0.6;
+/// Of the tolerance: between the points that are compared a triangle may lie farther off.
+constexpr double tolerance_at_samples = 0.75;
+/// How often vertices of the input that were left behind are kept, and all is done again.
+constexpr int most_rounds = 4;
 constexpr int most_splitting_sweeps = 40;
 constexpr int turns = 6;
 constexpr int smoothings_a_turn = 2;
@@ -108,7 +116,7 @@ RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& feat
                          const InputShape& shape, const RemeshingSpacing& spacing,
                          const RemeshOptions& options, bool is_strict) {
   ChangingSurface changed = surface_to_remesh(surface, features, shape, spacing);
-  RemeshingWork work{changed, shape, spacing, options.tolerance, is_strict};
+  RemeshingWork work{changed, shape, spacing, tolerance_at_samples * options.tolerance, is_strict};
   flip_edges(work, FlipFor::shape);
   for (int turn = 0; turn < turns; ++turn) {
     while (collapse_short_edges(work) > changed.triangle_count() / 100) {
@@ -128,15 +136,48 @@ bool has_crossings(const SurfaceMesh& surface) {
   return check_self_intersection(surface, all).has_value();
 }
 
-}  // namespace
+/// Near as each change is to the input, many may carry the surface away from one of its vertices.
+/// Those farther than the tolerance become corners. The number of them.
+std::int64_t keep_vertices_left_behind(const SurfaceMesh& surface, const SurfaceMesh& result,
+                                       double tolerance, SurfaceFeatures& features) {
+  const BoxForest forest(triangle_boxes(result.vertices, result.triangles),
+                         std::vector<std::int32_t>(result.triangles.size(), 0), 1);
+  std::int64_t count = 0;
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    const Vec3& p = surface.vertices[v];
+    const BoxForest::Nearest found =
+        forest.nearest(0, p, tolerance * tolerance, [&](std::int32_t t) {
+          const TrianglePoints c =
+              triangle_points(result.vertices, result.triangles[static_cast<std::size_t>(t)]);
+          return distance2_to_triangle(p, c[0], c[1], c[2]);
+        });
+    if (found.item >= 0 || features.kind[v] == VertexKind::corner) continue;
+    features.kind[v] = VertexKind::corner;
+    ++count;
+  }
+  return count;
+}
 
-RemeshedSurface remesh(const SurfaceMesh& surface, const SurfaceFeatures& features,
-                       const RemeshingSpacing& spacing, const RemeshOptions& options) {
+RemeshedSurface sound_surface(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                              const RemeshingSpacing& spacing, const RemeshOptions& options) {
   const InputShape shape(surface, features);
   RemeshedSurface result = remeshed(surface, features, shape, spacing, options, false);
   if (has_crossings(result.surface)) {
     result = remeshed(surface, features, shape, spacing, options, true);
     TF_CHECK(!has_crossings(result.surface));
+  }
+  return result;
+}
+
+}  // namespace
+
+RemeshedSurface remesh(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                       const RemeshingSpacing& spacing, const RemeshOptions& options) {
+  SurfaceFeatures kept = features;
+  RemeshedSurface result = sound_surface(surface, kept, spacing, options);
+  for (int round = 0; round < most_rounds; ++round) {
+    if (keep_vertices_left_behind(surface, result.surface, options.tolerance, kept) == 0) break;
+    result = sound_surface(surface, kept, spacing, options);
   }
   return result;
 }

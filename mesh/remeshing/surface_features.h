@@ -27,7 +27,8 @@ struct SurfaceFeatures {
 
 /// Features are edges whose triangles are not two, or differ in patch or regions, or whose normals
 /// differ by more than `angle_deg`. A corner is a vertex where other than two of them meet, or
-/// where two turn by more than that; without features, one round which normals differ by more.
+/// where two turn by more than that; without features, one round which a normal differs by more
+/// from their mean.
 /// @pre check_surface found no defect; angle_deg in (0, 180). Cost: O(n log n).
 SurfaceFeatures surface_features(const SurfaceMesh& surface, double angle_deg);
 

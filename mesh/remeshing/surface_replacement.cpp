@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -157,6 +159,7 @@ bool meets_nothing(RemeshingWork& work) {
 }
 
 void replace(RemeshingWork& work) {
+  TF_CHECK(!work.replacement.removed.empty());
   for (const std::int32_t t : work.replacement.removed) work.surface.remove_triangle(t);
   for (const FaceTriangle& t : work.replacement.made) work.surface.add_triangle(t);
 }

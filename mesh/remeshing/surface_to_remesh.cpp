@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
+
 namespace tetfarm {
 namespace {
 
@@ -33,6 +35,7 @@ ChangingSurface surface_to_remesh(const SurfaceMesh& surface, const SurfaceFeatu
     vertex.spacing = spacing.at(surface.vertices[v]);
     changing.add_vertex(surface.vertices[v], vertex);
   }
+  TF_CHECK(features.face.size() == surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& nodes = surface.triangles[t];
     changing.add_triangle({nodes, features.face[t], feature_bits(nodes, features)});
