@@ -12,7 +12,6 @@ namespace {
 
 constexpr double size_share = 1.0 / 20;
 constexpr double min_size_share = 1.0 / 16;
-constexpr double min_size_share_of_default = 1.0 / 64;
 constexpr double tolerance_share = 1e-3;
 
 void check_length(double value, const std::string& option) {
@@ -34,11 +33,8 @@ RemeshOptions with_defaults(RemeshOptions options, const SurfaceMesh& surface) {
     throw UsageError("must be positive", "--growth");
   }
   const double diagonal = norm(bounding_box(surface.vertices).size());
-  const bool is_size_given = options.size > 0;
-  if (!is_size_given) options.size = std::max(size_share * diagonal, options.min_size);
-  if (options.min_size == 0) {
-    options.min_size = (is_size_given ? min_size_share : min_size_share_of_default) * options.size;
-  }
+  if (options.size == 0) options.size = std::max(size_share * diagonal, options.min_size);
+  if (options.min_size == 0) options.min_size = min_size_share * options.size;
   if (options.min_size > options.size) {
     throw UsageError("is larger than --size", "--min-size");
   }

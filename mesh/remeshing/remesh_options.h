@@ -11,9 +11,8 @@
 namespace tetfarm {
 
 struct RemeshOptions {
-  double size = 0;  ///< wanted edge length; 0: 1/20 of the diagonal of the surface's box
-  double min_size =
-      0;  ///< no edge need be shorter; 0: 1/16 of `size`, where that is given, or 1/64
+  double size = 0;        ///< wanted edge length; 0: 1/20 of the diagonal of the surface's box
+  double min_size = 0;    ///< no edge need be shorter; 0: 1/16 of `size`
   double angle_deg = 30;  ///< edges that are sharper are kept
   double tolerance = 0;   ///< how far from the input; 0: 1/1000 of the diagonal
   double growth = 0.3;    ///< of the spacing for each unit of length

@@ -12,7 +12,7 @@ TEST(RemeshOptions, left_out_follow_from_the_size_of_the_surface) {
   const SurfaceMesh box = shapes::box({0, 0, 0}, {3, 4, 12}, 1);
   const RemeshOptions options = with_defaults({}, box);
   EXPECT_DOUBLE_EQ(options.size, 13.0 / 20);
-  EXPECT_DOUBLE_EQ(options.min_size, 13.0 / 20 / 64);
+  EXPECT_DOUBLE_EQ(options.min_size, 13.0 / 20 / 16);
   EXPECT_DOUBLE_EQ(options.tolerance, 0.013);
   RemeshOptions sized;
   sized.size = 8;
