@@ -178,6 +178,7 @@ TEST(DeclaredCommands, have_values_of_which_it_is_known_whether_they_are_paths) 
                                           "SECONDS",
                                           "SHARE",
                                           "SIZE",
+                                          "T",
                                           "TASK",
                                           "TEXT",
                                           "W",
