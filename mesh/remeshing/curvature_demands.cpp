@@ -14,7 +14,7 @@ namespace {
 /// Of the radius: 18 edges to a circle.
 constexpr double longest_of_radius = 0.35;
 /// A normal of a triangle lower than that share of its longest edge says nothing.
-constexpr double least_height_share = 1e-4;
+constexpr double sure_height_share = 1e-4;
 constexpr double most_along_an_edge = 1000;
 
 const Vec3& vertex_at(const SurfaceMesh& surface, std::int32_t v) {
@@ -39,7 +39,7 @@ std::optional<BentTriangle> over_edge(const SurfaceMesh& surface, const EdgeUse&
   const Vec3 doubled = cross(c[1] - c[0], c[2] - c[0]);
   const double longest2 = std::max({norm2(c[1] - c[0]), norm2(c[2] - c[1]), norm2(c[0] - c[2])});
   const double area = norm(doubled);
-  if (area < least_height_share * longest2) return std::nullopt;
+  if (area < sure_height_share * longest2) return std::nullopt;
   const double length = distance(vertex_at(surface, use.low), vertex_at(surface, use.high));
   return BentTriangle{doubled / area, area / length};
 }
