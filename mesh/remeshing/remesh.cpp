@@ -28,7 +28,7 @@ constexpr double shortest_edge = 4.0 / 5.0;
 /// Worse triangles may be made only of worse ones yet.
 constexpr double good_shape = 0.6;
 /// Of the tolerance: between the points that are compared a triangle may lie farther off.
-constexpr double tolerance_at_samples = 0.75;
+constexpr double tolerance_at_samples = 0.5;
 /// How often vertices of the input that were left behind are kept, and all is done again.
 constexpr int most_rounds = 4;
 constexpr int most_splitting_sweeps = 40;
