@@ -54,7 +54,7 @@ TEST(SurfaceFeatures, of_needles_are_not_made_by_their_normals) {
   // A needle on a diagonal of a face, whose own normal may point anywhere: its apex a hair off.
   Triangle t = box.triangles.front();
   const auto at = [&](std::int32_t v) { return box.vertices[static_cast<std::size_t>(v)]; };
-  while (distance(at(t[0]), at(t[1])) < 1.1) std::ranges::rotate(t, t.begin() + 1);
+  while (distance(at(t[0]), at(t[1])) < 1.1) std::rotate(t.begin(), t.begin() + 1, t.end());
   const Vec3 normal = normalized(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
   const auto middle = static_cast<std::int32_t>(box.vertices.size());
   box.vertices.push_back(0.5 * (at(t[0]) + at(t[1])) + 1e-7 * (at(t[2]) - at(t[0])) +
