@@ -6,6 +6,7 @@
 
 #include "base/angle_text.h"
 #include "base/check.h"
+#include "cli/place_text.h"
 #include "cli/text_table.h"
 
 namespace tetfarm {
@@ -21,9 +22,6 @@ std::string format(const char* pattern, Arguments... arguments) {
   std::snprintf(text, sizeof text, pattern, arguments...);
   return text;
 }
-
-std::string place_text(const Vec3& p) { return format("(%.6g, %.6g, %.6g)", p.x, p.y, p.z); }
-Json place_json(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 struct Bin {
   std::string name;

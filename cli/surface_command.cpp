@@ -1,4 +1,3 @@
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/defects_file.h"
 #include "cli/job_input.h"
+#include "cli/place_text.h"
 #include "json/json_line.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
@@ -62,12 +62,6 @@ void require_sound(const SurfaceMesh& surface, const JobFile& job) {
                   checked.report.defects.front().message);
 }
 
-std::string place_text(const Vec3& at) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", at.x, at.y, at.z);
-  return text.data();
-}
-
 void print_figures(const RemeshingFigures& f, const std::string& output) {
   std::printf("triangles       %lld, before %lld\nvertices        %lld\n",
               static_cast<long long>(f.triangles), static_cast<long long>(f.triangles_before),
@@ -90,10 +84,6 @@ void print_figures(const RemeshingFigures& f, const std::string& output) {
               place_text(f.to_input.at).c_str());
   std::printf("volume          %.9g, before %.9g\n", f.volume, f.volume_before);
   std::printf("%s\n", output.c_str());
-}
-
-nlohmann::ordered_json place_json(const Vec3& at) {
-  return nlohmann::ordered_json::array({at.x, at.y, at.z});
 }
 
 nlohmann::ordered_json figures_json(const RemeshingFigures& f, const std::string& output) {

@@ -95,6 +95,10 @@ std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles,
   return uses;
 }
 
+std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles) {
+  return edge_uses(triangles, std::vector<char>(triangles.size(), 1));
+}
+
 std::optional<SurfaceDefect> check_edges(const SurfaceMesh& surface,
                                          std::span<const EdgeUse> uses) {
   OpenEdges open;

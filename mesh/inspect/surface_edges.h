@@ -24,6 +24,9 @@ struct EdgeUse {
 std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles,
                                const std::vector<char>& sieve);
 
+/// The same of all triangles.
+std::vector<EdgeUse> edge_uses(const std::vector<Triangle>& triangles);
+
 /// Calls visit(span of uses) for each edge.
 template <typename Visitor>
 void for_each_edge(std::span<const EdgeUse> uses, Visitor&& visit) {

@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::size_t most_complaints = 5;
 
+/// The k for which a and b are nodes[k] and the next, in whichever order.
+std::size_t side_of(const Triangle& t, std::int32_t a, std::int32_t b) {
+  const std::size_t i = corner_of(t, a);
+  return t[(i + 1) % 3] == b ? i : (i + 2) % 3;
+}
+
 std::string complaint_of_edge(const ChangingSurface& surface, std::int32_t a, std::int32_t b) {
   const std::vector<std::int32_t> on = surface.triangles_on(a, b);
   const bool is_feature = surface.is_feature(on.front(), a, b);
@@ -128,8 +134,7 @@ bool ChangingSurface::has_edge(std::int32_t a, std::int32_t b) const {
 }
 
 bool ChangingSurface::is_feature(std::int32_t t, std::int32_t a, std::int32_t b) const {
-  const FaceTriangle& of = triangle(t);
-  return (of.features & edge_bit(of.nodes, a, b)) != 0;
+  return is_feature_edge(triangle(t), a, b);
 }
 
 std::vector<std::int32_t> ChangingSurface::feature_neighbours(std::int32_t v) const {
@@ -137,18 +142,20 @@ std::vector<std::int32_t> ChangingSurface::feature_neighbours(std::int32_t v) co
   for (const std::int32_t t : ring(v)) {
     const FaceTriangle& of = triangle(t);
     const std::size_t k = corner_of(of.nodes, v);
-    if ((of.features >> k & 1U) != 0) found.push_back(of.nodes[(k + 1) % 3]);
-    if ((of.features >> (k + 2) % 3 & 1U) != 0) found.push_back(of.nodes[(k + 2) % 3]);
+    if (is_feature_side(of, k)) found.push_back(of.nodes[(k + 1) % 3]);
+    if (is_feature_side(of, (k + 2) % 3)) found.push_back(of.nodes[(k + 2) % 3]);
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
-std::uint8_t edge_bit(const Triangle& t, std::int32_t a, std::int32_t b) {
-  const std::size_t i = corner_of(t, a);
-  const std::size_t k = t[(i + 1) % 3] == b ? i : (i + 2) % 3;
-  return static_cast<std::uint8_t>(1U << k);
+bool is_feature_edge(const FaceTriangle& t, std::int32_t a, std::int32_t b) {
+  return is_feature_side(t, side_of(t.nodes, a, b));
+}
+
+void mark_feature_edge(FaceTriangle& t, std::int32_t a, std::int32_t b) {
+  t.features = static_cast<std::uint8_t>(t.features | 1U << side_of(t.nodes, a, b));
 }
 
 std::vector<std::string> complaints_of(const ChangingSurface& surface) {

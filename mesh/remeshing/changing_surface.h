@@ -99,8 +99,17 @@ inline std::size_t corner_of(const Triangle& t, std::int32_t v) {
 inline bool has_corner(const Triangle& t, std::int32_t v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
-/// The bit of `features` for the edge between two of the triangle's nodes.
-std::uint8_t edge_bit(const Triangle& t, std::int32_t a, std::int32_t b);
+/// The third node of a triangle with a and b.
+inline std::int32_t third_vertex(const Triangle& t, std::int32_t a, std::int32_t b) {
+  return t[0] + t[1] + t[2] - a - b;
+}
+/// Whether the edge from nodes[k] is a feature.
+inline bool is_feature_side(const FaceTriangle& t, std::size_t k) {
+  return (t.features >> k & 1U) != 0;
+}
+/// The same of the edge between two of the nodes.
+bool is_feature_edge(const FaceTriangle& t, std::int32_t a, std::int32_t b);
+void mark_feature_edge(FaceTriangle& t, std::int32_t a, std::int32_t b);
 
 /// What is wrong by the invariants above, the first few; empty: nothing. For tests. O(n).
 std::vector<std::string> complaints_of(const ChangingSurface& surface);

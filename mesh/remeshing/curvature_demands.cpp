@@ -6,7 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/surface_edges.h"
+#include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
 namespace {
@@ -33,15 +35,12 @@ struct BentTriangle {
 };
 
 std::optional<BentTriangle> over_edge(const SurfaceMesh& surface, const EdgeUse& use) {
-  const Triangle& t = surface.triangles[static_cast<std::size_t>(use.triangle)];
-  const std::array<Vec3, 3> c{vertex_at(surface, t[0]), vertex_at(surface, t[1]),
-                              vertex_at(surface, t[2])};
-  const Vec3 doubled = cross(c[1] - c[0], c[2] - c[0]);
-  const double longest2 = std::max({norm2(c[1] - c[0]), norm2(c[2] - c[1]), norm2(c[0] - c[2])});
-  const double area = norm(doubled);
-  if (area < sure_height_share * longest2) return std::nullopt;
+  const TrianglePoints c =
+      triangle_points(surface.vertices, surface.triangles[static_cast<std::size_t>(use.triangle)]);
+  const Vec3 normal = sure_normal(c, sure_height_share);
+  if (norm2(normal) == 0) return std::nullopt;
   const double length = distance(vertex_at(surface, use.low), vertex_at(surface, use.high));
-  return BentTriangle{doubled / area, area / length};
+  return BentTriangle{normal, norm(doubled_area(c)) / length};
 }
 
 /// The spacing wanted across an edge inside a face; as large as one likes where it is flat.
@@ -97,8 +96,7 @@ void add_curves(const SurfaceMesh& surface, const SurfaceFeatures& features,
 std::vector<PointDemand> curvature_demands(const SurfaceMesh& surface,
                                            const SurfaceFeatures& features,
                                            const RemeshOptions& options) {
-  const std::vector<EdgeUse> uses =
-      edge_uses(surface.triangles, std::vector<char>(surface.triangles.size(), 1));
+  const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
   std::vector<PointDemand> demands;
   add_curves(surface, features, options, demands);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {

@@ -17,9 +17,7 @@ Vertices opposite_vertices(const ChangingSurface& surface, const Vertices& on, s
                            std::int32_t b) {
   Vertices opposite;
   for (const std::int32_t t : on) {
-    for (const std::int32_t v : surface.triangle(t).nodes) {
-      if (v != a && v != b) opposite.push_back(v);
-    }
+    opposite.push_back(third_vertex(surface.triangle(t).nodes, a, b));
   }
   std::ranges::sort(opposite);
   return opposite;
@@ -56,9 +54,7 @@ bool topology_allows(const ChangingSurface& surface, const Vertices& on, const V
                                 std::back_inserter(common));
   if (common != opposite) return false;
   return std::ranges::none_of(on, [&](std::int32_t t) {
-    const Triangle& nodes = surface.triangle(t).nodes;
-    const std::int32_t third = nodes[0] + nodes[1] + nodes[2] - gone - kept;
-    return surface.is_feature(t, gone, third);
+    return surface.is_feature(t, gone, third_vertex(surface.triangle(t).nodes, gone, kept));
   });
 }
 
@@ -77,7 +73,7 @@ void make_ring(RemeshingWork& work, const Vertices& on, const Vertices& opposite
       // The edge to v was that of a triangle that goes, which knows whether it is a feature.
       const auto beside = std::ranges::find_if(
           on, [&](std::int32_t s) { return has_corner(surface.triangle(s).nodes, v); });
-      if (surface.is_feature(*beside, kept, v)) made.features |= edge_bit(made.nodes, kept, v);
+      if (surface.is_feature(*beside, kept, v)) mark_feature_edge(made, kept, v);
     }
     work.replacement.made.push_back(made);
   }

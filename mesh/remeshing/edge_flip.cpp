@@ -15,47 +15,31 @@ constexpr std::int64_t flips_a_triangle = 10;
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-std::int32_t opposite(const FaceTriangle& t, std::int32_t a, std::int32_t b) {
-  return t.nodes[0] + t.nodes[1] + t.nodes[2] - a - b;
-}
-
 /// The triangle with `gone` replaced by `come`, whose edge from `come` to `apex` is new.
 FaceTriangle flipped(const FaceTriangle& old, const FaceTriangle& other, std::int32_t kept,
                      std::int32_t gone, std::int32_t come) {
   FaceTriangle made = old;
   made.nodes[corner_of(old.nodes, gone)] = come;
-  const std::int32_t apex = opposite(old, kept, gone);
+  const std::int32_t apex = third_vertex(old.nodes, kept, gone);
   made.features = 0;
-  if ((old.features & edge_bit(old.nodes, kept, apex)) != 0) {
-    made.features |= edge_bit(made.nodes, kept, apex);
-  }
-  if ((other.features & edge_bit(other.nodes, kept, come)) != 0) {
-    made.features |= edge_bit(made.nodes, kept, come);
-  }
+  if (is_feature_edge(old, kept, apex)) mark_feature_edge(made, kept, apex);
+  if (is_feature_edge(other, kept, come)) mark_feature_edge(made, kept, come);
   return made;
 }
 
-/// How many triangles too many the vertex has; 0 of a corner, whose angle says how many.
+/// How many triangles too many a vertex, no corner, has in the face.
 std::ptrdiff_t valence_excess(const ChangingSurface& surface, std::int32_t v, std::int32_t face) {
   const auto in_face = std::ranges::count_if(
       surface.ring(v), [&](std::int32_t t) { return surface.triangle(t).face == face; });
-  switch (surface.vertex(v).kind) {
-    case VertexKind::smooth:
-      return in_face - 6;
-    case VertexKind::on_curve:
-      return in_face - 3;
-    default:
-      return 0;
-  }
+  return in_face - (surface.vertex(v).kind == VertexKind::smooth ? 6 : 3);
 }
 
 /// Whether taking the edge from the first two vertices and giving it to the others brings all four
-/// nearer to what they should have.
-bool evens_valences(const ChangingSurface& surface, const std::array<std::int32_t, 4>& vertices) {
+/// nearer to what they should have. Corners do not count: their angle says how many they should.
+bool evens_valences(const ChangingSurface& surface, const std::array<std::int32_t, 4>& vertices,
+                    std::int32_t face) {
   std::ptrdiff_t before = 0;
   std::ptrdiff_t after = 0;
-  const std::vector<std::int32_t> on = surface.triangles_on(vertices[0], vertices[1]);
-  const std::int32_t face = surface.triangle(on.front()).face;
   for (std::size_t i = 0; i < 4; ++i) {
     if (surface.vertex(vertices[i]).kind == VertexKind::corner) continue;
     const std::ptrdiff_t excess = valence_excess(surface, vertices[i], face);
@@ -76,18 +60,20 @@ bool flip_edge(RemeshingWork& work, std::int32_t a, std::int32_t b, FlipFor want
   if (on.size() != 2 || surface.is_feature(on.front(), a, b)) return false;
   const FaceTriangle& first = surface.triangle(on[0]);
   const FaceTriangle& second = surface.triangle(on[1]);
-  const std::int32_t c = opposite(first, a, b);
-  const std::int32_t d = opposite(second, a, b);
+  const std::int32_t c = third_vertex(first.nodes, a, b);
+  const std::int32_t d = third_vertex(second.nodes, a, b);
   if (c == d) return false;
   work.replacement.fills_hole = true;
   work.replacement.made.push_back(flipped(first, second, a, b, d));
   work.replacement.made.push_back(flipped(second, first, b, a, c));
   const double made = worst_shape(surface, work.replacement.made);
-  if (wanted == FlipFor::shape ? made < worst_shape(surface, on) + least_gain
-                               : made < passable_shape || !evens_valences(surface, {a, b, c, d}))
-    return false;
+  const bool helps =
+      wanted == FlipFor::shape
+          ? made >= worst_shape(surface, on) + least_gain
+          : made >= passable_shape && evens_valences(surface, {a, b, c, d}, first.face);
+  if (!helps) return false;
   if (surface.has_edge(c, d)) return false;
-  // Each of the two has the new edge; as its first vertex, it is looked at once from each end.
+  // The new edge runs from c in one of the two, so its middle is looked at.
   if (!lies_on_input(work, c) || !meets_nothing(work)) return false;
   replace(work);
   return true;
@@ -100,7 +86,7 @@ std::int64_t flip_edges(RemeshingWork& work, FlipFor wanted) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t a = t.nodes[k];
       const std::int32_t b = t.nodes[(k + 1) % 3];
-      if ((t.features >> k & 1U) == 0) waiting.emplace_back(std::min(a, b), std::max(a, b));
+      if (!is_feature_side(t, k)) waiting.emplace_back(std::min(a, b), std::max(a, b));
     }
   };
   for (std::int32_t t = 0; t < surface.triangle_end(); ++t) {

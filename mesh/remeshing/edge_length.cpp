@@ -17,7 +17,7 @@ void for_each_edge_of(const ChangingSurface& surface, Visitor&& visit) {
       const std::int32_t b = nodes[(k + 1) % 3];
       // Inside a face its two triangles have it in both directions; between sheets all may have it
       // in one.
-      if (a < b || (surface.triangle(t).features >> k & 1U) != 0) {
+      if (a < b || is_feature_side(surface.triangle(t), k)) {
         visit(std::min(a, b), std::max(a, b));
       }
     }

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/remeshing/triangle_normal.h"
+
 namespace tetfarm {
 namespace {
 
@@ -41,8 +43,7 @@ std::optional<MiddleVertex> middle_of_face(const RemeshingWork& work, std::int32
   MiddleVertex found{{VertexKind::smooth, face, -1, 0}, middle};
   Vec3 normal;
   for (const std::int32_t t : on) {
-    const TrianglePoints c = work.surface.points(work.surface.triangle(t).nodes);
-    normal += cross(c[1] - c[0], c[2] - c[0]);
+    normal += doubled_area(work.surface.points(work.surface.triangle(t).nodes));
   }
   std::int32_t guess = -1;
   for (const std::int32_t end : {a, b}) {
@@ -63,18 +64,15 @@ void make_halves(RemeshingWork& work, const std::vector<std::int32_t>& on, std::
   work.replacement.removed = on;
   for (const std::int32_t t : on) {
     const FaceTriangle& old = work.surface.triangle(t);
-    const std::uint8_t edge = edge_bit(old.nodes, a, b);
+    const std::int32_t third = third_vertex(old.nodes, a, b);
     for (const std::int32_t gone : {a, b}) {
-      FaceTriangle half = old;
-      half.nodes[corner_of(old.nodes, gone)] = m;
       // The half keeps two of the old edges, and the third is new.
       const std::int32_t kept = gone == a ? b : a;
-      const std::int32_t third = old.nodes[0] + old.nodes[1] + old.nodes[2] - a - b;
+      FaceTriangle half = old;
+      half.nodes[corner_of(old.nodes, gone)] = m;
       half.features = 0;
-      if ((old.features & edge) != 0) half.features |= edge_bit(half.nodes, m, kept);
-      if ((old.features & edge_bit(old.nodes, kept, third)) != 0) {
-        half.features |= edge_bit(half.nodes, kept, third);
-      }
+      if (is_feature_edge(old, a, b)) mark_feature_edge(half, m, kept);
+      if (is_feature_edge(old, kept, third)) mark_feature_edge(half, kept, third);
       work.replacement.made.push_back(half);
     }
   }

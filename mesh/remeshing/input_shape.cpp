@@ -6,7 +6,9 @@
 
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
+#include "mesh/geometry/triangle_intersection.h"
 #include "mesh/remeshing/nearest_point.h"
+#include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
 namespace {
@@ -17,21 +19,8 @@ constexpr double least_height_share = 1e-5;
 /// single precision.
 constexpr double plane_share = 1e-7;
 
-using Corners = std::array<Vec3, 3>;
-
-Corners corners_of(const SurfaceMesh& surface, std::int32_t triangle) {
-  const Triangle& t = surface.triangles[static_cast<std::size_t>(triangle)];
-  const auto at = [&surface](std::int32_t v) {
-    return surface.vertices[static_cast<std::size_t>(v)];
-  };
-  return {at(t[0]), at(t[1]), at(t[2])};
-}
-
-Vec3 sure_normal(const Corners& c) {
-  const Vec3 doubled = cross(c[1] - c[0], c[2] - c[0]);
-  const double longest2 = std::max({norm2(c[1] - c[0]), norm2(c[2] - c[1]), norm2(c[0] - c[2])});
-  if (norm2(doubled) < least_height_share * least_height_share * longest2 * longest2) return {};
-  return normalized(doubled);
+TrianglePoints corners_of(const SurfaceMesh& surface, std::size_t triangle) {
+  return triangle_points(surface.vertices, surface.triangles[triangle]);
 }
 
 /// The normal of each face's largest triangle where all of it lies in that triangle's plane.
@@ -44,8 +33,8 @@ std::vector<std::optional<Vec3>> planes_of(const SurfaceMesh& surface,
   };
   std::vector<Largest> largest(static_cast<std::size_t>(features.face_count));
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const Corners c = corners_of(surface, static_cast<std::int32_t>(t));
-    const Vec3 doubled = cross(c[1] - c[0], c[2] - c[0]);
+    const TrianglePoints c = corners_of(surface, t);
+    const Vec3 doubled = doubled_area(c);
     Largest& of = largest[static_cast<std::size_t>(features.face[t])];
     if (norm2(doubled) > of.area2) of = {norm2(doubled), normalized(doubled), c[0]};
   }
@@ -53,7 +42,7 @@ std::vector<std::optional<Vec3>> planes_of(const SurfaceMesh& surface,
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto face = static_cast<std::size_t>(features.face[t]);
     const Largest& of = largest[face];
-    for (const Vec3& p : corners_of(surface, static_cast<std::int32_t>(t))) {
+    for (const Vec3& p : corners_of(surface, t)) {
       if (std::abs(dot(p - of.at, of.normal)) > tolerance) is_plane[face] = 0;
     }
   }
@@ -75,13 +64,26 @@ std::vector<Box3> edge_boxes(const SurfaceMesh& surface, const SurfaceFeatures& 
   return boxes;
 }
 
+/// The nearest item of the group, unless that is the guess, which is looked at first; -1: none.
+template <typename Distance2>
+BoxForest::Nearest nearest_after(std::int32_t guess, const BoxForest& forest, std::int32_t group,
+                                 const Vec3& p, double limit, const Distance2& distance2) {
+  BoxForest::Nearest first{-1, limit * limit};
+  if (guess >= 0) {
+    const double d2 = distance2(guess);
+    if (d2 < first.distance2) first = {guess, d2};
+  }
+  const BoxForest::Nearest found = forest.nearest(group, p, first.distance2, distance2);
+  return found.item < 0 ? first : found;
+}
+
 }  // namespace
 
 InputShape::InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features)
     : surface_(surface), features_(features), curves_(feature_curves(features)) {
   normals_.reserve(surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    normals_.push_back(sure_normal(corners_of(surface, static_cast<std::int32_t>(t))));
+    normals_.push_back(sure_normal(corners_of(surface, t), least_height_share));
   }
   const double size = norm(bounding_box(surface.vertices).size());
   planes_ = planes_of(surface, features, plane_share * size);
@@ -95,25 +97,31 @@ InputShape::InputShape(const SurfaceMesh& surface, const SurfaceFeatures& featur
 std::optional<InputFoot> InputShape::on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
                                              double limit, std::int32_t guess) const {
   const auto distance2 = [&](std::int32_t t) {
-    if (dot(normals_[static_cast<std::size_t>(t)], normal) < 0) {
-      return std::numeric_limits<double>::infinity();
-    }
-    const Corners c = corners_of(surface_, t);
+    const auto triangle = static_cast<std::size_t>(t);
+    if (dot(normals_[triangle], normal) < 0) return std::numeric_limits<double>::infinity();
+    const TrianglePoints c = corners_of(surface_, triangle);
     return distance2_to_triangle(p, c[0], c[1], c[2]);
   };
-  BoxForest::Nearest first{-1, limit * limit};
-  if (guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face) {
-    const double d2 = distance2(guess);
-    if (d2 < first.distance2) first = {guess, d2};
-  }
-  BoxForest::Nearest found = triangles_.nearest(face, p, first.distance2, distance2);
-  if (found.item < 0) found = first;
+  const bool is_of_face = guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face;
+  const BoxForest::Nearest found =
+      nearest_after(is_of_face ? guess : -1, triangles_, face, p, limit, distance2);
   if (found.item < 0) return std::nullopt;
-  const Corners c = corners_of(surface_, found.item);
+  const TrianglePoints c = corners_of(surface_, static_cast<std::size_t>(found.item));
   return InputFoot{nearest_on_triangle(p, c[0], c[1], c[2]), found.item, found.distance2};
 }
 
 std::optional<InputFoot> InputShape::on_curve(std::int32_t curve, const Vec3& p, double limit,
+                                              std::int32_t guess) const {
+  const bool is_of_curve = guess >= 0 && curve_of(guess) == curve;
+  return on_edges(edges_, curve, p, limit, is_of_curve ? guess : -1);
+}
+
+std::optional<InputFoot> InputShape::on_any_curve(const Vec3& p, double limit) const {
+  return on_edges(all_edges_, 0, p, limit, -1);
+}
+
+std::optional<InputFoot> InputShape::on_edges(const BoxForest& forest, std::int32_t group,
+                                              const Vec3& p, double limit,
                                               std::int32_t guess) const {
   const auto foot = [&](std::int32_t e) {
     const std::array<std::int32_t, 2>& edge = features_.edges[static_cast<std::size_t>(e)];
@@ -121,25 +129,7 @@ std::optional<InputFoot> InputShape::on_curve(std::int32_t curve, const Vec3& p,
                               surface_.vertices[static_cast<std::size_t>(edge[1])]);
   };
   const auto distance2 = [&](std::int32_t e) { return norm2(foot(e) - p); };
-  BoxForest::Nearest first{-1, limit * limit};
-  if (guess >= 0 && curves_.curve_of_edge[static_cast<std::size_t>(guess)] == curve) {
-    const double d2 = distance2(guess);
-    if (d2 < first.distance2) first = {guess, d2};
-  }
-  BoxForest::Nearest found = edges_.nearest(curve, p, first.distance2, distance2);
-  if (found.item < 0) found = first;
-  if (found.item < 0) return std::nullopt;
-  return InputFoot{foot(found.item), found.item, found.distance2};
-}
-
-std::optional<InputFoot> InputShape::on_any_curve(const Vec3& p, double limit) const {
-  const auto foot = [&](std::int32_t e) {
-    const std::array<std::int32_t, 2>& edge = features_.edges[static_cast<std::size_t>(e)];
-    return nearest_on_segment(p, surface_.vertices[static_cast<std::size_t>(edge[0])],
-                              surface_.vertices[static_cast<std::size_t>(edge[1])]);
-  };
-  const BoxForest::Nearest found =
-      all_edges_.nearest(0, p, limit * limit, [&](std::int32_t e) { return norm2(foot(e) - p); });
+  const BoxForest::Nearest found = nearest_after(guess, forest, group, p, limit, distance2);
   if (found.item < 0) return std::nullopt;
   return InputFoot{foot(found.item), found.item, found.distance2};
 }

@@ -54,6 +54,10 @@ class InputShape {
   }
 
  private:
+  /// The nearest point of the feature edges of a group of the forest.
+  std::optional<InputFoot> on_edges(const BoxForest& forest, std::int32_t group, const Vec3& p,
+                                    double limit, std::int32_t guess) const;
+
   const SurfaceMesh& surface_;
   const SurfaceFeatures& features_;
   FeatureCurves curves_;

@@ -12,6 +12,7 @@
 #include "mesh/inspect/surface_edges.h"
 #include "mesh/remeshing/box_forest.h"
 #include "mesh/remeshing/nearest_point.h"
+#include "mesh/remeshing/triangle_normal.h"
 #include "mesh/remeshing/triangle_samples.h"
 
 namespace tetfarm {
@@ -80,15 +81,6 @@ double add_walls(const RaySearch& search, const Vec3& from, const Vec3& normal,
   return least;
 }
 
-double surface_area(const SurfaceMesh& surface) {
-  double area = 0;
-  for (const Triangle& t : surface.triangles) {
-    const TrianglePoints c = triangle_points(surface.vertices, t);
-    area += 0.5 * norm(cross(c[1] - c[0], c[2] - c[0]));
-  }
-  return area;
-}
-
 void add_thin_parts(const SurfaceMesh& surface, const RemeshOptions& options,
                     std::vector<PointDemand>& demands) {
   const Vec3 size = bounding_box(surface.vertices).size();
@@ -100,10 +92,9 @@ void add_thin_parts(const SurfaceMesh& surface, const RemeshOptions& options,
                    least_distance_share * std::max({size.x, size.y, size.z})};
   for (const Triangle& t : surface.triangles) {
     const TrianglePoints c = triangle_points(surface.vertices, t);
-    search.normals.push_back(normalized(cross(c[1] - c[0], c[2] - c[0])));
+    search.normals.push_back(normalized(doubled_area(c)));
   }
-  const double step =
-      std::max(options.size, std::sqrt(surface_area(surface) / most_proximity_samples));
+  const double step = std::max(options.size, sample_step(surface, most_proximity_samples));
   double samples_left = most_proximity_samples;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const TrianglePoints c = triangle_points(surface.vertices, surface.triangles[t]);
@@ -114,7 +105,7 @@ void add_thin_parts(const SurfaceMesh& surface, const RemeshOptions& options,
     sample_triangle(c, step, look);
     // A demand reaches as far as the walls are from each other: nearer samples where they are near.
     const double finer = std::max(least, options.min_size);
-    const double samples = 0.5 * norm(cross(c[1] - c[0], c[2] - c[0])) / (finer * finer);
+    const double samples = 0.5 * norm(doubled_area(c)) / (finer * finer);
     if (finer >= step || samples > samples_left) continue;
     samples_left -= samples;
     sample_triangle(c, finer, look);
@@ -136,8 +127,7 @@ struct Borders {
 
 Borders borders_of(const SurfaceMesh& surface, const SurfaceFeatures& features) {
   Borders borders;
-  const std::vector<EdgeUse> uses =
-      edge_uses(surface.triangles, std::vector<char>(surface.triangles.size(), 1));
+  const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     const std::array<std::int32_t, 2> ends{edge[0].low, edge[0].high};
     if (!std::ranges::binary_search(features.edges, ends)) return;

@@ -100,7 +100,7 @@ RemeshedSurface result_of(const ChangingSurface& changed, const SurfaceMesh& inp
     }
     if (!input.sides.empty()) surface.sides.push_back(input.sides[from]);
     for (std::size_t k = 0; k < 3; ++k) {
-      if ((of.features >> k & 1U) == 0) continue;
+      if (!is_feature_side(of, k)) continue;
       const std::int32_t a = nodes[k];
       const std::int32_t b = nodes[(k + 1) % 3];
       result.feature_edges.push_back({std::min(a, b), std::max(a, b)});

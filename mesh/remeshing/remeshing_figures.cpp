@@ -10,6 +10,7 @@
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/remeshing/box_forest.h"
+#include "mesh/remeshing/triangle_normal.h"
 #include "mesh/remeshing/triangle_samples.h"
 
 namespace tetfarm {
@@ -25,7 +26,7 @@ double radius_ratio(const TrianglePoints& c) {
   const double x = distance(c[0], c[1]);
   const double y = distance(c[1], c[2]);
   const double z = distance(c[2], c[0]);
-  const double doubled = norm(cross(c[1] - c[0], c[2] - c[0]));
+  const double doubled = norm(doubled_area(c));
   return 4 * doubled * doubled / (x * y * z * (x + y + z));
 }
 
@@ -44,14 +45,8 @@ FarthestPoint farthest(const SurfaceMesh& of, const SurfaceMesh& other) {
     const double distance = std::sqrt(nearest.distance2);
     if (distance > found.distance) found = {distance, p};
   };
-  double area = 0;
-  for (const Triangle& t : of.triangles) {
-    const TrianglePoints c = triangle_points(of.vertices, t);
-    area += 0.5 * norm(cross(c[1] - c[0], c[2] - c[0]));
-  }
-  const double points =
-      std::min(most_points, points_of_triangle * static_cast<double>(of.triangles.size()));
-  const double step = std::sqrt(area / points);
+  const double step = sample_step(
+      of, std::min(most_points, points_of_triangle * static_cast<double>(of.triangles.size())));
   for (const Vec3& vertex : of.vertices) look(vertex);
   for (const Triangle& t : of.triangles)
     sample_triangle(triangle_points(of.vertices, t), step, look);

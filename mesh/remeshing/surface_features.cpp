@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <span>
 #include <utility>
 
+#include "base/disjoint_sets.h"
+#include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/surface_edges.h"
+#include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
 namespace {
@@ -24,19 +26,11 @@ struct Direction {
 };
 
 Direction direction_of(const SurfaceMesh& surface, const Triangle& t) {
-  const auto at = [&](std::size_t k) { return surface.vertices[static_cast<std::size_t>(t[k])]; };
-  const Vec3 doubled = cross(at(1) - at(0), at(2) - at(0));
-  const double longest2 =
-      std::max({norm2(at(1) - at(0)), norm2(at(2) - at(1)), norm2(at(0) - at(2))});
-  if (norm2(doubled) < needle_share * needle_share * longest2 * longest2) return {};
-  return {normalized(doubled), true};
+  const Vec3 normal = sure_normal(triangle_points(surface.vertices, t), needle_share);
+  return {normal, norm2(normal) > 0};
 }
 
 using Uses = std::span<const EdgeUse>;
-
-std::vector<EdgeUse> all_edge_uses(const SurfaceMesh& surface) {
-  return edge_uses(surface.triangles, std::vector<char>(surface.triangles.size(), 1));
-}
 
 double length2_of(const SurfaceMesh& surface, const EdgeUse& use) {
   return norm2(surface.vertices[static_cast<std::size_t>(use.high)] -
@@ -79,33 +73,6 @@ bool is_feature(const SurfaceMesh& surface, const std::vector<Direction>& direct
   if (patch_of(surface, a) != patch_of(surface, b)) return true;
   if (sides_of(surface, a) != sides_of(surface, b)) return true;
   return dot(directions[a].normal, directions[b].normal) < least_cosine - cosine_slack;
-}
-
-/// Which triangles are connected, by the smallest number of each set.
-class ConnectedSets {
- public:
-  explicit ConnectedSets(std::size_t count) : up_(count) {
-    std::iota(up_.begin(), up_.end(), std::size_t{0});
-  }
-  std::size_t first_of(std::size_t i) {
-    while (up_[i] != i) i = up_[i] = up_[up_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = first_of(a);
-    b = first_of(b);
-    up_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> up_;
-};
-
-void number_faces(ConnectedSets& sets, SurfaceFeatures& features) {
-  for (std::size_t t = 0; t < features.face.size(); ++t) {
-    const std::size_t first = sets.first_of(t);
-    features.face[t] = first == t ? features.face_count++ : features.face[first];
-  }
 }
 
 /// Vertices without features round which two normals of triangles with sure ones differ by more.
@@ -167,11 +134,10 @@ void note_changes_of_faces(const SurfaceMesh& surface, const std::vector<EdgeUse
 
 SurfaceFeatures surface_features(const SurfaceMesh& surface, double angle_deg) {
   const double least_cosine = std::cos(angle_deg * std::numbers::pi / 180);
-  const std::vector<EdgeUse> uses = all_edge_uses(surface);
+  const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
   const std::vector<Direction> directions = directions_of(surface, uses);
   SurfaceFeatures features;
-  features.face.resize(surface.triangles.size());
-  ConnectedSets sets(surface.triangles.size());
+  DisjointSets sets(surface.triangles.size());
   std::vector<std::vector<std::int32_t>> ends(surface.vertices.size());
   for_each_edge(uses, [&](Uses edge) {
     if (!is_feature(surface, directions, edge, least_cosine)) {
@@ -183,7 +149,7 @@ SurfaceFeatures surface_features(const SurfaceMesh& surface, double angle_deg) {
     ends[static_cast<std::size_t>(edge[0].low)].push_back(edge[0].high);
     ends[static_cast<std::size_t>(edge[0].high)].push_back(edge[0].low);
   });
-  number_faces(sets, features);
+  features.face_count = sets.number(features.face);
   const std::vector<char> is_tip = tips(surface, directions, least_cosine);
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     features.kind.push_back(kind_of(surface, v, ends[v], is_tip[v] != 0, least_cosine));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/check.h"
+#include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
 namespace {
@@ -28,7 +29,7 @@ bool lies_near(const RemeshingWork& work, std::int32_t face, const Vec3& p, cons
 
 bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_t hub) {
   const TrianglePoints c = work.surface.points(t.nodes);
-  const Vec3 normal = normalized(cross(c[1] - c[0], c[2] - c[0]));
+  const Vec3 normal = normalized(doubled_area(c));
   if (const std::optional<Vec3>& plane = work.shape.plane(t.face)) {
     return dot(normal, *plane) > plane_cosine;
   }
@@ -43,22 +44,18 @@ bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_
   const Vec3& below = work.shape.normal(foot->item);
   if (norm2(below) > 0 && dot(below, normal) < curved_cosine) return false;
   const std::size_t k = corner_of(t.nodes, hub);
-  if ((t.features >> k & 1U) != 0) return true;
+  if (is_feature_side(t, k)) return true;
   return lies_near(work, t.face, 0.5 * (c[k] + c[(k + 1) % 3]), normal, foot->item);
-}
-
-Vec3 doubled_area(const ChangingSurface& surface, const Triangle& t) {
-  const TrianglePoints c = surface.points(t);
-  return cross(c[1] - c[0], c[2] - c[0]);
 }
 
 /// The mean normal of what is made, where all of it is nearly across it.
 std::optional<Vec3> common_normal(const RemeshingWork& work) {
   Vec3 sum;
-  for (const FaceTriangle& t : work.replacement.made) sum += doubled_area(work.surface, t.nodes);
+  for (const FaceTriangle& t : work.replacement.made)
+    sum += doubled_area(work.surface.points(t.nodes));
   const Vec3 mean = normalized(sum);
   for (const FaceTriangle& t : work.replacement.made) {
-    const Vec3 normal = doubled_area(work.surface, t.nodes);
+    const Vec3 normal = doubled_area(work.surface.points(t.nodes));
     if (!(dot(normal, mean) > even_cosine * norm(normal))) return std::nullopt;
   }
   return mean;
@@ -69,7 +66,7 @@ std::optional<Vec3> common_normal(const RemeshingWork& work) {
 bool goes_on_evenly(const RemeshingWork& work, const FaceTriangle& other, const Vec3& normal) {
   const std::vector<FaceTriangle>& made = work.replacement.made;
   if (other.face != made.front().face) return false;
-  const Vec3 area = doubled_area(work.surface, other.nodes);
+  const Vec3 area = doubled_area(work.surface.points(other.nodes));
   if (!(dot(area, normal) > even_cosine * norm(area))) return false;
   return std::ranges::any_of(made, [&](const FaceTriangle& m) {
     return std::ranges::any_of(m.nodes, [&](std::int32_t v) { return has_corner(other.nodes, v); });
@@ -121,8 +118,7 @@ Vec3 normal_at(const ChangingSurface& surface, std::int32_t v, std::int32_t face
   for (const std::int32_t t : surface.ring(v)) {
     const FaceTriangle& triangle = surface.triangle(t);
     if (triangle.face != face) continue;
-    const TrianglePoints c = surface.points(triangle.nodes);
-    sum += cross(c[1] - c[0], c[2] - c[0]);
+    sum += doubled_area(surface.points(triangle.nodes));
   }
   return sum;
 }

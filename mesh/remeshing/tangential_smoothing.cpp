@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/remeshing/edge_length.h"
+#include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
 namespace {
@@ -21,7 +22,7 @@ Vec3 wanted_in_face(const RemeshingWork& work, std::int32_t v) {
     const TrianglePoints c = surface.points(nodes);
     double spacing = 0;
     for (const std::int32_t w : nodes) spacing += surface.vertex(w).spacing;
-    const double area = norm(cross(c[1] - c[0], c[2] - c[0]));
+    const double area = norm(doubled_area(c));
     const double weight = area / (spacing * spacing * spacing * spacing);
     sum += weight * (c[0] + c[1] + c[2]) / 3.0;
     weights += weight;
