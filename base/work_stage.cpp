@@ -16,6 +16,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"read", "reading", ""},
     {"check", "checking the surface", ""},
     {"spacing", "building the spacing", ""},
+    {"remeshing", "remeshing the surface", ""},
     {"cut", "cutting", "planes"},
     {"graph", "graph of sub-domains", "sub-domains"},
     {"join", "joining", "groups"},

@@ -17,6 +17,7 @@ enum class WorkStage : std::uint8_t {
   read,
   check,
   spacing,
+  remeshing,
   cut,
   graph,
   join,

@@ -10,16 +10,19 @@
 #include "json/json_line.h"
 #include "json/surface_angles.h"
 #include "mesh/formats/surfaces/read_surface.h"
+#include "worker/checked_input.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_remeshing.h"
 
 namespace tetfarm {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the job would come to; only of a surface without defects.
+/// What the job would come to; only of a surface without defects. Of a remeshed surface, where the
+/// job asks for one.
 struct Estimate {
   double elements = 0;
   std::int64_t subdomains = 0;
@@ -29,7 +32,7 @@ struct Estimate {
 };
 
 Estimate estimate(const JobFile& job, const CheckedSurface& checked) {
-  const JobDomain domain = domain_of_job(job, checked.surface);
+  const JobDomain domain = domain_of_job(job, surface_to_mesh(job, checked).surface);
   return {domain.all_elements(), wanted_parts(job, domain.elements, region_count(domain.surface)),
           surface_angles_of(domain.surface), layer_figures_of(job, domain.surface),
           domain.layers ? domain.layers->pml : std::nullopt};
@@ -99,6 +102,8 @@ ExitCode check_command(const CheckOptions& options) {
   job_options.input = options.input;
   job_options.size = options.size;
   job_options.growth = options.growth;
+  job_options.remesh = options.remesh;
+  job_options.size_on_body = options.size_on_body;
   job_options.outer = options.outer;
   job_options.outer_size = options.outer_size;
   job_options.layers = options.layers;

@@ -66,7 +66,7 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
 
 /// How large the domain is and how fine.
 template <class Options>
-std::array<CLI::Option*, 4> add_domain(CLI::App& app, Options& job) {
+std::array<CLI::Option*, 6> add_domain(CLI::App& app, Options& job) {
   return {
       app.add_option("--size", job.size,
                      "Target edge length away from the surface, and largest on an outer "
@@ -82,6 +82,13 @@ std::array<CLI::Option*, 4> add_domain(CLI::App& app, Options& job) {
       app.add_option("--outer-size", job.outer_size,
                      "Edge length on the outer boundary (default: as --growth and --size "
                      "allow)")
+          ->check(positive_number())
+          ->option_text("H"),
+      app.add_flag("--remesh", job.remesh,
+                   "Mesh from even triangles made in place of the surface's (see `surface`)"),
+      app.add_option("--size-on-body", job.size_on_body,
+                     "With --remesh: edge length on the surface (default: --size, or 1/20 of its "
+                     "diagonal)")
           ->check(positive_number())
           ->option_text("H")};
 }
@@ -239,7 +246,7 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
-    const std::array<CLI::Option*, 4> domain = add_domain(sub, check_);
+    const std::array<CLI::Option*, 6> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* store = sub.add_option("--store", check_.store,

@@ -25,7 +25,9 @@ struct RunOptions {
   std::string max_memory;              ///< "2GiB"; "": no limit
   std::optional<double> size;
   std::optional<double> growth;
-  std::optional<std::string> outer;  ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
+  bool remesh = false;                 ///< the surface, before it is inspected
+  std::optional<double> size_on_body;  ///< of the edges that remeshing makes
+  std::optional<std::string> outer;    ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
   std::optional<double> outer_size;
   std::vector<std::string> layers;  ///< each "PATCH,...:KEY=VALUE,..."
   std::string pml;                  ///< the same, or "PATCH,..."; "": as the job file says
@@ -45,6 +47,8 @@ struct CheckOptions {
   std::string input;
   std::optional<double> size;  ///< this and what follows: as of RunOptions
   std::optional<double> growth;
+  bool remesh = false;
+  std::optional<double> size_on_body;
   std::optional<std::string> outer;
   std::optional<double> outer_size;
   std::vector<std::string> layers;
@@ -116,11 +120,12 @@ struct SurfaceCommand {
   std::string input;         ///< a surface or a job file
   std::string output;        ///< empty: NAME.remeshed.stl
   std::string defects_file;  ///< as of CheckOptions
-  double size = 0;           ///< 0: the job's, or a part of the surface's size
+  // What is 0 is as the job says, or as with_defaults (mesh/remeshing/remesh_options.h).
+  double size = 0;
   double min_size = 0;
-  double angle = 30;
+  double angle = 0;
   double tolerance = 0;
-  double growth = 0;  ///< 0: the job's
+  double growth = 0;
   bool json = false;
 };
 

@@ -16,7 +16,7 @@
 #include "mesh/inspect/defect_text.h"
 #include "mesh/job_file/loop_job.h"
 #include "mesh/job_file/toml_limits.h"
-#include "worker/inspect_task.h"
+#include "worker/checked_input.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
 #include "worker/job_pml.h"
@@ -47,6 +47,21 @@ void set_outer_size(JobFile& job, double size) {
                      "--outer-size");
   }
   job.outer_spacing = size;
+}
+
+void set_remeshing(JobFile& job, const RunOptions& options) {
+  if (options.remesh && !job.remeshing) job.remeshing.emplace();
+  if (options.size_on_body) {
+    if (!job.remeshing) {
+      throw UsageError("the surface is meshed as it is; also give --remesh", "--size-on-body");
+    }
+    job.remeshing->size = *options.size_on_body;
+  }
+  if (!job.remeshing) return;
+  const double size = job.remeshing->size > 0 ? job.remeshing->size : job.spacing_default;
+  if (size > 0 && job.remeshing->min_size > size) {
+    throw UsageError("must not be more than the size of the edges", "[surface] min_size");
+  }
 }
 
 void set_max_memory(JobFile& job, const std::string& text) {
@@ -127,6 +142,7 @@ JobInput describe_job(const RunOptions& options) {
   }
   if (options.size) job.spacing_default = *options.size;
   if (options.growth) job.growth = *options.growth;
+  set_remeshing(job, options);
   if (options.outer) set_outer(job, *options.outer);
   if (options.outer_size) set_outer_size(job, *options.outer_size);
   set_layers(job, options.layers);

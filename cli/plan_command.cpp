@@ -21,9 +21,11 @@
 #include "mesh/inspect/defect_text.h"
 #include "store/disk_room.h"
 #include "tasks/task_kind.h"
+#include "worker/checked_input.h"
 #include "worker/inspect_task.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_remeshing.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {
@@ -54,7 +56,7 @@ Plan make_plan(const JobInput& input) {
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }
-  const JobDomain domain = domain_of_job(input.job, checked.surface);
+  const JobDomain domain = domain_of_job(input.job, surface_to_mesh(input.job, checked).surface);
   Plan plan;
   plan.layers = layer_figures_of(input.job, domain.surface);
   plan.groups = input.job.groups;

@@ -125,6 +125,8 @@ std::string option_of_surfaces(const SubmitCommand& command) {
                                                 {!job.max_memory.empty(), "--max-memory"},
                                                 {job.size.has_value(), "--size"},
                                                 {job.growth.has_value(), "--growth"},
+                                                {job.remesh, "--remesh"},
+                                                {job.size_on_body.has_value(), "--size-on-body"},
                                                 {job.outer.has_value(), "--outer"},
                                                 {job.outer_size.has_value(), "--outer-size"},
                                                 {!job.layers.empty(), "--layers"},

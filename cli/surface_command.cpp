@@ -11,32 +11,30 @@
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
 #include "mesh/inspect/surface_check.h"
-#include "mesh/remeshing/remesh.h"
 #include "mesh/remeshing/remeshing_figures.h"
-#include "worker/inspect_task.h"
-#include "worker/job_domain.h"
+#include "worker/checked_input.h"
+#include "worker/job_remeshing.h"
 
 namespace tetfarm {
 namespace {
 
+/// The command's words win over the job file's.
+JobRemeshing remeshing_of(const SurfaceCommand& command, const JobFile& job) {
+  JobRemeshing remeshing = job.remeshing.value_or(JobRemeshing{});
+  if (command.size > 0) remeshing.size = command.size;
+  if (command.min_size > 0) remeshing.min_size = command.min_size;
+  if (command.angle > 0) remeshing.angle = command.angle;
+  if (command.tolerance > 0) remeshing.tolerance = command.tolerance;
+  return remeshing;
+}
+
 JobInput input_of(const SurfaceCommand& command) {
   RunOptions options;
   options.input = command.input;
-  if (command.size > 0) options.size = command.size;
   if (command.growth > 0) options.growth = command.growth;
-  return read_job(options);
-}
-
-RemeshOptions remesh_options_of(const SurfaceCommand& command, const JobFile& job) {
-  const SpacingOptions spacing = spacing_options_of(job);
-  RemeshOptions options;
-  options.size = spacing.background;
-  options.min_size = command.min_size;
-  options.angle_deg = command.angle;
-  options.tolerance = command.tolerance;
-  options.growth = spacing.growth;
-  options.sources = spacing.sources;
-  return options;
+  JobInput input = read_job(options);
+  input.job.remeshing = remeshing_of(command, input.job);
+  return input;
 }
 
 /// @throws UsageError when the result would replace its input.
@@ -47,19 +45,6 @@ std::string output_of(const SurfaceCommand& command, const JobInput& input) {
     throw UsageError("would overwrite the surface that it is made from: give another -o", output);
   }
   return output;
-}
-
-/// A fault of ours, whatever the input: such a surface is not written.
-void require_sound(const SurfaceMesh& surface, const JobFile& job) {
-  SurfaceMesh plain = surface;
-  plain.sides.clear();
-  plain.region_names.clear();
-  const CheckedSurface checked = check_surface(plain, region_rules_of(job));
-  if (checked.report.defects.empty()) return;
-  throw Error(ExitCode::failed,
-              "the remeshed surface is not sound, which is a fault of Tetfarm; "
-              "it is not written: " +
-                  checked.report.defects.front().message);
 }
 
 void print_figures(const RemeshingFigures& f, const std::string& output) {
@@ -119,14 +104,10 @@ ExitCode surface_command(const SurfaceCommand& command) {
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
   const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
   require_no_defects(surface, checked.report, input, command.defects_file);
-  const RemeshOptions options =
-      with_defaults(remesh_options_of(command, input.job), checked.surface);
-  const SurfaceFeatures features = surface_features(checked.surface, options.angle_deg);
-  const RemeshingSpacing spacing = remeshing_spacing(checked.surface, features, options);
-  const RemeshedSurface result = remesh(checked.surface, features, spacing, options);
-  require_sound(result.surface, input.job);
-  write_surface(result.surface, output);
-  const RemeshingFigures figures = remeshing_figures(checked.surface, result, spacing);
+  const JobRemeshed remeshed = remesh_for_job(input.job, checked.surface);
+  write_surface(remeshed.made.surface, output);
+  const RemeshingFigures figures =
+      remeshing_figures(checked.surface, remeshed.made, remeshed.spacing);
   if (command.json) {
     std::printf("%s\n", json_line(figures_json(figures, output)).c_str());
   } else {

@@ -16,7 +16,8 @@ bool take_away(std::string& text, const std::string& start) {
 
 void name_as_typed(wire::JobStatus& end, const RunOptions& options, const JobInput& input) {
   std::string message = end.message();
-  if (end.state() != "failed" || !take_away(message, "inspect: ")) return;
+  if (end.state() != "failed") return;
+  if (!take_away(message, "inspect: ") && !take_away(message, "remesh: ")) return;
   if (end.exit_code() == static_cast<int>(ExitCode::bad_geometry)) {
     take_away(message, input.job.surface + ": ");
     message = input.path + ": " + message;

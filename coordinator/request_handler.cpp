@@ -437,6 +437,7 @@ Submission RequestHandler::submission_of(const wire::Submit& message) const {
   }
   const StoredArtifact job_file = store_.publish(message.job_toml());
   submission.given = {{job_file.hash, job_file.size}, surface, std::nullopt};
+  submission.remeshes = is_remeshed(message);
   return submission;
 }
 

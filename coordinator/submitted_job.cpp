@@ -34,6 +34,10 @@ std::string checked_job_name(const wire::Submit& submit) {
   return good_name(submit.name().empty() ? job.name : submit.name());
 }
 
+bool is_remeshed(const wire::Submit& submit) {
+  return parse_job_file(submit.job_toml(), "job.toml").remeshing.has_value();
+}
+
 void add_first_cycle(const wire::Submit& submit, const TaskFile& job_file, Submission& submission) {
   const LoopJob job = parse_loop_job(submit.job_toml(), "job.toml");
   TaskWords words = to_words(SolveGiven{});

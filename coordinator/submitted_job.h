@@ -13,6 +13,10 @@ namespace tetfarm {
 /// none that a job may have.
 std::string checked_job_name(const wire::Submit& submit);
 
+/// Whether the job is meshed from another surface than the given one. @pre checked_job_name has
+/// read its job file, which is none of a loop.
+bool is_remeshed(const wire::Submit& submit);
+
 /// Puts what the first task of an adaptation loop is given into the submission.
 /// @pre is_loop_job(submit.job_toml()).
 /// @throws UsageError as before, and when an input is missing or is none that a loop has.

@@ -22,6 +22,7 @@ void InspectGiven::describe(ContractFields& fields) {
   fields.file("job", job);
   fields.file("input_surface", input_surface);
   fields.count("free_bytes", free_bytes);
+  fields.file("remeshed_surface", remeshed_surface);
 }
 
 void InspectMade::describe(ContractFields& fields) {

@@ -14,6 +14,7 @@ struct InspectGiven {
   std::optional<TaskFile> input_surface;
   std::optional<std::uint64_t>
       free_bytes;  ///< of the disk for this job, told with the assignment; never kept
+  std::optional<TaskFile> remeshed_surface = {};  ///< in place of `input_surface`
 
   static constexpr TaskKind kind = TaskKind::inspect;
   static constexpr ContractSide side = ContractSide::given;

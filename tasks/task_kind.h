@@ -12,11 +12,13 @@
 #include <string_view>
 
 /// A kind is a line here. In the order in which they come: a job is at the earliest that is left.
-/// The first three are those of an adaptation loop, the others make a mesh of tets.
+/// The first three are those of an adaptation loop, the others make a mesh of tets; `remesh` comes
+/// where the job asks for it.
 #define TETFARM_TASK_KINDS(KIND) \
   KIND(solve)                    \
   KIND(adapt)                    \
   KIND(collect)                  \
+  KIND(remesh)                   \
   KIND(inspect)                  \
   KIND(decompose)                \
   KIND(assimilate)               \

@@ -6,17 +6,13 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/job_name.h"
 #include "mesh/artifacts/artifact_file.h"
 #include "mesh/artifacts/surface_file.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/planar_cut.h"
-#include "mesh/formats/gzip.h"
-#include "mesh/formats/surfaces/read_surface.h"
-#include "mesh/inspect/defect_text.h"
 #include "mesh/layers/layer_chunk_file.h"
 #include "tasks/inspect_contract.h"
-#include "worker/evidence.h"
+#include "worker/checked_input.h"
 
 namespace tetfarm {
 namespace {
@@ -121,27 +117,14 @@ void require_few(std::int32_t regions) {
                    "the surface");
 }
 
-/// A file that the coordinator took as it was may be packed.
-std::string unpacked(std::string bytes, const std::string& name) {
-  return is_gzip(bytes) ? unpack_gzip(bytes, name) : std::move(bytes);
-}
-
 }  // namespace
-
-RegionRules region_rules_of(const JobFile& job) {
-  RegionRules rules;
-  rules.is_outside_meshed = job.outer_kind != "none";
-  for (const JobRegion& region : job.regions) {
-    rules.wishes.push_back({region.at, region.name, region.is_void});
-  }
-  return rules;
-}
 
 JobFile mesh_settings_of(const JobFile& job) {
   const JobFile defaults;
   JobFile settings = job;
   settings.name = "settings";
   settings.surface = "surface";
+  settings.remeshing = defaults.remeshing;
   settings.regions = defaults.regions;
   settings.max_elements = defaults.max_elements;
   settings.subdomains = defaults.subdomains;
@@ -195,36 +178,21 @@ void require_room(const JobFile& job, double input_bytes, const SubdomainSize& r
 
 namespace {
 
-struct InputSurface {
-  SurfaceMesh surface;
-  double bytes = 0;  ///< of its file, unpacked
-};
-
-InputSurface read_input(const TaskIo& io, const JobFile& job, const TaskFile& file) {
-  const std::string bytes = io.read(file, unpacked);
-  return {read_surface_bytes(bytes, job.surface), static_cast<double>(bytes.size())};
-}
-
-/// @throws RefusedInput.
-CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh& surface) {
-  io.progress().begin(WorkStage::check);
-  CheckedSurface checked = check_surface(surface, region_rules_of(job));
-  if (checked.report.defects.empty()) return checked;
-  const std::string defects = defects_as_vtp(io, surface, checked.report.defects);
-  throw RefusedInput(defects_text(checked.report.defects),
-                     {{file_name_of_job(job.name, ".defects.vtp"), defects}});
-}
-
-struct ReadAndChecked {
-  CheckedSurface checked;
-  double bytes = 0;  ///< of the file, unpacked
-};
-
-/// Neither the file nor the surface as it was read stays in memory.
-ReadAndChecked read_and_checked(TaskIo& io, const JobFile& job, const TaskFile& file) {
+/// Made by this program: its defects are ours.
+CheckedInput remeshed_input(TaskIo& io, const JobFile& job, const TaskFile& file) {
   io.progress().begin(WorkStage::read);
-  const InputSurface input = read_input(io, job, file);
-  return {checked_surface(io, job, input.surface), input.bytes};
+  const SurfaceMesh surface = surface_from_bytes(io.read(file), "the remeshed surface");
+  io.progress().begin(WorkStage::check);
+  CheckedInput input{check_surface(surface, region_rules_of(job)), static_cast<double>(file.size)};
+  const std::vector<SurfaceDefect>& defects = input.checked.report.defects;
+  if (defects.empty()) return input;
+  throw OwnDefect("the remeshed surface is not sound: " + defects.front().message, {});
+}
+
+CheckedInput surface_of(TaskIo& io, const JobFile& job, const InspectGiven& given) {
+  if (given.remeshed_surface) return remeshed_input(io, job, *given.remeshed_surface);
+  if (!given.input_surface) throw OwnDefect("the job has no surface", {});
+  return checked_input(io, job, *given.input_surface);
 }
 
 }  // namespace
@@ -232,8 +200,7 @@ ReadAndChecked read_and_checked(TaskIo& io, const JobFile& job, const TaskFile& 
 void inspect_task(TaskIo& io) {
   const auto given = io.given<InspectGiven>();
   const JobFile job = parse_job_file(io.read(given.job), "job.toml");
-  if (!given.input_surface) throw OwnDefect("the job has no surface", {});
-  const auto [checked, input_bytes] = read_and_checked(io, job, *given.input_surface);
+  const auto [checked, input_bytes] = surface_of(io, job, given);
   io.progress().begin(WorkStage::spacing);
   const JobDomain domain = domain_of_job(job, checked.surface);
   const std::string spacing_bytes = domain.spacing.to_bytes();

@@ -1,7 +1,8 @@
 /// The task `inspect`: is the input a surface that can be meshed, and how fine is its mesh to be?
 ///
 /// Source: thesis 4.3.1.9 (the background mesh is made once, before any cut).
-/// Inputs: "job" (canonical TOML), "input_surface" (the file as it was, unpacked).
+/// Inputs: "job" (canonical TOML), "input_surface" (the file as it was, packed or not) or, made by
+/// the task `remesh`, "remeshed_surface".
 /// Outputs: "surface", "spacing", "root"; "settings", the job file as far as the tasks on
 /// sub-domains read it. Numbers: parts, groups (0: no assimilation), most_bytes (0: no limit),
 /// total_work (elements), needles (triangles with a small angle), expected_bytes and
@@ -10,7 +11,6 @@
 /// Parameter: free_bytes, the room on the store's disk; a job that it cannot hold is refused.
 #pragma once
 
-#include "mesh/inspect/surface_check.h"
 #include "mesh/job_file/job_file.h"
 #include "worker/job_domain.h"
 #include "worker/task_cost.h"
@@ -20,9 +20,6 @@ namespace tetfarm {
 
 /// @throws RefusedInput with every defect and a .vtp file of them.
 void inspect_task(TaskIo& io);
-
-/// The job's words in the terms of the mesh rooms.
-RegionRules region_rules_of(const JobFile& job);
 
 /// The job without what a sub-domain's mesh does not depend on: its name, its regions' names, its
 /// numbers of sub-domains, its gate and its formats. Jobs that differ in these only have equal

@@ -43,6 +43,10 @@ TaskCost inspect_cost(double input_bytes, const SubdomainSize& root, double wall
                  {root.elements, root.triangles, root.needles});
 }
 
+TaskCost remesh_cost(double input_bytes, double triangles) {
+  return cost_of(TaskKind::remesh, {0, triangles, 0, input_bytes}, {0, triangles, 0});
+}
+
 TaskCost decompose_cost(const SubdomainSize& size) {
   return cost_of(TaskKind::decompose, {size.elements, size.triangles, size.spacing_bytes},
                  {size.elements, size.triangles, size.needles});

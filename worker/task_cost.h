@@ -47,6 +47,8 @@ TaskCost cost_of(TaskKind kind, const MemorySize& memory, const TaskSize& size);
 
 /// `wall_triangles` are those on which layers are planned.
 TaskCost inspect_cost(double input_bytes, const SubdomainSize& root, double wall_triangles = 0);
+/// `triangles` of the given surface and of the one that is made, together.
+TaskCost remesh_cost(double input_bytes, double triangles);
 TaskCost decompose_cost(const SubdomainSize& size);
 TaskCost mesh_cost(const SubdomainSize& size);
 /// `triangles` of all leaves together, and of the largest group when joined.

@@ -9,6 +9,7 @@
 #include "coordinator/decisions/layer_graph.h"
 #include "coordinator/decisions/loop_graph.h"
 #include "coordinator/decisions/task_rows.h"
+#include "tasks/remesh_contract.h"
 #include "tasks/task_place.h"
 
 namespace tetfarm {
@@ -26,6 +27,10 @@ std::string content_of(const TaskRow& first) {
 }
 
 TaskRow first_task(const Submission& submission) {
+  if (submission.remeshes) {
+    TF_CHECK(submission.given.input_surface.has_value());
+    return new_task({}, 0, RemeshGiven{submission.given.job, *submission.given.input_surface});
+  }
   if (!submission.loop) return new_task({}, 0, submission.given);
   TaskRow solve = new_task({}, submission.loop->cycle, *submission.loop);
   solve.memory_bytes = submission.loop_memory_bytes;
@@ -152,6 +157,9 @@ void JobState::advance(const TaskRow& task, Moment now) {
       break;
     case TaskKind::adapt:
       add_task(after_adapt(task, *find_done(task.job, TaskKind::solve, task.path - 1)), now);
+      break;
+    case TaskKind::remesh:
+      add_task(inspect_task(task), now);
       break;
     case TaskKind::inspect:
       progress_.set_chunks(task.job, made_by<InspectMade>(task).layers.size());

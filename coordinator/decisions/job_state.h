@@ -128,6 +128,7 @@ struct Submission {
   std::string owner = {};        ///< the submitter's public key, "": a plain connection
   std::optional<SolveGiven> loop = {};  ///< in place of `given`: the first cycle of a loop
   std::uint64_t loop_memory_bytes = 0;  ///< that its solver asks for; 0: it does not say
+  bool remeshes = false;                ///< the surface, before it is inspected
 };
 
 struct SubmitAnswer {

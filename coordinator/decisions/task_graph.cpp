@@ -13,6 +13,7 @@
 #include "tasks/inspect_contract.h"
 #include "tasks/mesh_contract.h"
 #include "tasks/order_contract.h"
+#include "tasks/remesh_contract.h"
 #include "tasks/task_contracts.h"
 #include "tasks/task_kind.h"
 
@@ -151,6 +152,13 @@ std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& r
                               from_words<OrderMade>(made).contract.order);
   }
   return std::nullopt;
+}
+
+TaskRow inspect_task(const TaskRow& remesh) {
+  InspectGiven given;
+  given.job = given_to<RemeshGiven>(remesh).job;
+  given.remeshed_surface = made_by<RemeshMade>(remesh).surface;
+  return new_task(remesh.job, 0, given);
 }
 
 TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf) {

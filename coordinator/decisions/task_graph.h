@@ -1,11 +1,11 @@
 /// Which tasks a job is made of: what a finished task brings into being.
 ///
-/// inspect → a decomposition tree of decompose tasks → one mesh task per leaf → number → one write
-/// task per leaf → assemble; before number the tasks of cosmetics across cuts (cosmetic_graph.h),
-/// where the job asks for it. Where the job asks for assimilation, the leaves are joined before
-/// they are meshed (assimilation_graph.h). Layers are grown beside the write tasks (layer_graph.h).
-/// The graph is a pure function of results; the order in
-/// which they arrive does not matter.
+/// remesh, where the job asks for it → inspect → a decomposition tree of decompose tasks → one mesh
+/// task per leaf → number → one write task per leaf → assemble; before number the tasks of
+/// cosmetics across cuts (cosmetic_graph.h), where the job asks for it. Where the job asks for
+/// assimilation, the leaves are joined before they are meshed (assimilation_graph.h). Layers are
+/// grown beside the write tasks (layer_graph.h). The graph is a pure function of results; the order
+/// in which they arrive does not matter.
 ///
 /// Source: thesis 4.3 and fig. 73, as a graph instead of rounds with a barrier.
 /// The files and numbers of each kind of task are listed in proto/protocol.md.
@@ -47,6 +47,9 @@ struct GraphStep {
 /// What is wrong with a result: a missing output, leaves in no group. Nothing when it is
 /// usable.
 std::optional<std::string> problem_with(const TaskRow& task, const TaskResult& result);
+
+/// What inspects the remeshed surface. @pre `remesh` is done and without problem.
+TaskRow inspect_task(const TaskRow& remesh);
 
 /// @pre `inspect` is done and without problem.
 TaskRow mesh_task(const TaskRow& inspect, const SubdomainRow& leaf);

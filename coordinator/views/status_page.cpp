@@ -25,7 +25,7 @@ body{font:14px sans-serif;margin:2em;color:#222}table{border-collapse:collapse}
 td,th{padding:.2em .8em;text-align:left;border-bottom:1px solid #ddd}
 svg{background:#f7f7f7;display:block;margin:.5em 0}text{font:10px sans-serif}
 .open{fill:#fff;stroke:#888}.cut{fill:#bbb}.leaf{fill:#fc6}.meshed{fill:#5a5}.joined{fill:#9cf}
-.inspect,.number,.order,.extract{fill:#999}.decompose{fill:#36c}.assimilate{fill:#63c}
+.remesh,.inspect,.number,.order,.extract{fill:#999}.decompose{fill:#36c}.assimilate{fill:#63c}
 .mesh{fill:#5a5}.cosmetic{fill:#c83}.assemble,.write{fill:#088}.bad{fill:#c22}.running{opacity:.5}
 </style></head><body><h1>Tetfarm</h1>
 )html";

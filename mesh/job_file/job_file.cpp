@@ -15,10 +15,12 @@
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 14> top_keys = {
-    "version", "name", "geometry",  "domain", "region",    "spacing", "source",
-    "layers",  "pml",  "decompose", "mesh",   "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 15> top_keys = {
+    "version", "name", "geometry",  "surface", "domain",    "region",  "spacing", "source",
+    "layers",  "pml",  "decompose", "mesh",    "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
+constexpr std::array<std::string_view, 5> surface_keys = {"remesh", "size", "min_size", "angle",
+                                                          "tolerance"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
 constexpr std::array<std::string_view, 5> spacing_keys = {"default", "growth", "surface", "sources",
@@ -113,6 +115,27 @@ void for_each_table(const JobSection& top, std::string_view key, const Visit& vi
   if (!top.has(key)) return;
   if (top.node(key).is_table()) top.fail(key, "must be written [[" + std::string(key) + "]]");
   for (const toml::node& node : top.array(key)) visit(node);
+}
+
+/// Faces that turn back on each other are at 180 degrees.
+constexpr double straight_deg = 180;
+
+void parse_surface(const JobSection& section, JobFile& job) {
+  if (!section.has("remesh") || !section.boolean("remesh")) {
+    for (const std::string_view key : surface_keys) {
+      if (key != "remesh" && section.has(key)) section.fail(key, "needs `remesh` = true");
+    }
+    return;
+  }
+  JobRemeshing& remeshing = job.remeshing.emplace();
+  if (section.has("size")) remeshing.size = section.positive("size");
+  if (section.has("min_size")) remeshing.min_size = section.positive("min_size");
+  if (section.has("angle")) remeshing.angle = section.positive("angle");
+  if (section.has("tolerance")) remeshing.tolerance = section.positive("tolerance");
+  if (remeshing.angle >= straight_deg) section.fail("angle", "must be less than 180 degrees");
+  if (remeshing.size > 0 && remeshing.min_size > remeshing.size) {
+    section.fail("min_size", "must not be more than `size`");
+  }
 }
 
 void parse_domain(const JobSection& section, JobFile& job) {
@@ -239,6 +262,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   const std::string surface = geometry.text("surface");
   if (surface.empty()) geometry.fail("surface", "must not be empty");
   job.surface = beside(path, surface);
+  parse_surface(top.table("surface", surface_keys), job);
   parse_domain(top.table("domain", domain_keys), job);
   for_each_table(top, "region", [&](const toml::node& node) {
     job.regions.push_back(parse_region(top.item(node, "region", region_keys)));
@@ -272,8 +296,9 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 16> sections = {
+  const std::array<std::pair<std::string_view, Words>, 17> sections = {
       {{"geometry", geometry_keys},
+       {"surface", surface_keys},
        {"domain", domain_keys},
        {"region", region_keys},
        {"spacing", spacing_keys},

@@ -64,6 +64,14 @@ struct JobPml {
   std::string typed;              // as --pml, for messages; canonical text does not have it
 };
 
+/// What the job says of the surface that is made in place of the given one, before anything else.
+struct JobRemeshing {
+  double size = 0;       // of its edges; 0: [spacing] default, or a part of the surface's size
+  double min_size = 0;   // no edge need be shorter; 0: a part of `size`
+  double angle = 30;     // degrees: sharper edges stay
+  double tolerance = 0;  // its distance from the given one; 0: a part of the surface's size
+};
+
 /// The most layers that a job may ask for on a patch; mesh/layers/layer_request.h has the same
 /// limit.
 inline constexpr std::int64_t most_layers_of_job = 1000;
@@ -80,17 +88,18 @@ inline constexpr std::int64_t most_subdomains = 1'000'000;
 /// rooms that use it; the inspect task translates.
 struct JobFile {
   std::string name;
-  std::string surface;              // [geometry] surface, resolved against the job file's folder
-  std::string outer_kind = "none";  // [domain] outer = "none" | "box" | "sphere"
-  double outer_factor = 0;          // [domain] factor
-  double outer_spacing = 0;         // [domain] spacing
-  std::vector<JobRegion> regions;   // [[region]]
-  double spacing_default = 0;       // [spacing] default, 0: as large as growth allows
-  double growth = 0.3;              // [spacing] growth
-  bool inherit_surface = true;      // [spacing] surface = "inherit" | "ignore"
-  std::vector<JobSource> sources;   // [[source]] kind = point | line | triangle
-  std::vector<JobLayers> layers;    // [[layers]]
-  std::optional<JobPml> pml;        // [[pml]], one at most
+  std::string surface;  // [geometry] surface, resolved against the job file's folder
+  std::optional<JobRemeshing> remeshing;  // [surface] remesh = true
+  std::string outer_kind = "none";        // [domain] outer = "none" | "box" | "sphere"
+  double outer_factor = 0;                // [domain] factor
+  double outer_spacing = 0;               // [domain] spacing
+  std::vector<JobRegion> regions;         // [[region]]
+  double spacing_default = 0;             // [spacing] default, 0: as large as growth allows
+  double growth = 0.3;                    // [spacing] growth
+  bool inherit_surface = true;            // [spacing] surface = "inherit" | "ignore"
+  std::vector<JobSource> sources;         // [[source]] kind = point | line | triangle
+  std::vector<JobLayers> layers;          // [[layers]]
+  std::optional<JobPml> pml;              // [[pml]], one at most
   /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
   /// it into `sources` (read_flite_sources.h); canonical text does not name it.
   std::string sources_file;

@@ -97,12 +97,21 @@ std::string pml_to_toml(const JobPml& pml) {
          (pml.side == JobPml{}.side ? "" : "side = " + quoted_toml(pml.side) + "\n");
 }
 
+std::string remeshing_to_toml(const JobRemeshing& remeshing) {
+  std::string text = "\n[surface]\nremesh = true\nangle = " + toml_number(remeshing.angle) + "\n";
+  if (remeshing.size > 0) text += "size = " + toml_number(remeshing.size) + "\n";
+  if (remeshing.min_size > 0) text += "min_size = " + toml_number(remeshing.min_size) + "\n";
+  if (remeshing.tolerance > 0) text += "tolerance = " + toml_number(remeshing.tolerance) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string to_toml(const JobFile& job) {
   std::string text = "version = 1\nname = " + quoted_toml(job.name) +
-                     "\n\n[geometry]\nsurface = " + quoted_toml(job.surface) +
-                     "\n\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
+                     "\n\n[geometry]\nsurface = " + quoted_toml(job.surface) + "\n";
+  if (job.remeshing) text += remeshing_to_toml(*job.remeshing);
+  text += "\n[domain]\nouter = " + quoted_toml(job.outer_kind) + "\n";
   if (job.outer_kind != "none") {
     text += "factor = " + toml_number(job.outer_factor) +
             "\nspacing = " + toml_number(job.outer_spacing) + "\n";

@@ -32,7 +32,14 @@ class BoxForest {
   /// The item of the group for which distance2(item), never less than that of its box, is least,
   /// and less than limit2. Where it is no number or too large, the item is passed over.
   template <typename Distance2>
-  Nearest nearest(std::int32_t group, const Vec3& p, double limit2, Distance2&& distance2) const;
+  Nearest nearest(std::int32_t group, const Vec3& p, double limit2, Distance2&& distance2) const {
+    return search<false>(group, p, limit2, distance2);
+  }
+  /// The same of any item that is nearer than the limit.
+  template <typename Distance2>
+  Nearest near(std::int32_t group, const Vec3& p, double limit2, Distance2&& distance2) const {
+    return search<true>(group, p, limit2, distance2);
+  }
 
  private:
   static constexpr std::size_t most_depth = 64;
@@ -54,6 +61,8 @@ class BoxForest {
     }
     return sum;
   }
+  template <bool is_any_enough, typename Distance2>
+  Nearest search(std::int32_t group, const Vec3& p, double limit2, Distance2&& distance2) const;
   void build(std::span<const Box3> boxes, std::int32_t first, std::int32_t last);
 
   std::vector<Node> nodes_;
@@ -61,9 +70,9 @@ class BoxForest {
   std::vector<std::int32_t> roots_;  ///< of each group; -1: it has no items
 };
 
-template <typename Distance2>
-BoxForest::Nearest BoxForest::nearest(std::int32_t group, const Vec3& p, double limit2,
-                                      Distance2&& distance2) const {
+template <bool is_any_enough, typename Distance2>
+BoxForest::Nearest BoxForest::search(std::int32_t group, const Vec3& p, double limit2,
+                                     Distance2&& distance2) const {
   Nearest best{-1, limit2};
   const std::int32_t root = roots_[static_cast<std::size_t>(group)];
   if (root < 0) return best;
@@ -83,6 +92,7 @@ BoxForest::Nearest BoxForest::nearest(std::int32_t group, const Vec3& p, double 
         const std::int32_t item = items_[static_cast<std::size_t>(k)];
         const double d2 = distance2(item);
         if (d2 < best.distance2) best = {item, d2};
+        if (is_any_enough && best.item >= 0) return best;
       }
       continue;
     }

@@ -65,6 +65,7 @@ std::int32_t ChangingSurface::add_vertex(const Vec3& at, const SurfaceVertex& ve
   places_.push_back(at);
   vertices_.push_back(vertex);
   rings_.emplace_back();
+  changed_.push_back(0);
   return static_cast<std::int32_t>(vertices_.size()) - 1;
 }
 
@@ -80,6 +81,7 @@ std::int32_t ChangingSurface::add_triangle(const FaceTriangle& triangle) {
   if (free_triangles_.empty()) {
     t = static_cast<std::int32_t>(triangles_.size());
     triangles_.push_back(triangle);
+    came_.push_back(0);
   } else {
     t = free_triangles_.back();
     free_triangles_.pop_back();
@@ -87,6 +89,8 @@ std::int32_t ChangingSurface::add_triangle(const FaceTriangle& triangle) {
   }
   for (const std::int32_t v : triangle.nodes) rings_[static_cast<std::size_t>(v)].push_back(t);
   tree_.add(t, box(triangle.nodes));
+  note_change(triangle.nodes);
+  came_[static_cast<std::size_t>(t)] = now_;
   ++triangle_count_;
   return t;
 }
@@ -95,16 +99,23 @@ void ChangingSurface::remove_triangle(std::int32_t t) {
   Triangle& nodes = triangles_[static_cast<std::size_t>(t)].nodes;
   TF_CHECK(nodes[0] >= 0);
   for (const std::int32_t v : nodes) std::erase(rings_[static_cast<std::size_t>(v)], t);
+  note_change(nodes);
   nodes = {-1, -1, -1};
   tree_.remove(t);
   free_triangles_.push_back(t);
   --triangle_count_;
 }
 
-void ChangingSurface::move_vertex(std::int32_t v, const Vec3& to) {
-  for (const std::int32_t t : ring(v)) tree_.remove(t);
-  places_[static_cast<std::size_t>(v)] = to;
-  for (const std::int32_t t : ring(v)) tree_.add(t, box(triangle(t).nodes));
+void ChangingSurface::settle(std::int32_t v) {
+  for (const std::int32_t t : ring(v)) {
+    tree_.move(t, box(triangle(t).nodes));
+    note_change(triangle(t).nodes);
+  }
+}
+
+void ChangingSurface::note_change(const Triangle& nodes) {
+  ++now_;
+  for (const std::int32_t v : nodes) changed_[static_cast<std::size_t>(v)] = now_;
 }
 
 Box3 ChangingSurface::box(const Triangle& t) const {
@@ -131,6 +142,12 @@ void ChangingSurface::find_triangles_on(std::int32_t a, std::int32_t b,
 bool ChangingSurface::has_edge(std::int32_t a, std::int32_t b) const {
   return std::ranges::any_of(ring(a),
                              [&](std::int32_t t) { return has_corner(triangle(t).nodes, b); });
+}
+
+bool ChangingSurface::has_new_triangle(std::uint64_t then, std::int32_t a, std::int32_t b) const {
+  return std::ranges::any_of(ring(a), [&](std::int32_t t) {
+    return came_[static_cast<std::size_t>(t)] > then && has_corner(triangle(t).nodes, b);
+  });
 }
 
 bool ChangingSurface::is_feature(std::int32_t t, std::int32_t a, std::int32_t b) const {

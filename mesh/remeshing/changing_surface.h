@@ -34,7 +34,15 @@ struct SurfaceVertex {
   VertexKind kind = VertexKind::smooth;
   std::int32_t home = -1;  ///< the face of a smooth vertex, the curve of one on a curve
   std::int32_t foot = -1;  ///< the triangle or edge of the input that it lies on: a first guess
-  double spacing = 0;      ///< wanted there
+  double spacing = 0;      ///< wanted there, or where it was before it was last moved
+  bool has_moved = false;  ///< since then
+  /// When it was last found to be in its place, by ChangingSurface::now().
+  std::uint64_t settled = 0;
+  /// A cube, its middle and half its edge, in which nothing but the even surroundings of the vertex
+  /// was found; 0: not known.
+  Vec3 alone_at = {};
+  double alone_reach = 0;
+  std::uint8_t crowded = 0;  ///< how often something else was found
 };
 
 class ChangingSurface {
@@ -46,8 +54,25 @@ class ChangingSurface {
   void remove_vertex(std::int32_t v);
   std::int32_t add_triangle(const FaceTriangle& triangle);
   void remove_triangle(std::int32_t t);
-  /// Moves a vertex, its triangles with it.
-  void move_vertex(std::int32_t v, const Vec3& to);
+  /// Puts a vertex elsewhere for the time being: the tree has its triangles where they were.
+  void try_at(std::int32_t v, const Vec3& to) { places_[static_cast<std::size_t>(v)] = to; }
+  /// The vertex stays where it was put.
+  void settle(std::int32_t v);
+  void move_vertex(std::int32_t v, const Vec3& to) {
+    try_at(v, to);
+    settle(v);
+  }
+
+  /// The number of changes up to now.
+  std::uint64_t now() const { return now_; }
+  /// The last change of the triangles of v: one that came, went, or had a vertex moved.
+  std::uint64_t changed(std::int32_t v) const { return changed_[static_cast<std::size_t>(v)]; }
+  /// Whether a triangle on the edge came after that.
+  bool has_new_triangle(std::uint64_t then, std::int32_t a, std::int32_t b) const;
+  /// Whether the triangles of either end have changed after that.
+  bool has_changed_since(std::uint64_t then, std::int32_t a, std::int32_t b) const {
+    return changed(a) > then || changed(b) > then;
+  }
 
   std::int32_t vertex_end() const { return static_cast<std::int32_t>(vertices_.size()); }
   std::int32_t triangle_end() const { return static_cast<std::int32_t>(triangles_.size()); }
@@ -82,9 +107,14 @@ class ChangingSurface {
   std::vector<std::int32_t> feature_neighbours(std::int32_t v) const;
 
  private:
+  void note_change(const Triangle& nodes);
+
   std::vector<Vec3> places_;
   std::vector<SurfaceVertex> vertices_;
   std::vector<std::vector<std::int32_t>> rings_;
+  std::vector<std::uint64_t> changed_;
+  std::vector<std::uint64_t> came_;  ///< of each triangle
+  std::uint64_t now_ = 0;
   std::vector<FaceTriangle> triangles_;
   std::vector<std::int32_t> free_vertices_;
   std::vector<std::int32_t> free_triangles_;

@@ -74,19 +74,22 @@ bool flip_edge(RemeshingWork& work, std::int32_t a, std::int32_t b, FlipFor want
   if (!helps) return false;
   if (surface.has_edge(c, d)) return false;
   // The new edge runs from c in one of the two, so its middle is looked at.
-  if (!lies_on_input(work, c) || !meets_nothing(work)) return false;
+  if (!lies_on_input(work, c) || !meets_nothing(work, c)) return false;
   replace(work);
   return true;
 }
 
 std::int64_t flip_edges(RemeshingWork& work, FlipFor wanted) {
   const ChangingSurface& surface = work.surface;
+  // What no change came near is as it was when it was last looked at.
+  const std::uint64_t then = wanted == FlipFor::shape ? work.flipped : 0;
   std::vector<Edge> waiting;
   const auto add_edges = [&](const FaceTriangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t a = t.nodes[k];
       const std::int32_t b = t.nodes[(k + 1) % 3];
-      if (!is_feature_side(t, k)) waiting.emplace_back(std::min(a, b), std::max(a, b));
+      if (is_feature_side(t, k) || !surface.has_changed_since(then, a, b)) continue;
+      waiting.emplace_back(std::min(a, b), std::max(a, b));
     }
   };
   for (std::int32_t t = 0; t < surface.triangle_end(); ++t) {
@@ -108,6 +111,7 @@ std::int64_t flip_edges(RemeshingWork& work, FlipFor wanted) {
     std::ranges::sort(waiting);
     waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   }
+  if (wanted == FlipFor::shape && left > 0) work.flipped = surface.now();
   return flips;
 }
 

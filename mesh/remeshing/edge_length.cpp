@@ -31,6 +31,15 @@ std::vector<MeasuredEdge> sorted(std::vector<MeasuredEdge> edges, double directi
   return edges;
 }
 
+/// Without a look at the spacing of the middle, which grows slowly from that of the ends.
+bool surely_no_longer(const RemeshingWork& work, std::int32_t a, std::int32_t b, double limit) {
+  const double ends = edge_length(work, a, b);
+  if (ends < 0.5 * limit) return true;
+  const double length = distance(work.surface.at(a), work.surface.at(b));
+  const double larger = std::max(work.surface.vertex(a).spacing, work.surface.vertex(b).spacing);
+  return ends <= limit && length <= limit * work.spacing.least_near(larger, 0.5 * length);
+}
+
 }  // namespace
 
 double long_edge_length(const RemeshingWork& work, std::int32_t a, std::int32_t b) {
@@ -40,11 +49,12 @@ double long_edge_length(const RemeshingWork& work, std::int32_t a, std::int32_t 
   return distance(from, to) / std::min(ends, work.spacing.at(0.5 * (from + to)));
 }
 
-std::vector<MeasuredEdge> edges_longer_than(const RemeshingWork& work, double limit) {
+std::vector<MeasuredEdge> edges_longer_than(const RemeshingWork& work, double limit,
+                                            std::uint64_t then) {
   std::vector<MeasuredEdge> edges;
   for_each_edge_of(work.surface, [&](std::int32_t a, std::int32_t b) {
-    // Where the ends' spacing lets it be by far shorter, the middle's does too: it grows slowly.
-    if (edge_length(work, a, b) < 0.5 * limit) return;
+    if (!work.surface.has_changed_since(then, a, b)) return;
+    if (surely_no_longer(work, a, b, limit)) return;
     const double length = long_edge_length(work, a, b);
     if (length > limit) edges.push_back({length, {a, b}});
   });

@@ -24,9 +24,10 @@ struct MeasuredEdge {
   std::array<std::int32_t, 2> ends{};  ///< the lower number first
 };
 
-/// The edges longer than `limit` (at least 1), the longest first; equals by the numbers of their
-/// ends. Cost: O(n log n).
-std::vector<MeasuredEdge> edges_longer_than(const RemeshingWork& work, double limit);
+/// The edges longer than `limit` (at least 1) near which anything has changed since then (0: all),
+/// the longest first; equals by the numbers of their ends. Cost: O(n log n).
+std::vector<MeasuredEdge> edges_longer_than(const RemeshingWork& work, double limit,
+                                            std::uint64_t then);
 /// The edges shorter than `limit`, the shortest first.
 std::vector<MeasuredEdge> edges_shorter_than(const RemeshingWork& work, double limit);
 

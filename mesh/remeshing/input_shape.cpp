@@ -110,6 +110,22 @@ std::optional<InputFoot> InputShape::on_face(std::int32_t face, const Vec3& p, c
   return InputFoot{nearest_on_triangle(p, c[0], c[1], c[2]), found.item, found.distance2};
 }
 
+std::int32_t InputShape::near_on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
+                                      double least_cosine, double limit, std::int32_t guess) const {
+  const auto distance2 = [&](std::int32_t t) {
+    const Vec3& of = normals_[static_cast<std::size_t>(t)];
+    if (dot(of, normal) < least_cosine && norm2(of) > 0) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const TrianglePoints c = corners_of(surface_, static_cast<std::size_t>(t));
+    return distance2_to_triangle(p, c[0], c[1], c[2]);
+  };
+  const double limit2 = limit * limit;
+  const bool is_of_face = guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face;
+  if (is_of_face && distance2(guess) < limit2) return guess;
+  return triangles_.near(face, p, limit2, distance2).item;
+}
+
 std::optional<InputFoot> InputShape::on_curve(std::int32_t curve, const Vec3& p, double limit,
                                               std::int32_t guess) const {
   const bool is_of_curve = guess >= 0 && curve_of(guess) == curve;

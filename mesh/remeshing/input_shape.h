@@ -32,6 +32,10 @@ class InputShape {
   /// it is nearer than `limit`. `guess`: a triangle likely to be near, or -1.
   std::optional<InputFoot> on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
                                    double limit, std::int32_t guess) const;
+  /// A triangle of the face that is nearer to p than `limit` and whose normal, unless it has no
+  /// sure direction, has at least this cosine with `normal`; -1: none.
+  std::int32_t near_on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
+                            double least_cosine, double limit, std::int32_t guess) const;
   /// The nearest point of the curve, when it is nearer than `limit`.
   std::optional<InputFoot> on_curve(std::int32_t curve, const Vec3& p, double limit,
                                     std::int32_t guess) const;

@@ -21,17 +21,17 @@
 namespace tetfarm {
 namespace {
 
-/// Edges longer than this many spacings are split, shorter ones drawn together: halves of the one
-/// are about as far from 1 as twice the other.
-constexpr double longest_edge = 4.0 / 3.0;
-constexpr double shortest_edge = 4.0 / 5.0;
+/// Edges longer than this many spacings are split, shorter ones drawn together, so that they come
+/// to 1 on average: Botsch and Kobbelt's 4/3 and 4/5 come to 0.91.
+constexpr double longest_edge = 1.45;
+constexpr double shortest_edge = 0.87;
 /// Worse triangles may be made only of worse ones yet.
 constexpr double good_shape = 0.6;
 /// Of the tolerance: between the points that are compared a triangle may lie farther off.
 constexpr double tolerance_at_samples = 0.5;
 /// How often vertices of the input that were left behind are kept, and all is done again.
 constexpr int most_rounds = 4;
-constexpr int most_splitting_sweeps = 40;
+constexpr int most_splitting_sweeps = 100;
 constexpr int turns = 6;
 constexpr int smoothings_a_turn = 2;
 
@@ -58,8 +58,13 @@ std::int64_t collapse_short_edges(RemeshingWork& work) {
 
 std::int64_t split_long_edges(RemeshingWork& work) {
   std::int64_t count = 0;
-  for (const MeasuredEdge& edge : edges_longer_than(work, longest_edge)) {
-    if (split_edge(work, edge.ends[0], edge.ends[1])) ++count;
+  const std::vector<MeasuredEdge> edges = edges_longer_than(work, longest_edge, work.split);
+  work.split = work.surface.now();
+  for (const MeasuredEdge& edge : edges) {
+    const auto [a, b] = edge.ends;
+    // After flips, those beside an edge that was split may not be there any more, or be shorter.
+    if (work.surface.has_new_triangle(work.split, a, b)) continue;
+    if (split_edge(work, a, b)) ++count;
   }
   return count;
 }
@@ -127,6 +132,7 @@ RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& feat
     for (int i = 0; i < smoothings_a_turn; ++i) smooth_vertices(work, good_shape);
     flip_edges(work, FlipFor::shape);
     smooth_vertices(work, good_shape);
+    measure_spacings(work);
   }
   return result_of(changed, surface, features);
 }

@@ -36,12 +36,17 @@ FarthestPoint farthest(const SurfaceMesh& of, const SurfaceMesh& other) {
                          std::vector<std::int32_t>(other.triangles.size(), 0), 1);
   FarthestPoint found;
   double reach2 = norm2(bounding_box(other.vertices).size());
+  std::int32_t last = 0;
   const auto look = [&](const Vec3& p) {
-    const BoxForest::Nearest nearest = forest.nearest(0, p, 4 * reach2, [&](std::int32_t t) {
+    const auto distance2 = [&](std::int32_t t) {
       const TrianglePoints c =
           triangle_points(other.vertices, other.triangles[static_cast<std::size_t>(t)]);
       return distance2_to_triangle(p, c[0], c[1], c[2]);
-    });
+    };
+    // What is near enough to one triangle need not be compared with the others.
+    if (std::sqrt(distance2(last)) <= found.distance) return;
+    const BoxForest::Nearest nearest = forest.nearest(0, p, 4 * reach2, distance2);
+    if (nearest.item >= 0) last = nearest.item;
     const double distance = std::sqrt(nearest.distance2);
     if (distance > found.distance) found = {distance, p};
   };

@@ -25,6 +25,11 @@ class RemeshingSpacing {
   /// Never more than size, and less than min_size only near short edges between corners. Cost:
   /// O(log n) and the sources, about 1 µs.
   double at(const Vec3& point) const;
+  /// A lower bound, where `there` is the spacing, of the spacing so far away. Cost: O(1).
+  double least_near(double there, double away) const {
+    // Sources may be steeper than the growth.
+    return sources_.empty() ? there - growth_ * away : 0;
+  }
 
  private:
   double size_ = 0;

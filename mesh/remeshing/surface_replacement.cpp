@@ -9,7 +9,7 @@
 namespace tetfarm {
 namespace {
 
-/// Cosines of the angle between a triangle and the input under its middle: more than 60 and 72
+/// Least cosines of the angle between a triangle and the input near its middle: more than 60 and 72
 /// degrees are a fold.
 constexpr double plane_cosine = 0.5;
 constexpr double curved_cosine = 0.3;
@@ -20,12 +20,14 @@ constexpr double surely_not_flat = 1e-6;
 /// Cosine of the angle between normals, 25 degrees, up to which neighbours do not fold.
 constexpr double even_cosine = 0.9;
 
-constexpr double sqrt_3 = 1.7320508075688772;
+/// Round a vertex that is alone, for so many spacings each way, no normal differs from that of the
+/// triangles made by more than 60 degrees.
+constexpr double alone_spacings = 1.8;
+/// How often a vertex that is not alone is asked whether it is.
+constexpr std::uint8_t most_looks_round = 2;
+constexpr double alone_cosine = -0.3;
 
-bool lies_near(const RemeshingWork& work, std::int32_t face, const Vec3& p, const Vec3& normal,
-               std::int32_t guess) {
-  return work.shape.on_face(face, p, normal, work.tolerance, guess).has_value();
-}
+constexpr double sqrt_3 = 1.7320508075688772;
 
 bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_t hub) {
   const TrianglePoints c = work.surface.points(t.nodes);
@@ -38,14 +40,13 @@ bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_
     const SurfaceVertex& vertex = work.surface.vertex(v);
     if (vertex.kind == VertexKind::smooth) guess = vertex.foot;
   }
-  const std::optional<InputFoot> foot =
-      work.shape.on_face(t.face, (c[0] + c[1] + c[2]) / 3.0, normal, work.tolerance, guess);
-  if (!foot) return false;
-  const Vec3& below = work.shape.normal(foot->item);
-  if (norm2(below) > 0 && dot(below, normal) < curved_cosine) return false;
+  const std::int32_t below = work.shape.near_on_face(t.face, (c[0] + c[1] + c[2]) / 3.0, normal,
+                                                     curved_cosine, work.tolerance, guess);
+  if (below < 0) return false;
   const std::size_t k = corner_of(t.nodes, hub);
   if (is_feature_side(t, k)) return true;
-  return lies_near(work, t.face, 0.5 * (c[k] + c[(k + 1) % 3]), normal, foot->item);
+  const Vec3 middle = 0.5 * (c[k] + c[(k + 1) % 3]);
+  return work.shape.near_on_face(t.face, middle, normal, 0, work.tolerance, below) >= 0;
 }
 
 /// The mean normal of what is made, where all of it is nearly across it.
@@ -88,6 +89,59 @@ bool meet_each_other(const RemeshingWork& work) {
   return false;
 }
 
+/// No triangle made meets one near it.
+bool meets_none_near(RemeshingWork& work, const Box3& all, const std::optional<Vec3>& common) {
+  const ChangingSurface& surface = work.surface;
+  const SurfaceReplacement& change = work.replacement;
+  work.near.clear();
+  surface.tree().query(all, [&work](std::int32_t t) { work.near.push_back(t); });
+  return std::ranges::none_of(work.near, [&](std::int32_t t) {
+    const FaceTriangle& other = surface.triangle(t);
+    if (std::ranges::find(change.removed, t) != change.removed.end()) return false;
+    if (common && goes_on_evenly(work, other, *common)) return false;
+    return std::ranges::any_of(
+        change.made, [&](const FaceTriangle& m) { return meet(surface, m.nodes, other.nodes); });
+  });
+}
+
+bool is_within(const Box3& box, const SurfaceVertex& hub) {
+  const Vec3 reach{hub.alone_reach, hub.alone_reach, hub.alone_reach};
+  const Vec3 low = hub.alone_at - reach;
+  const Vec3 high = hub.alone_at + reach;
+  return hub.alone_reach > 0 && low.x <= box.low.x && low.y <= box.low.y && low.z <= box.low.z &&
+         box.high.x <= high.x && box.high.y <= high.y && box.high.z <= high.z;
+}
+
+/// Whether a cube round the hub, which holds the box, has in it nothing but triangles of the hub's
+/// face that look much the same way; notes it at the vertex.
+bool is_alone(RemeshingWork& work, std::int32_t hub, const Box3& box, const Vec3& normal) {
+  ChangingSurface& surface = work.surface;
+  SurfaceVertex wide = surface.vertex(hub);
+  wide.alone_at = surface.at(hub);
+  wide.alone_reach = alone_spacings * wide.spacing;
+  if (wide.crowded >= most_looks_round || !is_within(box, wide)) return false;
+  const Vec3 reach{wide.alone_reach, wide.alone_reach, wide.alone_reach};
+  Box3 cube;
+  cube.add(wide.alone_at - reach);
+  cube.add(wide.alone_at + reach);
+  work.near.clear();
+  surface.tree().query(cube, [&work](std::int32_t t) { work.near.push_back(t); });
+  const bool is_alone = std::ranges::all_of(work.near, [&](std::int32_t t) {
+    const FaceTriangle& other = surface.triangle(t);
+    if (std::ranges::find(work.replacement.removed, t) != work.replacement.removed.end()) {
+      return true;
+    }
+    const Vec3 area = doubled_area(surface.points(other.nodes));
+    return dot(area, normal) > alone_cosine * norm(area);
+  });
+  if (is_alone) {
+    surface.vertex(hub) = wide;
+  } else {
+    ++surface.vertex(hub).crowded;
+  }
+  return is_alone;
+}
+
 }  // namespace
 
 double triangle_shape(const TrianglePoints& t) {
@@ -128,7 +182,7 @@ bool lies_on_input(const RemeshingWork& work, std::int32_t hub) {
                              [&](const FaceTriangle& t) { return lies_on_input(work, t, hub); });
 }
 
-bool meets_nothing(RemeshingWork& work) {
+bool meets_nothing(RemeshingWork& work, std::int32_t hub) {
   const ChangingSurface& surface = work.surface;
   const SurfaceReplacement& change = work.replacement;
   const bool is_simple = change.fills_hole && !work.is_strict;
@@ -142,16 +196,9 @@ bool meets_nothing(RemeshingWork& work) {
     all.add(surface.box(t.nodes));
   }
   const std::optional<Vec3> common = is_simple ? common_normal(work) : std::nullopt;
-  if (!common && meet_each_other(work)) return false;
-  work.near.clear();
-  surface.tree().query(all, [&work](std::int32_t t) { work.near.push_back(t); });
-  return std::ranges::none_of(work.near, [&](std::int32_t t) {
-    const FaceTriangle& other = surface.triangle(t);
-    if (std::ranges::find(change.removed, t) != change.removed.end()) return false;
-    if (common && goes_on_evenly(work, other, *common)) return false;
-    return std::ranges::any_of(
-        change.made, [&](const FaceTriangle& m) { return meet(surface, m.nodes, other.nodes); });
-  });
+  if (!common) return !meet_each_other(work) && meets_none_near(work, all, common);
+  if (is_within(all, surface.vertex(hub)) || is_alone(work, hub, all, *common)) return true;
+  return meets_none_near(work, all, common);
 }
 
 void replace(RemeshingWork& work) {

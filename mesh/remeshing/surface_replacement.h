@@ -36,6 +36,9 @@ struct RemeshingWork {
   double tolerance = 0;
   /// Whether each change is tested against all that is near it, also where that is hardly needed.
   bool is_strict = false;
+  /// When all edges had last been looked at, by ChangingSurface::now(); 0: never.
+  std::uint64_t flipped = 0;  ///< for a better shape
+  std::uint64_t split = 0;
   /// Kept to save allocating.
   SurfaceReplacement replacement = {};
   std::vector<std::int32_t> near = {};
@@ -57,9 +60,10 @@ bool lies_on_input(const RemeshingWork& work, std::int32_t hub);
 /// Whether no triangle made is degenerate or meets another, made or not removed, beyond the corners
 /// and edges that both have. Unless the work is strict, two things are taken for granted: that in a
 /// plane what fills a hole and is nowhere turned over meets nothing, and that neighbours whose
-/// normals differ by less than 25 degrees from those made do not fold over them. @pre
-/// lies_on_input.
-bool meets_nothing(RemeshingWork& work);
+/// normals differ by less than 25 degrees from those made do not fold over them; and a third, that
+/// nothing new has come to where `hub`, a vertex of each triangle made, was found to be alone.
+/// @pre lies_on_input.
+bool meets_nothing(RemeshingWork& work, std::int32_t hub);
 
 /// Makes the change. @pre it may be made.
 void replace(RemeshingWork& work);

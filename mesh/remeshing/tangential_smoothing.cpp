@@ -68,10 +68,13 @@ bool smooth_vertex(RemeshingWork& work, std::int32_t v, double least_shape) {
   SurfaceVertex& vertex = surface.vertex(v);
   const std::optional<InputFoot> foot = foot_for(work, v);
   const Vec3 before = surface.at(v);
-  if (!foot || distance(foot->at, before) < least_move * vertex.spacing) return false;
+  if (!foot || distance(foot->at, before) < least_move * vertex.spacing) {
+    vertex.settled = surface.now();
+    return false;
+  }
   const double least = std::min(least_shape, worst_shape(surface, surface.ring(v)));
-  const SurfaceVertex old = vertex;
-  surface.move_vertex(v, foot->at);
+  const std::int32_t old_foot = vertex.foot;
+  surface.try_at(v, foot->at);
   vertex.foot = foot->item;
   work.replacement.clear();
   work.replacement.removed = surface.ring(v);
@@ -82,22 +85,36 @@ bool smooth_vertex(RemeshingWork& work, std::int32_t v, double least_shape) {
   const bool is_better = worst_shape(surface, surface.ring(v)) >= least;
   const bool is_near =
       is_better && (vertex.kind == VertexKind::smooth || curve_allows_move(work, v));
-  if (is_near && lies_on_input(work, v) && meets_nothing(work)) {
-    vertex.spacing = work.spacing.at(foot->at);
+  if (is_near && lies_on_input(work, v) && meets_nothing(work, v)) {
+    vertex.has_moved = true;
+    surface.settle(v);
     return true;
   }
-  surface.move_vertex(v, before);
-  vertex = old;
+  surface.try_at(v, before);
+  vertex.foot = old_foot;
+  vertex.settled = surface.now();
   return false;
 }
 
 std::int64_t smooth_vertices(RemeshingWork& work, double least_shape) {
   std::int64_t moved = 0;
   for (std::int32_t v = 0; v < work.surface.vertex_end(); ++v) {
-    if (work.surface.ring(v).empty() || work.surface.vertex(v).kind == VertexKind::corner) continue;
+    const SurfaceVertex& vertex = work.surface.vertex(v);
+    if (work.surface.ring(v).empty() || vertex.kind == VertexKind::corner) continue;
+    // Nothing round it has changed since it was found to be in its place.
+    if (vertex.settled >= work.surface.changed(v)) continue;
     if (smooth_vertex(work, v, least_shape)) ++moved;
   }
   return moved;
+}
+
+void measure_spacings(RemeshingWork& work) {
+  for (std::int32_t v = 0; v < work.surface.vertex_end(); ++v) {
+    SurfaceVertex& vertex = work.surface.vertex(v);
+    if (!vertex.has_moved) continue;
+    vertex.spacing = work.spacing.at(work.surface.at(v));
+    vertex.has_moved = false;
+  }
 }
 
 }  // namespace tetfarm

@@ -15,7 +15,12 @@ namespace tetfarm {
 /// not get worse than before and `least_shape`. False: nothing has changed. Cost: some 20 µs.
 bool smooth_vertex(RemeshingWork& work, std::int32_t v, double least_shape);
 
-/// All vertices once, in the order of their numbers. The number of those that moved.
+/// All vertices once, in the order of their numbers, but for those round which nothing has changed
+/// since they stayed. The number of those that moved.
 std::int64_t smooth_vertices(RemeshingWork& work, double least_shape);
+
+/// The spacing at vertices that have moved: it changes little, and is asked for once after some
+/// smoothing.
+void measure_spacings(RemeshingWork& work);
 
 }  // namespace tetfarm

@@ -47,9 +47,23 @@ void TriangleOctree::add(std::int32_t id, const Box3& box) {
   const auto at = static_cast<std::size_t>(id);
   if (at >= entries_.size()) entries_.resize(at + 1);
   TF_CHECK(entries_[at].cell < 0);
+  put(id, box, cell_for(box));
+}
+
+void TriangleOctree::move(std::int32_t id, const Box3& box) {
+  Entry& entry = entries_[static_cast<std::size_t>(id)];
   const std::int32_t cell = cell_for(box);
+  if (cell == entry.cell) {
+    entry.box = box;
+    return;
+  }
+  remove(id);
+  put(id, box, cell);
+}
+
+void TriangleOctree::put(std::int32_t id, const Box3& box, std::int32_t cell) {
   std::int32_t& first = cells_[static_cast<std::size_t>(cell)].first;
-  entries_[at] = {box, first, -1, cell};
+  entries_[static_cast<std::size_t>(id)] = {box, first, -1, cell};
   if (first >= 0) entries_[static_cast<std::size_t>(first)].previous = id;
   first = id;
   for (std::int32_t c = cell; c >= 0; c = cells_[static_cast<std::size_t>(c)].parent) {

@@ -24,6 +24,8 @@ class TriangleOctree {
   void add(std::int32_t id, const Box3& box);
   /// @pre `id` is in the tree.
   void remove(std::int32_t id);
+  /// As removed and added again. @pre `id` is in the tree.
+  void move(std::int32_t id, const Box3& box);
 
   /// Calls visit(id) for each triangle whose box overlaps `box`, once, in an order that depends on
   /// what has been added and removed alone.
@@ -66,6 +68,7 @@ class TriangleOctree {
            box.low.y <= c.y + reach && c.z - reach <= box.high.z && box.low.z <= c.z + reach;
   }
   std::int32_t cell_for(const Box3& box);
+  void put(std::int32_t id, const Box3& box, std::int32_t cell);
   template <typename Visitor>
   void query_below(std::int32_t cell, const Place& place, const Box3& box, Visitor& visit) const;
 

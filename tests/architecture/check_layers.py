@@ -57,7 +57,7 @@ ROOMS = {
     "worker": ["base", "mesh/adaptation", "mesh/artifacts", "mesh/assemble", "mesh/assimilation", "mesh/core",
                "mesh/cosmetics", "mesh/decompose", "mesh/formats", "mesh/formats/off", "mesh/formats/plane",
                "mesh/formats/surfaces", "mesh/formats/ugrid", "mesh/formats/vtkhdf", "mesh/inspect", "mesh/job_file",
-               "mesh/layers", "mesh/library", "mesh/spacing", "proto", "store", "tasks",
+               "mesh/layers", "mesh/library", "mesh/remeshing", "mesh/spacing", "proto", "store", "tasks",
                "worker/decisions"],
     "pool": ["base"],
     "report": ["base", "mesh/assemble", "mesh/core", "mesh/geometry", "mesh/quality", "mesh/render", "proto", "tasks"],

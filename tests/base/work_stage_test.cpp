@@ -54,6 +54,7 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "read | reading: 1 of 2\n"
             "check | checking the surface: 1 of 2\n"
             "spacing | building the spacing: 1 of 2\n"
+            "remeshing | remeshing the surface: 1 of 2\n"
             "cut | cutting: 1 of 2 planes\n"
             "graph | graph of sub-domains: 1 of 2 sub-domains\n"
             "join | joining: 1 of 2 groups\n"

@@ -143,5 +143,16 @@ TEST(CommandLine, sizes_may_have_units) {
   EXPECT_EQ(std::get<WorkerCommand>(command).memory_bytes, std::uint64_t{2} << 30);
 }
 
+TEST(CommandLine, run_and_check_take_what_remeshes_the_surface) {
+  const Command run = parse({"run", "a.stl", "--remesh", "--size-on-body", "0.01"});
+  EXPECT_TRUE(std::get<RunOptions>(run).remesh);
+  EXPECT_EQ(std::get<RunOptions>(run).size_on_body, 0.01);
+  const Command check = parse({"check", "a.stl", "--remesh", "--size-on-body", "2"});
+  EXPECT_TRUE(std::get<CheckOptions>(check).remesh);
+  EXPECT_EQ(std::get<CheckOptions>(check).size_on_body, 2);
+  EXPECT_EQ(code_of({"run", "a.stl", "--remesh", "--size-on-body", "-1"}), 2);
+  EXPECT_EQ(code_of({"check", "--store", "s", "--remesh"}), 2) << "a store has no surface";
+}
+
 }  // namespace
 }  // namespace tetfarm

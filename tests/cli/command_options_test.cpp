@@ -208,7 +208,7 @@ TEST_F(CommandOptions, of_remeshing) {
   const auto least = parsed_as<SurfaceCommand>({"surface", "a.stl"});
   EXPECT_EQ(least.input, "a.stl");
   EXPECT_EQ(least.output, "");
-  EXPECT_EQ(least.angle, 30);
+  EXPECT_EQ(least.angle, 0);
   EXPECT_EQ(least.size + least.min_size + least.tolerance + least.growth, 0);
   EXPECT_FALSE(least.json);
   const auto all = parsed_as<SurfaceCommand>({"surface", "a.toml", "-o", "b.off", "--size", "2",

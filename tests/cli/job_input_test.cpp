@@ -319,5 +319,29 @@ TEST_F(JobOfAFile, has_the_background_of_its_sources_unless_it_has_its_own) {
       0.3);
 }
 
+TEST(JobInput, a_surface_is_remeshed_where_the_command_line_asks_for_it) {
+  RunOptions options = of_surface("wing.stl");
+  EXPECT_FALSE(describe_job(options).job.remeshing.has_value());
+  options.size_on_body = 0.25;
+  EXPECT_THAT(refusal(options), HasSubstr("--size-on-body: "));
+  EXPECT_THAT(refusal(options), HasSubstr("also give --remesh"));
+  options.remesh = true;
+  const JobFile job = describe_job(options).job;
+  ASSERT_TRUE(job.remeshing.has_value());
+  EXPECT_EQ(job.remeshing->size, 0.25);
+  EXPECT_EQ(job.spacing_default, 0) << "the volume's own size is another";
+}
+
+TEST_F(JobOfAFile, keeps_its_own_words_of_remeshing_but_for_those_typed) {
+  RunOptions options = of_surface(write(
+      "job.toml", "[geometry]\nsurface = \"tet.off\"\n[surface]\nremesh = true\nmin_size = 0.5\n"));
+  options.size_on_body = 1;
+  const JobFile job = describe_job(options).job;
+  EXPECT_EQ(job.remeshing->size, 1);
+  EXPECT_EQ(job.remeshing->min_size, 0.5);
+  options.size_on_body = 0.25;
+  EXPECT_THAT(refusal(options), HasSubstr("[surface] min_size: must not be more than"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -26,6 +26,8 @@ std::string said(const std::string& message, ExitCode code, const std::string& m
 TEST(TypedNames, of_a_surface_have_its_path) {
   EXPECT_EQ(said("inspect: wing.stl: open edge", ExitCode::bad_geometry),
             "in/wing.stl.gz: open edge");
+  EXPECT_EQ(said("remesh: wing.stl: open edge", ExitCode::bad_geometry),
+            "in/wing.stl.gz: open edge");
   EXPECT_EQ(said("inspect: open edge", ExitCode::bad_geometry), "in/wing.stl.gz: open edge");
 }
 

@@ -110,6 +110,9 @@ inline TaskResult run_fake_task(const TaskRow& task) {
     result.outputs.push_back(fake_file(name, seed + name));
   };
   switch (task.kind) {
+    case TaskKind::remesh:
+      add("surface");
+      break;
     case TaskKind::inspect: {
       // What lies in the surface does not depend on the number of parts.
       for (const char* name : {"surface", "spacing", "root", "settings"}) {

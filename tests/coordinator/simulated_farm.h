@@ -119,6 +119,8 @@ class Farm {
       jobs.push_back({"key-" + std::to_string(jobs.size()), "wing",
                       jobs.empty() && wish_.first_keeps_all ? keeps_all_text : "",
                       to_inspect(job, surface())});
+      // Of several jobs, the second remeshes its surface.
+      jobs.back().remeshes = jobs.size() == 2;
     }
     return jobs;
   }

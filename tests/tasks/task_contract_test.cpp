@@ -22,6 +22,7 @@
 #include "tasks/mesh_contract.h"
 #include "tasks/number_contract.h"
 #include "tasks/order_contract.h"
+#include "tasks/remesh_contract.h"
 #include "tasks/solve_contract.h"
 #include "tasks/task_contracts.h"
 #include "tasks/write_contract.h"
@@ -82,8 +83,10 @@ std::vector<Side> all_sides() {
   std::set<std::string> of_layers = each("layers:");
   of_layers.insert({"layer_table", "layer_map", "top_heights"});
   return {
-      side_of("inspect given", InspectGiven{file("j"), file("i"), 5},
-              {"input_surface", "free_bytes"}),
+      side_of("remesh given", RemeshGiven{file("j"), file("i")}),
+      side_of("remesh made", RemeshMade{file("s")}),
+      side_of("inspect given", InspectGiven{file("j"), file("i"), 5, file("r")},
+              {"input_surface", "free_bytes", "remeshed_surface"}),
       side_of("inspect made",
               InspectMade{file("s"), file("p"), file("r"), file("t"), 12, 1e6 / 3, 2, 1U << 30U, 9,
                           true, two, file("l"), file("m"), file("h")},
@@ -299,7 +302,9 @@ TEST(TaskContracts, take_whole_numbers_up_to_their_bound_and_nothing_else) {
 /// The words of each side by name, as they lie in databases and travel between versions.
 TEST(TaskContracts, have_the_names_that_they_always_had) {
   const std::map<std::string, std::string> names = {
-      {"inspect given", "job input_surface | free_bytes |"},
+      {"remesh given", "job input_surface | |"},
+      {"remesh made", "surface | |"},
+      {"inspect given", "job input_surface remeshed_surface | free_bytes |"},
       {"inspect made",
        "surface spacing root settings layers: layer_table layer_map top_heights | | across_cuts "
        "groups most_bytes needles parts total_work"},

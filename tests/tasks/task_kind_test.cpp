@@ -34,7 +34,7 @@ TEST(TaskKinds, keep_the_names_and_numbers_that_they_were_given) {
   const std::map<std::string, std::uint32_t> given = {
       {"inspect", 1},    {"decompose", 2}, {"mesh", 3},    {"number", 4},   {"assemble", 5},
       {"assimilate", 6}, {"order", 7},     {"extract", 8}, {"cosmetic", 9}, {"write", 10},
-      {"grow", 11},      {"solve", 12},    {"adapt", 13},  {"collect", 14}};
+      {"grow", 11},      {"solve", 12},    {"adapt", 13},  {"collect", 14}, {"remesh", 15}};
   for (const auto& [name, number] : given) {
     const std::optional<TaskKind> kind = task_kind_named(name);
     ASSERT_TRUE(kind) << name;
@@ -76,8 +76,8 @@ TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
               ElementsAre("decompose", "order", "extract", "cosmetic"))
       << "what others wait for is handed out first";
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.rank == 1; }),
-              ElementsAre("solve", "adapt", "collect", "inspect", "assimilate", "mesh", "number",
-                          "write", "grow", "assemble"));
+              ElementsAre("solve", "adapt", "collect", "remesh", "inspect", "assimilate", "mesh",
+                          "number", "write", "grow", "assemble"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.shrinks_with_leaf; }),
               ElementsAre("mesh", "extract", "cosmetic"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.needs_whole_tree; }),
@@ -91,7 +91,7 @@ TEST(TaskKinds, are_treated_as_what_they_do_asks_for) {
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.is_of_cycle; }),
               ElementsAre("solve", "adapt"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.begins_job; }),
-              ElementsAre("solve", "inspect"));
+              ElementsAre("solve", "remesh", "inspect"));
   EXPECT_THAT(kinds_that([](const TaskKindTraits& traits) { return traits.ends_job; }),
               ElementsAre("collect", "assemble"));
 }
@@ -104,6 +104,7 @@ TEST(TaskKinds, have_the_outputs_that_every_result_has) {
     }
     return names;
   };
+  EXPECT_EQ(outputs(TaskKind::remesh), "surface");
   EXPECT_EQ(outputs(TaskKind::inspect), "surface spacing root settings");
   EXPECT_EQ(outputs(TaskKind::decompose), "left right");
   EXPECT_EQ(outputs(TaskKind::assimilate), "dropped");
@@ -130,6 +131,7 @@ TEST(TaskKinds, cost_what_was_measured) {
                                     // triangle, one of the largest group
   };
   for (const Costs& costs : std::initializer_list<Costs>{
+           {TaskKind::remesh, {0.006, 0, 150e-6, 0}, {8e6, 1.2, 0, 0, 600, 0}},
            {TaskKind::inspect, {0.006, 0.15e-6, 7e-6, 0}, {8e6, 1.2, 2.5, 0, 220, 0}},
            {TaskKind::decompose, {0.02, 0.1e-6, 1e-6, 0.15e-3}, {13e6, 0, 1, 1, 260, 0}},
            {TaskKind::assimilate, {0.01, 0, 1.5e-6, 0}, {0, 0, 0, 0, 8, 500}},

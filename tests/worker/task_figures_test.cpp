@@ -12,6 +12,7 @@
 #include "tests/support/voxel_surface.h"
 #include "tests/worker/task_chain.h"
 #include "worker/assimilate_task.h"
+#include "worker/checked_input.h"
 #include "worker/task_cost.h"
 
 namespace tetfarm {

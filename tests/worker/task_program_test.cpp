@@ -93,9 +93,9 @@ TEST_F(TaskProgram, does_the_task_of_its_number_and_says_what_it_does_on_the_way
 
 TEST_F(TaskProgram, has_a_body_for_each_kind_and_for_no_other_number) {
   using testing::StartsWith;
-  const std::array<const char*, 15> names = {
+  const std::array<const char*, 16> names = {
       "",        "inspect",  "decompose", "mesh", "number", "assemble", "assimilate", "order",
-      "extract", "cosmetic", "write",     "grow", "solve",  "adapt",    "collect"};
+      "extract", "cosmetic", "write",     "grow", "solve",  "adapt",    "collect",    "remesh"};
   for (std::uint32_t kind = 1; kind < names.size(); ++kind) {
     start_.mutable_assign()->set_kind(kind);
     if (kind == 7) continue;   // it may be given nothing
@@ -110,8 +110,8 @@ TEST_F(TaskProgram, has_a_body_for_each_kind_and_for_no_other_number) {
   EXPECT_EQ(run().at(0).failed().message(),
             "the loop: this worker runs no solvers: start workers for loops with `tetfarm worker "
             "--solvers`");
-  start_.mutable_assign()->set_kind(15);
-  EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 15");
+  start_.mutable_assign()->set_kind(16);
+  EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 16");
   start_.mutable_assign()->set_kind(0);
   EXPECT_EQ(run().at(0).failed().message(), "this worker cannot run tasks of kind 0");
 }

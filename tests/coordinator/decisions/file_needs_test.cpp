@@ -55,9 +55,10 @@ TEST(FileNeeds, what_a_kind_makes_waits_for_the_last_task_to_come_that_may_read_
   };
   EXPECT_THAT(kinds_at(FileStage::growing), Not(Contains("decompose")));
   EXPECT_EQ(kinds_at(FileStage::growing).size(), all_task_kinds.size() - 1);
-  EXPECT_THAT(kinds_at(FileStage::numbered), ElementsAre("solve", "adapt", "collect", "inspect",
-                                                         "number", "write", "grow", "assemble"));
-  const auto for_good = ElementsAre("solve", "adapt", "collect", "inspect", "assemble");
+  EXPECT_THAT(kinds_at(FileStage::numbered),
+              ElementsAre("solve", "adapt", "collect", "remesh", "inspect", "number", "write",
+                          "grow", "assemble"));
+  const auto for_good = ElementsAre("solve", "adapt", "collect", "remesh", "inspect", "assemble");
   EXPECT_THAT(kinds_at(FileStage::assembling), for_good);
   EXPECT_THAT(kinds_at(FileStage::over), for_good);
 }

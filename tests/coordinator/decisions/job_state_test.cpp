@@ -474,5 +474,28 @@ TEST_F(RestartWithAnotherCount, the_job_that_is_replaced_stops) {
   EXPECT_EQ(job().phase, JobPhase::done);
 }
 
+TEST_F(JobStateTest, a_job_that_remeshes_begins_with_that_and_is_the_same_job_when_asked_again) {
+  Submission submission{"key", "wing", "toml", to_inspect(job_file_, surface_)};
+  submission.remeshes = true;
+  const SubmitAnswer first = state_->submit(submission, now_);
+  commit();
+  worker_ = new_worker();
+  const SendAssign remesh = next(worker_);
+  EXPECT_EQ(task(remesh.task).kind, TaskKind::remesh);
+  EXPECT_THAT(names_of(task(remesh.task).inputs), testing::ElementsAre("job", "input_surface"));
+  EXPECT_EQ(tasks(first.job, TaskKind::inspect), 0U);
+  ASSERT_TRUE(finish(worker_, remesh));
+  restart();
+  worker_ = new_worker();
+  const SendAssign inspect = next(worker_);
+  EXPECT_EQ(task(inspect.task).kind, TaskKind::inspect);
+  EXPECT_THAT(names_of(task(inspect.task).inputs), testing::ElementsAre("job", "remeshed_surface"));
+  EXPECT_TRUE(state_->submit(submission, now_).existed);
+  ASSERT_TRUE(finish(worker_, inspect));
+  run_all();
+  EXPECT_EQ(job().phase, JobPhase::done);
+  EXPECT_EQ(worked_on(first.job, TaskKind::remesh), 1U);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tasks/remesh_contract.h"
 #include "tests/coordinator/fake_task.h"
 
 namespace tetfarm {
@@ -137,6 +138,20 @@ TEST(TaskGraph, where_memory_decides_the_halves_have_the_parts_that_were_found) 
   const GraphStep second = after_decompose(inspect, cut, first.subdomains[0], false);
   EXPECT_EQ(second.subdomains[1].state, SubdomainState::leaf);
   EXPECT_EQ(second.subdomains[2].parts, 5U);
+}
+
+TEST(TaskGraph, a_remeshed_surface_is_inspected_in_place_of_the_given_one) {
+  TaskRow remesh = new_task(
+      JobId{7}, 0,
+      RemeshGiven{without_name(fake_file("job", "j")), without_name(fake_file("in", "i"))});
+  remesh.outputs = {fake_file("surface", "s")};
+  const TaskRow inspect = inspect_task(remesh);
+  EXPECT_EQ(inspect.job, JobId{7});
+  EXPECT_EQ(inspect.path, 0U);
+  const auto given = given_to<InspectGiven>(inspect);
+  EXPECT_EQ(given.job, without_name(fake_file("job", "j")));
+  EXPECT_EQ(given.remeshed_surface, without_name(fake_file("surface", "s")));
+  EXPECT_FALSE(given.input_surface.has_value());
 }
 
 }  // namespace

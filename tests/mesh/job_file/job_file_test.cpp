@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "mesh/job_file/loop_job.h"
+#include "tests/support/error_text.h"
 
 namespace tetfarm {
 namespace {
@@ -397,6 +398,41 @@ TEST(ToToml, says_which_files_are_kept_where_the_job_does) {
   }
   EXPECT_THROW(parse_job_file("geometry.surface = \"a.stl\"\noutput.keep = \"none\"", "/x/a.toml"),
                UsageError);
+}
+
+TEST(JobFile, says_how_the_surface_is_remeshed) {
+  EXPECT_FALSE(parse_job_file(geometry, "job.toml").remeshing.has_value());
+  EXPECT_FALSE(parse_job_file(geometry + "[surface]\nremesh = false\n", "j.toml").remeshing);
+  const JobFile plain = parse_job_file(geometry + "[surface]\nremesh = true\n", "job.toml");
+  ASSERT_TRUE(plain.remeshing.has_value());
+  EXPECT_EQ(plain.remeshing->size, 0) << "as the spacing says";
+  EXPECT_EQ(plain.remeshing->angle, 30);
+  const JobFile full = parse_job_file(geometry +
+                                          "[surface]\nremesh = true\nsize = 0.5\n"
+                                          "min_size = 0.125\nangle = 45\ntolerance = 1e-3\n",
+                                      "job.toml");
+  for (const JobFile& job : {full, parse_job_file(to_toml(full), "job.toml")}) {
+    ASSERT_TRUE(job.remeshing.has_value());
+    EXPECT_EQ(job.remeshing->size, 0.5);
+    EXPECT_EQ(job.remeshing->min_size, 0.125);
+    EXPECT_EQ(job.remeshing->angle, 45);
+    EXPECT_EQ(job.remeshing->tolerance, 1e-3);
+  }
+}
+
+TEST(JobFile, refuses_remeshing_that_cannot_be_meant) {
+  const auto refusal = [](const std::string& keys) {
+    return error_text_of<UsageError>(
+        [&] { parse_job_file(geometry + "[surface]\n" + keys, "job.toml"); });
+  };
+  EXPECT_THAT(refusal("size = 1\n"), HasSubstr("job.toml:4:8: `size` needs `remesh` = true"));
+  EXPECT_THAT(refusal("remesh = false\nangle = 1\n"), HasSubstr("`angle` needs `remesh`"));
+  EXPECT_THAT(refusal("remesh = true\nsize = 0\n"), HasSubstr("`size`"));
+  EXPECT_THAT(refusal("remesh = true\nangle = 180\n"), HasSubstr("less than 180"));
+  EXPECT_THAT(refusal("remesh = true\nsize = 1\nmin_size = 2\n"),
+              HasSubstr("must not be more than `size`"));
+  EXPECT_THAT(refusal("remesh = 1\n"), HasSubstr("`remesh`"));
+  EXPECT_THAT(refusal("remsh = true\n"), HasSubstr("did you mean"));
 }
 
 }  // namespace

@@ -153,7 +153,8 @@ TEST(JobFileKeys, are_each_there_once) {
   for (const std::string& key : job_file_keys()) all += key + " ";
   EXPECT_EQ(
       all,
-      "version name geometry.surface domain.outer domain.factor domain.spacing region.at "
+      "version name geometry.surface surface.remesh surface.size surface.min_size surface.angle "
+      "surface.tolerance domain.outer domain.factor domain.spacing region.at "
       "region.name region.void spacing.default spacing.growth spacing.surface spacing.sources "
       "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
       "source.from source.to source.corner source.corner.at source.corner.spacing "

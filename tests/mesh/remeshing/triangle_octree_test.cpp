@@ -31,6 +31,16 @@ TEST(TriangleOctree, finds_exactly_what_overlaps_while_boxes_come_and_go) {
   for (std::int32_t id = 0; id < 2000; ++id) {
     there.emplace_back(id, chance_box(random));
     tree.add(id, there.back().second);
+    if (random() % 2 == 0) {
+      auto& moved = there[random() % there.size()];
+      // A little, or away.
+      if (random() % 2 == 0) {
+        moved.second = chance_box(random);
+      } else {
+        moved.second.add(moved.second.high + Vec3{0.25, 0, 0.25});
+      }
+      tree.move(moved.first, moved.second);
+    }
     if (random() % 3 == 0) {
       const std::size_t gone = random() % there.size();
       tree.remove(there[gone].first);
