@@ -16,7 +16,6 @@ constexpr std::array<Words, work_stages> words = {{
     {"read", "reading", ""},
     {"check", "checking the surface", ""},
     {"spacing", "building the spacing", ""},
-    {"remeshing", "remeshing the surface", ""},
     {"cut", "cutting", "planes"},
     {"graph", "graph of sub-domains", "sub-domains"},
     {"join", "joining", "groups"},
@@ -37,6 +36,7 @@ constexpr std::array<Words, work_stages> words = {{
     {"adapt", "adapting", ""},
     {"transfer", "bringing the solution along", ""},
     {"cycles", "collecting", "cycles"},
+    {"remeshing", "remeshing the surface", ""},
     {"assemble", "assembling", "sub-domains"},
 }};
 

@@ -17,7 +17,6 @@ enum class WorkStage : std::uint8_t {
   read,
   check,
   spacing,
-  remeshing,
   cut,
   graph,
   join,
@@ -38,6 +37,7 @@ enum class WorkStage : std::uint8_t {
   adapt,
   transfer,
   cycles,
+  remeshing,
   assemble,
 };
 inline constexpr std::size_t work_stages = static_cast<std::size_t>(WorkStage::assemble) + 1;

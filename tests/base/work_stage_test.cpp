@@ -54,7 +54,6 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "read | reading: 1 of 2\n"
             "check | checking the surface: 1 of 2\n"
             "spacing | building the spacing: 1 of 2\n"
-            "remeshing | remeshing the surface: 1 of 2\n"
             "cut | cutting: 1 of 2 planes\n"
             "graph | graph of sub-domains: 1 of 2 sub-domains\n"
             "join | joining: 1 of 2 groups\n"
@@ -75,6 +74,7 @@ TEST(WorkText, has_its_words_for_each_stage) {
             "adapt | adapting: 1 of 2\n"
             "transfer | bringing the solution along: 1 of 2\n"
             "cycles | collecting: 1 of 2 cycles\n"
+            "remeshing | remeshing the surface: 1 of 2\n"
             "assemble | assembling: 1 of 2 sub-domains\n");
 }
 
