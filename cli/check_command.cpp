@@ -5,6 +5,7 @@
 #include "base/counted.h"
 #include "cli/commands.h"
 #include "cli/defects_file.h"
+#include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/layers_report.h"
 #include "json/json_line.h"
@@ -133,6 +134,11 @@ ExitCode check_command(const CheckOptions& options) {
       std::printf("elements        about %.3g, in %s\n", coming.elements,
                   counted(static_cast<std::uint64_t>(coming.subdomains), "sub-domain").c_str());
     }
+  }
+  if (!is_sound) {
+    const HealedSurface healed = heal_surface(surface, region_rules_of(input.job), {});
+    json["healing"] = healing_json(healed);
+    if (!options.json) print_prospect_of_healing(healed, input.path);
   }
   if (options.json) std::printf("%s\n", json_line(json).c_str());
   require_no_defects(surface, checked.report, input, options.defects_file);

@@ -381,6 +381,19 @@ class Parser {
                    "Growth of the edge length for each unit of length (default 0.3)")
         ->check(positive_number())
         ->option_text("G");
+    sub.add_flag(
+        "--heal", surface_.heal,
+        "Mend the surface first: cracks, small holes, triangles that are flat, double or in "
+        "each other's way");
+    sub.add_flag("--heal-only", surface_.heal_only, "Mend it, and keep all other triangles");
+    sub.add_option("--heal-tolerance", surface_.heal_tolerance,
+                   "Cracks up to this width are closed (default: a millionth of the diagonal)")
+        ->check(positive_number())
+        ->option_text("T");
+    sub.add_option("--largest-hole", surface_.largest_hole,
+                   "Fill holes with a border up to this length (default: a tenth of the diagonal)")
+        ->check(positive_number())
+        ->option_text("L");
     sub.add_option("--defects", surface_.defects_file,
                    "Where the triangles of a bad surface go (default NAME.defects.vtp)")
         ->option_text("FILE");

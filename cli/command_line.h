@@ -126,6 +126,10 @@ struct SurfaceCommand {
   double angle = 0;
   double tolerance = 0;
   double growth = 0;
+  bool heal = false;          ///< mends it first
+  bool heal_only = false;     ///< and does no more
+  double heal_tolerance = 0;  ///< this and the next: as of HealOptions
+  double largest_hole = 0;
   bool json = false;
 };
 

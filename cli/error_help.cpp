@@ -58,7 +58,8 @@ std::string help_for(const Error& error, std::string_view command) {
     case ExitCode::bad_geometry:
       if (command == "check") return "repair the input there";
       if (!is_one_of(command, of_jobs) && command != "wait") return "";
-      return "repair the input there; `tetfarm check` shows every defect of the surface";
+      return "repair the input there; `tetfarm check` shows every defect of the surface, "
+             "and what healing would mend";
     case ExitCode::not_found:
       return help_for_what_is_missing(error, command);
     case ExitCode::out_of_resources:

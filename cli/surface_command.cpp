@@ -1,15 +1,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/angle_text.h"
 #include "cli/commands.h"
 #include "cli/defects_file.h"
+#include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/place_text.h"
 #include "json/json_line.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
+#include "mesh/healing/write_acts_vtp.h"
 #include "mesh/inspect/surface_check.h"
 #include "mesh/remeshing/remeshing_figures.h"
 #include "worker/checked_input.h"
@@ -17,6 +20,8 @@
 
 namespace tetfarm {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// The command's words win over the job file's.
 JobRemeshing remeshing_of(const SurfaceCommand& command, const JobFile& job) {
@@ -39,7 +44,8 @@ JobInput input_of(const SurfaceCommand& command) {
 
 /// @throws UsageError when the result would replace its input.
 std::string output_of(const SurfaceCommand& command, const JobInput& input) {
-  std::string output = command.output.empty() ? input.job.name + ".remeshed.stl" : command.output;
+  const char* ending = command.heal_only ? ".healed.stl" : ".remeshed.stl";
+  std::string output = command.output.empty() ? input.job.name + ending : command.output;
   std::error_code none;
   if (std::filesystem::equivalent(output, input.path, none)) {
     throw UsageError("would overwrite the surface that it is made from: give another -o", output);
@@ -71,7 +77,7 @@ void print_figures(const RemeshingFigures& f, const std::string& output) {
   std::printf("%s\n", output.c_str());
 }
 
-nlohmann::ordered_json figures_json(const RemeshingFigures& f, const std::string& output) {
+Json figures_json(const RemeshingFigures& f, const std::string& output) {
   return {{"type", "surface"},
           {"file", output},
           {"triangles_before", f.triangles_before},
@@ -96,23 +102,67 @@ nlohmann::ordered_json figures_json(const RemeshingFigures& f, const std::string
           {"volume", f.volume}};
 }
 
+/// Beside the output: what was changed, to look at.
+std::string acts_file(const JobInput& input, const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  return (folder / (input.job.name + ".healed.vtp")).string();
+}
+
+/// @throws Error (bad_geometry) when not all of it could be mended.
+HealedSurface mended(const SurfaceCommand& command, const JobInput& input,
+                     const SurfaceMesh& surface, const std::string& output) {
+  HealedSurface healed = heal_surface(surface, region_rules_of(input.job),
+                                      {command.heal_tolerance, command.largest_hole});
+  if (!healed.acts.empty()) write_acts_vtp(healed.acts, acts_file(input, output));
+  if (!command.json) {
+    print_healing(healed);
+    if (!healed.acts.empty()) std::printf("%-16ssee %s\n", "", acts_file(input, output).c_str());
+  }
+  require_no_defects(healed.surface, healed.checked.report, input, command.defects_file);
+  return healed;
+}
+
+void tell_programs(const SurfaceCommand& command, const Json& json) {
+  if (command.json) std::printf("%s\n", json_line(json).c_str());
+}
+
+/// What was mended is written as it is, the rest as it was.
+ExitCode write_mended(const SurfaceCommand& command, const HealedSurface& healed,
+                      const SurfaceMesh& surface, const std::string& output) {
+  const SurfaceMesh& made = healed.checked.surface;
+  write_surface(made, output);
+  if (!command.json) {
+    std::printf("triangles       %zu, before %zu\n%s\n", made.triangles.size(),
+                surface.triangles.size(), output.c_str());
+  }
+  tell_programs(command, {{"type", "surface"},
+                          {"file", output},
+                          {"triangles_before", surface.triangles.size()},
+                          {"triangles", made.triangles.size()},
+                          {"healing", healing_json(healed)}});
+  return ExitCode::ok;
+}
+
 }  // namespace
 
 ExitCode surface_command(const SurfaceCommand& command) {
   const JobInput input = input_of(command);
   const std::string output = output_of(command, input);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
-  const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
+  std::optional<HealedSurface> healed;
+  if (command.heal || command.heal_only) healed = mended(command, input, surface, output);
+  if (command.heal_only) return write_mended(command, *healed, surface, output);
+  const CheckedSurface checked =
+      healed ? healed->checked : check_surface(surface, region_rules_of(input.job));
   require_no_defects(surface, checked.report, input, command.defects_file);
   const JobRemeshed remeshed = remesh_for_job(input.job, checked.surface);
   write_surface(remeshed.made.surface, output);
   const RemeshingFigures figures =
       remeshing_figures(checked.surface, remeshed.made, remeshed.spacing);
-  if (command.json) {
-    std::printf("%s\n", json_line(figures_json(figures, output)).c_str());
-  } else {
-    print_figures(figures, output);
-  }
+  if (!command.json) print_figures(figures, output);
+  Json json = figures_json(figures, output);
+  if (healed) json["healing"] = healing_json(*healed);
+  tell_programs(command, json);
   return ExitCode::ok;
 }
 

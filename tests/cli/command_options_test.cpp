@@ -210,10 +210,17 @@ TEST_F(CommandOptions, of_remeshing) {
   EXPECT_EQ(least.output, "");
   EXPECT_EQ(least.angle, 0);
   EXPECT_EQ(least.size + least.min_size + least.tolerance + least.growth, 0);
+  EXPECT_EQ(least.heal_tolerance + least.largest_hole, 0);
+  EXPECT_FALSE(least.heal || least.heal_only);
   EXPECT_FALSE(least.json);
-  const auto all = parsed_as<SurfaceCommand>({"surface", "a.toml", "-o", "b.off", "--size", "2",
-                                              "--min-size", "0.5", "--angle", "40", "--tolerance",
-                                              "0.125", "--growth", "0.25", "--json"});
+  const auto all = parsed_as<SurfaceCommand>(
+      {"surface", "a.toml",           "-o",  "b.off",          "--size", "2",        "--min-size",
+       "0.5",     "--angle",          "40",  "--tolerance",    "0.125",  "--growth", "0.25",
+       "--heal",  "--heal-tolerance", "0.5", "--largest-hole", "3",      "--json"});
+  EXPECT_TRUE(all.heal);
+  EXPECT_EQ(all.heal_tolerance, 0.5);
+  EXPECT_EQ(all.largest_hole, 3);
+  EXPECT_TRUE(parsed_as<SurfaceCommand>({"surface", "a.stl", "--heal-only"}).heal_only);
   EXPECT_EQ(all.output, "b.off");
   EXPECT_EQ(all.size, 2);
   EXPECT_EQ(all.min_size, 0.5);

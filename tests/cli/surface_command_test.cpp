@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
+#include "mesh/inspect/surface_check.h"
 #include "tests/base/temp_folder.h"
 #include "tests/cli/said.h"
 #include "tests/support/remeshing_judge.h"
@@ -116,6 +117,80 @@ TEST_F(SurfaceRemeshed, is_not_made_with_sizes_that_contradict_each_other) {
   command.min_size = 0.2;
   EXPECT_THAT([&] { surface_command(command); },
               ::testing::ThrowsMessage<UsageError>(HasSubstr("--min-size: is larger than --size")));
+}
+
+class SurfaceHealed : public SurfaceRemeshed {
+ protected:
+  /// A box with a triangle twice, and one missing.
+  std::string broken() const {
+    SurfaceMesh box = shapes::box({0, 0, 0}, {1, 1, 1}, 8);
+    box.triangles.push_back(box.triangles[40]);
+    box.triangles.erase(box.triangles.begin() + 9);
+    box.patch_of_triangle.clear();
+    box.patch_names.clear();
+    write_surface(box, path("broken.off"));
+    return path("broken.off");
+  }
+};
+
+TEST_F(SurfaceHealed, is_written_with_all_else_as_it_was_and_its_changes_beside) {
+  SurfaceCommand command;
+  command.input = broken();
+  command.output = path("sound.off");
+  command.heal_only = true;
+  command.largest_hole = 1;
+  const Said said = remeshed(command);
+  ASSERT_EQ(said.code, ExitCode::ok) << said.error;
+  EXPECT_THAT(said.out, HasSubstr("healed          1 duplicate triangle removed: ("));
+  EXPECT_THAT(said.out, HasSubstr("\n                1 hole filled: ("));
+  EXPECT_THAT(said.out, HasSubstr("see " + path("broken.healed.vtp")));
+  EXPECT_THAT(said.out, HasSubstr("triangles       768, before 768\n"));
+  const SurfaceMesh sound = read_surface(command.output);
+  EXPECT_TRUE(check_surface(sound).report.defects.empty());
+  EXPECT_EQ(sound.triangles.size(), 768U);
+  EXPECT_THAT(read_file(path("broken.healed.vtp")), HasSubstr("PolyData"));
+}
+
+TEST_F(SurfaceHealed, is_remeshed_where_that_is_not_all) {
+  SurfaceCommand command;
+  command.input = broken();
+  command.output = path("even.off");
+  command.heal = true;
+  command.largest_hole = 1;
+  command.size = 0.25;
+  command.json = true;
+  const auto told = nlohmann::json::parse(remeshed(command).out);
+  EXPECT_EQ(told["healing"]["mends_all"], true);
+  EXPECT_EQ(told["healing"]["acts"].size(), 2U);
+  EXPECT_EQ(told["healing"]["acts"][0]["kind"], "duplicate triangle");
+  EXPECT_EQ(told["healing"]["acts"][1]["count"], 1);
+  EXPECT_LT(told["triangles"], 700);
+  EXPECT_TRUE(check_surface(read_surface(command.output)).report.defects.empty());
+}
+
+TEST_F(SurfaceHealed, is_refused_where_not_all_could_be_mended_or_nobody_asked) {
+  SurfaceCommand command;
+  command.input = broken();
+  command.output = path("sound.off");
+  command.heal_only = true;
+  command.largest_hole = 0.01;
+  command.defects_file = path("left.vtp");
+  const Said said = remeshed(command);
+  EXPECT_EQ(said.code, ExitCode::bad_geometry);
+  EXPECT_THAT(said.error, HasSubstr("open edge"));
+  EXPECT_EQ(said.error.find("duplicate"), std::string::npos) << "that was mended";
+  EXPECT_FALSE(std::filesystem::exists(command.output));
+  command.heal_only = false;
+  EXPECT_THAT(remeshed(command).error, HasSubstr("duplicate"));
+}
+
+TEST_F(SurfaceHealed, of_a_sound_one_is_told_to_be_sound) {
+  SurfaceCommand command;
+  command.input = cube();
+  command.output = path("same.off");
+  command.heal_only = true;
+  EXPECT_THAT(remeshed(command).out, HasSubstr("healed          nothing: the surface is sound\n"));
+  EXPECT_EQ(read_surface(command.output).triangles, shapes::unit_cube().triangles);
 }
 
 }  // namespace
