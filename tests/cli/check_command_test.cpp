@@ -173,9 +173,9 @@ TEST_F(Checked, a_bad_surface_is_told_what_healing_would_do) {
   EXPECT_EQ(told["healing"]["acts"][0]["count"], 1);
   const json open = json::parse(check(write("open.off", open_off), true).out);
   EXPECT_EQ(open["healing"]["mends_all"], false);
-  EXPECT_EQ(open["healing"]["left"], json({"open edge"}));
+  EXPECT_EQ(open["healing"]["left"], json({"too few triangles", "open edge"}));
   EXPECT_THAT(check(write("open.off", open_off)).out,
-              HasSubstr("healing         would leave: open edge\n"));
+              HasSubstr("healing         would leave: too few triangles, open edge\n"));
 }
 
 }  // namespace
