@@ -7,8 +7,9 @@
 
 namespace tetfarm {
 
-/// Of triangles with the same three vertices one stays, or none where the others on their edges are
-/// closed without it: a fold that lies on itself. The number of triangles that went.
+/// Of triangles with the same three vertices one stays, or none where the others on their edges,
+/// each counted once, are closed without it: a fold that lies on itself. The number of triangles
+/// that went.
 /// Cost: O(n log n).
 std::int64_t remove_equal_triangles(HealingWork& work);
 

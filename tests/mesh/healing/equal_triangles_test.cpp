@@ -36,6 +36,17 @@ TEST(EqualTriangles, two_that_close_nothing_both_go) {
   EXPECT_EQ(box.acts[0].kind, HealKind::fold);
 }
 
+TEST(EqualTriangles, of_a_surface_with_two_sides_one_stays) {
+  test::Damaged box(shapes::box({0, 0, 0}, {1, 1, 1}, 2));
+  const std::vector<Triangle> before = box.surface.triangles;
+  for (std::size_t t = 0; t < before.size(); ++t) {
+    test::add_copy(box.surface, t, {before[t][1], before[t][0], before[t][2]});
+  }
+  EXPECT_EQ(remove_equal_triangles(box.work), static_cast<std::int64_t>(before.size()));
+  EXPECT_EQ(box.surface.triangles, before);
+  EXPECT_EQ(box.acts.at(0).kind, HealKind::duplicate);
+}
+
 TEST(EqualTriangles, others_stay) {
   test::Damaged box(shapes::box({0, 0, 0}, {1, 1, 1}, 2));
   EXPECT_EQ(remove_equal_triangles(box.work), 0);
