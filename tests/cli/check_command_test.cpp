@@ -164,17 +164,17 @@ TEST_F(Checked, something_is_to_be_named) {
 
 TEST_F(Checked, a_bad_surface_is_told_what_healing_would_do) {
   const std::string twice = std::string(tet_off).replace(4, 3, "4 5") + "3 0 2 1\n";
-  const Said said = check(write("twice.off", twice));
+  const Said said = check(write("twice.off", twice), false, folder_.path());
   EXPECT_EQ(said.code, ExitCode::bad_geometry);
   EXPECT_THAT(said.out, HasSubstr("healing         would mend it: tetfarm surface "));
   EXPECT_THAT(said.out, HasSubstr("1 duplicate triangle removed"));
-  const json told = json::parse(check(write("twice.off", twice), true).out);
+  const json told = json::parse(check(write("twice.off", twice), true, folder_.path()).out);
   EXPECT_EQ(told["healing"]["mends_all"], true);
   EXPECT_EQ(told["healing"]["acts"][0]["count"], 1);
-  const json open = json::parse(check(write("open.off", open_off), true).out);
+  const json open = json::parse(check(write("open.off", open_off), true, folder_.path()).out);
   EXPECT_EQ(open["healing"]["mends_all"], false);
   EXPECT_EQ(open["healing"]["left"], json({"too few triangles", "open edge"}));
-  EXPECT_THAT(check(write("open.off", open_off)).out,
+  EXPECT_THAT(check(write("open.off", open_off), false, folder_.path()).out,
               HasSubstr("healing         would leave: too few triangles, open edge\n"));
 }
 
