@@ -374,7 +374,7 @@ class Parser {
         ->check(number_between(1, 179))
         ->option_text("A");
     sub.add_option("--tolerance", surface_.tolerance,
-                   "Farthest from the input (default 1/1000 of the diagonal)")
+                   "Farthest from the input (default 1/1000 of the diagonal, less on small faces)")
         ->check(positive_number())
         ->option_text("T");
     sub.add_option("--growth", surface_.growth,

@@ -8,6 +8,7 @@
 
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/surface_edges.h"
+#include "mesh/remeshing/local_tolerance.h"
 #include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {
@@ -23,9 +24,8 @@ const Vec3& vertex_at(const SurfaceMesh& surface, std::int32_t v) {
   return surface.vertices[static_cast<std::size_t>(v)];
 }
 
-double wanted_on_radius(double radius, const RemeshOptions& options) {
-  const double wanted =
-      std::min(std::sqrt(8 * radius * options.tolerance), longest_of_radius * radius);
+double wanted_on_radius(double radius, double tolerance, const RemeshOptions& options) {
+  const double wanted = std::min(std::sqrt(8 * radius * tolerance), longest_of_radius * radius);
   return std::max(wanted, options.min_size);
 }
 
@@ -44,7 +44,7 @@ std::optional<BentTriangle> over_edge(const SurfaceMesh& surface, const EdgeUse&
 }
 
 /// The spacing wanted across an edge inside a face; as large as one likes where it is flat.
-double wanted_over_edge(const SurfaceMesh& surface, std::span<const EdgeUse> edge,
+double wanted_over_edge(const SurfaceMesh& surface, std::span<const EdgeUse> edge, double tolerance,
                         const RemeshOptions& options) {
   const std::optional<BentTriangle> a = over_edge(surface, edge[0]);
   const std::optional<BentTriangle> b = over_edge(surface, edge[1]);
@@ -52,7 +52,7 @@ double wanted_over_edge(const SurfaceMesh& surface, std::span<const EdgeUse> edg
   // Twice the sine of half the angle, for the angle.
   const double angle = norm(a->normal - b->normal);
   if (angle == 0) return HUGE_VAL;
-  return wanted_on_radius(std::min(a->height, b->height) / angle, options);
+  return wanted_on_radius(std::min(a->height, b->height) / angle, tolerance, options);
 }
 
 void add_along(const Vec3& from, const Vec3& to, double wanted, std::vector<PointDemand>& demands) {
@@ -67,16 +67,26 @@ void add_along(const Vec3& from, const Vec3& to, double wanted, std::vector<Poin
 
 /// At a vertex between two edges of a curve.
 double wanted_on_curve(const SurfaceMesh& surface, std::size_t v,
-                       const std::array<std::int32_t, 2>& ends, const RemeshOptions& options) {
+                       const std::array<std::int32_t, 2>& ends, double tolerance,
+                       const RemeshOptions& options) {
   const Vec3 in = surface.vertices[v] - vertex_at(surface, ends[0]);
   const Vec3 out = vertex_at(surface, ends[1]) - surface.vertices[v];
   const double angle = norm(normalized(in) - normalized(out));
   if (angle == 0) return HUGE_VAL;
-  return wanted_on_radius(std::min(norm(in), norm(out)) / angle, options);
+  return wanted_on_radius(std::min(norm(in), norm(out)) / angle, tolerance, options);
 }
 
 void add_curves(const SurfaceMesh& surface, const SurfaceFeatures& features,
-                const RemeshOptions& options, std::vector<PointDemand>& demands) {
+                const std::vector<double>& shares, const RemeshOptions& options,
+                std::vector<PointDemand>& demands) {
+  // Of the face that has most.
+  std::vector<double> share_at(surface.vertices.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const std::int32_t v : surface.triangles[t]) {
+      double& share = share_at[static_cast<std::size_t>(v)];
+      share = std::max(share, shares[t]);
+    }
+  }
   std::vector<std::array<std::int32_t, 2>> ends(surface.vertices.size(), {-1, -1});
   for (const std::array<std::int32_t, 2>& edge : features.edges) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -86,7 +96,8 @@ void add_curves(const SurfaceMesh& surface, const SurfaceFeatures& features,
   }
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     if (features.kind[v] != VertexKind::on_curve) continue;
-    const double wanted = wanted_on_curve(surface, v, ends[v], options);
+    const double wanted =
+        wanted_on_curve(surface, v, ends[v], share_at[v] * options.tolerance, options);
     if (wanted < options.size) demands.push_back({surface.vertices[v], wanted, wanted});
   }
 }
@@ -98,12 +109,14 @@ std::vector<PointDemand> curvature_demands(const SurfaceMesh& surface,
                                            const RemeshOptions& options) {
   const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
   std::vector<PointDemand> demands;
-  add_curves(surface, features, options, demands);
+  const std::vector<double> shares = shares_of_tolerance(surface, features, options);
+  add_curves(surface, features, shares, options, demands);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() != 2) return;
     const std::array<std::int32_t, 2> ends{edge[0].low, edge[0].high};
     if (std::ranges::binary_search(features.edges, ends)) return;
-    const double wanted = wanted_over_edge(surface, edge, options);
+    const double tolerance = shares[static_cast<std::size_t>(edge[0].triangle)] * options.tolerance;
+    const double wanted = wanted_over_edge(surface, edge, tolerance, options);
     if (wanted < options.size) {
       add_along(vertex_at(surface, ends[0]), vertex_at(surface, ends[1]), wanted, demands);
     }

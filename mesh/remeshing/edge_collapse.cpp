@@ -98,11 +98,13 @@ bool curve_allows(const RemeshingWork& work, std::int32_t gone, std::int32_t kep
   const std::int32_t before = ends[0] == kept ? ends[1] : ends[0];
   const Vec3& from = surface.at(before);
   const Vec3& to = surface.at(kept);
-  if (distance(nearest_on_segment(surface.at(gone), from, to), surface.at(gone)) > work.tolerance)
-    return false;
   const SurfaceVertex& vertex = surface.vertex(gone);
+  const double tolerance = tolerance_at(work, vertex);
+  if (distance(nearest_on_segment(surface.at(gone), from, to), surface.at(gone)) > tolerance) {
+    return false;
+  }
   for (const double share : {0.25, 0.5, 0.75}) {
-    if (!work.shape.on_curve(vertex.home, from + share * (to - from), work.tolerance, vertex.foot))
+    if (!work.shape.on_curve(vertex.home, from + share * (to - from), tolerance, vertex.foot))
       return false;
   }
   return true;
@@ -110,9 +112,10 @@ bool curve_allows(const RemeshingWork& work, std::int32_t gone, std::int32_t kep
 
 bool leaves_near(const RemeshingWork& work, std::int32_t gone) {
   const Vec3& at = work.surface.at(gone);
+  const double tolerance = tolerance_at(work, work.surface.vertex(gone));
   return std::ranges::any_of(work.replacement.made, [&](const FaceTriangle& t) {
     const TrianglePoints c = work.surface.points(t.nodes);
-    return distance2_to_triangle(at, c[0], c[1], c[2]) <= work.tolerance * work.tolerance;
+    return distance2_to_triangle(at, c[0], c[1], c[2]) <= tolerance * tolerance;
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/triangle_distance.h"
@@ -53,6 +54,24 @@ std::vector<std::optional<Vec3>> planes_of(const SurfaceMesh& surface,
   return planes;
 }
 
+std::vector<double> shares_of_edges(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                                    const std::vector<double>& shares) {
+  std::vector<double> of_edges(features.edges.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Triangle& nodes = surface.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t a = nodes[k];
+      const std::int32_t b = nodes[(k + 1) % 3];
+      const std::array<std::int32_t, 2> edge{std::min(a, b), std::max(a, b)};
+      const auto found = std::ranges::lower_bound(features.edges, edge);
+      if (found == features.edges.end() || *found != edge) continue;
+      double& share = of_edges[static_cast<std::size_t>(found - features.edges.begin())];
+      share = std::max(share, shares[t]);
+    }
+  }
+  return of_edges;
+}
+
 std::vector<Box3> edge_boxes(const SurfaceMesh& surface, const SurfaceFeatures& features) {
   std::vector<Box3> boxes;
   boxes.reserve(features.edges.size());
@@ -79,8 +98,13 @@ BoxForest::Nearest nearest_after(std::int32_t guess, const BoxForest& forest, st
 
 }  // namespace
 
-InputShape::InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features)
-    : surface_(surface), features_(features), curves_(feature_curves(features)) {
+InputShape::InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                       std::vector<double> shares)
+    : surface_(surface),
+      features_(features),
+      curves_(feature_curves(features)),
+      shares_(std::move(shares)),
+      edge_shares_(shares_of_edges(surface, features, shares_)) {
   normals_.reserve(surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     normals_.push_back(sure_normal(corners_of(surface, t), least_height_share));
@@ -118,7 +142,9 @@ std::int32_t InputShape::near_on_face(std::int32_t face, const Vec3& p, const Ve
       return std::numeric_limits<double>::infinity();
     }
     const TrianglePoints c = corners_of(surface_, static_cast<std::size_t>(t));
-    return distance2_to_triangle(p, c[0], c[1], c[2]);
+    const double d2 = distance2_to_triangle(p, c[0], c[1], c[2]);
+    const double own_limit = share_at(t) * limit;
+    return d2 < own_limit * own_limit ? d2 : std::numeric_limits<double>::infinity();
   };
   const double limit2 = limit * limit;
   const bool is_of_face = guess >= 0 && features_.face[static_cast<std::size_t>(guess)] == face;

@@ -25,15 +25,17 @@ struct InputFoot {
 
 class InputShape {
  public:
-  /// @pre both outlive this. Cost: O(n log n), some 150 bytes a triangle.
-  InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features);
+  /// @param shares of the tolerance, of each triangle (shares_of_tolerance). @pre surface and
+  /// features outlive this. Cost: O(n log n), some 160 bytes a triangle.
+  InputShape(const SurfaceMesh& surface, const SurfaceFeatures& features,
+             std::vector<double> shares);
 
   /// The nearest point of the face's triangles whose normals do not turn away from `normal`, when
   /// it is nearer than `limit`. `guess`: a triangle likely to be near, or -1.
   std::optional<InputFoot> on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
                                    double limit, std::int32_t guess) const;
-  /// A triangle of the face that is nearer to p than `limit` and whose normal, unless it has no
-  /// sure direction, has at least this cosine with `normal`; -1: none.
+  /// A triangle of the face that is nearer to p than its share of `limit` and whose normal, unless
+  /// it has no sure direction, has at least this cosine with `normal`; -1: none.
   std::int32_t near_on_face(std::int32_t face, const Vec3& p, const Vec3& normal,
                             double least_cosine, double limit, std::int32_t guess) const;
   /// The nearest point of the curve, when it is nearer than `limit`.
@@ -46,6 +48,15 @@ class InputShape {
   }
   std::int32_t curve_of_vertex(std::int32_t v) const {
     return curves_.curve_of_vertex[static_cast<std::size_t>(v)];
+  }
+
+  /// How much of the tolerance there is at a triangle, and at a feature edge, where that of the
+  /// triangle counts that has most.
+  double share_at(std::int32_t triangle) const {
+    return shares_[static_cast<std::size_t>(triangle)];
+  }
+  double share_at_edge(std::int32_t edge) const {
+    return edge_shares_[static_cast<std::size_t>(edge)];
   }
 
   /// Of unit length; zero where it has no sure direction, as the triangle is a needle.
@@ -66,6 +77,8 @@ class InputShape {
   const SurfaceFeatures& features_;
   FeatureCurves curves_;
   std::vector<Vec3> normals_;
+  std::vector<double> shares_;
+  std::vector<double> edge_shares_;
   std::vector<std::optional<Vec3>> planes_;
   BoxForest triangles_;  ///< grouped by face
   BoxForest edges_;      ///< grouped by curve

@@ -15,6 +15,7 @@
 #include "mesh/remeshing/edge_length.h"
 #include "mesh/remeshing/edge_split.h"
 #include "mesh/remeshing/input_shape.h"
+#include "mesh/remeshing/local_tolerance.h"
 #include "mesh/remeshing/surface_to_remesh.h"
 #include "mesh/remeshing/tangential_smoothing.h"
 
@@ -145,14 +146,15 @@ bool has_crossings(const SurfaceMesh& surface) {
 /// Near as each change is to the input, many may carry the surface away from one of its vertices.
 /// Those farther than the tolerance become corners. The number of them.
 std::int64_t keep_vertices_left_behind(const SurfaceMesh& surface, const SurfaceMesh& result,
-                                       double tolerance, SurfaceFeatures& features) {
+                                       const std::vector<double>& tolerance,
+                                       SurfaceFeatures& features) {
   const BoxForest forest(triangle_boxes(result.vertices, result.triangles),
                          std::vector<std::int32_t>(result.triangles.size(), 0), 1);
   std::int64_t count = 0;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     const Vec3& p = surface.vertices[v];
     const BoxForest::Nearest found =
-        forest.nearest(0, p, tolerance * tolerance, [&](std::int32_t t) {
+        forest.nearest(0, p, tolerance[v] * tolerance[v], [&](std::int32_t t) {
           const TrianglePoints c =
               triangle_points(result.vertices, result.triangles[static_cast<std::size_t>(t)]);
           return distance2_to_triangle(p, c[0], c[1], c[2]);
@@ -164,9 +166,24 @@ std::int64_t keep_vertices_left_behind(const SurfaceMesh& surface, const Surface
   return count;
 }
 
+/// Of each vertex: that of the triangle round it where it is largest.
+std::vector<double> tolerances_at_vertices(const SurfaceMesh& surface,
+                                           const SurfaceFeatures& features,
+                                           const RemeshOptions& options) {
+  const std::vector<double> shares = shares_of_tolerance(surface, features, options);
+  std::vector<double> at_vertices(surface.vertices.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const std::int32_t v : surface.triangles[t]) {
+      double& here = at_vertices[static_cast<std::size_t>(v)];
+      here = std::max(here, shares[t] * options.tolerance);
+    }
+  }
+  return at_vertices;
+}
+
 RemeshedSurface sound_surface(const SurfaceMesh& surface, const SurfaceFeatures& features,
                               const RemeshingSpacing& spacing, const RemeshOptions& options) {
-  const InputShape shape(surface, features);
+  const InputShape shape(surface, features, shares_of_tolerance(surface, features, options));
   RemeshedSurface result = remeshed(surface, features, shape, spacing, options, false);
   if (has_crossings(result.surface)) {
     result = remeshed(surface, features, shape, spacing, options, true);
@@ -180,9 +197,10 @@ RemeshedSurface sound_surface(const SurfaceMesh& surface, const SurfaceFeatures&
 RemeshedSurface remesh(const SurfaceMesh& surface, const SurfaceFeatures& features,
                        const RemeshingSpacing& spacing, const RemeshOptions& options) {
   SurfaceFeatures kept = features;
+  const std::vector<double> tolerances = tolerances_at_vertices(surface, features, options);
   RemeshedSurface result = sound_surface(surface, kept, spacing, options);
   for (int round = 0; round < most_rounds; ++round) {
-    if (keep_vertices_left_behind(surface, result.surface, options.tolerance, kept) == 0) break;
+    if (keep_vertices_left_behind(surface, result.surface, tolerances, kept) == 0) break;
     result = sound_surface(surface, kept, spacing, options);
   }
   return result;

@@ -38,7 +38,10 @@ RemeshOptions with_defaults(RemeshOptions options, const SurfaceMesh& surface) {
   if (options.min_size > options.size) {
     throw UsageError("is larger than --size", "--min-size");
   }
-  if (options.tolerance == 0) options.tolerance = tolerance_share * diagonal;
+  if (options.tolerance == 0) {
+    options.tolerance = tolerance_share * diagonal;
+    options.has_local_tolerance = true;
+  }
   check_sources(options.sources);
   return options;
 }

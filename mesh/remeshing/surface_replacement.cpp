@@ -29,6 +29,11 @@ constexpr double alone_cosine = -0.3;
 
 constexpr double sqrt_3 = 1.7320508075688772;
 
+/// @param input of a triangle of the input; zero where it has no sure direction.
+bool turns_away(const Vec3& input, const Vec3& normal) {
+  return norm2(input) > 0 && dot(input, normal) < curved_cosine;
+}
+
 bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_t hub) {
   const TrianglePoints c = work.surface.points(t.nodes);
   const Vec3 normal = normalized(doubled_area(c));
@@ -38,7 +43,11 @@ bool lies_on_input(const RemeshingWork& work, const FaceTriangle& t, std::int32_
   std::int32_t guess = -1;
   for (const std::int32_t v : t.nodes) {
     const SurfaceVertex& vertex = work.surface.vertex(v);
-    if (vertex.kind == VertexKind::smooth) guess = vertex.foot;
+    if (vertex.kind != VertexKind::smooth) continue;
+    guess = vertex.foot;
+    // Where walls are near each other, what lies under a triangle that is folded over may be the
+    // other wall, which looks the same way.
+    if (guess >= 0 && turns_away(work.shape.normal(guess), normal)) return false;
   }
   const std::int32_t below = work.shape.near_on_face(t.face, (c[0] + c[1] + c[2]) / 3.0, normal,
                                                      curved_cosine, work.tolerance, guess);
@@ -143,6 +152,13 @@ bool is_alone(RemeshingWork& work, std::int32_t hub, const Box3& box, const Vec3
 }
 
 }  // namespace
+
+double tolerance_at(const RemeshingWork& work, const SurfaceVertex& vertex) {
+  if (vertex.foot < 0) return work.tolerance;
+  return work.tolerance * (vertex.kind == VertexKind::on_curve
+                               ? work.shape.share_at_edge(vertex.foot)
+                               : work.shape.share_at(vertex.foot));
+}
 
 double triangle_shape(const TrianglePoints& t) {
   const Vec3 u = t[1] - t[0];

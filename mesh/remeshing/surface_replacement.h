@@ -44,6 +44,9 @@ struct RemeshingWork {
   std::vector<std::int32_t> near = {};
 };
 
+/// The tolerance where a vertex that is no corner lies.
+double tolerance_at(const RemeshingWork& work, const SurfaceVertex& vertex);
+
 /// 4 sqrt(3) area / (sum of squared edges): 1 of an equilateral triangle, 0 of one without area.
 double triangle_shape(const TrianglePoints& t);
 /// The least of the triangles; 1 of none.

@@ -35,6 +35,12 @@ ChangingSurface surface_to_remesh(const SurfaceMesh& surface, const SurfaceFeatu
     vertex.spacing = spacing.at(surface.vertices[v]);
     changing.add_vertex(surface.vertices[v], vertex);
   }
+  for (std::size_t e = 0; e < features.edges.size(); ++e) {
+    for (const std::int32_t v : features.edges[e]) {
+      SurfaceVertex& vertex = changing.vertex(v);
+      if (vertex.kind == VertexKind::on_curve) vertex.foot = static_cast<std::int32_t>(e);
+    }
+  }
   TF_CHECK(features.face.size() == surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& nodes = surface.triangles[t];

@@ -54,9 +54,10 @@ std::optional<InputFoot> foot_for(const RemeshingWork& work, std::int32_t v) {
 bool curve_allows_move(const RemeshingWork& work, std::int32_t v) {
   const SurfaceVertex& vertex = work.surface.vertex(v);
   const Vec3& to = work.surface.at(v);
+  const double tolerance = tolerance_at(work, vertex);
   return std::ranges::all_of(work.surface.feature_neighbours(v), [&](std::int32_t end) {
     return work.shape
-        .on_curve(vertex.home, 0.5 * (work.surface.at(end) + to), work.tolerance, vertex.foot)
+        .on_curve(vertex.home, 0.5 * (work.surface.at(end) + to), tolerance, vertex.foot)
         .has_value();
   });
 }

@@ -2,6 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "mesh/geometry/triangle_intersection.h"
+#include "mesh/inspect/surface_edges.h"
 #include "tests/mesh/remeshing/remesh_outcome.h"
 #include "tests/support/cad_families.h"
 #include "tests/support/shapes.h"
@@ -64,6 +71,41 @@ TEST(Remesh, is_the_same_each_time) {
   const RemeshOutcome second = remesh_outcome(part, coarse_options(part));
   EXPECT_EQ(first.result.surface.vertices, second.result.surface.vertices);
   EXPECT_EQ(first.result.surface.triangles, second.result.surface.triangles);
+}
+
+/// The most that the normals of two triangles differ by, as a cosine, over edges that are no
+/// feature.
+double least_cosine_between_neighbours(const RemeshedSurface& result) {
+  const SurfaceMesh& surface = result.surface;
+  const auto normal = [&surface](std::int32_t t) {
+    const TrianglePoints c =
+        triangle_points(surface.vertices, surface.triangles[static_cast<std::size_t>(t)]);
+    return normalized(cross(c[1] - c[0], c[2] - c[0]));
+  };
+  double least = 1;
+  const std::vector<EdgeUse> uses = edge_uses(surface.triangles);
+  for_each_edge(std::span<const EdgeUse>(uses), [&](std::span<const EdgeUse> edge) {
+    const std::array<std::int32_t, 2> ends{edge[0].low, edge[0].high};
+    if (std::ranges::binary_search(result.feature_edges, ends)) return;
+    least = std::min(least, dot(normal(edge[0].triangle), normal(edge[1].triangle)));
+  });
+  return least;
+}
+
+TEST(Remesh, folds_nothing_over_where_walls_are_nearer_than_the_tolerance) {
+  // Like a wing: round at one end, and sharp at the other, where both sides of one face meet.
+  SurfaceMesh wing = shapes::sphere({0, 0, 0}, 1, 3);
+  for (Vec3& v : wing.vertices) {
+    v.z *= 0.01 + 0.49 * std::clamp((0.3 - v.x) / 1.3, 0.0, 1.0);
+    v.x *= 2;
+  }
+  RemeshOptions options;
+  options.size = 0.2;
+  options.min_size = 0.2;
+  options.tolerance = 0.2;
+  const RemeshOutcome even = remesh_outcome(wing, options);
+  EXPECT_THAT(defects_of_remeshed(even.result.surface), ::testing::IsEmpty());
+  EXPECT_GT(least_cosine_between_neighbours(even.result), -0.5) << "-1 is a fold";
 }
 
 }  // namespace

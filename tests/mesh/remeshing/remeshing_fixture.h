@@ -12,7 +12,7 @@ struct SurfaceToChange {
   SurfaceToChange(SurfaceMesh input, double wanted, double tolerance)
       : mesh(std::move(input)),
         features(surface_features(mesh, 30)),
-        shape(mesh, features),
+        shape(mesh, features, std::vector<double>(mesh.triangles.size(), 1)),
         spacing(wanted),
         surface(surface_to_remesh(mesh, features, shape, spacing)),
         work{surface, shape, spacing, tolerance} {}
