@@ -19,6 +19,9 @@ namespace tetfarm {
 namespace {
 
 constexpr double edges_across = 3;
+/// Triangles do not become as small as every edge between corners, but no larger than this share of
+/// min_size there: towards an edge of nothing there would be no end of them.
+constexpr double least_of_min_size = 1.0 / 16;
 /// Cosine of the angle between normals, 8 degrees, up to which two walls are parallel.
 constexpr double facing_cosine = 0.99;
 /// Cosine of the angle with an edge above which the way from it is not across.
@@ -189,7 +192,7 @@ void add_strips(const SurfaceMesh& surface, const SurfaceFeatures& features,
   }
 }
 
-/// Both ends of such an edge stay.
+/// Both ends of such an edge stay, and so does it.
 void add_edges_between_corners(const SurfaceMesh& surface, const SurfaceFeatures& features,
                                const RemeshOptions& options, std::vector<PointDemand>& demands) {
   for (const std::array<std::int32_t, 2>& edge : features.edges) {
@@ -198,7 +201,8 @@ void add_edges_between_corners(const SurfaceMesh& surface, const SurfaceFeatures
     if (features.kind[a] != VertexKind::corner || features.kind[b] != VertexKind::corner) continue;
     const double length = distance(surface.vertices[a], surface.vertices[b]);
     if (length >= options.size) continue;
-    demands.push_back({0.5 * (surface.vertices[a] + surface.vertices[b]), length, length});
+    const double wanted = std::max(length, least_of_min_size * options.min_size);
+    demands.push_back({0.5 * (surface.vertices[a] + surface.vertices[b]), wanted, length});
   }
 }
 

@@ -22,7 +22,8 @@ class RemeshingSpacing {
   /// @pre the options have been through with_defaults. Cost: O(n log n).
   RemeshingSpacing(std::vector<PointDemand> demands, const RemeshOptions& options);
 
-  /// Never more than size, and less than min_size only near short edges between corners. Cost:
+  /// Never more than size, and less than min_size only near short edges between corners, down to
+  /// a sixteenth of it. Cost:
   /// O(log n) and the sources, about 1 µs.
   double at(const Vec3& point) const;
   /// A lower bound, where `there` is the spacing, of the spacing so far away. Cost: O(1).

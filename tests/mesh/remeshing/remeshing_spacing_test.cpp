@@ -58,6 +58,11 @@ TEST(RemeshingSpacing, resolves_a_short_edge_between_two_corners) {
   EXPECT_NEAR(spacing_of(bar, 0.5, 0.2).at({0, 0, 0.01}), 0.02, 1e-12);
 }
 
+TEST(RemeshingSpacing, has_an_end_towards_an_edge_of_nearly_nothing) {
+  const RemeshingSpacing spacing = spacing_of(shapes::box({0, 0, 0}, {1, 1, 1e-5}, 1), 0.1, 0.01);
+  EXPECT_NEAR(spacing.at({0, 0, 0}), 0.01 / 16, 1e-5);
+}
+
 TEST(RemeshingSpacing, grows_by_no_more_than_the_growth) {
   const SurfaceMesh bar = shapes::box({0, 0, 0}, {1, 1, 0.02}, 1);
   const RemeshingSpacing spacing = spacing_of(bar, 0.5, 0.2);
