@@ -48,13 +48,8 @@ TEST(CrossingReplacement, is_no_farther_off_than_allowed) {
 }
 
 TEST(CrossingReplacement, leaves_bodies_that_go_through_each_other) {
-  SurfaceMesh two = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
-  const SurfaceMesh other = shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1);
-  const auto first = static_cast<std::int32_t>(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    add_triangle(two, {first + t[0], first + t[1], first + t[2]}, 0);
-  }
+  const SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
+                                          shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1));
   test::Damaged crossed(two);
   crossed.work.largest_move = 1e-3;
   EXPECT_EQ(replace_crossings(crossed.work, crossing(two)), 0);

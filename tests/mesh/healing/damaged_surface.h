@@ -26,6 +26,16 @@ inline std::vector<char> all_of(const SurfaceMesh& surface) {
   return std::vector<char>(surface.triangles.size(), 1);
 }
 
+/// Both in one surface, of the first one's patch.
+inline SurfaceMesh with_body(SurfaceMesh surface, const SurfaceMesh& body) {
+  const auto first = static_cast<std::int32_t>(surface.vertices.size());
+  surface.vertices.insert(surface.vertices.end(), body.vertices.begin(), body.vertices.end());
+  for (const Triangle& t : body.triangles) {
+    add_triangle(surface, {first + t[0], first + t[1], first + t[2]}, 0);
+  }
+  return surface;
+}
+
 /// A copy of a triangle with the same patch.
 inline void add_copy(SurfaceMesh& surface, std::size_t t, const Triangle& nodes) {
   add_triangle(surface, nodes, patch_of(surface, t));

@@ -68,13 +68,8 @@ TEST(HealSurface, mends_several_kinds_of_damage_to_parts_and_keeps_their_volume)
 }
 
 TEST(HealSurface, says_what_it_cannot_mend) {
-  SurfaceMesh two = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
-  const SurfaceMesh other = shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1);
-  const auto first = static_cast<std::int32_t>(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    add_triangle(two, {first + t[0], first + t[1], first + t[2]}, 0);
-  }
+  const SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
+                                          shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1));
   const HealedSurface left = healed(two);
   ASSERT_THAT(left.checked.report.defects, SizeIs(1));
   EXPECT_EQ(left.checked.report.defects[0].kind, "self-intersection");

@@ -42,12 +42,7 @@ TEST(HoleFilling, leaves_a_hole_that_something_is_in) {
   const Vec3 middle = (hole[0] + hole[1] + hole[2]) / 3.0;
   const SurfaceMesh pin =
       shapes::box(middle - Vec3{0.01, 0.01, 0.01}, middle + Vec3{0.01, 0.01, 0.01}, 1);
-  const auto first = static_cast<std::int32_t>(box.vertices.size());
-  box.vertices.insert(box.vertices.end(), pin.vertices.begin(), pin.vertices.end());
-  for (const Triangle& t : pin.triangles) {
-    add_triangle(box, {first + t[0], first + t[1], first + t[2]}, 0);
-  }
-  test::Damaged stuck(box);
+  test::Damaged stuck(test::with_body(box, pin));
   EXPECT_EQ(fill_holes(stuck.work), 0);
 }
 

@@ -29,13 +29,8 @@ TEST(VertexWelding, leaves_a_wider_crack) {
 }
 
 TEST(VertexWelding, leaves_closed_sheets_alone_however_near) {
-  SurfaceMesh two = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
-  const SurfaceMesh other = shapes::box({1 + 1e-8, 0, 0}, {2, 1, 1}, 1);
-  const auto first = static_cast<std::int32_t>(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles) {
-    add_triangle(two, {first + t[0], first + t[1], first + t[2]}, 0);
-  }
+  const SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
+                                          shapes::box({1 + 1e-8, 0, 0}, {2, 1, 1}, 1));
   test::Damaged near(two);
   EXPECT_EQ(weld_vertices(near.work, test::all_of(near.surface)), 0);
 }
