@@ -31,9 +31,11 @@ void remove_triangles(SurfaceMesh& surface, const std::vector<char>& is_gone) {
 std::span<const EdgeUse> uses_of_edge(std::span<const EdgeUse> uses, std::int32_t a,
                                       std::int32_t b) {
   const auto edge = std::pair(std::min(a, b), std::max(a, b));
-  const auto found = std::ranges::equal_range(
-      uses, edge, {}, [](const EdgeUse& use) { return std::pair(use.low, use.high); });
-  return uses.subspan(static_cast<std::size_t>(found.begin() - uses.begin()), found.size());
+  const auto edge_of = [](const EdgeUse& use) { return std::pair(use.low, use.high); };
+  const auto first = std::ranges::lower_bound(uses, edge, {}, edge_of);
+  const auto end = std::ranges::upper_bound(uses, edge, {}, edge_of);
+  return uses.subspan(static_cast<std::size_t>(first - uses.begin()),
+                      static_cast<std::size_t>(end - first));
 }
 
 }  // namespace tetfarm
