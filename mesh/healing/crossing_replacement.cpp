@@ -89,8 +89,6 @@ class Replacement {
     for (const std::int32_t t : group_) is_gone_[static_cast<std::size_t>(t)] = 1;
   }
 
-  const std::vector<std::int32_t>& gone() const { return group_; }
-
   std::optional<std::vector<Triangle>> find() const {
     const std::int32_t patch = patch_of(surface_, static_cast<std::size_t>(group_.front()));
     const bool is_one_patch = std::ranges::all_of(group_, [&](std::int32_t t) {
@@ -160,13 +158,9 @@ std::int64_t replace_crossings(HealingWork& work, const std::vector<char>& is_cr
       const Replacement replacement(work, group, uses, near);
       const auto made = replacement.find();
       if (!made) continue;
-      HealAct act{HealKind::crossing,
-                  middle_of(points_of(surface, static_cast<std::size_t>(group.front()))),
-                  {}};
-      for (const Triangle& t : *made) {
-        act.triangles.push_back(triangle_points(surface.vertices, t));
-        add_triangle(surface, t, patch_of(surface, static_cast<std::size_t>(group.front())));
-      }
+      const auto first = static_cast<std::size_t>(group.front());
+      HealAct act{HealKind::crossing, middle_of(points_of(surface, first)), {}};
+      add_triangles(surface, *made, patch_of(surface, first), act);
       for (const std::int32_t t : group) is_gone[static_cast<std::size_t>(t)] = 1;
       work.acts.push_back(std::move(act));
       ++replaced;

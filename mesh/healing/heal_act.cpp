@@ -14,6 +14,14 @@ void add_triangle(SurfaceMesh& surface, const Triangle& nodes, std::int32_t patc
   if (has_patches) surface.patch_of_triangle.push_back(patch);
 }
 
+void add_triangles(SurfaceMesh& surface, std::span<const Triangle> made, std::int32_t patch,
+                   HealAct& act) {
+  for (const Triangle& nodes : made) {
+    act.triangles.push_back(triangle_points(surface.vertices, nodes));
+    add_triangle(surface, nodes, patch);
+  }
+}
+
 void remove_triangles(SurfaceMesh& surface, const std::vector<char>& is_gone) {
   TF_CHECK(is_gone.size() == surface.triangles.size());
   const bool has_patches = !surface.patch_of_triangle.empty();

@@ -44,6 +44,10 @@ struct HealingWork {
 /// Adds a triangle of the patch that another has.
 void add_triangle(SurfaceMesh& surface, const Triangle& nodes, std::int32_t patch);
 
+/// The same of all that an act makes, which then shows them.
+void add_triangles(SurfaceMesh& surface, std::span<const Triangle> made, std::int32_t patch,
+                   HealAct& act);
+
 /// Removes the triangles that are marked; the others keep their order. Cost: O(n).
 void remove_triangles(SurfaceMesh& surface, const std::vector<char>& is_gone);
 

@@ -35,10 +35,7 @@ std::int64_t fill_holes(HealingWork& work) {
     if (!made || near.meet(*made, {})) continue;
     const std::int32_t patch = patch_of(surface, static_cast<std::size_t>(loop.triangle));
     HealAct act{HealKind::hole, vertex_at(surface, loop.vertices.front()), {}};
-    for (const Triangle& t : *made) {
-      act.triangles.push_back(triangle_points(surface.vertices, t));
-      add_triangle(surface, t, patch);
-    }
+    add_triangles(surface, *made, patch, act);
     work.acts.push_back(std::move(act));
     ++filled;
   }

@@ -63,14 +63,15 @@ void divide(HealingWork& work, const EdgeUse& edge, const std::vector<OnEdge>& o
   std::vector<std::int32_t> chain = {edge.low};
   for (const OnEdge& v : on) chain.push_back(v.vertex);
   chain.push_back(edge.high);
-  HealAct act{HealKind::seam, vertex_at(work.surface, on.front().vertex), {}};
+  std::vector<Triangle> parts;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     Triangle part = nodes;
     *std::ranges::find(part, edge.low) = chain[i];
     *std::ranges::find(part, edge.high) = chain[i + 1];
-    act.triangles.push_back(triangle_points(work.surface.vertices, part));
-    add_triangle(work.surface, part, patch);
+    parts.push_back(part);
   }
+  HealAct act{HealKind::seam, vertex_at(work.surface, on.front().vertex), {}};
+  add_triangles(work.surface, parts, patch, act);
   work.acts.push_back(std::move(act));
 }
 
