@@ -23,8 +23,10 @@ enum class HealKind : std::uint8_t {
   seam,       ///< an edge that was divided where a vertex lay on it
   hole,       ///< filled
   crossing,   ///< triangles in each other's way, replaced
+  united,     ///< a shell that goes through others or itself
+  inside,     ///< a shell that lay inside others, removed
 };
-inline constexpr std::size_t heal_kinds = static_cast<std::size_t>(HealKind::crossing) + 1;
+inline constexpr std::size_t heal_kinds = static_cast<std::size_t>(HealKind::inside) + 1;
 
 struct HealAct {
   HealKind kind = HealKind::joined;

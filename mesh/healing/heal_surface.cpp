@@ -8,6 +8,7 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
+#include "mesh/healing/body_union.h"
 #include "mesh/healing/crossing_replacement.h"
 #include "mesh/healing/equal_triangles.h"
 #include "mesh/healing/flat_triangles.h"
@@ -38,6 +39,9 @@ constexpr std::array<KindWords, heal_kinds> kind_words = {{
     {"seam", "open edge divided at a vertex on it", "open edges divided at vertices on them"},
     {"hole", "hole filled", "holes filled"},
     {"crossing", "group of crossing triangles replaced", "groups of crossing triangles replaced"},
+    {"union", "body that goes through others or itself united",
+     "bodies that go through others or themselves united"},
+    {"inner body", "body inside others removed", "bodies inside others removed"},
 }};
 
 /// Numbers and coordinates that nobody can make sense of are not for healing.
@@ -70,6 +74,7 @@ std::int64_t heal_once(HealingWork& work, const SurfaceReport& report) {
   if (changes == 0) {
     changes += replace_crossings(work, marked(work.surface, report, "self-intersection"));
   }
+  if (changes == 0) changes += unite_bodies(work);
   return changes;
 }
 

@@ -3,7 +3,7 @@
 /// Source: M. Attene, M. Campen and L. Kobbelt, "Polygon mesh repairing: an application
 /// perspective" (2013): local repairs, which leave all that is sound as it is, in an order in which
 /// none undoes another. The steps: vertex_welding, equal_triangles, flat_triangles, open_seams,
-/// hole_filling, crossing_replacement. Lengths in the unit of the input.
+/// hole_filling, crossing_replacement, body_union. Lengths in the unit of the input.
 #pragma once
 
 #include <vector>

@@ -5,7 +5,7 @@
 
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/remeshing/edge_length.h"
-#include "mesh/remeshing/nearest_point.h"
+#include "mesh/geometry/nearest_point.h"
 
 namespace tetfarm {
 namespace {

@@ -11,7 +11,7 @@
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/surface_edges.h"
 #include "mesh/remeshing/box_forest.h"
-#include "mesh/remeshing/nearest_point.h"
+#include "mesh/geometry/nearest_point.h"
 #include "mesh/remeshing/triangle_normal.h"
 #include "mesh/remeshing/triangle_samples.h"
 

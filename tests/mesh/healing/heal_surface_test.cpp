@@ -68,13 +68,28 @@ TEST(HealSurface, mends_several_kinds_of_damage_to_parts_and_keeps_their_volume)
 }
 
 TEST(HealSurface, says_what_it_cannot_mend) {
-  const SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
-                                          shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1));
-  const HealedSurface left = healed(two);
-  ASSERT_THAT(left.checked.report.defects, SizeIs(1));
-  EXPECT_EQ(left.checked.report.defects[0].kind, "self-intersection");
+  // Through each other, and one of them open: what is inside is anybody's guess.
+  SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
+                                    shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1));
+  std::erase_if(two.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](std::int32_t v) { return vertex_at(two, v).x == 0; });
+  });
+  two.patch_of_triangle.clear();
+  const HealedSurface left = heal_surface(two, {}, {0, 0.1});
+  ASSERT_THAT(left.checked.report.defects, SizeIs(2));
+  EXPECT_EQ(left.checked.report.defects[0].kind, "open edge");
+  EXPECT_EQ(left.checked.report.defects[1].kind, "self-intersection");
   EXPECT_THAT(left.acts, IsEmpty());
   EXPECT_EQ(left.surface.triangles, two.triangles);
+}
+
+TEST(HealSurface, unites_bodies_once_they_are_closed) {
+  SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 2),
+                                    shapes::box({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 1));
+  test::remove_triangle(two, 0);
+  const HealedSurface united = heal_surface(two, {}, {0, 5});
+  EXPECT_THAT(united.checked.report.defects, IsEmpty());
+  EXPECT_NEAR(united.checked.report.volume, 1.25, 1e-12);
 }
 
 TEST(HealSurface, does_not_touch_what_makes_no_sense) {

@@ -1,4 +1,4 @@
-#include "mesh/remeshing/nearest_point.h"
+#include "mesh/geometry/nearest_point.h"
 
 #include <gtest/gtest.h>
 

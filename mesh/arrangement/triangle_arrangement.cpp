@@ -1,0 +1,325 @@
+#include "mesh/arrangement/triangle_arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "mesh/arrangement/constrained_triangulation.h"
+#include "mesh/arrangement/exact_points.h"
+#include "mesh/arrangement/layer_merging.h"
+#include "mesh/arrangement/snap_to_neighbours.h"
+#include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/predicates.h"
+#include "mesh/geometry/triangle_intersection.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr int most_rounds = 60;
+constexpr std::int64_t most_pairs_of_segments = 50'000'000;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Which corners lie in front of the plane (1), behind it (-1), on it (0).
+std::array<int, 3> sides_of_corners(const TrianglePoints& plane, const TrianglePoints& corners) {
+  std::array<int, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = orient3d(plane[0], plane[1], plane[2], corners[k]);
+    sides[k] = (side > 0) - (side < 0);
+  }
+  return sides;
+}
+
+bool are_coplanar(const TrianglePoints& a, const TrianglePoints& b) {
+  return sides_of_corners(a, b) == std::array<int, 3>{0, 0, 0};
+}
+
+/// An axis along which the triangle is seen not edge-on, and the largest. @pre it has area.
+int widest_axis(const TrianglePoints& t) {
+  int widest = 0;
+  double largest = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto seen = [axis](const Vec3& p) { return Vec2{p[(axis + 1) % 3], p[(axis + 2) % 3]}; };
+    const double area = std::abs(orient2d(seen(t[0]), seen(t[1]), seen(t[2])));
+    if (area > largest) {
+      largest = area;
+      widest = axis;
+    }
+  }
+  return widest;
+}
+
+/// The part of a segment in the plane of a triangle that lies in it; one point twice where that is
+/// all.
+std::optional<std::array<ExactPoint, 2>> clip(std::array<ExactPoint, 2> segment,
+                                              const TrianglePoints& triangle, int axis) {
+  std::array<ExactPoint, 3> c = {exact_point(triangle[0]), exact_point(triangle[1]),
+                                 exact_point(triangle[2])};
+  if (seen_turn(c[0], c[1], c[2], axis) < 0) std::swap(c[1], c[2]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ExactPoint& from = c[k];
+    const ExactPoint& to = c[(k + 1) % 3];
+    const bool is_first_out = seen_turn(from, to, segment[0], axis) < 0;
+    const bool is_second_out = seen_turn(from, to, segment[1], axis) < 0;
+    if (is_first_out && is_second_out) return std::nullopt;
+    if (!is_first_out && !is_second_out) continue;
+    const mpq_class first = seen_area(from, to, segment[0], axis);
+    const mpq_class second = seen_area(from, to, segment[1], axis);
+    ExactPoint on = point_between(segment[0], segment[1], first / (first - second));
+    (is_first_out ? segment[0] : segment[1]) = std::move(on);
+  }
+  return segment;
+}
+
+/// Where a triangle goes through the plane of another. @pre it is not in that plane.
+std::optional<std::array<ExactPoint, 2>> cut_by_plane(const TrianglePoints& triangle,
+                                                      const TrianglePoints& plane) {
+  const std::array<int, 3> side = sides_of_corners(plane, triangle);
+  std::vector<ExactPoint> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (side[k] == 0) points.push_back(exact_point(triangle[k]));
+    if (side[k] * side[next] < 0) {
+      points.push_back(plane_crossing(triangle[k], triangle[next], plane));
+    }
+  }
+  if (points.empty()) return std::nullopt;
+  return std::array<ExactPoint, 2>{points.front(), points.back()};
+}
+
+/// One round: every triangle that meets others is divided, exactly; then new points are rounded.
+class Round {
+ public:
+  Round(TriangleChain& chain, std::vector<TrianglePair> pairs)
+      : chain_(chain), pairs_(std::move(pairs)) {}
+
+  bool divide() {
+    gather_planes();
+    std::vector<ChainTriangle> made;
+    for (const std::vector<std::int32_t>& plane : planes_) {
+      if (!divide_plane(plane, made)) return false;
+    }
+    put_in_place(made);
+    return true;
+  }
+
+ private:
+  /// Triangles that meet, those that overlap in one plane together.
+  void gather_planes() {
+    const std::size_t count = chain_.triangles.size();
+    others_.resize(count);
+    DisjointSets sets(count);
+    for (const auto& [i, j] : pairs_) {
+      others_[index(i)].push_back(j);
+      others_[index(j)].push_back(i);
+      if (are_coplanar(chain_.points_of(i), chain_.points_of(j))) sets.join(index(i), index(j));
+    }
+    std::vector<std::int32_t> plane_of_root(count, -1);
+    for (std::size_t t = 0; t < count; ++t) {
+      if (others_[t].empty()) continue;
+      std::int32_t& plane = plane_of_root[sets.root(t)];
+      if (plane < 0) {
+        plane = static_cast<std::int32_t>(planes_.size());
+        planes_.emplace_back();
+      }
+      planes_[index(plane)].push_back(static_cast<std::int32_t>(t));
+    }
+  }
+
+  std::int32_t add_vertex(std::int32_t v) {
+    const std::int32_t number = points_.add(exact_point(chain_.vertices[index(v)]));
+    if (index(number) >= vertex_of_.size()) vertex_of_.resize(index(number) + 1, -1);
+    if (vertex_of_[index(number)] < 0) vertex_of_[index(number)] = v;
+    return number;
+  }
+
+  /// The edges of the triangle, and what it has in common with those of other planes.
+  void add_segments(std::int32_t t, int axis, std::vector<Segment>& segments) {
+    const TrianglePoints corners = chain_.points_of(t);
+    const Triangle& nodes = chain_.triangles[index(t)].nodes;
+    const std::array<std::int32_t, 3> numbers = {add_vertex(nodes[0]), add_vertex(nodes[1]),
+                                                 add_vertex(nodes[2])};
+    for (std::size_t k = 0; k < 3; ++k) segments.push_back({numbers[k], numbers[(k + 1) % 3]});
+    for (const std::int32_t other : others_[index(t)]) {
+      const TrianglePoints points = chain_.points_of(other);
+      if (are_coplanar(corners, points)) continue;
+      auto cut = cut_by_plane(points, corners);
+      if (cut) cut = clip(std::move(*cut), corners, axis);
+      if (!cut) continue;
+      const std::int32_t first = points_.add(std::move((*cut)[0]));
+      segments.push_back({first, points_.add(std::move((*cut)[1]))});
+    }
+  }
+
+  bool divide_plane(const std::vector<std::int32_t>& plane, std::vector<ChainTriangle>& made) {
+    const int axis = widest_axis(chain_.points_of(plane.front()));
+    std::vector<Segment> segments;
+    for (const std::int32_t t : plane) add_segments(t, axis, segments);
+    const auto edges = divide_segments(points_, segments, axis, most_pairs_of_segments);
+    if (!edges) return false;
+    std::vector<std::int32_t> nodes;
+    for (const Segment& s : *edges) nodes.insert(nodes.end(), s.begin(), s.end());
+    // Points alone, which are in no piece.
+    for (const Segment& s : segments) nodes.insert(nodes.end(), s.begin(), s.end());
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto pieces = triangulate(points_, nodes, *edges, axis);
+    if (!pieces) return false;
+    share_out(plane, *pieces, axis, made);
+    return true;
+  }
+
+  /// Each small triangle is there as often as the triangles of the plane that it lies in.
+  void share_out(const std::vector<std::int32_t>& plane, const std::vector<Triangle>& pieces,
+                 int axis, std::vector<ChainTriangle>& made) {
+    std::vector<Box3> boxes;
+    for (const std::int32_t t : plane) {
+      Box3 box;
+      for (const Vec3& p : chain_.points_of(t)) box.add(p);
+      boxes.push_back(box);
+    }
+    const BoxTree tree(boxes);
+    for (const Triangle& piece : pieces) {
+      std::vector<Part> parts;
+      if (plane.size() == 1) {
+        parts.push_back({plane.front(), facing_along(plane.front(), axis)});
+      } else {
+        const ExactPoint middle = middle_of(piece);
+        std::vector<std::int32_t> near;
+        tree.query(box_round(middle), [&](std::int32_t i) { near.push_back(i); });
+        std::ranges::sort(near);
+        for (const std::int32_t i : near) {
+          const std::int32_t t = plane[index(i)];
+          const int facing = facing_along(t, axis);
+          if (is_inside(middle, t, facing, axis)) parts.push_back({t, facing});
+        }
+      }
+      add_piece(piece, parts, made);
+    }
+  }
+
+  /// A triangle that a piece lies in, and whether it is anticlockwise as the piece is (1) or not
+  /// (-1).
+  struct Part {
+    std::int32_t triangle;
+    int facing;
+  };
+
+  void add_piece(const Triangle& piece, const std::vector<Part>& parts,
+                 std::vector<ChainTriangle>& made) const {
+    ChainTriangle sum{piece, 0, 0, true, false};
+    for (const Part& part : parts) {
+      sum.times += part.facing * chain_.triangles[index(part.triangle)].times;
+    }
+    if (sum.times == 0) return;
+    const auto first = std::ranges::find_if(
+        parts, [&](const Part& part) { return part.facing * sum.times > 0; });
+    if (first != parts.end()) sum.patch = chain_.triangles[index(first->triangle)].patch;
+    if (sum.times < 0) {
+      std::swap(sum.nodes[1], sum.nodes[2]);
+      sum.times = -sum.times;
+    }
+    made.push_back(sum);
+  }
+
+  static Box3 box_round(const ExactPoint& p) {
+    Box3 box;
+    for (int i = 0; i < 3; ++i) {
+      box.low[i] = std::nextafter(p.near[i], -HUGE_VAL);
+      box.high[i] = std::nextafter(p.near[i], HUGE_VAL);
+    }
+    return box;
+  }
+
+  ExactPoint middle_of(const Triangle& t) const {
+    const ExactPoint edge = point_between(points_[t[0]], points_[t[1]], mpq_class(1, 2));
+    return point_between(edge, points_[t[2]], mpq_class(1, 3));
+  }
+
+  /// 1 for a triangle that is anticlockwise as seen along the axis, -1 for one that is clockwise.
+  int facing_along(std::int32_t t, int axis) const {
+    const TrianglePoints c = chain_.points_of(t);
+    return seen_turn(exact_point(c[0]), exact_point(c[1]), exact_point(c[2]), axis);
+  }
+
+  bool is_inside(const ExactPoint& p, std::int32_t t, int facing, int axis) const {
+    const TrianglePoints c = chain_.points_of(t);
+    const std::array<ExactPoint, 3> e = {exact_point(c[0]), exact_point(c[1]), exact_point(c[2])};
+    return seen_turn(e[0], e[1], p, axis) == facing && seen_turn(e[1], e[2], p, axis) == facing &&
+           seen_turn(e[2], e[0], p, axis) == facing;
+  }
+
+  /// Triangles that meet none stay, in their order, then come those that were made.
+  void put_in_place(std::vector<ChainTriangle>& made) {
+    vertex_of_.resize(index(points_.size()), -1);
+    for (ChainTriangle& t : made) {
+      for (std::int32_t& n : t.nodes) n = vertex_at(n);
+    }
+    std::vector<ChainTriangle> after;
+    for (std::size_t t = 0; t < chain_.triangles.size(); ++t) {
+      if (others_[t].empty()) after.push_back(chain_.triangles[t]);
+    }
+    after.insert(after.end(), made.begin(), made.end());
+    chain_.triangles = std::move(after);
+  }
+
+  std::int32_t vertex_at(std::int32_t point) {
+    std::int32_t& vertex = vertex_of_[index(point)];
+    if (vertex < 0) {
+      vertex = static_cast<std::int32_t>(chain_.vertices.size());
+      chain_.vertices.push_back(points_[point].near);
+    }
+    return vertex;
+  }
+
+  TriangleChain& chain_;
+  std::vector<TrianglePair> pairs_;
+  std::vector<std::vector<std::int32_t>> others_;
+  std::vector<std::vector<std::int32_t>> planes_;
+  ExactPoints points_;
+  std::vector<std::int32_t> vertex_of_;
+};
+
+/// Makes one what is nearly one. Whether there is something to look at again.
+bool snap(TriangleChain& chain, const std::vector<TrianglePair>& pairs, double distance) {
+  return join_near_vertices(chain, pairs, distance) > 0 || merge_layers(chain, pairs, distance) ||
+         snap_to_neighbours(chain, pairs, distance) > 0;
+}
+
+/// Rounds until no two triangles meet; nothing where that does not come to an end.
+std::optional<TriangleChain> arrange(TriangleChain chain, double snap_distance) {
+  // More than that, and rounding makes more crossings than division takes away.
+  std::size_t most_meeting = std::numeric_limits<std::size_t>::max();
+  for (int round = 0; round < most_rounds; ++round) {
+    merge_equals(chain);
+    auto pairs = meeting_pairs(chain);
+    if (!pairs || pairs->size() > most_meeting) return std::nullopt;
+    if (pairs->empty()) return chain;
+    if (round == 0) most_meeting = 1000 + 4 * pairs->size();
+    if (snap_distance > 0 && snap(chain, *pairs, snap_distance)) continue;
+    most_meeting = pairs->size() / 2;
+    if (!Round(chain, std::move(*pairs)).divide()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TriangleChain> arrange_triangles(const SurfaceMesh& surface, double tolerance) {
+  TriangleChain given{surface.vertices, {}};
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    given.triangles.push_back({surface.triangles[t], 1, patch_of(surface, t), false, false});
+  }
+  constexpr double small_share = 1e-3;
+  for (const double snap_distance : {0.0, small_share * tolerance, tolerance}) {
+    if (auto chain = arrange(given, snap_distance)) return chain;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tetfarm
