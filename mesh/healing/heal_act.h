@@ -16,15 +16,16 @@ namespace tetfarm {
 
 /// In the order in which they are told.
 enum class HealKind : std::uint8_t {
-  joined,     ///< vertices that lie within the tolerance of each other
-  duplicate,  ///< a triangle that was there more than once
-  fold,       ///< two triangles of the same corners that lay back to back
-  flat,       ///< a triangle without area
-  seam,       ///< an edge that was divided where a vertex lay on it
-  hole,       ///< filled
-  crossing,   ///< triangles in each other's way, replaced
-  united,     ///< a shell that goes through others or itself
-  inside,     ///< a shell that lay inside others, removed
+  joined,       ///< vertices that lie within the tolerance of each other
+  duplicate,    ///< a triangle that was there more than once
+  fold,         ///< two triangles of the same corners that lay back to back
+  flat,         ///< a triangle without area
+  nearly_flat,  ///< a triangle of next to no height
+  seam,         ///< an edge that was divided where a vertex lay on it
+  hole,         ///< filled
+  crossing,     ///< triangles in each other's way, replaced
+  united,       ///< a shell that goes through others or itself
+  inside,       ///< a shell that lay inside others, removed
 };
 inline constexpr std::size_t heal_kinds = static_cast<std::size_t>(HealKind::inside) + 1;
 

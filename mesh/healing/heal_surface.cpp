@@ -13,6 +13,7 @@
 #include "mesh/healing/equal_triangles.h"
 #include "mesh/healing/flat_triangles.h"
 #include "mesh/healing/hole_filling.h"
+#include "mesh/healing/nearly_flat_triangles.h"
 #include "mesh/healing/open_seams.h"
 #include "mesh/healing/vertex_welding.h"
 #include "mesh/inspect/defect_text.h"
@@ -36,6 +37,7 @@ constexpr std::array<KindWords, heal_kinds> kind_words = {{
     {"duplicate triangle", "duplicate triangle removed", "duplicate triangles removed"},
     {"fold", "fold of two equal triangles removed", "folds of two equal triangles removed"},
     {"flat triangle", "triangle without area removed", "triangles without area removed"},
+    {"nearly flat triangle", "nearly flat triangle removed", "nearly flat triangles removed"},
     {"seam", "open edge divided at a vertex on it", "open edges divided at vertices on them"},
     {"hole", "hole filled", "holes filled"},
     {"crossing", "group of crossing triangles replaced", "groups of crossing triangles replaced"},
@@ -101,6 +103,9 @@ HealedSurface heal_surface(const SurfaceMesh& surface, const RegionRules& rules,
     if (heal_once(work, healed.checked.report) == 0) break;
     healed.checked = check_surface(healed.surface, rules);
     if (is_beyond_healing(healed.checked.report)) break;
+  }
+  if (healed.checked.report.defects.empty() && remove_nearly_flat_triangles(work) > 0) {
+    healed.checked = check_surface(healed.surface, rules);
   }
   return healed;
 }

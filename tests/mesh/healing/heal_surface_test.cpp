@@ -67,6 +67,32 @@ TEST(HealSurface, mends_several_kinds_of_damage_to_parts_and_keeps_their_volume)
   }
 }
 
+/// A box with a cap of this height on one face: sound.
+SurfaceMesh box_with_cap(double height) {
+  SurfaceMesh box = shapes::box({0, 0, 0}, {1, 1, 1}, 2);
+  const Vec3 apex = vertex_at(box, box.triangles[5][2]);
+  test::add_flat_triangle(box, 5);
+  Vec3& tip = box.vertices.back();
+  tip = tip + height * normalized(apex - tip);
+  return box;
+}
+
+TEST(HealSurface, removes_what_is_nearly_flat_of_a_sound_one) {
+  const SurfaceMesh sound = box_with_cap(1e-9);
+  ASSERT_THAT(check_surface(sound).report.defects, IsEmpty());
+  const HealedSurface better = healed(sound);
+  EXPECT_THAT(heal_texts(better.acts), SizeIs(1));
+  EXPECT_THAT(heal_texts(better.acts).front(), HasSubstr("1 nearly flat triangle removed"));
+  EXPECT_THAT(better.checked.report.defects, IsEmpty());
+  EXPECT_NE(better.surface.triangles, sound.triangles);
+}
+
+TEST(HealSurface, leaves_triangles_that_are_higher_than_the_tolerance) {
+  HealOptions options;
+  options.tolerance = 1e-10;
+  EXPECT_THAT(heal_surface(box_with_cap(1e-9), {}, options).acts, IsEmpty());
+}
+
 TEST(HealSurface, says_what_it_cannot_mend) {
   // Through each other, and one of them open: what is inside is anybody's guess.
   SurfaceMesh two = test::with_body(shapes::box({0, 0, 0}, {1, 1, 1}, 1),

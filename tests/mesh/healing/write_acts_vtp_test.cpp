@@ -18,9 +18,9 @@ TEST(WriteActsVtp, has_each_triangle_with_its_act) {
       {{HealKind::joined, {}, {}}, {HealKind::hole, {}, {one, two}}, {HealKind::flat, {}, {one}}},
       path);
   const std::string text = read_file(path);
-  EXPECT_THAT(text, ::testing::HasSubstr("<!-- kind 5: hole -->"));
+  EXPECT_THAT(text, ::testing::HasSubstr("<!-- kind 6: hole -->"));
   const NumberedTriangles read = triangles_from_vtp(text, path);
-  EXPECT_EQ(read.arrays.at("kind"), (std::vector<double>{5, 5, 3}));
+  EXPECT_EQ(read.arrays.at("kind"), (std::vector<double>{6, 6, 3}));
   EXPECT_EQ(read.arrays.at("act"), (std::vector<double>{1, 1, 2}));
   EXPECT_EQ(read.points.at(5), two[2]);
 }
