@@ -467,6 +467,14 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {run({"--max-memory", "1GB", "--subdomains", "2"}), "--subdomains excludes --max-memory"},
       {run({"--max-memory", "1GB", "--groups", "2"}), "--groups excludes --max-memory"},
       {run({"--force", "--max-elements", "2"}), "--max-elements excludes --force"},
+      {run({"--size", "1", "--frequency", "1GHz"}), "--size excludes --frequency"},
+      {run({"--size", "1", "--wave-speed", "1"}), "--size excludes --wave-speed"},
+      {run({"--size", "1", "--per-wavelength", "1"}), "--size excludes --per-wavelength"},
+      {run({"--frequency", "1ghz"}),
+       "--frequency: must be a frequency such as 1.2GHz, 300MHz or 20000, not 1ghz"},
+      {run({"--frequency", "1GHz", "--per-wavelength", "0"}), "--per-wavelength" + positive + "0"},
+      {run({"--frequency", "1GHz", "--wave-speed", "-3"}), "--wave-speed" + positive + "-3"},
+      {{"surface", "a.stl", "--size", "1", "--frequency", "1GHz"}, "--size excludes --frequency"},
       {{"plan", "a.stl", "--database", "d"}, "--database requires --store"},
       {{"check", "a.stl", "--store", "s"}, "INPUT excludes --store"},
       {{"check", "--database", "d"}, "--database requires --store"},
@@ -546,6 +554,22 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
            {{"shape", "teapot", "-o", "w"}, "KIND: teapot not in {"}}) {
     EXPECT_THAT(refusal_of(words), HasSubstr(value));
   }
+}
+
+TEST_F(CommandOptions, that_give_a_size_by_a_wavelength) {
+  const std::vector<std::string> words = {"a.stl", "--frequency",      "1.2GHz", "--wave-speed",
+                                          "3e11",  "--per-wavelength", "15"};
+  const auto expect_wave = [](const WaveOptions& wave) {
+    EXPECT_EQ(wave.frequency, "1.2GHz");
+    EXPECT_EQ(wave.speed, 3e11);
+    EXPECT_EQ(wave.per_wavelength, 15);
+  };
+  expect_wave(parsed_as<RunOptions>(joined({"run"}, words)).wave);
+  expect_wave(parsed_as<PlanCommand>(joined({"plan"}, words)).job.wave);
+  expect_wave(parsed_as<CheckOptions>(joined({"check"}, words)).wave);
+  expect_wave(parsed_as<SurfaceCommand>(joined({"surface"}, words)).wave);
+  expect_wave(
+      parsed_as<SubmitCommand>(joined({"submit", "--connect", "tcp://h:1"}, words)).job.wave);
 }
 
 TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
