@@ -165,6 +165,7 @@ class Parser {
     add_run();
     add_check();
     add_plan();
+    add_init();
     add_quality();
     add_export();
     add_render(add("render", "Draw a mesh as a PNG picture; no display is needed",
@@ -318,6 +319,18 @@ class Parser {
         ->option_text("DIR")
         ->needs(store);
     add_json(sub, plan_.job.json);
+  }
+
+  void add_init() {
+    CLI::App& sub = add("init", "Write a job file for a surface, with remarks, to start from",
+                        "tetfarm init wing.stl -o wing.toml", init_);
+    sub.add_option("SURFACE", init_.surface,
+                   "A closed surface (" + readable_surfaces() + "; also .gz)")
+        ->required();
+    sub.add_option("-o,--output", init_.output,
+                   "The job file; - is standard output (default NAME.toml)")
+        ->option_text("FILE");
+    sub.add_flag("--force", init_.force, "Replace a file that exists");
   }
 
   void add_quality() {
@@ -559,6 +572,7 @@ class Parser {
   CheckOptions check_;
   GcCommand gc_;
   PlanCommand plan_;
+  InitCommand init_;
   QualityOptions quality_;
   ExportCommand export_;
   ConvertCommand convert_;

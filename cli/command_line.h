@@ -124,6 +124,13 @@ struct ConvertCommand {
   bool json = false;
 };
 
+/// A job file for a surface.
+struct InitCommand {
+  std::string surface;
+  std::string output;  ///< "": NAME.toml here; "-": standard output
+  bool force = false;  ///< replaces a file
+};
+
 /// A surface remeshed.
 struct SurfaceCommand {
   std::string input;         ///< a surface or a job file
@@ -422,15 +429,14 @@ struct TaskHostCommand {};
 /// Help or the version was printed: nothing more to do.
 struct NothingToDo {};
 
-using Command =
-    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
-                 ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
-                 WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
-                 CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
-                 TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
-                 EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
-                 BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand,
-                 PlaneTransferCommand, LoopCommand, CompletionCommand, ManCommand, VersionCommand>;
+using Command = std::variant<
+    NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
+    ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
+    CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand, WorkerCommand,
+    GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
+    WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
+    BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand,
+    LoopCommand, CompletionCommand, ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);
