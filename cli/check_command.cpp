@@ -8,6 +8,7 @@
 #include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/layers_report.h"
+#include "cli/wave_options.h"
 #include "json/json_line.h"
 #include "json/surface_angles.h"
 #include "mesh/formats/surfaces/read_surface.h"
@@ -93,15 +94,42 @@ void print_report(const SurfaceMesh& surface, const SurfaceReport& report) {
   for (const std::string& remark : report.remarks) print_remark(remark);
 }
 
-}  // namespace
+std::vector<std::string> remarks_on(const JobFile& job, const SurfaceReport& report,
+                                    const Estimate& coming) {
+  std::vector<std::string> remarks = angle_remarks(coming.angles);
+  const std::string edges = remark_on_long_edges(job, report.longest_edge);
+  if (!edges.empty()) remarks.push_back(edges);
+  return remarks;
+}
 
-ExitCode check_command(const CheckOptions& options) {
-  if (!options.store.empty()) return check_store_command(options);
-  if (options.input.empty())
-    throw UsageError("give a surface, a job file, or --store DIR", "check");
+void put_estimate(const JobFile& job, const Estimate& coming,
+                  const std::vector<std::string>& remarks, Json& json) {
+  put_wave(job.wave, json);
+  json["estimated_elements"] = coming.elements;
+  json["subdomains"] = coming.subdomains;
+  json["angles"] = surface_angles_json(coming.angles);
+  for (const std::string& remark : remarks) json["remarks"].push_back(remark);
+  if (!coming.layers.empty()) json["layers"] = layers_json(coming.layers);
+  if (coming.pml) json["pml"] = pml_json(*coming.pml);
+}
+
+void print_estimate(const JobFile& job, const Estimate& coming,
+                    const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) print_remark(remark);
+  if (coming.pml) std::printf("pml             %s\n", pml_text(*coming.pml).c_str());
+  for (const LayerFigures& layers : coming.layers) {
+    std::printf("layers          %s\n", layers_text(layers).c_str());
+  }
+  if (job.wave) std::printf("size            %s\n", wave_size_text(*job.wave).c_str());
+  std::printf("elements        about %.3g, in %s\n", coming.elements,
+              counted(static_cast<std::uint64_t>(coming.subdomains), "sub-domain").c_str());
+}
+
+JobInput input_of(const CheckOptions& options) {
   RunOptions job_options;
   job_options.input = options.input;
   job_options.size = options.size;
+  job_options.wave = options.wave;
   job_options.growth = options.growth;
   job_options.remesh = options.remesh;
   job_options.size_on_body = options.size_on_body;
@@ -109,7 +137,16 @@ ExitCode check_command(const CheckOptions& options) {
   job_options.outer_size = options.outer_size;
   job_options.layers = options.layers;
   job_options.pml = options.pml;
-  const JobInput input = read_job(job_options);
+  return read_job(job_options);
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckOptions& options) {
+  if (!options.store.empty()) return check_store_command(options);
+  if (options.input.empty())
+    throw UsageError("give a surface, a job file, or --store DIR", "check");
+  const JobInput input = input_of(options);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
   const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
   const bool is_sound = checked.report.defects.empty();
@@ -117,23 +154,9 @@ ExitCode check_command(const CheckOptions& options) {
   if (!options.json) print_report(surface, checked.report);
   if (is_sound) {
     const Estimate coming = estimate(input.job, checked);
-    json["estimated_elements"] = coming.elements;
-    json["subdomains"] = coming.subdomains;
-    json["angles"] = surface_angles_json(coming.angles);
-    for (const std::string& remark : angle_remarks(coming.angles)) {
-      json["remarks"].push_back(remark);
-      if (!options.json) print_remark(remark);
-    }
-    if (!coming.layers.empty()) json["layers"] = layers_json(coming.layers);
-    if (coming.pml) json["pml"] = pml_json(*coming.pml);
-    if (!options.json) {
-      if (coming.pml) std::printf("pml             %s\n", pml_text(*coming.pml).c_str());
-      for (const LayerFigures& layers : coming.layers) {
-        std::printf("layers          %s\n", layers_text(layers).c_str());
-      }
-      std::printf("elements        about %.3g, in %s\n", coming.elements,
-                  counted(static_cast<std::uint64_t>(coming.subdomains), "sub-domain").c_str());
-    }
+    const std::vector<std::string> remarks = remarks_on(input.job, checked.report, coming);
+    put_estimate(input.job, coming, remarks, json);
+    if (!options.json) print_estimate(input.job, coming, remarks);
   }
   if (!is_sound) {
     const HealedSurface healed = heal_surface(surface, region_rules_of(input.job), {});

@@ -64,15 +64,40 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
       ->option_text("PATCH,...[:KEY=VALUE,...]");
 }
 
+/// What says how long edges are in place of `size`.
+std::array<CLI::Option*, 3> add_wave(CLI::App& app, WaveOptions& wave, CLI::Option& size) {
+  return {app.add_option("--frequency", wave.frequency,
+                         "In place of --size: a wavelength's share, for waves of this frequency")
+              ->check(frequency())
+              ->excludes(&size)
+              ->option_text("1.2GHz"),
+          app.add_option("--wave-speed", wave.speed,
+                         "With --frequency: lengths of the surface's unit a second (default light "
+                         "in metres, 299792458)")
+              ->check(positive_number())
+              ->excludes(&size)
+              ->option_text("C"),
+          app.add_option("--per-wavelength", wave.per_wavelength,
+                         "With --frequency: edges to a wavelength (default 10)")
+              ->check(positive_number())
+              ->excludes(&size)
+              ->option_text("N")};
+}
+
 /// How large the domain is and how fine.
 template <class Options>
-std::array<CLI::Option*, 6> add_domain(CLI::App& app, Options& job) {
+std::array<CLI::Option*, 9> add_domain(CLI::App& app, Options& job) {
+  CLI::Option* size = app.add_option("--size", job.size,
+                                     "Target edge length away from the surface, and largest on an "
+                                     "outer boundary")
+                          ->check(positive_number())
+                          ->option_text("H");
+  const std::array<CLI::Option*, 3> wave = add_wave(app, job.wave, *size);
   return {
-      app.add_option("--size", job.size,
-                     "Target edge length away from the surface, and largest on an outer "
-                     "boundary")
-          ->check(positive_number())
-          ->option_text("H"),
+      size,
+      wave[0],
+      wave[1],
+      wave[2],
       app.add_option("--growth", job.growth,
                      "Growth of the edge length per unit of distance (default 0.3)")
           ->check(positive_number())
@@ -140,6 +165,7 @@ class Parser {
     add_run();
     add_check();
     add_plan();
+    add_init();
     add_quality();
     add_export();
     add_render(add("render", "Draw a mesh as a PNG picture; no display is needed",
@@ -246,7 +272,7 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
-    const std::array<CLI::Option*, 6> domain = add_domain(sub, check_);
+    const std::array<CLI::Option*, 9> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* store = sub.add_option("--store", check_.store,
@@ -293,6 +319,18 @@ class Parser {
         ->option_text("DIR")
         ->needs(store);
     add_json(sub, plan_.job.json);
+  }
+
+  void add_init() {
+    CLI::App& sub = add("init", "Write a job file for a surface, with remarks, to start from",
+                        "tetfarm init wing.stl -o wing.toml", init_);
+    sub.add_option("SURFACE", init_.surface,
+                   "A closed surface (" + readable_surfaces() + "; also .gz)")
+        ->required();
+    sub.add_option("-o,--output", init_.output,
+                   "The job file; - is standard output (default NAME.toml)")
+        ->option_text("FILE");
+    sub.add_flag("--force", init_.force, "Replace a file that exists");
   }
 
   void add_quality() {
@@ -362,10 +400,12 @@ class Parser {
     sub.add_option("-o,--output", surface_.output,
                    "The output file: " + writable_surfaces() + " (default NAME.remeshed.stl)")
         ->option_text("OUT");
-    sub.add_option("--size", surface_.size,
-                   "Edge length away from features (default 1/20 of the surface's diagonal)")
-        ->check(positive_number())
-        ->option_text("H");
+    CLI::Option* size =
+        sub.add_option("--size", surface_.size,
+                       "Edge length away from features (default 1/20 of the surface's diagonal)")
+            ->check(positive_number())
+            ->option_text("H");
+    add_wave(sub, surface_.wave, *size);
     sub.add_option("--min-size", surface_.min_size,
                    "Shortest edge that curvature and narrow places may ask for (default H/16)")
         ->check(positive_number())
@@ -532,6 +572,7 @@ class Parser {
   CheckOptions check_;
   GcCommand gc_;
   PlanCommand plan_;
+  InitCommand init_;
   QualityOptions quality_;
   ExportCommand export_;
   ConvertCommand convert_;

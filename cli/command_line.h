@@ -16,6 +16,13 @@ namespace tetfarm {
 
 enum class ProgressStyle { automatic, plain, none };
 
+/// Edge lengths by the wavelength. What is not given is as the job file says, or as of WaveSize.
+struct WaveOptions {
+  std::string frequency;  ///< "1.2GHz"; "": none
+  std::optional<double> speed;
+  std::optional<double> per_wavelength;
+};
+
 struct RunOptions {
   std::string input;  ///< a surface, or a job file (.toml)
   std::string output = "out";
@@ -24,6 +31,7 @@ struct RunOptions {
   std::optional<std::int64_t> groups;  ///< to assimilate the sub-domains into
   std::string max_memory;              ///< "2GiB"; "": no limit
   std::optional<double> size;
+  WaveOptions wave;
   std::optional<double> growth;
   bool remesh = false;                 ///< the surface, before it is inspected
   std::optional<double> size_on_body;  ///< of the edges that remeshing makes
@@ -46,6 +54,7 @@ struct RunOptions {
 struct CheckOptions {
   std::string input;
   std::optional<double> size;  ///< this and what follows: as of RunOptions
+  WaveOptions wave;
   std::optional<double> growth;
   bool remesh = false;
   std::optional<double> size_on_body;
@@ -115,6 +124,13 @@ struct ConvertCommand {
   bool json = false;
 };
 
+/// A job file for a surface.
+struct InitCommand {
+  std::string surface;
+  std::string output;  ///< "": NAME.toml here; "-": standard output
+  bool force = false;  ///< replaces a file
+};
+
 /// A surface remeshed.
 struct SurfaceCommand {
   std::string input;         ///< a surface or a job file
@@ -122,6 +138,7 @@ struct SurfaceCommand {
   std::string defects_file;  ///< as of CheckOptions
   // What is 0 is as the job says, or as with_defaults (mesh/remeshing/remesh_options.h).
   double size = 0;
+  WaveOptions wave;
   double min_size = 0;
   double angle = 0;
   double tolerance = 0;
@@ -412,15 +429,14 @@ struct TaskHostCommand {};
 /// Help or the version was printed: nothing more to do.
 struct NothingToDo {};
 
-using Command =
-    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
-                 ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
-                 WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
-                 CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
-                 TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
-                 EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
-                 BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand,
-                 PlaneTransferCommand, LoopCommand, CompletionCommand, ManCommand, VersionCommand>;
+using Command = std::variant<
+    NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
+    ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
+    CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand, WorkerCommand,
+    GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
+    WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
+    BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand,
+    LoopCommand, CompletionCommand, ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -19,7 +19,8 @@ struct Purpose {
 
 const std::vector<Purpose>& purposes() {
   static const std::vector<Purpose> all = {
-      {"Mesh a surface", {"run", "check", "plan", "surface", "convert", "shape", "spacing"}},
+      {"Mesh a surface",
+       {"run", "check", "plan", "init", "surface", "convert", "shape", "spacing"}},
       {"Use a mesh", {"quality", "export", "render", "report"}},
       {"Mesh the plane", {"plane", "adapt", "loop", "transfer"}},
       {"Work on a farm", {"submit", "wait", "cancel", "retry"}},

@@ -17,6 +17,9 @@ ExitCode check_command(const CheckOptions& options);
 ExitCode check_store_command(const CheckOptions& options);
 ExitCode gc_command(const GcCommand& command);
 
+/// Reads and checks a surface, and writes a job file to start from.
+ExitCode init_command(const InitCommand& command);
+
 /// Reads and checks the surface, then prints the tree and the cost of each task.
 ExitCode plan_command(const PlanCommand& command);
 ExitCode quality_command(const QualityOptions& options);

@@ -13,9 +13,9 @@ namespace {
 
 // What values are called in help where they are paths.
 constexpr std::array<std::string_view, 2> folder_values = {"DIR", "STORE"};
-constexpr std::array<std::string_view, 14> file_values = {
-    "FILE", "INPUT", "IN",   "OUT",  "MESH",     "BOUNDARY", "KEY",
-    "PNG",  "HTML",  "JSON", "PATH", "NAME.key", "FILE.pub", "MESH,FIELD"};
+constexpr std::array<std::string_view, 15> file_values = {
+    "FILE", "INPUT", "IN",   "OUT",      "MESH",     "BOUNDARY",   "KEY",    "PNG",
+    "HTML", "JSON",  "PATH", "NAME.key", "FILE.pub", "MESH,FIELD", "SURFACE"};
 
 ValueCompletion completion_of(const std::string& value) {
   const auto is_in = [&](const auto& names) {

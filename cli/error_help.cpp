@@ -14,7 +14,7 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& wor
 }
 
 /// Commands that take a job, and so a surface or a job file.
-constexpr std::array<std::string_view, 3> of_jobs = {"run", "plan", "submit"};
+constexpr std::array<std::string_view, 4> of_jobs = {"run", "plan", "submit", "init"};
 /// Commands for meshes of the plane.
 constexpr std::array<std::string_view, 3> of_planes = {"plane", "adapt", "loop"};
 /// Commands that ask a coordinator.

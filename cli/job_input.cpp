@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "base/job_name.h"
 #include "cli/output_formats.h"
+#include "cli/wave_options.h"
 #include "mesh/formats/flite/read_flite_sources.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/surface_formats.h"
@@ -23,6 +24,17 @@
 
 namespace tetfarm {
 namespace {
+
+/// A size wins over a frequency of the job file, and the other way.
+void set_size(JobFile& job, const RunOptions& options) {
+  if (options.size) {
+    job.spacing_default = *options.size;
+    job.wave.reset();
+    return;
+  }
+  job.wave = wave_of(options.wave, job.wave);
+  if (job.wave) job.spacing_default = size_of(*job.wave);
+}
 
 void set_outer(JobFile& job, const std::string& text) {
   const std::size_t colon = text.find(':');
@@ -140,11 +152,12 @@ JobInput describe_job(const RunOptions& options) {
   if (job.subdomains > 0 && job.subdomains < job.groups) {
     throw UsageError("must not be more than the number of sub-domains", "--groups");
   }
-  if (options.size) job.spacing_default = *options.size;
+  set_size(job, options);
   if (options.growth) job.growth = *options.growth;
   set_remeshing(job, options);
   if (options.outer) set_outer(job, *options.outer);
   if (options.outer_size) set_outer_size(job, *options.outer_size);
+  require_within_wave(job);
   set_layers(job, options.layers);
   if (!options.pml.empty()) job.pml = parse_pml_option(options.pml);
   if (options.max_elements) job.max_elements = *options.max_elements;

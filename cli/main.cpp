@@ -33,6 +33,7 @@ struct Execute {
   ExitCode operator()(const NothingToDo& /*nothing*/) const { return ExitCode::ok; }
   ExitCode operator()(const RunOptions& options) const { return run_command(options); }
   ExitCode operator()(const CheckOptions& options) const { return check_command(options); }
+  ExitCode operator()(const InitCommand& command) const { return init_command(command); }
   ExitCode operator()(const GcCommand& command) const { return gc_command(command); }
   ExitCode operator()(const PlanCommand& command) const { return plan_command(command); }
   ExitCode operator()(const QualityOptions& options) const { return quality_command(options); }

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "mesh/job_file/wave_size.h"
+
 namespace tetfarm {
 namespace {
 
@@ -80,6 +82,11 @@ CLI::Validator off_or_number_above(double bound, double most) {
                    const double number = number_of<double>(text).value_or(bound);
                    return text == "off" || (number > bound && number <= most);
                  });
+}
+
+CLI::Validator frequency() {
+  return must_be(frequency_examples,
+                 [](const std::string& text) { return parse_frequency(text).has_value(); });
 }
 
 CLI::Validator number_of_parts(std::int64_t most) {

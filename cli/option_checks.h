@@ -21,6 +21,8 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most);
 CLI::Validator counting_number();
 /// "must be off or a number above 1, at most 100, not 1".
 CLI::Validator off_or_number_above(double bound, double most);
+/// "must be a frequency such as 1.2GHz, 300MHz or 20000, not 1.2ghz".
+CLI::Validator frequency();
 /// "as-meshed", which becomes 0, or a whole number from 1 to `most`.
 CLI::Validator number_of_parts(std::int64_t most);
 /// Any text: whoever reads it later refuses what it does not know, in better words. These are what

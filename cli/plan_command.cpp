@@ -13,6 +13,7 @@
 #include "cli/layers_report.h"
 #include "cli/progress_display.h"
 #include "cli/seen_times.h"
+#include "cli/wave_options.h"
 #include "json/json_line.h"
 #include "mesh/core/triangle_angles.h"
 #include "mesh/decompose/decomposition_plan.h"
@@ -48,6 +49,8 @@ struct Plan {
   TaskTimes times;
   std::vector<LayerFigures> layers;
   std::optional<PmlFigures> pml;
+  std::optional<WaveSize> wave;
+  std::string remark;  ///< on edges that are too long for it
 };
 
 Plan make_plan(const JobInput& input) {
@@ -58,6 +61,8 @@ Plan make_plan(const JobInput& input) {
   }
   const JobDomain domain = domain_of_job(input.job, surface_to_mesh(input.job, checked).surface);
   Plan plan;
+  plan.wave = input.job.wave;
+  plan.remark = remark_on_long_edges(input.job, checked.report.longest_edge);
   plan.layers = layer_figures_of(input.job, domain.surface);
   plan.groups = input.job.groups;
   plan.across_cuts = input.job.across_cuts;
@@ -235,6 +240,7 @@ void print_json(const JobInput& input, const Plan& plan) {
   const std::vector<KindCost> kinds = cost_of_kinds(plan);
   put(sum_of(kinds), json);
   json["learnt_from_tasks"] = plan.times.learnt();
+  put_wave(plan.wave, json);
   if (!plan.layers.empty()) json["layers"] = layers_json(plan.layers);
   if (plan.pml) json["pml"] = pml_json(*plan.pml);
   json["subdomains"] = Json::array();
@@ -288,6 +294,8 @@ void print_text(const Plan& plan, const std::string& store) {
   }
   if (plan.pml) std::printf("\npml on %s", pml_text(*plan.pml).c_str());
   if (!plan.layers.empty() || plan.pml) std::printf("\n");
+  if (plan.wave) std::printf("\nsize %s\n", wave_size_text(*plan.wave).c_str());
+  if (!plan.remark.empty()) std::printf("%s\n", plan.remark.c_str());
   const SecondsRange sum = sum_of(kinds);
   JobForecast forecast = plan.forecast;
   forecast.seconds = sum.expected;

@@ -9,6 +9,7 @@
 #include "cli/job_outcome.h"
 #include "cli/local_job.h"
 #include "cli/typed_names.h"
+#include "cli/wave_options.h"
 
 namespace tetfarm {
 
@@ -18,6 +19,7 @@ ExitCode run_command(const RunOptions& options) {
   const JobInput input = read_job(options);
   check_submittable(input);
   require_readable(input);
+  tell_wave(input.job, options.progress);
   const std::filesystem::path folder = std::filesystem::absolute(options.output);
   const std::filesystem::path store = folder / ".tetfarm";
   make_folders(store);

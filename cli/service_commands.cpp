@@ -24,6 +24,7 @@
 #include "cli/loop_input.h"
 #include "cli/progress_display.h"
 #include "cli/service_options.h"
+#include "cli/wave_options.h"
 #include "coordinator/log_lines.h"
 #include "coordinator/server.h"
 #include "worker/client.h"
@@ -120,22 +121,26 @@ wire::Submit bring_job(const SubmitCommand& command, const JobInput& input,
 /// An option of surfaces' jobs that was given; "": none.
 std::string option_of_surfaces(const SubmitCommand& command) {
   const RunOptions& job = command.job;
-  const std::pair<bool, const char*> given[] = {{job.subdomains.has_value(), "--subdomains"},
-                                                {job.groups.has_value(), "--groups"},
-                                                {!job.max_memory.empty(), "--max-memory"},
-                                                {job.size.has_value(), "--size"},
-                                                {job.growth.has_value(), "--growth"},
-                                                {job.remesh, "--remesh"},
-                                                {job.size_on_body.has_value(), "--size-on-body"},
-                                                {job.outer.has_value(), "--outer"},
-                                                {job.outer_size.has_value(), "--outer-size"},
-                                                {!job.layers.empty(), "--layers"},
-                                                {!job.pml.empty(), "--pml"},
-                                                {job.max_elements.has_value(), "--max-elements"},
-                                                {job.force, "--force"},
-                                                {!job.formats.empty(), "--format"},
-                                                {!job.keep.empty(), "--keep"},
-                                                {command.coordinator_reads, "--coordinator-reads"}};
+  const std::pair<bool, const char*> given[] = {
+      {job.subdomains.has_value(), "--subdomains"},
+      {job.groups.has_value(), "--groups"},
+      {!job.max_memory.empty(), "--max-memory"},
+      {job.size.has_value(), "--size"},
+      {!job.wave.frequency.empty(), "--frequency"},
+      {job.wave.speed.has_value(), "--wave-speed"},
+      {job.wave.per_wavelength.has_value(), "--per-wavelength"},
+      {job.growth.has_value(), "--growth"},
+      {job.remesh, "--remesh"},
+      {job.size_on_body.has_value(), "--size-on-body"},
+      {job.outer.has_value(), "--outer"},
+      {job.outer_size.has_value(), "--outer-size"},
+      {!job.layers.empty(), "--layers"},
+      {!job.pml.empty(), "--pml"},
+      {job.max_elements.has_value(), "--max-elements"},
+      {job.force, "--force"},
+      {!job.formats.empty(), "--format"},
+      {!job.keep.empty(), "--keep"},
+      {command.coordinator_reads, "--coordinator-reads"}};
   for (const auto& [is_given, name] : given) {
     if (is_given) return name;
   }
@@ -161,6 +166,7 @@ ExitCode submit_command(const SubmitCommand& command) {
   if (is_loop_file(command.job.input)) return submit_loop(command);
   const ClientOptions& client = command.client;
   const JobInput input = job_to_submit(command);
+  tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
   const wire::Submit submit = bring_job(command, input, connection);
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);

@@ -9,6 +9,7 @@
 #include "cli/healing_report.h"
 #include "cli/job_input.h"
 #include "cli/place_text.h"
+#include "cli/wave_options.h"
 #include "json/json_line.h"
 #include "mesh/formats/surfaces/read_surface.h"
 #include "mesh/formats/surfaces/write_surface.h"
@@ -27,6 +28,7 @@ using Json = nlohmann::ordered_json;
 JobRemeshing remeshing_of(const SurfaceCommand& command, const JobFile& job) {
   JobRemeshing remeshing = job.remeshing.value_or(JobRemeshing{});
   if (command.size > 0) remeshing.size = command.size;
+  if (is_given(command.wave)) remeshing.size = size_of(job.wave.value());
   if (command.min_size > 0) remeshing.min_size = command.min_size;
   if (command.angle > 0) remeshing.angle = command.angle;
   if (command.tolerance > 0) remeshing.tolerance = command.tolerance;
@@ -38,8 +40,19 @@ JobInput input_of(const SurfaceCommand& command) {
   options.input = command.input;
   if (command.growth > 0) options.growth = command.growth;
   JobInput input = read_job(options);
+  if (command.size > 0) {
+    input.job.wave.reset();
+  } else {
+    input.job.wave = wave_of(command.wave, input.job.wave);
+  }
   input.job.remeshing = remeshing_of(command, input.job);
   return input;
+}
+
+/// Nothing where the size of the edges on the surface is another.
+std::optional<WaveSize> wave_on_surface(const JobFile& job) {
+  const double size = job.remeshing.value().size;
+  return job.wave && (size == 0 || size == size_of(*job.wave)) ? job.wave : std::nullopt;
 }
 
 /// @throws UsageError when the result would replace its input.
@@ -159,8 +172,11 @@ ExitCode surface_command(const SurfaceCommand& command) {
   write_surface(remeshed.made.surface, output);
   const RemeshingFigures figures =
       remeshing_figures(checked.surface, remeshed.made, remeshed.spacing);
+  const std::optional<WaveSize> wave = wave_on_surface(input.job);
+  if (wave && !command.json) std::printf("size            %s\n", wave_size_text(*wave).c_str());
   if (!command.json) print_figures(figures, output);
   Json json = figures_json(figures, output);
+  put_wave(wave, json);
   if (healed) json["healing"] = healing_json(*healed);
   tell_programs(command, json);
   return ExitCode::ok;

@@ -23,8 +23,9 @@ constexpr std::array<std::string_view, 5> surface_keys = {"remesh", "size", "min
                                                           "tolerance"};
 constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
-constexpr std::array<std::string_view, 5> spacing_keys = {"default", "growth", "surface", "sources",
-                                                          "max_elements"};
+constexpr std::array<std::string_view, 8> spacing_keys = {
+    "default", "frequency", "wave_speed", "per_wavelength",
+    "growth",  "surface",   "sources",    "max_elements"};
 constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
@@ -152,8 +153,41 @@ void parse_domain(const JobSection& section, JobFile& job) {
   if (section.has("spacing")) job.outer_spacing = section.not_negative("spacing");
 }
 
+/// In hertz: a number, or a text with a unit.
+double parse_frequency_of(const JobSection& section) {
+  if (!section.node("frequency").is_string()) return section.positive("frequency");
+  const auto hertz = parse_frequency(section.text("frequency"));
+  if (!hertz) section.fail("frequency", std::string("must be ") + frequency_examples);
+  return *hertz;
+}
+
+void parse_wave(const JobSection& section, JobFile& job) {
+  if (!section.has("frequency")) {
+    for (const std::string_view key : {"wave_speed", "per_wavelength"}) {
+      if (section.has(key)) section.fail(key, "needs `frequency`");
+    }
+    return;
+  }
+  if (job.spacing_default > 0) {
+    section.fail("frequency",
+                 "cannot be given together with `default`: each says how long edges "
+                 "may be");
+  }
+  WaveSize& wave = job.wave.emplace();
+  wave.frequency = parse_frequency_of(section);
+  if (section.has("wave_speed")) wave.speed = section.positive("wave_speed");
+  if (section.has("per_wavelength")) wave.per_wavelength = section.positive("per_wavelength");
+  if (!has_size(wave)) {
+    section.fail("frequency",
+                 "gives no edge length: `wave_speed` / (`frequency` · "
+                 "`per_wavelength`) is out of range");
+  }
+  job.spacing_default = size_of(wave);
+}
+
 void parse_spacing(const JobSection& section, JobFile& job) {
   if (section.has("default")) job.spacing_default = section.not_negative("default");
+  parse_wave(section, job);
   if (section.has("growth")) job.growth = section.positive("growth");
   if (section.has("surface")) {
     job.inherit_surface = section.one_of("surface", surface_roles) == "inherit";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/core/vec3.h"
+#include "mesh/job_file/wave_size.h"
 
 namespace tetfarm {
 
@@ -103,6 +104,9 @@ struct JobFile {
   /// [spacing] sources: a file, resolved as the surface is. Who reads the job file puts what is in
   /// it into `sources` (read_flite_sources.h); canonical text does not name it.
   std::string sources_file;
+  /// [spacing] frequency, wave_speed and per_wavelength. What they come to is `spacing_default`,
+  /// and all that canonical text has of them.
+  std::optional<WaveSize> wave;
   std::int64_t max_elements = 2'000'000'000;    // [spacing] max_elements, 0: as many as come
   std::int64_t subdomains = 0;                  // [decompose] subdomains, 0: by target_elements
   std::int64_t target_elements = 0;             // [decompose] target_elements, 0: by the job's size

@@ -178,5 +178,23 @@ TEST_F(Checked, a_bad_surface_is_told_what_healing_would_do) {
               HasSubstr("healing         would leave: too few triangles, open edge\n"));
 }
 
+TEST_F(Checked, a_surface_for_a_frequency_is_told_with_its_size_and_its_longer_edges) {
+  CheckOptions options;
+  options.input = write("tet.off", tet_off);
+  options.wave.frequency = "299792458";
+  const Said said = said_by([&] { return check_command(options); });
+  EXPECT_THAT(said.out, HasSubstr("size            0.1 (10 to a wavelength of 1)\n"));
+  EXPECT_THAT(said.out, HasSubstr("remark          the surface has edges of up to 1.41421, longer "
+                                  "than the 0.1 that the frequency allows"));
+  options.json = true;
+  const json told = json::parse(said_by([&] { return check_command(options); }).out);
+  EXPECT_DOUBLE_EQ(told["size"].get<double>(), 0.1);
+  EXPECT_EQ(told["wavelength"], 1);
+  options.remesh = true;
+  options.json = false;
+  EXPECT_THAT(said_by([&] { return check_command(options); }).out,
+              ::testing::Not(HasSubstr("the surface has edges")));
+}
+
 }  // namespace
 }  // namespace tetfarm

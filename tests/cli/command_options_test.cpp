@@ -467,6 +467,16 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {run({"--max-memory", "1GB", "--subdomains", "2"}), "--subdomains excludes --max-memory"},
       {run({"--max-memory", "1GB", "--groups", "2"}), "--groups excludes --max-memory"},
       {run({"--force", "--max-elements", "2"}), "--max-elements excludes --force"},
+      {run({"--size", "1", "--frequency", "1GHz"}), "--size excludes --frequency"},
+      {run({"--size", "1", "--wave-speed", "1"}), "--size excludes --wave-speed"},
+      {run({"--size", "1", "--per-wavelength", "1"}), "--size excludes --per-wavelength"},
+      {run({"--frequency", "1ghz"}),
+       "--frequency: must be a frequency such as 1.2GHz, 300MHz or 20000, not 1ghz"},
+      {run({"--frequency", "1GHz", "--per-wavelength", "0"}), "--per-wavelength" + positive + "0"},
+      {run({"--frequency", "1GHz", "--wave-speed", "-3"}), "--wave-speed" + positive + "-3"},
+      {{"surface", "a.stl", "--size", "1", "--frequency", "1GHz"}, "--size excludes --frequency"},
+      {{"init"}, "SURFACE is required"},
+      {{"init", "a.stl", "-o", ""}, "--output: must not be empty"},
       {{"plan", "a.stl", "--database", "d"}, "--database requires --store"},
       {{"check", "a.stl", "--store", "s"}, "INPUT excludes --store"},
       {{"check", "--database", "d"}, "--database requires --store"},
@@ -548,6 +558,31 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
   }
 }
 
+TEST_F(CommandOptions, that_give_a_size_by_a_wavelength) {
+  const std::vector<std::string> words = {"a.stl", "--frequency",      "1.2GHz", "--wave-speed",
+                                          "3e11",  "--per-wavelength", "15"};
+  const auto expect_wave = [](const WaveOptions& wave) {
+    EXPECT_EQ(wave.frequency, "1.2GHz");
+    EXPECT_EQ(wave.speed, 3e11);
+    EXPECT_EQ(wave.per_wavelength, 15);
+  };
+  expect_wave(parsed_as<RunOptions>(joined({"run"}, words)).wave);
+  expect_wave(parsed_as<PlanCommand>(joined({"plan"}, words)).job.wave);
+  expect_wave(parsed_as<CheckOptions>(joined({"check"}, words)).wave);
+  expect_wave(parsed_as<SurfaceCommand>(joined({"surface"}, words)).wave);
+  expect_wave(
+      parsed_as<SubmitCommand>(joined({"submit", "--connect", "tcp://h:1"}, words)).job.wave);
+}
+
+TEST_F(CommandOptions, of_a_job_file_to_write) {
+  const auto init = parsed_as<InitCommand>({"init", "a.stl", "-o", "a.toml", "--force"});
+  EXPECT_EQ(init.surface, "a.stl");
+  EXPECT_EQ(init.output, "a.toml");
+  EXPECT_TRUE(init.force);
+  EXPECT_EQ(parsed_as<InitCommand>({"init", "a.stl", "-o", "-"}).output, "-");
+  EXPECT_FALSE(parsed_as<InitCommand>({"init", "a.stl"}).force);
+}
+
 TEST_F(CommandOptions, have_the_defaults_that_help_tells) {
   EXPECT_THAT(help_words({"run"}), AllOf(HasSubstr("unit of distance (default 0.3)"),
                                          HasSubstr("more elements (default 2000000000)"),
@@ -584,7 +619,7 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
         "status",  "tasks",      "workers", "events", "logs",    "explain",     "trace",
         "report",  "backup",     "restore", "retry",  "drain",   "coordinator", "worker",
         "pool",    "keys",       "spacing", "plane",  "adapt",   "transfer",    "loop",
-        "man",     "completion", "version"}) {
+        "man",     "completion", "version", "init"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

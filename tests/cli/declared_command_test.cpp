@@ -157,6 +157,7 @@ TEST(DeclaredCommands, are_those_of_help_with_all_their_options) {
 // A new name for a value is either among those that stand for files or folders, or here.
 TEST(DeclaredCommands, have_values_of_which_it_is_known_whether_they_are_paths) {
   const std::set<std::string> no_paths = {"A",
+                                          "C",
                                           "D",
                                           "DEG",
                                           "F",
@@ -187,6 +188,7 @@ TEST(DeclaredCommands, have_values_of_which_it_is_known_whether_they_are_paths) 
                                           "X,Y,Z",
                                           "Y",
                                           "Z",
+                                          "1.2GHz",
                                           "2GiB",
                                           "LOW,HIGH",
                                           "PATCH,...",

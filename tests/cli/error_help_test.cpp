@@ -36,7 +36,7 @@ TEST(ErrorHelp, of_bad_geometry_says_where_to_repair) {
   const std::string repair =
       "repair the input there; `tetfarm check` shows every defect of the surface, "
       "and what healing would mend";
-  for (const char* command : {"run", "plan", "submit", "wait"}) {
+  for (const char* command : {"run", "plan", "submit", "wait", "init"}) {
     EXPECT_EQ(help_of(ExitCode::bad_geometry, command), repair) << command;
   }
   EXPECT_EQ(help_of(ExitCode::bad_geometry, "check"), "repair the input there");

@@ -343,5 +343,79 @@ TEST_F(JobOfAFile, keeps_its_own_words_of_remeshing_but_for_those_typed) {
   EXPECT_THAT(refusal(options), HasSubstr("[surface] min_size: must not be more than"));
 }
 
+RunOptions with_frequency(const std::string& input, const std::string& frequency) {
+  RunOptions options = of_surface(input);
+  options.wave.frequency = frequency;
+  return options;
+}
+
+TEST(JobInput, with_a_frequency_is_the_job_with_the_equal_size) {
+  RunOptions by_wave = with_frequency("wing.stl", "1.5GHz");
+  by_wave.wave.per_wavelength = 20;
+  RunOptions by_size = of_surface("wing.stl");
+  by_size.size = 299792458 / 1.5e9 / 20;
+  EXPECT_EQ(key_of(describe_job(by_wave)), key_of(describe_job(by_size)));
+  EXPECT_NE(key_of(describe_job(by_wave)), key_of(describe_job(of_surface("wing.stl"))));
+}
+
+TEST(JobInput, takes_a_wave_speed_and_a_share_with_a_frequency_only) {
+  RunOptions options = with_frequency("wing.stl", "2kHz");
+  options.wave.speed = 340;
+  options.wave.per_wavelength = 17;
+  EXPECT_DOUBLE_EQ(describe_job(options).job.spacing_default, 0.01);
+  options.wave.frequency = "";
+  EXPECT_EQ(refusal(options), "--wave-speed: there is no frequency; also give --frequency");
+  options.wave.speed.reset();
+  EXPECT_EQ(refusal(options), "--per-wavelength: there is no frequency; also give --frequency");
+}
+
+TEST_F(JobOfAFile, has_its_own_frequency_but_for_the_words_typed) {
+  const std::string file = write("job.toml",
+                                 "[geometry]\nsurface = \"wing.stl\"\n[spacing]\n"
+                                 "frequency = 2\nwave_speed = 40\nper_wavelength = 5\n");
+  RunOptions options = of_surface(file);
+  EXPECT_DOUBLE_EQ(describe_job(options).job.spacing_default, 4);
+  options.wave.per_wavelength = 10;
+  EXPECT_DOUBLE_EQ(describe_job(options).job.spacing_default, 2);
+  options.wave.frequency = "4";
+  EXPECT_DOUBLE_EQ(describe_job(options).job.spacing_default, 1);
+  options.wave = {};
+  options.size = 7;
+  EXPECT_EQ(describe_job(options).job.spacing_default, 7);
+  EXPECT_FALSE(describe_job(options).job.wave.has_value()) << "that counts no longer";
+}
+
+TEST_F(JobOfAFile, with_a_size_of_its_own_gives_way_to_a_frequency_that_is_typed) {
+  const std::string file =
+      write("job.toml", "[geometry]\nsurface = \"wing.stl\"\n[spacing]\ndefault = 7\n");
+  EXPECT_DOUBLE_EQ(describe_job(with_frequency(file, "299792458")).job.spacing_default, 0.1);
+}
+
+TEST(JobInput, no_other_size_is_above_what_a_frequency_allows) {
+  RunOptions options = with_frequency("wing.stl", "299792458");  // 0.1
+  options.outer = "box";
+  options.outer_size = 0.1;
+  EXPECT_EQ(refusal(options), "");
+  options.outer_size = 0.11;
+  EXPECT_EQ(refusal(options),
+            "--outer-size ([domain] spacing): an edge length of 0.11 is more than --frequency "
+            "([spacing] frequency) allows, 0.1 (10 to a wavelength of 1); leave it out, or give "
+            "--size instead");
+  options.outer_size.reset();
+  options.remesh = true;
+  options.size_on_body = 0.2;
+  EXPECT_THAT(refusal(options),
+              HasSubstr("--size-on-body ([surface] size): an edge length of 0.2 is more"));
+  options.size_on_body = 0.05;
+  EXPECT_EQ(refusal(options), "");
+}
+
+TEST(JobInput, a_frequency_must_give_a_size) {
+  RunOptions options = with_frequency("wing.stl", "1GHz");
+  options.wave.speed = 1e-310;
+  options.wave.per_wavelength = 1e300;
+  EXPECT_THAT(refusal(options), HasSubstr("--frequency: gives no edge length"));
+}
+
 }  // namespace
 }  // namespace tetfarm

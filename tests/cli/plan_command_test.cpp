@@ -234,5 +234,20 @@ TEST_F(PlanOfACube, warns_of_a_disk_that_is_too_small_for_it) {
   EXPECT_THAT(said.err, ::testing::EndsWith(" MiB free\n"));
 }
 
+TEST_F(PlanOfACube, for_a_frequency_tells_the_size_and_is_that_of_the_size) {
+  const Json by_size = json();
+  command_.job.size.reset();
+  command_.job.wave.frequency = "2";
+  command_.job.wave.speed = 4;
+  const Json by_wave = json();
+  EXPECT_EQ(by_wave["estimated_elements"], by_size["estimated_elements"]);
+  EXPECT_EQ(by_wave["subdomains"], by_size["subdomains"]);
+  EXPECT_EQ(by_wave["size"], 0.2);
+  EXPECT_EQ(by_wave["wavelength"], 2);
+  EXPECT_FALSE(by_size.contains("size"));
+  EXPECT_THAT(text(), HasSubstr("\nsize 0.2 (10 to a wavelength of 2)\nthe surface has edges of "
+                                "up to 1.41421, longer than the 0.2 that the frequency allows"));
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -22,6 +22,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class SurfaceRemeshed : public ::testing::Test {
  protected:
@@ -191,6 +192,37 @@ TEST_F(SurfaceHealed, of_a_sound_one_is_told_to_be_sound) {
   command.heal_only = true;
   EXPECT_THAT(remeshed(command).out, HasSubstr("healed          nothing: the surface is sound\n"));
   EXPECT_EQ(read_surface(command.output).triangles, shapes::unit_cube().triangles);
+}
+
+TEST_F(SurfaceRemeshed, for_a_frequency_is_the_same_as_with_that_size) {
+  SurfaceCommand by_size;
+  by_size.input = cube();
+  by_size.output = path("by_size.off");
+  by_size.size = 0.2;
+  EXPECT_THAT(remeshed(by_size).out, Not(HasSubstr("wavelength")));
+  SurfaceCommand by_wave;
+  by_wave.input = by_size.input;
+  by_wave.output = path("by_wave.off");
+  by_wave.wave.frequency = "2";
+  by_wave.wave.speed = 4;
+  EXPECT_THAT(remeshed(by_wave).out, HasSubstr("size            0.2 (10 to a wavelength of 2)\n"));
+  EXPECT_EQ(read_file(by_wave.output), read_file(by_size.output));
+}
+
+TEST_F(SurfaceRemeshed, of_a_job_file_has_the_size_of_its_frequency_unless_it_says_another) {
+  cube();
+  write_file_atomically(path("job.toml"),
+                        "[geometry]\nsurface = \"cube.off\"\n[spacing]\nfrequency = 2\n"
+                        "wave_speed = 4\n[surface]\nremesh = true\n");
+  SurfaceCommand command;
+  command.input = path("job.toml");
+  command.output = path("fine.off");
+  EXPECT_THAT(remeshed(command).out, HasSubstr("size            0.2 (10 to a wavelength of 2)\n"));
+  command.wave.per_wavelength = 4;
+  EXPECT_THAT(remeshed(command).out, HasSubstr("size            0.5 (4 to a wavelength of 2)\n"));
+  command.wave = {};
+  command.size = 0.25;
+  EXPECT_THAT(remeshed(command).out, Not(HasSubstr("wavelength")));
 }
 
 }  // namespace

@@ -338,7 +338,7 @@ TEST(JobFileDocument, and_the_examples_can_be_parsed) {
     if (block.find("[geometry]") == block.npos) block += geometry;
     EXPECT_NO_THROW(parse_job_file(block, "document.toml")) << block;
   }
-  EXPECT_EQ(blocks, 8);
+  EXPECT_EQ(blocks, 9);
 }
 
 TEST(Examples, are_jobs_whose_surfaces_exist_or_can_be_made) {
@@ -433,6 +433,56 @@ TEST(JobFile, refuses_remeshing_that_cannot_be_meant) {
               HasSubstr("must not be more than `size`"));
   EXPECT_THAT(refusal("remesh = 1\n"), HasSubstr("`remesh`"));
   EXPECT_THAT(refusal("remsh = true\n"), HasSubstr("did you mean"));
+}
+
+/// Of a job with this after its geometry.
+JobFile job_with_spacing(const std::string& spacing) {
+  return parse_job_file(geometry + "[spacing]\n" + spacing + "\n", "j.toml");
+}
+
+std::string refusal_of_spacing(const std::string& spacing) {
+  try {
+    job_with_spacing(spacing);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "it was taken";
+}
+
+TEST(JobFile, has_a_size_by_the_wavelength_of_light_in_metres) {
+  for (const std::string frequency : {"1e9", "1_000_000_000", "\"1GHz\"", "\"1000 MHz\""}) {
+    const JobFile job = job_with_spacing("frequency = " + frequency);
+    EXPECT_DOUBLE_EQ(job.spacing_default, 0.0299792458) << frequency;
+  }
+}
+
+TEST(JobFile, has_a_size_by_any_wave_speed_and_share) {
+  const JobFile job =
+      job_with_spacing("frequency = \"2kHz\"\nwave_speed = 340\nper_wavelength = 17");
+  EXPECT_DOUBLE_EQ(job.spacing_default, 0.01);
+}
+
+TEST(JobFile, with_a_frequency_is_the_same_as_with_that_size) {
+  const JobFile by_wave = job_with_spacing("frequency = 3\nwave_speed = 6");
+  EXPECT_EQ(to_toml(by_wave), to_toml(job_with_spacing("default = 0.2")));
+}
+
+TEST(JobFile, says_what_is_wrong_with_a_frequency) {
+  EXPECT_EQ(refusal_of_spacing("default = 1\nfrequency = 1"),
+            "j.toml:5:13: `frequency` cannot be given together with `default`: each says how long "
+            "edges may be");
+  EXPECT_EQ(refusal_of_spacing("wave_speed = 1"), "j.toml:4:14: `wave_speed` needs `frequency`");
+  EXPECT_EQ(refusal_of_spacing("per_wavelength = 1"),
+            "j.toml:4:18: `per_wavelength` needs `frequency`");
+  EXPECT_EQ(refusal_of_spacing("frequency = \"1ghz\""),
+            "j.toml:4:13: `frequency` must be a frequency such as 1.2GHz, 300MHz or 20000");
+  EXPECT_EQ(refusal_of_spacing("frequency = -1"), "j.toml:4:13: `frequency` must be positive");
+  EXPECT_THAT(refusal_of_spacing("frequency = true"), HasSubstr("must be a number"));
+  EXPECT_EQ(refusal_of_spacing("frequency = 1\nwave_speed = 0"),
+            "j.toml:5:14: `wave_speed` must be positive");
+  EXPECT_THAT(refusal_of_spacing("frequency = 1e-300\nwave_speed = 1e300"),
+              HasSubstr("`frequency` gives no edge length"));
+  EXPECT_EQ(refusal_of_spacing("default = 0\nfrequency = 1"), "it was taken");
 }
 
 }  // namespace

@@ -155,7 +155,8 @@ TEST(JobFileKeys, are_each_there_once) {
       all,
       "version name geometry.surface surface.remesh surface.size surface.min_size surface.angle "
       "surface.tolerance domain.outer domain.factor domain.spacing region.at "
-      "region.name region.void spacing.default spacing.growth spacing.surface spacing.sources "
+      "region.name region.void spacing.default spacing.frequency spacing.wave_speed "
+      "spacing.per_wavelength spacing.growth spacing.surface spacing.sources "
       "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
       "source.from source.to source.corner source.corner.at source.corner.spacing "
       "source.corner.inner source.corner.outer layers.patches layers.first_height "
