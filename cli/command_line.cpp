@@ -34,14 +34,17 @@ std::string a_mesh() {
 }
 
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
+                                                              {"text", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
-                                                              {"none", ProgressStyle::none}};
+                                                              {"none", ProgressStyle::none},
+                                                              {"json", ProgressStyle::json}};
 
 void add_progress(CLI::App& app, ProgressStyle& style) {
   app.add_option("--progress", style,
-                 "auto: a bar on a terminal, otherwise plain; plain: lines; none: nothing")
+                 "text: a bar on a terminal, otherwise plain; plain: lines; none: nothing; json: "
+                 "JSON on standard error, one object per line (default text)")
       ->transform(CLI::CheckedTransformer(progress_styles))
-      ->option_text("auto|plain|none");
+      ->option_text("text|plain|none|json");
 }
 
 /// @param more of its help

@@ -14,7 +14,8 @@
 
 namespace tetfarm {
 
-enum class ProgressStyle { automatic, plain, none };
+/// `automatic`: a bar on a terminal, otherwise `plain`, which is lines of text.
+enum class ProgressStyle { automatic, plain, none, json };
 
 struct RunOptions {
   std::string input;  ///< a surface, or a job file (.toml)
