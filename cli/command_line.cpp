@@ -10,6 +10,7 @@
 #include "cli/about_command_line.h"
 #include "cli/client_options.h"
 #include "cli/command_purposes.h"
+#include "cli/doctor_command_line.h"
 #include "cli/exit_codes.h"
 #include "cli/keys_command_line.h"
 #include "cli/option_checks.h"
@@ -170,6 +171,10 @@ class Parser {
     add_pool(app_, pool_, [this] { command_ = pool_; });
     add_drain();
     add_keys(app_, keys_, [this] { command_ = keys_; });
+    add_doctor(
+        add("doctor", "Check a machine, its folders, keys and coordinator, and say what to do",
+            "tetfarm doctor --store /shared/farm --listen tcp://*:5555", doctor_),
+        doctor_);
     add_gc();
     add_copies(app_, views_, chosen);
     add_about(app_, about_, chosen);
@@ -555,6 +560,7 @@ class Parser {
   Services services_;
   PoolCommand pool_;
   KeysCommand keys_;
+  DoctorCommand doctor_;
   About about_;
 };
 

@@ -75,12 +75,14 @@ struct Execute {
   ExitCode operator()(const WorkerCommand& command) const { return worker_command(command); }
   ExitCode operator()(const PoolCommand& command) const { return pool_command(command); }
   ExitCode operator()(const KeysCommand& command) const { return keys_command(command); }
+  ExitCode operator()(const DoctorCommand& command) const { return doctor_command(command); }
   ExitCode operator()(const JobsCommand& command) const { return jobs_command(command); }
   ExitCode operator()(const TasksCommand& command) const { return tasks_command(command); }
   ExitCode operator()(const WorkersCommand& command) const { return workers_command(command); }
   ExitCode operator()(const EventsCommand& command) const { return events_command(command); }
   ExitCode operator()(const LogsCommand& command) const { return logs_command(command); }
   ExitCode operator()(const ExplainCommand& command) const { return explain_command(command); }
+  ExitCode operator()(const TopCommand& command) const { return top_command(command); }
   ExitCode operator()(const TraceCommand& command) const { return trace_command(command); }
   ExitCode operator()(const ReportCommand& command) const { return report_command(command); }
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }

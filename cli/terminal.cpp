@@ -149,4 +149,9 @@ std::size_t terminal_columns(std::FILE* stream) {
   return ::ioctl(fd_of(stream), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
+std::size_t terminal_lines(std::FILE* stream) {
+  winsize size{};
+  return ::ioctl(fd_of(stream), TIOCGWINSZ, &size) == 0 ? size.ws_row : 0;
+}
+
 }  // namespace tetfarm

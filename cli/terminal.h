@@ -31,6 +31,8 @@ void write_error_line(std::string_view line);
 
 /// How long its lines are; 0: not known, or it is no terminal.
 std::size_t terminal_columns(std::FILE* stream);
+/// How many lines it shows; likewise.
+std::size_t terminal_lines(std::FILE* stream);
 
 /// What the guard would write of a text, and what it keeps back: half a character at its end, which
 /// the next text may complete.
