@@ -4,17 +4,19 @@
 #include <vector>
 
 #include "cli/client_options.h"
+#include "cli/job_file_page.h"
 #include "cli/option_checks.h"
 
 namespace tetfarm {
 namespace {
 
-/// Of commands for people.
+/// Of commands for people, and of the job file.
 std::vector<std::string_view> names_of_pages(const CLI::App& app) {
   std::vector<std::string_view> names;
   for (const CLI::App* sub : app.get_subcommands({})) {
     if (!sub->get_group().empty()) names.emplace_back(sub->get_name());
   }
+  names.emplace_back(name_of_job_file_page);
   return names;
 }
 
@@ -33,7 +35,8 @@ void add_about(CLI::App& app, About& about, const std::function<void(const Comma
                                   "tetfarm version --json", about.version, chosen);
   add_json(version, about.version.json);
   CLI::Option* command =
-      man.add_option("COMMAND", about.man.command, "One command's page (default: the program's)")
+      man.add_option("COMMAND", about.man.command,
+                     "One command's page, or that of the job file: job (default: the program's)")
           ->check(suggested(names_of_pages(app)));
   man.add_option("-o,--output", about.man.output,
                  "Folder to write all pages into, as man1/tetfarm.1 and so on")

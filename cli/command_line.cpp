@@ -10,6 +10,7 @@
 #include "cli/about_command_line.h"
 #include "cli/client_options.h"
 #include "cli/command_purposes.h"
+#include "cli/doctor_command_line.h"
 #include "cli/exit_codes.h"
 #include "cli/keys_command_line.h"
 #include "cli/option_checks.h"
@@ -34,14 +35,17 @@ std::string a_mesh() {
 }
 
 const std::map<std::string, ProgressStyle> progress_styles = {{"auto", ProgressStyle::automatic},
+                                                              {"text", ProgressStyle::automatic},
                                                               {"plain", ProgressStyle::plain},
-                                                              {"none", ProgressStyle::none}};
+                                                              {"none", ProgressStyle::none},
+                                                              {"json", ProgressStyle::json}};
 
 void add_progress(CLI::App& app, ProgressStyle& style) {
   app.add_option("--progress", style,
-                 "auto: a bar on a terminal, otherwise plain; plain: lines; none: nothing")
+                 "text: a bar on a terminal, otherwise plain; plain: lines; none: nothing; json: "
+                 "JSON on standard error, one object per line (default text)")
       ->transform(CLI::CheckedTransformer(progress_styles))
-      ->option_text("auto|plain|none");
+      ->option_text("text|plain|none|json");
 }
 
 /// @param more of its help
@@ -193,6 +197,10 @@ class Parser {
     add_pool(app_, pool_, [this] { command_ = pool_; });
     add_drain();
     add_keys(app_, keys_, [this] { command_ = keys_; });
+    add_doctor(
+        add("doctor", "Check a machine, its folders, keys and coordinator, and say what to do",
+            "tetfarm doctor --store /shared/farm --listen tcp://*:5555", doctor_),
+        doctor_);
     add_gc();
     add_copies(app_, views_, chosen);
     add_about(app_, about_, chosen);
@@ -593,6 +601,7 @@ class Parser {
   Services services_;
   PoolCommand pool_;
   KeysCommand keys_;
+  DoctorCommand doctor_;
   About about_;
 };
 

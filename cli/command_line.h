@@ -14,7 +14,8 @@
 
 namespace tetfarm {
 
-enum class ProgressStyle { automatic, plain, none };
+/// `automatic`: a bar on a terminal, otherwise `plain`, which is lines of text.
+enum class ProgressStyle { automatic, plain, none, json };
 
 /// Edge lengths by the wavelength. What is not given is as the job file says, or as of WaveSize.
 struct WaveOptions {
@@ -226,6 +227,12 @@ struct LogsCommand {
   ViewOptions view;
   std::string target;  ///< "job-7", or a task's number
 };
+/// The farm on one screen, again and again.
+struct TopCommand {
+  ViewOptions view;
+  bool once = false;  ///< also where there is a terminal
+  double interval_s = 2;
+};
 struct TraceCommand {
   ViewOptions view;
   std::string output;
@@ -309,6 +316,18 @@ struct GcCommand {
   bool dry_run = false;
   bool all_finished = false;  ///< of done jobs only the results and their inputs stay
   bool json = false;
+};
+
+/// Looks whether a machine and a farm are in order.
+struct DoctorCommand {
+  ClientOptions client;      ///< without an endpoint: the coordinator of the store, if one runs
+  std::string store;         ///< or the folder of a run; "": `folder` is looked at
+  std::string database;      ///< "": the store
+  std::string folder = ".";  ///< that a run is to work in
+  std::vector<std::string> endpoints;  ///< that a coordinator is to listen on
+  std::string keys;                    ///< folder of a coordinator's; "": see find_keys
+  std::uint64_t memory_bytes = 0;      ///< that a worker is to be told of; 0: nothing is said
+  std::string pool;                    ///< slurm, condor, lsf or ge; "": none need be there
 };
 
 struct KeysCommand {
@@ -429,14 +448,16 @@ struct TaskHostCommand {};
 /// Help or the version was printed: nothing more to do.
 struct NothingToDo {};
 
-using Command = std::variant<
-    NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
-    ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand, WaitCommand,
-    CancelCommand, RetryCommand, DrainCommand, SubmitCommand, CoordinatorCommand, WorkerCommand,
-    GcCommand, PoolCommand, KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
-    WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TraceCommand, ReportCommand,
-    BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand,
-    LoopCommand, CompletionCommand, ManCommand, VersionCommand, InitCommand>;
+using Command =
+    std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
+                 ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
+                 WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
+                 CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
+                 TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
+                 EventsCommand, LogsCommand, ExplainCommand, TopCommand, TraceCommand,
+                 ReportCommand, BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand,
+                 AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand, CompletionCommand,
+                 ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -68,6 +68,9 @@ ExitCode logs_command(const LogsCommand& command);
 /// Why a task waits or failed, where it ran, its place in the tree.
 ExitCode explain_command(const ExplainCommand& command);
 
+/// The farm on one screen until the key q is pressed; where there is no terminal, once.
+ExitCode top_command(const TopCommand& command);
+
 /// Writes who did what when, for Perfetto.
 ExitCode trace_command(const TraceCommand& command);
 /// Copies the database into a file, and back.
@@ -86,6 +89,9 @@ ExitCode worker_command(const WorkerCommand& command);
 ExitCode pool_command(const PoolCommand& command);
 /// Makes keys, and says who may speak with a coordinator.
 ExitCode keys_command(const KeysCommand& command);
+
+/// Looks at a machine, its folders, keys and coordinator. Failed when something has to be mended.
+ExitCode doctor_command(const DoctorCommand& command);
 
 /// The program about itself.
 ExitCode completion_command(const CompletionCommand& command);

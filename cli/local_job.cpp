@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 #include "base/clock.h"
 #include "base/counted.h"
@@ -13,6 +14,7 @@
 #include "cli/job_outcome.h"
 #include "cli/local_farm.h"
 #include "cli/progress_display.h"
+#include "cli/progress_lines.h"
 #include "cli/stopped_run.h"
 #include "cli/workers_wanted.h"
 
@@ -77,7 +79,7 @@ std::optional<wire::JobStatus> follow(LocalFarm& farm, CoordinatorConnection& co
     display.show_forecast(status);
     if (has_ended(status)) return status;
     if (status.state() == "stuck") throw Error(ExitCode::out_of_resources, status.message());
-    display.show(status);
+    display.show(status, reply->workers());
     farm.grow(workers_wanted(*reply));
     const std::int64_t pause_ms =
         std::clamp((steady_ms() - start) / looks_in_run, quickest_look_ms, slowest_look_ms);
@@ -167,6 +169,12 @@ ExitCode report_stop(const RunOptions& options, const std::filesystem::path& sto
   std::fprintf(stderr, "%shelp: run the same command again to continue%s\n",
                stopped_text(stopped).c_str(),
                stopped.lost.empty() ? "" : "; --grace SECONDS lets running tasks finish first");
+  CommandEnd end;
+  end.state = "stopped";
+  end.job = stopped.job;
+  end.exit_code = static_cast<int>(ExitCode::stopped_at_checkpoint);
+  end.help = "run the same command again to continue";
+  tell_end(options.progress, std::move(end));
   return ExitCode::stopped_at_checkpoint;
 }
 

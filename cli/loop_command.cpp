@@ -43,7 +43,9 @@ ExitCode loop_command(const LoopCommand& command) {
   const std::vector<fs::path> files = deliver_files(*outcome.end, store, folder);
   stop_listening();
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
-  return report_outcome(*outcome.end, {.files = files, .seconds = seconds, .json = command.json});
+  return report_outcome(
+      *outcome.end,
+      {.files = files, .seconds = seconds, .json = command.json, .progress = command.progress});
 }
 
 }  // namespace tetfarm

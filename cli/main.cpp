@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/error_help.h"
+#include "cli/progress_lines.h"
 #include "cli/terminal.h"
 #include "json/job_json.h"
 
@@ -21,10 +22,24 @@ bool wants_json(int argc, char** argv) {
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
+CommandEnd failed_end(const Error& error, const std::string& help) {
+  CommandEnd end;
+  end.state = "failed";
+  end.exit_code = static_cast<int>(error.code());
+  end.message = error.what();
+  end.help = help;
+  return end;
+}
+
 int complain(const Error& error, int argc, char** argv) {
   const int code = static_cast<int>(error.code());
   if (wants_json(argc, argv)) std::printf("%s\n", error_json(error.what(), code).c_str());
   const std::string help = help_for(error, argc > 1 ? argv[1] : "");
+  if (asks_for_json_progress(argc, argv)) {
+    std::fflush(stdout);  // the end is the last, also where both go to one place
+    tell_end(ProgressStyle::json, failed_end(error, help));
+    return code;
+  }
   std::fputs(complaint(error.what(), help).c_str(), stderr);
   return code;
 }
@@ -61,12 +76,14 @@ struct Execute {
   ExitCode operator()(const WorkerCommand& command) const { return worker_command(command); }
   ExitCode operator()(const PoolCommand& command) const { return pool_command(command); }
   ExitCode operator()(const KeysCommand& command) const { return keys_command(command); }
+  ExitCode operator()(const DoctorCommand& command) const { return doctor_command(command); }
   ExitCode operator()(const JobsCommand& command) const { return jobs_command(command); }
   ExitCode operator()(const TasksCommand& command) const { return tasks_command(command); }
   ExitCode operator()(const WorkersCommand& command) const { return workers_command(command); }
   ExitCode operator()(const EventsCommand& command) const { return events_command(command); }
   ExitCode operator()(const LogsCommand& command) const { return logs_command(command); }
   ExitCode operator()(const ExplainCommand& command) const { return explain_command(command); }
+  ExitCode operator()(const TopCommand& command) const { return top_command(command); }
   ExitCode operator()(const TraceCommand& command) const { return trace_command(command); }
   ExitCode operator()(const ReportCommand& command) const { return report_command(command); }
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }
@@ -86,6 +103,7 @@ struct Execute {
 int main(int argc, char** argv) {
   using namespace tetfarm;
   guard_terminal();
+  if (asks_for_json_progress(argc, argv)) tell_messages_in_json();
   try {
     return static_cast<int>(std::visit(Execute{}, parse_command_line(argc, argv)));
   } catch (const Error& error) {

@@ -9,6 +9,7 @@
 #include "base/program_version.h"
 #include "cli/commands.h"
 #include "cli/did_you_mean.h"
+#include "cli/job_file_page.h"
 #include "cli/manual_page.h"
 
 namespace tetfarm {
@@ -17,6 +18,7 @@ namespace {
 [[noreturn]] void refuse_page(const std::string& name, const DeclaredCommand& program) {
   std::vector<std::string_view> known;
   for (const DeclaredCommand& command : program.commands) known.push_back(command.name);
+  known.emplace_back(name_of_job_file_page);
   throw ErrorWithHelp(ExitCode::usage,
                       "unknown command " + in_ticks(name) + did_you_mean(name, known),
                       "`tetfarm --help` lists the commands");
@@ -24,6 +26,7 @@ namespace {
 
 ManualPage page_about(const std::string& name, const DeclaredCommand& program) {
   if (name.empty()) return manual_page(program, program_version);
+  if (name == name_of_job_file_page) return job_file_page(program_version);
   for (const DeclaredCommand& command : program.commands) {
     if (command.name == name) return manual_page_of(command, program, program_version);
   }
@@ -46,6 +49,7 @@ ExitCode man_command(const ManCommand& command) {
     return ExitCode::ok;
   }
   write_page(page_about("", program), command.output);
+  write_page(page_about(name_of_job_file_page, program), command.output);
   for (const DeclaredCommand& one : program.commands) {
     write_page(page_about(one.name, program), command.output);
   }

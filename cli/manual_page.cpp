@@ -192,13 +192,21 @@ std::string section_of_example(const DeclaredCommand& command) {
   return ".SH EXAMPLES\n" + roff_lines(text);
 }
 
-/// The program, and the commands that have the same purpose.
+bool takes_job_file(const DeclaredCommand& command) {
+  return std::any_of(command.arguments.begin(), command.arguments.end(),
+                     [](const DeclaredOption& argument) { return argument.value == "INPUT"; });
+}
+
+/// The program, and the commands that have the same purpose; the job file.
 std::string section_of_references(const DeclaredCommand& command, const DeclaredCommand& program) {
   std::vector<std::string> references;
   if (!command.name.empty()) references.push_back(reference_to(program));
   for (const DeclaredCommand& other : program.commands) {
     const bool is_near = command.name.empty() || other.purpose == command.purpose;
     if (is_near && other.name != command.name) references.push_back(reference_to(other));
+  }
+  if (command.name.empty() || takes_job_file(command)) {
+    references.push_back(roff_bold("tetfarm-job") + "(5)");
   }
   return ".SH SEE ALSO\n" + joined_words(references, ",\n") + "\n";
 }

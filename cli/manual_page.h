@@ -11,7 +11,7 @@ namespace tetfarm {
 
 struct ManualPage {
   std::string name;  ///< "tetfarm-run"
-  int section = 1;   ///< 8 of what those use who keep a farm running
+  int section = 1;   ///< 8 of what those use who keep a farm running, 5 of files
   std::string text;
 };
 

@@ -14,6 +14,13 @@ double made_elements(const wire::JobStatus& status) {
   return static_cast<double>(status.elements()) + std::max(status.elements_under_way(), 0.0);
 }
 
+std::optional<double> seconds_of_meshing_left(const wire::JobStatus& status,
+                                              double tets_per_second) {
+  const double left = status.estimated_elements() - made_elements(status);
+  if (status.stage() != "mesh" || tets_per_second <= 0 || left <= 0) return std::nullopt;
+  return left / tets_per_second;
+}
+
 void MeshingRate::note(const wire::JobStatus& status, std::int64_t now_ms) {
   const double made = made_elements(status);
   if (!has_begun_) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "proto/messages.pb.h"
 
@@ -11,6 +12,11 @@ namespace tetfarm {
 
 /// Tets that are there, and those that stand for what running tasks have done.
 double made_elements(const wire::JobStatus& status);
+
+/// Until the leaves are meshed, at such a rate; nothing before and after that stage, and without a
+/// rate.
+std::optional<double> seconds_of_meshing_left(const wire::JobStatus& status,
+                                              double tets_per_second);
 
 class MeshingRate {
  public:

@@ -66,10 +66,8 @@ std::string progress_text(const wire::JobStatus& status, double tets_per_second,
     text += "  " + short_count(static_cast<double>(status.elements())) + " tets";
   }
   if (says_rate && tets_per_second > 0) text += "  " + short_count(tets_per_second) + " tets/s";
-  const double left = status.estimated_elements() - made_elements(status);
-  if (status.stage() == "mesh" && tets_per_second > 0 && left > 0) {
-    text += "  eta " + clock_text(left / tets_per_second);
-  }
+  const std::optional<double> left_s = seconds_of_meshing_left(status, tets_per_second);
+  if (left_s) text += "  eta " + clock_text(*left_s);
   if (status.attempts_lost() > 0) {
     text += format("  %llu lost", static_cast<unsigned long long>(status.attempts_lost()));
   }
@@ -125,10 +123,15 @@ double share_done(const wire::JobStatus& status, const MeshingRate& rate) {
 ProgressDisplay::ProgressDisplay(ProgressStyle style)
     : style_(style), is_bar_(style == ProgressStyle::automatic && ::isatty(STDERR_FILENO) == 1) {}
 
-void ProgressDisplay::show(const wire::JobStatus& status) {
+void ProgressDisplay::show(const wire::JobStatus& status, std::uint32_t workers) {
   if (style_ == ProgressStyle::none) return;
-  show_forecast(status);
   const std::int64_t now = steady_ms();
+  if (style_ == ProgressStyle::json) {
+    const std::string line = lines_.due(status, workers, now, wall_ms());
+    if (!line.empty()) write_error_line(line);
+    return;
+  }
+  show_forecast(status);
   rate_.note(status, now);
   const std::string running = running_text(status);
   if (is_bar_) return draw_bar(status, running.empty() ? "" : "  " + running);
@@ -153,7 +156,7 @@ bool ProgressDisplay::is_line_due(const wire::JobStatus& status, std::int64_t no
 }
 
 void ProgressDisplay::show_forecast(const wire::JobStatus& status) {
-  if (style_ == ProgressStyle::none || told_forecast_) return;
+  if (style_ == ProgressStyle::none || style_ == ProgressStyle::json || told_forecast_) return;
   const std::string text = forecast_text(status);
   if (text.empty()) return;
   end();

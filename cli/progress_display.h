@@ -1,5 +1,5 @@
-/// How far a job is, for a person: a bar on a terminal, otherwise a line now and then. On standard
-/// error.
+/// How far a job is: for a person a bar on a terminal, otherwise a line now and then; for programs
+/// lines of JSON. On standard error.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 #include "cli/command_line.h"
 #include "cli/meshing_rate.h"
+#include "cli/progress_lines.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
@@ -39,9 +40,10 @@ std::string clock_text(double seconds);
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(ProgressStyle style);
-  void show(const wire::JobStatus& status);
+  /// @param workers that are there
+  void show(const wire::JobStatus& status, std::uint32_t workers);
   /// What the job comes to, once, as soon as it is known; also of a job that ended before anything
-  /// was shown.
+  /// was shown. For people only: progress for programs has it in every line.
   void show_forecast(const wire::JobStatus& status);
   /// Clears the bar, so that other lines may follow.
   void end();
@@ -58,6 +60,7 @@ class ProgressDisplay {
   wire::RunningTask last_running_;
   std::int64_t last_line_ms_ = 0;
   MeshingRate rate_;
+  ProgressLines lines_;
 };
 
 }  // namespace tetfarm

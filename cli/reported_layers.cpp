@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view ending = ".layers.vtp";
+constexpr std::string_view ending_of_layers = ".layers.vtp";
 constexpr int picture_width = 960;
 constexpr int picture_height = 640;
 
@@ -158,7 +158,7 @@ std::vector<ReportPicture> slice_pictures(const NumberedTriangles& map, const Me
 
 std::optional<std::string> layer_map_of(const fs::path& mesh_file) {
   for (fs::path stem = mesh_file.stem(); !stem.empty(); stem = stem.stem()) {
-    const fs::path map = mesh_file.parent_path() / (stem.string() + std::string(ending));
+    const fs::path map = mesh_file.parent_path() / (stem.string() + std::string(ending_of_layers));
     if (fs::exists(map)) return read_file(map);
     if (stem == stem.stem()) break;
   }
@@ -167,9 +167,9 @@ std::optional<std::string> layer_map_of(const fs::path& mesh_file) {
 
 std::optional<std::string> layer_map_of(const wire::JobStatus& status, const ViewOptions& view,
                                         const fs::path& scratch_folder) {
-  const auto found =
-      std::find_if(status.files().begin(), status.files().end(),
-                   [](const wire::Artifact& file) { return file.name().ends_with(ending); });
+  const auto found = std::find_if(
+      status.files().begin(), status.files().end(),
+      [](const wire::Artifact& file) { return file.name().ends_with(ending_of_layers); });
   if (found == status.files().end()) return std::nullopt;
   return read_file(bring_file_of_job(status, *found, view, scratch_folder).file);
 }

@@ -31,8 +31,10 @@ ExitCode run_command(const RunOptions& options) {
   stop_listening();
   convert_mesh(*outcome.end, options.progress, files);
   const double seconds = static_cast<double>(steady_ms() - start) / 1000;
-  return report_outcome(*outcome.end,
-                        {.files = std::move(files), .seconds = seconds, .json = options.json});
+  return report_outcome(*outcome.end, {.files = std::move(files),
+                                       .seconds = seconds,
+                                       .json = options.json,
+                                       .progress = options.progress});
 }
 
 }  // namespace tetfarm

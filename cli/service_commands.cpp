@@ -23,6 +23,7 @@
 #include "cli/job_outcome.h"
 #include "cli/loop_input.h"
 #include "cli/progress_display.h"
+#include "cli/progress_lines.h"
 #include "cli/service_options.h"
 #include "cli/wave_options.h"
 #include "coordinator/log_lines.h"
@@ -50,25 +51,31 @@ std::uint64_t parse_worker_name(const std::string& name) {
   return error == std::errc{} && stopped == end ? worker : 0;
 }
 
-wire::JobStatus status_of_job(CoordinatorConnection& connection, const ClientOptions& client) {
-  const wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
+/// With the status of the job, which is there.
+wire::StatusReply status_of_job(CoordinatorConnection& connection, const ClientOptions& client) {
+  wire::StatusReply reply = connection.status(client.job, in_ms(client.timeout_s));
   if (reply.jobs_size() == 0) {
     throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
   }
-  return reply.jobs(0);
+  return reply;
 }
 
 FetchOptions fetch_options(const ClientOptions& client) {
   return {.timeout_ms = in_ms(client.timeout_s), .progress = client.progress};
 }
 
-ExitCode report_submitted(const wire::Submitted& submitted, bool json) {
-  if (json) {
+ExitCode report_submitted(const wire::Submitted& submitted, const ClientOptions& client) {
+  if (client.json) {
     std::printf("{\"type\":\"submitted\",\"job\":\"%s\",\"existed\":%s}\n", submitted.job().c_str(),
                 submitted.existed() ? "true" : "false");
   } else {
     std::printf("%s\n", submitted.job().c_str());
   }
+  std::fflush(stdout);  // the end is the last, also where both go to one place
+  CommandEnd end;
+  end.state = "submitted";
+  end.job = submitted.job();
+  tell_end(client.progress, std::move(end));
   return ExitCode::ok;
 }
 
@@ -157,7 +164,7 @@ ExitCode submit_loop(const SubmitCommand& command) {
   const LoopInput input = read_loop(command.job.input);
   CoordinatorConnection connection = connect(client, command.job.store);
   const wire::Submit submit = submission_of_loop(input, way_to_coordinator(command, connection));
-  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);
+  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
 }  // namespace
@@ -169,19 +176,20 @@ ExitCode submit_command(const SubmitCommand& command) {
   tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
   const wire::Submit submit = bring_job(command, input, connection);
-  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client.json);
+  return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
 ExitCode wait_command(const WaitCommand& command) {
   const ClientOptions& client = command.client;
   CoordinatorConnection connection = connect(client, command.store);
   ProgressDisplay display(client.progress);
-  wire::JobStatus status = status_of_job(connection, client);
-  while (!has_ended(status)) {
-    display.show(status);
+  wire::StatusReply reply = status_of_job(connection, client);
+  while (!has_ended(reply.jobs(0))) {
+    display.show(reply.jobs(0), reply.workers());
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    status = status_of_job(connection, client);
+    reply = status_of_job(connection, client);
   }
+  const wire::JobStatus& status = reply.jobs(0);
   display.show_forecast(status);
   display.end();
   std::vector<std::filesystem::path> files;
@@ -191,8 +199,10 @@ ExitCode wait_command(const WaitCommand& command) {
                 : deliver_files(status, command.store, client.output);
     convert_mesh(status, client.progress, files);
   }
-  return report_outcome(
-      status, {.files = std::move(files), .seconds = status.seconds(), .json = client.json});
+  return report_outcome(status, {.files = std::move(files),
+                                 .seconds = status.seconds(),
+                                 .json = client.json,
+                                 .progress = client.progress});
 }
 
 ExitCode cancel_command(const CancelCommand& command) {

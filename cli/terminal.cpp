@@ -21,7 +21,13 @@ constexpr std::size_t longest_character = 4;
 struct Stream {
   int fd;
   std::string kept_back;
+  std::string (*rewritten)(std::string_view line) = nullptr;
 };
+
+Stream& error_stream() {
+  static Stream err{STDERR_FILENO, {}};
+  return err;
+}
 
 bool write_all(int fd, std::string_view text) {
   while (!text.empty()) {
@@ -33,9 +39,28 @@ bool write_all(int fd, std::string_view text) {
   return true;
 }
 
+/// Every line of the text that is whole; the rest is kept back.
+bool write_rewritten(Stream& stream, std::string_view text) {
+  stream.kept_back += text;
+  std::size_t begin = 0;
+  bool is_written = true;
+  for (std::size_t end = 0; (end = stream.kept_back.find('\n', begin)) != std::string::npos;
+       begin = end + 1) {
+    if (end == begin) continue;
+    const std::string line =
+        stream.rewritten(std::string_view(stream.kept_back).substr(begin, end - begin)) + "\n";
+    is_written = write_all(stream.fd, line) && is_written;
+  }
+  stream.kept_back.erase(0, begin);
+  return is_written;
+}
+
 /// stdio takes 0 for an error.
 ssize_t write_guarded(void* cookie, const char* bytes, std::size_t size) {
   Stream& stream = *static_cast<Stream*>(cookie);
+  if (stream.rewritten != nullptr) {
+    return write_rewritten(stream, {bytes, size}) ? static_cast<ssize_t>(size) : 0;
+  }
   Guarded now = guarded(stream.kept_back + std::string(bytes, size));
   stream.kept_back = std::move(now.kept_back);
   return write_all(stream.fd, now.shown) ? static_cast<ssize_t>(size) : 0;
@@ -96,9 +121,8 @@ Guarded guarded(std::string_view text) {
 
 void guard_terminal() {
   static Stream out{STDOUT_FILENO, {}};
-  static Stream err{STDERR_FILENO, {}};
   stdout = guarded_stream(out, stdout, ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
-  stderr = guarded_stream(err, stderr, _IONBF);
+  stderr = guarded_stream(error_stream(), stderr, _IONBF);
 }
 
 void steer_terminal(std::FILE* stream, std::string_view sequence) {
@@ -106,9 +130,28 @@ void steer_terminal(std::FILE* stream, std::string_view sequence) {
   write_all(fd_of(stream), sequence);
 }
 
+void rewrite_error_lines(std::string (*rewritten)(std::string_view line)) {
+  TF_CHECK(rewritten != nullptr);
+  std::fflush(stderr);
+  error_stream().rewritten = rewritten;
+}
+
+void write_error_line(std::string_view line) {
+  TF_CHECK(line.find('\n') == std::string_view::npos);
+  std::fflush(stderr);
+  Stream& stream = error_stream();
+  if (stream.rewritten != nullptr && !stream.kept_back.empty()) write_rewritten(stream, "\n");
+  write_all(STDERR_FILENO, std::string(line) + "\n");
+}
+
 std::size_t terminal_columns(std::FILE* stream) {
   winsize size{};
   return ::ioctl(fd_of(stream), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::size_t terminal_lines(std::FILE* stream) {
+  winsize size{};
+  return ::ioctl(fd_of(stream), TIOCGWINSZ, &size) == 0 ? size.ws_row : 0;
 }
 
 }  // namespace tetfarm

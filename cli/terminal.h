@@ -20,8 +20,19 @@ void guard_terminal();
 /// Steers the terminal, past the guard: for the progress bar.
 void steer_terminal(std::FILE* stream, std::string_view sequence);
 
+/// From here on each line that is printed to stderr, with its end or at the end of what is printed
+/// before write_error_line, goes out as `rewritten` gives it; lines without text are left out. To
+/// be called after guard_terminal.
+void rewrite_error_lines(std::string (*rewritten)(std::string_view line));
+
+/// A line that is for programs, without its end: past the guard and past what rewrites lines. It is
+/// written at once.
+void write_error_line(std::string_view line);
+
 /// How long its lines are; 0: not known, or it is no terminal.
 std::size_t terminal_columns(std::FILE* stream);
+/// How many lines it shows; likewise.
+std::size_t terminal_lines(std::FILE* stream);
 
 /// What the guard would write of a text, and what it keeps back: half a character at its end, which
 /// the next text may complete.

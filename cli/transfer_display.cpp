@@ -7,13 +7,20 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "cli/terminal.h"
+#include "json/progress_json.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int64_t between_lines_ms = 5'000;
 constexpr std::int64_t between_bars_ms = 100;
+constexpr std::int64_t between_json_ms = 1'000;
 constexpr std::uint64_t bar_width = 24;
+
+std::int64_t between_lines(ProgressStyle style) {
+  return style == ProgressStyle::json ? between_json_ms : between_lines_ms;
+}
 
 }  // namespace
 
@@ -55,8 +62,12 @@ void TransferDisplay::show(const std::string& what, std::uint64_t there, std::ui
     shown_ms_ = now;
     begun_at_ = there;
   }
-  if (now - shown_ms_ < (is_bar_ ? between_bars_ms : between_lines_ms)) return;
+  if (now - shown_ms_ < (is_bar_ ? between_bars_ms : between_lines(style_))) return;
   shown_ms_ = now;
+  if (style_ == ProgressStyle::json) {
+    write_error_line(transfer_json(what, {wall_ms(), there, size}));
+    return;
+  }
   const std::string text = transfer_text(what, there, size, begun_at_, now - begun_ms_);
   if (!is_bar_) {
     std::fprintf(stderr, "%s\n", text.c_str());

@@ -1,5 +1,5 @@
-/// How far a file on its way is, for a person: a bar on a terminal, otherwise a line now and then.
-/// On standard error.
+/// How far a file on its way is: for a person a bar on a terminal, otherwise a line now and then;
+/// for programs lines of JSON. On standard error.
 #pragma once
 
 #include <cstdint>

@@ -10,14 +10,28 @@
 namespace tetfarm {
 namespace {
 
-void add_view(CLI::App& app, ViewOptions& view) {
-  add_connection(app, view.client, StoreOption::yes);
+void add_rows(CLI::App& app, ViewOptions& view) {
   app.add_option("--store", view.store,
                  "A store, or the output folder of a run, to read when no coordinator answers")
       ->envname("TETFARM_STORE")
       ->option_text("DIR");
   app.add_option("--database", view.database, "Folder of the database (default: the store)")
       ->option_text("DIR");
+}
+
+void add_view(CLI::App& app, ViewOptions& view) {
+  add_connection(app, view.client, StoreOption::yes);
+  add_rows(app, view);
+}
+
+/// The one that is for people alone.
+void add_top(CLI::App& sub, TopCommand& top) {
+  sub.add_flag("--once", top.once, "Print one snapshot, as without a terminal");
+  sub.add_option("--interval", top.interval_s, "Time between two looks (default 2)")
+      ->check(number_between(0.1, 3600))
+      ->option_text("SECONDS");
+  add_peer(sub, top.view.client, StoreOption::yes);
+  add_rows(sub, top.view);
 }
 
 void add_copy(CLI::App& sub, BackupCommand& copy) {
@@ -52,6 +66,9 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
     add_view(sub, command.view);
     return sub;
   };
+  add_top(add_command(app, "top", "Watch jobs and workers on one screen; the key q quits",
+                      "tetfarm top --connect tcp://head:5555", views.top, chosen),
+          views.top);
   add("jobs", "List the jobs, one per line", "tetfarm jobs --connect tcp://head:5555", views.jobs);
 
   CLI::App& status = add("status", "Show the progress of jobs, and what is wrong with them",

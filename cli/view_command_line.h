@@ -18,6 +18,7 @@ struct Views {
   EventsCommand events;
   LogsCommand logs;
   ExplainCommand explain;
+  TopCommand top;
   TraceCommand trace;
   ReportCommand report;
   BackupCommand backup;

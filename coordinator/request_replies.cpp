@@ -1,6 +1,8 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/program_identity.h"
+#include "base/program_version.h"
 #include "coordinator/decisions/message_translation.h"
 #include "coordinator/request_handler.h"
 #include "coordinator/views/query_answers.h"
@@ -51,6 +53,9 @@ wire::StatusReply RequestHandler::status_of_all(const wire::StatusRequest& reque
   if (is_closed()) status.set_trouble_code(static_cast<int>(closed_code_));
   status.set_connections(static_cast<std::uint32_t>(authenticator.connections()));
   status.set_authorized_keys(static_cast<std::uint32_t>(authenticator.authorized()));
+  status.set_program_version(program_version);
+  status.set_program(program_identity());
+  status.set_wall_ms(now.wall_ms);
   return status;
 }
 

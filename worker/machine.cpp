@@ -21,15 +21,28 @@ std::optional<std::int64_t> whole_number(const std::string& text) {
   return is_good ? std::optional(value) : std::nullopt;
 }
 
-/// The limit of this process's control group (version 2), where it has one.
-std::optional<std::int64_t> group_limit() {
+/// A number of this process's control group (version 2), where it has one.
+std::optional<std::int64_t> number_of_group(const std::string& file) {
   std::ifstream groups("/proc/self/cgroup");
   std::string line;
   while (std::getline(groups, line)) {
     if (!line.starts_with("0::")) continue;
-    std::ifstream limit("/sys/fs/cgroup" + line.substr(3) + "/memory.max");
+    std::ifstream numbers("/sys/fs/cgroup" + line.substr(3) + "/" + file);
     std::string text;
-    if (limit >> text) return whole_number(text);
+    if (numbers >> text) return whole_number(text);
+  }
+  return std::nullopt;
+}
+
+/// "MemAvailable:    1234 kB"
+std::optional<std::uint64_t> kernel_says_available() {
+  std::ifstream numbers("/proc/meminfo");
+  std::string name;
+  std::uint64_t kibibytes = 0;
+  std::string unit;
+  while (numbers >> name >> kibibytes) {
+    std::getline(numbers, unit);
+    if (name == "MemAvailable:") return kibibytes << 10U;
   }
   return std::nullopt;
 }
@@ -39,8 +52,17 @@ std::optional<std::int64_t> group_limit() {
 std::uint64_t machine_memory() {
   const auto machine = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                        static_cast<std::uint64_t>(::sysconf(_SC_PAGE_SIZE));
-  const std::optional<std::int64_t> group = group_limit();
+  const std::optional<std::int64_t> group = number_of_group("memory.max");
   return group ? std::min(machine, static_cast<std::uint64_t>(*group)) : machine;
+}
+
+std::uint64_t available_memory() {
+  const std::uint64_t all = machine_memory();
+  const std::uint64_t available = std::min(all, kernel_says_available().value_or(all));
+  const std::optional<std::int64_t> limit = number_of_group("memory.max");
+  const std::optional<std::int64_t> used = number_of_group("memory.current");
+  if (!limit || !used) return available;
+  return std::min(available, static_cast<std::uint64_t>(std::max<std::int64_t>(0, *limit - *used)));
 }
 
 std::string host_name() {

@@ -11,6 +11,9 @@ namespace tetfarm {
 /// Bytes: of the machine, or of the control group that this process lives in where that has less.
 std::uint64_t machine_memory();
 
+/// Of these the bytes that are free now, or would be as soon as somebody asks for them.
+std::uint64_t available_memory();
+
 std::string host_name();
 
 /// Where a worker keeps files when nobody says where: in $TMPDIR, else /tmp, of this user alone.

@@ -8,6 +8,7 @@
 #include "tasks/decompose_contract.h"
 #include "tasks/inspect_contract.h"
 #include "tasks/ratio_histogram.h"
+#include "tasks/solve_contract.h"
 #include "tasks/task_kind.h"
 
 namespace tetfarm {
@@ -95,6 +96,12 @@ void add_cost(const TaskRow& task, JobSummary& summary) {
   most("_expected_bytes", told("expected_bytes"));
   const double bound = told("expected_bytes");
   if (bound > 0) most("_of_expected_bytes", static_cast<double>(task.peak_rss_bytes) / bound);
+}
+
+/// Of an adaptation loop, from its first task on.
+void add_cycles(const TaskRow& solve, JobSummary& summary) {
+  static const std::string name = field_name(&SolveGiven::cycles);
+  summary.numbers[name] = static_cast<double>(given_to<SolveGiven>(solve).cycles);
 }
 
 /// The least Jacobian of the prisms of all chunks.
@@ -251,6 +258,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
     if (task.state != TaskState::done) left = std::min(left.value_or(task.kind), task.kind);
     stage = end_after(task.kind);
     if (task.kind == TaskKind::cosmetic && task.state == TaskState::done) ++summary.leaves_mended;
+    if (task.kind == TaskKind::solve) add_cycles(task, summary);
     if (task.kind == TaskKind::inspect) add_estimate(task, summary);
     if (task.kind == TaskKind::assimilate && task.state == TaskState::done) {
       add_assimilation(task, summary);

@@ -48,6 +48,7 @@ PLACES = {
     },
     "damage is looked for": {
         "cli/deliver_files.cpp": 1,
+        "cli/probe.cpp": 2,
         "store/database_backup.cpp": 2,
         "store/store_check.cpp": 1,
         "worker/output_upload.cpp": 1,

@@ -22,6 +22,7 @@ def wanted_files(program):
     return {
         "share/man/man1/tetfarm.1": [program, "man"],
         "share/man/man1/tetfarm-run.1": [program, "man", "run"],
+        "share/man/man5/tetfarm-job.5": [program, "man", "job"],
         "share/man/man8/tetfarm-worker.8": [program, "man", "worker"],
         "share/bash-completion/completions/tetfarm": [program, "completion", "bash"],
         "share/zsh/site-functions/_tetfarm": [program, "completion", "zsh"],

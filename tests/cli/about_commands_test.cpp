@@ -20,6 +20,8 @@ TEST(AboutCommands, man_prints_a_page) {
   EXPECT_THAT(program.out, StartsWith(".TH TETFARM 1 "));
   const Said run = said_by([] { return man_command({"run", ""}); });
   EXPECT_THAT(run.out, StartsWith(".TH TETFARM\\-RUN 1 "));
+  const Said job = said_by([] { return man_command({"job", ""}); });
+  EXPECT_THAT(job.out, StartsWith(".TH TETFARM\\-JOB 5 "));
 }
 
 TEST(AboutCommands, man_knows_no_page_of_what_is_no_command) {
@@ -40,8 +42,11 @@ TEST(AboutCommands, man_writes_all_pages) {
   const auto page_of = [](const std::string& name) {
     return said_by([&name] { return man_command({name, ""}); }).out;
   };
-  for (const auto& [name, file] : std::vector<std::pair<std::string, std::string>>{
-           {"", "man1/tetfarm.1"}, {"run", "man1/tetfarm-run.1"}, {"gc", "man8/tetfarm-gc.8"}}) {
+  for (const auto& [name, file] :
+       std::vector<std::pair<std::string, std::string>>{{"", "man1/tetfarm.1"},
+                                                        {"run", "man1/tetfarm-run.1"},
+                                                        {"job", "man5/tetfarm-job.5"},
+                                                        {"gc", "man8/tetfarm-gc.8"}}) {
     EXPECT_EQ(contents(folder.path() / "man" / file), page_of(name)) << file;
   }
 }

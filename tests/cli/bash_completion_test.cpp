@@ -57,9 +57,9 @@ TEST(BashCompletion, of_options) {
 }
 
 TEST(BashCompletion, of_values) {
-  EXPECT_THAT(offered_by_bash("run --progress ''"), ElementsAre("auto", "plain", "none"));
+  EXPECT_THAT(offered_by_bash("run --progress ''"), ElementsAre("text", "plain", "none", "json"));
   EXPECT_THAT(offered_by_bash("run --progress = pl"), ElementsAre("plain"));
-  EXPECT_THAT(offered_by_bash("run --progress ="), ElementsAre("auto", "plain", "none"));
+  EXPECT_THAT(offered_by_bash("run --progress ="), ElementsAre("text", "plain", "none", "json"));
   EXPECT_THAT(offered_by_bash("run --outer s"), ElementsAre("sphere"));
   EXPECT_THAT(offered_by_bash("shape du"), ElementsAre("duct"));
   EXPECT_THAT(offered_by_bash("pool --max 3 ss"), ElementsAre("ssh"));

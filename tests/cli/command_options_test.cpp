@@ -58,6 +58,10 @@ TEST_F(CommandOptions, of_a_run) {
             ProgressStyle::automatic);
   EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--progress", "none"}).progress,
             ProgressStyle::none);
+  EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--progress", "text"}).progress,
+            ProgressStyle::automatic);
+  EXPECT_EQ(parsed_as<RunOptions>({"run", "a", "--progress", "json"}).progress,
+            ProgressStyle::json);
 }
 
 TEST_F(CommandOptions, of_a_run_that_says_nothing_else) {

@@ -69,7 +69,7 @@ TEST_F(FishCompletion, of_options) {
 }
 
 TEST_F(FishCompletion, of_values) {
-  EXPECT_THAT(offered("run --progress "), UnorderedElementsAre("auto", "plain", "none"));
+  EXPECT_THAT(offered("run --progress "), UnorderedElementsAre("text", "plain", "none", "json"));
   EXPECT_THAT(offered("run --progress=pl"), ElementsAre("--progress=plain"));
   EXPECT_THAT(offered("shape du"), ElementsAre("duct"));
   EXPECT_THAT(offered("run --format vt"), ElementsAre("vtkhdf"));

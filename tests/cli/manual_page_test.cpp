@@ -135,6 +135,8 @@ TEST(ManualPages, name_those_that_are_near) {
   const std::string run = page_called("run").text;
   EXPECT_THAT(run, HasSubstr("\\fBtetfarm\\fR(1),\n\\fBtetfarm\\-check\\fR(1)"));
   EXPECT_THAT(run, Not(HasSubstr("\\fBtetfarm\\-pool\\fR(8)")));
+  EXPECT_THAT(run, HasSubstr("\\fBtetfarm\\-job\\fR(5)\n"));
+  EXPECT_THAT(page_called("shape").text, Not(HasSubstr("tetfarm\\-job")));
   EXPECT_THAT(manual_page(the_program(), "0.1.0").text, HasSubstr("\\fBtetfarm\\-pool\\fR(8)"));
 }
 

@@ -172,7 +172,7 @@ TEST(ShortCount, changes_its_unit_at_its_limits) {
 std::string shown(const std::vector<wire::JobStatus>& statuses, ProgressStyle style) {
   ::testing::internal::CaptureStderr();
   ProgressDisplay display(style);
-  for (const wire::JobStatus& status : statuses) display.show(status);
+  for (const wire::JobStatus& status : statuses) display.show(status, 1);
   display.end();
   return ::testing::internal::GetCapturedStderr();
 }

@@ -315,6 +315,34 @@ TEST_F(Served, waiting_ends_with_the_job_and_its_exit_code) {
   EXPECT_EQ(end.error, "open edge");
 }
 
+TEST_F(Served, waiting_tells_programs_how_far_the_job_is_and_how_it_ended) {
+  wire::JobStatus running = job_that_is("running");
+  running.set_stage("mesh");
+  jobs_ = {running, job_that_is("done")};
+  WaitCommand command{client("job-7"), ""};
+  command.client.json = true;
+  command.client.progress = ProgressStyle::json;
+  std::istringstream lines(said_by([&] { return wait_command(command); }).err);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(json::parse(line)["type"], "progress");
+  EXPECT_EQ(json::parse(line)["stage"], "mesh");
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(json::parse(line)["type"], "end");
+  EXPECT_EQ(json::parse(line)["job"], "job-7");
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+TEST_F(Served, submitting_tells_programs_the_job_at_its_end) {
+  SubmitCommand command;
+  command.client = client();
+  command.client.progress = ProgressStyle::json;
+  command.job.input = write("tet.off", tet_off);
+  const json end = json::parse(said_by([&] { return submit_command(command); }).err);
+  EXPECT_EQ(end["state"], "submitted");
+  EXPECT_EQ(end["job"], "job-7");
+}
+
 TEST_F(Served, waiting_for_a_job_that_is_not_there_ends_at_once) {
   const Said said = said_by([&] { return wait_command({client("job-7"), ""}); });
   EXPECT_EQ(said.code, ExitCode::not_found);

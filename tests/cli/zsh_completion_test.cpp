@@ -36,8 +36,8 @@ TEST(ZshCompletion, is_what_zsh_can_read) {
 
 TEST(ZshCompletion, tells_values_of_options) {
   const std::vector<std::string> run = told_to_zsh("_tetfarm_run");
-  EXPECT_THAT(run, Contains("(--progress)--progress=[auto\\: a bar on a terminal, otherwise "
-                            "plain]:auto|plain|none:(auto plain none)"));
+  EXPECT_THAT(run, Contains("(--progress)--progress=[text\\: a bar on a terminal, otherwise "
+                            "plain]:text|plain|none|json:(text plain none json)"));
   EXPECT_THAT(run, Contains(StartsWith("(-o --output)-o+[Output folder]:DIR:_files -/")));
   EXPECT_THAT(run, Contains(StartsWith("(--force)--force[Start however many")));
   EXPECT_THAT(run, Contains(HasSubstr(":F,...:_sequence compadd - vtkhdf ")));

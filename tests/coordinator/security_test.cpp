@@ -11,8 +11,11 @@
 #include <map>
 #include <random>
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/file_system.h"
+#include "base/program_identity.h"
+#include "base/program_version.h"
 #include "proto/authorized_keys.h"
 #include "store/artifact_store.h"
 #include "tasks/failure_cause.h"
@@ -160,6 +163,9 @@ TEST_F(Security, those_of_the_list_are_served_each_in_its_role) {
   EXPECT_EQ(reply.security(), "keys");
   EXPECT_EQ(reply.authorized_keys(), 3U);
   EXPECT_EQ(reply.dropped_messages(), 0U);
+  EXPECT_EQ(reply.program_version(), program_version);
+  EXPECT_EQ(reply.program(), program_identity());
+  EXPECT_LT(std::abs(reply.wall_ms() - wall_ms()), 60'000);
 }
 
 TEST_F(Security, a_wrong_key_is_turned_away_and_told_so) {

@@ -55,5 +55,10 @@ TEST(Machine, keeps_files_in_a_folder_of_the_user_alone) {
                                         ("tetfarm-cache-" + std::to_string(::geteuid())));
 }
 
+TEST(Machine, has_no_more_memory_available_than_it_has) {
+  EXPECT_GT(available_memory(), 0U);
+  EXPECT_LE(available_memory(), machine_memory());
+}
+
 }  // namespace
 }  // namespace tetfarm

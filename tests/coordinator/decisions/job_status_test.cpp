@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "coordinator/decisions/message_translation.h"
+#include "coordinator/decisions/task_rows.h"
 #include "tasks/ratio_histogram.h"
+#include "tasks/solve_contract.h"
 
 namespace tetfarm {
 namespace {
@@ -48,6 +50,15 @@ class JobStatusTest : public testing::Test {
 
   DurableState rows_;
 };
+
+TEST_F(JobStatusTest, of_a_loop_tells_its_cycles_from_the_first_task_on) {
+  SolveGiven given;
+  given.job = given.mesh = {"h", 1};
+  given.cycles = 7;
+  TaskRow& solve = add(TaskKind::solve, 1, TaskState::ready);
+  solve.parameters = new_task(JobId{1}, 1, given).parameters;
+  EXPECT_EQ(summary().numbers["cycles"], 7);
+}
 
 TEST_F(JobStatusTest, has_the_time_from_its_submission_to_its_end_or_to_now) {
   EXPECT_EQ(summary().seconds, 7.5);
