@@ -113,8 +113,9 @@ class Triangulation {
  private:
   void surround(const Box3& box) {
     const Vec3 centre = box.centre();
-    const double reach = 16 * (std::max({box.size().x, box.size().y, box.size().z}) +
-                               1e-9 * (std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z)));
+    const double reach =
+        16 * (std::max({box.size().x, box.size().y, box.size().z}) +
+              1e-9 * (std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z)));
     const int u = (axis_ + 1) % 3;
     const int v = (axis_ + 2) % 3;
     const std::array<std::array<double, 2>, corners> away = {{{-2, -1}, {2, -1}, {0, 2}}};

@@ -51,10 +51,10 @@ Seen seen(const Vec3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3
 /// bits of the largest coordinate.
 double error_of_turn(const Seen& a, const Seen& b, const Seen& c) {
   constexpr double bits = 1e-15;
-  const double largest = std::max({std::abs(a.u), std::abs(a.v), std::abs(b.u), std::abs(b.v),
-                                   std::abs(c.u), std::abs(c.v)});
-  const double longest = std::max({std::abs(a.u - c.u), std::abs(a.v - c.v), std::abs(b.u - c.u),
-                                   std::abs(b.v - c.v)});
+  const double largest = std::max(
+      {std::abs(a.u), std::abs(a.v), std::abs(b.u), std::abs(b.v), std::abs(c.u), std::abs(c.v)});
+  const double longest = std::max(
+      {std::abs(a.u - c.u), std::abs(a.v - c.v), std::abs(b.u - c.u), std::abs(b.v - c.v)});
   return 8 * bits * largest * (longest + bits * largest);
 }
 

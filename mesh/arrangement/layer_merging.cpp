@@ -30,9 +30,8 @@ bool lies_near_plane_of(const TrianglePoints& corners, const TrianglePoints& pla
                         double distance) {
   const Vec3 normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
   const double most = distance * norm(normal);
-  return std::ranges::all_of(corners, [&](const Vec3& p) {
-    return std::abs(dot(normal, p - plane[0])) <= most;
-  });
+  return std::ranges::all_of(
+      corners, [&](const Vec3& p) { return std::abs(dot(normal, p - plane[0])) <= most; });
 }
 
 /// By the plane of the larger one: that of the smaller says little far away.
@@ -55,7 +54,8 @@ class LayerMerging {
     DisjointSets sets(chain_.triangles.size());
     std::vector<char> is_in_layer(chain_.triangles.size(), 0);
     for (const auto& [i, j] : pairs) {
-      if (!are_one_layer(chain_.points_of(i), chain_.points_of(j), layer_share * distance_)) continue;
+      if (!are_one_layer(chain_.points_of(i), chain_.points_of(j), layer_share * distance_))
+        continue;
       sets.join(at(i), at(j));
       is_in_layer[at(i)] = is_in_layer[at(j)] = 1;
     }

@@ -11,11 +11,11 @@
 
 namespace tetfarm {
 
-/// Of the pairs that meet, those of which the corners of one lie within a few times `distance` of the
-/// plane of the other, and all that are so joined, become one layer; vertices of it that are seen within
-/// the distance of each other are made one first. Edges that are divided are so in all their
-/// triangles. A layer that cannot be made stays. Whether any was made.
-/// Deterministic. Cost: O(n log n), and for each layer that of snap_round.
+/// Of the pairs that meet, those of which the corners of one lie within a few times `distance` of
+/// the plane of the other, and all that are so joined, become one layer; vertices of it that are
+/// seen within the distance of each other are made one first. Edges that are divided are so in all
+/// their triangles. A layer that cannot be made stays. Whether any was made. Deterministic. Cost:
+/// O(n log n), and for each layer that of snap_round.
 bool merge_layers(TriangleChain& chain, const std::vector<TrianglePair>& pairs, double distance);
 
 }  // namespace tetfarm

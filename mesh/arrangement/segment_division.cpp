@@ -32,8 +32,8 @@ class Division {
       extents.push_back({s, widened(box)});
     }
     const int along = (axis_ + 1) % 3;
-    std::ranges::stable_sort(
-        extents, {}, [&](const Extent& extent) { return extent.box.low[along]; });
+    std::ranges::stable_sort(extents, {},
+                             [&](const Extent& extent) { return extent.box.low[along]; });
     std::int64_t pairs = 0;
     for (std::size_t i = 0; i < extents.size(); ++i) {
       for (std::size_t j = i + 1; j < extents.size(); ++j) {
@@ -51,9 +51,8 @@ class Division {
       if (segments_[s][0] == segments_[s][1]) continue;
       std::vector<std::int32_t>& on = on_segment_[s];
       on.insert(on.end(), segments_[s].begin(), segments_[s].end());
-      std::ranges::sort(on, [&](std::int32_t a, std::int32_t b) {
-        return lies_before(points_[a], points_[b]);
-      });
+      std::ranges::sort(
+          on, [&](std::int32_t a, std::int32_t b) { return lies_before(points_[a], points_[b]); });
       on.erase(std::unique(on.begin(), on.end()), on.end());
       for (std::size_t i = 1; i < on.size(); ++i) {
         all.push_back({std::min(on[i - 1], on[i]), std::max(on[i - 1], on[i])});

@@ -1,8 +1,9 @@
 /// Divides edges of one plane where they cross, and leads them through the points that they nearly
 /// pass.
 ///
-/// Source: D. Halperin and E. Packer, "Iterated snap rounding" (2002): no point is left nearer to an
-/// edge than a distance unless it is on it, so that the edges can be rounded without crossing anew.
+/// Source: D. Halperin and E. Packer, "Iterated snap rounding" (2002): no point is left nearer to
+/// an edge than a distance unless it is on it, so that the edges can be rounded without crossing
+/// anew.
 #pragma once
 
 #include <array>

@@ -152,9 +152,8 @@ class Divider {
     const Vec3 along = chain_.vertices[at(edge[1])] - from;
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::ranges::stable_sort(vertices, {}, [&](std::int32_t v) {
-      return dot(chain_.vertices[at(v)] - from, along);
-    });
+    std::ranges::stable_sort(
+        vertices, {}, [&](std::int32_t v) { return dot(chain_.vertices[at(v)] - from, along); });
     vertices.insert(vertices.begin(), edge[0]);
     vertices.push_back(edge[1]);
     for (const std::int32_t t : round) {

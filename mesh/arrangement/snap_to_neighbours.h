@@ -18,11 +18,11 @@ namespace tetfarm {
 std::int64_t join_near_vertices(TriangleChain& chain, const std::vector<TrianglePair>& pairs,
                                 double distance);
 
-/// For every two triangles that meet: an edge is divided at a vertex of the other within `distance`,
-/// and two edges where they come so near; where there are none of these, a triangle is divided at a
-/// vertex near it. The border of the chain stays the same but for what is divided of it. The number
-/// of changes; what one change is in the way of comes with the next call. @pre vertices of theirs
-/// are farther apart than that. Deterministic. Cost: O(n log n + pairs).
+/// For every two triangles that meet: an edge is divided at a vertex of the other within
+/// `distance`, and two edges where they come so near; where there are none of these, a triangle is
+/// divided at a vertex near it. The border of the chain stays the same but for what is divided of
+/// it. The number of changes; what one change is in the way of comes with the next call. @pre
+/// vertices of theirs are farther apart than that. Deterministic. Cost: O(n log n + pairs).
 std::int64_t snap_to_neighbours(TriangleChain& chain, const std::vector<TrianglePair>& pairs,
                                 double distance);
 

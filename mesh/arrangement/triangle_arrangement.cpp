@@ -217,8 +217,8 @@ class Round {
       sum.times += part.facing * chain_.triangles[index(part.triangle)].times;
     }
     if (sum.times == 0) return;
-    const auto first = std::ranges::find_if(
-        parts, [&](const Part& part) { return part.facing * sum.times > 0; });
+    const auto first =
+        std::ranges::find_if(parts, [&](const Part& part) { return part.facing * sum.times > 0; });
     if (first != parts.end()) sum.patch = chain_.triangles[index(first->triangle)].patch;
     if (sum.times < 0) {
       std::swap(sum.nodes[1], sum.nodes[2]);

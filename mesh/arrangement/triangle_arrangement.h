@@ -16,9 +16,9 @@ namespace tetfarm {
 
 /// What the triangles of a surface become: a chain with the same border, of which no two triangles
 /// share any point but corners and edges that both have; triangles that meet none are the same, and
-/// vertices keep their numbers. Triangles back to back are gone. Where exact division alone does not
-/// do, what is within a thousandth of the tolerance is made one, then what is within the tolerance.
-/// Nothing where that does not do either, or too much meets (meeting_pairs).
+/// vertices keep their numbers. Triangles back to back are gone. Where exact division alone does
+/// not do, what is within a thousandth of the tolerance is made one, then what is within the
+/// tolerance. Nothing where that does not do either, or too much meets (meeting_pairs).
 /// @pre vertices are finite. Deterministic. Cost: O(n log n) a round, at most 60 of
 /// them for each distance, and a fraction of a millisecond for each pair.
 std::optional<TriangleChain> arrange_triangles(const SurfaceMesh& surface, double tolerance);

@@ -107,8 +107,8 @@ class Bodies {
 
  private:
   void agree(const std::vector<std::int32_t>& shell, const std::vector<char>& turned) {
-    const auto turns = std::ranges::count_if(
-        shell, [&](std::int32_t t) { return turned[at(t)] != 0; });
+    const auto turns =
+        std::ranges::count_if(shell, [&](std::int32_t t) { return turned[at(t)] != 0; });
     // As most of them face.
     const bool is_minority = 2 * turns <= static_cast<std::ptrdiff_t>(shell.size());
     for (const std::int32_t t : shell) {

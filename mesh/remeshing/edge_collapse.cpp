@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/geometry/nearest_point.h"
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/remeshing/edge_length.h"
-#include "mesh/geometry/nearest_point.h"
 
 namespace tetfarm {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/nearest_point.h"
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/geometry/triangle_intersection.h"
-#include "mesh/geometry/nearest_point.h"
 #include "mesh/remeshing/triangle_normal.h"
 
 namespace tetfarm {

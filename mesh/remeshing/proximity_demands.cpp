@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "mesh/geometry/box_tree.h"
+#include "mesh/geometry/nearest_point.h"
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/surface_edges.h"
 #include "mesh/remeshing/box_forest.h"
-#include "mesh/geometry/nearest_point.h"
 #include "mesh/remeshing/triangle_normal.h"
 #include "mesh/remeshing/triangle_samples.h"
 

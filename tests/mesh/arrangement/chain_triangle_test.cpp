@@ -50,8 +50,15 @@ TEST(ChainTriangle, vertices_at_one_place_become_one_and_flat_triangles_go) {
 }
 
 TEST(ChainTriangle, those_that_meet_are_found_once_more_only_where_one_has_changed) {
-  TriangleChain chain = chain_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.5, 0.5, -1}, {0.5, 0.5, 1},
-                                  {3, 3, 0}, {9, 9, 9}, {9, 9, 8}, {9, 8, 9}},
+  TriangleChain chain = chain_of({{0, 0, 0},
+                                  {2, 0, 0},
+                                  {0, 2, 0},
+                                  {0.5, 0.5, -1},
+                                  {0.5, 0.5, 1},
+                                  {3, 3, 0},
+                                  {9, 9, 9},
+                                  {9, 9, 8},
+                                  {9, 8, 9}},
                                  {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
   EXPECT_THAT(meeting_pairs(chain).value(), ElementsAre(TrianglePair{0, 1}));
   EXPECT_FALSE(chain.triangles[0].is_clear);

@@ -28,8 +28,8 @@ TEST(ConstrainedTriangulation, fills_a_square_with_random_segments_that_are_all_
     ExactPoints points;
     // A coarse grid: many points on one line, many segments along each other.
     const auto any = [&] {
-      return points.add(exact_point({static_cast<double>(random() % 9),
-                                     static_cast<double>(random() % 9), 7}));
+      return points.add(
+          exact_point({static_cast<double>(random() % 9), static_cast<double>(random() % 9), 7}));
     };
     const auto corner = [&](double x, double y) { return points.add(exact_point({x, y, 7})); };
     const std::array<std::int32_t, 4> square = {corner(0, 0), corner(8, 0), corner(8, 8),
@@ -59,10 +59,12 @@ TEST(ConstrainedTriangulation, takes_the_diagonal_that_makes_better_triangles) {
   const std::int32_t c = points.add(exact_point({6, 0, 0}));
   const std::int32_t d = points.add(exact_point({3, 1, 0}));
   const std::vector<Segment> border = {{a, b}, {b, c}, {c, d}, {a, d}};
-  EXPECT_TRUE(edges_of(triangulate(points, {a, b, c, d}, border, 2).value()).contains(Segment{b, d}));
+  EXPECT_TRUE(
+      edges_of(triangulate(points, {a, b, c, d}, border, 2).value()).contains(Segment{b, d}));
   std::vector<Segment> with_diagonal = border;
   with_diagonal.push_back({a, c});
-  EXPECT_TRUE(edges_of(triangulate(points, {a, b, c, d}, with_diagonal, 2).value()).contains(Segment{a, c}));
+  EXPECT_TRUE(edges_of(triangulate(points, {a, b, c, d}, with_diagonal, 2).value())
+                  .contains(Segment{a, c}));
 }
 
 }  // namespace

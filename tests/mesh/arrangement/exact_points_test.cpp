@@ -24,9 +24,8 @@ TEST(ExactPoints, a_crossing_lies_exactly_in_the_plane_and_on_the_line) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t u = (k + 1) % 3;
       const std::size_t v = (k + 2) % 3;
-      volume += (x.at[k] - c[0].at[k]) *
-                ((c[1].at[u] - c[0].at[u]) * (c[2].at[v] - c[0].at[v]) -
-                 (c[1].at[v] - c[0].at[v]) * (c[2].at[u] - c[0].at[u]));
+      volume += (x.at[k] - c[0].at[k]) * ((c[1].at[u] - c[0].at[u]) * (c[2].at[v] - c[0].at[v]) -
+                                          (c[1].at[v] - c[0].at[v]) * (c[2].at[u] - c[0].at[u]));
     }
     EXPECT_EQ(volume, 0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,8 +33,7 @@ TEST(ExactPoints, a_crossing_lies_exactly_in_the_plane_and_on_the_line) {
       EXPECT_EQ(seen_turn(exact_point(p), exact_point(q), x, axis), 0);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_NEAR(x.near[static_cast<int>(k)], x.at[k].get_d(),
-                  1e-15 * std::abs(x.at[k].get_d()));
+      EXPECT_NEAR(x.near[static_cast<int>(k)], x.at[k].get_d(), 1e-15 * std::abs(x.at[k].get_d()));
     }
   }
 }

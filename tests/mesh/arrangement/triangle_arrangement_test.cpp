@@ -63,9 +63,9 @@ TEST(TriangleArrangement, divides_two_boxes_where_they_go_through_each_other) {
 }
 
 TEST(TriangleArrangement, what_lies_back_to_back_in_one_plane_is_gone) {
-  expect_arranged(of_both(shapes::box({0, 0, 0}, {1, 1, 1}, 1),
-                          shapes::box({0.25, 0.5, 1}, {0.75, 1.5, 2}, 2)),
-                  6 + 2 * (0.5 + 0.5 + 1) - 2 * 0.25);
+  expect_arranged(
+      of_both(shapes::box({0, 0, 0}, {1, 1, 1}, 1), shapes::box({0.25, 0.5, 1}, {0.75, 1.5, 2}, 2)),
+      6 + 2 * (0.5 + 0.5 + 1) - 2 * 0.25);
 }
 
 TEST(TriangleArrangement, faces_that_nearly_lie_on_each_other_come_to_an_end) {

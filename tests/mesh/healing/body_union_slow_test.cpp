@@ -24,7 +24,8 @@ bool are_united(const test::RandomBodies& bodies) {
   return true;
 }
 
-TEST(BodyUnionSlow, groups_of_bodies_that_cross_or_are_quite_flush_are_united_and_enclose_what_they_did) {
+TEST(BodyUnionSlow,
+     groups_of_bodies_that_cross_or_are_quite_flush_are_united_and_enclose_what_they_did) {
   for (std::uint64_t seed = 100; seed < 1100; ++seed) {
     SCOPED_TRACE(seed);
     if (test::is_nearly_flush(seed)) continue;

@@ -17,7 +17,9 @@ using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-SurfaceMesh box_of(const Vec3& low, const Vec3& high, int n = 1) { return shapes::box(low, high, n); }
+SurfaceMesh box_of(const Vec3& low, const Vec3& high, int n = 1) {
+  return shapes::box(low, high, n);
+}
 
 SurfaceMesh turned(SurfaceMesh surface) {
   for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
@@ -31,8 +33,8 @@ double united_volume(test::Damaged& bodies) {
 }
 
 TEST(BodyUnion, of_two_boxes_that_go_through_each_other) {
-  test::Damaged two(test::with_body(box_of({0, 0, 0}, {1, 1, 1}, 3),
-                                    box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 2)));
+  test::Damaged two(
+      test::with_body(box_of({0, 0, 0}, {1, 1, 1}, 3), box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}, 2)));
   EXPECT_EQ(unite_bodies(two.work), 2);
   EXPECT_NEAR(united_volume(two), 1 + 0.25, 1e-12);
   EXPECT_THAT(two.acts, SizeIs(2));
@@ -41,8 +43,8 @@ TEST(BodyUnion, of_two_boxes_that_go_through_each_other) {
 }
 
 TEST(BodyUnion, of_bodies_that_stand_on_each_other) {
-  test::Damaged stack(test::with_body(box_of({0, 0, 0}, {1, 1, 1}),
-                                      box_of({0.25, 0.25, 1}, {0.75, 0.75, 2}, 2)));
+  test::Damaged stack(
+      test::with_body(box_of({0, 0, 0}, {1, 1, 1}), box_of({0.25, 0.25, 1}, {0.75, 0.75, 2}, 2)));
   EXPECT_EQ(unite_bodies(stack.work), 2);
   EXPECT_NEAR(united_volume(stack), 1.25, 1e-12);
 }
@@ -55,8 +57,8 @@ TEST(BodyUnion, turns_what_faces_inward) {
 }
 
 TEST(BodyUnion, a_body_inside_goes_and_a_cavity_stays) {
-  SurfaceMesh all = test::with_body(box_of({0, 0, 0}, {1, 1, 1}),
-                                    box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}));
+  SurfaceMesh all =
+      test::with_body(box_of({0, 0, 0}, {1, 1, 1}), box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}));
   all = test::with_body(all, box_of({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}));
   all = test::with_body(all, turned(box_of({1.5, 0.5, 0.4}, {1.6, 0.6, 0.5})));
   for (const bool is_inside_out : {false, true}) {
@@ -103,8 +105,8 @@ TEST(BodyUnion, keeps_patches) {
 }
 
 TEST(BodyUnion, leaves_an_open_surface_and_one_that_meets_nothing) {
-  SurfaceMesh open = test::with_body(box_of({0, 0, 0}, {1, 1, 1}),
-                                     box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}));
+  SurfaceMesh open =
+      test::with_body(box_of({0, 0, 0}, {1, 1, 1}), box_of({0.5, 0.4, 0.3}, {2, 0.9, 0.8}));
   test::remove_triangle(open, 3);
   test::Damaged torn(open);
   EXPECT_EQ(unite_bodies(torn.work), 0);

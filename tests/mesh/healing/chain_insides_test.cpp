@@ -14,8 +14,7 @@ void add_to_chain(TriangleChain& chain, const SurfaceMesh& body, std::int32_t ti
   const auto first = static_cast<std::int32_t>(chain.vertices.size());
   chain.vertices.insert(chain.vertices.end(), body.vertices.begin(), body.vertices.end());
   for (const Triangle& t : body.triangles) {
-    chain.triangles.push_back(
-        {{first + t[0], first + t[1], first + t[2]}, times, 0, false, false});
+    chain.triangles.push_back({{first + t[0], first + t[1], first + t[2]}, times, 0, false, false});
   }
 }
 

@@ -1,5 +1,5 @@
-// Bodies that go through each other at random, many of them flush or nearly so, and what they enclose
-// by other means than the winding numbers of regions.
+// Bodies that go through each other at random, many of them flush or nearly so, and what they
+// enclose by other means than the winding numbers of regions.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ inline double winding(const SurfaceMesh& surface, const Vec3& p) {
     const Vec3 y = c[1] - p;
     const Vec3 z = c[2] - p;
     const double lengths = norm(x) * norm(y) * norm(z);
-    sum += 2 * std::atan2(dot(x, cross(y, z)), lengths + dot(x, y) * norm(z) +
-                                                   dot(y, z) * norm(x) + dot(z, x) * norm(y));
+    sum += 2 * std::atan2(dot(x, cross(y, z)), lengths + dot(x, y) * norm(z) + dot(y, z) * norm(x) +
+                                                   dot(z, x) * norm(y));
   }
   return sum / (4 * std::numbers::pi);
 }
@@ -41,8 +41,8 @@ inline double distance_to(const SurfaceMesh& surface, const Vec3& p) {
 /// Turned from a grid on which their faces and edges lay on each other.
 inline bool is_nearly_flush(std::uint64_t seed) { return seed % 4 == 3; }
 
-/// Six boxes and balls: of every four seeds, two on a coarse grid, so that faces and edges lie on each
-/// other, and two turned, so that they nearly do.
+/// Six boxes and balls: of every four seeds, two on a coarse grid, so that faces and edges lie on
+/// each other, and two turned, so that they nearly do.
 class RandomBodies {
  public:
   explicit RandomBodies(std::uint64_t seed) : seed_(seed) {
