@@ -31,6 +31,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// As a person would write it: "." and a slash at the end are left out.
+fs::path plain_path(const fs::path& path) {
+  const fs::path plain = fs::absolute(path).lexically_normal();
+  return plain.has_filename() ? plain : plain.parent_path();
+}
+
 /// Beside the time that an answer may take.
 constexpr std::int64_t own_time_ms = 2'000;
 
@@ -77,8 +83,8 @@ void plan_machine(const DoctorCommand& command, std::vector<PlannedProbe>& plan)
 
 void plan_folders(const DoctorCommand& command, const fs::path& store,
                   std::vector<PlannedProbe>& plan) {
-  const fs::path work = fs::absolute(store.empty() ? fs::path(command.folder) : store);
-  const fs::path database = fs::absolute(database_folder(work, command.database));
+  const fs::path work = plain_path(store.empty() ? fs::path(command.folder) : store);
+  const fs::path database = plain_path(database_folder(work, command.database));
   const std::string remedy = "let this user write there, or use another folder";
   std::vector<fs::path> folders = {work};
   if (database != work) folders.push_back(database);

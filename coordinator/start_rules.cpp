@@ -48,7 +48,8 @@ KeysInUse find_keys(const KeyPlaces& places) {
   found.folder = folder_with_key(places);
   if (found.folder.empty()) {
     found.remark =
-        "no coordinator.key in " + places.standard.string() + " or " + places.old.string();
+        "no coordinator.key in " + places.standard.string() +
+        (places.old == places.standard ? "" : " or " + places.old.string());
     return found;
   }
   found.remark = "keys of " + found.folder.string();
