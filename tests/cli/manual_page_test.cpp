@@ -114,7 +114,7 @@ TEST(ManualPages, are_in_the_section_of_those_who_use_them) {
 TEST(ManualPages, tell_conditions_and_variables) {
   const std::string check = page_called("check").text;
   EXPECT_THAT(check, HasSubstr("Needs \\-\\-store."));
-  EXPECT_THAT(check, HasSubstr("Not with \\-\\-growth, "));
+  EXPECT_THAT(check, HasSubstr("Not with \\-\\-frequency, \\-\\-growth, "));
   const std::string worker = page_called("worker").text;
   EXPECT_THAT(worker,
               HasSubstr("\\fBtetfarm worker\\fR \\fB\\-\\-connect\\fR \\fItcp://HOST:PORT"));

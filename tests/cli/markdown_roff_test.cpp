@@ -30,7 +30,7 @@ TEST(MarkdownRoff, makes_entries_of_rows) {
                              "| `a.b` | 0.3 | none | by how much |\n"
                              "| `c` | must be given | length | `x\\|y`. Done |\n"),
             ".TP\n\\fBa.b\\fR\nby how much. Default: 0.3.\n"
-            ".TP\n\\fBc\\fR\n\\fBx|y\\fR. Done. Must be given. Unit: length.\n");
+            ".TP\n\\fBc\\fR\n\\fBx|y\\fR\\&. Done. Must be given. Unit: length.\n");
 }
 
 TEST(MarkdownRoff, takes_a_section_out_of_a_page) {
