@@ -47,9 +47,8 @@ KeysInUse find_keys(const KeyPlaces& places) {
   KeysInUse found;
   found.folder = folder_with_key(places);
   if (found.folder.empty()) {
-    found.remark =
-        "no coordinator.key in " + places.standard.string() +
-        (places.old == places.standard ? "" : " or " + places.old.string());
+    found.remark = "no coordinator.key in " + places.standard.string() +
+                   (places.old == places.standard ? "" : " or " + places.old.string());
     return found;
   }
   found.remark = "keys of " + found.folder.string();

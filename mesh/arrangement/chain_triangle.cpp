@@ -4,33 +4,29 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/disjoint_sets.h"
 #include "mesh/geometry/box_tree.h"
 
 namespace tetfarm {
-namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 void merge_equals(TriangleChain& chain) {
   std::vector<std::int32_t> order(chain.vertices.size());
   for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<std::int32_t>(v);
   const auto coordinates = [&](std::int32_t v) {
-    const Vec3& p = chain.vertices[index(v)];
+    const Vec3& p = chain.vertices[at(v)];
     return std::array<double, 3>{p.x, p.y, p.z};
   };
   std::ranges::stable_sort(order, {}, coordinates);
   std::vector<std::int32_t> first_equal(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_equal = i > 0 && coordinates(order[i]) == coordinates(order[i - 1]);
-    first_equal[index(order[i])] = is_equal ? first_equal[index(order[i - 1])] : order[i];
+    first_equal[at(order[i])] = is_equal ? first_equal[at(order[i - 1])] : order[i];
   }
   std::vector<std::pair<Triangle, std::int32_t>> sorted;
   for (std::size_t t = 0; t < chain.triangles.size(); ++t) {
     Triangle& nodes = chain.triangles[t].nodes;
-    for (std::int32_t& n : nodes) n = first_equal[index(n)];
+    for (std::int32_t& n : nodes) n = first_equal[at(n)];
     if (is_degenerate(triangle_points(chain.vertices, nodes))) continue;
     Triangle corners = nodes;
     std::ranges::sort(corners);
@@ -46,14 +42,14 @@ void merge_equals(TriangleChain& chain) {
     std::size_t end = i;
     std::int32_t sum = 0;
     for (; end < sorted.size() && sorted[end].first == sorted[i].first; ++end) {
-      const ChainTriangle& t = chain.triangles[index(sorted[end].second)];
+      const ChainTriangle& t = chain.triangles[at(sorted[end].second)];
       sum += is_even(sorted[end].first, t.nodes) ? t.times : -t.times;
     }
     for (std::size_t j = i; sum != 0 && j < end; ++j) {
-      const ChainTriangle& t = chain.triangles[index(sorted[j].second)];
+      const ChainTriangle& t = chain.triangles[at(sorted[j].second)];
       const std::int32_t as_it_faces = is_even(sorted[j].first, t.nodes) ? sum : -sum;
       if (as_it_faces < 0 || t.times < 0) continue;
-      times[index(sorted[j].second)] = as_it_faces;
+      times[at(sorted[j].second)] = as_it_faces;
       break;
     }
     i = end;
@@ -70,7 +66,7 @@ void merge_equals(TriangleChain& chain) {
 void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32_t, 2>>& pairs) {
   if (pairs.empty()) return;
   DisjointSets sets(chain.vertices.size());
-  for (const auto& [v, w] : pairs) sets.join(index(v), index(w));
+  for (const auto& [v, w] : pairs) sets.join(at(v), at(w));
   std::vector<std::int32_t> first(chain.vertices.size(), -1);
   for (std::size_t v = 0; v < first.size(); ++v) {
     std::int32_t& of_set = first[sets.root(v)];
@@ -78,7 +74,7 @@ void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32
   }
   for (ChainTriangle& t : chain.triangles) {
     const Triangle before = t.nodes;
-    for (std::int32_t& n : t.nodes) n = first[sets.root(index(n))];
+    for (std::int32_t& n : t.nodes) n = first[sets.root(at(n))];
     if (t.nodes == before) continue;
     t.is_divided = true;
     t.is_clear = false;
@@ -93,8 +89,8 @@ std::optional<std::vector<TrianglePair>> meeting_pairs(TriangleChain& chain) {
   std::vector<TrianglePair> pairs;
   tree.self_pairs([&](std::int32_t i, std::int32_t j) {
     if (pairs.size() > most) return;
-    if (chain.triangles[index(i)].is_clear && chain.triangles[index(j)].is_clear) return;
-    if (triangles_meet_beyond_shared(chain.vertices, triangles[index(i)], triangles[index(j)])) {
+    if (chain.triangles[at(i)].is_clear && chain.triangles[at(j)].is_clear) return;
+    if (triangles_meet_beyond_shared(chain.vertices, triangles[at(i)], triangles[at(j)])) {
       pairs.push_back({i, j});
     }
   });
@@ -102,7 +98,7 @@ std::optional<std::vector<TrianglePair>> meeting_pairs(TriangleChain& chain) {
   std::ranges::sort(pairs);
   for (ChainTriangle& t : chain.triangles) t.is_clear = true;
   for (const TrianglePair& pair : pairs) {
-    for (const std::int32_t t : pair) chain.triangles[index(t)].is_clear = false;
+    for (const std::int32_t t : pair) chain.triangles[at(t)].is_clear = false;
   }
   return pairs;
 }

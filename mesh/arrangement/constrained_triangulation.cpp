@@ -7,20 +7,19 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 
 namespace tetfarm {
 namespace {
 
 constexpr std::int32_t nobody = -1;
-constexpr std::size_t corners = 3;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+constexpr std::size_t corner_count = 3;
 
 /// Corners anticlockwise; beyond[k] is the triangle on the other side of the edge against corner k.
 struct PlanarTriangle {
-  std::array<std::int32_t, corners> nodes = {nobody, nobody, nobody};
-  std::array<std::int32_t, corners> beyond = {nobody, nobody, nobody};
+  std::array<std::int32_t, corner_count> nodes = {nobody, nobody, nobody};
+  std::array<std::int32_t, corner_count> beyond = {nobody, nobody, nobody};
 };
 
 /// An edge as the triangle and the corner against it.
@@ -29,7 +28,7 @@ struct EdgePlace {
   std::size_t corner = 0;
 };
 
-std::size_t place_of(const std::array<std::int32_t, corners>& of, std::int32_t what) {
+std::size_t place_of(const std::array<std::int32_t, corner_count>& of, std::int32_t what) {
   const auto found = std::ranges::find(of, what);
   TF_CHECK(found != of.end());
   return static_cast<std::size_t>(found - of.begin());
@@ -56,7 +55,7 @@ class Triangulation {
 
   /// All nodes; false where two are seen at one place.
   bool insert_nodes() {
-    for (std::size_t i = corners; i < points_.size(); ++i) {
+    for (std::size_t i = corner_count; i < points_.size(); ++i) {
       if (!insert(static_cast<std::int32_t>(i))) return false;
     }
     return true;
@@ -67,8 +66,8 @@ class Triangulation {
 
   /// Between the node at place a of those given and that at place b; false where a node is between.
   bool enforce(std::int32_t a, std::int32_t b) {
-    const std::int32_t from = a + static_cast<std::int32_t>(corners);
-    const std::int32_t to = b + static_cast<std::int32_t>(corners);
+    const std::int32_t from = a + static_cast<std::int32_t>(corner_count);
+    const std::int32_t to = b + static_cast<std::int32_t>(corner_count);
     std::deque<Segment> crossing;
     if (!find_crossed_edges(from, to, crossing)) return false;
     // Each flip takes a crossing away, or moves it on; a few for each is what it takes.
@@ -93,7 +92,7 @@ class Triangulation {
   void improve() {
     std::vector<EdgePlace> places;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (std::size_t k = 0; k < corners; ++k) {
+      for (std::size_t k = 0; k < corner_count; ++k) {
         places.push_back({static_cast<std::int32_t>(t), k});
       }
     }
@@ -104,7 +103,7 @@ class Triangulation {
   std::vector<Triangle> inner_triangles() const {
     std::vector<Triangle> inner;
     for (const PlanarTriangle& t : triangles_) {
-      if (*std::ranges::min_element(t.nodes) < static_cast<std::int32_t>(corners)) continue;
+      if (*std::ranges::min_element(t.nodes) < static_cast<std::int32_t>(corner_count)) continue;
       inner.push_back({t.nodes[0] - 3, t.nodes[1] - 3, t.nodes[2] - 3});
     }
     return inner;
@@ -118,8 +117,8 @@ class Triangulation {
               1e-9 * (std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z)));
     const int u = (axis_ + 1) % 3;
     const int v = (axis_ + 2) % 3;
-    const std::array<std::array<double, 2>, corners> away = {{{-2, -1}, {2, -1}, {0, 2}}};
-    for (std::size_t k = 0; k < corners; ++k) {
+    const std::array<std::array<double, 2>, corner_count> away = {{{-2, -1}, {2, -1}, {0, 2}}};
+    for (std::size_t k = 0; k < corner_count; ++k) {
       Vec3 corner = centre;
       corner[u] += away[k][0] * reach;
       corner[v] += away[k][1] * reach;
@@ -137,7 +136,7 @@ class Triangulation {
   }
 
   /// The sides of the triangle's edges on which a node lies, each against its corner.
-  std::array<int, corners> sides(std::int32_t t, std::int32_t node) const {
+  std::array<int, corner_count> sides(std::int32_t t, std::int32_t node) const {
     const auto& n = triangle(t).nodes;
     return {turn(n[1], n[2], node), turn(n[2], n[0], node), turn(n[0], n[1], node)};
   }
@@ -147,14 +146,14 @@ class Triangulation {
   std::int32_t locate(std::int32_t node) const {
     auto t = static_cast<std::int32_t>(triangles_.size()) - 1;
     for (std::size_t step = 0; step < 4 * triangles_.size() + 16; ++step) {
-      const std::array<int, corners> side = sides(t, node);
+      const std::array<int, corner_count> side = sides(t, node);
       const auto outside = std::ranges::find(side, -1);
       if (outside == side.end()) return t;
       t = triangle(t).beyond[static_cast<std::size_t>(outside - side.begin())];
       TF_CHECK(t != nobody);
     }
     for (t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
-      const std::array<int, corners> side = sides(t, node);
+      const std::array<int, corner_count> side = sides(t, node);
       if (std::ranges::find(side, -1) == side.end()) return t;
     }
     TF_CHECK(false);
@@ -168,7 +167,7 @@ class Triangulation {
     }
   }
 
-  void set_nodes(std::int32_t t, const std::array<std::int32_t, corners>& nodes) {
+  void set_nodes(std::int32_t t, const std::array<std::int32_t, corner_count>& nodes) {
     triangle(t).nodes = nodes;
     for (const std::int32_t n : nodes) triangle_of_[at(n)] = t;
   }
@@ -180,7 +179,7 @@ class Triangulation {
 
   bool insert(std::int32_t node) {
     const std::int32_t t = locate(node);
-    const std::array<int, corners> side = sides(t, node);
+    const std::array<int, corner_count> side = sides(t, node);
     if (std::ranges::count(side, 0) > 1) return false;
     const auto on = std::ranges::find(side, 0);
     if (on == side.end()) {
@@ -212,8 +211,8 @@ class Triangulation {
     const PlanarTriangle old = triangle(t);
     const std::size_t k = edge.corner;
     const std::int32_t a = old.nodes[k];
-    const std::int32_t b = old.nodes[(k + 1) % corners];
-    const std::int32_t c = old.nodes[(k + 2) % corners];
+    const std::int32_t b = old.nodes[(k + 1) % corner_count];
+    const std::int32_t c = old.nodes[(k + 2) % corner_count];
     const std::int32_t other = old.beyond[k];
     TF_CHECK(other != nobody);
     const PlanarTriangle old_other = triangle(other);
@@ -226,10 +225,10 @@ class Triangulation {
     set_nodes(half, {a, node, c});
     set_nodes(other, {d, node, b});
     set_nodes(other_half, {d, c, node});
-    const std::int32_t across_ca = old.beyond[(k + 1) % corners];
-    const std::int32_t across_dc = old_other.beyond[(l + 2) % corners];
-    const std::int32_t across_ab = old.beyond[(k + 2) % corners];
-    const std::int32_t across_bd = old_other.beyond[(l + 1) % corners];
+    const std::int32_t across_ca = old.beyond[(k + 1) % corner_count];
+    const std::int32_t across_dc = old_other.beyond[(l + 2) % corner_count];
+    const std::int32_t across_ab = old.beyond[(k + 2) % corner_count];
+    const std::int32_t across_bd = old_other.beyond[(l + 1) % corner_count];
     triangle(t).beyond = {other, half, across_ab};
     triangle(half).beyond = {other_half, nobody, t};
     triangle(other).beyond = {t, across_bd, other_half};
@@ -245,8 +244,8 @@ class Triangulation {
     if (other == nobody) return false;
     const auto& n = triangle(edge.triangle).nodes;
     const std::int32_t a = n[edge.corner];
-    const std::int32_t b = n[(edge.corner + 1) % corners];
-    const std::int32_t c = n[(edge.corner + 2) % corners];
+    const std::int32_t b = n[(edge.corner + 1) % corner_count];
+    const std::int32_t c = n[(edge.corner + 2) % corner_count];
     const std::int32_t d = triangle(other).nodes[place_of(triangle(other).beyond, edge.triangle)];
     return turn(a, b, d) > 0 && turn(a, d, c) > 0;
   }
@@ -260,15 +259,15 @@ class Triangulation {
     const PlanarTriangle old_other = triangle(other);
     const std::size_t l = place_of(old_other.beyond, t);
     const std::int32_t a = old.nodes[k];
-    const std::int32_t b = old.nodes[(k + 1) % corners];
-    const std::int32_t c = old.nodes[(k + 2) % corners];
+    const std::int32_t b = old.nodes[(k + 1) % corner_count];
+    const std::int32_t c = old.nodes[(k + 2) % corner_count];
     const std::int32_t d = old_other.nodes[l];
     set_nodes(t, {a, b, d});
     set_nodes(other, {a, d, c});
-    const std::int32_t across_bd = old_other.beyond[(l + 1) % corners];
-    const std::int32_t across_ca = old.beyond[(k + 1) % corners];
-    triangle(t).beyond = {nobody, other, old.beyond[(k + 2) % corners]};
-    triangle(other).beyond = {old_other.beyond[(l + 2) % corners], nobody, t};
+    const std::int32_t across_bd = old_other.beyond[(l + 1) % corner_count];
+    const std::int32_t across_ca = old.beyond[(k + 1) % corner_count];
+    triangle(t).beyond = {nobody, other, old.beyond[(k + 2) % corner_count]};
+    triangle(other).beyond = {old_other.beyond[(l + 2) % corner_count], nobody, t};
     link(t, 0, across_bd, other);
     link(other, 1, across_ca, t);
     return {a, d};
@@ -281,9 +280,9 @@ class Triangulation {
       do {
         const auto& n = triangle(t).nodes;
         const std::size_t k = place_of(n, a);
-        if (n[(k + 1) % corners] == b) return {t, (k + 2) % corners};
-        if (n[(k + 2) % corners] == b) return {t, (k + 1) % corners};
-        t = triangle(t).beyond[(k + (anticlockwise ? 1 : 2)) % corners];
+        if (n[(k + 1) % corner_count] == b) return {t, (k + 2) % corner_count};
+        if (n[(k + 2) % corner_count] == b) return {t, (k + 1) % corner_count};
+        t = triangle(t).beyond[(k + (anticlockwise ? 1 : 2)) % corner_count];
       } while (t != nobody && t != first);
     }
     return {};
@@ -302,8 +301,8 @@ class Triangulation {
     EdgePlace place = first_crossed(from, to);
     while (place.triangle != nobody) {
       const auto& n = triangle(place.triangle).nodes;
-      const std::int32_t right = n[(place.corner + 1) % corners];
-      const std::int32_t left = n[(place.corner + 2) % corners];
+      const std::int32_t right = n[(place.corner + 1) % corner_count];
+      const std::int32_t left = n[(place.corner + 2) % corner_count];
       if (is_fixed_.contains(edge_key(right, left))) return false;
       crossed.push_back({right, left});
       const std::int32_t other = triangle(place.triangle).beyond[place.corner];
@@ -313,7 +312,7 @@ class Triangulation {
       const int side = turn(from, to, next);
       if (side == 0) return false;
       // Out through the edge that has the next node and the one on the other side of the line.
-      place = {other, side > 0 ? (l + 1) % corners : (l + 2) % corners};
+      place = {other, side > 0 ? (l + 1) % corner_count : (l + 2) % corner_count};
     }
     return false;
   }
@@ -326,10 +325,11 @@ class Triangulation {
     do {
       const auto& n = triangle(t).nodes;
       const std::size_t k = place_of(n, from);
-      if (turn(from, to, n[(k + 1) % corners]) < 0 && turn(from, to, n[(k + 2) % corners]) > 0) {
+      if (turn(from, to, n[(k + 1) % corner_count]) < 0 &&
+          turn(from, to, n[(k + 2) % corner_count]) > 0) {
         return {t, k};
       }
-      t = triangle(t).beyond[(k + 1) % corners];
+      t = triangle(t).beyond[(k + 1) % corner_count];
     } while (t != first);
     return {};
   }
@@ -345,7 +345,7 @@ class Triangulation {
     const auto side = [&](const Vec3& x, const Vec3& y) {
       return std::sqrt((x[u] - y[u]) * (x[u] - y[u]) + (x[v] - y[v]) * (x[v] - y[v]));
     };
-    std::array<double, corners> sides = {side(p, q), side(q, r), side(r, p)};
+    std::array<double, corner_count> sides = {side(p, q), side(q, r), side(r, p)};
     std::ranges::sort(sides);
     return area > 0 ? area / (sides[1] * sides[2]) : 0;
   }
@@ -356,8 +356,8 @@ class Triangulation {
     const auto& n = triangle(edge.triangle).nodes;
     const std::int32_t other = triangle(edge.triangle).beyond[edge.corner];
     const std::int32_t a = n[edge.corner];
-    const std::int32_t b = n[(edge.corner + 1) % corners];
-    const std::int32_t c = n[(edge.corner + 2) % corners];
+    const std::int32_t b = n[(edge.corner + 1) % corner_count];
+    const std::int32_t c = n[(edge.corner + 2) % corner_count];
     const std::int32_t d = triangle(other).nodes[place_of(triangle(other).beyond, edge.triangle)];
     const double now = std::min(shape(a, b, c), shape(d, c, b));
     const double then = std::min(shape(a, b, d), shape(a, d, c));
@@ -369,20 +369,20 @@ class Triangulation {
       const EdgePlace place = places.back();
       places.pop_back();
       const auto& n = triangle(place.triangle).nodes;
-      const std::int32_t b = n[(place.corner + 1) % corners];
-      const std::int32_t c = n[(place.corner + 2) % corners];
+      const std::int32_t b = n[(place.corner + 1) % corner_count];
+      const std::int32_t c = n[(place.corner + 2) % corner_count];
       const std::int32_t other = triangle(place.triangle).beyond[place.corner];
       if (other == nobody || is_fixed_.contains(edge_key(b, c))) continue;
       if (!is_better_flipped(place) || !can_flip(place)) continue;
       flip(place);
       for (const std::int32_t t : {place.triangle, other}) {
-        for (std::size_t k = 0; k < corners; ++k) places.push_back({t, k});
+        for (std::size_t k = 0; k < corner_count; ++k) places.push_back({t, k});
       }
     }
   }
 
   int axis_;
-  std::array<ExactPoint, corners> outer_;
+  std::array<ExactPoint, corner_count> outer_;
   std::vector<const ExactPoint*> points_;
   std::vector<PlanarTriangle> triangles_;
   std::vector<std::int32_t> triangle_of_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/disjoint_sets.h"
 #include "mesh/arrangement/constrained_triangulation.h"
 #include "mesh/arrangement/snap_rounding.h"
@@ -17,8 +18,6 @@ namespace {
 
 /// Joining vertices and leading edges through them moves faces off each other so far.
 constexpr double layer_share = 8;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 SnapEdge sorted_edge(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 

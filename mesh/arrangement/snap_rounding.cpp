@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/array_index.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/geometry/predicates.h"
 
@@ -12,8 +13,6 @@ namespace tetfarm {
 namespace {
 
 constexpr int most_passes = 100;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 class SnapRounding {
  public:

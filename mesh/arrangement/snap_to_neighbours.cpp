@@ -9,14 +9,13 @@
 #include <span>
 #include <utility>
 
+#include "base/array_index.h"
 #include "mesh/geometry/nearest_point.h"
 
 namespace tetfarm {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;  // the smaller number first
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Edge edge_of(const Triangle& t, std::size_t corner) {
   const std::int32_t a = t[(corner + 1) % 3];

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/disjoint_sets.h"
 #include "mesh/arrangement/constrained_triangulation.h"
 #include "mesh/arrangement/exact_points.h"
@@ -22,8 +23,6 @@ namespace {
 
 constexpr int most_rounds = 60;
 constexpr std::int64_t most_pairs_of_segments = 50'000'000;
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Which corners lie in front of the plane (1), behind it (-1), on it (0).
 std::array<int, 3> sides_of_corners(const TrianglePoints& plane, const TrianglePoints& corners) {
@@ -115,9 +114,9 @@ class Round {
     others_.resize(count);
     DisjointSets sets(count);
     for (const auto& [i, j] : pairs_) {
-      others_[index(i)].push_back(j);
-      others_[index(j)].push_back(i);
-      if (are_coplanar(chain_.points_of(i), chain_.points_of(j))) sets.join(index(i), index(j));
+      others_[at(i)].push_back(j);
+      others_[at(j)].push_back(i);
+      if (are_coplanar(chain_.points_of(i), chain_.points_of(j))) sets.join(at(i), at(j));
     }
     std::vector<std::int32_t> plane_of_root(count, -1);
     for (std::size_t t = 0; t < count; ++t) {
@@ -127,25 +126,25 @@ class Round {
         plane = static_cast<std::int32_t>(planes_.size());
         planes_.emplace_back();
       }
-      planes_[index(plane)].push_back(static_cast<std::int32_t>(t));
+      planes_[at(plane)].push_back(static_cast<std::int32_t>(t));
     }
   }
 
   std::int32_t add_vertex(std::int32_t v) {
-    const std::int32_t number = points_.add(exact_point(chain_.vertices[index(v)]));
-    if (index(number) >= vertex_of_.size()) vertex_of_.resize(index(number) + 1, -1);
-    if (vertex_of_[index(number)] < 0) vertex_of_[index(number)] = v;
+    const std::int32_t number = points_.add(exact_point(chain_.vertices[at(v)]));
+    if (at(number) >= vertex_of_.size()) vertex_of_.resize(at(number) + 1, -1);
+    if (vertex_of_[at(number)] < 0) vertex_of_[at(number)] = v;
     return number;
   }
 
   /// The edges of the triangle, and what it has in common with those of other planes.
   void add_segments(std::int32_t t, int axis, std::vector<Segment>& segments) {
     const TrianglePoints corners = chain_.points_of(t);
-    const Triangle& nodes = chain_.triangles[index(t)].nodes;
+    const Triangle& nodes = chain_.triangles[at(t)].nodes;
     const std::array<std::int32_t, 3> numbers = {add_vertex(nodes[0]), add_vertex(nodes[1]),
                                                  add_vertex(nodes[2])};
     for (std::size_t k = 0; k < 3; ++k) segments.push_back({numbers[k], numbers[(k + 1) % 3]});
-    for (const std::int32_t other : others_[index(t)]) {
+    for (const std::int32_t other : others_[at(t)]) {
       const TrianglePoints points = chain_.points_of(other);
       if (are_coplanar(corners, points)) continue;
       auto cut = cut_by_plane(points, corners);
@@ -194,7 +193,7 @@ class Round {
         tree.query(box_round(middle), [&](std::int32_t i) { near.push_back(i); });
         std::ranges::sort(near);
         for (const std::int32_t i : near) {
-          const std::int32_t t = plane[index(i)];
+          const std::int32_t t = plane[at(i)];
           const int facing = facing_along(t, axis);
           if (is_inside(middle, t, facing, axis)) parts.push_back({t, facing});
         }
@@ -214,12 +213,12 @@ class Round {
                  std::vector<ChainTriangle>& made) const {
     ChainTriangle sum{piece, 0, 0, true, false};
     for (const Part& part : parts) {
-      sum.times += part.facing * chain_.triangles[index(part.triangle)].times;
+      sum.times += part.facing * chain_.triangles[at(part.triangle)].times;
     }
     if (sum.times == 0) return;
     const auto first =
         std::ranges::find_if(parts, [&](const Part& part) { return part.facing * sum.times > 0; });
-    if (first != parts.end()) sum.patch = chain_.triangles[index(first->triangle)].patch;
+    if (first != parts.end()) sum.patch = chain_.triangles[at(first->triangle)].patch;
     if (sum.times < 0) {
       std::swap(sum.nodes[1], sum.nodes[2]);
       sum.times = -sum.times;
@@ -256,7 +255,7 @@ class Round {
 
   /// Triangles that meet none stay, in their order, then come those that were made.
   void put_in_place(std::vector<ChainTriangle>& made) {
-    vertex_of_.resize(index(points_.size()), -1);
+    vertex_of_.resize(at(points_.size()), -1);
     for (ChainTriangle& t : made) {
       for (std::int32_t& n : t.nodes) n = vertex_at(n);
     }
@@ -269,7 +268,7 @@ class Round {
   }
 
   std::int32_t vertex_at(std::int32_t point) {
-    std::int32_t& vertex = vertex_of_[index(point)];
+    std::int32_t& vertex = vertex_of_[at(point)];
     if (vertex < 0) {
       vertex = static_cast<std::int32_t>(chain_.vertices.size());
       chain_.vertices.push_back(points_[point].near);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/array_index.h"
 #include "base/check.h"
 #include "mesh/arrangement/triangle_arrangement.h"
 #include "mesh/geometry/box_tree.h"
@@ -16,8 +17,6 @@
 
 namespace tetfarm {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 void turn(Triangle& nodes) { std::swap(nodes[1], nodes[2]); }
 

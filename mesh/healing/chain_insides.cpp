@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/array_index.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/shifted_ray.h"
 #include "mesh/inspect/surface_edges.h"
@@ -14,8 +15,6 @@ namespace tetfarm {
 namespace {
 
 constexpr std::int32_t unknown = INT32_MIN;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Six times the volume between a triangle and a point.
 long double six_volumes(const TrianglePoints& t, const Vec3& from) {

@@ -13,6 +13,8 @@ namespace tetfarm {
 namespace {
 
 constexpr int most_nearly_flat_passes = 100;
+/// What is made is tested against all that was made before it in the pass.
+constexpr std::size_t most_made_a_pass = 4000;
 
 using Vertices = std::vector<std::int32_t>;
 
@@ -77,7 +79,7 @@ class NearlyFlatPass {
   std::int64_t run() {
     const std::size_t count = is_gone_.size();
     std::int64_t removed = 0;
-    for (std::size_t t = 0; t < count; ++t) {
+    for (std::size_t t = 0; t < count && made_.size() < most_made_a_pass; ++t) {
       if (is_gone_[t] == 0 && is_nearly_flat(sides(t), work_.tolerance)) removed += remove(t);
     }
     is_gone_.resize(work_.surface.triangles.size(), 0);
