@@ -84,7 +84,7 @@ void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32
 std::optional<std::vector<TrianglePair>> meeting_pairs(TriangleChain& chain) {
   std::vector<Triangle> triangles;
   for (const ChainTriangle& t : chain.triangles) triangles.push_back(t.nodes);
-  const std::size_t most = 1'000'000 + 50 * triangles.size();
+  const std::size_t most = 200'000 + 10 * triangles.size();
   const BoxTree tree(triangle_boxes(chain.vertices, triangles));
   std::vector<TrianglePair> pairs;
   tree.self_pairs([&](std::int32_t i, std::int32_t j) {

@@ -40,7 +40,7 @@ void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32
 using TrianglePair = std::array<std::int32_t, 2>;
 
 /// Those that share points beyond corners and edges that both have, sorted; nothing where there are
-/// more than 50 for each triangle and a million. Those that are clear are not looked at together;
+/// more than 10 for each triangle and 200,000. Those that are clear are not looked at together;
 /// after that, those in no pair are clear. @pre triangles have area. Exact.
 std::optional<std::vector<TrianglePair>> meeting_pairs(TriangleChain& chain);
 
