@@ -20,7 +20,7 @@ class Division {
   Division(ExactPoints& points, const std::vector<Segment>& segments, int axis)
       : points_(points), segments_(segments), axis_(axis), on_segment_(segments.size()) {}
 
-  bool find_meets(std::int64_t most_pairs) {
+  bool find_meets(std::int64_t& pairs_left) {
     struct Extent {
       std::size_t segment;
       Box3 box;
@@ -34,11 +34,10 @@ class Division {
     const int along = (axis_ + 1) % 3;
     std::ranges::stable_sort(extents, {},
                              [&](const Extent& extent) { return extent.box.low[along]; });
-    std::int64_t pairs = 0;
     for (std::size_t i = 0; i < extents.size(); ++i) {
       for (std::size_t j = i + 1; j < extents.size(); ++j) {
         if (extents[j].box.low[along] > extents[i].box.high[along]) break;
-        if (++pairs > most_pairs) return false;
+        if (--pairs_left < 0) return false;
         if (extents[i].box.overlaps(extents[j].box)) meet(extents[i].segment, extents[j].segment);
       }
     }
@@ -116,9 +115,9 @@ class Division {
 
 std::optional<std::vector<Segment>> divide_segments(ExactPoints& points,
                                                     const std::vector<Segment>& segments, int axis,
-                                                    std::int64_t most_pairs) {
+                                                    std::int64_t& pairs_left) {
   Division division(points, segments, axis);
-  if (!division.find_meets(most_pairs)) return std::nullopt;
+  if (!division.find_meets(pairs_left)) return std::nullopt;
   return division.pieces();
 }
 

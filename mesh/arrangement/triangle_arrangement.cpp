@@ -22,7 +22,10 @@ namespace tetfarm {
 namespace {
 
 constexpr int most_rounds = 60;
-constexpr std::int64_t most_pairs_of_segments = 50'000'000;
+/// Pairs of segments in a round, beside some for each triangle: 50 µs each, with the pieces that
+/// come of them.
+constexpr std::int64_t most_pairs = 1'000'000;
+constexpr std::int64_t most_pairs_a_triangle = 50;
 
 /// Which corners lie in front of the plane (1), behind it (-1), on it (0).
 std::array<int, 3> sides_of_corners(const TrianglePoints& plane, const TrianglePoints& corners) {
@@ -95,7 +98,9 @@ std::optional<std::array<ExactPoint, 2>> cut_by_plane(const TrianglePoints& tria
 class Round {
  public:
   Round(TriangleChain& chain, std::vector<TrianglePair> pairs)
-      : chain_(chain), pairs_(std::move(pairs)) {}
+      : chain_(chain),
+        pairs_(std::move(pairs)),
+        pairs_left_(most_pairs + most_pairs_a_triangle * std::ssize(chain.triangles)) {}
 
   bool divide() {
     gather_planes();
@@ -159,7 +164,7 @@ class Round {
     const int axis = widest_axis(chain_.points_of(plane.front()));
     std::vector<Segment> segments;
     for (const std::int32_t t : plane) add_segments(t, axis, segments);
-    const auto edges = divide_segments(points_, segments, axis, most_pairs_of_segments);
+    const auto edges = divide_segments(points_, segments, axis, pairs_left_);
     if (!edges) return false;
     std::vector<std::int32_t> nodes;
     for (const Segment& s : *edges) nodes.insert(nodes.end(), s.begin(), s.end());
@@ -278,6 +283,7 @@ class Round {
 
   TriangleChain& chain_;
   std::vector<TrianglePair> pairs_;
+  std::int64_t pairs_left_;  // of segments
   std::vector<std::vector<std::int32_t>> others_;
   std::vector<std::vector<std::int32_t>> planes_;
   ExactPoints points_;

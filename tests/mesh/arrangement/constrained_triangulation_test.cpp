@@ -37,7 +37,8 @@ TEST(ConstrainedTriangulation, fills_a_square_with_random_segments_that_are_all_
     std::vector<Segment> segments;
     for (std::size_t k = 0; k < 4; ++k) segments.push_back({square[k], square[(k + 1) % 4]});
     for (int i = 0; i < 12; ++i) segments.push_back({any(), any()});
-    const auto pieces = divide_segments(points, segments, 2, 10'000).value();
+    std::int64_t pairs_left = 10'000;
+    const auto pieces = divide_segments(points, segments, 2, pairs_left).value();
     std::vector<std::int32_t> nodes(static_cast<std::size_t>(points.size()));
     for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = static_cast<std::int32_t>(n);
     const std::vector<Triangle> triangles = triangulate(points, nodes, pieces, 2).value();

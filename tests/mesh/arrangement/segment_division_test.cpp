@@ -14,7 +14,8 @@ struct PlanarPoints {
 
   std::int32_t at(double x, double y) { return points.add(exact_point({x, y, 0})); }
   std::vector<Segment> divided(const std::vector<Segment>& segments) {
-    return divide_segments(points, segments, 2, 1000).value();
+    std::int64_t pairs_left = 1000;
+    return divide_segments(points, segments, 2, pairs_left).value();
   }
 };
 
@@ -64,8 +65,11 @@ TEST(SegmentDivision, gives_up_where_there_are_too_many_pairs) {
   PlanarPoints p;
   std::vector<Segment> all;
   for (int i = 0; i < 10; ++i) all.push_back({p.at(0, i), p.at(1, 9 - i)});
-  EXPECT_FALSE(divide_segments(p.points, all, 2, 40));
-  EXPECT_THAT(divide_segments(p.points, all, 2, 45).value(), SizeIs(20));
+  std::int64_t too_few = 44;
+  EXPECT_FALSE(divide_segments(p.points, all, 2, too_few));
+  std::int64_t enough = 47;
+  EXPECT_THAT(divide_segments(p.points, all, 2, enough).value(), SizeIs(20));
+  EXPECT_EQ(enough, 2);
 }
 
 }  // namespace
