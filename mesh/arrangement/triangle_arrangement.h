@@ -18,9 +18,10 @@ namespace tetfarm {
 /// share any point but corners and edges that both have; triangles that meet none are the same, and
 /// vertices keep their numbers. Triangles back to back are gone. Where exact division alone does
 /// not do, what is within a thousandth of the tolerance is made one, then what is within the
-/// tolerance. Nothing where that does not do either, or too much meets (meeting_pairs).
-/// @pre vertices are finite. Deterministic. Cost: O(n log n) a round, at most 60 of
-/// them for each distance, and a fraction of a millisecond for each pair.
+/// tolerance. Nothing where that does not do either, or too much meets: as meeting_pairs says, or
+/// more than a million pairs of segments, and 50 for each triangle, in the planes of triangles.
+/// @pre vertices are finite. Deterministic. Cost: O(n log n) a round, at most 60 of them for each
+/// distance, and a fraction of a millisecond for each pair.
 std::optional<TriangleChain> arrange_triangles(const SurfaceMesh& surface, double tolerance);
 
 }  // namespace tetfarm
