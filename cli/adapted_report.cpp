@@ -69,8 +69,9 @@ void print_sources(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
   }
 }
 
-nlohmann::ordered_json result_json(const AdaptedTelling& telling, const AdaptedMesh& adapted,
-                                   const MetricQuality& quality, double seconds) {
+nlohmann::ordered_json adapted_result_json(const AdaptedTelling& telling,
+                                           const AdaptedMesh& adapted, const MetricQuality& quality,
+                                           double seconds) {
   const ScaledMetric& asked = adapted.asked;
   nlohmann::ordered_json result = {{"type", telling.command},
                                    {"file", telling.output},
@@ -155,7 +156,7 @@ void tell_adapted(const AdaptedTelling& telling, const AdaptedMesh& adapted) {
   const MetricQuality quality =
       metric_quality(checked_complex(adapted.result.mesh), adapted.result.metrics);
   if (telling.json) {
-    std::printf("%s\n", json_line(result_json(telling, adapted, quality, seconds)).c_str());
+    std::printf("%s\n", json_line(adapted_result_json(telling, adapted, quality, seconds)).c_str());
   } else {
     print_result(telling, adapted, quality, seconds);
   }
