@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/text_lines.h"
 #include "cli/roff_text.h"
 
 namespace tetfarm {
@@ -16,16 +17,6 @@ std::string_view trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
   return text;
-}
-
-std::vector<std::string_view> lines_of_markdown(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 std::string in_capitals(std::string_view text) {
@@ -207,7 +198,7 @@ class Page {
 }  // namespace
 
 std::string roff_of_markdown(std::string_view markdown) {
-  return Page(lines_of_markdown(markdown)).roff();
+  return Page(lines_of_text(markdown)).roff();
 }
 
 std::string_view markdown_section(std::string_view markdown, std::string_view heading) {

@@ -5,10 +5,40 @@
 #include <utility>
 
 #include "base/array_index.h"
-#include "base/disjoint_sets.h"
+#include "base/check.h"
 #include "mesh/geometry/box_tree.h"
 
 namespace tetfarm {
+
+ChainEdge edge_against(const Triangle& nodes, std::size_t corner) {
+  const std::int32_t a = nodes[(corner + 1) % 3];
+  const std::int32_t b = nodes[(corner + 2) % 3];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+void add_pieces(const ChainTriangle& whole, const ChainEdge& edge,
+                const std::vector<std::int32_t>& points, std::vector<ChainTriangle>& pieces) {
+  const auto from = std::ranges::find(whole.nodes, edge[0]) - whole.nodes.begin();
+  const auto to = std::ranges::find(whole.nodes, edge[1]) - whole.nodes.begin();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ChainTriangle piece = whole;
+    piece.is_divided = true;
+    piece.is_clear = false;
+    piece.nodes[at(from)] = points[i - 1];
+    piece.nodes[at(to)] = points[i];
+    const Triangle& n = piece.nodes;
+    if (n[0] != n[1] && n[1] != n[2] && n[2] != n[0]) pieces.push_back(piece);
+  }
+}
+
+void remove_triangles(TriangleChain& chain, const std::vector<char>& is_gone) {
+  TF_CHECK(is_gone.size() == chain.triangles.size());
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < is_gone.size(); ++t) {
+    if (is_gone[t] == 0) chain.triangles[kept++] = chain.triangles[t];
+  }
+  chain.triangles.resize(kept);
+}
 
 void merge_equals(TriangleChain& chain) {
   std::vector<std::int32_t> order(chain.vertices.size());
@@ -63,7 +93,7 @@ void merge_equals(TriangleChain& chain) {
   chain.triangles = std::move(kept);
 }
 
-void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32_t, 2>>& pairs) {
+void join_vertices(TriangleChain& chain, const std::vector<ChainEdge>& pairs) {
   if (pairs.empty()) return;
   DisjointSets sets(chain.vertices.size());
   for (const auto& [v, w] : pairs) sets.join(at(v), at(w));
@@ -79,6 +109,22 @@ void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32
     t.is_divided = true;
     t.is_clear = false;
   }
+}
+
+std::vector<std::vector<std::int32_t>> groups_of_marked(DisjointSets& sets,
+                                                        const std::vector<char>& is_marked) {
+  std::vector<std::vector<std::int32_t>> groups;
+  std::vector<std::int32_t> group_of_root(is_marked.size(), -1);
+  for (std::size_t item = 0; item < is_marked.size(); ++item) {
+    if (is_marked[item] == 0) continue;
+    std::int32_t& group = group_of_root[sets.root(item)];
+    if (group < 0) {
+      group = static_cast<std::int32_t>(groups.size());
+      groups.emplace_back();
+    }
+    groups[at(group)].push_back(static_cast<std::int32_t>(item));
+  }
+  return groups;
 }
 
 std::optional<std::vector<TrianglePair>> meeting_pairs(TriangleChain& chain) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "mesh/core/surface_mesh.h"
 #include "mesh/geometry/triangle_intersection.h"
 
@@ -28,13 +30,32 @@ struct TriangleChain {
   }
 };
 
+/// The smaller number of a vertex first.
+using ChainEdge = std::array<std::int32_t, 2>;
+
+/// The edge of a triangle that does not have the corner.
+ChainEdge edge_against(const Triangle& nodes, std::size_t corner);
+
+/// Adds what becomes of a triangle one of whose edges gets points, given with the edge's ends from
+/// its smaller number on. A piece that would have a corner twice, where a point is the third
+/// corner, is folded onto its edges and is none.
+void add_pieces(const ChainTriangle& whole, const ChainEdge& edge,
+                const std::vector<std::int32_t>& points, std::vector<ChainTriangle>& pieces);
+
+/// Removes those that are marked; the others keep their order. Cost: O(n).
+void remove_triangles(TriangleChain& chain, const std::vector<char>& is_gone);
+
 /// Equal vertices become the first of them, triangles that have one twice or no area go, and of
 /// those with the same corners one stays, as often as they are there in sum, or none. Cost:
 /// O(n log n).
 void merge_equals(TriangleChain& chain);
 
 /// Each two become the first of all that are so joined. Cost: O(n).
-void join_vertices(TriangleChain& chain, const std::vector<std::array<std::int32_t, 2>>& pairs);
+void join_vertices(TriangleChain& chain, const std::vector<ChainEdge>& pairs);
+
+/// The marked items of each set, sorted; the sets in the order of their first. Cost: O(n).
+std::vector<std::vector<std::int32_t>> groups_of_marked(DisjointSets& sets,
+                                                        const std::vector<char>& is_marked);
 
 /// Numbers of two triangles, the smaller first.
 using TrianglePair = std::array<std::int32_t, 2>;

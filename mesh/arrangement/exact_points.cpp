@@ -82,6 +82,15 @@ ExactPoint exact_point(const Vec3& p) {
   return {{mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}, p};
 }
 
+Box3 box_round(const ExactPoint& p) {
+  Box3 box;
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::nextafter(p.near[i], -HUGE_VAL);
+    box.high[i] = std::nextafter(p.near[i], HUGE_VAL);
+  }
+  return box;
+}
+
 ExactPoint point_between(const ExactPoint& p, const ExactPoint& q, const mpq_class& share) {
   ExactPoint between;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -25,6 +25,9 @@ struct ExactPoint {
 /// @pre finite coordinates.
 ExactPoint exact_point(const Vec3& p);
 
+/// A box that the point is in, though it is near its coordinates only.
+Box3 box_round(const ExactPoint& p);
+
 /// p + share (q - p).
 ExactPoint point_between(const ExactPoint& p, const ExactPoint& q, const mpq_class& share);
 

@@ -19,11 +19,7 @@ namespace {
 /// Joining vertices and leading edges through them moves faces off each other so far.
 constexpr double layer_share = 8;
 
-SnapEdge sorted_edge(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
-SnapEdge edge_against(const Triangle& t, std::size_t corner) {
-  return sorted_edge(t[(corner + 1) % 3], t[(corner + 2) % 3]);
-}
+ChainEdge sorted_edge(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 bool lies_near_plane_of(const TrianglePoints& corners, const TrianglePoints& plane,
                         double distance) {
@@ -58,15 +54,11 @@ class LayerMerging {
       sets.join(at(i), at(j));
       is_in_layer[at(i)] = is_in_layer[at(j)] = 1;
     }
-    std::vector<std::int32_t> layer_of_root(chain_.triangles.size(), -1);
-    std::int32_t layers = 0;
-    for (std::size_t t = 0; t < is_in_layer.size(); ++t) {
-      if (is_in_layer[t] == 0) continue;
-      std::int32_t& layer = layer_of_root[sets.root(t)];
-      if (layer < 0) layer = layers++;
-      layer_[t] = layer;
+    const auto layers = groups_of_marked(sets, is_in_layer);
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+      for (const std::int32_t t : layers[layer]) layer_[at(t)] = static_cast<std::int32_t>(layer);
     }
-    return layers;
+    return static_cast<std::int32_t>(layers.size());
   }
 
   bool merge(std::int32_t layer) {
@@ -75,7 +67,7 @@ class LayerMerging {
       if (layer_[t] == layer && is_gone_[t] == 0) members.push_back(static_cast<std::int32_t>(t));
     }
     const int axis = widest_axis(members);
-    std::vector<SnapEdge> edges;
+    std::vector<ChainEdge> edges;
     for (const std::int32_t t : members) {
       for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_against(nodes_of(t), k));
     }
@@ -84,7 +76,7 @@ class LayerMerging {
     if (join_seen_together(edges, axis)) return true;
     const auto chains = snap_round(chain_.vertices, edges, axis, distance_ / 2);
     if (!chains) return false;
-    std::map<SnapEdge, std::int32_t> border;
+    std::map<ChainEdge, std::int32_t> border;
     for (const std::int32_t t : members) add_border(t, edges, *chains, border);
     const auto made = fill(members, border, axis);
     if (!made) return false;
@@ -95,19 +87,15 @@ class LayerMerging {
   }
 
   void finish() {
-    std::vector<ChainTriangle> left;
-    for (std::size_t t = 0; t < chain_.triangles.size(); ++t) {
-      if (is_gone_[t] == 0) left.push_back(chain_.triangles[t]);
-    }
-    chain_.triangles = std::move(left);
+    remove_triangles(chain_, is_gone_);
     join_vertices(chain_, joined_);
   }
 
  private:
   /// Vertices of the layer that are seen within the distance of each other are made one, later.
-  bool join_seen_together(const std::vector<SnapEdge>& edges, int axis) {
+  bool join_seen_together(const std::vector<ChainEdge>& edges, int axis) {
     std::vector<std::int32_t> nodes;
-    for (const SnapEdge& edge : edges) nodes.insert(nodes.end(), edge.begin(), edge.end());
+    for (const ChainEdge& edge : edges) nodes.insert(nodes.end(), edge.begin(), edge.end());
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     std::vector<Box3> boxes;
@@ -156,12 +144,12 @@ class LayerMerging {
 
   /// How often the triangles of the layer have each piece of edge on their left, less than on their
   /// right, from its smaller to its larger number.
-  void add_border(std::int32_t t, const std::vector<SnapEdge>& edges,
+  void add_border(std::int32_t t, const std::vector<ChainEdge>& edges,
                   const std::vector<std::vector<std::int32_t>>& chains,
-                  std::map<SnapEdge, std::int32_t>& border) const {
+                  std::map<ChainEdge, std::int32_t>& border) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t from = nodes_of(t)[(k + 1) % 3];
-      const SnapEdge edge = edge_against(nodes_of(t), k);
+      const ChainEdge edge = edge_against(nodes_of(t), k);
       const auto place = std::ranges::lower_bound(edges, edge) - edges.begin();
       const std::vector<std::int32_t>& chain = chains[static_cast<std::size_t>(place)];
       const std::int32_t way = from == edge[0] ? 1 : -1;
@@ -175,7 +163,7 @@ class LayerMerging {
 
   /// The triangles of the layer, each as often as the border winds round it.
   std::optional<std::vector<ChainTriangle>> fill(const std::vector<std::int32_t>& members,
-                                                 const std::map<SnapEdge, std::int32_t>& border,
+                                                 const std::map<ChainEdge, std::int32_t>& border,
                                                  int axis) const {
     ExactPoints points;
     std::vector<std::int32_t> vertex_of;
@@ -212,8 +200,8 @@ class LayerMerging {
   }
 
   static std::vector<std::int32_t> winding_of(const std::vector<Triangle>& pieces,
-                                              const std::map<SnapEdge, std::int32_t>& border) {
-    std::map<SnapEdge, std::vector<std::int32_t>> of_edge;
+                                              const std::map<ChainEdge, std::int32_t>& border) {
+    std::map<ChainEdge, std::vector<std::int32_t>> of_edge;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         of_edge[edge_against(pieces[i], k)].push_back(static_cast<std::int32_t>(i));
@@ -221,7 +209,7 @@ class LayerMerging {
     }
     // What a piece has more than what is beyond its edge.
     const auto step = [&](const Triangle& piece, std::size_t k) {
-      const SnapEdge edge = edge_against(piece, k);
+      const ChainEdge edge = edge_against(piece, k);
       const auto found = border.find(edge);
       if (found == border.end()) return 0;
       return piece[(k + 1) % 3] == edge[0] ? found->second : -found->second;
@@ -276,25 +264,15 @@ class LayerMerging {
   }
 
   /// The triangles on an edge that are not of the layer get its points, too.
-  void divide_outside(const SnapEdge& edge, const std::vector<std::int32_t>& points) {
+  void divide_outside(const ChainEdge& edge, const std::vector<std::int32_t>& points) {
     if (points.size() == 2) return;
     const std::vector<std::int32_t> round = of_edge_[edge];
     for (const std::int32_t t : round) {
       if (is_gone_[at(t)] != 0) continue;
-      const ChainTriangle whole = chain_.triangles[at(t)];
-      const auto from = std::ranges::find(whole.nodes, edge[0]) - whole.nodes.begin();
-      const auto to = std::ranges::find(whole.nodes, edge[1]) - whole.nodes.begin();
       is_gone_[at(t)] = 1;
-      for (std::size_t i = 1; i < points.size(); ++i) {
-        ChainTriangle part = whole;
-        part.is_divided = true;
-        part.is_clear = false;
-        part.nodes[static_cast<std::size_t>(from)] = points[i - 1];
-        part.nodes[static_cast<std::size_t>(to)] = points[i];
-        const Triangle& n = part.nodes;
-        if (n[0] == n[1] || n[1] == n[2] || n[2] == n[0]) continue;
-        add(part, layer_[at(t)]);
-      }
+      std::vector<ChainTriangle> pieces;
+      add_pieces(chain_.triangles[at(t)], edge, points, pieces);
+      for (const ChainTriangle& piece : pieces) add(piece, layer_[at(t)]);
     }
   }
 
@@ -302,8 +280,8 @@ class LayerMerging {
   double distance_;
   std::vector<char> is_gone_;
   std::vector<std::int32_t> layer_;
-  std::vector<SnapEdge> joined_;
-  std::map<SnapEdge, std::vector<std::int32_t>> of_edge_;
+  std::vector<ChainEdge> joined_;
+  std::map<ChainEdge, std::vector<std::int32_t>> of_edge_;
 };
 
 }  // namespace

@@ -28,8 +28,8 @@ class Division {
     std::vector<Extent> extents;
     for (std::size_t s = 0; s < segments_.size(); ++s) {
       Box3 box;
-      for (const std::int32_t end : segments_[s]) box.add(points_[end].near);
-      extents.push_back({s, widened(box)});
+      for (const std::int32_t end : segments_[s]) box.add(box_round(points_[end]));
+      extents.push_back({s, box});
     }
     const int along = (axis_ + 1) % 3;
     std::ranges::stable_sort(extents, {},
@@ -63,15 +63,6 @@ class Division {
   }
 
  private:
-  /// Points near the coordinates are off by less than their last bit.
-  static Box3 widened(Box3 box) {
-    for (int i = 0; i < 3; ++i) {
-      box.low[i] = std::nextafter(box.low[i], -HUGE_VAL);
-      box.high[i] = std::nextafter(box.high[i], HUGE_VAL);
-    }
-    return box;
-  }
-
   int turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
     return seen_turn(points_[a], points_[b], points_[c], axis_);
   }

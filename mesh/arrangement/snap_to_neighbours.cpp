@@ -15,14 +15,6 @@
 namespace tetfarm {
 namespace {
 
-using Edge = std::array<std::int32_t, 2>;  // the smaller number first
-
-Edge edge_of(const Triangle& t, std::size_t corner) {
-  const std::int32_t a = t[(corner + 1) % 3];
-  const std::int32_t b = t[(corner + 2) % 3];
-  return {std::min(a, b), std::max(a, b)};
-}
-
 bool has(std::span<const std::int32_t> nodes, std::int32_t node) {
   return std::ranges::find(nodes, node) != nodes.end();
 }
@@ -48,8 +40,8 @@ std::optional<std::array<double, 2>> nearest_inside(const Vec3& a, const Vec3& b
 
 /// What is near what, of the triangles as they are.
 struct NearThings {
-  std::map<Edge, std::vector<std::int32_t>> edge_divisions;  ///< at which vertices
-  std::map<std::int32_t, std::int32_t> triangle_divisions;   ///< at which vertex
+  std::map<ChainEdge, std::vector<std::int32_t>> edge_divisions;  ///< at which vertices
+  std::map<std::int32_t, std::int32_t> triangle_divisions;        ///< at which vertex
 };
 
 class NearSearch {
@@ -79,7 +71,7 @@ class NearSearch {
     for (const std::int32_t v : t) {
       if (has(u, v)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Edge edge = edge_of(u, k);
+        const ChainEdge edge = edge_against(u, k);
         const Vec3 foot = nearest_on_segment(point(v), point(edge[0]), point(edge[1]));
         if (!is_near(point(v), foot)) continue;
         found_.edge_divisions[edge].push_back(v);
@@ -93,15 +85,15 @@ class NearSearch {
     bool found = false;
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t l = 0; l < 3; ++l) {
-        const Edge e = edge_of(t, k);
-        const Edge f = edge_of(u, l);
+        const ChainEdge e = edge_against(t, k);
+        const ChainEdge f = edge_against(u, l);
         if (!has(e, f[0]) && !has(e, f[1]) && divide_both(e, f)) found = true;
       }
     }
     return found;
   }
 
-  bool divide_both(const Edge& e, const Edge& f) {
+  bool divide_both(const ChainEdge& e, const ChainEdge& f) {
     const auto shares = nearest_inside(point(e[0]), point(e[1]), point(f[0]), point(f[1]));
     if (!shares) return false;
     const Vec3 on_e = point(e[0]) + (*shares)[0] * (point(e[1]) - point(e[0]));
@@ -127,7 +119,7 @@ class NearSearch {
   TriangleChain& chain_;
   double distance2_;
   NearThings found_;
-  std::set<std::array<Edge, 2>> divided_;
+  std::set<std::array<ChainEdge, 2>> divided_;
 };
 
 /// Divides triangles one after the other; each edge and each triangle once.
@@ -136,13 +128,13 @@ class Divider {
   explicit Divider(TriangleChain& chain) : chain_(chain), is_touched_(chain.triangles.size(), 0) {
     for (std::size_t t = 0; t < chain.triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        of_edge_[edge_of(chain.triangles[t].nodes, k)].push_back(static_cast<std::int32_t>(t));
+        of_edge_[edge_against(chain.triangles[t].nodes, k)].push_back(static_cast<std::int32_t>(t));
       }
     }
   }
 
   /// At vertices near it, in their order along it; false where a triangle on it was divided before.
-  bool divide_edge(const Edge& edge, std::vector<std::int32_t> vertices) {
+  bool divide_edge(const ChainEdge& edge, std::vector<std::int32_t> vertices) {
     const std::vector<std::int32_t>& round = of_edge_[edge];
     if (std::ranges::any_of(round, [&](std::int32_t t) { return is_touched_[at(t)] != 0; })) {
       return false;
@@ -157,20 +149,7 @@ class Divider {
     vertices.push_back(edge[1]);
     for (const std::int32_t t : round) {
       is_touched_[at(t)] = 1;
-      for (std::size_t i = 1; i < vertices.size(); ++i) {
-        ChainTriangle part = chain_.triangles[at(t)];
-        std::ranges::replace(part.nodes, edge[0], -1);
-        *std::ranges::find(part.nodes, edge[1]) = vertices[i];
-        *std::ranges::find(part.nodes, -1) = vertices[i - 1];
-        // One that has the vertex is folded onto its edges there.
-        if (std::ranges::count(part.nodes, vertices[i]) > 1 ||
-            std::ranges::count(part.nodes, vertices[i - 1]) > 1) {
-          continue;
-        }
-        part.is_divided = true;
-        part.is_clear = false;
-        made_.push_back(part);
-      }
+      add_pieces(chain_.triangles[at(t)], edge, vertices, made_);
     }
     return !round.empty();
   }
@@ -189,17 +168,13 @@ class Divider {
   }
 
   void finish() {
-    std::vector<ChainTriangle> left;
-    for (std::size_t t = 0; t < chain_.triangles.size(); ++t) {
-      if (is_touched_[t] == 0) left.push_back(chain_.triangles[t]);
-    }
-    chain_.triangles = std::move(left);
+    remove_triangles(chain_, is_touched_);
     chain_.triangles.insert(chain_.triangles.end(), made_.begin(), made_.end());
   }
 
  private:
   TriangleChain& chain_;
-  std::map<Edge, std::vector<std::int32_t>> of_edge_;
+  std::map<ChainEdge, std::vector<std::int32_t>> of_edge_;
   std::vector<char> is_touched_;  // divided, or gone
   std::vector<ChainTriangle> made_;
 };
@@ -208,7 +183,7 @@ class Divider {
 
 std::int64_t join_near_vertices(TriangleChain& chain, const std::vector<TrianglePair>& pairs,
                                 double distance) {
-  std::vector<Edge> near;
+  std::vector<ChainEdge> near;
   for (const auto& [i, j] : pairs) {
     for (const std::int32_t v : chain.triangles[at(i)].nodes) {
       for (const std::int32_t w : chain.triangles[at(j)].nodes) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -56,18 +55,21 @@ int widest_axis(const TrianglePoints& t) {
   return widest;
 }
 
-/// The part of a segment in the plane of a triangle that lies in it; one point twice where that is
-/// all.
+/// A triangle in the plane that is divided, exactly.
+struct PlaneTriangle {
+  std::int32_t number = 0;
+  std::array<ExactPoint, 3> corners;
+  int facing = 0;  ///< 1: anticlockwise as seen along the axis of the plane, -1: clockwise
+};
+
+/// The part of a segment in the plane that lies in the triangle; one point twice where that is all.
 std::optional<std::array<ExactPoint, 2>> clip(std::array<ExactPoint, 2> segment,
-                                              const TrianglePoints& triangle, int axis) {
-  std::array<ExactPoint, 3> c = {exact_point(triangle[0]), exact_point(triangle[1]),
-                                 exact_point(triangle[2])};
-  if (seen_turn(c[0], c[1], c[2], axis) < 0) std::swap(c[1], c[2]);
+                                              const PlaneTriangle& triangle, int axis) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const ExactPoint& from = c[k];
-    const ExactPoint& to = c[(k + 1) % 3];
-    const bool is_first_out = seen_turn(from, to, segment[0], axis) < 0;
-    const bool is_second_out = seen_turn(from, to, segment[1], axis) < 0;
+    const ExactPoint& from = triangle.corners[k];
+    const ExactPoint& to = triangle.corners[(k + 1) % 3];
+    const bool is_first_out = seen_turn(from, to, segment[0], axis) * triangle.facing < 0;
+    const bool is_second_out = seen_turn(from, to, segment[1], axis) * triangle.facing < 0;
     if (is_first_out && is_second_out) return std::nullopt;
     if (!is_first_out && !is_second_out) continue;
     const mpq_class first = seen_area(from, to, segment[0], axis);
@@ -78,7 +80,14 @@ std::optional<std::array<ExactPoint, 2>> clip(std::array<ExactPoint, 2> segment,
   return segment;
 }
 
-/// Where a triangle goes through the plane of another. @pre it is not in that plane.
+bool is_inside(const ExactPoint& p, const PlaneTriangle& triangle, int axis) {
+  const std::array<ExactPoint, 3>& c = triangle.corners;
+  return seen_turn(c[0], c[1], p, axis) == triangle.facing &&
+         seen_turn(c[1], c[2], p, axis) == triangle.facing &&
+         seen_turn(c[2], c[0], p, axis) == triangle.facing;
+}
+
+/// Where a triangle goes through the plane of another; nothing where it lies in that plane.
 std::optional<std::array<ExactPoint, 2>> cut_by_plane(const TrianglePoints& triangle,
                                                       const TrianglePoints& plane) {
   const std::array<int, 3> side = sides_of_corners(plane, triangle);
@@ -90,7 +99,7 @@ std::optional<std::array<ExactPoint, 2>> cut_by_plane(const TrianglePoints& tria
       points.push_back(plane_crossing(triangle[k], triangle[next], plane));
     }
   }
-  if (points.empty()) return std::nullopt;
+  if (points.empty() || points.size() == 3) return std::nullopt;
   return std::array<ExactPoint, 2>{points.front(), points.back()};
 }
 
@@ -123,16 +132,9 @@ class Round {
       others_[at(j)].push_back(i);
       if (are_coplanar(chain_.points_of(i), chain_.points_of(j))) sets.join(at(i), at(j));
     }
-    std::vector<std::int32_t> plane_of_root(count, -1);
-    for (std::size_t t = 0; t < count; ++t) {
-      if (others_[t].empty()) continue;
-      std::int32_t& plane = plane_of_root[sets.root(t)];
-      if (plane < 0) {
-        plane = static_cast<std::int32_t>(planes_.size());
-        planes_.emplace_back();
-      }
-      planes_[at(plane)].push_back(static_cast<std::int32_t>(t));
-    }
+    std::vector<char> meets(count);
+    for (std::size_t t = 0; t < count; ++t) meets[t] = others_[t].empty() ? 0 : 1;
+    planes_ = groups_of_marked(sets, meets);
   }
 
   std::int32_t add_vertex(std::int32_t v) {
@@ -142,18 +144,28 @@ class Round {
     return number;
   }
 
+  std::vector<PlaneTriangle> plane_triangles(const std::vector<std::int32_t>& plane, int axis) {
+    std::vector<PlaneTriangle> triangles;
+    for (const std::int32_t t : plane) {
+      const TrianglePoints c = chain_.points_of(t);
+      PlaneTriangle& made = triangles.emplace_back();
+      made.number = t;
+      made.corners = {exact_point(c[0]), exact_point(c[1]), exact_point(c[2])};
+      made.facing = seen_turn(made.corners[0], made.corners[1], made.corners[2], axis);
+    }
+    return triangles;
+  }
+
   /// The edges of the triangle, and what it has in common with those of other planes.
-  void add_segments(std::int32_t t, int axis, std::vector<Segment>& segments) {
-    const TrianglePoints corners = chain_.points_of(t);
-    const Triangle& nodes = chain_.triangles[at(t)].nodes;
+  void add_segments(const PlaneTriangle& triangle, int axis, std::vector<Segment>& segments) {
+    const TrianglePoints corners = chain_.points_of(triangle.number);
+    const Triangle& nodes = chain_.triangles[at(triangle.number)].nodes;
     const std::array<std::int32_t, 3> numbers = {add_vertex(nodes[0]), add_vertex(nodes[1]),
                                                  add_vertex(nodes[2])};
     for (std::size_t k = 0; k < 3; ++k) segments.push_back({numbers[k], numbers[(k + 1) % 3]});
-    for (const std::int32_t other : others_[at(t)]) {
-      const TrianglePoints points = chain_.points_of(other);
-      if (are_coplanar(corners, points)) continue;
-      auto cut = cut_by_plane(points, corners);
-      if (cut) cut = clip(std::move(*cut), corners, axis);
+    for (const std::int32_t other : others_[at(triangle.number)]) {
+      auto cut = cut_by_plane(chain_.points_of(other), corners);
+      if (cut) cut = clip(std::move(*cut), triangle, axis);
       if (!cut) continue;
       const std::int32_t first = points_.add(std::move((*cut)[0]));
       segments.push_back({first, points_.add(std::move((*cut)[1]))});
@@ -162,8 +174,9 @@ class Round {
 
   bool divide_plane(const std::vector<std::int32_t>& plane, std::vector<ChainTriangle>& made) {
     const int axis = widest_axis(chain_.points_of(plane.front()));
+    const std::vector<PlaneTriangle> triangles = plane_triangles(plane, axis);
     std::vector<Segment> segments;
-    for (const std::int32_t t : plane) add_segments(t, axis, segments);
+    for (const PlaneTriangle& t : triangles) add_segments(t, axis, segments);
     const auto edges = divide_segments(points_, segments, axis, pairs_left_);
     if (!edges) return false;
     std::vector<std::int32_t> nodes;
@@ -174,33 +187,32 @@ class Round {
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     const auto pieces = triangulate(points_, nodes, *edges, axis);
     if (!pieces) return false;
-    share_out(plane, *pieces, axis, made);
+    share_out(triangles, *pieces, axis, made);
     return true;
   }
 
   /// Each small triangle is there as often as the triangles of the plane that it lies in.
-  void share_out(const std::vector<std::int32_t>& plane, const std::vector<Triangle>& pieces,
+  void share_out(const std::vector<PlaneTriangle>& plane, const std::vector<Triangle>& pieces,
                  int axis, std::vector<ChainTriangle>& made) {
     std::vector<Box3> boxes;
-    for (const std::int32_t t : plane) {
+    for (const PlaneTriangle& t : plane) {
       Box3 box;
-      for (const Vec3& p : chain_.points_of(t)) box.add(p);
+      for (const Vec3& p : chain_.points_of(t.number)) box.add(p);
       boxes.push_back(box);
     }
     const BoxTree tree(boxes);
     for (const Triangle& piece : pieces) {
       std::vector<Part> parts;
       if (plane.size() == 1) {
-        parts.push_back({plane.front(), facing_along(plane.front(), axis)});
+        parts.push_back({plane.front().number, plane.front().facing});
       } else {
         const ExactPoint middle = middle_of(piece);
         std::vector<std::int32_t> near;
         tree.query(box_round(middle), [&](std::int32_t i) { near.push_back(i); });
         std::ranges::sort(near);
         for (const std::int32_t i : near) {
-          const std::int32_t t = plane[at(i)];
-          const int facing = facing_along(t, axis);
-          if (is_inside(middle, t, facing, axis)) parts.push_back({t, facing});
+          const PlaneTriangle& t = plane[at(i)];
+          if (is_inside(middle, t, axis)) parts.push_back({t.number, t.facing});
         }
       }
       add_piece(piece, parts, made);
@@ -231,31 +243,9 @@ class Round {
     made.push_back(sum);
   }
 
-  static Box3 box_round(const ExactPoint& p) {
-    Box3 box;
-    for (int i = 0; i < 3; ++i) {
-      box.low[i] = std::nextafter(p.near[i], -HUGE_VAL);
-      box.high[i] = std::nextafter(p.near[i], HUGE_VAL);
-    }
-    return box;
-  }
-
   ExactPoint middle_of(const Triangle& t) const {
     const ExactPoint edge = point_between(points_[t[0]], points_[t[1]], mpq_class(1, 2));
     return point_between(edge, points_[t[2]], mpq_class(1, 3));
-  }
-
-  /// 1 for a triangle that is anticlockwise as seen along the axis, -1 for one that is clockwise.
-  int facing_along(std::int32_t t, int axis) const {
-    const TrianglePoints c = chain_.points_of(t);
-    return seen_turn(exact_point(c[0]), exact_point(c[1]), exact_point(c[2]), axis);
-  }
-
-  bool is_inside(const ExactPoint& p, std::int32_t t, int facing, int axis) const {
-    const TrianglePoints c = chain_.points_of(t);
-    const std::array<ExactPoint, 3> e = {exact_point(c[0]), exact_point(c[1]), exact_point(c[2])};
-    return seen_turn(e[0], e[1], p, axis) == facing && seen_turn(e[1], e[2], p, axis) == facing &&
-           seen_turn(e[2], e[0], p, axis) == facing;
   }
 
   /// Triangles that meet none stay, in their order, then come those that were made.
@@ -297,18 +287,21 @@ bool snap(TriangleChain& chain, const std::vector<TrianglePair>& pairs, double d
 }
 
 /// Rounds until no two triangles meet; nothing where that does not come to an end.
-std::optional<TriangleChain> arrange(TriangleChain chain, double snap_distance) {
+/// @param pairs that meet in the chain as it is given
+std::optional<TriangleChain> arrange(TriangleChain chain, std::vector<TrianglePair> pairs,
+                                     double snap_distance) {
   // More than that, and rounding makes more crossings than division takes away.
-  std::size_t most_meeting = std::numeric_limits<std::size_t>::max();
+  std::size_t most_meeting = 1000 + 4 * pairs.size();
   for (int round = 0; round < most_rounds; ++round) {
+    if (pairs.empty()) return chain;
+    if (snap_distance == 0 || !snap(chain, pairs, snap_distance)) {
+      most_meeting = pairs.size() / 2;
+      if (!Round(chain, std::move(pairs)).divide()) return std::nullopt;
+    }
     merge_equals(chain);
-    auto pairs = meeting_pairs(chain);
-    if (!pairs || pairs->size() > most_meeting) return std::nullopt;
-    if (pairs->empty()) return chain;
-    if (round == 0) most_meeting = 1000 + 4 * pairs->size();
-    if (snap_distance > 0 && snap(chain, *pairs, snap_distance)) continue;
-    most_meeting = pairs->size() / 2;
-    if (!Round(chain, std::move(*pairs)).divide()) return std::nullopt;
+    auto left = meeting_pairs(chain);
+    if (!left || left->size() > most_meeting) return std::nullopt;
+    pairs = std::move(*left);
   }
   return std::nullopt;
 }
@@ -320,9 +313,12 @@ std::optional<TriangleChain> arrange_triangles(const SurfaceMesh& surface, doubl
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     given.triangles.push_back({surface.triangles[t], 1, patch_of(surface, t), false, false});
   }
+  merge_equals(given);
+  const auto pairs = meeting_pairs(given);
+  if (!pairs) return std::nullopt;
   constexpr double small_share = 1e-3;
   for (const double snap_distance : {0.0, small_share * tolerance, tolerance}) {
-    if (auto chain = arrange(given, snap_distance)) return chain;
+    if (auto chain = arrange(given, *pairs, snap_distance)) return chain;
   }
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/text_lines.h"
 
 namespace tetfarm {
 namespace {
@@ -217,16 +218,6 @@ void add_dropped_text(TreePath path, const OwnedNodes& nodes, std::string& text)
   }
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::size_t told_layer_types(const ElementCounts& counts) {
@@ -245,7 +236,7 @@ bool comes_before(TreePath a, TreePath b) {
 Numbering number_globally(const SurfaceMesh& surface, std::string_view table) {
   Numbering numbering;
   std::vector<Dropped> dropped;
-  for (const std::string_view text : lines_of(table)) {
+  for (const std::string_view text : lines_of_text(table)) {
     const std::optional<Line> line = parse_line(text);
     if (!line || !add_line(*line, numbering, dropped)) {
       throw Error(ExitCode::failed,
@@ -341,7 +332,7 @@ std::string numbering_to_text(const Numbering& numbering) {
 
 Numbering numbering_from_text(std::string_view text, const std::string& name) {
   const auto refuse = [&](const std::string& what) { throw CorruptFile(what, name); };
-  const std::vector<std::string_view> lines = lines_of(text);
+  const std::vector<std::string_view> lines = lines_of_text(text);
   if (lines.size() < 3 || lines.front() != "tetfarm-numbering 1") refuse("not a numbering");
   if (lines.back() != "end") refuse("the end is missing");
   Numbering numbering;

@@ -8,6 +8,7 @@
 #include "base/array_index.h"
 #include "mesh/geometry/box_tree.h"
 #include "mesh/inspect/shifted_ray.h"
+#include "mesh/inspect/six_volumes.h"
 #include "mesh/inspect/surface_edges.h"
 #include "mesh/inspect/surface_sides.h"
 
@@ -15,19 +16,6 @@ namespace tetfarm {
 namespace {
 
 constexpr std::int32_t unknown = INT32_MIN;
-
-/// Six times the volume between a triangle and a point.
-long double six_volumes(const TrianglePoints& t, const Vec3& from) {
-  const Vec3 a = t[0] - from;
-  const Vec3 b = t[1] - from;
-  const Vec3 c = t[2] - from;
-  const long double x = a.x;
-  const long double y = a.y;
-  const long double z = a.z;
-  return x * (static_cast<long double>(b.y) * c.z - static_cast<long double>(b.z) * c.y) +
-         y * (static_cast<long double>(b.z) * c.x - static_cast<long double>(b.x) * c.z) +
-         z * (static_cast<long double>(b.x) * c.y - static_cast<long double>(b.y) * c.x);
-}
 
 double area_of(const TrianglePoints& t) { return norm(cross(t[1] - t[0], t[2] - t[0])) / 2; }
 

@@ -6,26 +6,9 @@
 
 #include "base/check.h"
 #include "mesh/inspect/shifted_ray.h"
+#include "mesh/inspect/six_volumes.h"
 
 namespace tetfarm {
-namespace {
-
-/// Six times the volume between the triangle and the origin: long, as sums of it decide what is
-/// out.
-long double six_volumes(const TrianglePoints& t, const Vec3& origin) {
-  const auto from = [&origin](const Vec3& p) {
-    return std::array<long double, 3>{static_cast<long double>(p.x) - origin.x,
-                                      static_cast<long double>(p.y) - origin.y,
-                                      static_cast<long double>(p.z) - origin.z};
-  };
-  const auto [ax, ay, az] = from(t[0]);
-  const auto [bx, by, bz] = from(t[1]);
-  const auto [cx, cy, cz] = from(t[2]);
-  return ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-}
-
-}  // namespace
-
 RegionMap::RegionMap(const SurfaceMesh& surface, SurfaceSides sides)
     : surface_(surface),
       sides_(std::move(sides)),
