@@ -137,6 +137,7 @@ JobInput input_of(const CheckOptions& options) {
   job_options.outer_size = options.outer_size;
   job_options.layers = options.layers;
   job_options.pml = options.pml;
+  job_options.patch_types = options.patch_types;
   return read_job(job_options);
 }
 

@@ -68,6 +68,15 @@ CLI::Option* add_pml(CLI::App& app, std::string& pml) {
       ->option_text("PATCH,...[:KEY=VALUE,...]");
 }
 
+CLI::Option* add_patch_types(CLI::App& app, std::vector<std::string>& types) {
+  return app
+      .add_option("--patch-type", types,
+                  "What patches are to a solver, such as 'wing_*,tip=wall': wall, slip, symmetry, "
+                  "farfield, inflow, outflow, pec, pmc, absorbing or interface; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PATCH,...=TYPE");
+}
+
 /// What says how long edges are in place of `size`.
 std::array<CLI::Option*, 3> add_wave(CLI::App& app, WaveOptions& wave, CLI::Option& size) {
   return {app.add_option("--frequency", wave.frequency,
@@ -139,6 +148,7 @@ void add_job(CLI::App& app, RunOptions& job) {
   add_domain(app, job);
   add_layers(app, job.layers, "");
   add_pml(app, job.pml);
+  add_patch_types(app, job.patch_types);
   CLI::Option* most =
       app.add_option("--max-elements", job.max_elements,
                      "Refuse a job that would have more elements (default 2000000000)")
@@ -283,13 +293,15 @@ class Parser {
     const std::array<CLI::Option*, 9> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
+    CLI::Option* patch_types = add_patch_types(sub, check_.patch_types);
     CLI::Option* store = sub.add_option("--store", check_.store,
                                         "Instead, check that the files of this store (or output "
                                         "folder of a run) are present and intact")
                              ->option_text("DIR")
                              ->excludes(input)
                              ->excludes(layers)
-                             ->excludes(pml);
+                             ->excludes(pml)
+                             ->excludes(patch_types);
     for (CLI::Option* option : domain) store->excludes(option);
     sub.add_option("--database", check_.database,
                    "Folder of the store's database (default: the store)")
@@ -392,6 +404,7 @@ class Parser {
                     "Hilbert curve; reverse Cuthill-McKee (default as-meshed)")
         ->check(CLI::IsMember({"as-meshed", "hilbert", "rcm"}))
         ->option_text("as-meshed|hilbert|rcm");
+    add_patch_types(mesh, export_.patch_types);
     add_place_of_jobs(mesh, export_.source);
     add_json(mesh, export_.json);
 

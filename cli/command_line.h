@@ -40,6 +40,7 @@ struct RunOptions {
   std::optional<double> outer_size;
   std::vector<std::string> layers;  ///< each "PATCH,...:KEY=VALUE,..."
   std::string pml;                  ///< the same, or "PATCH,..."; "": as the job file says
+  std::vector<std::string> patch_types;  ///< each "PATCH,...=TYPE"
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
   std::vector<std::string> formats;
@@ -63,6 +64,7 @@ struct CheckOptions {
   std::optional<double> outer_size;
   std::vector<std::string> layers;
   std::string pml;
+  std::vector<std::string> patch_types;
   std::string defects_file;  ///< a file or a folder; "": NAME.defects.vtp here
   std::string store;         ///< instead of an input: a store or the folder of a run
   std::string database;      ///< of the store: the folder of its database, "": the store
@@ -111,6 +113,7 @@ struct ExportCommand {
   int partitions = 0;                   ///< for solvers; 0: the sub-domains as they were meshed
   std::string keep_columns = "yes";     ///< yes or no: columns of prisms in one part
   std::string numbering = "as-meshed";  ///< as-meshed, hilbert or rcm
+  std::vector<std::string> patch_types;  ///< as of RunOptions
   bool json = false;
 };
 

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/mesh_input.h"
 #include "cli/read_ahead.h"
+#include "cli/typed_patches.h"
 #include "json/json_line.h"
 #include "mesh/core/element_block.h"
 #include "mesh/formats/list/format.h"
@@ -117,6 +118,9 @@ ExitCode export_command(const ExportCommand& command) {
   const std::filesystem::path folder = folder_of(command.output);
   const MeshInput mesh = find_mesh(command.input, command.source, folder);
   std::unique_ptr<MeshSource> source = open_mesh(mesh, folder);
+  if (!command.patch_types.empty()) {
+    source = std::make_unique<TypedPatches>(std::move(source), command.patch_types);
+  }
   PartitionFigures figures;
   if (command.partitions > 0) {
     PartitionOptions options;

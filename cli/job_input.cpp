@@ -20,7 +20,9 @@
 #include "worker/checked_input.h"
 #include "worker/job_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_patch_types.h"
 #include "worker/job_pml.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
@@ -91,12 +93,22 @@ void set_layers(JobFile& job, const std::vector<std::string>& typed) {
   for (const std::string& text : typed) job.layers.push_back(parse_layers_option(text));
 }
 
+void set_patch_types(JobFile& job, const std::vector<std::string>& typed) {
+  if (typed.empty()) return;
+  job.patches.clear();
+  for (const std::string& text : typed) {
+    const std::vector<JobPatch> patches = parse_patch_type_option(text);
+    job.patches.insert(job.patches.end(), patches.begin(), patches.end());
+  }
+}
+
 /// As far as it can be told of a surface that need not have been checked.
-void require_layers(const JobFile& job, const SurfaceMesh& surface) {
-  if (job.layers.empty() && !job.pml) return;
+void require_patches(const JobFile& job, const SurfaceMesh& surface) {
+  if (job.layers.empty() && !job.pml && job.patches.empty()) return;
   OuterBoundary outer = outer_boundary_of(job);
   outer.is_sketch = true;
   const SurfaceMesh domain = add_outer_boundary(surface, outer, job.growth);
+  require_patch_types(job, patch_names_of(domain));
   layer_requests_of(job, domain);
   if (job.pml) pml_patches_of(job, domain);
 }
@@ -159,6 +171,7 @@ JobInput describe_job(const RunOptions& options) {
   if (options.outer_size) set_outer_size(job, *options.outer_size);
   require_within_wave(job);
   set_layers(job, options.layers);
+  set_patch_types(job, options.patch_types);
   if (!options.pml.empty()) job.pml = parse_pml_option(options.pml);
   if (options.max_elements) job.max_elements = *options.max_elements;
   if (options.force) job.max_elements = 0;
@@ -196,7 +209,7 @@ void check_submittable(const JobInput& input) {
 }
 
 void require_readable(const JobInput& input) {
-  require_layers(input.job, read_surface_bytes(input.surface, input.path));
+  require_patches(input.job, read_surface_bytes(input.surface, input.path));
 }
 
 void require_meshable(const JobInput& input) {
@@ -205,7 +218,7 @@ void require_meshable(const JobInput& input) {
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }
-  require_layers(input.job, checked.surface);
+  require_patches(input.job, checked.surface);
 }
 
 std::string key_of(const JobInput& input) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/counted.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {

@@ -143,6 +143,7 @@ std::string option_of_surfaces(const SubmitCommand& command) {
       {job.outer_size.has_value(), "--outer-size"},
       {!job.layers.empty(), "--layers"},
       {!job.pml.empty(), "--pml"},
+      {!job.patch_types.empty(), "--patch-type"},
       {job.max_elements.has_value(), "--max-elements"},
       {job.force, "--force"},
       {!job.formats.empty(), "--format"},

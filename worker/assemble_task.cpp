@@ -15,12 +15,15 @@
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/numbering_file.h"
 #include "mesh/assemble/shared_feet.h"
+#include "mesh/formats/patch_boxes.h"
+#include "mesh/formats/ugrid/mapbc.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 #include "mesh/inspect/small_angles.h"
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
 #include "tasks/assemble_contract.h"
 #include "worker/job_layers.h"
+#include "worker/job_patch_types.h"
 #include "worker/job_pml.h"
 #include "worker/shared_mesh_file.h"
 #include "worker/task_cost.h"
@@ -121,7 +124,9 @@ class ResultFiles {
     } else {
       ugrid_path_ = io_.scratch_path("mesh." + format);
       ugrid_ = write_ugrid(ugrid_path_, numbering_, meshed_sides(surface_));
-      io_.publish(file_name_of_job(job_.name, ".mapbc"), mapbc_text(surface_.patch_names));
+      io_.publish(file_name_of_job(job_.name, ".mapbc"),
+                  mapbc_text(surface_.patch_names, patch_types_of(job_, surface_.patch_names),
+                             patch_boxes(surface_)));
     }
   }
 

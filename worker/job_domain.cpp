@@ -11,6 +11,8 @@
 #include "mesh/inspect/region_map.h"
 #include "mesh/layers/unlayered_domain.h"
 #include "worker/job_layers.h"
+#include "worker/job_patch_types.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
@@ -175,6 +177,7 @@ void add_layers(const JobFile& job, const SurfaceMesh& checked, JobDomain& domai
 
 JobDomain domain_of_job(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain domain = domain_without_layers(job, checked);
+  require_patch_types(job, patch_names_of(domain.surface));
   if (job.layers.empty() && !job.pml) return domain;
   add_layers(job, checked, domain);
   require_few_elements(job, domain.all_elements(), limits_of_job(job, checked, domain.volume, 0));

@@ -7,11 +7,10 @@
 
 #include "base/check.h"
 #include "base/counted.h"
-#include "base/edit_distance.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
-#include "mesh/formats/patch_names.h"
 #include "mesh/layers/flat_plate.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
@@ -19,8 +18,6 @@ namespace {
 static_assert(most_layers_of_job == most_layers);
 static_assert(most_height_ratio_of_job == most_height_ratio &&
               1 / most_height_ratio_of_job == least_height_ratio);
-
-constexpr std::size_t most_named = 10;
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
@@ -30,32 +27,10 @@ std::string place_of(const JobLayers& layers) {
                               : "--layers '" + layers.typed + "'";
 }
 
-std::vector<std::string> patch_names_of(const SurfaceMesh& surface) {
-  if (!surface.patch_of_triangle.empty()) return surface.patch_names;
-  return {std::string(unnamed_patch)};
-}
-
-/// The names that a pattern may match. @pre all of the names are of a surface with the job's outer
-/// boundary.
-std::span<const std::string> names_on_offer(const JobFile& job, std::span<const std::string> all,
-                                            std::string_view glob) {
-  const bool is_without_outer = job.outer_kind != "none" && !glob.starts_with("outer");
-  return all.first(all.size() - (is_without_outer ? 1 : 0));
-}
-
 [[noreturn]] void refuse_unmatched(const JobLayers& layers, std::string_view glob,
                                    std::span<const std::string> names) {
-  std::string text = in_quotes(glob) + " matches ";
-  if (names.size() == 1) {
-    text +=
-        "no patch: the surface has only " + in_quotes(names.front()) + ", and \"*\" is all of it";
-  } else {
-    text += "none of the patches " + patches_text(names);
-    const std::vector<std::string_view> words(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(glob, words);
-    if (!nearest.empty()) text += "; did you mean " + in_quotes(nearest) + "?";
-  }
-  throw UsageError(text, layers.typed.empty() ? "[[layers]] patches" : place_of(layers));
+  throw UsageError(unmatched_glob_text(glob, names),
+                   layers.typed.empty() ? "[[layers]] patches" : place_of(layers));
 }
 
 /// Which [[layers]] and which of its patterns a patch is matched by.
@@ -266,47 +241,6 @@ Found find_layers(const JobFile& job, const SurfaceMesh& surface) {
 }
 
 }  // namespace
-
-std::string patches_text(std::span<const std::string> names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i) {
-    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
-  }
-  if (names.size() > most_named)
-    text += " and " + std::to_string(names.size() - most_named) + " more";
-  return text;
-}
-
-bool matches_glob(std::string_view glob, std::string_view text) {
-  const auto next_letter = [text](std::size_t at) {
-    ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
-    return at;
-  };
-  std::size_t at = 0;
-  std::size_t in_glob = 0;
-  std::size_t star = std::string_view::npos;  // the last one passed
-  std::size_t after_star = 0;                 // where in the text what follows it was tried last
-  while (at < text.size()) {
-    const bool has_more = in_glob < glob.size();
-    if (has_more && glob[in_glob] == '*') {
-      star = in_glob++;
-      after_star = at;
-    } else if (has_more && glob[in_glob] == '?') {
-      at = next_letter(at);
-      ++in_glob;
-    } else if (has_more && glob[in_glob] == text[at]) {
-      ++at;
-      ++in_glob;
-    } else if (star != std::string_view::npos) {
-      in_glob = star + 1;
-      at = after_star = next_letter(after_star);
-    } else {
-      return false;
-    }
-  }
-  return glob.find_first_not_of('*', in_glob) == std::string_view::npos;
-}
 
 std::vector<LayerRequest> layer_requests_of(const JobFile& job, const SurfaceMesh& surface) {
   return find_layers(job, surface).requests;

@@ -6,9 +6,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mesh/core/surface_mesh.h"
@@ -16,13 +14,6 @@
 #include "mesh/layers/layer_request.h"
 
 namespace tetfarm {
-
-/// "\"wing\", \"tip\" and 3 more": the first ten.
-std::string patches_text(std::span<const std::string> names);
-
-/// Whether all of `text` is like `glob`, in which * stands for any text and ? for any letter of
-/// UTF-8. Cost: O(|glob| |text|).
-bool matches_glob(std::string_view glob, std::string_view text);
 
 /// One for each [[layers]] of the job, in its order. A surface without patches has one, 0, which is
 /// called "surface". The outer boundary that the job puts round a body is not matched but by names

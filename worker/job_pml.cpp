@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/edit_distance.h"
 #include "base/error.h"
 #include "mesh/core/complaints.h"
-#include "mesh/formats/patch_names.h"
 #include "mesh/layers/pml_inset.h"
 #include "mesh/layers/pml_offset.h"
 #include "worker/job_layers.h"
+#include "worker/patch_globs.h"
 
 namespace tetfarm {
 namespace {
@@ -21,19 +20,9 @@ std::string pml_place(const JobPml& pml) {
   return pml.typed.empty() ? "[[pml]] patches" : "--pml '" + pml.typed + "'";
 }
 
-std::vector<std::string> all_patch_names(const SurfaceMesh& surface) {
-  if (!surface.patch_of_triangle.empty()) return surface.patch_names;
-  return {std::string(unnamed_patch)};
-}
-
 [[noreturn]] void refuse_unknown_patch(const JobPml& pml, std::string_view glob,
                                        const std::vector<std::string>& names) {
-  const std::vector<std::string_view> words(names.begin(), names.end());
-  const std::string_view nearest = nearest_word(glob, words);
-  std::string text =
-      "\"" + std::string(glob) + "\" matches none of the patches " + patches_text(names);
-  if (!nearest.empty()) text += "; did you mean \"" + std::string(nearest) + "\"?";
-  throw UsageError(text, pml_place(pml));
+  throw UsageError(unmatched_glob_text(glob, names), pml_place(pml));
 }
 
 /// The name "outer" is short for that of the boundary that the job puts round a body.
@@ -96,7 +85,7 @@ PmlFigures figures_of(const LayerRequest& request, const SurfaceMesh& surface,
                       std::size_t triangles) {
   constexpr std::int64_t tets_of_each = 3;
   PmlFigures figures;
-  const std::vector<std::string> names = all_patch_names(surface);
+  const std::vector<std::string> names = patch_names_of(surface);
   for (const std::int32_t patch : request.patches) {
     figures.patches.push_back(names[static_cast<std::size_t>(patch)]);
   }
@@ -114,7 +103,7 @@ PmlFigures figures_of(const LayerRequest& request, const SurfaceMesh& surface,
 
 std::vector<std::int32_t> pml_patches_of(const JobFile& job, const SurfaceMesh& surface) {
   TF_CHECK(job.pml.has_value());
-  const std::vector<std::string> names = all_patch_names(surface);
+  const std::vector<std::string> names = patch_names_of(surface);
   std::vector<std::int32_t> patches;
   for (const std::string& glob : job.pml->patches) {
     const std::size_t before = patches.size();

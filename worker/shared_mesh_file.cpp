@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "mesh/job_file/job_formats.h"
+#include "worker/job_patch_types.h"
 
 namespace tetfarm {
 namespace {
@@ -31,7 +32,7 @@ bool has_feet(const JobFile& job) { return !job.layers.empty() || job.pml; }
 
 VtkhdfNames names_of_file(const JobFile& job, const std::vector<std::string>& patches,
                           const std::vector<std::string>& regions) {
-  return {patches, regions, marks_of_job(job), has_feet(job)};
+  return {patches, regions, marks_of_job(job), has_feet(job), patch_types_of(job, patches)};
 }
 
 void place_in_shared_file(const TaskIo& io, const SharedMesh& mesh, const SurfaceInput& surface,

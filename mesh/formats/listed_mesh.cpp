@@ -69,6 +69,7 @@ class ListedSource : public MeshSource {
   bool takes_threads() const override { return mesh_.takes_threads; }
   std::vector<std::string> complaints() const override { return complaints_; }
   std::vector<std::string> patch_names() const override { return mesh_.patch_names; }
+  std::vector<PatchType> patch_types() const override { return mesh_.patch_types; }
   std::vector<std::string> region_names() const override { return mesh_.region_names; }
 
   NumberedPart part(std::size_t i) const override {

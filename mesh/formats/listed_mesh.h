@@ -54,6 +54,7 @@ struct ListedMesh {
   std::vector<ListedQuad> quads;
   std::vector<std::string> patch_names;
   std::vector<std::string> region_names;
+  std::vector<PatchType> patch_types;  ///< as of MeshSource
   bool knows_subdomains = false;
   bool takes_threads = true;
 };

@@ -155,9 +155,11 @@ MeshOutline outline_of(const MeshSource& source) {
   }
   outline.patch_names = source.patch_names();
   outline.region_names = source.region_names();
+  outline.patch_types = source.patch_types();
   if (outline.region_names.empty() && regions <= 1) outline.region_names = {"domain"};
   name_the_rest(outline.patch_names, patches, "patch");
   name_the_rest(outline.region_names, regions, "region");
+  outline.patch_types.resize(outline.patch_names.size(), PatchType::unspecified);
   add_up(outline);
   if (largest + 1 != outline.nodes) {
     throw InvalidInput("node numbers have gaps: the largest is " + std::to_string(largest) +

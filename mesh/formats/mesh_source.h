@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/assemble/portion.h"
+#include "mesh/core/patch_type.h"
 
 namespace tetfarm {
 
@@ -32,6 +33,8 @@ class MeshSource {
   virtual std::vector<std::string> complaints() const { return {}; }
   virtual std::vector<std::string> patch_names() const = 0;   ///< empty: the file has none
   virtual std::vector<std::string> region_names() const = 0;  ///< of regions 1, 2, …
+  /// Of the patches that have names; empty: the file does not say.
+  virtual std::vector<PatchType> patch_types() const { return {}; }
 };
 
 /// What a part, or the mesh, has of a type that is kept in blocks.
@@ -70,6 +73,7 @@ struct MeshOutline {
   ByType<BlockOutline> blocks;               ///< sums
   std::vector<std::string> patch_names;      ///< all have one: "patch 3" without
   std::vector<std::string> region_names;     ///< all have one: "domain", or "region 2" without
+  std::vector<PatchType> patch_types = {};   ///< one for each name, or none: all are unspecified
 
   ElementCounts elements() const;  ///< of each type
   std::int64_t cells() const;

@@ -10,14 +10,15 @@
 #include "base/job_name.h"
 #include "mesh/job_file/job_formats.h"
 #include "mesh/job_file/job_layers.h"
+#include "mesh/job_file/job_patches.h"
 #include "mesh/job_file/job_section.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::array<std::string_view, 15> top_keys = {
-    "version", "name", "geometry",  "surface", "domain",    "region",  "spacing", "source",
-    "layers",  "pml",  "decompose", "mesh",    "cosmetics", "quality", "output"};
+constexpr std::array<std::string_view, 16> top_keys = {
+    "version", "name",  "geometry", "surface",   "domain", "region",    "spacing", "source",
+    "layers",  "patch", "pml",      "decompose", "mesh",   "cosmetics", "quality", "output"};
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 5> surface_keys = {"remesh", "size", "min_size", "angle",
                                                           "tolerance"};
@@ -312,6 +313,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
                  [&](const toml::node& node) { job.sources.push_back(parse_source(top, node)); });
   for_each_table(top, "layers",
                  [&](const toml::node& node) { job.layers.push_back(parse_layers(top, node)); });
+  job.patches = parse_patch_tables(top);
   for_each_table(top, "pml", [&](const toml::node& node) {
     if (job.pml) {
       top.fail(node.source(),
@@ -330,7 +332,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 17> sections = {
+  const std::array<std::pair<std::string_view, Words>, 18> sections = {
       {{"geometry", geometry_keys},
        {"surface", surface_keys},
        {"domain", domain_keys},
@@ -341,6 +343,7 @@ std::vector<std::string> job_file_keys() {
        {"source", triangle_keys},
        {"source.corner", corner_keys},
        {"layers", layers_keys()},
+       {"patch", patch_keys()},
        {"pml", pml_keys()},
        {"decompose", decompose_keys},
        {"decompose.assimilate", assimilate_keys},

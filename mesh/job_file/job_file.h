@@ -65,6 +65,13 @@ struct JobPml {
   std::string typed;              // as --pml, for messages; canonical text does not have it
 };
 
+/// What the job says of patches by name.
+struct JobPatch {
+  std::string glob;   // a name, in which * is any text and ? any letter
+  std::string type;   // one of patch_type_words (mesh/core/patch_type.h)
+  std::string typed;  // as --patch-type, for messages; canonical text does not have it
+};
+
 /// What the job says of the surface that is made in place of the given one, before anything else.
 struct JobRemeshing {
   double size = 0;       // of its edges; 0: [spacing] default, or a part of the surface's size
@@ -120,6 +127,7 @@ struct JobFile {
   double min_unforced_dihedral_deg = 0.1;       // [quality] min_unforced_dihedral, the same
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
   std::string keep;                               // [output] keep = "needed" | "all", "": not said
+  std::vector<JobPatch> patches;                  // [patch.NAME], by name
 };
 
 /// Whether the files between the job's tasks stay until somebody removes them; otherwise each goes
@@ -141,6 +149,10 @@ JobLayers parse_layers_option(std::string_view typed);
 /// @param typed the value of --pml, "outer:layers=10,height=0.1", or names of patches alone: the
 /// same of a table [[pml]]. @throws UsageError "--pml 'TYPED': …"
 JobPml parse_pml_option(std::string_view typed);
+
+/// @param typed the value of --patch-type, "wing_*,tip=wall": one for each name. @throws UsageError
+/// "--patch-type 'TYPED': …"
+std::vector<JobPatch> parse_patch_type_option(std::string_view typed);
 
 /// A relative surface path is taken from the folder of `path`; without a name, the job is named
 /// like `path` without its folder and ending.

@@ -126,6 +126,9 @@ std::string to_toml(const JobFile& job) {
           "\nmax_elements = " + std::to_string(job.max_elements) + "\n";
   for (const JobSource& source : job.sources) text += source_to_toml(source);
   for (const JobLayers& layers : job.layers) text += layers_to_toml(layers);
+  for (const JobPatch& patch : job.patches) {
+    text += "\n[patch." + quoted_toml(patch.glob) + "]\ntype = " + quoted_toml(patch.type) + "\n";
+  }
   if (job.pml) text += pml_to_toml(*job.pml);
   text += "\n[decompose]\n";
   if (job.max_memory_bytes > 0) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/utf8.h"
+#include "mesh/job_file/job_patches.h"
 
 namespace tetfarm {
 namespace {
@@ -26,9 +26,6 @@ constexpr std::array<std::string_view, 1> pml_corners = {"mitre"};
 constexpr std::array<std::string_view, 1> heights_in_words = {"spacing"};
 constexpr std::array<std::string_view, 3> rules_of_room = {"ratio", "stop", "scale"};
 constexpr std::array<std::string_view, 1> counts_in_words = {"isotropic"};
-
-constexpr std::size_t longest_glob = 255;
-constexpr std::size_t most_globs = 1000;
 
 /// What the keys of heights are called: --layers has short names for them.
 struct HeightKeys {
@@ -169,19 +166,6 @@ void parse_heights(const JobSection& section, const HeightKeys& keys, JobLayers&
   if (section.has("elements")) layers.elements = section.one_of("elements", kinds_of_elements);
 }
 
-/// Takes one more name or pattern; otherwise tells what is wrong with it.
-std::string problem_with_glob(std::string_view glob, std::vector<std::string>& globs) {
-  if (glob.empty()) return "must not hold an empty name";
-  if (!is_utf8(glob)) return "must hold UTF-8";
-  if (glob.size() > longest_glob) return "may hold names of at most 255 bytes";
-  if (globs.size() == most_globs) return "may hold at most 1000 names";
-  if (std::find(globs.begin(), globs.end(), glob) != globs.end()) {
-    return "has \"" + std::string(glob) + "\" twice";
-  }
-  globs.emplace_back(glob);
-  return {};
-}
-
 void parse_block(const JobSection& section, JobPml& pml) {
   if (section.has("layers")) pml.layers = section.integer("layers", 1, most_layers_of_job);
   if (section.has("height") && section.node("height").is_string()) {
@@ -264,15 +248,6 @@ toml::table table_of_option(std::string_view settings, const std::string& place)
   return table;
 }
 
-std::vector<std::string> patches_of_option(std::string_view names, const std::string& place) {
-  std::vector<std::string> globs;
-  for (const std::string_view glob : split(names, ',')) {
-    const std::string problem = problem_with_glob(glob, globs);
-    if (!problem.empty()) throw UsageError("the list of patches " + problem, place);
-  }
-  return globs;
-}
-
 }  // namespace
 
 Words layers_keys() { return table_keys; }
@@ -293,7 +268,7 @@ JobLayers parse_layers_option(std::string_view typed) {
   }
   JobLayers layers;
   layers.typed = typed;
-  layers.patches = patches_of_option(typed.substr(0, colon), place);
+  layers.patches = globs_of_option(typed.substr(0, colon), place);
   const toml::table table = table_of_option(typed.substr(colon + 1), place);
   HeightKeys keys;
   if (!table.contains(keys.first)) keys.first = "first";
@@ -323,7 +298,7 @@ JobPml parse_pml_option(std::string_view typed) {
   const std::string_view names = has_settings ? typed.substr(0, colon) : typed;
   JobPml pml;
   pml.typed = typed;
-  pml.patches = patches_of_option(names, place);
+  pml.patches = globs_of_option(names, place);
   if (!has_settings) return pml;
   const toml::table table = table_of_option(typed.substr(colon + 1), place);
   const Words known = std::span(keys_of_pml).subspan(1);  // no patches

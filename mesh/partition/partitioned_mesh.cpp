@@ -205,6 +205,7 @@ PartitionedMesh::PartitionedMesh(const MeshSource& source, const PartitionOption
       cell_marks_(source.cell_marks()),
       has_feet_(source.has_feet()),
       patch_names_(source.patch_names()),
+      patch_types_(source.patch_types()),
       region_names_(source.region_names()) {
   const std::int64_t clusters = std::max(options.clusters, least_clusters_of_part * options.parts);
   FinePartition fine(coarsen(source, clusters, options.keeps_columns, folder), options.parts,

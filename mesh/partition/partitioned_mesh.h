@@ -53,6 +53,7 @@ class PartitionedMesh : public MeshSource {
   std::vector<CellMark> cell_marks() const override { return cell_marks_; }
   bool has_feet() const override { return has_feet_; }
   std::vector<std::string> patch_names() const override { return patch_names_; }
+  std::vector<PatchType> patch_types() const override { return patch_types_; }
   std::vector<std::string> region_names() const override { return region_names_; }
   const PartitionFigures& figures() const { return figures_; }
 
@@ -62,6 +63,7 @@ class PartitionedMesh : public MeshSource {
   std::vector<CellMark> cell_marks_;
   bool has_feet_ = false;
   std::vector<std::string> patch_names_;
+  std::vector<PatchType> patch_types_;
   std::vector<std::string> region_names_;
 };
 

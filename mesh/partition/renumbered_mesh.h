@@ -41,6 +41,7 @@ class RenumberedMesh : public MeshSource {
   std::vector<CellMark> cell_marks() const override { return source_->cell_marks(); }
   bool has_feet() const override { return source_->has_feet(); }
   std::vector<std::string> patch_names() const override { return source_->patch_names(); }
+  std::vector<PatchType> patch_types() const override { return source_->patch_types(); }
   std::vector<std::string> region_names() const override { return source_->region_names(); }
 
  private:

@@ -180,7 +180,9 @@ TEST_F(CommandOptions, of_an_export_and_a_conversion) {
   EXPECT_FALSE(least.json);
   const auto all = parsed_as<ExportCommand>({"export", "job-7", "--output", "x", "--format", "cgns",
                                              "--partitions", "1048576", "--numbering", "rcm",
-                                             "--keep-columns", "no", "--json", "--store", "s"});
+                                             "--keep-columns", "no", "--patch-type", "a,b=wall",
+                                             "--patch-type", "c=slip", "--json", "--store", "s"});
+  EXPECT_THAT(all.patch_types, ElementsAre("a,b=wall", "c=slip"));
   EXPECT_EQ(all.format, "cgns");
   EXPECT_EQ(all.partitions, 1 << 20);
   EXPECT_EQ(all.keep_columns, "no");

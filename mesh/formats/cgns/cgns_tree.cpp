@@ -177,11 +177,12 @@ std::int64_t CgnsTree::room_for_small(const std::string& parent, const std::stri
 }
 
 void CgnsTree::boundary(const std::string& name, std::int64_t first, std::int64_t last,
-                        const std::string& location) {
+                        const std::string& location, const std::string& type) {
   const std::string conditions = "Base/Zone1/ZoneBC";
   const std::string here = conditions + "/" + name;
   node("Base", name, "Family_t");
-  text_node(conditions, name, "BC_t", "FamilySpecified");
+  if (!type.empty()) text_node("Base/" + name, "FamBC", "FamilyBC_t", type);
+  text_node(conditions, name, "BC_t", type.empty() ? "FamilySpecified" : type);
   large_node(here, "PointRange", "IndexRange_t", {first, last}, 1);
   text_node(here, "GridLocation", "GridLocation_t", location);
   text_node(here, "FamilyName", "FamilyName_t", name);

@@ -42,9 +42,10 @@ class CgnsTree {
   std::int64_t room_for_small(const std::string& parent, const std::string& name,
                               std::int64_t count);
   /// A boundary condition over the elements `first` to `last` of Base/Zone1, which has a ZoneBC,
-  /// and a family for it: what it means is for the user to say. @param location "FaceCenter"
+  /// and a family for it. @param location "FaceCenter" @param type of boundary condition, of both;
+  /// "": what it means is for the user to say.
   void boundary(const std::string& name, std::int64_t first, std::int64_t last,
-                const std::string& location);
+                const std::string& location, const std::string& type = {});
   void close();
 
  private:

@@ -65,6 +65,26 @@ class SectionNames {
   std::set<std::string> taken_;
 };
 
+/// A BCType of the SIDS; "" where none says the same.
+std::string condition_of(PatchType type) {
+  switch (type) {
+    case PatchType::wall:
+      return "BCWallViscous";
+    case PatchType::slip:
+      return "BCWallInviscid";
+    case PatchType::symmetry:
+      return "BCSymmetryPlane";
+    case PatchType::farfield:
+      return "BCFarfield";
+    case PatchType::inflow:
+      return "BCInflow";
+    case PatchType::outflow:
+      return "BCOutflow";
+    default:
+      return {};
+  }
+}
+
 /// Sections and boundary conditions, behind `last` elements.
 void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, Places& places) {
   const std::vector<std::string> names = names_of_patches(outline);
@@ -84,7 +104,9 @@ void add_patches(CgnsTree& tree, const MeshOutline& outline, std::int64_t last, 
     for (const ElementType type : face_block_types) {
       places.faces[type].push_back(add(type, outline.blocks[type].of_group[i]));
     }
-    if (last >= first) tree.boundary(names[i], first, last, "FaceCenter");
+    if (last < first) continue;
+    tree.boundary(names[i], first, last, "FaceCenter",
+                  condition_of(type_of_patch(outline.patch_types, i)));
   }
 }
 

@@ -71,7 +71,8 @@ struct FormatFunctions {
   void (*write_mesh)(const MeshSource& source, const MeshOutline& outline,
                      const std::filesystem::path& file) = nullptr;
   /// Writes what goes beside `file`, where there is something.
-  void (*write_beside)(const MeshOutline& outline, const std::filesystem::path& file) = nullptr;
+  void (*write_beside)(const MeshSource& source, const MeshOutline& outline,
+                       const std::filesystem::path& file) = nullptr;
 };
 
 struct Format : FormatFacts, FormatFunctions {};

@@ -9,13 +9,59 @@ namespace tetfarm {
 namespace {
 
 std::string header(const std::string& foam_class, const std::string& object,
-                   const std::string& note) {
+                   const std::string& note, const std::string& location = "constant/polyMesh") {
   return "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       " +
          foam_class + ";\n" + (note.empty() ? "" : "    note        \"" + note + "\";\n") +
-         "    location    \"constant/polyMesh\";\n    object      " + object + ";\n}\n\n";
+         "    location    \"" + location + "\";\n    object      " + object + ";\n}\n\n";
+}
+
+constexpr const char* control_text =
+    "application     simpleFoam;\nstartFrom       startTime;\nstartTime       0;\n"
+    "stopAt          endTime;\nendTime         1000;\ndeltaT          1;\n"
+    "writeControl    timeStep;\nwriteInterval   100;\nwriteFormat     binary;\n";
+
+constexpr const char* schemes_text =
+    "// Schemes for the solver are for you to choose.\n"
+    "ddtSchemes\n{\n    default         none;\n}\ngradSchemes\n{\n    default         Gauss "
+    "linear;\n}\ndivSchemes\n{\n    default         none;\n}\nlaplacianSchemes\n{\n    default "
+    "        none;\n}\ninterpolationSchemes\n{\n    default         linear;\n}\nsnGradSchemes\n{\n "
+    "   default         none;\n}\n";
+
+constexpr const char* solution_text =
+    "// Solvers and tolerances are for you to choose.\nsolvers\n{\n}\n";
+
+void write_unless_there(const std::filesystem::path& file, const std::string& text) {
+  if (!std::filesystem::exists(file)) write_file_atomically(file, text);
 }
 
 }  // namespace
+
+const char* foam_type(PatchType type) {
+  switch (type) {
+    case PatchType::wall:
+      return "wall";
+    case PatchType::symmetry:
+      return "symmetry";
+    default:
+      return "patch";
+  }
+}
+
+void write_foam_system(const std::filesystem::path& folder, std::size_t parts) {
+  const std::filesystem::path system = folder / "system";
+  make_folders(system);
+  const auto put = [&system](const char* name, const std::string& text) {
+    write_unless_there(system / name, header("dictionary", name, "", "system") + text);
+  };
+  put("controlDict", control_text);
+  put("fvSchemes", schemes_text);
+  put("fvSolution", solution_text);
+  if (parts > 0) {
+    put("decomposeParDict",
+        "numberOfSubdomains " + std::to_string(parts) + ";\nmethod          scotch;\n");
+  }
+  write_unless_there(folder / "case.foam", "");
+}
 
 FoamList::FoamList(const std::filesystem::path& folder, const Kind& kind, std::int64_t records)
     : file_(folder / kind.object), record_bytes_(kind.record_bytes), records_(records) {

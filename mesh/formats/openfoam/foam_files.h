@@ -9,6 +9,7 @@
 
 #include "mesh/assemble/output_file.h"
 #include "mesh/core/face_nodes.h"
+#include "mesh/core/patch_type.h"
 #include "mesh/core/vec3.h"
 #include "mesh/formats/number_text.h"
 
@@ -59,6 +60,15 @@ struct FoamPatch {
   int neighbour = -1;
   const char* type = "patch";  ///< of one that is not between processors
 };
+
+/// "patch" where OpenFOAM has no type of its own that fits.
+const char* foam_type(PatchType type);
+
+/// What OpenFOAM's programs and ParaView want in a folder before they take it for a case:
+/// system/controlDict, fvSchemes and fvSolution, with `parts` > 0 decomposeParDict, and case.foam.
+/// Schemes and solvers are left for the user to choose. A file that is there stays as it is.
+/// @throws IoError.
+void write_foam_system(const std::filesystem::path& folder, std::size_t parts);
 
 /// The file `boundary`. @throws IoError.
 void write_foam_boundary(const std::filesystem::path& folder,

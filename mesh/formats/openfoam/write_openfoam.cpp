@@ -160,6 +160,17 @@ void write_zones(const std::filesystem::path& folder, const MeshOutline& outline
 
 constexpr std::size_t longest_name = 200;
 
+/// Without faces.
+std::vector<FoamPatch> typed_patches(const std::vector<std::string>& names,
+                                     const MeshOutline& outline) {
+  std::vector<FoamPatch> patches;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    patches.push_back({names[i]});
+    patches.back().type = foam_type(type_of_patch(outline.patch_types, i));
+  }
+  return patches;
+}
+
 /// Labels of OpenFOAM have 32 bits unless it was built with more, and number faces too. Boundary
 /// faces are of one cell, also those between two regions.
 void refuse_more_than_labels(std::int64_t nodes, const ElementCounts& elements,
@@ -180,9 +191,8 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
   TF_CHECK(outline.parts.size() == source.size());
   SeamFaces seams(source, outline, mesh);
   const std::vector<std::string> names = plain_names(outline.patch_names, longest_name);
-  std::vector<FoamPatch> patches;
+  std::vector<FoamPatch> patches = typed_patches(names, outline);
   std::int64_t on_patches = 0;
-  for (const std::string& name : names) patches.push_back({name});
   for (const auto& of_part : seams.faces_of_patch()) {
     for (std::size_t i = 0; i < patches.size(); ++i) patches[i].faces += of_part[i];
   }
@@ -233,6 +243,7 @@ void write_openfoam(const MeshSource& source, const MeshOutline& outline,
   write_zones(mesh, outline, plain_names(outline.region_names, longest_name), 0,
               [](std::size_t) { return true; });
   write_foam_boundary(mesh, patches);
+  write_foam_system(folder, 0);
 }
 
 namespace {
@@ -276,17 +287,17 @@ void write_points(const std::filesystem::path& mesh, const NumberedPart& part,
 
 void write_processor(const std::filesystem::path& mesh, const NumberedPart& part,
                      const PartOutline& outline, const std::vector<SeamFace>& seams,
-                     const std::vector<std::string>& names) {
+                     std::vector<FoamPatch> patches) {
   make_folders(mesh);
   const CellFaces cells = cell_faces(part);
   const auto node = [](std::int32_t v) -> std::int64_t { return v; };
   const std::vector<FoamFace> inside = inner_faces(cells, 0, node);
-  const auto outside = patch_faces(part, cells, seams, names.size(), 0, node);
-  std::vector<FoamPatch> patches;
+  const auto outside = patch_faces(part, cells, seams, patches.size(), 0, node);
   FoamCounts counts{outline.nodes, count_cells(outline.elements()), std::ssize(inside),
                     std::ssize(inside), most_corners_of(outline.elements())};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    patches.push_back({names[i], std::ssize(outside[i]), counts.faces});
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    patches[i].faces = std::ssize(outside[i]);
+    patches[i].first_face = counts.faces;
     counts.faces += std::ssize(outside[i]);
   }
   const std::int64_t first_between = counts.faces;
@@ -312,16 +323,18 @@ void write_openfoam_decomposed(const MeshSource& source, const MeshOutline& outl
   }
   make_folders(folder);
   SeamFaces seams(source, outline, folder);
-  const std::vector<std::string> names = plain_names(outline.patch_names, longest_name);
+  const std::vector<FoamPatch> patches =
+      typed_patches(plain_names(outline.patch_names, longest_name), outline);
   const std::vector<std::string> regions = plain_names(outline.region_names, longest_name);
   for (std::size_t i = 0; i < source.size(); ++i) {
     const std::filesystem::path mesh =
         folder / ("processor" + std::to_string(i)) / "constant" / "polyMesh";
     const NumberedPart part = source.part(i);
-    write_processor(mesh, part, outline.parts[i], seams.next_part(), names);
+    write_processor(mesh, part, outline.parts[i], seams.next_part(), patches);
     write_zones(mesh, outline, regions, outline.parts[i].first_cell,
                 [i](std::size_t run_of) { return run_of == i; });
   }
+  write_foam_system(folder, source.size());
 }
 
 }  // namespace tetfarm

@@ -2,7 +2,8 @@
 /// processor for each sub-domain.
 ///
 /// Source: OpenFOAM user guide, "Mesh files". Text, so that builds with labels of 32 and of 64 bits
-/// read it. Patches are of type `patch`, with plain names; regions are cell zones when there are
+/// read it. Patches have plain names, and the type `wall` or `symmetry` where they are
+/// specified so, else `patch`; regions are cell zones when there are
 /// several, and triangles between two of them are faces inside.
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace tetfarm {
 
-/// `folder` is the case; constant/polyMesh is made in it. Faces are in upper triangular order.
+/// `folder` is the case; constant/polyMesh is made in it, and what write_foam_system makes. Faces are in upper triangular order.
 /// @throws IoError, InvalidInput, what the source throws. Two passes; memory of one part.
 void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                     const std::filesystem::path& folder);

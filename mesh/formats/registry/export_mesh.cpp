@@ -93,7 +93,7 @@ ExportCounts export_mesh(const MeshSource& source, const Format& format, const f
   } else {
     format.write_mesh(source, outline, output);
   }
-  if (format.write_beside != nullptr) format.write_beside(outline, output);
+  if (format.write_beside != nullptr) format.write_beside(source, outline, output);
   return {outline.nodes, outline.elements(), outline.parts.size()};
 }
 

@@ -1,9 +1,11 @@
 #include "mesh/formats/su2/write_su2.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/check.h"
+#include "base/file_system.h"
 #include "mesh/formats/node_records.h"
 #include "mesh/formats/plain_names.h"
 #include "mesh/formats/su2/su2_walker.h"
@@ -17,6 +19,33 @@ constexpr ElementCodes vtk = ElementCodes::vtk;
 int numbers_of(ElementType type) {
   return static_cast<int>(1 + nodes_of(type) + (is_cell(type) ? 1 : 0));
 }
+
+std::vector<std::string> su2_markers(const MeshOutline& outline) {
+  return plain_names(outline.patch_names, 200);
+}
+
+/// What a configuration says of the markers of a type, with values behind each.
+struct MarkerLine {
+  PatchType type = PatchType::unspecified;
+  const char* option = "";
+  const char* values = "";
+};
+
+/// SU2 has no lines for the others: a comment names them, as it refuses markers that it is not told
+/// of. Those that want values of the flow are comments too, with the standard atmosphere's.
+constexpr std::array<MarkerLine, 11> marker_lines = {
+    {{PatchType::wall, "MARKER_HEATFLUX", ", 0.0"},
+     {PatchType::slip, "MARKER_EULER", ""},
+     {PatchType::symmetry, "MARKER_SYM", ""},
+     {PatchType::farfield, "MARKER_FAR", ""},
+     {PatchType::inflow, "% set temperature, pressure and direction: MARKER_INLET",
+      ", 288.15, 101325.0, 1.0, 0.0, 0.0"},
+     {PatchType::outflow, "% set the pressure: MARKER_OUTLET", ", 101325.0"},
+     {PatchType::coupled, "% interface: MARKER_FLUID_INTERFACE", ""},
+     {PatchType::pec, "% pec, nothing in SU2", ""},
+     {PatchType::pmc, "% pmc, nothing in SU2", ""},
+     {PatchType::absorbing, "% absorbing, nothing in SU2", ""},
+     {PatchType::unspecified, "% no type was given, SU2 wants one", ""}}};
 
 /// Where each list begins.
 struct Places {
@@ -47,7 +76,7 @@ Places write_frame(OutputFile& file, const MeshOutline& outline, const NumberTex
   places.node = place;
   place += outline.nodes * style.record_bytes(1, 3);
   words("NMARK= " + std::to_string(outline.patch_names.size()) + "\n");
-  const std::vector<std::string> names = plain_names(outline.patch_names, 200);
+  const std::vector<std::string> names = su2_markers(outline);
   for (std::size_t i = 0; i < names.size(); ++i) {
     words("MARKER_TAG= " + names[i] +
           "\nMARKER_ELEMS= " + std::to_string(outline.boundary_faces_of(i)) + "\n");
@@ -157,6 +186,27 @@ void write_su2(const MeshSource& source, const MeshOutline& outline,
     write_faces(file, places, part, here, style);
   }
   file.finish();
+}
+
+void write_beside_su2(const MeshSource&, const MeshOutline& outline,
+                      const std::filesystem::path& file) {
+  if (!has_types(outline.patch_types)) return;
+  const std::filesystem::path beside = std::filesystem::path(file).replace_extension(".cfg");
+  if (std::filesystem::exists(beside)) return;
+  const std::vector<std::string> names = su2_markers(outline);
+  std::string text =
+      "% The mesh and its markers; the rest of the configuration is for you to write.\n"
+      "MESH_FILENAME= " +
+      file.filename().string() + "\nMESH_FORMAT= SU2\n";
+  for (const MarkerLine& line : marker_lines) {
+    std::string markers;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (type_of_patch(outline.patch_types, i) != line.type) continue;
+      markers += (markers.empty() ? "" : ", ") + names[i] + line.values;
+    }
+    if (!markers.empty()) text += std::string(line.option) + "= ( " + markers + " )\n";
+  }
+  write_file_atomically(beside, text);
 }
 
 }  // namespace tetfarm

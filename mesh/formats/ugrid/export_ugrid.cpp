@@ -1,6 +1,10 @@
 #include "mesh/formats/ugrid/export_ugrid.h"
 
+#include <algorithm>
+
 #include "base/file_system.h"
+#include "mesh/formats/patch_boxes.h"
+#include "mesh/formats/ugrid/mapbc.h"
 #include "mesh/formats/ugrid/write_ugrid.h"
 
 namespace tetfarm {
@@ -64,9 +68,13 @@ template void export_ugrid<false, true>(const MeshSource&, const MeshOutline&, c
 template void export_ugrid<true, false>(const MeshSource&, const MeshOutline&, const fs::path&);
 template void export_ugrid<true, true>(const MeshSource&, const MeshOutline&, const fs::path&);
 
-void write_beside_ugrid(const MeshOutline& outline, const fs::path& file) {
+void write_beside_ugrid(const MeshSource& source, const MeshOutline& outline,
+                        const fs::path& file) {
   const fs::path stem = fs::path(file).replace_extension().replace_extension();
-  write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names));
+  const std::vector<PatchType>& types = outline.patch_types;
+  const bool has_symmetry = std::find(types.begin(), types.end(), PatchType::symmetry) != types.end();
+  const std::vector<Box3> boxes = has_symmetry ? patch_boxes(source, outline) : std::vector<Box3>();
+  write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names, types, boxes));
   if (outline.region_names.size() < 2) return;
   write_file_atomically(stem.string() + ".regions", region_lines(outline));
 }

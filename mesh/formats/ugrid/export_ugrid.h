@@ -14,7 +14,9 @@ template <bool big_endian, bool wide>
 void export_ugrid(const MeshSource& source, const MeshOutline& outline,
                   const std::filesystem::path& file);
 
-/// NAME.b8.ugrid gets NAME.mapbc, and NAME.regions when there are several. @throws IoError.
-void write_beside_ugrid(const MeshOutline& outline, const std::filesystem::path& file);
+/// NAME.b8.ugrid gets NAME.mapbc, and NAME.regions when there are several. Reads every part once
+/// more when some patch is a plane of symmetry. @throws IoError, what the source throws.
+void write_beside_ugrid(const MeshSource& source, const MeshOutline& outline,
+                        const std::filesystem::path& file);
 
 }  // namespace tetfarm

@@ -21,21 +21,6 @@ struct RegionLine {
   std::string name;
 };
 
-std::vector<std::string> names_of_mapbc(const std::filesystem::path& path) {
-  std::vector<std::string> names;
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    long number = 0;
-    long code = 0;
-    std::string name;
-    if (words >> number >> code && std::getline(words >> std::ws, name)) names.push_back(name);
-  }
-  return names;
-}
-
 std::vector<RegionLine> regions_beside(const std::filesystem::path& path, std::int64_t cells) {
   std::vector<RegionLine> regions;
   std::ifstream file(path);
@@ -202,7 +187,9 @@ std::unique_ptr<MeshSource> open_ugrid(const std::filesystem::path& path, UgridF
   Boundary boundary = boundary_of(*file);
   mesh.triangles = std::move(boundary.triangles);
   mesh.quads = std::move(boundary.quads);
-  mesh.patch_names = names_of_mapbc(beside(path, ".mapbc"));
+  Mapbc mapbc = read_mapbc(beside(path, ".mapbc"));
+  mesh.patch_names = std::move(mapbc.names);
+  mesh.patch_types = std::move(mapbc.types);
   std::vector<RegionLine> regions = regions_beside(beside(path, ".regions"), all_cells);
   if (regions.empty()) regions = {{1, 1, all_cells, "domain"}};
   for (const RegionLine& region : regions) {

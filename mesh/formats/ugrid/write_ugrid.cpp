@@ -191,12 +191,4 @@ std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
                      {});
 }
 
-std::string mapbc_text(const std::vector<std::string>& patch_names) {
-  std::string text = std::to_string(patch_names.size()) + '\n';
-  for (std::size_t i = 0; i < patch_names.size(); ++i) {
-    text += std::to_string(i + 1) + " 3000 " + patch_names[i] + '\n';
-  }
-  return text;
-}
-
 }  // namespace tetfarm

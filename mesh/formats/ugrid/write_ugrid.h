@@ -49,8 +49,4 @@ std::unique_ptr<GlobalMeshWriter> write_ugrid(const std::filesystem::path& path,
                                               const Numbering& numbering,
                                               std::int64_t boundary_triangles);
 
-/// The text of the .mapbc file: the number of patches, then "NUMBER CODE NAME" each. All get the
-/// code 3000 (tangency): what a boundary is, the user has to say.
-std::string mapbc_text(const std::vector<std::string>& patch_names);
-
 }  // namespace tetfarm

@@ -271,6 +271,14 @@ std::vector<std::string> VtkhdfParts::patch_names() const {
   return content_->texts("Tetfarm/patch_names");
 }
 
+std::vector<PatchType> VtkhdfParts::patch_types() const {
+  std::vector<PatchType> types;
+  for (const std::string& word : content_->texts("Tetfarm/patch_types")) {
+    types.push_back(patch_type_of(word).value_or(PatchType::unspecified));
+  }
+  return types;
+}
+
 std::vector<std::string> VtkhdfParts::region_names() const {
   return content_->texts("Tetfarm/region_names");
 }

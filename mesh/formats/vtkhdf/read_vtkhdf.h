@@ -31,6 +31,7 @@ class VtkhdfParts {
   /// Of the patches and of regions 1, 2, …; empty when the file has none.
   std::vector<std::string> patch_names() const;
   std::vector<std::string> region_names() const;
+  std::vector<PatchType> patch_types() const;
   /// Which marks the cells have; other programs' files have none.
   const std::vector<CellMark>& cell_marks() const;
   /// Whether the nodes have feet; those of other programs' files have none.

@@ -37,6 +37,13 @@ void begin_frame(const VtkhdfNames& names, Hdf5Output& file) {
   file.add_attribute("VTKHDF", "Version", {1, 0});
   file.add_text_attribute("VTKHDF", "Type", "UnstructuredGrid");
   file.add_texts("Tetfarm/patch_names", names.patches);
+  if (has_types(names.types)) {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < names.patches.size(); ++i) {
+      words.emplace_back(word_of(type_of_patch(names.types, i)));
+    }
+    file.add_texts("Tetfarm/patch_types", words);
+  }
   file.add_texts("Tetfarm/region_names",
                  names.regions.empty() ? std::vector<std::string>{"domain"} : names.regions);
 }

@@ -17,6 +17,7 @@
 
 #include "mesh/assemble/output_file.h"
 #include "mesh/assemble/portion.h"
+#include "mesh/core/patch_type.h"
 #include "mesh/formats/hdf5/hdf5_file.h"
 #include "mesh/formats/vtkhdf/packed_cells.h"
 #include "mesh/formats/vtkhdf/vtkhdf_counts.h"
@@ -68,6 +69,7 @@ struct VtkhdfNames {
   std::vector<std::string> regions = {};  ///< none: one region
   std::vector<CellMark> marks = {};  ///< arrays of these; of a part that does not know them, zeros
   bool has_feet = false;             ///< arrays of NodeFeet; of a part without them, no_foot
+  std::vector<PatchType> types = {};  ///< of the patches; nothing of them when all are unspecified
 };
 
 /// The file but for the content of the arrays in one piece, in a file of its own. That has room for

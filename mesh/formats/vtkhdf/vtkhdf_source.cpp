@@ -20,6 +20,7 @@ class VtkhdfSource : public MeshSource {
   std::vector<CellMark> cell_marks() const override { return parts_.cell_marks(); }
   bool has_feet() const override { return parts_.has_feet(); }
   std::vector<std::string> patch_names() const override { return parts_.patch_names(); }
+  std::vector<PatchType> patch_types() const override { return parts_.patch_types(); }
   std::vector<std::string> region_names() const override { return parts_.region_names(); }
 
  private:

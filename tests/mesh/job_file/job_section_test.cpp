@@ -163,7 +163,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "layers.y_plus layers.reynolds layers.length layers.growth layers.growth_cap "
       "layers.acceleration layers.total_height layers.count layers.equal layers.heights "
       "layers.room layers.step "
-      "layers.fan_angle layers.elements "
+      "layers.fan_angle layers.elements patch.type "
       "pml.patches pml.layers pml.height pml.corners pml.elements pml.side "
       "decompose.subdomains decompose.target_elements "
       "decompose.plane decompose.max_memory decompose.assimilate decompose.assimilate.groups "

@@ -147,10 +147,6 @@ TEST(MeshFiles, ugrid_begins_with_its_counts_and_faces_point_inward) {
   EXPECT_NEAR(enclosed_volume(nodes, faces), -1, 1e-12);
 }
 
-TEST(MeshFiles, mapbc_names_every_patch) {
-  EXPECT_EQ(mapbc_text({"wing", "far field"}), "2\n1 3000 wing\n2 3000 far field\n");
-}
-
 TEST(MeshFiles, ugrid_refuses_what_its_counts_cannot_hold) {
   const TempFolder folder;
   Numbering numbering;

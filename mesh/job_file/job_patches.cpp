@@ -1,0 +1,89 @@
+#include "mesh/job_file/job_patches.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "base/utf8.h"
+#include "mesh/core/patch_type.h"
+
+namespace tetfarm {
+namespace {
+
+constexpr std::array<std::string_view, 1> keys_of_patch = {"type"};
+
+constexpr std::size_t longest_glob = 255;
+constexpr std::size_t most_globs = 1000;
+
+std::string all_patch_types() {
+  std::string text;
+  for (const std::string_view word : patch_type_words) {
+    text += (text.empty() ? "" : ", ") + std::string(word);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string problem_with_glob(std::string_view glob, std::vector<std::string>& globs) {
+  if (glob.empty()) return "must not hold an empty name";
+  if (!is_utf8(glob)) return "must hold UTF-8";
+  if (glob.size() > longest_glob) return "may hold names of at most 255 bytes";
+  if (globs.size() == most_globs) return "may hold at most 1000 names";
+  if (std::find(globs.begin(), globs.end(), glob) != globs.end()) {
+    return "has \"" + std::string(glob) + "\" twice";
+  }
+  globs.emplace_back(glob);
+  return {};
+}
+
+std::vector<std::string> globs_of_option(std::string_view names, const std::string& place) {
+  std::vector<std::string> globs;
+  while (true) {
+    const std::size_t end = names.find(',');
+    const std::string problem = problem_with_glob(names.substr(0, end), globs);
+    if (!problem.empty()) throw UsageError("the list of patches " + problem, place);
+    if (end == std::string_view::npos) return globs;
+    names.remove_prefix(end + 1);
+  }
+}
+
+Words patch_keys() { return keys_of_patch; }
+
+std::vector<JobPatch> parse_patch_tables(const JobSection& top) {
+  std::vector<JobPatch> patches;
+  if (!top.has("patch")) return patches;
+  const toml::table* const tables = top.node("patch").as_table();
+  if (tables == nullptr) top.fail("patch", "must be written [patch.NAME], NAME being that of a patch");
+  std::vector<std::string> globs;
+  for (const auto& [key, node] : *tables) {
+    const std::string_view name = key.str();
+    const std::string problem = problem_with_glob(name, globs);
+    if (!problem.empty()) top.fail(node.source(), "`patch` " + problem);
+    if (!node.is_table()) {
+      top.fail(node.source(), "`" + std::string(name) +
+                                  "` must be a table of its own: [patch.NAME], NAME being that of a patch");
+    }
+    const JobSection section = top.item(node, "patch." + std::string(name), keys_of_patch);
+    patches.push_back({std::string(name), section.one_of("type", patch_type_words), ""});
+  }
+  return patches;
+}
+
+std::vector<JobPatch> parse_patch_type_option(std::string_view typed) {
+  const std::string place = "--patch-type '" + std::string(typed) + "'";
+  const std::size_t equals = typed.rfind('=');  // patches may have equals signs in their names
+  if (equals == std::string_view::npos) throw UsageError("must be PATCH,...=TYPE", place);
+  const std::string_view type = typed.substr(equals + 1);
+  if (type.empty() || !patch_type_of(type)) {
+    throw UsageError("\"" + std::string(type) + "\" is no type of patch; they are " + all_patch_types(),
+                     place);
+  }
+  std::vector<JobPatch> patches;
+  for (std::string& glob : globs_of_option(typed.substr(0, equals), place)) {
+    patches.push_back({std::move(glob), std::string(type), std::string(typed)});
+  }
+  return patches;
+}
+
+}  // namespace tetfarm

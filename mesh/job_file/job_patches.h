@@ -1,0 +1,27 @@
+/// What a job says of its patches by name: the names in its tables, and the tables [patch.NAME].
+/// --patch-type of the command line says the same in one word (parse_patch_type_option).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/job_file/job_file.h"
+#include "mesh/job_file/job_section.h"
+
+namespace tetfarm {
+
+/// Takes one more name or pattern; otherwise tells what is wrong with it, which goes behind what
+/// holds it: "must not hold an empty name".
+std::string problem_with_glob(std::string_view glob, std::vector<std::string>& globs);
+
+/// The names between commas. @throws UsageError at `place`.
+std::vector<std::string> globs_of_option(std::string_view names, const std::string& place);
+
+/// Every key of a table [patch.NAME].
+Words patch_keys();
+
+/// The tables [patch.NAME] of a job, by name. @throws UsageError as JobSection does.
+std::vector<JobPatch> parse_patch_tables(const JobSection& top);
+
+}  // namespace tetfarm

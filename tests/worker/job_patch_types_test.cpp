@@ -1,0 +1,70 @@
+#include "worker/job_patch_types.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "tests/support/error_text.h"
+
+namespace tetfarm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::vector<std::string> names_of_wing = {"wing_upper", "wing_lower", "tip", "outer_box"};
+
+JobFile typed_job(const std::vector<std::string>& typed, const std::string& outer = "box") {
+  JobFile job;
+  job.outer_kind = outer;
+  for (const std::string& text : typed) {
+    for (const JobPatch& patch : parse_patch_type_option(text)) job.patches.push_back(patch);
+  }
+  return job;
+}
+
+std::vector<PatchType> types_by(const std::vector<std::string>& typed) {
+  const JobFile job = typed_job(typed);
+  require_patch_types(job, names_of_wing);
+  return patch_types_of(job, names_of_wing);
+}
+
+std::string refusal_of_types(const std::vector<std::string>& typed) {
+  return error_text_of<UsageError>([&] { types_by(typed); });
+}
+
+TEST(PatchTypesOfAJob, are_those_of_the_names_and_patterns) {
+  EXPECT_THAT(types_by({"wing_*=wall", "outer_box=farfield"}),
+              ElementsAre(PatchType::wall, PatchType::wall, PatchType::unspecified,
+                          PatchType::farfield));
+  EXPECT_THAT(patch_types_of(typed_job({}), names_of_wing), IsEmpty());
+}
+
+TEST(PatchTypesOfAJob, are_of_the_very_name_before_patterns) {
+  EXPECT_THAT(types_by({"*=wall", "tip=slip", "outer*=farfield"}),
+              ElementsAre(PatchType::wall, PatchType::wall, PatchType::slip, PatchType::farfield));
+}
+
+TEST(PatchTypesOfAJob, reach_an_added_outer_boundary_only_by_patterns_for_it) {
+  EXPECT_EQ(types_by({"*=wall"}).back(), PatchType::unspecified);
+  const JobFile closed = typed_job({"*=wall"}, "none");
+  EXPECT_EQ(patch_types_of(closed, names_of_wing).back(), PatchType::wall);
+}
+
+TEST(PatchTypesOfAJob, are_refused_where_nothing_matches_or_two_patterns_disagree) {
+  EXPECT_EQ(refusal_of_types({"wing_uper=wall"}),
+            "--patch-type 'wing_uper=wall': \"wing_uper\" matches none of the patches "
+            "\"wing_upper\", \"wing_lower\", \"tip\"; did you mean \"wing_upper\"?");
+  EXPECT_THAT(refusal_of_types({"wing_*=wall", "*_lower=slip"}),
+              HasSubstr("the patch \"wing_lower\" is to be `slip`, and `wall` by --patch-type "
+                        "'wing_*=wall'; name it by itself to say which, [patch.\"wing_lower\"]"));
+  EXPECT_EQ(refusal_of_types({"wing_*=wall", "*_lower=slip", "wing_lower=slip"}), "");
+  EXPECT_EQ(refusal_of_types({"wing_*=wall", "*_lower=wall"}), "");
+  JobFile job = typed_job({"flap=wall"});
+  job.patches[0].typed.clear();
+  EXPECT_THAT(error_text_of<UsageError>([&] { require_patch_types(job, names_of_wing); }),
+              HasSubstr("[patch.flap]: \"flap\" matches none"));
+}
+
+}  // namespace
+}  // namespace tetfarm

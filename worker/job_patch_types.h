@@ -1,0 +1,23 @@
+/// What a job says that the patches of its surface are, [patch.NAME] type, patch by patch.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/core/patch_type.h"
+#include "mesh/core/surface_mesh.h"
+#include "mesh/job_file/job_file.h"
+
+namespace tetfarm {
+
+/// One for each name. A patch has the type of the table with its very name; else of the patterns
+/// that match it. Empty where the job says nothing.
+/// @param names those of the surface with its outer boundary, in their order.
+std::vector<PatchType> patch_types_of(const JobFile& job, std::span<const std::string> names);
+
+/// @throws UsageError when a name or pattern matches no patch, and when patterns of different types
+/// match a patch that has no table with its very name. Cost: O(patterns · patches).
+void require_patch_types(const JobFile& job, std::span<const std::string> names);
+
+}  // namespace tetfarm
