@@ -38,8 +38,8 @@ struct RunOptions {
   std::optional<double> size_on_body;  ///< of the edges that remeshing makes
   std::optional<std::string> outer;    ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
   std::optional<double> outer_size;
-  std::vector<std::string> layers;  ///< each "PATCH,...:KEY=VALUE,..."
-  std::string pml;                  ///< the same, or "PATCH,..."; "": as the job file says
+  std::vector<std::string> layers;       ///< each "PATCH,...:KEY=VALUE,..."
+  std::string pml;                       ///< the same, or "PATCH,..."; "": as the job file says
   std::vector<std::string> patch_types;  ///< each "PATCH,...=TYPE"
   std::optional<std::int64_t> max_elements;
   bool force = false;  ///< any number of elements, whatever the disk holds
@@ -109,10 +109,10 @@ struct ExportCommand {
   std::string input;   ///< as of QualityOptions
   ViewOptions source;  ///< of a job
   std::string output;
-  std::string format;                   ///< "": by the ending of the output
-  int partitions = 0;                   ///< for solvers; 0: the sub-domains as they were meshed
-  std::string keep_columns = "yes";     ///< yes or no: columns of prisms in one part
-  std::string numbering = "as-meshed";  ///< as-meshed, hilbert or rcm
+  std::string format;                    ///< "": by the ending of the output
+  int partitions = 0;                    ///< for solvers; 0: the sub-domains as they were meshed
+  std::string keep_columns = "yes";      ///< yes or no: columns of prisms in one part
+  std::string numbering = "as-meshed";   ///< as-meshed, hilbert or rcm
   std::vector<std::string> patch_types;  ///< as of RunOptions
   bool json = false;
 };

@@ -32,8 +32,9 @@ std::vector<PatchType> patch_types_of(const JobFile& job, std::span<const std::s
   std::vector<PatchType> types;
   for (std::size_t patch = 0; patch < names.size(); ++patch) {
     const std::vector<const JobPatch*> tables = tables_of(job, names, patch);
-    types.push_back(tables.empty() ? PatchType::unspecified
-                                   : patch_type_of(tables.front()->type).value_or(PatchType::unspecified));
+    types.push_back(tables.empty()
+                        ? PatchType::unspecified
+                        : patch_type_of(tables.front()->type).value_or(PatchType::unspecified));
   }
   return types;
 }
@@ -42,20 +43,19 @@ void require_patch_types(const JobFile& job, std::span<const std::string> names)
   if (job.patches.empty()) return;
   for (const JobPatch& table : job.patches) {
     const std::span<const std::string> offered = names_on_offer(job, names, table.glob);
-    const bool has_any = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return name == table.glob;
-    }) || std::any_of(offered.begin(), offered.end(), [&](const std::string& name) {
-      return matches_glob(table.glob, name);
-    });
+    const bool has_any = std::any_of(names.begin(), names.end(),
+                                     [&](const std::string& name) { return name == table.glob; }) ||
+                         std::any_of(offered.begin(), offered.end(), [&](const std::string& name) {
+                           return matches_glob(table.glob, name);
+                         });
     if (!has_any) throw UsageError(unmatched_glob_text(table.glob, offered), place_of_patch(table));
   }
   for (std::size_t patch = 0; patch < names.size(); ++patch) {
     const std::vector<const JobPatch*> tables = tables_of(job, names, patch);
     for (const JobPatch* table : tables) {
       if (table->type == tables.front()->type) continue;
-      throw UsageError("the patch \"" + names[patch] + "\" is to be `" + table->type +
-                           "`, and `" + tables.front()->type + "` by " +
-                           place_of_patch(*tables.front()) +
+      throw UsageError("the patch \"" + names[patch] + "\" is to be `" + table->type + "`, and `" +
+                           tables.front()->type + "` by " + place_of_patch(*tables.front()) +
                            "; name it by itself to say which, [patch.\"" + names[patch] + "\"]",
                        place_of_patch(*table));
     }

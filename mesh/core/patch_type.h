@@ -14,10 +14,10 @@ namespace tetfarm {
 
 enum class PatchType : std::uint8_t {
   unspecified,
-  wall,       ///< the flow sticks to it
-  slip,       ///< the flow slides along it
-  symmetry,   ///< what lies behind it is a mirror image
-  farfield,   ///< undisturbed flow
+  wall,      ///< the flow sticks to it
+  slip,      ///< the flow slides along it
+  symmetry,  ///< what lies behind it is a mirror image
+  farfield,  ///< undisturbed flow
   inflow,
   outflow,
   pec,        ///< a perfect electric conductor
@@ -33,9 +33,8 @@ inline constexpr std::array<std::string_view, 10> patch_type_words = {
 
 /// "" of one that is not specified.
 constexpr std::string_view word_of(PatchType type) {
-  return type == PatchType::unspecified
-             ? std::string_view()
-             : patch_type_words.at(static_cast<std::size_t>(type) - 1);
+  return type == PatchType::unspecified ? std::string_view()
+                                        : patch_type_words.at(static_cast<std::size_t>(type) - 1);
 }
 
 /// Nothing for a word that is none; unspecified for "".

@@ -54,15 +54,17 @@ std::vector<JobPatch> parse_patch_tables(const JobSection& top) {
   std::vector<JobPatch> patches;
   if (!top.has("patch")) return patches;
   const toml::table* const tables = top.node("patch").as_table();
-  if (tables == nullptr) top.fail("patch", "must be written [patch.NAME], NAME being that of a patch");
+  if (tables == nullptr)
+    top.fail("patch", "must be written [patch.NAME], NAME being that of a patch");
   std::vector<std::string> globs;
   for (const auto& [key, node] : *tables) {
     const std::string_view name = key.str();
     const std::string problem = problem_with_glob(name, globs);
     if (!problem.empty()) top.fail(node.source(), "`patch` " + problem);
     if (!node.is_table()) {
-      top.fail(node.source(), "`" + std::string(name) +
-                                  "` must be a table of its own: [patch.NAME], NAME being that of a patch");
+      top.fail(node.source(),
+               "`" + std::string(name) +
+                   "` must be a table of its own: [patch.NAME], NAME being that of a patch");
     }
     const JobSection section = top.item(node, "patch." + std::string(name), keys_of_patch);
     patches.push_back({std::string(name), section.one_of("type", patch_type_words), ""});
@@ -76,8 +78,8 @@ std::vector<JobPatch> parse_patch_type_option(std::string_view typed) {
   if (equals == std::string_view::npos) throw UsageError("must be PATCH,...=TYPE", place);
   const std::string_view type = typed.substr(equals + 1);
   if (type.empty() || !patch_type_of(type)) {
-    throw UsageError("\"" + std::string(type) + "\" is no type of patch; they are " + all_patch_types(),
-                     place);
+    throw UsageError(
+        "\"" + std::string(type) + "\" is no type of patch; they are " + all_patch_types(), place);
   }
   std::vector<JobPatch> patches;
   for (std::string& glob : globs_of_option(typed.substr(0, equals), place)) {

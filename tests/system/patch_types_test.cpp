@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 class RunWithPatchTypes : public ::testing::Test {
  protected:
   RunWithPatchTypes() {
-    test::write_contents(folder_.path() / "ball.off", test::off_of(shapes::sphere({0, 0, 0}, 1, 2)));
+    test::write_contents(folder_.path() / "ball.off",
+                         test::off_of(shapes::sphere({0, 0, 0}, 1, 2)));
   }
   Ended run(std::vector<std::string> words) {
     words.insert(words.begin(), "run");
@@ -29,11 +30,12 @@ class RunWithPatchTypes : public ::testing::Test {
 };
 
 TEST_F(RunWithPatchTypes, writes_them_into_all_formats_of_the_job) {
-  test::write_contents(folder_.path() / "job.toml",
-                       "name = \"ball\"\n[geometry]\nsurface = \"ball.off\"\n[domain]\nouter = \"box\"\n"
-                       "[patch.surface]\ntype = \"wall\"\n[patch.\"outer*\"]\ntype = \"farfield\"\n"
-                       "[decompose]\nsubdomains = 2\n"
-                       "[output]\nformats = [\"vtkhdf\", \"lb8.ugrid\", \"openfoam\", \"su2\"]\n");
+  test::write_contents(
+      folder_.path() / "job.toml",
+      "name = \"ball\"\n[geometry]\nsurface = \"ball.off\"\n[domain]\nouter = \"box\"\n"
+      "[patch.surface]\ntype = \"wall\"\n[patch.\"outer*\"]\ntype = \"farfield\"\n"
+      "[decompose]\nsubdomains = 2\n"
+      "[output]\nformats = [\"vtkhdf\", \"lb8.ugrid\", \"openfoam\", \"su2\"]\n");
   const Ended ended = run({"job.toml", "-o", "out"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(text("out/ball.mapbc"), "2\n1 4000 surface\n2 5000 outer_box\n");
@@ -48,8 +50,9 @@ TEST_F(RunWithPatchTypes, writes_them_into_all_formats_of_the_job) {
 TEST_F(RunWithPatchTypes, refuses_a_patch_that_there_is_not_before_anything_runs) {
   const Ended ended = run({"ball.off", "--patch-type", "bal=wall", "-o", "out"});
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("--patch-type 'bal=wall': \"bal\" matches no patch: the surface has "
-                                   "only \"surface\""));
+  EXPECT_THAT(ended.err,
+              HasSubstr("--patch-type 'bal=wall': \"bal\" matches no patch: the surface has "
+                        "only \"surface\""));
 }
 
 }  // namespace

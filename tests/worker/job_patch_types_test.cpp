@@ -34,9 +34,9 @@ std::string refusal_of_types(const std::vector<std::string>& typed) {
 }
 
 TEST(PatchTypesOfAJob, are_those_of_the_names_and_patterns) {
-  EXPECT_THAT(types_by({"wing_*=wall", "outer_box=farfield"}),
-              ElementsAre(PatchType::wall, PatchType::wall, PatchType::unspecified,
-                          PatchType::farfield));
+  EXPECT_THAT(
+      types_by({"wing_*=wall", "outer_box=farfield"}),
+      ElementsAre(PatchType::wall, PatchType::wall, PatchType::unspecified, PatchType::farfield));
   EXPECT_THAT(patch_types_of(typed_job({}), names_of_wing), IsEmpty());
 }
 

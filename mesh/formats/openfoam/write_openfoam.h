@@ -13,7 +13,8 @@
 
 namespace tetfarm {
 
-/// `folder` is the case; constant/polyMesh is made in it, and what write_foam_system makes. Faces are in upper triangular order.
+/// `folder` is the case; constant/polyMesh is made in it, and what write_foam_system makes. Faces
+/// are in upper triangular order.
 /// @throws IoError, InvalidInput, what the source throws. Two passes; memory of one part.
 void write_openfoam(const MeshSource& source, const MeshOutline& outline,
                     const std::filesystem::path& folder);

@@ -14,8 +14,8 @@ namespace tetfarm {
 void write_su2(const MeshSource& source, const MeshOutline& outline,
                const std::filesystem::path& file);
 
-/// NAME.su2 gets NAME.cfg, when one of its patches is specified: what a configuration of SU2 says of
-/// the mesh and its markers, for the user to complete. A NAME.cfg that is there stays as it is.
+/// NAME.su2 gets NAME.cfg, when one of its patches is specified: what a configuration of SU2 says
+/// of the mesh and its markers, for the user to complete. A NAME.cfg that is there stays as it is.
 /// @throws IoError.
 void write_beside_su2(const MeshSource& source, const MeshOutline& outline,
                       const std::filesystem::path& file);

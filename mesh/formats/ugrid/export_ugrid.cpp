@@ -72,7 +72,8 @@ void write_beside_ugrid(const MeshSource& source, const MeshOutline& outline,
                         const fs::path& file) {
   const fs::path stem = fs::path(file).replace_extension().replace_extension();
   const std::vector<PatchType>& types = outline.patch_types;
-  const bool has_symmetry = std::find(types.begin(), types.end(), PatchType::symmetry) != types.end();
+  const bool has_symmetry =
+      std::find(types.begin(), types.end(), PatchType::symmetry) != types.end();
   const std::vector<Box3> boxes = has_symmetry ? patch_boxes(source, outline) : std::vector<Box3>();
   write_file_atomically(stem.string() + ".mapbc", mapbc_text(outline.patch_names, types, boxes));
   if (outline.region_names.size() < 2) return;

@@ -14,11 +14,10 @@ namespace {
 constexpr int slip_code = 3000;
 constexpr std::array<int, 3> symmetry_codes = {6661, 6662, 6663};
 
-constexpr std::array<std::pair<PatchType, int>, 4> codes_of_types = {
-    {{PatchType::wall, 4000},
-     {PatchType::farfield, 5000},
-     {PatchType::inflow, 7011},
-     {PatchType::outflow, 7012}}};
+constexpr std::array<std::pair<PatchType, int>, 4> codes_of_types = {{{PatchType::wall, 4000},
+                                                                      {PatchType::farfield, 5000},
+                                                                      {PatchType::inflow, 7011},
+                                                                      {PatchType::outflow, 7012}}};
 
 }  // namespace
 

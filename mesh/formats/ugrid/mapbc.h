@@ -1,5 +1,5 @@
-/// The file NAME.mapbc beside a UGRID mesh: what its patches are called, and a number that tells the
-/// solver what each is.
+/// The file NAME.mapbc beside a UGRID mesh: what its patches are called, and a number that tells
+/// the solver what each is.
 ///
 /// Source: FUN3D manual, "Boundary conditions"; AFLR3, "UG_IO mapbc".
 #pragma once

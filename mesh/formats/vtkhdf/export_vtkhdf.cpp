@@ -13,10 +13,10 @@ void export_vtkhdf(const MeshSource& source, const MeshOutline& outline,
       counts.back().others[type] = block.count;
     });
   }
-  const std::unique_ptr<GlobalMeshWriter> writer = write_vtkhdf(
-      file, counts,
-      {outline.patch_names, outline.region_names, source.cell_marks(), source.has_feet(),
-       outline.patch_types});
+  const std::unique_ptr<GlobalMeshWriter> writer =
+      write_vtkhdf(file, counts,
+                   {outline.patch_names, outline.region_names, source.cell_marks(),
+                    source.has_feet(), outline.patch_types});
   for (std::size_t i = 0; i < source.size(); ++i) writer->add(source.part(i));
   writer->finish();
 }

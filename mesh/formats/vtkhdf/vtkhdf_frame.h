@@ -67,8 +67,8 @@ bool has_narrow_ids(const VtkhdfCounts& part);
 struct VtkhdfNames {
   std::vector<std::string> patches;
   std::vector<std::string> regions = {};  ///< none: one region
-  std::vector<CellMark> marks = {};  ///< arrays of these; of a part that does not know them, zeros
-  bool has_feet = false;             ///< arrays of NodeFeet; of a part without them, no_foot
+  std::vector<CellMark> marks = {};   ///< arrays of these; of a part that does not know them, zeros
+  bool has_feet = false;              ///< arrays of NodeFeet; of a part without them, no_foot
   std::vector<PatchType> types = {};  ///< of the patches; nothing of them when all are unspecified
 };
 

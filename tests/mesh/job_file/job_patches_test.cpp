@@ -35,7 +35,8 @@ TEST(PatchTables, say_by_name_what_patches_are) {
 }
 
 TEST(PatchTables, are_the_same_after_canonical_text) {
-  const JobFile job = job_of("[patch.'a \"b\".c']\ntype = \"pec\"\n[patch.z]\ntype = \"interface\"\n");
+  const JobFile job =
+      job_of("[patch.'a \"b\".c']\ntype = \"pec\"\n[patch.z]\ntype = \"interface\"\n");
   const std::string text = to_toml(job);
   const JobFile again = parse_job_file(text, "again.toml");
   ASSERT_EQ(again.patches.size(), 2U);
@@ -45,9 +46,10 @@ TEST(PatchTables, are_the_same_after_canonical_text) {
 }
 
 TEST(PatchTables, are_refused_where_they_are_wrong) {
-  EXPECT_EQ(refusal_of_tables("[patch.tip]\ntype = \"wal\"\n"),
-            "a.toml:4:8: `type` must be one of wall, slip, symmetry, farfield, inflow, outflow, pec, "
-            "pmc, absorbing or interface, not \"wal\"; did you mean \"wall\"?");
+  EXPECT_EQ(
+      refusal_of_tables("[patch.tip]\ntype = \"wal\"\n"),
+      "a.toml:4:8: `type` must be one of wall, slip, symmetry, farfield, inflow, outflow, pec, "
+      "pmc, absorbing or interface, not \"wal\"; did you mean \"wall\"?");
   EXPECT_THAT(refusal_of_tables("[patch.tip]\n"), HasSubstr("`type` is missing"));
   EXPECT_THAT(refusal_of_tables("[patch.tip]\ntype = \"wall\"\nkind = 1\n"),
               HasSubstr("unknown key `kind` in [patch.tip]"));
@@ -69,8 +71,9 @@ TEST(PatchTypeOption, names_patches_and_what_they_are) {
 
 TEST(PatchTypeOption, is_refused_with_what_was_typed) {
   EXPECT_EQ(refusal_of_option("wing"), "--patch-type 'wing': must be PATCH,...=TYPE");
-  EXPECT_THAT(refusal_of_option("wing=wal"),
-              HasSubstr("--patch-type 'wing=wal': \"wal\" is no type of patch; they are wall, slip"));
+  EXPECT_THAT(
+      refusal_of_option("wing=wal"),
+      HasSubstr("--patch-type 'wing=wal': \"wal\" is no type of patch; they are wall, slip"));
   EXPECT_THAT(refusal_of_option("wing="), HasSubstr("\"\" is no type"));
   EXPECT_THAT(refusal_of_option("=wall"), HasSubstr("an empty name"));
   EXPECT_THAT(refusal_of_option("a,b,a=wall"), HasSubstr("has \"a\" twice"));
