@@ -138,6 +138,7 @@ JobInput input_of(const CheckOptions& options) {
   job_options.layers = options.layers;
   job_options.pml = options.pml;
   job_options.patch_types = options.patch_types;
+  job_options.symmetry = options.symmetry;
   return read_job(job_options);
 }
 
@@ -149,7 +150,7 @@ ExitCode check_command(const CheckOptions& options) {
     throw UsageError("give a surface, a job file, or --store DIR", "check");
   const JobInput input = input_of(options);
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
-  const CheckedSurface checked = check_surface(surface, region_rules_of(input.job));
+  const CheckedSurface checked = check_surface_of_job(input.job, surface);
   const bool is_sound = checked.report.defects.empty();
   Json json = report_json(surface, checked.report);
   if (!options.json) print_report(surface, checked.report);
@@ -159,13 +160,13 @@ ExitCode check_command(const CheckOptions& options) {
     put_estimate(input.job, coming, remarks, json);
     if (!options.json) print_estimate(input.job, coming, remarks);
   }
-  if (!is_sound) {
+  if (!is_sound && !input.job.symmetry) {
     const HealedSurface healed = heal_surface(surface, region_rules_of(input.job), {});
     json["healing"] = healing_json(healed);
     if (!options.json) print_prospect_of_healing(healed, input.path);
   }
   if (options.json) std::printf("%s\n", json_line(json).c_str());
-  require_no_defects(surface, checked.report, input, options.defects_file);
+  require_no_defects(checked.surface, checked.report, input, options.defects_file);
   return ExitCode::ok;
 }
 

@@ -99,7 +99,7 @@ std::array<CLI::Option*, 3> add_wave(CLI::App& app, WaveOptions& wave, CLI::Opti
 
 /// How large the domain is and how fine.
 template <class Options>
-std::array<CLI::Option*, 9> add_domain(CLI::App& app, Options& job) {
+std::array<CLI::Option*, 10> add_domain(CLI::App& app, Options& job) {
   CLI::Option* size = app.add_option("--size", job.size,
                                      "Target edge length away from the surface, and largest on an "
                                      "outer boundary")
@@ -122,6 +122,10 @@ std::array<CLI::Option*, 9> add_domain(CLI::App& app, Options& job) {
                      "allow)")
           ->check(positive_number())
           ->option_text("H"),
+      app.add_option("--symmetry", job.symmetry,
+                     "The surface is half a body that ends on this plane: mesh one side, closed by "
+                     "the plane")
+          ->option_text("y=0"),
       app.add_flag("--remesh", job.remesh,
                    "Mesh from even triangles made in place of the surface's (see `surface`)"),
       app.add_option("--size-on-body", job.size_on_body,
@@ -290,7 +294,7 @@ class Parser {
         add("check", "Check whether a surface can be meshed, and show what is wrong where",
             "tetfarm check wing.stl", check_);
     CLI::Option* input = sub.add_option("INPUT", check_.input, "A surface or a job file (.toml)");
-    const std::array<CLI::Option*, 9> domain = add_domain(sub, check_);
+    const std::array<CLI::Option*, 10> domain = add_domain(sub, check_);
     CLI::Option* layers = add_layers(sub, check_.layers, ": shows what they come to");
     CLI::Option* pml = add_pml(sub, check_.pml);
     CLI::Option* patch_types = add_patch_types(sub, check_.patch_types);

@@ -102,10 +102,24 @@ void set_patch_types(JobFile& job, const std::vector<std::string>& typed) {
   }
 }
 
+/// @pre all else of the job is set.
+void set_symmetry(JobFile& job, const std::string& typed) {
+  if (!typed.empty()) {
+    job.symmetry = parse_symmetry(typed);
+    if (!job.symmetry) {
+      throw UsageError("\"" + typed + "\" is not " + symmetry_examples, "--symmetry");
+    }
+  }
+  const std::string obstacle = obstacle_to_symmetry(job);
+  if (!obstacle.empty()) {
+    throw UsageError("cannot be given together with " + obstacle, "--symmetry ([domain] symmetry)");
+  }
+}
+
 /// As far as it can be told of a surface that need not have been checked.
 void require_patches(const JobFile& job, const SurfaceMesh& surface) {
   if (job.layers.empty() && !job.pml && job.patches.empty()) return;
-  OuterBoundary outer = outer_boundary_of(job);
+  OuterBoundary outer = outer_boundary_to_add(job);
   outer.is_sketch = true;
   const SurfaceMesh domain = add_outer_boundary(surface, outer, job.growth);
   require_patch_types(job, patch_names_of(domain));
@@ -173,6 +187,7 @@ JobInput describe_job(const RunOptions& options) {
   set_layers(job, options.layers);
   set_patch_types(job, options.patch_types);
   if (!options.pml.empty()) job.pml = parse_pml_option(options.pml);
+  set_symmetry(job, options.symmetry);
   if (options.max_elements) job.max_elements = *options.max_elements;
   if (options.force) job.max_elements = 0;
   if (!options.formats.empty()) {
@@ -209,12 +224,14 @@ void check_submittable(const JobInput& input) {
 }
 
 void require_readable(const JobInput& input) {
-  require_patches(input.job, read_surface_bytes(input.surface, input.path));
+  const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
+  require_patches(input.job, input.job.symmetry ? check_surface_of_job(input.job, surface).surface
+                                                : surface);
 }
 
 void require_meshable(const JobInput& input) {
   const CheckedSurface checked =
-      check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
+      check_surface_of_job(input.job, read_surface_bytes(input.surface, input.path));
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }

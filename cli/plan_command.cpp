@@ -55,7 +55,7 @@ struct Plan {
 
 Plan make_plan(const JobInput& input) {
   const CheckedSurface checked =
-      check_surface(read_surface_bytes(input.surface, input.path), region_rules_of(input.job));
+      check_surface_of_job(input.job, read_surface_bytes(input.surface, input.path));
   if (!checked.report.defects.empty()) {
     throw Error(ExitCode::bad_geometry, input.path + ": " + defects_text(checked.report.defects));
   }

@@ -141,6 +141,7 @@ std::string option_of_surfaces(const SubmitCommand& command) {
       {job.size_on_body.has_value(), "--size-on-body"},
       {job.outer.has_value(), "--outer"},
       {job.outer_size.has_value(), "--outer-size"},
+      {!job.symmetry.empty(), "--symmetry"},
       {!job.layers.empty(), "--layers"},
       {!job.pml.empty(), "--pml"},
       {!job.patch_types.empty(), "--patch-type"},

@@ -1,12 +1,18 @@
 #include "worker/checked_input.h"
 
+#include <memory>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/job_name.h"
+#include "mesh/core/complaints.h"
 #include "mesh/formats/gzip.h"
 #include "mesh/formats/surfaces/read_surface.h"
+#include "mesh/half_body/close_half_body.h"
 #include "mesh/inspect/defect_text.h"
+#include "mesh/spacing/spacing_field.h"
 #include "worker/evidence.h"
+#include "worker/job_domain.h"
 
 namespace tetfarm {
 namespace {
@@ -28,9 +34,9 @@ InputSurface read_input(const TaskIo& io, const JobFile& job, const TaskFile& fi
 
 CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh& surface) {
   io.progress().begin(WorkStage::check);
-  CheckedSurface checked = check_surface(surface, region_rules_of(job));
+  CheckedSurface checked = check_surface_of_job(job, surface);
   if (checked.report.defects.empty()) return checked;
-  const std::string defects = defects_as_vtp(io, surface, checked.report.defects);
+  const std::string defects = defects_as_vtp(io, checked.surface, checked.report.defects);
   throw RefusedInput(defects_text(checked.report.defects),
                      {{file_name_of_job(job.name, ".defects.vtp"), defects}});
 }
@@ -39,11 +45,30 @@ CheckedSurface checked_surface(TaskIo& io, const JobFile& job, const SurfaceMesh
 
 RegionRules region_rules_of(const JobFile& job) {
   RegionRules rules;
-  rules.is_outside_meshed = job.outer_kind != "none";
+  rules.is_outside_meshed = job.outer_kind != "none" && !job.symmetry;
   for (const JobRegion& region : job.regions) {
     rules.wishes.push_back({region.at, region.name, region.is_void});
   }
   return rules;
+}
+
+CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surface) {
+  if (!job.symmetry) return check_surface(surface, region_rules_of(job));
+  const auto make_spacing = [&job](const SurfaceMesh& open) {
+    const auto field =
+        std::make_shared<SpacingField>(make_spacing_field(open, spacing_options_of(job)));
+    return [field](const Vec3& place) { return field->at(place); };
+  };
+  const ClosedHalfBody closed =
+      close_half_body(surface, *job.symmetry, outer_boundary_of(job), job.growth, make_spacing);
+  CheckedSurface checked = check_surface(closed.surface, region_rules_of(job));
+  if (closed.ends.moved > 0) {
+    checked.report.remarks.push_back(
+        counted(static_cast<std::uint64_t>(closed.ends.moved), "vertex", "vertices") +
+        " on open edges moved onto the plane of symmetry " + closed.ends.plane.text() +
+        ", by at most " + text_of(closed.ends.farthest_move));
+  }
+  return checked;
 }
 
 CheckedInput checked_input(TaskIo& io, const JobFile& job, const TaskFile& file) {

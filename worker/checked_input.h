@@ -12,6 +12,11 @@ namespace tetfarm {
 /// The job's words in the terms of the mesh rooms.
 RegionRules region_rules_of(const JobFile& job);
 
+/// The surface of the job's domain as check_surface gives it: of half a body the one that is closed
+/// on the plane of symmetry, with the outer boundary, which domain_of_job does not add then.
+/// @throws InvalidInput as close_half_body.
+CheckedSurface check_surface_of_job(const JobFile& job, const SurfaceMesh& surface);
+
 struct CheckedInput {
   CheckedSurface checked;
   double bytes = 0;  ///< of the file, unpacked

@@ -138,6 +138,8 @@ JobFile mesh_settings_of(const JobFile& job) {
   settings.formats = defaults.formats;
   settings.keep = defaults.keep;
   settings.layers = defaults.layers;
+  settings.patches = defaults.patches;
+  settings.symmetry = defaults.symmetry;
   settings.pml = defaults.pml;
   return settings;
 }

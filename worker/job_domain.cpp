@@ -26,7 +26,7 @@ JobDomain domain_inside(SurfaceMesh surface, const JobFile& job) {
 }
 
 JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
-  OuterBoundary outer = outer_boundary_of(job);
+  OuterBoundary outer = outer_boundary_to_add(job);
   outer.is_sketch = true;
   return domain_inside(add_outer_boundary(checked, outer, job.growth), job);
 }
@@ -36,6 +36,12 @@ JobDomain sketched_domain(const JobFile& job, const SurfaceMesh& checked) {
 void add_layers(const DomainLayers& layers, JobForecast& forecast) {
   add_layers(static_cast<double>(layers.cells), static_cast<double>(layers.chunks.size()),
              forecast);
+}
+
+OuterBoundary outer_boundary_to_add(const JobFile& job) {
+  OuterBoundary outer = outer_boundary_of(job);
+  if (job.symmetry) outer.kind = OuterBoundary::Kind::none;
+  return outer;
 }
 
 OuterBoundary outer_boundary_of(const JobFile& job) {
@@ -90,7 +96,7 @@ namespace {
 JobDomain domain_without_layers(const JobFile& job, const SurfaceMesh& checked) {
   JobDomain sketch = sketched_domain(job, checked);
   require_few_elements(job, sketch.elements, limits_of_job(job, checked, sketch.volume, 0));
-  const OuterBoundary outer = outer_boundary_of(job);
+  const OuterBoundary outer = outer_boundary_to_add(job);
   if (outer.kind == OuterBoundary::Kind::none) return sketch;
   SurfaceMesh surface = add_outer_boundary(checked, outer, job.growth);
   if (surface.triangles.size() == sketch.surface.triangles.size()) return sketch;

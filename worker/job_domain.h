@@ -62,6 +62,8 @@ void add_layers(const DomainLayers& layers, JobForecast& forecast);
 /// The job's words in the terms of the mesh rooms. @throws UsageError for an unknown outer
 /// boundary.
 OuterBoundary outer_boundary_of(const JobFile& job);
+/// The same of a checked surface, which has it already where the job has a plane of symmetry.
+OuterBoundary outer_boundary_to_add(const JobFile& job);
 SpacingOptions spacing_options_of(const JobFile& job);
 
 /// @pre `checked` is a surface without defects. @throws UsageError when it would have more elements

@@ -28,10 +28,15 @@ std::vector<const JobPatch*> tables_of(const JobFile& job, std::span<const std::
 }  // namespace
 
 std::vector<PatchType> patch_types_of(const JobFile& job, std::span<const std::string> names) {
-  if (job.patches.empty()) return {};
+  if (job.patches.empty() && !job.symmetry) return {};
   std::vector<PatchType> types;
   for (std::size_t patch = 0; patch < names.size(); ++patch) {
     const std::vector<const JobPatch*> tables = tables_of(job, names, patch);
+    const bool is_plane = job.symmetry && patch + 1 == names.size();
+    if (tables.empty() && is_plane) {
+      types.push_back(PatchType::symmetry);
+      continue;
+    }
     types.push_back(tables.empty()
                         ? PatchType::unspecified
                         : patch_type_of(tables.front()->type).value_or(PatchType::unspecified));

@@ -12,7 +12,8 @@
 namespace tetfarm {
 
 /// One for each name. A patch has the type of the table with its very name; else of the patterns
-/// that match it. Empty where the job says nothing.
+/// that match it. The plane that half a body is closed with, the last patch, is symmetry where no
+/// table says otherwise. Empty where the job says nothing.
 /// @param names those of the surface with its outer boundary, in their order.
 std::vector<PatchType> patch_types_of(const JobFile& job, std::span<const std::string> names);
 

@@ -62,8 +62,10 @@ std::vector<std::string> patch_names_of(const SurfaceMesh& surface) {
 
 std::span<const std::string> names_on_offer(const JobFile& job, std::span<const std::string> all,
                                             std::string_view glob) {
-  const bool is_without_outer = job.outer_kind != "none" && !glob.starts_with("outer");
-  return all.first(all.size() - (is_without_outer ? 1 : 0));
+  const std::size_t added = (job.outer_kind != "none" ? 1U : 0U) + (job.symmetry ? 1U : 0U);
+  const bool is_for_added =
+      glob.starts_with("outer") || (job.symmetry && glob.starts_with("symmetry"));
+  return all.first(all.size() - (is_for_added ? 0 : std::min(added, all.size())));
 }
 
 std::string unmatched_glob_text(std::string_view glob, std::span<const std::string> names) {

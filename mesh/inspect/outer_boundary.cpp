@@ -20,6 +20,9 @@ constexpr double least_spacings = 6;
 // The edge of a regular icosahedron's face, seen from the centre, in radians.
 constexpr double icosahedron_arc = 1.1071487177940904;
 
+// The edge of a regular octahedron's face, the same.
+constexpr double quarter_turn = 1.5707963267948966;
+
 struct Body {
   Box3 box;
   double longest_edge = 0;
@@ -93,7 +96,12 @@ void check_room(bool has_room, const OuterBoundary& outer) {
                    "domain.factor");
 }
 
-SurfaceMesh make_box(const Body& body, const OuterBoundary& outer, double growth) {
+struct Cube {
+  Box3 box;
+  int parts = 0;  ///< that each edge is in
+};
+
+Cube cube_round(const Body& body, const OuterBoundary& outer, double growth) {
   const Vec3 size = body.box.size();
   const double body_half = 0.5 * std::max({size.x, size.y, size.z});
   const double half = outer.factor * body_half;
@@ -105,19 +113,72 @@ SurfaceMesh make_box(const Body& body, const OuterBoundary& outer, double growth
   for (int axis = 0; axis < 3; ++axis) {
     check_room(box.low[axis] < body.box.low[axis] && box.high[axis] > body.box.high[axis], outer);
   }
-  return box_surface(box, parts_of(side, 12, 2, outer, spacing));
+  return {box, parts_of(side, 12, 2, outer, spacing)};
+}
+
+SurfaceMesh make_box(const Body& body, const OuterBoundary& outer, double growth) {
+  const Cube cube = cube_round(body, outer, growth);
+  return box_surface(cube.box, cube.parts);
+}
+
+/// The sphere round a body: where, how large, and how long edges may be.
+struct Sphere {
+  Vec3 centre;
+  double half_diagonal = 0;  ///< of the body
+  double radius = 0;
+  double spacing = 0;
+};
+
+Sphere sphere_round(const Body& body, const OuterBoundary& outer, double growth) {
+  Sphere sphere{body.box.centre(), 0.5 * norm(body.box.size()), 0, 0};
+  sphere.radius = outer.factor * sphere.half_diagonal;
+  sphere.spacing = std::min(body.longest_edge + growth * (sphere.radius - sphere.half_diagonal),
+                            2 * sphere.radius / least_spacings);
+  return sphere;
+}
+
+/// Its triangles lie inside the true sphere.
+void check_room_in(const SurfaceMesh& triangles, const Sphere& sphere, const OuterBoundary& outer) {
+  check_room(nearest_plane(triangles, sphere.centre) > sphere.half_diagonal * (1 + 1e-9), outer);
 }
 
 SurfaceMesh make_sphere(const Body& body, const OuterBoundary& outer, double growth) {
-  const double half_diagonal = 0.5 * norm(body.box.size());
-  const double radius = outer.factor * half_diagonal;
-  const double spacing =
-      std::min(body.longest_edge + growth * (radius - half_diagonal), 2 * radius / least_spacings);
-  const SurfaceMesh sphere = sphere_surface(
-      body.box.centre(), radius, parts_of(icosahedron_arc * radius, 20, 2, outer, spacing));
-  // Its triangles lie inside the true sphere.
-  check_room(nearest_plane(sphere, body.box.centre()) > half_diagonal * (1 + 1e-9), outer);
-  return sphere;
+  const Sphere sphere = sphere_round(body, outer, growth);
+  SurfaceMesh triangles =
+      sphere_surface(sphere.centre, sphere.radius,
+                     parts_of(icosahedron_arc * sphere.radius, 20, 2, outer, sphere.spacing));
+  check_room_in(triangles, sphere, outer);
+  return triangles;
+}
+
+/// With its mirror image behind the plane.
+Body mirrored(Body body, const AxisPlane& plane) {
+  const double reach = std::max(std::fabs(body.box.low[plane.axis] - plane.height),
+                                std::fabs(body.box.high[plane.axis] - plane.height));
+  body.box.low[plane.axis] = plane.height - reach;
+  body.box.high[plane.axis] = plane.height + reach;
+  return body;
+}
+
+SurfaceMesh make_half_box(const Body& both, const OuterBoundary& outer, double growth,
+                          const AxisPlane& plane, int side) {
+  const Cube cube = cube_round(both, outer, growth);
+  Box3 half = cube.box;
+  (side > 0 ? half.low : half.high)[plane.axis] = plane.height;
+  std::array<int, 3> parts = {cube.parts, cube.parts, cube.parts};
+  parts.at(static_cast<std::size_t>(plane.axis)) = (cube.parts + 1) / 2;
+  return open_box_surface(half, parts, {plane.axis, side > 0 ? 0 : 1});
+}
+
+SurfaceMesh make_half_sphere(const Body& both, const OuterBoundary& outer, double growth,
+                             const AxisPlane& plane, int side) {
+  Sphere sphere = sphere_round(both, outer, growth);
+  sphere.centre[plane.axis] = plane.height;
+  SurfaceMesh triangles = half_sphere_surface(
+      sphere.centre, sphere.radius,
+      parts_of(quarter_turn * sphere.radius, 4, 2, outer, sphere.spacing), plane.axis, side);
+  check_room_in(triangles, sphere, outer);
+  return triangles;
 }
 
 }  // namespace
@@ -150,6 +211,17 @@ SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& out
   result.patch_names.emplace_back(is_box ? "outer_box" : "outer_sphere");
   TF_CHECK(result.patch_of_triangle.size() == result.triangles.size());
   return result;
+}
+
+HalfOuterBoundary half_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer,
+                                      double growth, const AxisPlane& plane, int side) {
+  TF_CHECK(outer.kind != OuterBoundary::Kind::none);
+  check_numbers(body, outer, growth);
+  const Body both = mirrored(measure(body), plane);
+  if (outer.kind == OuterBoundary::Kind::box) {
+    return {make_half_box(both, outer, growth, plane, side), "outer_box"};
+  }
+  return {make_half_sphere(both, outer, growth, plane, side), "outer_sphere"};
 }
 
 }  // namespace tetfarm

@@ -3,6 +3,9 @@
 /// Source: thesis 4.3.1.9 and chapter 5: bodies in the far field of a flow or a wave.
 #pragma once
 
+#include <string>
+
+#include "mesh/core/axis_plane.h"
 #include "mesh/core/surface_mesh.h"
 
 namespace tetfarm {
@@ -37,5 +40,16 @@ inline constexpr double most_triangles = 10'000'000;
 /// @throws UsageError when the boundary would touch the body, a number makes no sense, or a spacing
 /// asks for more than most_triangles.
 SurfaceMesh add_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer, double growth);
+
+struct HalfOuterBoundary {
+  SurfaceMesh surface;  ///< of one patch without a name; open on the plane, to the last bit
+  std::string name;     ///< "outer_box" or "outer_sphere"
+};
+
+/// Half of the boundary round a body and its mirror image behind the plane: on the side of it that
+/// the body is on, 1 or -1. @pre kind is not none; the body lies on that side. @throws as
+/// add_outer_boundary.
+HalfOuterBoundary half_outer_boundary(const SurfaceMesh& body, const OuterBoundary& outer,
+                                      double growth, const AxisPlane& plane, int side);
 
 }  // namespace tetfarm

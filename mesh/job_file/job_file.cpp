@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 16> top_keys = {
 constexpr std::array<std::string_view, 1> geometry_keys = {"surface"};
 constexpr std::array<std::string_view, 5> surface_keys = {"remesh", "size", "min_size", "angle",
                                                           "tolerance"};
-constexpr std::array<std::string_view, 3> domain_keys = {"outer", "factor", "spacing"};
+constexpr std::array<std::string_view, 4> domain_keys = {"outer", "factor", "spacing", "symmetry"};
 constexpr std::array<std::string_view, 3> region_keys = {"at", "name", "void"};
 constexpr std::array<std::string_view, 8> spacing_keys = {
     "default", "frequency", "wave_speed", "per_wavelength",
@@ -141,6 +141,10 @@ void parse_surface(const JobSection& section, JobFile& job) {
 }
 
 void parse_domain(const JobSection& section, JobFile& job) {
+  if (section.has("symmetry")) {
+    job.symmetry = parse_symmetry(section.text("symmetry"));
+    if (!job.symmetry) section.fail("symmetry", std::string("must be ") + symmetry_examples);
+  }
   if (section.has("outer")) job.outer_kind = section.one_of("outer", outer_kinds);
   if (job.outer_kind == "none") {
     for (const std::string_view key : {"factor", "spacing"}) {
@@ -279,6 +283,13 @@ double default_outer_factor(std::string_view outer_kind) {
   return outer_kind == "sphere" ? 5 : 0;
 }
 
+std::string obstacle_to_symmetry(const JobFile& job) {
+  if (!job.symmetry) return {};
+  if (job.remeshing) return "remeshing, which wants a closed surface";
+  if (job.pml) return "absorbing layers";
+  return {};
+}
+
 bool keeps_all_files(const JobFile& job) { return job.keep != "needed"; }
 
 JobFile parse_job_file(std::string_view text, const std::string& path) {
@@ -328,6 +339,10 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
   parse_quality(top.table("quality", quality_keys), job);
   parse_output(top.table("output", output_keys), job);
   TF_CHECK(!job.formats.empty());
+  const std::string obstacle = obstacle_to_symmetry(job);
+  if (!obstacle.empty()) {
+    top.table("domain", domain_keys).fail("symmetry", "cannot be given together with " + obstacle);
+  }
   return job;
 }
 

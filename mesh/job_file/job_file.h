@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/core/axis_plane.h"
 #include "mesh/core/vec3.h"
 #include "mesh/job_file/wave_size.h"
 
@@ -128,6 +129,7 @@ struct JobFile {
   std::vector<std::string> formats = {"vtkhdf"};  // [output] formats
   std::string keep;                               // [output] keep = "needed" | "all", "": not said
   std::vector<JobPatch> patches;                  // [patch.NAME], by name
+  std::optional<AxisPlane> symmetry;              // [domain] symmetry = "y=0"
 };
 
 /// Whether the files between the job's tasks stay until somebody removes them; otherwise each goes
@@ -136,6 +138,15 @@ bool keeps_all_files(const JobFile& job);
 
 /// The factor of an outer boundary when none is given: 3 for a box, 5 for a sphere, 0 for "none".
 double default_outer_factor(std::string_view outer_kind);
+
+/// "y=0", "x = -1.5": a letter, an equals sign and a finite number; nothing for any other text.
+std::optional<AxisPlane> parse_symmetry(std::string_view text);
+
+/// What parse_symmetry takes, for messages.
+inline constexpr const char* symmetry_examples = "a plane such as \"y=0\"";
+
+/// What cannot be together with a plane of symmetry: "[pml]", or "" where nothing is in the way.
+std::string obstacle_to_symmetry(const JobFile& job);
 
 /// "2GiB", "500MB", "1.5 TiB" or plain bytes: a number and B, kB, MB, GB, TB, KiB, MiB, GiB or TiB,
 /// in any case; nothing for any other text, for less than a byte and for more than 2^53.

@@ -105,6 +105,11 @@ std::string remeshing_to_toml(const JobRemeshing& remeshing) {
   return text;
 }
 
+/// All digits of the number.
+std::string symmetry_text(const AxisPlane& plane) {
+  return std::string(1, "xyz"[plane.axis]) + "=" + toml_number(plane.height);
+}
+
 }  // namespace
 
 std::string to_toml(const JobFile& job) {
@@ -116,6 +121,7 @@ std::string to_toml(const JobFile& job) {
     text += "factor = " + toml_number(job.outer_factor) +
             "\nspacing = " + toml_number(job.outer_spacing) + "\n";
   }
+  if (job.symmetry) text += "symmetry = " + quoted_toml(symmetry_text(*job.symmetry)) + "\n";
   for (const JobRegion& region : job.regions) {
     text += "\n[[region]]\nat = " + place(region.at) + "\nname = " + quoted_toml(region.name) +
             "\nvoid = " + (region.is_void ? "true" : "false") + "\n";

@@ -73,9 +73,9 @@ constexpr std::array<Triangle, 20> icosahedron = {
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
-std::array<Vec3, 12> icosahedron_corners() {
+std::vector<Vec3> icosahedron_corners() {
   const double g = 0.5 * (1 + std::sqrt(5.0));
-  return {{{-1, g, 0},
+  return {{-1, g, 0},
            {1, g, 0},
            {-1, -g, 0},
            {1, -g, 0},
@@ -86,14 +86,15 @@ std::array<Vec3, 12> icosahedron_corners() {
            {g, 0, -1},
            {g, 0, 1},
            {-g, 0, -1},
-           {-g, 0, 1}}};
+           {-g, 0, 1}};
 }
 
 /// Points on the faces of the icosahedron by their weights at its corners. Faces name a point on
 /// their common edge alike, so it gets one number, and its sum runs over the corners in one order.
 class SphereLattice {
  public:
-  SphereLattice(const Vec3& centre, double radius) : centre_(centre), radius_(radius) {}
+  SphereLattice(const Vec3& centre, double radius, std::vector<Vec3> corners)
+      : corners_(std::move(corners)), centre_(centre), radius_(radius) {}
 
   std::int32_t node(const Triangle& face, const std::array<int, 3>& weight) {
     Key key{};
@@ -105,6 +106,22 @@ class SphereLattice {
         number_.try_emplace(key, static_cast<std::int32_t>(mesh.vertices.size()));
     if (is_new) mesh.vertices.push_back(place(key));
     return it->second;
+  }
+
+  /// A face in n² triangles.
+  void add_face(const Triangle& face, int n) {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        const int k = n - i - j;
+        const std::int32_t a = node(face, {k, i, j});
+        const std::int32_t b = node(face, {k - 1, i + 1, j});
+        const std::int32_t c = node(face, {k - 1, i, j + 1});
+        mesh.triangles.push_back({a, b, c});
+        if (k < 2) continue;
+        const std::int32_t d = node(face, {k - 2, i + 1, j + 1});
+        mesh.triangles.push_back({b, d, c});
+      }
+    }
   }
 
   SurfaceMesh mesh;
@@ -122,7 +139,7 @@ class SphereLattice {
     return centre_ + radius_ * normalized(sum);
   }
 
-  std::array<Vec3, 12> corners_ = icosahedron_corners();
+  std::vector<Vec3> corners_;
   Vec3 centre_;
   double radius_;
   std::map<Key, std::int32_t> number_;
@@ -133,12 +150,19 @@ class SphereLattice {
 SurfaceMesh box_surface(const Box3& box, int n) { return box_surface(box, {n, n, n}); }
 
 SurfaceMesh box_surface(const Box3& box, const std::array<int, 3>& n) {
+  return open_box_surface(box, n, {-1, 0});
+}
+
+SurfaceMesh open_box_surface(const Box3& box, const std::array<int, 3>& n, const BoxFace& open) {
   TF_CHECK(*std::ranges::min_element(n) > 0);
   BoxLattice lattice(box, n);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int level : {0, n[axis]}) {
+    for (const int end : {0, 1}) {
+      if (static_cast<int>(axis) == open.axis && end == open.end) continue;
       for (int i = 0; i < n[(axis + 1) % 3]; ++i) {
-        for (int j = 0; j < n[(axis + 2) % 3]; ++j) add_square(lattice, axis, level, i, j, n);
+        for (int j = 0; j < n[(axis + 2) % 3]; ++j) {
+          add_square(lattice, axis, end * n[axis], i, j, n);
+        }
       }
     }
   }
@@ -147,20 +171,24 @@ SurfaceMesh box_surface(const Box3& box, const std::array<int, 3>& n) {
 
 SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n) {
   TF_CHECK(n > 0);
-  SphereLattice lattice(centre, radius);
-  for (const Triangle& face : icosahedron) {
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; i + j < n; ++j) {
-        const int k = n - i - j;
-        const std::int32_t a = lattice.node(face, {k, i, j});
-        const std::int32_t b = lattice.node(face, {k - 1, i + 1, j});
-        const std::int32_t c = lattice.node(face, {k - 1, i, j + 1});
-        lattice.mesh.triangles.push_back({a, b, c});
-        if (k < 2) continue;
-        const std::int32_t d = lattice.node(face, {k - 2, i + 1, j + 1});
-        lattice.mesh.triangles.push_back({b, d, c});
-      }
-    }
+  SphereLattice lattice(centre, radius, icosahedron_corners());
+  for (const Triangle& face : icosahedron) lattice.add_face(face, n);
+  return std::move(lattice.mesh);
+}
+
+SurfaceMesh half_sphere_surface(const Vec3& centre, double radius, int n, int axis, int side) {
+  TF_CHECK(n > 0 && (side == 1 || side == -1));
+  std::vector<Vec3> corners(5);
+  corners[0][axis] = side;
+  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+    const int along = (axis + (quarter % 2 == 0 ? 1 : 2)) % 3;
+    corners[1 + quarter][along] = quarter < 2 ? 1 : -1;
+  }
+  SphereLattice lattice(centre, radius, std::move(corners));
+  for (std::int32_t quarter = 0; quarter < 4; ++quarter) {
+    Triangle face = {0, 1 + quarter, 1 + (quarter + 1) % 4};
+    if (side < 0) std::swap(face[1], face[2]);
+    lattice.add_face(face, n);
   }
   return std::move(lattice.mesh);
 }

@@ -154,7 +154,7 @@ TEST(JobFileKeys, are_each_there_once) {
   EXPECT_EQ(
       all,
       "version name geometry.surface surface.remesh surface.size surface.min_size surface.angle "
-      "surface.tolerance domain.outer domain.factor domain.spacing region.at "
+      "surface.tolerance domain.outer domain.factor domain.spacing domain.symmetry region.at "
       "region.name region.void spacing.default spacing.frequency spacing.wave_speed "
       "spacing.per_wavelength spacing.growth spacing.surface spacing.sources "
       "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "

@@ -1,0 +1,21 @@
+/// A plane of constant x, y or z.
+#pragma once
+
+#include <string>
+
+#include "mesh/core/complaints.h"
+
+namespace tetfarm {
+
+/// All points whose coordinate number `axis` is `height`.
+struct AxisPlane {
+  int axis = 0;
+  double height = 0;
+
+  /// "y=0".
+  std::string text() const { return std::string(1, "xyz"[axis]) + "=" + text_of(height); }
+
+  friend bool operator==(const AxisPlane&, const AxisPlane&) = default;
+};
+
+}  // namespace tetfarm
