@@ -59,6 +59,21 @@ OuterBoundary outer_boundary_of(const JobFile& job) {
   return outer;
 }
 
+namespace {
+
+SourceShape shape_of(const JobSource& source) {
+  switch (source.shape) {
+    case JobSource::Shape::box:
+      return SourceShape::box;
+    case JobSource::Shape::cylinder:
+      return SourceShape::cylinder;
+    default:
+      return SourceShape::hull;
+  }
+}
+
+}  // namespace
+
 SpacingOptions spacing_options_of(const JobFile& job) {
   if (!job.sources_file.empty()) {
     throw UsageError("the sources of this file must be in the job itself when it is submitted",
@@ -70,6 +85,8 @@ SpacingOptions spacing_options_of(const JobFile& job) {
   options.inherit_surface = job.inherit_surface;
   for (const JobSource& source : job.sources) {
     Source& added = options.sources.emplace_back();
+    added.shape = shape_of(source);
+    added.radii = source.radii;
     for (const JobSource::Corner& corner : source.corners) {
       added.corners.push_back({.at = corner.at,
                                .spacing = corner.spacing,

@@ -28,6 +28,11 @@ constexpr std::array<std::string_view, 8> spacing_keys = {
     "default", "frequency", "wave_speed", "per_wavelength",
     "growth",  "surface",   "sources",    "max_elements"};
 constexpr std::array<std::string_view, 5> point_keys = {"kind", "at", "spacing", "inner", "outer"};
+constexpr std::array<std::string_view, 5> sphere_keys = {"kind", "at", "radius", "spacing",
+                                                         "outer"};
+constexpr std::array<std::string_view, 5> box_keys = {"kind", "low", "high", "spacing", "outer"};
+constexpr std::array<std::string_view, 6> cylinder_keys = {"kind",   "from",    "to",
+                                                           "radius", "spacing", "outer"};
 constexpr std::array<std::string_view, 3> line_keys = {"kind", "from", "to"};
 constexpr std::array<std::string_view, 2> triangle_keys = {"kind", "corner"};
 constexpr std::array<std::string_view, 4> corner_keys = {"at", "spacing", "inner", "outer"};
@@ -42,7 +47,8 @@ constexpr std::array<std::string_view, 2> kinds_of_keeping = {"needed", "all"};
 
 constexpr std::array<std::string_view, 3> outer_kinds = {"none", "box", "sphere"};
 constexpr std::array<std::string_view, 2> surface_roles = {"inherit", "ignore"};
-constexpr std::array<std::string_view, 3> source_kinds = {"point", "line", "triangle"};
+constexpr std::array<std::string_view, 6> source_kinds = {"point",  "line", "triangle",
+                                                          "sphere", "box",  "cylinder"};
 constexpr std::array<std::string_view, 4> kinds_of_planes = {"auto", "lattice", "axis", "inertia"};
 constexpr std::array<std::string_view, 2> kinds_of_points = {"lattice", "sweeps"};
 constexpr std::array<std::string_view, 3> assimilate_methods = {"recursive", "k-way",
@@ -53,12 +59,12 @@ constexpr double regular_dihedral_deg = 70.5;
 
 constexpr std::int64_t least_target_elements = 1000;
 
-Vec3 parse_place(const JobSection& section) {
-  const toml::array& at = section.array("at");
-  if (at.size() != 3) section.fail("at", "must have three coordinates");
+Vec3 parse_place(const JobSection& section, std::string_view key = "at") {
+  const toml::array& at = section.array(key);
+  if (at.size() != 3) section.fail(key, "must have three coordinates");
   Vec3 place;
   for (int axis = 0; axis < 3; ++axis) {
-    place[axis] = section.finite(at[static_cast<std::size_t>(axis)], "at");
+    place[axis] = section.finite(at[static_cast<std::size_t>(axis)], key);
   }
   return place;
 }
@@ -81,20 +87,93 @@ JobSource::Corner parse_corner(const JobSection& section) {
   return corner;
 }
 
+Words keys_of_source(std::string_view kind) {
+  if (kind == "point") return point_keys;
+  if (kind == "line") return line_keys;
+  if (kind == "sphere") return sphere_keys;
+  if (kind == "box") return box_keys;
+  return kind == "cylinder" ? Words(cylinder_keys) : Words(triangle_keys);
+}
+
+/// Constant within the radius; `outer` counts from there.
+JobSource::Corner parse_sphere(const JobSection& section) {
+  JobSource::Corner corner;
+  corner.at = parse_place(section);
+  corner.spacing = section.positive("spacing");
+  corner.inner = section.positive("radius");
+  corner.outer = corner.inner + section.positive("outer");
+  return corner;
+}
+
+/// Its two corners, with what both say of the spacing; `outer` counts from its outside.
+std::vector<JobSource::Corner> parse_solid(const JobSection& section, std::string_view first,
+                                           std::string_view second) {
+  JobSource::Corner corner;
+  corner.spacing = section.positive("spacing");
+  corner.outer = section.positive("outer");
+  std::vector<JobSource::Corner> corners(2, corner);
+  corners[0].at = parse_place(section, first);
+  corners[1].at = parse_place(section, second);
+  return corners;
+}
+
+/// A number, or an array of one for each end.
+std::array<double, 2> parse_radii(const JobSection& section) {
+  if (!section.node("radius").is_array()) {
+    const double radius = section.positive("radius");
+    return {radius, radius};
+  }
+  const toml::array& ends = section.array("radius");
+  if (ends.size() != 2) section.fail("radius", "must be a number, or two: one for each end");
+  const std::array<double, 2> radii = {section.finite(ends[0], "radius"),
+                                       section.finite(ends[1], "radius")};
+  if (std::min(radii[0], radii[1]) < 0 || std::max(radii[0], radii[1]) <= 0) {
+    section.fail("radius", "must not be negative, nor 0 at both ends");
+  }
+  return radii;
+}
+
+JobSource parse_cylinder(const JobSection& section) {
+  JobSource source;
+  source.shape = JobSource::Shape::cylinder;
+  source.corners = parse_solid(section, "from", "to");
+  source.radii = parse_radii(section);
+  if (source.corners[0].at == source.corners[1].at) {
+    section.fail("to", "must not be the same point as `from`");
+  }
+  return source;
+}
+
+JobSource parse_box(const JobSection& section) {
+  JobSource source;
+  source.shape = JobSource::Shape::box;
+  source.corners = parse_solid(section, "low", "high");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (source.corners[0].at[axis] > source.corners[1].at[axis]) {
+      section.fail("high", "must not be below `low` along any axis");
+    }
+  }
+  return source;
+}
+
 JobSource parse_source(const JobSection& top, const toml::node& node) {
   // The kind first: it decides which other keys there may be.
-  std::vector<std::string_view> any_key(point_keys.begin(), point_keys.end());
-  any_key.insert(any_key.end(), line_keys.begin(), line_keys.end());
-  any_key.insert(any_key.end(), triangle_keys.begin(), triangle_keys.end());
+  std::vector<std::string_view> any_key;
+  for (const std::string_view kind : source_kinds) {
+    const Words keys = keys_of_source(kind);
+    any_key.insert(any_key.end(), keys.begin(), keys.end());
+  }
   const std::string kind = top.item(node, "source", any_key).one_of("kind", source_kinds);
-  const Words keys = kind == "point"  ? Words(point_keys)
-                     : kind == "line" ? Words(line_keys)
-                                      : Words(triangle_keys);
-  const JobSection section = top.item(node, "source", keys);
+  const JobSection section = top.item(node, "source", keys_of_source(kind));
+  if (kind == "box" || kind == "cylinder") {
+    JobSource solid = kind == "box" ? parse_box(section) : parse_cylinder(section);
+    solid.line = section.line();
+    return solid;
+  }
   JobSource source;
   source.line = section.line();
-  if (kind == "point") {
-    source.corners = {parse_corner(section)};
+  if (kind == "point" || kind == "sphere") {
+    source.corners = {kind == "point" ? parse_corner(section) : parse_sphere(section)};
   } else if (kind == "line") {
     for (const std::string_view end : {"from", "to"}) {
       section.node(end);
@@ -347,7 +426,7 @@ JobFile parse_job_file(std::string_view text, const std::string& path) {
 }
 
 std::vector<std::string> job_file_keys() {
-  const std::array<std::pair<std::string_view, Words>, 18> sections = {
+  const std::array<std::pair<std::string_view, Words>, 21> sections = {
       {{"geometry", geometry_keys},
        {"surface", surface_keys},
        {"domain", domain_keys},
@@ -356,6 +435,9 @@ std::vector<std::string> job_file_keys() {
        {"source", point_keys},
        {"source", line_keys},
        {"source", triangle_keys},
+       {"source", sphere_keys},
+       {"source", box_keys},
+       {"source", cylinder_keys},
        {"source.corner", corner_keys},
        {"layers", layers_keys()},
        {"patch", patch_keys()},

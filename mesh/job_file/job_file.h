@@ -2,6 +2,7 @@
 /// Every key is documented in docs/job_file.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,8 +22,15 @@ struct JobSource {
     double inner = 0;
     double outer = 0;
   };
-  std::vector<Corner> corners;  // 1: point, 2: line, 3: triangle
-  int line = 0;                 // in the job file, for messages
+  enum class Shape : std::uint8_t {
+    hull,     // by its corners: 1: point, 2: line, 3: triangle
+    box,      // 2 corners, opposite ones, with inner radii of 0, and all else alike
+    cylinder  // the same, the ends of its axis
+  };
+  std::vector<Corner> corners;
+  int line = 0;  // in the job file, for messages
+  Shape shape = Shape::hull;
+  std::array<double, 2> radii{};  // of a cylinder, at its ends
 };
 
 /// What the job says of the region round a point.

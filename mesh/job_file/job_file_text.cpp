@@ -17,9 +17,23 @@ std::string corner_keys_of(const JobSource::Corner& corner, std::string_view bet
          "outer = " + toml_number(corner.outer);
 }
 
+std::string solid_to_toml(const JobSource& source) {
+  TF_CHECK(source.corners.size() == 2);
+  const bool is_box = source.shape == JobSource::Shape::box;
+  std::string text = is_box ? "kind = \"box\"\n" : "kind = \"cylinder\"\n";
+  text += (is_box ? "low = " : "from = ") + place(source.corners[0].at) + "\n";
+  text += (is_box ? "high = " : "to = ") + place(source.corners[1].at) + "\n";
+  if (!is_box) {
+    text += "radius = [" + toml_number(source.radii[0]) + ", " + toml_number(source.radii[1]) + "]\n";
+  }
+  return text + "spacing = " + toml_number(source.corners[0].spacing) +
+         "\nouter = " + toml_number(source.corners[0].outer) + "\n";
+}
+
 std::string source_to_toml(const JobSource& source) {
   TF_CHECK(!source.corners.empty() && source.corners.size() <= 3);
   std::string text = "\n[[source]]\n";
+  if (source.shape != JobSource::Shape::hull) return text + solid_to_toml(source);
   const auto inline_corner = [&](std::size_t i) {
     return "{ " + corner_keys_of(source.corners.at(i), ", ") + " }";
   };

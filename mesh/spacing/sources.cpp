@@ -53,6 +53,63 @@ NearestOnSource nearest_on_triangle(const Source& source, const Vec3& point) {
   return best;
 }
 
+/// All corners have the same parameters.
+NearestOnSource nearest_on_box(const Source& source, const Vec3& point) {
+  const Vec3& a = source.corners[0].at;
+  const Vec3& b = source.corners[1].at;
+  Vec3 nearest;
+  for (int axis = 0; axis < 3; ++axis) {
+    nearest[axis] =
+        std::clamp(point[axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
+  }
+  return {{1, 0, 0}, distance(nearest, point)};
+}
+
+/// In the half plane through the axis and the point a cylinder or a cone is a convex quadrangle:
+/// (0, 0), (length, 0), (length, radii[1]), (0, radii[0]).
+NearestOnSource nearest_on_cylinder(const Source& source, const Vec3& point) {
+  const Vec3 axis = source.corners[1].at - source.corners[0].at;
+  const double length = norm(axis);
+  TF_CHECK(length > 0);
+  const Vec3 direction = (1 / length) * axis;
+  const Vec3 from_end = point - source.corners[0].at;
+  const double along = dot(from_end, direction);
+  const double away = norm(from_end - along * direction);
+  const double slope = source.radii[1] - source.radii[0];
+  const double radius_here = source.radii[0] + along / length * slope;
+  if (along >= 0 && along <= length && away <= radius_here) return {{1, 0, 0}, 0};
+  const auto off_disc = [&](double height, double radius) {
+    const double beyond = std::max(0.0, away - radius);
+    return std::sqrt((along - height) * (along - height) + beyond * beyond);
+  };
+  const double off_ends = std::min(off_disc(0, source.radii[0]), off_disc(length, source.radii[1]));
+  const double side = length * length + slope * slope;
+  const double t =
+      std::clamp((along * length + (away - source.radii[0]) * slope) / side, 0.0, 1.0);
+  const double off_along = along - t * length;
+  const double off_away = away - source.radii[0] - t * slope;
+  const double off_side = std::sqrt(off_along * off_along + off_away * off_away);
+  return {{1, 0, 0}, std::min(off_ends, off_side)};
+}
+
+/// What a box or a cylinder must be. @throws InvalidInput.
+void check_solid(const Source& source, const std::string& where) {
+  if (source.corners.size() != 2) {
+    throw InvalidInput("a box or a cylinder must have 2 corners, not " +
+                           std::to_string(source.corners.size()),
+                       where);
+  }
+  if (source.shape != SourceShape::cylinder) return;
+  if (!positive(distance(source.corners[0].at, source.corners[1].at))) {
+    throw InvalidInput("the ends of the axis are the same point", where);
+  }
+  const double least = std::min(source.radii[0], source.radii[1]);
+  const double most = std::max(source.radii[0], source.radii[1]);
+  if (!(least >= 0) || !positive(most)) {
+    throw InvalidInput("the radius of the cylinder is not positive", where);
+  }
+}
+
 }  // namespace
 
 void check_sources(const std::vector<Source>& sources) {
@@ -63,12 +120,15 @@ void check_sources(const std::vector<Source>& sources) {
       throw InvalidInput(
           "a source must have 1, 2 or 3 corners, not " + std::to_string(corners.size()), where);
     }
+    const bool is_solid = sources[s].shape != SourceShape::hull;
+    if (is_solid) check_solid(sources[s], where);
     for (const SourceCorner& corner : corners) {
       if (!std::isfinite(corner.at.x + corner.at.y + corner.at.z)) {
         throw InvalidInput("the position is not finite", where);
       }
       if (!positive(corner.spacing)) throw InvalidInput("the spacing is not positive", where);
-      if (!positive(corner.inner_radius) || !positive(corner.outer_radius)) {
+      const bool has_inner = positive(corner.inner_radius) || (is_solid && corner.inner_radius == 0);
+      if (!has_inner || !positive(corner.outer_radius)) {
         throw InvalidInput("a radius is not positive", where);
       }
       if (corner.outer_radius < corner.inner_radius) {
@@ -102,6 +162,8 @@ SourceDemand source_demand(const Source& source, double growth) {
 }
 
 NearestOnSource nearest_on_source(const Source& source, const Vec3& point) {
+  if (source.shape == SourceShape::box) return nearest_on_box(source, point);
+  if (source.shape == SourceShape::cylinder) return nearest_on_cylinder(source, point);
   if (source.corners.size() == 1) return at_weights(source, point, {1, 0, 0});
   if (source.corners.size() == 2) return nearest_on_edge(source, point, 0, 1);
   TF_CHECK(source.corners.size() == 3);

@@ -1,4 +1,5 @@
-/// The mesh-control sources: what a point, line or triangle source asks for at a position.
+/// The mesh-control sources: what a point, line or triangle source asks for at a position, or a box
+/// or cylinder.
 ///
 /// Source: thesis 3.2 and figure 15; N. P. Weatherill, O. Hassan (thesis [18]). The thesis gives no
 /// formula for the decay, and no meaning without a background. Here, at distance r of the entity:
@@ -33,7 +34,9 @@ struct SourceDemand {
 /// @pre check_sources passed.
 SourceDemand source_demand(const Source& source, double growth);
 
-/// The nearest point of an entity as weights of its corners (unused corners weigh 0).
+/// The nearest point of an entity as weights of its corners (unused corners weigh 0). Boxes and
+/// cylinders have the same parameters everywhere: the first corner's; within them the distance
+/// is 0.
 struct NearestOnSource {
   std::array<double, 3> weight{};
   double distance = 0;

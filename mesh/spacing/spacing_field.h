@@ -29,8 +29,16 @@ struct SourceCorner {
   double inner_radius = 0;
   double outer_radius = 0;
 };
+/// What lies between the corners.
+enum class SourceShape : std::uint8_t {
+  hull,     ///< 1, 2 or 3 corners: a point, a line, a triangle
+  box,      ///< 2: two opposite corners of a box along the axes, filled
+  cylinder  ///< 2: the ends of its axis; filled, with flat ends, each of its own radius
+};
 struct Source {
   std::vector<SourceCorner> corners;
+  SourceShape shape = SourceShape::hull;
+  std::array<double, 2> radii{};  ///< of a cylinder, at its ends; 0: a tip
 };
 
 struct SpacingOptions {

@@ -9,6 +9,7 @@
 
 #include "mesh/assemble/global_mesh.h"
 #include "mesh/assemble/mesh_in_memory.h"
+#include "mesh/core/patch_type.h"
 
 namespace tetfarm {
 

@@ -119,12 +119,12 @@ TEST(PatchTypesOfFiles, make_no_configuration_for_su2_of_nothing_nor_in_place_of
 
 TEST(Mapbc, has_a_code_for_each_plane_of_symmetry_and_3000_for_what_it_cannot_say) {
   Box3 box;
-  box.add({0, 1, 2});
-  box.add({5, 1, 4});
+  box.add(Vec3{0, 1, 2});
+  box.add(Vec3{5, 1, 4});
   EXPECT_EQ(mapbc_code(PatchType::symmetry, box), 6662);
-  box.add({5, 1 + 1e-9, 4});
+  box.add(Vec3{5, 1 + 1e-9, 4});
   EXPECT_EQ(mapbc_code(PatchType::symmetry, box), 6662) << "rounding";
-  box.add({5, 1.1, 4});
+  box.add(Vec3{5, 1.1, 4});
   EXPECT_EQ(mapbc_code(PatchType::symmetry, box), 3000);
   EXPECT_EQ(mapbc_code(PatchType::symmetry, Box3()), 3000);
   EXPECT_EQ(mapbc_code(PatchType::pec, box), 3000);

@@ -158,7 +158,7 @@ TEST(JobFileKeys, are_each_there_once) {
       "region.name region.void spacing.default spacing.frequency spacing.wave_speed "
       "spacing.per_wavelength spacing.growth spacing.surface spacing.sources "
       "spacing.max_elements source.kind source.at source.spacing source.inner source.outer "
-      "source.from source.to source.corner source.corner.at source.corner.spacing "
+      "source.from source.to source.corner source.radius source.low source.high source.corner.at source.corner.spacing "
       "source.corner.inner source.corner.outer layers.patches layers.first_height "
       "layers.y_plus layers.reynolds layers.length layers.growth layers.growth_cap "
       "layers.acceleration layers.total_height layers.count layers.equal layers.heights "

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tetfarm {
@@ -107,6 +109,73 @@ TEST(SourceDemand, of_radii_that_vary_has_a_floor_below_all_it_asks_for) {
 
 TEST(SourceDemand, limits_corners_by_the_growth_between_them) {
   EXPECT_DOUBLE_EQ(source_demand(line, 0.1).source.corners[1].spacing, 1.4);
+}
+
+Source solid(SourceShape shape, const Vec3& a, const Vec3& b, std::array<double, 2> radii = {}) {
+  Source source;
+  source.corners = {{a, 0.1, 0, 1}, {b, 0.1, 0, 1}};
+  source.shape = shape;
+  source.radii = radii;
+  return source;
+}
+
+double off(const Source& source, const Vec3& point) {
+  return nearest_on_source(source, point).distance;
+}
+
+TEST(BoxSource, is_as_far_as_its_nearest_point_and_near_everywhere_inside) {
+  const Source box = solid(SourceShape::box, {0, 0, 0}, {2, 1, 1});
+  EXPECT_EQ(off(box, {1, 0.5, 0.5}), 0);
+  EXPECT_EQ(off(box, {2, 1, 1}), 0);
+  EXPECT_EQ(off(box, {1, 0.5, 4}), 3);
+  EXPECT_EQ(off(box, {-3, -4, 0.5}), 5);
+}
+
+TEST(CylinderSource, has_flat_ends_and_a_round_side) {
+  const Source cylinder = solid(SourceShape::cylinder, {0, 0, 0}, {0, 0, 4}, {1, 1});
+  EXPECT_EQ(off(cylinder, {0.5, 0.5, 2}), 0);
+  EXPECT_EQ(off(cylinder, {0.9, 0, 4}), 0);
+  EXPECT_DOUBLE_EQ(off(cylinder, {3, 0, 1}), 2);
+  EXPECT_DOUBLE_EQ(off(cylinder, {0.5, 0, 6}), 2) << "beyond a flat end";
+  EXPECT_DOUBLE_EQ(off(cylinder, {4, 0, -4}), 5) << "beyond the rim";
+}
+
+TEST(CylinderSource, of_two_radii_is_a_cone) {
+  const Source cone = solid(SourceShape::cylinder, {0, 0, 0}, {3, 0, 0}, {3, 0});
+  EXPECT_EQ(off(cone, {1, 1.9, 0}), 0);
+  EXPECT_EQ(off(cone, {0, 3, 0}), 0);
+  EXPECT_NEAR(off(cone, {3, 3, 0}), 3 / std::sqrt(2.0), 1e-14);
+  EXPECT_DOUBLE_EQ(off(cone, {5, 0, 0}), 2) << "beyond the tip";
+  EXPECT_DOUBLE_EQ(off(cone, {-1, 1, 1}), 1) << "behind the base";
+  const Source turned = solid(SourceShape::cylinder, {3, 0, 0}, {0, 0, 0}, {0, 3});
+  for (const Vec3& p : {Vec3{3, 3, 0}, Vec3{1, 5, 2}, Vec3{-2, -4, 1}}) {
+    EXPECT_NEAR(off(cone, p), off(turned, p), 1e-14);
+  }
+}
+
+TEST(SolidSources, are_never_farther_than_the_points_that_are_in_them) {
+  const Source cone = solid(SourceShape::cylinder, {1, 2, 3}, {2, 5, 1}, {0.5, 2});
+  const Vec3 axis = normalized(cone.corners[1].at - cone.corners[0].at);
+  const Vec3 across = normalized(cross(axis, {1, 0, 0}));
+  const Vec3 other = cross(axis, across);
+  for (const Vec3& point : {Vec3{5, 5, 5}, Vec3{-3, 0, 1}, Vec3{2, 2, 9}, Vec3{1.5, 4, 2}}) {
+    double least = HUGE_VAL;
+    for (int i = 0; i <= 60; ++i) {
+      const double share = i / 60.0;
+      const Vec3 centre = cone.corners[0].at + share * (cone.corners[1].at - cone.corners[0].at);
+      const double radius = 0.5 + share * 1.5;
+      for (int k = 0; k < 90; ++k) {
+        const double turn = 2 * std::acos(-1.0) * k / 90;
+        for (const double part : {0.0, 0.5, 1.0}) {
+          const Vec3 inside = centre + part * radius * (std::cos(turn) * across + std::sin(turn) * other);
+          EXPECT_LT(off(cone, inside), 1e-12);
+          least = std::min(least, distance(point, inside));
+        }
+      }
+    }
+    EXPECT_LE(off(cone, point), least + 1e-12);
+    EXPECT_GE(off(cone, point), least - 0.05);
+  }
 }
 
 }  // namespace
