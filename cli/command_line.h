@@ -38,7 +38,7 @@ struct RunOptions {
   std::optional<double> size_on_body;  ///< of the edges that remeshing makes
   std::optional<std::string> outer;    ///< "none", "box[:FACTOR]", "sphere[:FACTOR]"
   std::optional<double> outer_size;
-  std::string symmetry;  ///< "y=0"; "": as the job file says
+  std::string symmetry;                  ///< "y=0"; "": as the job file says
   std::vector<std::string> layers;       ///< each "PATCH,...:KEY=VALUE,..."
   std::string pml;                       ///< the same, or "PATCH,..."; "": as the job file says
   std::vector<std::string> patch_types;  ///< each "PATCH,...=TYPE"

@@ -225,8 +225,8 @@ void check_submittable(const JobInput& input) {
 
 void require_readable(const JobInput& input) {
   const SurfaceMesh surface = read_surface_bytes(input.surface, input.path);
-  require_patches(input.job, input.job.symmetry ? check_surface_of_job(input.job, surface).surface
-                                                : surface);
+  require_patches(input.job,
+                  input.job.symmetry ? check_surface_of_job(input.job, surface).surface : surface);
 }
 
 void require_meshable(const JobInput& input) {

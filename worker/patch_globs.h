@@ -24,8 +24,8 @@ std::vector<std::string> patch_names_of(const SurfaceMesh& surface);
 
 /// The names that a pattern may match: the outer boundary that the job puts round a body is not
 /// matched but by patterns that begin with "outer", nor the plane that it closes half a body with
-/// but by those and by patterns that begin with "symmetry". @pre all of the names are of a surface with the
-/// job's outer boundary.
+/// but by those and by patterns that begin with "symmetry". @pre all of the names are of a surface
+/// with the job's outer boundary.
 std::span<const std::string> names_on_offer(const JobFile& job, std::span<const std::string> all,
                                             std::string_view glob);
 

@@ -19,7 +19,10 @@ namespace {
 /// The plane's own coordinates: anticlockwise is anticlockwise seen along the negative axis.
 struct PlaneAxes {
   explicit PlaneAxes(const AxisPlane& plane)
-      : normal(plane.axis), u((plane.axis + 1) % 3), v((plane.axis + 2) % 3), height(plane.height) {}
+      : normal(plane.axis),
+        u((plane.axis + 1) % 3),
+        v((plane.axis + 2) % 3),
+        height(plane.height) {}
 
   Vec2 project(const Vec3& point) const { return {point[u], point[v]}; }
   Vec3 lift(const Vec2& point) const {
@@ -108,13 +111,12 @@ Outline outline_of_loops(const SurfaceMesh& surface,
   return outline;
 }
 
-std::int64_t fill_plane(const PlaneLoops& ends,
-                        const std::vector<std::vector<std::int32_t>>& loops,
+std::int64_t fill_plane(const PlaneLoops& ends, const std::vector<std::vector<std::int32_t>>& loops,
                         const HalfBodySpacing& spacing, SurfaceMesh& surface) {
   const PlaneAxes axes(ends.plane);
   Outline outline = outline_of_loops(surface, loops, axes);
-  const PlanarResult filled = mesh_region(
-      outline.region, [&](const Vec2& point) { return spacing(axes.lift(point)); });
+  const PlanarResult filled =
+      mesh_region(outline.region, [&](const Vec2& point) { return spacing(axes.lift(point)); });
   if (filled.failure) refuse_region(ends.plane, axes, *filled.failure);
   for (std::size_t i = outline.vertices.size(); i < filled.mesh.points.size(); ++i) {
     outline.vertices.push_back(static_cast<std::int32_t>(surface.vertices.size()));

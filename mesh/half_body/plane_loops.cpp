@@ -51,13 +51,13 @@ void meet(SurfaceMesh& surface, const std::vector<std::int32_t>& vertices, doubl
   const auto off = [&](std::int32_t v) { return !(offset(v) <= tolerance); };
   const auto elsewhere = std::count_if(vertices.begin(), vertices.end(), off);
   if (elsewhere > 0) {
-    const std::int32_t farthest = *std::max_element(
-        vertices.begin(), vertices.end(),
-        [&](std::int32_t a, std::int32_t b) { return offset(a) < offset(b); });
+    const std::int32_t farthest =
+        *std::max_element(vertices.begin(), vertices.end(),
+                          [&](std::int32_t a, std::int32_t b) { return offset(a) < offset(b); });
     refuse(found.plane,
-           counted(static_cast<std::uint64_t>(elsewhere), "vertex", "vertices") + " of " + std::to_string(vertices.size()) +
-               " on open edges lie elsewhere, the farthest " + text_of(offset(farthest)) +
-               " away at " + text_of(surface.vertices[at(farthest)]) +
+           counted(static_cast<std::uint64_t>(elsewhere), "vertex", "vertices") + " of " +
+               std::to_string(vertices.size()) + " on open edges lie elsewhere, the farthest " +
+               text_of(offset(farthest)) + " away at " + text_of(surface.vertices[at(farthest)]) +
                "; close the surface there, or name the plane that it ends on");
   }
   const double first = surface.vertices[at(vertices.front())][axis];

@@ -15,9 +15,9 @@ struct PlaneLoops {
   /// Where the loops lie to the last bit: where they were wanted, or where all of their vertices
   /// are, if that is as good as there.
   AxisPlane plane;
-  int side = 1;                                   ///< of the plane, on which the body lies: 1 or -1
-  std::vector<std::vector<std::int32_t>> loops;   ///< vertices, one after the other; closed
-  std::int64_t moved = 0;                         ///< vertices that were beside the plane
+  int side = 1;                                  ///< of the plane, on which the body lies: 1 or -1
+  std::vector<std::vector<std::int32_t>> loops;  ///< vertices, one after the other; closed
+  std::int64_t moved = 0;                        ///< vertices that were beside the plane
   double farthest_move = 0;
 };
 
@@ -28,7 +28,8 @@ struct PlaneLoops {
 /// Cost: O(n log n).
 PlaneLoops find_plane_loops(SurfaceMesh& surface, const AxisPlane& wanted);
 
-/// The loops of open edges of any surface: vertices, one after the other. @param plane for messages.
+/// The loops of open edges of any surface: vertices, one after the other. @param plane for
+/// messages.
 /// @throws InvalidInput when they do not close to loops that are apart. Cost: O(n log n).
 std::vector<std::vector<std::int32_t>> open_loops(const SurfaceMesh& surface,
                                                   const AxisPlane& plane);

@@ -24,7 +24,8 @@ std::string solid_to_toml(const JobSource& source) {
   text += (is_box ? "low = " : "from = ") + place(source.corners[0].at) + "\n";
   text += (is_box ? "high = " : "to = ") + place(source.corners[1].at) + "\n";
   if (!is_box) {
-    text += "radius = [" + toml_number(source.radii[0]) + ", " + toml_number(source.radii[1]) + "]\n";
+    text +=
+        "radius = [" + toml_number(source.radii[0]) + ", " + toml_number(source.radii[1]) + "]\n";
   }
   return text + "spacing = " + toml_number(source.corners[0].spacing) +
          "\nouter = " + toml_number(source.corners[0].outer) + "\n";

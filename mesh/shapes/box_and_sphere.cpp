@@ -75,18 +75,8 @@ constexpr std::array<Triangle, 20> icosahedron = {
 
 std::vector<Vec3> icosahedron_corners() {
   const double g = 0.5 * (1 + std::sqrt(5.0));
-  return {{-1, g, 0},
-           {1, g, 0},
-           {-1, -g, 0},
-           {1, -g, 0},
-           {0, -1, g},
-           {0, 1, g},
-           {0, -1, -g},
-           {0, 1, -g},
-           {g, 0, -1},
-           {g, 0, 1},
-           {-g, 0, -1},
-           {-g, 0, 1}};
+  return {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+          {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
 }
 
 /// Points on the faces of the icosahedron by their weights at its corners. Faces name a point on

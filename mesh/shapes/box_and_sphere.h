@@ -28,9 +28,9 @@ SurfaceMesh open_box_surface(const Box3& box, const std::array<int, 3>& n, const
 /// An icosahedron with each edge in n parts, blown up to the sphere: 20 n² triangles. @pre n > 0.
 SurfaceMesh sphere_surface(const Vec3& centre, double radius, int n);
 
-/// Half of an octahedron with each edge in n parts, blown up to the sphere, on one side (1 or -1) of
-/// the plane through its centre across an axis: 4 n² triangles. Its rim lies in that plane to the
-/// last bit. @pre n > 0.
+/// Half of an octahedron with each edge in n parts, blown up to the sphere, on one side (1 or -1)
+/// of the plane through its centre across an axis: 4 n² triangles. Its rim lies in that plane to
+/// the last bit. @pre n > 0.
 SurfaceMesh half_sphere_surface(const Vec3& centre, double radius, int n, int axis, int side);
 
 /// The least distance from the centre to the plane of a triangle.

@@ -59,8 +59,7 @@ NearestOnSource nearest_on_box(const Source& source, const Vec3& point) {
   const Vec3& b = source.corners[1].at;
   Vec3 nearest;
   for (int axis = 0; axis < 3; ++axis) {
-    nearest[axis] =
-        std::clamp(point[axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
+    nearest[axis] = std::clamp(point[axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
   }
   return {{1, 0, 0}, distance(nearest, point)};
 }
@@ -84,8 +83,7 @@ NearestOnSource nearest_on_cylinder(const Source& source, const Vec3& point) {
   };
   const double off_ends = std::min(off_disc(0, source.radii[0]), off_disc(length, source.radii[1]));
   const double side = length * length + slope * slope;
-  const double t =
-      std::clamp((along * length + (away - source.radii[0]) * slope) / side, 0.0, 1.0);
+  const double t = std::clamp((along * length + (away - source.radii[0]) * slope) / side, 0.0, 1.0);
   const double off_along = along - t * length;
   const double off_away = away - source.radii[0] - t * slope;
   const double off_side = std::sqrt(off_along * off_along + off_away * off_away);
@@ -95,9 +93,9 @@ NearestOnSource nearest_on_cylinder(const Source& source, const Vec3& point) {
 /// What a box or a cylinder must be. @throws InvalidInput.
 void check_solid(const Source& source, const std::string& where) {
   if (source.corners.size() != 2) {
-    throw InvalidInput("a box or a cylinder must have 2 corners, not " +
-                           std::to_string(source.corners.size()),
-                       where);
+    throw InvalidInput(
+        "a box or a cylinder must have 2 corners, not " + std::to_string(source.corners.size()),
+        where);
   }
   if (source.shape != SourceShape::cylinder) return;
   if (!positive(distance(source.corners[0].at, source.corners[1].at))) {
@@ -127,7 +125,8 @@ void check_sources(const std::vector<Source>& sources) {
         throw InvalidInput("the position is not finite", where);
       }
       if (!positive(corner.spacing)) throw InvalidInput("the spacing is not positive", where);
-      const bool has_inner = positive(corner.inner_radius) || (is_solid && corner.inner_radius == 0);
+      const bool has_inner =
+          positive(corner.inner_radius) || (is_solid && corner.inner_radius == 0);
       if (!has_inner || !positive(corner.outer_radius)) {
         throw InvalidInput("a radius is not positive", where);
       }

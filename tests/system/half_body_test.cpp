@@ -20,7 +20,7 @@ class RunOfHalfABody : public ::testing::Test {
                          test::off_of(open_box({-1, 0, -1}, {1, 1, 1}, 6)));
   }
   Ended run(const std::vector<std::string>& more) {
-    std::vector<std::string> words = {"run",  "half.off",   "--outer", "box:3", "--symmetry",
+    std::vector<std::string> words = {"run", "half.off",   "--outer", "box:3", "--symmetry",
                                       "y=0", "--progress", "none",    "--json"};
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words, folder_.path());
@@ -35,8 +35,8 @@ class RunOfHalfABody : public ::testing::Test {
 };
 
 TEST_F(RunOfHalfABody, meshes_one_side_closed_by_the_plane_alike_with_any_workers) {
-  const nlohmann::json one = result_of_run(
-      {"-o", "one", "-j", "1", "--subdomains", "4", "--format", "vtkhdf,lb8.ugrid"});
+  const nlohmann::json one =
+      result_of_run({"-o", "one", "-j", "1", "--subdomains", "4", "--format", "vtkhdf,lb8.ugrid"});
   const nlohmann::json two = result_of_run({"-o", "two", "-j", "2", "--subdomains", "4"});
   EXPECT_EQ(one["digest"], two["digest"]);
   EXPECT_NEAR(one["volume"].get<double>(), 6 * 3 * 6 - 4, 1e-9);

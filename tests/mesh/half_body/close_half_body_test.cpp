@@ -92,15 +92,18 @@ TEST(HalfBody, without_an_outer_boundary_is_the_wall_of_what_is_in_it) {
 }
 
 TEST(HalfBody, that_is_hollow_has_the_plane_inside_too) {
-  SurfaceMesh cup = both_of(open_box({-2, 0, -2}, {2, 2, 2}, 4), open_box({-1, 0, -1}, {1, 1, 1}, 4));
+  SurfaceMesh cup =
+      both_of(open_box({-2, 0, -2}, {2, 2, 2}, 4), open_box({-1, 0, -1}, {1, 1, 1}, 4));
   const ClosedHalfBody closed =
       close_half_body(cup, across_y, {Kind::box, 2, 0}, 0.3, even_spacing);
   EXPECT_EQ(closed.ends.loops.size(), 2U);
-  EXPECT_NEAR(domain_volume(sound(closed.surface).surface), 8 * 4 * 8 - 4 * 2 * 4 + 2 * 1 * 2, 1e-9);
+  EXPECT_NEAR(domain_volume(sound(closed.surface).surface), 8 * 4 * 8 - 4 * 2 * 4 + 2 * 1 * 2,
+              1e-9);
 }
 
 TEST(HalfBody, may_have_other_bodies_beside_it_and_a_patch_of_the_plane_s_name) {
-  SurfaceMesh body = both_of(open_box({-1, 0, -1}, {1, 1, 1}, 2), shapes::box({0, 2, 0}, {1, 3, 1}, 1));
+  SurfaceMesh body =
+      both_of(open_box({-1, 0, -1}, {1, 1, 1}, 2), shapes::box({0, 2, 0}, {1, 3, 1}, 1));
   body.patch_names = {"symmetry"};
   body.patch_of_triangle.assign(body.triangles.size(), 0);
   const ClosedHalfBody closed =
@@ -112,10 +115,11 @@ TEST(HalfBody, may_have_other_bodies_beside_it_and_a_patch_of_the_plane_s_name) 
 TEST(HalfBody, is_refused_where_its_loops_cross) {
   const SurfaceMesh crossing =
       both_of(open_box({0, 0, 0}, {2, 1, 2}, 1), open_box({1, 0, 1}, {3, 1, 3}, 1));
-  EXPECT_THAT(error_text_of<InvalidInput>([&] {
-                close_half_body(crossing, across_y, {Kind::box, 3, 0}, 0.3, even_spacing);
-              }),
-              HasSubstr("symmetry y=0: the loops in which the surface ends there bound no region: "));
+  EXPECT_THAT(
+      error_text_of<InvalidInput>([&] {
+        close_half_body(crossing, across_y, {Kind::box, 3, 0}, 0.3, even_spacing);
+      }),
+      HasSubstr("symmetry y=0: the loops in which the surface ends there bound no region: "));
 }
 
 }  // namespace

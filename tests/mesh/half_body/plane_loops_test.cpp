@@ -63,21 +63,23 @@ TEST(PlaneLoops, that_differ_a_little_are_moved_onto_the_plane_and_counted) {
 }
 
 TEST(PlaneLoops, are_refused_with_places_where_there_are_none_or_others) {
-  EXPECT_EQ(refusal_of_loops(shapes::unit_cube()),
-            "symmetry y=0: the surface is closed, so that nothing ends on this plane; leave out the "
-            "symmetry, or give one half of the surface, open where the plane is");
+  EXPECT_EQ(
+      refusal_of_loops(shapes::unit_cube()),
+      "symmetry y=0: the surface is closed, so that nothing ends on this plane; leave out the "
+      "symmetry, or give one half of the surface, open where the plane is");
   EXPECT_THAT(refusal_of_loops(open_box({0, 0, 0}, {1, 2, 1}, 2), {1, 1}),
               HasSubstr("symmetry y=1: 8 vertices of 8 on open edges lie elsewhere, the farthest 1 "
                         "away at ("));
   SurfaceMesh holed = open_box({0, 0, 0}, {1, 2, 1}, 3);
-  holed.triangles.erase(std::find_if(
-      holed.triangles.begin(), holed.triangles.end(), [&](const Triangle& t) {
+  holed.triangles.erase(
+      std::find_if(holed.triangles.begin(), holed.triangles.end(), [&](const Triangle& t) {
         return std::all_of(t.begin(), t.end(), [&](std::int32_t v) {
           return holed.vertices[static_cast<std::size_t>(v)].y == 2;
         });
       }));
-  EXPECT_THAT(refusal_of_loops(holed), HasSubstr("3 vertices of 15 on open edges lie elsewhere, the "
-                                                 "farthest 2 away"));
+  EXPECT_THAT(refusal_of_loops(holed),
+              HasSubstr("3 vertices of 15 on open edges lie elsewhere, the "
+                        "farthest 2 away"));
 }
 
 TEST(PlaneLoops, are_refused_where_the_surface_goes_on_behind_the_plane_or_in_it) {

@@ -46,11 +46,10 @@ TEST(PatchTables, are_the_same_after_canonical_text) {
 }
 
 TEST(PatchTables, are_refused_where_they_are_wrong) {
-  EXPECT_EQ(
-      refusal_of_tables("[patch.tip]\ntype = \"wal\"\n"),
-      "a.toml:4:8: `type` is \"wal\", not one of \"wall\", \"slip\", \"symmetry\", "
-      "\"farfield\", \"inflow\", \"outflow\", \"pec\", \"pmc\", \"absorbing\", "
-      "\"interface\"; did you mean `wall`?");
+  EXPECT_EQ(refusal_of_tables("[patch.tip]\ntype = \"wal\"\n"),
+            "a.toml:4:8: `type` is \"wal\", not one of \"wall\", \"slip\", \"symmetry\", "
+            "\"farfield\", \"inflow\", \"outflow\", \"pec\", \"pmc\", \"absorbing\", "
+            "\"interface\"; did you mean `wall`?");
   EXPECT_THAT(refusal_of_tables("[patch.tip]\n"), HasSubstr("`type` is missing"));
   EXPECT_THAT(refusal_of_tables("[patch.tip]\ntype = \"wall\"\nkind = 1\n"),
               HasSubstr("unknown key `kind` in [patch.tip]"));

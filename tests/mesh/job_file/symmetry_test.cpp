@@ -13,7 +13,8 @@ TEST(Symmetry, is_read_from_a_letter_and_a_number) {
   EXPECT_EQ(parse_symmetry("y=0"), (AxisPlane{1, 0}));
   EXPECT_EQ(parse_symmetry(" x = -1.5e-3 "), (AxisPlane{0, -1.5e-3}));
   EXPECT_EQ(parse_symmetry("z=10"), (AxisPlane{2, 10}));
-  for (const char* wrong : {"", "y", "y=", "=0", "yy=0", "w=0", "y=0m", "y=inf", "y=nan", "y=1,2"}) {
+  for (const char* wrong :
+       {"", "y", "y=", "=0", "yy=0", "w=0", "y=0m", "y=inf", "y=nan", "y=1,2"}) {
     EXPECT_FALSE(parse_symmetry(wrong)) << wrong;
   }
 }

@@ -167,7 +167,8 @@ TEST(SolidSources, are_never_farther_than_the_points_that_are_in_them) {
       for (int k = 0; k < 90; ++k) {
         const double turn = 2 * std::acos(-1.0) * k / 90;
         for (const double part : {0.0, 0.5, 1.0}) {
-          const Vec3 inside = centre + part * radius * (std::cos(turn) * across + std::sin(turn) * other);
+          const Vec3 inside =
+              centre + part * radius * (std::cos(turn) * across + std::sin(turn) * other);
           EXPECT_LT(off(cone, inside), 1e-12);
           least = std::min(least, distance(point, inside));
         }
