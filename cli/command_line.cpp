@@ -26,6 +26,7 @@
 #include "mesh/job_file/job_file.h"
 #include "mesh/job_file/job_formats.h"
 #include "mesh/shapes/make_shape.h"
+#include "store/rows.h"
 
 namespace tetfarm {
 namespace {
@@ -546,6 +547,12 @@ class Parser {
                   "Send only the surface's path: the coordinator reads the file, which must be in "
                   "one of its --allow-root folders")
         ->excludes("--store");
+    submit
+        .add_option("--priority", submit_.priority,
+                    "Tasks of jobs with a higher one are handed out first (-1000 to 1000, default "
+                    "0)")
+        ->check(CLI::Range(-most_priority, most_priority))
+        ->option_text("N");
     add_progress(submit, submit_.client.progress);
     add_client(submit, submit_.client, StoreOption::yes);
 
@@ -566,7 +573,21 @@ class Parser {
     cancel.add_option("JOB", cancel_.client.job, "The job")->required();
     add_client(cancel, cancel_.client, StoreOption::no);
 
+    add_priority();
     add_retry();
+  }
+
+  void add_priority() {
+    CLI::App& priority = add("priority", "Hand out a job's tasks before or after those of others",
+                             "tetfarm priority job-7 10", priority_);
+    priority.add_option("JOB", priority_.client.job, "The job")->required();
+    priority
+        .add_option("N", priority_.priority,
+                    "Tasks of jobs with a higher one are handed out first (-1000 to 1000; jobs have "
+                    "0 unless submitted with --priority)")
+        ->check(CLI::Range(-most_priority, most_priority))
+        ->required();
+    add_client(priority, priority_.client, StoreOption::no);
   }
 
   void add_retry() {
@@ -613,6 +634,7 @@ class Parser {
   Views views_;
   WaitCommand wait_;
   CancelCommand cancel_;
+  PriorityCommand priority_;
   RetryCommand retry_;
   DrainCommand drain_;
   Services services_;

@@ -210,6 +210,10 @@ struct WaitCommand {
 struct CancelCommand {
   ClientOptions client;
 };
+struct PriorityCommand {
+  ClientOptions client;
+  int priority = 0;
+};
 struct JobsCommand {
   ViewOptions view;
 };
@@ -456,7 +460,7 @@ struct NothingToDo {};
 using Command =
     std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
                  ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
-                 WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
+                 WaitCommand, CancelCommand, PriorityCommand, RetryCommand, DrainCommand, SubmitCommand,
                  CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
                  TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
                  EventsCommand, LogsCommand, ExplainCommand, TopCommand, TraceCommand,

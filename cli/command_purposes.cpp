@@ -23,7 +23,7 @@ const std::vector<Purpose>& purposes() {
        {"run", "check", "plan", "init", "surface", "convert", "shape", "spacing"}},
       {"Use a mesh", {"quality", "export", "render", "report"}},
       {"Mesh the plane", {"plane", "adapt", "loop", "transfer"}},
-      {"Work on a farm", {"submit", "wait", "cancel", "retry"}},
+      {"Work on a farm", {"submit", "wait", "priority", "cancel", "retry"}},
       {"Watch a farm",
        {"top", "jobs", "status", "tasks", "workers", "events", "logs", "explain", "trace"}},
       {of_operators,

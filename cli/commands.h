@@ -80,6 +80,7 @@ ExitCode restore_command(const RestoreCommand& command);
 ExitCode submit_command(const SubmitCommand& command);
 ExitCode wait_command(const WaitCommand& command);
 ExitCode cancel_command(const CancelCommand& command);
+ExitCode priority_command(const PriorityCommand& command);
 ExitCode retry_command(const RetryCommand& command);
 ExitCode drain_command(const DrainCommand& command);
 

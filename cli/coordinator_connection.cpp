@@ -23,6 +23,8 @@ wire::Envelope::BodyCase answer_to(const wire::Envelope& question) {
       return wire::Envelope::kSubmitted;
     case wire::Envelope::kCancel:
       return wire::Envelope::kCancelled;
+    case wire::Envelope::kSetPriority:
+      return wire::Envelope::kPrioritySet;
     case wire::Envelope::kRetry:
       return wire::Envelope::kRetried;
     case wire::Envelope::kDrainWorkers:
@@ -163,6 +165,14 @@ wire::Cancelled CoordinatorConnection::cancel(const std::string& job, std::int64
   wire::Envelope question;
   question.mutable_cancel()->set_job(job);
   return ask(question, timeout_ms).cancelled();
+}
+
+wire::PrioritySet CoordinatorConnection::set_priority(const std::string& job, int priority,
+                                                      std::int64_t timeout_ms) {
+  wire::Envelope question;
+  question.mutable_set_priority()->set_job(job);
+  question.mutable_set_priority()->set_priority(priority);
+  return ask(question, timeout_ms).priority_set();
 }
 
 wire::Retried CoordinatorConnection::retry(const wire::Retry& retry, std::int64_t timeout_ms) {

@@ -45,6 +45,7 @@ class CoordinatorConnection {
   wire::QueryReply query(const wire::Query& query, std::int64_t timeout_ms);
   wire::Submitted submit(const wire::Submit& submit, std::int64_t timeout_ms);
   wire::Cancelled cancel(const std::string& job, std::int64_t timeout_ms);
+  wire::PrioritySet set_priority(const std::string& job, int priority, std::int64_t timeout_ms);
   wire::Retried retry(const wire::Retry& retry, std::int64_t timeout_ms);
   wire::Draining drain(std::uint64_t worker, std::int64_t timeout_ms);
   /// Until it is complete; connects anew when the connection is cut. `moved` is called now and

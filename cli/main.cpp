@@ -67,6 +67,7 @@ struct Execute {
   ExitCode operator()(const StatusCommand& command) const { return status_command(command); }
   ExitCode operator()(const WaitCommand& command) const { return wait_command(command); }
   ExitCode operator()(const CancelCommand& command) const { return cancel_command(command); }
+  ExitCode operator()(const PriorityCommand& command) const { return priority_command(command); }
   ExitCode operator()(const RetryCommand& command) const { return retry_command(command); }
   ExitCode operator()(const DrainCommand& command) const { return drain_command(command); }
   ExitCode operator()(const SubmitCommand& command) const { return submit_command(command); }

@@ -165,7 +165,8 @@ ExitCode submit_loop(const SubmitCommand& command) {
   }
   const LoopInput input = read_loop(command.job.input);
   CoordinatorConnection connection = connect(client, command.job.store);
-  const wire::Submit submit = submission_of_loop(input, way_to_coordinator(command, connection));
+  wire::Submit submit = submission_of_loop(input, way_to_coordinator(command, connection));
+  submit.set_priority(command.priority);
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
@@ -177,7 +178,8 @@ ExitCode submit_command(const SubmitCommand& command) {
   const JobInput input = job_to_submit(command);
   tell_wave(input.job, client.progress);
   CoordinatorConnection connection = connect(client, command.job.store);
-  const wire::Submit submit = bring_job(command, input, connection);
+  wire::Submit submit = bring_job(command, input, connection);
+  submit.set_priority(command.priority);
   return report_submitted(connection.submit(submit, in_ms(client.timeout_s)), client);
 }
 
@@ -223,6 +225,29 @@ ExitCode cancel_command(const CancelCommand& command) {
   } else {
     std::printf("%s %s\n", client.job.c_str(),
                 before == "cancelled" ? "was already cancelled" : "cancelled");
+  }
+  return ExitCode::ok;
+}
+
+ExitCode priority_command(const PriorityCommand& command) {
+  const ClientOptions& client = command.client;
+  CoordinatorConnection connection = connect(client, "");
+  const wire::PrioritySet answer =
+      connection.set_priority(client.job, command.priority, in_ms(client.timeout_s));
+  if (!answer.found()) {
+    throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
+  }
+  if (answer.state() != "running") {
+    throw ErrorWithHelp(ExitCode::failed,
+                        client.job + " is already " + answer.state() +
+                            ": none of its tasks wait for workers",
+                        "");
+  }
+  if (client.json) {
+    std::printf("{\"type\":\"priority\",\"job\":\"%s\",\"priority\":%d}\n", client.job.c_str(),
+                command.priority);
+  } else {
+    std::printf("%s has priority %d\n", client.job.c_str(), command.priority);
   }
   return ExitCode::ok;
 }

@@ -26,6 +26,12 @@ bool is_about_files(const wire::Envelope& envelope) {
   return envelope.has_fetch_file() || envelope.has_offer_file() || envelope.has_file_chunk();
 }
 
+std::string problem_with_priority(int priority) {
+  if (priority >= -most_priority && priority <= most_priority) return {};
+  return "a priority is from " + std::to_string(-most_priority) + " to " +
+         std::to_string(most_priority) + ", not " + std::to_string(priority);
+}
+
 bool is_question(const wire::Envelope& envelope) {
   return envelope.has_status_request() || envelope.has_query();
 }
@@ -33,12 +39,12 @@ bool is_question(const wire::Envelope& envelope) {
 /// Of a client; it waits for the answer.
 bool asks_for_a_decision(const wire::Envelope& envelope) {
   return envelope.has_submit() || envelope.has_cancel() || envelope.has_retry() ||
-         envelope.has_drain_workers();
+         envelope.has_drain_workers() || envelope.has_set_priority();
 }
 
 bool tells_a_decision(const wire::Envelope& envelope) {
   return envelope.has_submitted() || envelope.has_cancelled() || envelope.has_retried() ||
-         envelope.has_draining();
+         envelope.has_draining() || envelope.has_priority_set();
 }
 
 Refusal refusal_of(WireState state) {
@@ -216,6 +222,8 @@ void RequestHandler::dispatch(const Sender& sender, const wire::Envelope& envelo
           state.cancel(parse_job_name(envelope.cancel().job()), now));
       return answer(connection, std::move(reply));
     }
+    case wire::Envelope::kSetPriority:
+      return set_priority(connection, envelope.set_priority(), state, now);
     case wire::Envelope::kRetry:
       return retry(connection, envelope.retry(), state, now);
     case wire::Envelope::kDrainWorkers: {
@@ -450,6 +458,9 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
     refusals_.count(Refusal::wrong_role, what, now.steady_ms);
     return refuse(connection, what, ExitCode::failed);
   }
+  if (const std::string problem = problem_with_priority(message.priority()); !problem.empty()) {
+    return refuse(connection, problem, ExitCode::usage);
+  }
   Submission submission;
   try {
     submission = submission_of(message);
@@ -460,6 +471,7 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
     return refuse(connection, error.what(), error.code());
   }
   submission.owner = sender.key;
+  submission.priority = message.priority();
   const SubmitAnswer submitted = state.submit(submission, now);
   if (submitted.differs) {
     return refuse(connection,
@@ -470,6 +482,19 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   wire::Envelope reply;
   reply.mutable_submitted()->set_job(job_name(submitted.job));
   reply.mutable_submitted()->set_existed(submitted.existed);
+  answer(connection, std::move(reply));
+}
+
+void RequestHandler::set_priority(const std::string& connection,
+                                  const wire::SetPriority& message, JobState& state, Moment now) {
+  if (const std::string problem = problem_with_priority(message.priority()); !problem.empty()) {
+    return refuse(connection, problem, ExitCode::usage);
+  }
+  const JobId job = parse_job_name(message.job());
+  wire::Envelope reply;
+  wire::PrioritySet& answered = *reply.mutable_priority_set();
+  answered.set_found(state.set_priority(job, message.priority(), now));
+  if (answered.found()) answered.set_state(name_of(state.durable().jobs.at(job).phase));
   answer(connection, std::move(reply));
 }
 

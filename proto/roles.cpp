@@ -14,7 +14,7 @@ struct Permission {
   bool viewer;
 };
 
-constexpr std::array<Permission, 15> permissions = {{
+constexpr std::array<Permission, 16> permissions = {{
     // kind                 worker submitter viewer
     {Kind::kHello, true, false, false},
     {Kind::kReady, true, false, false},
@@ -28,6 +28,7 @@ constexpr std::array<Permission, 15> permissions = {{
     {Kind::kSubmit, false, true, false},
     {Kind::kCancel, false, true, false},
     {Kind::kRetry, false, true, false},
+    {Kind::kSetPriority, false, true, false},
     {Kind::kDrainWorkers, false, true, false},
     {Kind::kStatusRequest, false, true, true},
     {Kind::kQuery, false, true, true},

@@ -38,7 +38,7 @@ SubdomainState subdomain_state_of(const std::string& name) {
 void load_jobs(sqlite3* database, const std::string& which, DurableState& state) {
   const std::string sql =
       "SELECT id, coalesce(key, ''), name, job_toml, phase, exit_code, message, "
-      "created_ms, finished_ms, owner, content FROM jobs" +
+      "created_ms, finished_ms, owner, content, priority FROM jobs" +
       which;
   Statement rows(database, sql.c_str());
   while (rows.step()) {
@@ -54,6 +54,7 @@ void load_jobs(sqlite3* database, const std::string& which, DurableState& state)
     job.finished_ms = rows.integer();
     job.owner = rows.text();
     job.content = rows.text();
+    job.priority = static_cast<int>(rows.integer());
     state.jobs.emplace(job.id, std::move(job));
   }
 }

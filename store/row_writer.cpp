@@ -11,11 +11,11 @@ namespace {
 using Files = std::vector<ArtifactRef>;
 
 constexpr const char* put_job =
-    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+    "INSERT INTO jobs VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
     "ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
     "job_toml = excluded.job_toml, phase = excluded.phase, "
     "exit_code = excluded.exit_code, message = excluded.message, "
-    "finished_ms = excluded.finished_ms";
+    "finished_ms = excluded.finished_ms, priority = excluded.priority";
 constexpr const char* put_artifact = "INSERT INTO artifacts VALUES (?, ?) ON CONFLICT DO NOTHING";
 constexpr const char* put_subdomain =
     "INSERT INTO subdomains VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
@@ -97,7 +97,8 @@ void RowWriter::write(const JobRow& job) {
   TF_CHECK(job.id);
   job_.bind(job.id.value).bind(job.key).bind(job.name).bind(job.job_toml);
   job_.bind(name_of(job.phase)).bind(job.exit_code).bind(job.message);
-  job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content).run();
+  job_.bind(job.created_ms).bind(job.finished_ms).bind(job.owner).bind(job.content);
+  job_.bind(job.priority).run();
 }
 
 void RowWriter::write(const SubdomainRow& row) {

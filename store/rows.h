@@ -48,6 +48,9 @@ struct ArtifactRef {
   friend bool operator==(const ArtifactRef&, const ArtifactRef&) = default;
 };
 
+/// Of a job: from -most_priority to most_priority.
+inline constexpr int most_priority = 1000;
+
 struct JobRow {
   JobId id;
   std::string key;  ///< "" : none
@@ -60,6 +63,7 @@ struct JobRow {
   std::int64_t finished_ms = 0;
   std::string owner = {};  ///< the submitter's public key, "": a plain connection; `key` is its own
   std::string content = {};  ///< "NAME HASH" of each input of its inspection, a line each
+  int priority = 0;          ///< tasks of jobs with a higher one are handed out first
 
   friend bool operator==(const JobRow&, const JobRow&) = default;
 };

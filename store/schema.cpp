@@ -272,9 +272,14 @@ UPDATE attempts SET nonce_hash = '';
 ALTER TABLE attempts ADD COLUMN key TEXT NOT NULL DEFAULT '';
 )sql";
 
+/// Which jobs' tasks are handed out first.
+constexpr const char* priorities = R"sql(
+ALTER TABLE jobs ADD COLUMN priority INTEGER NOT NULL DEFAULT 0;
+)sql";
+
 constexpr std::array<const char*, database_version> migrations = {
-    first_schema, any_kind_of_task, joined_subdomains, quarantine,
-    history,      replaced_tasks,   tasks_of_one_job,  who_it_belongs_to};
+    first_schema,   any_kind_of_task, joined_subdomains, quarantine, history,
+    replaced_tasks, tasks_of_one_job, who_it_belongs_to, priorities};
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
   Statement statement(database, sql);

@@ -332,6 +332,7 @@ SubmitAnswer JobState::submit(const Submission& submission, Moment now) {
   job.created_ms = now.wall_ms;
   job.owner = submission.owner;
   job.content = content;
+  job.priority = submission.priority;
   changes_.note(job.id);
   if (!job.key.empty()) keys_[{job.owner, job.key}] = job.id;
   durable_.jobs.emplace(job.id, job);
@@ -346,6 +347,17 @@ void JobState::cancel_others(const Submission& submission, Moment now) {
     const bool is_same = job.key == submission.key && job.owner == submission.owner;
     if (job.phase == JobPhase::running && !is_same) cancel(id, now);
   }
+}
+
+bool JobState::set_priority(JobId id, int priority, Moment now) {
+  TF_CHECK(std::abs(priority) <= most_priority);
+  const auto found = durable_.jobs.find(id);
+  if (found == durable_.jobs.end()) return false;
+  const bool is_news = found->second.priority != priority;
+  if (found->second.phase != JobPhase::running || !is_news) return true;
+  lists_.move(durable_.tasks, edit(id), priority);
+  changes_.add({now.wall_ms, id, {}, {}, {}, "priority", std::to_string(priority)});
+  return true;
 }
 
 bool JobState::cancel(JobId id, Moment now) {

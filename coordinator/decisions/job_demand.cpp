@@ -38,7 +38,7 @@ std::map<std::uint64_t, std::uint64_t> JobState::demand(bool of_solvers) const {
   const auto wanted = [this](const TaskRow& task) {
     return std::max(task.memory_bytes, expectation_.bytes(task.kind));
   };
-  for (const auto& [rank, id] : lists_.offers()) {
+  for (const auto& [priority, rank, id] : lists_.offers()) {
     const TaskRow& task = durable_.tasks.at(id);
     if (traits_of(task.kind).is_of_others == of_solvers) ++tasks[wanted(task)];
   }

@@ -139,7 +139,7 @@ std::vector<std::string> JobState::reasons_to_wait(const TaskRow& task, Moment n
   if (!reasons.empty()) return reasons;
   reasons = obstacles(task, now);
   std::size_t ahead = 0;
-  for (const auto& [rank, other] : lists_.offers()) {
+  for (const auto& [priority, rank, other] : lists_.offers()) {
     if (other == task.id) break;
     ++ahead;
   }

@@ -50,7 +50,7 @@ JobRow& JobState::edit(JobId job) {
 }
 
 void JobState::index(const TaskRow& task) {
-  lists_.update(task, durable_.jobs.at(task.job).phase == JobPhase::running);
+  lists_.update(task, durable_.jobs.at(task.job));
   note_files(task, files_of(task.job));
 }
 

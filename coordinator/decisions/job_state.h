@@ -129,6 +129,7 @@ struct Submission {
   std::optional<SolveGiven> loop = {};  ///< in place of `given`: the first cycle of a loop
   std::uint64_t loop_memory_bytes = 0;  ///< that its solver asks for; 0: it does not say
   bool remeshes = false;                ///< the surface, before it is inspected
+  int priority = 0;                     ///< as of a JobRow; of a job that is there it stays
 };
 
 struct SubmitAnswer {
@@ -201,6 +202,9 @@ class JobState {
   // Clients.
   SubmitAnswer submit(const Submission& submission, Moment now);
   bool cancel(JobId job, Moment now);
+  /// What runs goes on; which tasks are handed out next changes. Of a job that has ended it stays.
+  /// False: there is no such job. @pre it is one that a job may have.
+  bool set_priority(JobId job, int priority, Moment now);
   /// Takes a task out of quarantine, or (task 0) all of the job; it goes on. How many were taken
   /// out; 0 when there is no such job or task in quarantine.
   std::size_t retry(JobId job, TaskId task, Moment now);

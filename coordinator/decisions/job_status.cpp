@@ -238,6 +238,7 @@ JobSummary summary_of(const DurableState& durable, const JobRow& job,
   summary.state = name_of(job.phase);
   summary.message = job.message;
   summary.created_ms = job.created_ms;
+  summary.priority = job.priority;
   summary.finished_ms = job.finished_ms;
   summary.exit_code = job.exit_code;
   if (job.phase == JobPhase::running && !stuck_message.empty()) {

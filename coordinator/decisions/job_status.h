@@ -38,6 +38,7 @@ struct JobSummary {
   double seconds = 0;
   std::int64_t created_ms = 0;
   std::int64_t finished_ms = 0;  ///< 0: it has not ended
+  int priority = 0;
 };
 
 /// The tasks of each job, by rising id.

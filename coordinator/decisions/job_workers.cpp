@@ -188,7 +188,7 @@ TaskId JobState::pick_for(WorkerId worker, const WorkerSessions::HostMemory& use
   const std::uint64_t free_bytes = workers_.free_memory(worker, used);
   std::vector<TaskId> incomplete;
   TaskId picked;
-  for (const auto& [rank, id] : lists_.offers()) {
+  for (const auto& [priority, rank, id] : lists_.offers()) {
     if (!suits(worker, id, free_bytes, now)) continue;
     const std::vector<ArtifactRef>& inputs = durable_.tasks.at(id).inputs;
     if (std::all_of(inputs.begin(), inputs.end(), has_file_)) {

@@ -164,6 +164,7 @@ wire::JobStatus status_message(const JobSummary& summary) {
   message.set_leaves_mended(summary.leaves_mended);
   message.set_seconds(summary.seconds);
   message.set_created_ms(summary.created_ms);
+  message.set_priority(summary.priority);
   message.set_finished_ms(summary.finished_ms);
   return message;
 }

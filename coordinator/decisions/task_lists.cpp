@@ -5,7 +5,13 @@
 namespace tetfarm {
 namespace {
 
-TaskLists::Offer offer_of(const TaskRow& task) { return {traits_of(task.kind).rank, task.id}; }
+TaskLists::Offer offer_of(const TaskRow& task, const JobRow& job) {
+  return {-job.priority, traits_of(task.kind).rank, task.id};
+}
+
+bool is_on_offer(const TaskRow& task, const JobRow& job) {
+  return task.state == TaskState::ready && job.phase == JobPhase::running;
+}
 
 bool is_at_work(const TaskRow& task) {
   return task.state == TaskState::ready || task.state == TaskState::leased;
@@ -39,14 +45,25 @@ void TaskLists::place(const TaskRow& task) { places_[{task.job, task.kind, task.
 
 void TaskLists::unplace(const TaskRow& task) { places_.erase({task.job, task.kind, task.path}); }
 
-void TaskLists::update(const TaskRow& task, bool job_is_running) {
-  if (task.state == TaskState::ready && job_is_running) {
-    offers_.insert(offer_of(task));
+void TaskLists::update(const TaskRow& task, const JobRow& job) {
+  if (is_on_offer(task, job)) {
+    offers_.insert(offer_of(task, job));
   } else {
-    offers_.erase(offer_of(task));
+    offers_.erase(offer_of(task, job));
   }
   list(task, is_at_work(task), active_);
   list(task, task.state == TaskState::failed, failed_);
+}
+
+void TaskLists::move(const std::map<TaskId, TaskRow>& tasks, JobRow& job, int priority) {
+  std::vector<TaskId> offered;
+  if (const auto found = active_.find(job.id); found != active_.end()) {
+    for (const TaskId id : found->second) {
+      if (offers_.erase(offer_of(tasks.at(id), job)) > 0) offered.push_back(id);
+    }
+  }
+  job.priority = priority;
+  for (const TaskId id : offered) offers_.insert(offer_of(tasks.at(id), job));
 }
 
 void TaskLists::forget(JobId job) {
@@ -75,13 +92,14 @@ std::set<TaskId> TaskLists::failed_of(JobId job) const {
   return found == failed_.end() ? std::set<TaskId>{} : found->second;
 }
 
-void TaskLists::find_unlisted(const TaskRow& task, bool job_is_running,
+void TaskLists::find_unlisted(const TaskRow& task, const JobRow& job,
                               std::vector<std::string>& broken) const {
   const auto report = [&broken, &task](const char* what) {
     broken.push_back("task " + std::to_string(task.id.value) + ": " + what);
   };
-  const bool is_on_offer = task.state == TaskState::ready && job_is_running;
-  if (offers_.contains(offer_of(task)) != is_on_offer) report("wrongly on offer or not on offer");
+  if (offers_.contains(offer_of(task, job)) != is_on_offer(task, job)) {
+    report("wrongly on offer or not on offer");
+  }
   if (is_listed(task, active_) != is_at_work(task)) report("wrongly listed as active, or not");
   const bool has_failed = task.state == TaskState::failed;
   if (is_listed(task, failed_) != has_failed) report("wrongly listed as failed, or not");
@@ -99,9 +117,9 @@ std::vector<std::string> TaskLists::validate(const std::map<TaskId, TaskRow>& ta
   std::size_t failed = 0;
   std::size_t placed = 0;
   for (const auto& [id, task] : tasks) {
-    const bool job_is_running = jobs.at(task.job).phase == JobPhase::running;
-    find_unlisted(task, job_is_running, broken);
-    if (task.state == TaskState::ready && job_is_running) ++offered;
+    const JobRow& job = jobs.at(task.job);
+    find_unlisted(task, job, broken);
+    if (is_on_offer(task, job)) ++offered;
     if (is_at_work(task)) ++active;
     if (task.state == TaskState::failed) ++failed;
     if (task.state != TaskState::replaced) ++placed;

@@ -24,15 +24,19 @@ namespace tetfarm {
 
 class TaskLists {
  public:
-  using Offer = std::tuple<int, TaskId>;  ///< rank, task
+  /// What comes first is handed out first: a job's priority with its sign turned, the rank of the
+  /// task's kind, the task.
+  using Offer = std::tuple<int, int, TaskId>;
   using OfJobs = std::map<JobId, std::set<TaskId>>;
 
   /// The task takes its place; who had it has none any more, which validate() tells.
   void place(const TaskRow& task);
   /// Its place is free again.
   void unplace(const TaskRow& task);
-  /// The task's state, or its job's phase, may have changed.
-  void update(const TaskRow& task, bool job_is_running);
+  /// The task's state, or its job's phase, may have changed; its job's priority not.
+  void update(const TaskRow& task, const JobRow& job);
+  /// The job's priority changes: its tasks that are on offer get another place among them.
+  void move(const std::map<TaskId, TaskRow>& tasks, JobRow& job, int priority);
   /// All of a job. @pre it is not running.
   void forget(JobId job);
 
@@ -54,7 +58,7 @@ class TaskLists {
  private:
   using Place = std::tuple<JobId, TaskKind, std::uint64_t>;
 
-  void find_unlisted(const TaskRow& task, bool job_is_running,
+  void find_unlisted(const TaskRow& task, const JobRow& job,
                      std::vector<std::string>& broken) const;
 
   std::map<Place, TaskId> places_;

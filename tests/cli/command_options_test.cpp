@@ -437,6 +437,10 @@ TEST_F(CommandOptions, of_those_that_act_on_a_farm) {
   EXPECT_EQ(cancel.client.job, "job-7");
   EXPECT_EQ(cancel.client.endpoint, "tcp://h:1");
   EXPECT_FALSE(cancel.client.json);
+  const auto priority =
+      parsed_as<PriorityCommand>({"priority", "job-7", "-5", "--connect", "tcp://h:1"});
+  EXPECT_EQ(priority.client.job, "job-7");
+  EXPECT_EQ(priority.priority, -5);
   const auto retry = parsed_as<RetryCommand>({"retry", "job-7", "31", "--connect", "tcp://h:1"});
   EXPECT_EQ(retry.client.job, "job-7");
   EXPECT_EQ(retry.task, 31U);
@@ -549,6 +553,9 @@ TEST_F(CommandOptions, that_cannot_be_are_refused) {
       {{"wait", "job-7"}, "--connect is required"},
       {farm({"wait"}), "JOB is required"},
       {farm({"cancel"}), "JOB is required"},
+      {farm({"priority", "job-7"}), "N is required"},
+      {farm({"priority", "job-7", "1001"}), "N: "},
+      {farm({"submit", "a.stl", "--priority", "-1001"}), "--priority: "},
       {{"retry", "job-7"}, "--connect is required"},
       {farm({"retry", "job-7", "0"}), "TASK: must be a whole number above 0, not 0"},
       {farm({"retry", "job-7", "--host", "n"}), "JOB excludes --host"},
@@ -621,7 +628,7 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "run the same command again to continue."));
   for (const char* command :
        {"run",     "check",      "gc",      "plan",   "quality", "export",      "convert",
-        "surface", "render",     "shape",   "submit", "wait",    "cancel",      "jobs",
+        "surface", "render",     "shape",   "submit", "wait",    "cancel",      "jobs",    "priority",
         "status",  "tasks",      "workers", "events", "logs",    "explain",     "trace",
         "report",  "backup",     "restore", "retry",  "drain",   "coordinator", "worker",
         "pool",    "keys",       "spacing", "plane",  "adapt",   "transfer",    "loop",

@@ -71,6 +71,10 @@ class Served : public ::testing::Test {
       case wire::Envelope::kCancel:
         answer.mutable_cancelled()->set_found(is_found_);
         break;
+      case wire::Envelope::kSetPriority:
+        answer.mutable_priority_set()->set_found(is_found_);
+        answer.mutable_priority_set()->set_state(jobs_.empty() ? "running" : jobs_[0].state());
+        break;
       case wire::Envelope::kRetry:
         answer.mutable_retried()->set_count(count_);
         break;

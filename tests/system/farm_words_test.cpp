@@ -33,5 +33,26 @@ TEST_F(FarmWords, of_a_waiting_task_say_what_is_known_of_it) {
   EXPECT_EQ(ask({"drain", "--all"}).out, "0 workers are draining\n");
 }
 
+TEST_F(FarmWords, of_priorities_say_what_they_are_and_let_the_urgent_job_go_first) {
+  const std::string first = submit(test::sphere_in_box(folder_.path(), 4, 1));
+  const std::string second = submit(test::sphere_in_box(folder_.path(), 5, 1));
+  EXPECT_EQ(ask({"priority", second, "10"}).out, second + " has priority 10\n");
+  EXPECT_EQ(test::result_of(ask({"status", second, "--json"}))["priority"], 10);
+  const auto worker = start_worker();
+  wait_for(first);
+  wait_for(second);
+  std::map<std::string, std::int64_t> ended;
+  std::istringstream lines(ask({"events", "--all", "--json"}).out);
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json event = nlohmann::json::parse(line);
+    if (event["what"] == "assigned") ended.emplace(event["job"], event["event"]);
+  }
+  EXPECT_LT(ended.at(second), ended.at(first)) << "its first task was handed out first";
+  const Ended late = ask({"priority", first, "1"});
+  EXPECT_EQ(late.code, 1);
+  EXPECT_THAT(late.err, HasSubstr(first + " is already done"));
+  EXPECT_EQ(ask({"priority", "job-99", "1"}).code, 5);
+}
+
 }  // namespace
 }  // namespace tetfarm

@@ -65,6 +65,41 @@ TEST_F(JobStateTest, a_key_with_other_contents_is_refused_and_changes_nothing) {
   EXPECT_EQ(submit().job, first.job);
 }
 
+TEST_F(JobStateTest, hands_out_the_tasks_of_the_job_with_the_higher_priority_first) {
+  const JobId first = submit("first").job;
+  const JobId second = submit("second").job;
+  commit();
+  EXPECT_TRUE(state_->set_priority(second, 7, now_));
+  commit();
+  restart();
+  worker_ = new_worker();
+  EXPECT_EQ(task(next(worker_).task).job, second) << "also after a restart";
+  EXPECT_TRUE(state_->set_priority(first, 8, now_));
+  const WorkerId other = new_worker();
+  EXPECT_EQ(task(next(other).task).job, first);
+  EXPECT_TRUE(state_->validate().empty());
+}
+
+TEST_F(JobStateTest, a_priority_of_no_job_or_of_one_that_has_ended_changes_nothing) {
+  const JobId job = submit("first").job;
+  EXPECT_FALSE(state_->set_priority(JobId{99}, 1, now_));
+  state_->cancel(job, now_);
+  commit();
+  EXPECT_TRUE(state_->set_priority(job, 1, now_));
+  EXPECT_TRUE(state_->take_changes().empty());
+}
+
+TEST_F(JobStateTest, a_submission_has_its_priority_from_the_beginning) {
+  Submission submission{"key", "wing", "toml", to_inspect(job_file_, surface_)};
+  submission.priority = -3;
+  const JobId id = state_->submit(submission, now_).job;
+  commit();
+  EXPECT_EQ(state_->durable().jobs.at(id).priority, -3);
+  submission.priority = 4;
+  EXPECT_TRUE(state_->submit(submission, now_).existed);
+  EXPECT_EQ(state_->durable().jobs.at(id).priority, -3) << "that of a job that is there stays";
+}
+
 TEST_F(JobStateTest, jobs_without_a_key_are_all_different) {
   EXPECT_NE(submit("").job, submit("").job);
 }

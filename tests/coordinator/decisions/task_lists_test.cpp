@@ -23,42 +23,83 @@ TaskRow task_of(std::uint64_t number, JobId job, TaskKind kind, TaskState state)
   return task;
 }
 
-std::map<JobId, JobRow> running_jobs() { return {{wing, {}}, {flange, {}}}; }
+JobRow running(JobId id, int priority = 0) {
+  JobRow job;
+  job.id = id;
+  job.priority = priority;
+  return job;
+}
+
+JobRow ended(JobId id) {
+  JobRow job = running(id);
+  job.phase = JobPhase::done;
+  return job;
+}
+
+std::map<JobId, JobRow> running_jobs() {
+  return {{wing, running(wing)}, {flange, running(flange)}};
+}
+
+std::vector<TaskId> in_order(const TaskLists& lists) {
+  std::vector<TaskId> order;
+  for (const auto& [priority, rank, task] : lists.offers()) order.push_back(task);
+  return order;
+}
 
 TEST(TaskLists, cuts_and_what_others_wait_for_are_handed_out_first_then_the_older_ones) {
   TaskLists lists;
-  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::ready), true);
-  lists.update(task_of(2, wing, TaskKind::cosmetic, TaskState::ready), true);
-  lists.update(task_of(3, wing, TaskKind::write, TaskState::ready), true);
-  lists.update(task_of(4, wing, TaskKind::decompose, TaskState::ready), true);
-  std::vector<TaskId> order;
-  for (const auto& [rank, task] : lists.offers()) order.push_back(task);
-  EXPECT_THAT(order, ElementsAre(TaskId{2}, TaskId{4}, TaskId{1}, TaskId{3}));
+  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::ready), running(wing));
+  lists.update(task_of(2, wing, TaskKind::cosmetic, TaskState::ready), running(wing));
+  lists.update(task_of(3, wing, TaskKind::write, TaskState::ready), running(wing));
+  lists.update(task_of(4, wing, TaskKind::decompose, TaskState::ready), running(wing));
+  EXPECT_THAT(in_order(lists), ElementsAre(TaskId{2}, TaskId{4}, TaskId{1}, TaskId{3}));
+}
+
+TEST(TaskLists, tasks_of_the_job_with_the_higher_priority_come_first_whatever_their_kind) {
+  TaskLists lists;
+  std::map<TaskId, TaskRow> tasks;
+  JobRow urgent = running(flange, 5);
+  const auto add = [&](std::uint64_t number, const JobRow& job, TaskKind kind, TaskState state) {
+    const TaskRow task = task_of(number, job.id, kind, state);
+    tasks.emplace(task.id, task);
+    lists.place(task);
+    lists.update(task, job);
+  };
+  add(1, running(wing), TaskKind::decompose, TaskState::ready);
+  add(2, urgent, TaskKind::write, TaskState::ready);
+  add(3, urgent, TaskKind::mesh, TaskState::ready);
+  add(4, urgent, TaskKind::mesh, TaskState::leased);
+  EXPECT_THAT(in_order(lists), ElementsAre(TaskId{3}, TaskId{2}, TaskId{1}));
+  lists.move(tasks, urgent, -5);
+  EXPECT_EQ(urgent.priority, -5);
+  EXPECT_THAT(in_order(lists), ElementsAre(TaskId{1}, TaskId{3}, TaskId{2}));
+  EXPECT_THAT(lists.validate(tasks, {{wing, running(wing)}, {flange, urgent}}), IsEmpty());
+  EXPECT_THAT(lists.validate(tasks, running_jobs()), SizeIs(3)) << "by another priority";
 }
 
 TEST(TaskLists, what_is_not_ready_or_of_a_job_that_does_not_run_is_not_on_offer) {
   TaskLists lists;
   const TaskRow ready = task_of(1, wing, TaskKind::mesh, TaskState::ready);
-  lists.update(ready, true);
+  lists.update(ready, running(wing));
   EXPECT_THAT(lists.offers(), SizeIs(1));
-  lists.update(ready, false);
+  lists.update(ready, ended(wing));
   EXPECT_THAT(lists.offers(), IsEmpty());
-  lists.update(ready, true);
-  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::leased), true);
+  lists.update(ready, running(wing));
+  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::leased), running(wing));
   EXPECT_THAT(lists.offers(), IsEmpty());
 }
 
 TEST(TaskLists, a_job_is_active_while_a_task_is_ready_or_runs) {
   TaskLists lists;
-  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::leased), true);
-  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::ready), true);
-  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::done), true);
+  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::leased), running(wing));
+  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::ready), running(wing));
+  lists.update(task_of(1, wing, TaskKind::mesh, TaskState::done), running(wing));
   EXPECT_TRUE(lists.is_active(wing));
   EXPECT_FALSE(lists.is_active(flange));
-  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::failed), true);
+  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::failed), running(wing));
   EXPECT_FALSE(lists.is_active(wing));
   EXPECT_THAT(lists.failed_of(wing), ElementsAre(TaskId{2}));
-  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::ready), true);
+  lists.update(task_of(2, wing, TaskKind::mesh, TaskState::ready), running(wing));
   EXPECT_THAT(lists.failed(), IsEmpty());
 }
 
@@ -80,8 +121,8 @@ TEST(TaskLists, a_job_that_is_forgotten_leaves_the_others_alone) {
   for (const JobId job : {wing, flange}) {
     const TaskRow task = task_of(job.value, job, TaskKind::mesh, TaskState::failed);
     lists.place(task);
-    lists.update(task, false);
-    lists.update(task_of(job.value + 2, job, TaskKind::mesh, TaskState::ready), false);
+    lists.update(task, ended(job));
+    lists.update(task_of(job.value + 2, job, TaskKind::mesh, TaskState::ready), ended(job));
   }
   lists.forget(wing);
   EXPECT_FALSE(lists.is_active(wing));
@@ -96,7 +137,7 @@ TEST(TaskLists, broken_invariants_are_told) {
   TaskLists lists;
   TaskRow task = task_of(1, wing, TaskKind::mesh, TaskState::ready);
   lists.place(task);
-  lists.update(task, true);
+  lists.update(task, running(wing));
   EXPECT_THAT(lists.validate({{task.id, task}}, running_jobs()), IsEmpty());
   EXPECT_THAT(
       lists.validate({}, running_jobs()),
