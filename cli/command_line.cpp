@@ -582,9 +582,10 @@ class Parser {
                              "tetfarm priority job-7 10", priority_);
     priority.add_option("JOB", priority_.client.job, "The job")->required();
     priority
-        .add_option("N", priority_.priority,
-                    "Tasks of jobs with a higher one are handed out first (-1000 to 1000; jobs have "
-                    "0 unless submitted with --priority)")
+        .add_option(
+            "N", priority_.priority,
+            "Tasks of jobs with a higher one are handed out first (-1000 to 1000; jobs have "
+            "0 unless submitted with --priority)")
         ->check(CLI::Range(-most_priority, most_priority))
         ->required();
     add_client(priority, priority_.client, StoreOption::no);

@@ -460,13 +460,13 @@ struct NothingToDo {};
 using Command =
     std::variant<NothingToDo, RunOptions, CheckOptions, PlanCommand, QualityOptions, ExportCommand,
                  ConvertCommand, SurfaceCommand, RenderCommand, ShapeCommand, StatusCommand,
-                 WaitCommand, CancelCommand, PriorityCommand, RetryCommand, DrainCommand, SubmitCommand,
-                 CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
-                 TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
-                 EventsCommand, LogsCommand, ExplainCommand, TopCommand, TraceCommand,
-                 ReportCommand, BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand,
-                 AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand, CompletionCommand,
-                 ManCommand, VersionCommand, InitCommand>;
+                 WaitCommand, CancelCommand, PriorityCommand, RetryCommand, DrainCommand,
+                 SubmitCommand, CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand,
+                 KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
+                 WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TopCommand,
+                 TraceCommand, ReportCommand, BackupCommand, RestoreCommand, SpacingCommand,
+                 PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand,
+                 CompletionCommand, ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

@@ -238,10 +238,9 @@ ExitCode priority_command(const PriorityCommand& command) {
     throw Error(ExitCode::not_found, "no job " + client.job + " at " + client.endpoint);
   }
   if (answer.state() != "running") {
-    throw ErrorWithHelp(ExitCode::failed,
-                        client.job + " is already " + answer.state() +
-                            ": none of its tasks wait for workers",
-                        "");
+    throw ErrorWithHelp(
+        ExitCode::failed,
+        client.job + " is already " + answer.state() + ": none of its tasks wait for workers", "");
   }
   if (client.json) {
     std::printf("{\"type\":\"priority\",\"job\":\"%s\",\"priority\":%d}\n", client.job.c_str(),

@@ -485,8 +485,8 @@ void RequestHandler::submit(const Sender& sender, const wire::Submit& message, J
   answer(connection, std::move(reply));
 }
 
-void RequestHandler::set_priority(const std::string& connection,
-                                  const wire::SetPriority& message, JobState& state, Moment now) {
+void RequestHandler::set_priority(const std::string& connection, const wire::SetPriority& message,
+                                  JobState& state, Moment now) {
   if (const std::string problem = problem_with_priority(message.priority()); !problem.empty()) {
     return refuse(connection, problem, ExitCode::usage);
   }

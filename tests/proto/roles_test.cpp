@@ -24,9 +24,10 @@ TEST(Roles, each_may_send_what_is_its_business_and_nothing_else) {
   EXPECT_THAT(sendable(Role::worker),
               UnorderedElementsAre("hello", "ready", "done", "failed", "heartbeat", "goodbye",
                                    "fetch_file", "offer_file", "file_chunk"));
-  EXPECT_THAT(sendable(Role::submitter),
-              UnorderedElementsAre("submit", "cancel", "set_priority", "retry", "drain_workers", "status_request",
-                                   "query", "fetch_file", "offer_file", "file_chunk"));
+  EXPECT_THAT(
+      sendable(Role::submitter),
+      UnorderedElementsAre("submit", "cancel", "set_priority", "retry", "drain_workers",
+                           "status_request", "query", "fetch_file", "offer_file", "file_chunk"));
   EXPECT_THAT(sendable(Role::viewer), UnorderedElementsAre("status_request", "query"));
 }
 

@@ -27,7 +27,8 @@ std::string some_hash(char digit) { return std::string(32, digit); }
 
 ChangeSet some_changes() {
   ChangeSet changes;
-  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0, "", 5, 0, "owner", "job 1", -7};
+  JobRow job{JobId{1}, "key", "wing", "toml = 1", JobPhase::running, 0,
+             "",       5,     0,      "owner",    "job 1",           -7};
   TaskRow task;
   task.id = TaskId{3};
   task.job = JobId{1};
