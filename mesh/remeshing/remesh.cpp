@@ -28,6 +28,8 @@ constexpr double longest_edge = 1.45;
 constexpr double shortest_edge = 0.87;
 /// Worse triangles may be made only of worse ones yet.
 constexpr double good_shape = 0.6;
+/// Triangles of a lesser shape are divided across their longest edge or not at all.
+constexpr double flat_shape = 0.05;
 /// Of the tolerance: between the points that are compared a triangle may lie farther off.
 constexpr double tolerance_at_samples = 0.5;
 /// How often vertices of the input that were left behind are kept, and all is done again.
@@ -57,6 +59,23 @@ std::int64_t collapse_short_edges(RemeshingWork& work) {
   return count;
 }
 
+/// A flat triangle is divided across its longest edge first: divided across another it would leave a
+/// flatter one on that edge, and so on until there is nothing between them but rounding.
+bool waits_for_longer_edge(const RemeshingWork& work, std::int32_t a, std::int32_t b) {
+  const ChangingSurface& surface = work.surface;
+  const double length2 = norm2(surface.at(b) - surface.at(a));
+  const auto is_longer = [&](std::int32_t p, std::int32_t q) {
+    return norm2(surface.at(q) - surface.at(p)) > length2 &&
+           edge_length(work, p, q) > longest_edge;
+  };
+  return std::ranges::any_of(surface.triangles_on(a, b), [&](std::int32_t t) {
+    const Triangle& nodes = surface.triangle(t).nodes;
+    return triangle_shape(surface.points(nodes)) < flat_shape &&
+           (is_longer(nodes[0], nodes[1]) || is_longer(nodes[1], nodes[2]) ||
+            is_longer(nodes[2], nodes[0]));
+  });
+}
+
 std::int64_t split_long_edges(RemeshingWork& work) {
   std::int64_t count = 0;
   const std::vector<MeasuredEdge> edges = edges_longer_than(work, longest_edge, work.split);
@@ -65,6 +84,7 @@ std::int64_t split_long_edges(RemeshingWork& work) {
     const auto [a, b] = edge.ends;
     // After flips, those beside an edge that was split may not be there any more, or be shorter.
     if (work.surface.has_new_triangle(work.split, a, b)) continue;
+    if (waits_for_longer_edge(work, a, b)) continue;
     if (split_edge(work, a, b)) ++count;
   }
   return count;
