@@ -59,14 +59,13 @@ std::int64_t collapse_short_edges(RemeshingWork& work) {
   return count;
 }
 
-/// A flat triangle is divided across its longest edge first: divided across another it would leave a
-/// flatter one on that edge, and so on until there is nothing between them but rounding.
+/// A flat triangle is divided across its longest edge first: divided across another it would leave
+/// a flatter one on that edge, and so on until there is nothing between them but rounding.
 bool waits_for_longer_edge(const RemeshingWork& work, std::int32_t a, std::int32_t b) {
   const ChangingSurface& surface = work.surface;
   const double length2 = norm2(surface.at(b) - surface.at(a));
   const auto is_longer = [&](std::int32_t p, std::int32_t q) {
-    return norm2(surface.at(q) - surface.at(p)) > length2 &&
-           edge_length(work, p, q) > longest_edge;
+    return norm2(surface.at(q) - surface.at(p)) > length2 && edge_length(work, p, q) > longest_edge;
   };
   return std::ranges::any_of(surface.triangles_on(a, b), [&](std::int32_t t) {
     const Triangle& nodes = surface.triangle(t).nodes;
