@@ -8,6 +8,7 @@
 #include "mesh/geometry/triangle_distance.h"
 #include "mesh/geometry/triangle_intersection.h"
 #include "mesh/inspect/self_intersection.h"
+#include "mesh/remeshing/angle_smoothing.h"
 #include "mesh/remeshing/box_forest.h"
 #include "mesh/remeshing/changing_surface.h"
 #include "mesh/remeshing/edge_collapse.h"
@@ -36,6 +37,9 @@ constexpr double tolerance_at_samples = 0.5;
 constexpr int most_rounds = 4;
 constexpr int most_splitting_sweeps = 100;
 constexpr int turns = 6;
+/// At the end, the smallest angles are raised above 35 degrees where that can be.
+constexpr double cosine_wanted = 0.8192;
+constexpr int most_hunts = 10;
 constexpr int smoothings_a_turn = 2;
 
 bool collapse_either_way(RemeshingWork& work, const MeasuredEdge& edge) {
@@ -153,6 +157,10 @@ RemeshedSurface remeshed(const SurfaceMesh& surface, const SurfaceFeatures& feat
     flip_edges(work, FlipFor::shape);
     smooth_vertices(work, good_shape);
     measure_spacings(work);
+  }
+  for (int hunt = 0; hunt < most_hunts; ++hunt) {
+    if (raise_angles(work, cosine_wanted) == 0) break;
+    flip_edges(work, FlipFor::shape);
   }
   return result_of(changed, surface, features);
 }

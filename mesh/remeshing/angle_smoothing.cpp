@@ -1,0 +1,134 @@
+#include "mesh/remeshing/angle_smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "mesh/remeshing/triangle_normal.h"
+
+namespace tetfarm {
+namespace {
+
+/// Lengths of steps, of the spacing.
+constexpr std::array<double, 5> steps = {0.4, 0.24, 0.12, 0.06, 0.03};
+constexpr double diagonal = 0.70710678118654757;
+constexpr std::array<std::array<double, 2>, 8> directions = {{{1, 0},
+                                                              {diagonal, diagonal},
+                                                              {0, 1},
+                                                              {-diagonal, diagonal},
+                                                              {-1, 0},
+                                                              {-diagonal, -diagonal},
+                                                              {0, -1},
+                                                              {diagonal, -diagonal}}};
+/// A step makes the cosine of the smallest angle smaller by as much: 0.05 degrees at 30.
+constexpr double least_gain = 4e-4;
+constexpr int most_steps_of_vertex = 12;
+
+/// The cosine of the smallest angle of a triangle.
+double largest_cosine(const TrianglePoints& c) {
+  double largest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 u = c[(k + 1) % 3] - c[k];
+    const Vec3 v = c[(k + 2) % 3] - c[k];
+    const double lengths = std::sqrt(norm2(u) * norm2(v));
+    largest = std::max(largest, lengths > 0 ? dot(u, v) / lengths : 1);
+  }
+  return largest;
+}
+
+double largest_cosine(const ChangingSurface& surface, std::int32_t v) {
+  double largest = -1;
+  for (const std::int32_t t : surface.ring(v)) {
+    largest = std::max(largest, largest_cosine(surface.points(surface.triangle(t).nodes)));
+  }
+  return largest;
+}
+
+/// Two directions across the normal, of length 1.
+std::array<Vec3, 2> tangents_of(const Vec3& normal) {
+  const Vec3 size{std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)};
+  const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3{1, 0, 0}
+                    : size.y <= size.z                   ? Vec3{0, 1, 0}
+                                                         : Vec3{0, 0, 1};
+  const Vec3 first = normalized(cross(normal, axis));
+  return {first, normalized(cross(normal, first))};
+}
+
+/// The vertex where a step leads, on the input; nothing where there is none.
+std::optional<InputFoot> foot_of_step(const RemeshingWork& work, std::int32_t v, const Vec3& to,
+                                      const Vec3& normal) {
+  const SurfaceVertex& vertex = work.surface.vertex(v);
+  if (work.shape.plane(vertex.home)) return InputFoot{to, vertex.foot, 0};
+  return work.shape.on_face(vertex.home, to, normal, vertex.spacing, vertex.foot);
+}
+
+/// The step that makes the smallest angle largest.
+std::optional<InputFoot> best_step(RemeshingWork& work, std::int32_t v, double cosine) {
+  ChangingSurface& surface = work.surface;
+  const Vec3 before = surface.at(v);
+  const Vec3 normal = normal_at(surface, v, surface.vertex(v).home);
+  const auto [first, second] = tangents_of(normalized(normal));
+  std::optional<InputFoot> best;
+  double best_cosine = cosine - least_gain;
+  for (const double step : steps) {
+    const double length = step * surface.vertex(v).spacing;
+    for (const auto& [along, across] : directions) {
+      const Vec3 to = before + length * (along * first + across * second);
+      const std::optional<InputFoot> foot = foot_of_step(work, v, to, normal);
+      if (!foot) continue;
+      surface.try_at(v, foot->at);
+      const double here = largest_cosine(surface, v);
+      if (here < best_cosine) {
+        best_cosine = here;
+        best = foot;
+      }
+    }
+  }
+  surface.try_at(v, before);
+  return best;
+}
+
+bool move_to(RemeshingWork& work, std::int32_t v, const InputFoot& foot) {
+  ChangingSurface& surface = work.surface;
+  SurfaceVertex& vertex = surface.vertex(v);
+  const Vec3 before = surface.at(v);
+  const std::int32_t old_foot = vertex.foot;
+  surface.try_at(v, foot.at);
+  vertex.foot = foot.item;
+  work.replacement.clear();
+  work.replacement.removed = surface.ring(v);
+  work.replacement.fills_hole = true;
+  for (const std::int32_t t : surface.ring(v)) {
+    work.replacement.made.push_back(surface.triangle(t));
+  }
+  if (lies_on_input(work, v) && meets_nothing(work, v)) {
+    vertex.has_moved = true;
+    surface.settle(v);
+    return true;
+  }
+  surface.try_at(v, before);
+  vertex.foot = old_foot;
+  return false;
+}
+
+}  // namespace
+
+std::int64_t raise_angles(RemeshingWork& work, double cosine_wanted) {
+  std::int64_t moved = 0;
+  for (std::int32_t v = 0; v < work.surface.vertex_end(); ++v) {
+    if (work.surface.ring(v).empty() || work.surface.vertex(v).kind != VertexKind::smooth) continue;
+    bool has_moved = false;
+    for (int step = 0; step < most_steps_of_vertex; ++step) {
+      const double cosine = largest_cosine(work.surface, v);
+      if (cosine <= cosine_wanted) break;
+      const std::optional<InputFoot> to = best_step(work, v, cosine);
+      if (!to || !move_to(work, v, *to)) break;
+      has_moved = true;
+    }
+    if (has_moved) ++moved;
+  }
+  return moved;
+}
+
+}  // namespace tetfarm
