@@ -53,7 +53,7 @@ class RealProgram(support.InFolder):
         said = child.stdout.read()
         self.assertEqual(child.wait(), 9)
         self.assertIn("interrupted", said)
-        self.assertEqual(support.processes_in(self.folder), {})
+        self.assert_nothing_runs()
         self.assertEqual([job["state"] for job in tetfarm.jobs(store="out")], ["stopped"])
 
     def test_goes_on_after_ctrl_c(self):
@@ -71,7 +71,7 @@ class RealProgram(support.InFolder):
         child.send_signal(signal.SIGINT)
         child.wait()
         self.assertLess(time.monotonic() - begun, 30, "the grace of 60 s is not waited for")
-        self.assertEqual(support.processes_in(self.folder), {})
+        self.assert_nothing_runs()
 
     def test_stops_too_when_python_is_killed(self):
         if shutil.which("setpriv") is None:
@@ -79,8 +79,7 @@ class RealProgram(support.InFolder):
         child = self.start()
         child.kill()
         child.wait()
-        self.assertTrue(support.await_that(lambda: not support.processes_in(self.folder)),
-                        support.processes_in(self.folder))
+        self.assert_nothing_runs()
 
     def test_that_is_killed_is_an_error_that_names_the_signal(self):
         def kill(progress):
@@ -110,7 +109,7 @@ class RealProgram(support.InFolder):
         with self.assertRaises(tetfarm.TimeLimitError):
             tetfarm.run(support.SURFACE, "out", time_limit=1.5, grace=0, **LONG)
         self.assertLess(time.monotonic() - begun, 15)
-        self.assertEqual(support.processes_in(self.folder), {})
+        self.assert_nothing_runs()
 
     def test_ends_when_a_callback_raises(self):
         class Enough(Exception):
@@ -121,7 +120,7 @@ class RealProgram(support.InFolder):
 
         with self.assertRaises(Enough):
             tetfarm.run(support.SURFACE, "out", on_progress=enough, grace=0, **LONG)
-        self.assertEqual(support.processes_in(self.folder), {})
+        self.assert_nothing_runs()
 
 
 class OtherProgram(support.InFolder):
@@ -134,7 +133,7 @@ class OtherProgram(support.InFolder):
     def assert_raises(self, kind, script, **options):
         with self.assertRaises(kind) as caught:
             self.run_with(script, **options)
-        self.assertEqual(support.processes_in(self.folder), {})
+        self.assert_nothing_runs()
         return caught.exception
 
     def test_that_ends_without_a_word_is_an_error(self):

@@ -45,6 +45,11 @@ class InFolder(unittest.TestCase):
         self.addCleanup(os.chdir, before)
         os.chdir(self.folder)
 
+    def assert_nothing_runs(self):
+        """Nothing that was started here; what was killed goes when the kernel comes to it."""
+        if not await_that(lambda: not processes_in(self.folder)):
+            self.fail(f"still running: {processes_in(self.folder)}")
+
 
 def shape(kind, name, spacing):
     """A surface that the program makes."""
