@@ -196,6 +196,9 @@ class Conversation:
                                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
         except OSError as error:
             raise ProgramNotFoundError(f"{program}: {error.strerror}", help="install it, or set TETFARM") from error
+        out, err = self._child.stdout, self._child.stderr
+        assert out is not None and err is not None  # they were asked for
+        self._out, self._err = out, err
 
     def run(self) -> Ended:
         """Until the program has ended. Whatever is raised meanwhile, by a callback or Ctrl-C, ends the program first."""
@@ -206,14 +209,13 @@ class Conversation:
             self._stop()
             raise
         finally:
-            for pipe in (self._child.stdout, self._child.stderr):
-                if pipe is not None:
-                    pipe.close()
+            self._out.close()
+            self._err.close()
         return Ended(code, self._output, self._end, self._last_words)
 
     def _read(self) -> None:
-        takers = {self._child.stdout: (_Lines(_LONGEST_RESULT), self._take_output),
-                  self._child.stderr: (_Lines(_LONGEST_LINE), self._take_progress)}
+        takers = {self._out: (_Lines(_LONGEST_RESULT), self._take_output),
+                  self._err: (_Lines(_LONGEST_LINE), self._take_progress)}
         with selectors.DefaultSelector() as selector:
             for pipe, taker in takers.items():
                 selector.register(pipe, selectors.EVENT_READ, taker)
@@ -296,7 +298,7 @@ class Conversation:
         """What it still says is not heard, but a full pipe must not keep it from ending."""
         until = time.monotonic() + patience
         with selectors.DefaultSelector() as selector:
-            for pipe in (self._child.stdout, self._child.stderr):
+            for pipe in (self._out, self._err):
                 selector.register(pipe, selectors.EVENT_READ)
             while self._child.poll() is None and time.monotonic() < until:
                 if not selector.get_map():
