@@ -184,6 +184,7 @@ export function makeJob(options) {
   const planned = plannedTasks(options, random);
   const { attempts: planned_attempts, seconds } = schedule(planned, options.workers, random, options.lossShare ?? 0.01);
   const now = seconds * options.fraction + (options.fraction >= 1 ? 1 : 0);
+  if (options.nowMs) options.beginMs = Math.round(options.nowMs - 1000 * now);
   const attempts = [];
   const task2attempts = new Map();
   for (const attempt of planned_attempts.filter(({ start }) => start <= now)) {
@@ -212,6 +213,10 @@ function failJob(made) {
     task.message = 'crashed 3 times: signal 11 (segmentation fault); <b>last words</b>';
     task.exit_code = 70;
     task.errors = 3;
+    for (const attempt of made.attempts.filter((other) => other.task === task.task)) {
+      attempt.state = 'crashed';
+      attempt.message = 'signal 11 (segmentation fault)';
+    }
   }
   const { job } = made;
   job.state = 'failed';
@@ -244,9 +249,9 @@ export function makeFarm({ largeLeaves = 20_000, nowMs = Date.UTC(2026, 10, 30, 
   const done = add({ job: 'job-8', name: 'pml_sphere', leaves: 24, firstTask: next(), elements: 3.3e6, secondsPerElement: 6e-5, fraction: 1, beginMs: at(50) });
   done.job.result = result;
   done.job.files = ['/srv/tetfarm/out/pml_sphere.vtkhdf'];
-  const stuck = add({ job: 'job-9', name: 'turbine_blade', leaves: 32, firstTask: next(), elements: 9e6, secondsPerElement: 5e-5, fraction: 0.2, beginMs: at(14), state: 'stuck' });
+  const stuck = add({ job: 'job-9', name: 'turbine_blade', leaves: 32, firstTask: next(), elements: 9e6, secondsPerElement: 5e-5, fraction: 0.2, nowMs, state: 'stuck' });
   stuck.job.message = 'the disk of the store has no room: 1.2 GiB are free, 3.4 GiB are needed';
-  add({ job: 'job-10', name: 'onera_m6_wing', leaves: 160, firstTask: next(), elements: 42e6, secondsPerElement: 9e-5, fraction: 0.5, beginMs: at(7), lossShare: 0.03 });
+  add({ job: 'job-10', name: 'onera_m6_wing', leaves: 160, firstTask: next(), elements: 42e6, secondsPerElement: 3e-4, fraction: 0.5, nowMs, lossShare: 0.03 });
   return { jobs, workers: workerRows(workers, jobs, nowMs), events: eventsOf(jobs), nowMs };
 }
 

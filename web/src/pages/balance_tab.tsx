@@ -13,7 +13,7 @@ import { balanceFigures } from '../logic/plain_words';
 import { inOrder } from '../logic/task_kinds';
 import { Chart } from '../ui/chart';
 import { Choice } from '../ui/fields';
-import { Empty, Figure, Figures } from '../ui/parts';
+import { Empty, Pair as Line } from '../ui/parts';
 
 interface Measure {
   words: string;
@@ -158,13 +158,13 @@ export function BalanceTab({ job, tasks, attempts }: TabProps) {
         />
       </div>
       {told.length > 0 && (
-        <Figures>
+        <dl class="pairs">
           {told.map(({ key, words, text }) => (
-            <Figure key={key} words={words}>
+            <Line key={key} words={words}>
               {text}
-            </Figure>
+            </Line>
           ))}
-        </Figures>
+        </dl>
       )}
       {measures.map((measure) => (
         <MeasureView key={measure.actual} tasks={tasks} kind={kind} measure={measure} />

@@ -8,7 +8,7 @@ import { forecastFigures, qualityFigures } from '../logic/plain_words';
 import { isJobLive, lookOf } from '../logic/states';
 import { placeText } from '../logic/task_kinds';
 import { Act, countOf } from '../ui/acts';
-import { Bar, Figure, Figures, Kind, Name, Said, State, TaskLink } from '../ui/parts';
+import { Bar, Figure, Figures, Kind, Name, Pair, Said, State, TaskLink } from '../ui/parts';
 
 interface HeadProps {
   job: Job;
@@ -84,13 +84,13 @@ function Progress({ job }: { job: Job }) {
 }
 
 function JobFigures({ job }: { job: Job }) {
-  const expected = job.estimated_elements > 0 ? `of ${short(job.estimated_elements)} expected` : undefined;
+  const expected = job.estimated_elements > 0 ? `of ${short(job.estimated_elements)}` : undefined;
   return (
     <Figures>
       <Figure words="Elements" hint={expected}>
         {short(job.elements)}
       </Figure>
-      <Figure words="Sub-domains meshed" hint={`of ${whole(job.subdomains)}`}>
+      <Figure words="Sub-domains" hint={`meshed, of ${whole(job.subdomains)}`}>
         {whole(job.subdomains_meshed)}
       </Figure>
       <Figure words="Tasks done" hint={job.tasks ? `of ${whole(job.tasks.total)} so far` : undefined}>
@@ -120,9 +120,7 @@ function Quarantine({ tasks }: { tasks: readonly QuarantinedTask[] }) {
           <li key={task.task}>
             <TaskLink task={task.task} /> <Kind kind={task.kind} />{' '}
             <Name text={placeText(task.kind, task.path)} longest={60} />
-            <pre class="said-block">
-              <Said text={task.reason} />
-            </pre>
+            <div><Said text={task.reason} /></div>
           </li>
         ))}
       </ul>
@@ -136,14 +134,14 @@ function Gates({ gates }: { gates: readonly Gate[] }) {
       {gates
         .filter((gate) => gate.limit_deg > 0)
         .map((gate) => (
-          <Figure key={gate.key} words={`gate ${harmlessName(gate.key, 40)}`} hint={`limit ${figure(gate.limit_deg)}°`}>
+          <Pair key={gate.key} words={`gate ${harmlessName(gate.key, 40)}, ${figure(gate.limit_deg)}°`}>
             <span class={`state ${gate.passed ? 'good' : 'bad'}`}>
               <span class="symbol" aria-hidden="true">
                 {gate.passed ? '✓' : '✕'}
               </span>
               {gate.passed ? 'passed' : 'not passed'}
             </span>
-          </Figure>
+          </Pair>
         ))}
     </>
   );
@@ -173,14 +171,14 @@ function Result({ job }: { job: Job }) {
   return (
     <details class="result" open={job.state === 'done'}>
       <summary>{job.state === 'done' ? 'Result' : 'Forecast and more'}</summary>
-      <Figures>
+      <dl class="pairs">
         {[...figures, ...forecast].map(({ key, words, text }) => (
-          <Figure key={key} words={words}>
-            {key === 'digest' ? <code class="text-figure"><Name text={text} longest={64} /></code> : text}
-          </Figure>
+          <Pair key={key} words={words}>
+            {key === 'digest' ? <code><Name text={text} longest={64} /></code> : text}
+          </Pair>
         ))}
         <Gates gates={listOf<Gate>(result.gates)} />
-      </Figures>
+      </dl>
       {remarks.map((remark) => (
         <p key={remark}>
           <Said text={remark} />
@@ -220,9 +218,7 @@ export function JobHead({ job, acts, onChange }: HeadProps) {
       <Progress job={job} />
       {job.message && (
         <div class={`callout ${job.state === 'done' ? 'quiet' : 'bad'}`}>
-          <pre class="said-block">
-            <Said text={job.message} />
-          </pre>
+          <div><Said text={job.message} /></div>
         </div>
       )}
       <JobFigures job={job} />

@@ -62,9 +62,7 @@ function Reasons({ task }: { task: Explanation }) {
       )}
       {task.message && (
         <div class={`callout ${task.state === 'failed' ? 'bad' : 'quiet'}`}>
-          <pre class="said-block">
-            <Said text={task.message} />
-          </pre>
+          <div><Said text={task.message} /></div>
         </div>
       )}
     </section>

@@ -6,7 +6,7 @@ import type { Span, TimeBar, Timeline } from '../logic/timeline_bars';
 import { barsOfRow, tickText, ticks } from '../logic/timeline_bars';
 import { patternOf } from '../ui/hatching';
 import type { Drawing } from '../ui/surface';
-import { colour } from '../ui/theme';
+import { colour, fontOf } from '../ui/theme';
 
 export const axisHeight = 24;
 export const rowHeight = 20;
@@ -68,7 +68,7 @@ function drawLabel({ context }: Drawing, picture: TimelinePicture, row: number, 
 export function drawTimeline(drawing: Drawing, picture: TimelinePicture): void {
   const { context, width, height } = drawing;
   const { timeline, span, top } = picture;
-  context.font = '11px system-ui, sans-serif';
+  context.font = fontOf(11);
   context.textBaseline = 'middle';
   drawAxis(drawing, span);
   context.textAlign = 'left';

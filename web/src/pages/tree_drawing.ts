@@ -7,7 +7,7 @@ import type { Tree, TreeBar, TreeView } from '../logic/tree_layout';
 import { barsOfTree, rankedStates } from '../logic/tree_layout';
 import { patternOf } from '../ui/hatching';
 import type { Drawing } from '../ui/surface';
-import { colour } from '../ui/theme';
+import { colour, fontOf } from '../ui/theme';
 
 export interface TreePicture {
   tree: Tree;
@@ -51,6 +51,12 @@ function drawWords(drawing: Drawing, picture: TreePicture, bar: TreeBar, y: numb
   context.fillText(words, x, y + h / 2 + 0.5);
 }
 
+/** Leaves stand out from the sub-domains that they were cut from. */
+function isCut(tree: Tree, node: number): boolean {
+  const path = tree.path[node]!;
+  return tree.path2node.has(2 * path) || tree.path2node.has(2 * path + 1);
+}
+
 function drawBar(drawing: Drawing, picture: TreePicture, bar: TreeBar, rowHeight: number): void {
   const { context } = drawing;
   const y = bar.level * rowHeight;
@@ -59,6 +65,10 @@ function drawBar(drawing: Drawing, picture: TreePicture, bar: TreeBar, rowHeight
   const state = rankedStates[bar.rank]!;
   paintState(context, state, bar.x, y, w, h);
   if (bar.node < 0) return;
+  if (state === 'done' && isCut(picture.tree, bar.node)) {
+    context.fillStyle = colour('task-cut');
+    context.fillRect(bar.x, y, w, h);
+  }
   const row = picture.tree.shown[bar.node]!;
   const share = row >= 0 ? picture.tasks.number('share')[row]! : 0;
   if (state === 'leased' && share > 0) {
@@ -83,7 +93,7 @@ function outline(drawing: Drawing, picture: TreePicture, node: number, ink: stri
 export function drawTree(drawing: Drawing, picture: TreePicture): void {
   const { context } = drawing;
   const rowHeight = rowHeightOf(picture.tree.levels);
-  context.font = '12px system-ui, sans-serif';
+  context.font = fontOf(12);
   context.textBaseline = 'middle';
   const bars = barsOfTree(picture.tree, picture.view);
   for (const bar of bars) drawBar(drawing, picture, bar, rowHeight);

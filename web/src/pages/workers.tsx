@@ -59,6 +59,7 @@ function Demands({ farm }: { farm: Farm | undefined }) {
       {farm.demand.length === 0 ? (
         <Empty>None: whatever can run has a worker.</Empty>
       ) : (
+        <div class="scroller boxed">
         <table class="small">
           <thead>
             <tr>
@@ -77,6 +78,7 @@ function Demands({ farm }: { farm: Farm | undefined }) {
             ))}
           </tbody>
         </table>
+        </div>
       )}
     </section>
   );
@@ -240,7 +242,7 @@ export function WorkersPage({ acts }: { acts: boolean }) {
       <h1>Workers</h1>
       {workers && <FarmState farm={farm} workers={workers} />}
       <Demands farm={farm} />
-      <div class="row filters">
+      <div class="row filters spaced">
         <Search label="Worker, host or state" value={query} onChange={setQuery} />
         <label class="check">
           <input

@@ -4,7 +4,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { colour, onTheme } from './theme';
+import { colour, fontOf, onTheme } from './theme';
 
 export interface ChartSeries {
   words: string;
@@ -48,7 +48,7 @@ function optionsOf(props: ChartProps, width: number): uPlot.Options {
     stroke: colour('faint'),
     grid: { stroke: colour('line'), width: 1 },
     ticks: { stroke: colour('line'), width: 1 },
-    font: '11px system-ui, sans-serif',
+    font: fontOf(11),
   };
   const xForm = props.xForm ?? ((value) => String(value));
   return {
@@ -59,7 +59,7 @@ function optionsOf(props: ChartProps, width: number): uPlot.Options {
       ...(props.fromZero ? { y: { range: (_u, _low, high) => [0, (high || 1) * 1.05] } } : {}),
     },
     axes: [
-      { ...axis, label: props.xWords, labelSize: 18, labelFont: '11px system-ui, sans-serif',
+      { ...axis, label: props.xWords, labelSize: 18, labelFont: fontOf(11),
         values: (_u, values) => values.map(xForm), space: 70 },
       { ...axis, size: 70, values: (_u, values) => values.map(props.form) },
     ],

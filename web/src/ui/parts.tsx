@@ -89,6 +89,16 @@ export function Figures({ children }: { children: ComponentChildren }) {
   return <dl class="figures">{children}</dl>;
 }
 
+/** A line of a list of words and values (`dl.pairs`). */
+export function Pair({ words, children }: Pick<FigureProps, 'words' | 'children'>) {
+  return (
+    <div>
+      <dt>{words}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
 export function Trouble({ error }: { error: ApiError | undefined }) {
   if (!error) return null;
   return (

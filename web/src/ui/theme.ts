@@ -54,3 +54,8 @@ export function colour(name: string): string {
     .getPropertyValue(`--${name}`)
     .trim());
 }
+
+/** For canvases: the page's font. */
+export function fontOf(sizePx: number): string {
+  return `${sizePx}px ${getComputedStyle(document.body).fontFamily}`;
+}
