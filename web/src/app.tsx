@@ -3,12 +3,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApi, useLive } from './api/hooks';
 import { Banners } from './banners';
+import { harmlessName } from './logic/harmless';
 import type { Route } from './logic/router';
 import { EventsPage } from './pages/events';
 import { JobPage } from './pages/job';
 import { JobsPage } from './pages/jobs';
 import { TaskPage } from './pages/task';
 import { WorkersPage } from './pages/workers';
+import { ActLayer } from './ui/acts';
 import { Link, useRoute } from './ui/navigation';
 import { Empty } from './ui/parts';
 import type { Choice } from './ui/theme';
@@ -78,7 +80,7 @@ function Header({ route }: { route: Route }) {
 }
 
 function titleOf(route: Route): string {
-  if (route.page === 'job') return `${route.job} · Tetfarm`;
+  if (route.page === 'job') return `${harmlessName(route.job, 60)} · Tetfarm`;
   if (route.page === 'task') return `Task ${route.task} · Tetfarm`;
   const words = { jobs: 'Jobs', workers: 'Workers', events: 'Events', unknown: 'Not found' };
   return `${words[route.page]} · Tetfarm`;
@@ -134,6 +136,7 @@ export function App() {
       <main id="main" ref={main} tabIndex={-1}>
         <Page route={route} acts={api?.acts === true} />
       </main>
+      <ActLayer />
       <footer class="bottom">
         Tetfarm {api?.program_version ?? ''}
         {api && !api.acts && ' · this page only looks: `tetfarm dashboard --acts` lets it cancel, retry and drain'}

@@ -1,6 +1,8 @@
 // The states of tasks, attempts, jobs and workers: the word that people read, a symbol (so that
 // nothing is told by colour alone), and the tone of its colour.
 
+import { harmlessName } from './harmless';
+
 export type Tone = 'good' | 'active' | 'ready' | 'quiet' | 'bad';
 
 export interface Look {
@@ -50,10 +52,10 @@ const workerLooks: Record<string, Look> = {
 const all = { task: taskLooks, attempt: attemptLooks, job: jobLooks, worker: workerLooks };
 export type Thing = keyof typeof all;
 
-/** A state that is not known is shown as it came, quietly. */
+/** A state that is not known is shown quietly as it came, harmless. */
 export function lookOf(thing: Thing, state: string): Look {
   const looks = all[thing];
-  return Object.hasOwn(looks, state) ? looks[state]! : look(state, '?', 'quiet');
+  return Object.hasOwn(looks, state) ? looks[state]! : look(harmlessName(state, 40), '?', 'quiet');
 }
 
 export const taskStates = Object.keys(taskLooks);

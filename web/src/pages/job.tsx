@@ -11,7 +11,7 @@ import type { JobTab } from '../logic/router';
 import { jobAddress, jobTabs } from '../logic/router';
 import { isJobLive } from '../logic/states';
 import { Link } from '../ui/navigation';
-import { Empty, Trouble, Waiting } from '../ui/parts';
+import { Empty, Name, Trouble, Waiting } from '../ui/parts';
 import { BalanceTab } from './balance_tab';
 import { JobEvents } from './events';
 import { JobHead } from './job_head';
@@ -126,7 +126,7 @@ export function JobPage({ job, tab, acts }: PageProps) {
       <p class="crumbs">
         <Link to="/">Jobs</Link>
       </p>
-      {!known && <h1>{job}</h1>}
+      {!known && <h1><Name text={job} longest={60} /></h1>}
       {!known && <Trouble error={asked.error} />}
       {!known && !asked.error && <Waiting what="Asking for the job…" />}
       {known && <JobHead job={known} acts={acts} onChange={asked.ask} />}

@@ -179,7 +179,7 @@ function TaskActs({ task, onDone }: { task: Explanation; onDone: () => void }) {
       }
       onDone={onDone}
     >
-      Task {task.task} ({task.kind}) leaves the quarantine and is tried again; its job goes on.
+      Task {task.task} (<Kind kind={task.kind} />) leaves the quarantine and is tried again; its job goes on.
     </Act>
   );
 }

@@ -2,6 +2,7 @@
 // progress of what runs.
 
 import type { ColumnTable } from '../api/columns';
+import { harmlessName } from '../logic/harmless';
 import { lookOf } from '../logic/states';
 import type { Tree, TreeBar, TreeView } from '../logic/tree_layout';
 import { barsOfTree, rankedStates } from '../logic/tree_layout';
@@ -38,7 +39,7 @@ function drawWords(drawing: Drawing, picture: TreePicture, bar: TreeBar, y: numb
   const state = rankedStates[bar.rank]!;
   const row = picture.tree.shown[bar.node]!;
   const symbol = state === 'open' ? '' : lookOf('task', state).symbol;
-  const kind = row >= 0 ? picture.tasks.text('kind')[row]! : '';
+  const kind = row >= 0 ? harmlessName(picture.tasks.text('kind')[row], 40) : '';
   const words = bar.width > 70 && kind ? `${symbol} ${kind}` : symbol;
   const room = context.measureText(words).width;
   if (!words || room > bar.width - 4) return;

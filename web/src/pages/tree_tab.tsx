@@ -4,6 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import type { ColumnTable } from '../api/columns';
 import type { Job } from '../api/types';
 import { bytes, dash, duration, percent, short, whole } from '../logic/format';
+import { harmlessName } from '../logic/harmless';
 import type { Tree } from '../logic/tree_layout';
 import { ancestors, neighbour, nodeAt, rankedStates, treeOf } from '../logic/tree_layout';
 import { lookOf } from '../logic/states';
@@ -160,7 +161,7 @@ function Tip({ tree, tasks, node }: { tree: Tree; tasks: ColumnTable; node: numb
   return (
     <p class="tip">
       <strong><Name text={pathText(tree.path[node]!)} longest={60} /></strong>
-      {row >= 0 && ` · ${tasks.text('kind')[row]} #${n('task')}`} · {words}
+      {row >= 0 && ` · ${harmlessName(tasks.text('kind')[row], 40)} #${n('task')}`} · {words}
       {row >= 0 && state === 'leased' && n('share') > 0 && ` ${percent(n('share'))}`}
       {row >= 0 && ` · ${duration(n('seconds'))} of ${n('expected_seconds') > 0 ? duration(n('expected_seconds')) : dash}`}
       {row >= 0 && ` · ${n('peak_rss_bytes') > 0 ? bytes(n('peak_rss_bytes')) : dash}`}

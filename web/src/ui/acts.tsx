@@ -1,9 +1,10 @@
-// Acts: a button that says in a dialog what will happen, does it when that is confirmed, and tells
-// what came of it.
+// Acts: a button, and one dialog for all of them that says what will happen, does it when that is
+// confirmed, and tells what came of it. The dialog stays although its button may go meanwhile.
 
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { ApiError, act } from '../api/client';
+import { harmlessName } from '../logic/harmless';
 import { Said } from './parts';
 
 export interface ActProps {
@@ -20,6 +21,20 @@ export interface ActProps {
 
 type Outcome = { text: string; help?: string; isBad: boolean };
 
+let show: ((props: ActProps) => void) | undefined;
+
+export function Act(props: ActProps) {
+  return (
+    <button
+      type="button"
+      class={props.isGrave ? 'button grave' : 'button'}
+      onClick={() => show?.(props)}
+    >
+      {props.label}
+    </button>
+  );
+}
+
 async function outcomeOf(props: ActProps): Promise<Outcome> {
   try {
     return { text: props.outcome(await act<Record<string, unknown>>(props.path)), isBad: false };
@@ -29,19 +44,24 @@ async function outcomeOf(props: ActProps): Promise<Outcome> {
   }
 }
 
-export function Act(props: ActProps) {
-  const [isOpen, open] = useState(false);
+function OutcomeText({ came }: { came: Outcome }) {
+  return (
+    <div class={came.isBad ? 'callout bad' : 'callout good'} role="status">
+      <Said text={came.text} />
+      {came.help && (
+        <div>
+          <Said text={came.help} />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function ActDialog({ props, onClose }: { props: ActProps; onClose: () => void }) {
   const [isBusy, busy] = useState(false);
   const [came, set] = useState<Outcome>();
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    if (isOpen) dialog.current?.showModal();
-  }, [isOpen]);
-  const close = () => {
-    dialog.current?.close();
-    open(false);
-    set(undefined);
-  };
+  useLayoutEffect(() => dialog.current?.showModal(), []);
   const go = async () => {
     busy(true);
     const outcome = await outcomeOf(props);
@@ -49,45 +69,40 @@ export function Act(props: ActProps) {
     set(outcome);
     if (!outcome.isBad) props.onDone?.();
   };
+  const title = harmlessName(props.title, 120);
   return (
-    <>
-      <button type="button" class={props.isGrave ? 'button grave' : 'button'} onClick={() => open(true)}>
-        {props.label}
-      </button>
-      {isOpen && (
-        <dialog ref={dialog} aria-label={props.title} onClose={close}>
-          <h2>{props.title}</h2>
-          {came ? (
-            <div class={came.isBad ? 'callout bad' : 'callout good'} role="status">
-              <Said text={came.text} />
-              {came.help && (
-                <div>
-                  <Said text={came.help} />
-                </div>
-              )}
-            </div>
-          ) : (
-            <div>{props.children}</div>
-          )}
-          <div class="row end">
-            <button type="button" class="button" onClick={close}>
-              {came ? 'Close' : 'Leave it'}
-            </button>
-            {!came && (
-              <button
-                type="button"
-                class={props.isGrave ? 'button grave filled' : 'button filled'}
-                disabled={isBusy}
-                onClick={() => void go()}
-              >
-                {props.confirm}
-              </button>
-            )}
-          </div>
-        </dialog>
-      )}
-    </>
+    <dialog ref={dialog} aria-label={title} onClose={onClose}>
+      <h2>{title}</h2>
+      {came ? <OutcomeText came={came} /> : <div>{props.children}</div>}
+      <div class="row end">
+        <button type="button" class="button" onClick={() => dialog.current?.close()}>
+          {came ? 'Close' : 'Leave it'}
+        </button>
+        {!came && (
+          <button
+            type="button"
+            class={props.isGrave ? 'button grave filled' : 'button filled'}
+            disabled={isBusy}
+            onClick={() => void go()}
+          >
+            {props.confirm}
+          </button>
+        )}
+      </div>
+    </dialog>
   );
+}
+
+/** Once in the frame of the page. */
+export function ActLayer() {
+  const [props, set] = useState<ActProps>();
+  useEffect(() => {
+    show = set;
+    return () => {
+      show = undefined;
+    };
+  }, []);
+  return props ? <ActDialog props={props} onClose={() => set(undefined)} /> : null;
 }
 
 export function countOf(answer: Record<string, unknown>): number {

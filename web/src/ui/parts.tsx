@@ -17,7 +17,7 @@ export function State({ thing, state }: { thing: Thing; state: string }) {
       <span class="symbol" aria-hidden="true">
         {look.symbol}
       </span>
-      {harmlessName(look.word, 40)}
+      {look.word}
     </span>
   );
 }
