@@ -56,10 +56,10 @@ function plannedTasks(options, random) {
     path2cut.set(path, add('decompose', path, 0, whole * 0.004 * size + 0.08, [parent]));
   }
   const ends = [];
-  const meshed = tree.leaves.map(({ path, size }) => {
+  const meshed = tree.leaves.map(({ path, size }, place) => {
     const parent = path2cut.get(Math.floor(path / 2)) ?? inspect;
     const seconds = whole * size * (0.75 + 0.5 * random()) + 0.05;
-    return { path, size, mesh: add('mesh', path, size, seconds, [parent]) };
+    return { path, size, place, mesh: add('mesh', path, size, seconds, [parent]) };
   });
   for (const kind of perLeaf.slice(1)) {
     const part = { extract: 0.06, cosmetic: 0.3, write: 0.08 }[kind];
@@ -70,6 +70,11 @@ function plannedTasks(options, random) {
     }
   }
   add('assemble', 0, 0, whole * 0.01 + 0.3, ends.slice(-50));
+  // Leaf after leaf, each step a while after the one before.
+  for (const leaf of meshed) {
+    perLeaf.forEach((kind, step) => (leaf[kind].turn = leaf.place + step * (4 + leaves / 12)));
+  }
+  tasks[tasks.length - 1].turn = Infinity;
   return tasks;
 }
 
@@ -78,7 +83,8 @@ function schedule(tasks, workers, random, lossShare) {
   const freeAt = new Float64Array(workers.length);
   const id2end = new Map();
   const attempts = [];
-  for (const task of tasks) {
+  const inTurn = tasks.slice().sort((a, b) => (a.turn ?? -1) - (b.turn ?? -1) || a.task - b.task);
+  for (const task of inTurn) {
     let end = task.after.reduce((latest, other) => Math.max(latest, id2end.get(other.task)), 0);
     for (let tries = 0; tries < 3; ++tries) {
       let best = 0;
@@ -249,9 +255,9 @@ export function makeFarm({ largeLeaves = 20_000, nowMs = Date.UTC(2026, 10, 30, 
   const done = add({ job: 'job-8', name: 'pml_sphere', leaves: 24, firstTask: next(), elements: 3.3e6, secondsPerElement: 6e-5, fraction: 1, beginMs: at(50) });
   done.job.result = result;
   done.job.files = ['/srv/tetfarm/out/pml_sphere.vtkhdf'];
-  const stuck = add({ job: 'job-9', name: 'turbine_blade', leaves: 32, firstTask: next(), elements: 9e6, secondsPerElement: 5e-5, fraction: 0.2, nowMs, state: 'stuck' });
+  const stuck = add({ job: 'job-9', name: 'turbine_blade', leaves: 32, firstTask: next(), elements: 9e6, secondsPerElement: 5e-5, fraction: 0.2, nowMs: at(12), state: 'stuck' });
   stuck.job.message = 'the disk of the store has no room: 1.2 GiB are free, 3.4 GiB are needed';
-  add({ job: 'job-10', name: 'onera_m6_wing', leaves: 160, firstTask: next(), elements: 42e6, secondsPerElement: 3e-4, fraction: 0.5, nowMs, lossShare: 0.03 });
+  add({ job: 'job-10', name: 'onera_m6_wing', leaves: 160, firstTask: next(), elements: 42e6, secondsPerElement: 3e-4, fraction: 0.55, nowMs, lossShare: 0.03 });
   return { jobs, workers: workerRows(workers, jobs, nowMs), events: eventsOf(jobs), nowMs };
 }
 

@@ -28,7 +28,7 @@ export function Act(props: ActProps) {
     <button
       type="button"
       class={props.isGrave ? 'button grave' : 'button'}
-      onClick={() => show?.(props)}
+      onClick={() => show?.({ ...props })}
     >
       {props.label}
     </button>
@@ -69,13 +69,17 @@ function ActDialog({ props, onClose }: { props: ActProps; onClose: () => void })
     set(outcome);
     if (!outcome.isBad) props.onDone?.();
   };
+  const close = () => {
+    dialog.current?.close();
+    onClose();
+  };
   const title = harmlessName(props.title, 120);
   return (
     <dialog ref={dialog} aria-label={title} onClose={onClose}>
       <h2>{title}</h2>
       {came ? <OutcomeText came={came} /> : <div>{props.children}</div>}
       <div class="row end">
-        <button type="button" class="button" onClick={() => dialog.current?.close()}>
+        <button type="button" class="button" onClick={close}>
           {came ? 'Close' : 'Leave it'}
         </button>
         {!came && (
@@ -102,7 +106,9 @@ export function ActLayer() {
       show = undefined;
     };
   }, []);
-  return props ? <ActDialog props={props} onClose={() => set(undefined)} /> : null;
+  // Each opening is an object of its own, so that the late end of one does not end the next.
+  const close = () => set((shown) => (shown === props ? undefined : shown));
+  return props ? <ActDialog props={props} onClose={close} /> : null;
 }
 
 export function countOf(answer: Record<string, unknown>): number {

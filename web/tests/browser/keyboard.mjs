@@ -79,6 +79,7 @@ test('an act: opened, left and confirmed by keys, with the focus kept in its dia
   assert.equal(mock.requests.filter((line) => line.startsWith('POST')).length, 0);
   assert.equal(await focused(page), 'Cancel');
   await page.keyboard.press('Enter');
+  await page.getByRole('dialog').waitFor();
   await tabTo(page, 'Cancel the job', 3);
   await page.keyboard.press('Enter');
   await page.getByText('job-10 is cancelled.').waitFor();

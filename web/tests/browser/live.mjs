@@ -16,6 +16,10 @@ test('a job that changes changes on the page, a new one appears', async () => {
   mock.changeJob('job-10', { state: 'done', share: 1 });
   await row.getByText('100 %').waitFor();
   assert.match(await row.innerText(), /done/);
+  mock.farm.jobs.push({ ...mock.jobOf('job-8'), job: { ...mock.jobOf('job-8').job, job: 'job-11', created_ms: mock.farm.nowMs } });
+  mock.changeJob('job-11', { name: 'just_submitted' });
+  await page.getByText('just_submitted').waitFor();
+  assert.match(await page.locator('tbody tr').first().innerText(), /just_submitted/);
   await close();
 });
 
