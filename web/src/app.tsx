@@ -39,11 +39,18 @@ function ThemeSwitch() {
 
 function LinkState() {
   const { link, farm } = useLive();
-  const isWell = link === 'open' && farm?.connected !== false;
-  const words =
-    link === 'connecting' ? 'Connecting' : link === 'lost' ? 'Offline' : isWell ? 'Live' : 'Waiting';
+  const isWell = link === 'open' && farm?.connected === true;
+  const words = isWell
+    ? 'Live'
+    : link === 'lost'
+      ? 'Offline'
+      : link === 'connecting' || !farm
+        ? 'Connecting'
+        : farm.at_rest
+          ? 'At rest'
+          : 'Waiting';
   return (
-    <span class={`link-state ${isWell ? 'good' : 'bad'}`}>
+    <span class={`link-state ${isWell ? 'good' : link === 'lost' || words === 'Waiting' ? 'bad' : 'faint'}`}>
       <span aria-hidden="true">{isWell ? '●' : '○'}</span> {words}
     </span>
   );

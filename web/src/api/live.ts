@@ -7,8 +7,9 @@ import type { Farm, FarmEvent, JobLine } from './types';
 export type Link = 'connecting' | 'open' | 'lost';
 
 const mostEvents = 2000;
-/** The farm is told every 10 s: a connection that is silent for so long is not one. */
-const silentForMs = 35_000;
+/** The farm is told every 10 s, or later where it is slow: a connection that is silent for so long
+ * is not one. */
+const silentForMs = 90_000;
 
 export class Live {
   link: Link = 'connecting';

@@ -13,12 +13,6 @@ export interface Demand {
   of_solvers?: boolean;
 }
 
-export interface HostInQuarantine {
-  host: string;
-  reason: string;
-  since_ms: number;
-}
-
 export interface Farm {
   connected: boolean;
   trouble?: string;
@@ -33,7 +27,6 @@ export interface Farm {
   refused?: Record<string, number>;
   program_version?: string;
   demand?: Demand[];
-  hosts_in_quarantine?: HostInQuarantine[];
 }
 
 export interface JobLine {

@@ -31,7 +31,11 @@ describe('numbers as text', () => {
 
 describe('durations', () => {
   it('carry over to the next unit', () => {
-    expect(duration(0)).toBe('0.0 s');
+    expect(duration(0)).toBe('0 s');
+    expect(duration(0.00001)).toBe('1 ms');
+    expect(duration(0.0389)).toBe('39 ms');
+    expect(duration(0.0996)).toBe('0.10 s');
+    expect(duration(0.996)).toBe('1.0 s');
     expect(duration(59.94)).toBe('59.9 s');
     expect(duration(59.96)).toBe('1 min 00 s');
     expect(duration(3599.6)).toBe('1 h 00 min');

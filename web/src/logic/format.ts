@@ -32,9 +32,12 @@ export function figure(value: unknown): string {
   return value.toPrecision(4);
 }
 
-/** "0.4 s", "12.3 s", "4 min 05 s", "3 h 04 min", "2 d 03 h" */
+/** "39 ms", "0.24 s", "12.3 s", "4 min 05 s", "3 h 04 min", "2 d 03 h" */
 export function duration(seconds: unknown): string {
   if (!isNumber(seconds) || seconds < 0) return dash;
+  if (seconds === 0) return '0 s';
+  if (seconds < 0.0995) return `${Math.max(1, Math.round(1000 * seconds))} ms`;
+  if (seconds < 0.995) return `${seconds.toFixed(2)} s`;
   if (seconds < 59.95) return `${seconds.toFixed(1)} s`;
   const s = Math.round(seconds);
   const two = (n: number) => String(n).padStart(2, '0');

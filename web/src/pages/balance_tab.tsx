@@ -68,6 +68,7 @@ function MeasureView({ tasks, kind, measure }: { tasks: ColumnTable; kind: strin
         <Chart
           title={`${words} of the tasks, sorted, with what was expected`}
           xWords="Rank"
+          isXWhole
           form={form}
           xForm={whole}
           fromZero
@@ -126,6 +127,7 @@ function Workers({ attempts }: { attempts: ColumnTable }) {
       <Chart
         title="Busy share of each worker, sorted"
         xWords="Worker, by rank"
+        isXWhole
         form={(value) => (typeof value === 'number' ? `${Math.round(value)} %` : '–')}
         xForm={whole}
         fromZero

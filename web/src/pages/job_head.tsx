@@ -169,8 +169,8 @@ function Result({ job }: { job: Job }) {
   const cuts = Object.entries(job.cut_further ?? {});
   if (figures.length + forecast.length + files.length + remarks.length + cuts.length === 0) return null;
   return (
-    <details class="result" open={job.state === 'done'}>
-      <summary>{job.state === 'done' ? 'Result' : 'Forecast and more'}</summary>
+    <details class="result" open={figures.length + files.length > 0}>
+      <summary>{figures.length + files.length > 0 ? 'Result' : 'Forecast'}</summary>
       <dl class="pairs">
         {[...figures, ...forecast].map(({ key, words, text }) => (
           <Pair key={key} words={words}>

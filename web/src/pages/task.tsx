@@ -27,7 +27,7 @@ function TaskFigures({ task }: { task: Explanation }) {
       <Figure words="Errors">{whole(task.errors)}</Figure>
       <Figure words="Losses">{whole(task.losses)}</Figure>
       <Figure words="Out of memory">{whole(task.out_of_memory)}</Figure>
-      <Figure words="Ended after at most">{told(task.limit_seconds, duration)}</Figure>
+      <Figure words="Time limit">{told(task.limit_seconds, duration)}</Figure>
     </Figures>
   );
 }

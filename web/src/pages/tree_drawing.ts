@@ -40,9 +40,11 @@ function drawWords(drawing: Drawing, picture: TreePicture, bar: TreeBar, y: numb
   const row = picture.tree.shown[bar.node]!;
   const symbol = state === 'open' ? '' : lookOf('task', state).symbol;
   const kind = row >= 0 ? harmlessName(picture.tasks.text('kind')[row], 40) : '';
-  const words = bar.width > 70 && kind ? `${symbol} ${kind}` : symbol;
+  const words = [`${symbol} ${kind}`.trim(), symbol].find(
+    (text) => context.measureText(text).width <= bar.width - 6,
+  );
+  if (!words) return;
   const room = context.measureText(words).width;
-  if (!words || room > bar.width - 4) return;
   const x = bar.x + (bar.width - room) / 2;
   if (state === 'failed' || state === 'waiting' || state === 'ready') {
     context.fillStyle = colour(`task-${state}`);

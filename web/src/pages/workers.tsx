@@ -24,7 +24,7 @@ const securityWords: Record<string, string> = {
 function FarmState({ farm, workers }: { farm: Farm | undefined; workers: readonly Worker[] }) {
   const busy = workers.filter((worker) => worker.task > 0).length;
   const here = workers.filter((worker) => worker.state !== 'gone');
-  const memory = here.reduce((sum, worker) => sum + (worker.memory_bytes || 0), 0);
+  const memory = here.reduce((most, worker) => Math.max(most, worker.memory_bytes || 0), 0);
   const refused = Object.entries(farm?.refused ?? {});
   const all = refused.reduce((sum, [, count]) => sum + count, 0);
   const security = farm?.security ?? '';
@@ -33,7 +33,7 @@ function FarmState({ farm, workers }: { farm: Farm | undefined; workers: readonl
       <Figure words="Workers" hint={`${whole(busy)} busy`}>
         {whole(here.length)}
       </Figure>
-      <Figure words="Memory">{bytes(memory)}</Figure>
+      <Figure words="Most memory" hint="of a worker">{memory > 0 ? bytes(memory) : dash}</Figure>
       <Figure words="Security">
         <span class="text-figure">
           {Object.hasOwn(securityWords, security) ? securityWords[security] : <Name text={security || dash} />}

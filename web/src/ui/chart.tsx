@@ -20,9 +20,12 @@ interface ChartProps {
   form: (value: unknown) => string;
   xForm?: (value: unknown) => string;
   fromZero?: boolean;
+  /** Ranks and the like: no ticks between them. */
+  isXWhole?: boolean;
 }
 
 const height = 220;
+const wholeSteps = Array.from({ length: 24 }, (_, i) => [1, 2, 5][i % 3]! * 10 ** Math.floor(i / 3));
 
 function seriesOf(series: ChartSeries, form: (value: unknown) => string): uPlot.Series {
   const ink = colour(series.colour);
@@ -60,7 +63,8 @@ function optionsOf(props: ChartProps, width: number): uPlot.Options {
     },
     axes: [
       { ...axis, label: props.xWords, labelSize: 18, labelFont: fontOf(11),
-        values: (_u, values) => values.map(xForm), space: 70 },
+        values: (_u, values) => values.map(xForm), space: 70,
+        ...(props.isXWhole ? { incrs: wholeSteps } : {}) },
       { ...axis, size: 70, values: (_u, values) => values.map(props.form) },
     ],
     series: [
