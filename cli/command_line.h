@@ -233,6 +233,13 @@ struct TopCommand {
   bool once = false;  ///< also where there is a terminal
   double interval_s = 2;
 };
+/// The farm in browsers.
+struct DashboardCommand {
+  ViewOptions view;
+  std::string http_address = "127.0.0.1:8470";
+  std::string http_token;  ///< a file; "": none is asked for
+  bool acts = false;       ///< browsers may cancel jobs, and so on
+};
 struct TraceCommand {
   ViewOptions view;
   std::string output;
@@ -454,10 +461,10 @@ using Command =
                  WaitCommand, CancelCommand, RetryCommand, DrainCommand, SubmitCommand,
                  CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand, KeysCommand,
                  TaskCommand, TaskHostCommand, JobsCommand, TasksCommand, WorkersCommand,
-                 EventsCommand, LogsCommand, ExplainCommand, TopCommand, TraceCommand,
-                 ReportCommand, BackupCommand, RestoreCommand, SpacingCommand, PlaneCommand,
-                 AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand, CompletionCommand,
-                 ManCommand, VersionCommand, InitCommand>;
+                 EventsCommand, LogsCommand, ExplainCommand, TopCommand, DashboardCommand,
+                 TraceCommand, ReportCommand, BackupCommand, RestoreCommand, SpacingCommand,
+                 PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand,
+                 CompletionCommand, ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);
