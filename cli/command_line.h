@@ -49,7 +49,9 @@ struct RunOptions {
   std::string store;     ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
   std::string database;  ///< of run: folder of the database, "": the store
   double grace_s = 5;
-  bool runs_solvers = false;  ///< not for people: the job is a loop
+  bool runs_solvers = false;                 ///< not for people: the job is a loop
+  bool is_watched = false;                   ///< of run: browsers see it
+  std::string http_address = "127.0.0.1:0";  ///< where; a free port
 };
 
 struct CheckOptions {

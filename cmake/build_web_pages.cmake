@@ -5,7 +5,8 @@ function(run_npm what)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env TETFARM_WEB_OUT=${pages} ${npm} ${ARGN}
                   WORKING_DIRECTORY ${work} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(failed)
-    message(FATAL_ERROR "${said}\nThe pages of the dashboard could not be ${what} (npm ${ARGN} in ${work}). "
+    list(JOIN ARGN " " words)
+    message(FATAL_ERROR "${said}\nThe pages of the dashboard could not be ${what} (npm ${words} in ${work}). "
       "Without a network, or without them: configure with -DTETFARM_DASHBOARD=OFF.")
   endif()
 endfunction()

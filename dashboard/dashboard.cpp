@@ -77,14 +77,14 @@ class Dashboard::Site : public WebSite {
 
   /// Copied once: what is being sent has to be held by somebody.
   WebAnswer page(const std::string& target) {
-    const WebFile file = web_page(target, built_in_web_files());
-    if (file.bytes.empty()) {
+    const std::optional<WebFile> file = web_page(target, built_in_web_files());
+    if (!file) {
       return web_answer(answer_of(ApiError{404, "no such page", "the pages begin at /"}));
     }
-    std::shared_ptr<const std::string>& kept = pages_[std::string(file.name)];
-    if (!kept) kept = std::make_shared<const std::string>(file.bytes);
+    std::shared_ptr<const std::string>& kept = pages_[std::string(file->name)];
+    if (!kept) kept = std::make_shared<const std::string>(file->bytes);
     WebAnswer web;
-    web.type = content_type_of(file.name);
+    web.type = content_type_of(file->name);
     web.body = kept;
     return web;
   }

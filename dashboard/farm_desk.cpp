@@ -92,17 +92,18 @@ void FarmDesk::ask(const ApiRequest& request, ApiAnswering done) {
   std::optional<ApiAnswer> known;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    asked_ms_ = steady_ms();
+    const std::int64_t now = steady_ms();
+    if (request.subject != ApiSubject::about) asked_ms_ = now;
     if (request.subject == ApiSubject::about) {
       known = answer_of(json_line({{"version", 1},
                                    {"program_version", program_version},
                                    {"acts", acts_},
                                    {"paths", api_paths()}}));
-    } else if (is_look_new(asked_ms_)) {
+    } else if (is_look_new(now)) {
       known = answer_from(*snapshot_, request);
     }
     if (!known && questions_.size() >= most_questions) known = answer_of(too_busy());
-    if (!known) questions_.push_back({request, std::move(done), asked_ms_});
+    if (!known) questions_.push_back({request, std::move(done), now});
   }
   changed_.notify_all();
   if (known) done(std::move(*known));

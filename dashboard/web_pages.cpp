@@ -28,11 +28,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> content_
     {".webmanifest", "application/manifest+json"},
 }};
 
-WebFile file_named(std::string_view name, std::span<const WebFile> files) {
+std::optional<WebFile> file_named(std::string_view name, std::span<const WebFile> files) {
   for (const WebFile& file : files) {
     if (file.name == name) return file;
   }
-  return {name, {}};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -44,12 +44,12 @@ std::string_view content_type_of(std::string_view name) {
   return "application/octet-stream";
 }
 
-WebFile web_page(std::string_view target, std::span<const WebFile> files) {
+std::optional<WebFile> web_page(std::string_view target, std::span<const WebFile> files) {
   TF_CHECK(target.starts_with("/"));
   const std::string_view name = target.substr(1, target.find('?') - 1);
   const bool is_place = name.find('.', name.rfind('/') + 1) == std::string_view::npos;
   if (files.empty() && (is_place || name == "index.html")) {
-    return {"index.html", page_without_files};
+    return WebFile{"index.html", page_without_files};
   }
   return file_named(is_place ? "index.html" : name, files);
 }

@@ -2,6 +2,7 @@
 /// for. A program that was built without them has one small page that says so.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,8 +21,8 @@ std::span<const WebFile> built_in_web_files();
 std::string_view content_type_of(std::string_view name);
 
 /// What GET `target` shows, which is nothing below /api: the file of that name, and index.html for
-/// every path that has no ending, as those are places within the page. `bytes` is empty for a file
-/// that is not there.
-WebFile web_page(std::string_view target, std::span<const WebFile> files);
+/// every path that has no ending, as those are places within the page. Nothing for a file that is
+/// not there.
+std::optional<WebFile> web_page(std::string_view target, std::span<const WebFile> files);
 
 }  // namespace tetfarm

@@ -167,14 +167,21 @@ class Session : public std::enable_shared_from_this<Session> {
     unread_ += text->size();
     const bool is_slow =
         pieces_.size() > most_unread_pieces || unread_ > host_.limits().unread_bytes;
-    if (is_slow) return close();
+    if (is_slow) return cut();
     if (!is_writing_) write();
   }
 
   /// Ends what has taken too long.
   void look_at_clock(std::int64_t now_ms) {
     const bool is_deaf = is_writing_ && now_ms - since_ms_ > host_.limits().deaf_ms;
-    if (is_deaf || now_ms >= ends_ms_) close();
+    if (is_deaf || now_ms >= ends_ms_) cut();
+  }
+
+  /// Closes it without sending what is left: the system need not hold that for who does not read.
+  void cut() {
+    ErrorCode ignored;
+    socket_.set_option(net::socket_base::linger(true, 0), ignored);
+    close();
   }
 
   void close() {

@@ -222,7 +222,8 @@ TEST(WebServer, connections_that_are_not_used_keep_nobody_out) {
   std::list<Client> unfinished;
   for (int i = 0; i < 100; ++i) {
     unfinished.emplace_back(served.address()).send("GET / HTTP/1.1\r\nX: ");
-    if (i % 10 == 0) EXPECT_THAT(served.answer_to(request("/text")), HasSubstr("200 OK"));
+    if (i % 10 != 0) continue;
+    EXPECT_THAT(served.answer_to(request("/text")), HasSubstr("200 OK"));
   }
 }
 
