@@ -67,6 +67,12 @@ class IoError : public Error {
   int error_number_;
 };
 
+/// Nobody answers; asking again later may help.
+class NoAnswer : public Error {
+ public:
+  explicit NoAnswer(const std::string& what) : Error(ExitCode::not_found, what) {}
+};
+
 /// An artifact is damaged: bad magic, wrong length or wrong checksum.
 class CorruptFile : public Error {
  public:

@@ -287,6 +287,13 @@ class Parser {
     sub.add_option("-j,--workers", run_.workers, "Worker processes (default: one per core)")
         ->check(whole_number(1, 4096))
         ->option_text("N");
+    CLI::Option* watch =
+        sub.add_flag("--watch", run_.is_watched,
+                     "Show the run in browsers, as `tetfarm dashboard` does, until it ends");
+    sub.add_option("--http", run_.http_address,
+                   "With --watch: the address for browsers (default: a free port of this host)")
+        ->needs(watch)
+        ->option_text("127.0.0.1:PORT");
     add_local_farm(sub, run_);
   }
 

@@ -51,7 +51,9 @@ struct RunOptions {
   std::string store;     ///< of submit: the daemon's store; of run: OUTPUT/.tetfarm
   std::string database;  ///< of run: folder of the database, "": the store
   double grace_s = 5;
-  bool runs_solvers = false;  ///< not for people: the job is a loop
+  bool runs_solvers = false;                 ///< not for people: the job is a loop
+  bool is_watched = false;                   ///< of run: browsers see it
+  std::string http_address = "127.0.0.1:0";  ///< where; a free port
 };
 
 struct CheckOptions {
@@ -241,6 +243,13 @@ struct TopCommand {
   ViewOptions view;
   bool once = false;  ///< also where there is a terminal
   double interval_s = 2;
+};
+/// The farm in browsers.
+struct DashboardCommand {
+  ViewOptions view;
+  std::string http_address = "127.0.0.1:8470";
+  std::string http_token;  ///< a file; "": none is asked for
+  bool acts = false;       ///< browsers may cancel jobs, and so on
 };
 struct TraceCommand {
   ViewOptions view;
@@ -463,7 +472,7 @@ using Command =
                  WaitCommand, CancelCommand, PriorityCommand, RetryCommand, DrainCommand,
                  SubmitCommand, CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand,
                  KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
-                 WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TopCommand,
+                 WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TopCommand, DashboardCommand,
                  TraceCommand, ReportCommand, BackupCommand, RestoreCommand, SpacingCommand,
                  PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand,
                  CompletionCommand, ManCommand, VersionCommand, InitCommand>;

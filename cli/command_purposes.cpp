@@ -25,7 +25,8 @@ const std::vector<Purpose>& purposes() {
       {"Mesh the plane", {"plane", "adapt", "loop", "transfer"}},
       {"Work on a farm", {"submit", "wait", "priority", "cancel", "retry"}},
       {"Watch a farm",
-       {"top", "jobs", "status", "tasks", "workers", "events", "logs", "explain", "trace"}},
+       {"dashboard", "top", "jobs", "status", "tasks", "workers", "events", "logs", "explain",
+        "trace"}},
       {of_operators,
        {"coordinator", "worker", "pool", "drain", "keys", "doctor", "gc", "backup", "restore"}},
       {"The program itself", {"man", "completion", "version"}}};

@@ -71,6 +71,9 @@ ExitCode explain_command(const ExplainCommand& command);
 /// The farm on one screen until the key q is pressed; where there is no terminal, once.
 ExitCode top_command(const TopCommand& command);
 
+/// Serves the farm to browsers until SIGINT or SIGTERM.
+ExitCode dashboard_command(const DashboardCommand& command);
+
 /// Writes who did what when, for Perfetto.
 ExitCode trace_command(const TraceCommand& command);
 /// Copies the database into a file, and back.

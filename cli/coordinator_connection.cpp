@@ -127,7 +127,7 @@ wire::Envelope CoordinatorConnection::ask(const wire::Envelope& question, std::i
     if (answer.body_case() != wire::Envelope::BODY_NOT_SET) return answer;
   }
   check_handshake();
-  throw Error(ExitCode::not_found, endpoint_ + ": no coordinator answers" + trouble_);
+  throw NoAnswer(endpoint_ + ": no coordinator answers" + trouble_);
 }
 
 wire::StatusReply CoordinatorConnection::status(const std::string& job, std::int64_t timeout_ms) {

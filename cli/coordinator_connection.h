@@ -36,7 +36,7 @@ class CoordinatorConnection {
                                  const std::optional<PeerKeys>& keys = std::nullopt);
   ~CoordinatorConnection();
 
-  /// The jobs, one or ("") all. @throws Error (not_found) when no answer comes within timeout_ms,
+  /// The jobs, one or ("") all. @throws NoAnswer when no answer comes within timeout_ms, Error
   /// (failed) when the coordinator refuses.
   wire::StatusReply status(const std::string& job, std::int64_t timeout_ms);
   /// Who works, and what waits for workers; no jobs.

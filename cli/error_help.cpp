@@ -18,9 +18,9 @@ constexpr std::array<std::string_view, 4> of_jobs = {"run", "plan", "submit", "i
 /// Commands for meshes of the plane.
 constexpr std::array<std::string_view, 3> of_planes = {"plane", "adapt", "loop"};
 /// Commands that ask a coordinator.
-constexpr std::array<std::string_view, 18> of_clients = {
+constexpr std::array<std::string_view, 19> of_clients = {
     "submit",  "status", "wait", "priority", "cancel", "retry",  "drain", "jobs",   "tasks",
-    "workers", "events", "logs", "explain",  "trace",  "report", "pool",  "worker", "top"};
+    "workers", "events", "logs", "explain",  "trace",  "report", "pool",  "worker", "top", "dashboard"};
 /// Commands that have to do with keys.
 constexpr std::array<std::string_view, 4> of_keys = {"coordinator", "worker", "pool", "keys"};
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/meshing_rate.h"
+#include "json/meshing_rate.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {

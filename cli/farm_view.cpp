@@ -70,6 +70,7 @@ FarmView::~FarmView() = default;
 void FarmView::connect(const std::string& endpoint, std::int64_t timeout_ms) {
   const std::string store =
       options_.store.empty() ? "" : store_of(options_.store).value_or(options_.store).string();
+  endpoint_ = endpoint;
   const bool is_ipc = endpoint.starts_with("ipc://");
   live_ = std::make_unique<Live>(
       endpoint, is_ipc ? std::nullopt : read_peer_keys(options_.client.keys, store), timeout_ms);
@@ -78,6 +79,7 @@ void FarmView::connect(const std::string& endpoint, std::int64_t timeout_ms) {
 void FarmView::read_rows(const std::string& folder) {
   const fs::path database = options_.database.empty() ? folder : options_.database;
   rows_ = std::make_unique<StoreAtRest>(folder, database);
+  endpoint_ = folder;
   if (options_.is_quiet) return;
   std::fprintf(stderr, "note: no coordinator answers; this is what %s recorded\n", folder.c_str());
 }
@@ -96,10 +98,20 @@ void FarmView::ask(wire::Query query, const std::function<void(const wire::Query
   }
 }
 
-wire::StatusReply FarmView::status() {
-  const std::string& job = options_.client.job;
+wire::StatusReply FarmView::status() { return status_of(options_.client.job); }
+
+wire::StatusReply FarmView::status_of(const std::string& job) {
   if (live_) return live_->connection.status(job, live_->timeout_ms);
   return rows_->status(job);
 }
+
+wire::StatusReply FarmView::farm() {
+  if (live_) return live_->connection.farm(live_->timeout_ms);
+  wire::StatusReply reply = rows_->status("");
+  reply.clear_jobs();
+  return reply;
+}
+
+CoordinatorConnection* FarmView::connection() { return live_ ? &live_->connection : nullptr; }
 
 }  // namespace tetfarm

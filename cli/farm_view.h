@@ -4,12 +4,14 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "cli/command_line.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {
 
+class CoordinatorConnection;
 class StoreAtRest;
 
 class FarmView {
@@ -22,17 +24,27 @@ class FarmView {
   ~FarmView();
 
   wire::StatusReply status();
+  /// Of one job or ("") all.
+  wire::StatusReply status_of(const std::string& job);
+  /// Who works, and what is wrong; no jobs.
+  wire::StatusReply farm();
+  /// One page.
+  wire::QueryReply page(const wire::Query& query);
   /// Every page, one after the other. @throws Error.
   void ask(wire::Query query, const std::function<void(const wire::QueryReply&)>& take);
   bool is_at_rest() const { return rows_ != nullptr; }
+  /// Who answers: the coordinator's address, or the folder of the store.
+  const std::string& endpoint() const { return endpoint_; }
+  /// To the coordinator that answers; nothing at rest.
+  CoordinatorConnection* connection();
 
  private:
   struct Live;
   void connect(const std::string& endpoint, std::int64_t timeout_ms);
   void read_rows(const std::string& store);
-  wire::QueryReply page(const wire::Query& query);
 
   ViewOptions options_;
+  std::string endpoint_;
   std::unique_ptr<Live> live_;
   std::unique_ptr<StoreAtRest> rows_;
 };

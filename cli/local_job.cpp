@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -16,7 +17,9 @@
 #include "cli/progress_display.h"
 #include "cli/progress_lines.h"
 #include "cli/stopped_run.h"
+#include "cli/watched_farm.h"
 #include "cli/workers_wanted.h"
+#include "dashboard/dashboard.h"
 
 namespace tetfarm {
 namespace {
@@ -96,6 +99,18 @@ std::vector<std::uint64_t> ask_what_is_under_way(CoordinatorConnection& connecti
   }
 }
 
+/// Browsers see the farm while it lives; standard error says where.
+std::unique_ptr<Dashboard> dashboard_of(const RunOptions& options, const LocalFarm& farm) {
+  if (!options.is_watched) return nullptr;
+  ViewOptions view;
+  view.client.endpoint = farm.endpoint();
+  auto dashboard = std::make_unique<Dashboard>(
+      DashboardOptions{.address = options.http_address, .token_file = {}, .acts = false},
+      std::make_unique<WatchedFarm>(view));
+  std::fprintf(stderr, "watch it at %s\n", dashboard->url().c_str());
+  return dashboard;
+}
+
 LocalOutcome work(const RunOptions& options, const std::filesystem::path& store,
                   const wire::Submit& submit) {
   LocalFarm farm({.store = store,
@@ -104,6 +119,7 @@ LocalOutcome work(const RunOptions& options, const std::filesystem::path& store,
                   .first_workers = std::min(worker_count(options), cores()),
                   .grace_s = options.grace_s,
                   .runs_solvers = options.runs_solvers});
+  std::unique_ptr<Dashboard> dashboard = dashboard_of(options, farm);
   CoordinatorConnection connection(farm.endpoint());
   ProgressDisplay display(options.progress);
   try {
@@ -115,11 +131,13 @@ LocalOutcome work(const RunOptions& options, const std::filesystem::path& store,
       outcome.end = follow(farm, connection, submitted->job(), display);
     }
     display.end();
+    dashboard.reset();
     if (!outcome.end) outcome.under_way = ask_what_is_under_way(connection);
     farm.stop(is_in_hurry);
     return outcome;
   } catch (const Error&) {
     display.end();
+    dashboard.reset();
     farm.stop(is_in_hurry);
     throw;
   }

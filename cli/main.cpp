@@ -85,6 +85,7 @@ struct Execute {
   ExitCode operator()(const LogsCommand& command) const { return logs_command(command); }
   ExitCode operator()(const ExplainCommand& command) const { return explain_command(command); }
   ExitCode operator()(const TopCommand& command) const { return top_command(command); }
+  ExitCode operator()(const DashboardCommand& command) const { return dashboard_command(command); }
   ExitCode operator()(const TraceCommand& command) const { return trace_command(command); }
   ExitCode operator()(const ReportCommand& command) const { return report_command(command); }
   ExitCode operator()(const BackupCommand& command) const { return backup_command(command); }

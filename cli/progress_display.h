@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/command_line.h"
-#include "cli/meshing_rate.h"
 #include "cli/progress_lines.h"
+#include "json/meshing_rate.h"
 #include "proto/messages.pb.h"
 
 namespace tetfarm {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "cli/job_share.h"
 #include "cli/terminal.h"
+#include "json/job_share.h"
 
 namespace tetfarm {
 namespace {

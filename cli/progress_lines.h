@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/command_line.h"
-#include "cli/meshing_rate.h"
+#include "json/meshing_rate.h"
 #include "json/progress_json.h"
 #include "proto/messages.pb.h"
 

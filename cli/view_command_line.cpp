@@ -34,6 +34,19 @@ void add_top(CLI::App& sub, TopCommand& top) {
   add_rows(sub, top.view);
 }
 
+void add_dashboard(CLI::App& sub, DashboardCommand& dashboard) {
+  sub.add_option("--http", dashboard.http_address,
+                 "Address for browsers; port 0 is any that is free (default 127.0.0.1:8470)")
+      ->option_text("ADDRESS:PORT");
+  sub.add_option("--http-token", dashboard.http_token,
+                 "File with the token that HTTP asks for; required where other hosts can connect")
+      ->option_text("FILE");
+  sub.add_flag("--acts", dashboard.acts,
+               "Let browsers cancel jobs, retry tasks and drain workers (default: only look)");
+  add_peer(sub, dashboard.view.client, StoreOption::yes);
+  add_rows(sub, dashboard.view);
+}
+
 void add_copy(CLI::App& sub, BackupCommand& copy) {
   sub.add_option("--database", copy.database, "Folder of the database (default: the store)")
       ->option_text("DIR");
@@ -69,6 +82,9 @@ void add_views(CLI::App& app, Views& views, const std::function<void(const Comma
   add_top(add_command(app, "top", "Watch jobs and workers on one screen; the key q quits",
                       "tetfarm top --connect tcp://head:5555", views.top, chosen),
           views.top);
+  add_dashboard(add_command(app, "dashboard", "Show jobs, tasks and workers in browsers, live",
+                            "tetfarm dashboard --connect tcp://head:5555", views.dashboard, chosen),
+                views.dashboard);
   add("jobs", "List the jobs, one per line", "tetfarm jobs --connect tcp://head:5555", views.jobs);
 
   CLI::App& status = add("status", "Show the progress of jobs, and what is wrong with them",

@@ -1,5 +1,5 @@
-/// The command lines of the commands that only look: jobs, status, tasks, workers, events, logs,
-/// explain, trace, report; and of those that copy the database.
+/// The command lines of the commands that only look: dashboard, jobs, status, tasks, workers,
+/// events, logs, explain, trace, report; and of those that copy the database.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,6 +19,7 @@ struct Views {
   LogsCommand logs;
   ExplainCommand explain;
   TopCommand top;
+  DashboardCommand dashboard;
   TraceCommand trace;
   ReportCommand report;
   BackupCommand backup;

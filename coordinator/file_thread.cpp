@@ -9,7 +9,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "coordinator/thread_without_signals.h"
+#include "base/thread_without_signals.h"
 
 namespace tetfarm {
 

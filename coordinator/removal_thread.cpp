@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "coordinator/thread_without_signals.h"
+#include "base/thread_without_signals.h"
 
 namespace tetfarm {
 

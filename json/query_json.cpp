@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const wire::TaskLine& task) {
+}  // namespace
+
+Json task_values(const wire::TaskLine& task) {
   Json json = {{"type", "task"},
                {"task", task.task()},
                {"job", task.job()},
@@ -39,7 +41,7 @@ Json json_of(const wire::TaskLine& task) {
   return json;
 }
 
-Json json_of(const wire::AttemptLine& attempt) {
+Json attempt_values(const wire::AttemptLine& attempt) {
   return {{"type", "attempt"},
           {"attempt", attempt.attempt()},
           {"job", attempt.job()},
@@ -59,9 +61,7 @@ Json json_of(const wire::AttemptLine& attempt) {
           {"message", attempt.message()}};
 }
 
-}  // namespace
-
-std::string task_json(const wire::TaskLine& task) { return json_line(json_of(task)); }
+std::string task_json(const wire::TaskLine& task) { return json_line(task_values(task)); }
 
 std::string worker_json(const wire::WorkerLine& worker) {
   return json_line({{"type", "worker"},
@@ -93,13 +93,13 @@ std::string event_json(const wire::EventLine& event) {
 }
 
 std::string attempt_json(const wire::AttemptLine& attempt, bool with_log) {
-  Json json = json_of(attempt);
+  Json json = attempt_values(attempt);
   if (with_log) json["log"] = attempt.log();
   return json_line(json);
 }
 
 std::string explanation_json(const wire::Explanation& explanation) {
-  Json json = json_of(explanation.task());
+  Json json = task_values(explanation.task());
   json["type"] = "explanation";
   json["subdomain"] = explanation.subdomain_state();
   json["reasons"] = Json::array();
@@ -109,7 +109,7 @@ std::string explanation_json(const wire::Explanation& explanation) {
   json["room_bytes"] = explanation.room_bytes();
   json["attempts"] = Json::array();
   for (const wire::AttemptLine& attempt : explanation.attempts()) {
-    json["attempts"].push_back(json_of(attempt));
+    json["attempts"].push_back(attempt_values(attempt));
   }
   json["inputs"] = Json::array();
   for (const wire::InputLine& input : explanation.inputs()) {

@@ -2,6 +2,7 @@
 /// docs/operations.md and do not change.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "proto/messages.pb.h"
@@ -15,5 +16,9 @@ std::string event_json(const wire::EventLine& event);
 /// With "log" when `with_log`.
 std::string attempt_json(const wire::AttemptLine& attempt, bool with_log);
 std::string explanation_json(const wire::Explanation& explanation);
+
+// What task_json and (without the log) attempt_json print, key by key.
+nlohmann::ordered_json task_values(const wire::TaskLine& task);
+nlohmann::ordered_json attempt_values(const wire::AttemptLine& attempt);
 
 }  // namespace tetfarm

@@ -1,28 +1,20 @@
 #include "coordinator/views/http_server.h"
 
-#include <netdb.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include "base/check.h"
-#include "base/error.h"
-#include "base/file_system.h"
-#include "proto/local_endpoint.h"
+#include "http/http_access.h"
 
 namespace tetfarm {
 namespace {
 
-constexpr std::size_t shortest_token = 16;
-constexpr int backlog = 64;
 constexpr int most_accepted = 256;  // in one turn
 constexpr int most_reads = 16;      // of a connection in one turn
 constexpr std::int64_t last_words_ms = 1'000;
@@ -48,69 +40,6 @@ const char* reason_of(int status) {
   }
 }
 
-std::string read_token(const std::filesystem::path& file) {
-  if (file.empty()) return {};
-  struct stat about {};
-  if (::stat(file.c_str(), &about) != 0) throw IoError("cannot read", file.string(), errno);
-  if ((about.st_mode & 077U) != 0) {
-    throw UsageError("other users may read this token: run chmod 600 on it", file.string());
-  }
-  std::string token = read_file(file);
-  while (!token.empty() && (token.back() == '\n' || token.back() == ' ')) token.pop_back();
-  if (token.size() < shortest_token) {
-    throw UsageError("a token must have at least " + std::to_string(shortest_token) +
-                         " characters; make one with `head -c 24 /dev/urandom | base64`",
-                     file.string());
-  }
-  return token;
-}
-
-struct FreeAddresses {
-  void operator()(addrinfo* list) const { ::freeaddrinfo(list); }
-};
-using Addresses = std::unique_ptr<addrinfo, FreeAddresses>;
-
-/// @throws UsageError unless it is numbers (or localhost), a colon and a port.
-Addresses resolve(const std::string& address) {
-  const std::size_t colon = address.rfind(':');
-  std::string host = address.substr(0, colon);
-  if (host.starts_with("[") && host.ends_with("]")) host = host.substr(1, host.size() - 2);
-  if (host == "localhost") host = "127.0.0.1";
-  addrinfo hints{};
-  hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (colon == std::string::npos || host.empty() ||
-      ::getaddrinfo(host.c_str(), address.c_str() + colon + 1, &hints, &found) != 0) {
-    throw UsageError("is not an address and port such as 127.0.0.1:8080", address);
-  }
-  return Addresses(found);
-}
-
-std::string bound_address(int socket) {
-  sockaddr_storage storage{};
-  socklen_t size = sizeof storage;
-  std::array<char, NI_MAXHOST> host{};
-  std::array<char, NI_MAXSERV> port{};
-  ::getsockname(socket, reinterpret_cast<sockaddr*>(&storage), &size);
-  ::getnameinfo(reinterpret_cast<sockaddr*>(&storage), size, host.data(), host.size(), port.data(),
-                port.size(), NI_NUMERICHOST | NI_NUMERICSERV);
-  const std::string name = host.data();
-  return (name.find(':') == std::string::npos ? name : "[" + name + "]") + ":" + port.data();
-}
-
-int listen_at(const std::string& address, const addrinfo& where) {
-  const int fd =
-      ::socket(where.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, where.ai_protocol);
-  if (fd < 0) throw IoError("cannot create a socket", address, errno);
-  const int yes = 1;
-  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  if (::bind(fd, where.ai_addr, where.ai_addrlen) == 0 && ::listen(fd, backlog) == 0) return fd;
-  const std::string why = std::strerror(errno);
-  ::close(fd);
-  throw UsageError("cannot listen: " + why, address);
-}
-
 std::string worded(const HttpAnswer& answer, bool is_head) {
   TF_CHECK(answer.status >= 200 && answer.status < 600);
   std::string text = "HTTP/1.1 " + std::to_string(answer.status) + " " + reason_of(answer.status) +
@@ -133,23 +62,16 @@ bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == 
 }  // namespace
 
 HttpServer::HttpServer(const HttpOptions& options)
-    : options_(options), token_(read_token(options.token_file)) {
-  const Addresses where = resolve(options.address);
-  if (token_.empty() && !is_local("tcp://" + options.address)) {
-    throw UsageError("other hosts can connect: give a file with a token (--http-token)",
-                     options.address);
-  }
-  listener_ = listen_at(options.address, *where);
-  address_ = bound_address(listener_);
-}
+    : options_(options),
+      token_(read_http_token(options.token_file)),
+      listener_(options.address, !token_.empty()) {}
 
 HttpServer::~HttpServer() {
   for (const auto& [fd, exchange] : exchanges_) ::close(fd);
-  ::close(listener_);
 }
 
 void HttpServer::add_poll_items(std::vector<zmq::pollitem_t>& items) const {
-  items.push_back({nullptr, listener_, ZMQ_POLLIN, 0});
+  items.push_back({nullptr, listener_.descriptor(), ZMQ_POLLIN, 0});
   for (const auto& [fd, exchange] : exchanges_) {
     const bool writes = !exchange.answer.empty() && !exchange.is_over;
     items.push_back({nullptr, fd, static_cast<short>(writes ? ZMQ_POLLOUT : ZMQ_POLLIN), 0});
@@ -200,7 +122,7 @@ void HttpServer::accept_all(std::int64_t now_ms, const Pages& pages) {
   for (int i = 0; i < most_accepted; ++i) {
     sockaddr_storage from{};
     socklen_t size = sizeof from;
-    const int fd = ::accept4(listener_, reinterpret_cast<sockaddr*>(&from), &size,
+    const int fd = ::accept4(listener_.descriptor(), reinterpret_cast<sockaddr*>(&from), &size,
                              SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (fd < 0) return;
     Exchange exchange;

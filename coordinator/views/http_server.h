@@ -17,7 +17,8 @@
 #include <vector>
 #include <zmq.hpp>
 
-#include "coordinator/views/http_places.h"
+#include "http/http_listener.h"
+#include "http/http_places.h"
 
 namespace tetfarm {
 
@@ -61,7 +62,7 @@ class HttpServer {
   HttpServer& operator=(const HttpServer&) = delete;
 
   /// "127.0.0.1:8080", as bound.
-  const std::string& address() const { return address_; }
+  const std::string& address() const { return listener_.address(); }
   void add_poll_items(std::vector<zmq::pollitem_t>& items) const;
   /// Does what can be done without waiting.
   void serve(std::int64_t now_ms, const Pages& pages);
@@ -89,8 +90,7 @@ class HttpServer {
 
   HttpOptions options_;
   std::string token_;
-  std::string address_;
-  int listener_ = -1;
+  HttpListener listener_;
   std::map<int, Exchange> exchanges_;  ///< by file descriptor
 };
 

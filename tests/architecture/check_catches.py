@@ -28,6 +28,8 @@ PLACES = {
         "coordinator/file_orders.cpp": 6,
         "coordinator/kept_files.cpp": 1,
         "coordinator/views/status_server.cpp": 1,
+        "dashboard/farm_desk.cpp": 1,
+        "dashboard/fetched_answers.cpp": 2,
     },
     "a loop goes on without the one that failed": {
         "coordinator/server.cpp": 7,
@@ -37,6 +39,8 @@ PLACES = {
         "cli/pool_command.cpp": 2,
         "cli/local_job.cpp": 3,
         "cli/run_folder.cpp": 1,
+        "cli/watched_farm.cpp": 1,
+        "dashboard/farm_desk.cpp": 1,
     },
     "a disk is full or gone, and the caller waits or says so": {
         "coordinator/guarded_database.cpp": 4,

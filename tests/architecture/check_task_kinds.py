@@ -30,7 +30,7 @@ ONE_KIND = {
     "coordinator/decisions/job_status.cpp", "coordinator/decisions/job_workers.cpp",
     "coordinator/decisions/mesh_share.cpp", "coordinator/decisions/task_reuse.cpp",
     "coordinator/views/running_tasks.cpp", "coordinator/request_replies.cpp", "coordinator/space_watch.cpp",
-    "cli/job_share.cpp", "cli/progress_display.cpp",
+    "json/job_share.cpp", "cli/progress_display.cpp",
     # the first and the last: what was submitted, and what it became
     "store/rows.h",
     # what their sizes are; a new kind may say that in its own file (cost_of)

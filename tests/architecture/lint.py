@@ -17,7 +17,7 @@ import sys
 
 import lint_cache
 
-ROOMS = "base json mesh tasks proto store coordinator worker pool report cli".split()
+ROOMS = "base json mesh tasks proto store coordinator worker pool report http dashboard cli".split()
 FINDING = re.compile(r"^(/\S+?):(\d+):(\d+): (?:warning|error): .*")
 INCLUDED = re.compile(r'^#include "(/[^"]+\.cpp)"', re.MULTILINE)
 

@@ -587,6 +587,16 @@ TEST_F(CommandOptions, that_give_a_size_by_a_wavelength) {
       parsed_as<SubmitCommand>(joined({"submit", "--connect", "tcp://h:1"}, words)).job.wave);
 }
 
+TEST_F(CommandOptions, of_a_run_that_browsers_see) {
+  EXPECT_FALSE(parsed_as<RunOptions>({"run", "a.stl"}).is_watched);
+  const auto watched =
+      parsed_as<RunOptions>({"run", "--watch", "a.stl", "--http", "127.0.0.1:8470"});
+  EXPECT_TRUE(watched.is_watched);
+  EXPECT_EQ(watched.input, "a.stl");
+  EXPECT_EQ(watched.http_address, "127.0.0.1:8470");
+  EXPECT_THAT(refusal_of({"run", "a.stl", "--http", "127.0.0.1:8470"}), HasSubstr("--watch"));
+}
+
 TEST_F(CommandOptions, of_a_job_file_to_write) {
   const auto init = parsed_as<InitCommand>({"init", "a.stl", "-o", "a.toml", "--force"});
   EXPECT_EQ(init.surface, "a.stl");
@@ -632,7 +642,7 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
         "priority", "status", "tasks",      "workers", "events",  "logs",   "explain",
         "trace",    "report", "backup",     "restore", "retry",   "drain",  "coordinator",
         "worker",   "pool",   "keys",       "spacing", "plane",   "adapt",  "transfer",
-        "loop",     "man",    "completion", "version", "init"}) {
+        "loop",     "man",    "completion", "version", "init", "dashboard"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }

@@ -40,7 +40,7 @@ TEST(CommandPurposes, are_shown_where_no_command_is_given) {
   EXPECT_EQ(said.error, "no command given");
   EXPECT_EQ(said.out, "");
   EXPECT_THAT(said.err, StartsWith("  Mesh a surface       run check plan"));
-  EXPECT_THAT(said.err, HasSubstr("\n  Watch a farm         top jobs status"));
+  EXPECT_THAT(said.err, HasSubstr("\n  Watch a farm         top dashboard jobs"));
 }
 
 }  // namespace

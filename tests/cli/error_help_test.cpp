@@ -49,7 +49,7 @@ TEST(ErrorHelp, of_what_is_missing_sends_to_the_path_or_to_the_coordinator) {
   EXPECT_EQ(help_for(IoError("cannot open", "a.stl", ENOENT), "submit"), "check the path");
   for (const char* command :
        {"submit", "status", "wait", "priority", "cancel", "retry", "drain", "jobs", "tasks",
-        "workers", "events", "logs", "explain", "trace", "report", "pool", "worker"}) {
+        "workers", "events", "logs", "explain", "trace", "report", "pool", "worker", "dashboard"}) {
     EXPECT_EQ(help_of(ExitCode::not_found, command),
               "check the name, and that the coordinator is running and can be reached")
         << command;

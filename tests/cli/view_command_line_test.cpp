@@ -55,6 +55,20 @@ TEST_F(ViewCommandLine, each_that_looks_takes_where_to_look) {
   expect_everywhere(parsed_as<ReportCommand>(with_everywhere({"report", "j", "-o", "r"})).view);
 }
 
+TEST_F(ViewCommandLine, a_dashboard_is_for_this_host_and_only_looks_unless_told_otherwise) {
+  const auto least = parsed_as<DashboardCommand>({"dashboard", "--store", "s"});
+  EXPECT_EQ(least.view.store, "s");
+  EXPECT_EQ(least.http_address, "127.0.0.1:8470");
+  EXPECT_EQ(least.http_token, "");
+  EXPECT_FALSE(least.acts);
+  const auto all = parsed_as<DashboardCommand>({"dashboard", "--connect", "tcp://h:1", "--http",
+                                                "0.0.0.0:80", "--http-token", "token", "--acts"});
+  EXPECT_EQ(all.view.client.endpoint, "tcp://h:1");
+  EXPECT_EQ(all.http_address, "0.0.0.0:80");
+  EXPECT_EQ(all.http_token, "token");
+  EXPECT_TRUE(all.acts);
+}
+
 TEST_F(ViewCommandLine, each_that_looks_may_be_told_by_the_environment_where) {
   ::setenv("TETFARM_COORDINATOR", "tcp://e:2", 1);
   ::setenv("TETFARM_STORE", "/of_environment", 1);

@@ -1,4 +1,4 @@
-#include "coordinator/views/http_places.h"
+#include "http/http_places.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

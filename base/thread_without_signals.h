@@ -1,4 +1,4 @@
-/// A thread beside the coordinator's own, which alone takes signals.
+/// A thread beside a process's first one, which alone takes signals.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-#include "coordinator/thread_without_signals.h"
+#include "base/thread_without_signals.h"
 
 #include <gtest/gtest.h>
 

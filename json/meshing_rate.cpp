@@ -1,4 +1,4 @@
-#include "cli/meshing_rate.h"
+#include "json/meshing_rate.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cli/job_share.h"
+#include "json/job_share.h"
 
 #include <algorithm>
 #include <array>
