@@ -290,6 +290,7 @@ struct SubmitCommand {
   RunOptions job;
   bool check = true;               ///< of the surface, before it is submitted
   bool coordinator_reads = false;  ///< the surface, by its path
+  int priority = 0;
 };
 
 struct CoordinatorCommand {
