@@ -473,10 +473,10 @@ using Command =
                  WaitCommand, CancelCommand, PriorityCommand, RetryCommand, DrainCommand,
                  SubmitCommand, CoordinatorCommand, WorkerCommand, GcCommand, PoolCommand,
                  KeysCommand, TaskCommand, TaskHostCommand, JobsCommand, TasksCommand,
-                 WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TopCommand, DashboardCommand,
-                 TraceCommand, ReportCommand, BackupCommand, RestoreCommand, SpacingCommand,
-                 PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand, DoctorCommand,
-                 CompletionCommand, ManCommand, VersionCommand, InitCommand>;
+                 WorkersCommand, EventsCommand, LogsCommand, ExplainCommand, TopCommand,
+                 DashboardCommand, TraceCommand, ReportCommand, BackupCommand, RestoreCommand,
+                 SpacingCommand, PlaneCommand, AdaptCommand, PlaneTransferCommand, LoopCommand,
+                 DoctorCommand, CompletionCommand, ManCommand, VersionCommand, InitCommand>;
 
 /// @throws UsageError, ErrorWithHelp for a command line that is wrong.
 Command parse_command_line(int argc, const char* const* argv);

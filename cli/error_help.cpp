@@ -19,8 +19,9 @@ constexpr std::array<std::string_view, 4> of_jobs = {"run", "plan", "submit", "i
 constexpr std::array<std::string_view, 3> of_planes = {"plane", "adapt", "loop"};
 /// Commands that ask a coordinator.
 constexpr std::array<std::string_view, 19> of_clients = {
-    "submit",  "status", "wait", "priority", "cancel", "retry",  "drain", "jobs",   "tasks",
-    "workers", "events", "logs", "explain",  "trace",  "report", "pool",  "worker", "top", "dashboard"};
+    "submit", "status", "wait",    "priority", "cancel",   "retry",   "drain",
+    "jobs",   "tasks",  "workers", "events",   "logs",     "explain", "trace",
+    "report", "pool",   "worker",  "top",      "dashboard"};
 /// Commands that have to do with keys.
 constexpr std::array<std::string_view, 4> of_keys = {"coordinator", "worker", "pool", "keys"};
 

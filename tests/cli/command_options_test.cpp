@@ -637,12 +637,12 @@ TEST_F(CommandOptions, of_the_program_tell_its_exit_codes_and_commands) {
                               "unreachable; 6 out of disk or memory; 75 stopped at a checkpoint: "
                               "run the same command again to continue."));
   for (const char* command :
-       {"run",      "check",  "gc",         "plan",    "quality", "export", "convert",
-        "surface",  "render", "shape",      "submit",  "wait",    "cancel", "jobs",
-        "priority", "status", "tasks",      "workers", "events",  "logs",   "explain",
-        "trace",    "report", "backup",     "restore", "retry",   "drain",  "coordinator",
-        "worker",   "pool",   "keys",       "spacing", "plane",   "adapt",  "transfer",
-        "loop",     "man",    "completion", "version", "init", "dashboard"}) {
+       {"run",      "check",  "gc",         "plan",    "quality", "export",   "convert",
+        "surface",  "render", "shape",      "submit",  "wait",    "cancel",   "jobs",
+        "priority", "status", "tasks",      "workers", "events",  "logs",     "explain",
+        "trace",    "report", "backup",     "restore", "retry",   "drain",    "coordinator",
+        "worker",   "pool",   "keys",       "spacing", "plane",   "adapt",    "transfer",
+        "loop",     "man",    "completion", "version", "init",    "dashboard"}) {
     EXPECT_THAT(help, HasSubstr(std::string(" ") + command + " ")) << command;
     EXPECT_THAT(help_words({command}), AllOf(HasSubstr("--help"))) << command;
   }
