@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "mesh/core/complaints.h"
-
 namespace tetfarm {
 
 /// All points whose coordinate number `axis` is `height`.
@@ -13,7 +11,7 @@ struct AxisPlane {
   double height = 0;
 
   /// "y=0".
-  std::string text() const { return std::string(1, "xyz"[axis]) + "=" + text_of(height); }
+  std::string text() const;
 
   friend bool operator==(const AxisPlane&, const AxisPlane&) = default;
 };

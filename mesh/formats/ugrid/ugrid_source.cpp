@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/formats/listed_mesh.h"
+#include "mesh/formats/ugrid/mapbc.h"
 
 namespace tetfarm {
 namespace {
