@@ -48,9 +48,9 @@ function LinkState() {
         ? 'Connecting'
         : farm.at_rest
           ? 'At rest'
-          : 'Waiting';
+          : 'No answer';
   return (
-    <span class={`link-state ${isWell ? 'good' : link === 'lost' || words === 'Waiting' ? 'bad' : 'faint'}`}>
+    <span class={`link-state ${isWell ? 'good' : link === 'lost' || words === 'No answer' ? 'bad' : 'faint'}`}>
       <span aria-hidden="true">{isWell ? '●' : '○'}</span> {words}
     </span>
   );

@@ -41,7 +41,7 @@ function Tabs({ job, tab }: { job: string; tab: JobTab }) {
 
 /** Says why there is no table yet, or nothing when there is one. */
 export function LoadState({ loaded, what }: { loaded: Loaded; what: string }) {
-  if (loaded.error) return <Trouble error={loaded.error} />;
+  if (loaded.error) return <Trouble error={loaded.error} isKnown={loaded.table !== undefined} />;
   if (loaded.table?.count === 0) return <Empty>{`No ${what} yet.`}</Empty>;
   if (loaded.table) return null;
   return <Waiting what={loaded.rows ? `${whole(loaded.rows)} ${what} so far…` : `Asking for the ${what}…`} />;

@@ -253,7 +253,7 @@ export function WorkersPage({ acts }: { acts: boolean }) {
           Those that have left, too
         </label>
       </div>
-      <Trouble error={asked.error} />
+      <Trouble error={asked.error} isKnown={workers !== undefined} />
       {!workers && !asked.error && <Waiting what="Asking for the workers…" />}
       {workers && shown.length === 0 && (
         <Empty>{workers.length ? 'No worker fits the filter.' : 'No workers: `tetfarm worker` starts one.'}</Empty>

@@ -99,8 +99,14 @@ export function Pair({ words, children }: Pick<FigureProps, 'words' | 'children'
   );
 }
 
-export function Trouble({ error }: { error: ApiError | undefined }) {
-  if (!error) return null;
+interface TroubleProps {
+  error: ApiError | undefined;
+  /** Something is shown from before: that nobody answers now is said by the banner alone. */
+  isKnown?: boolean;
+}
+
+export function Trouble({ error, isKnown = false }: TroubleProps) {
+  if (!error || (isKnown && (error.status === 503 || error.status === 0))) return null;
   return (
     <div class="callout bad" role="alert">
       <strong>

@@ -60,9 +60,10 @@ test('a coordinator that does not answer is told, what is known stays, and it co
   await page.locator('h1').getByText('running').waitFor();
   mock.setConnected(false);
   await page.getByText('The coordinator does not answer.').waitFor();
-  await page.locator('.link-state').getByText('Waiting').waitFor();
+  await page.locator('.link-state').getByText('No answer').waitFor();
   await page.waitForTimeout(2500);
   assert.match(await page.locator('h1').innerText(), /onera_m6_wing/);
+  assert.equal(await page.getByRole('alert').count(), 0);
   mock.setConnected(true);
   await until(async () => (await page.locator('.banner').count()) === 0, 'the banner to go');
   mock.changeJob('job-10', { state: 'done', share: 1 });
