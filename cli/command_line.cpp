@@ -293,7 +293,7 @@ class Parser {
     sub.add_option("--http", run_.http_address,
                    "With --watch: the address for browsers (default: a free port of this host)")
         ->needs(watch)
-        ->option_text("127.0.0.1:PORT");
+        ->option_text("127.0.0.1:8080");
     add_local_farm(sub, run_);
   }
 

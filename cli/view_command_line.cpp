@@ -37,7 +37,7 @@ void add_top(CLI::App& sub, TopCommand& top) {
 void add_dashboard(CLI::App& sub, DashboardCommand& dashboard) {
   sub.add_option("--http", dashboard.http_address,
                  "Address for browsers; port 0 is any that is free (default 127.0.0.1:8470)")
-      ->option_text("ADDRESS:PORT");
+      ->option_text("127.0.0.1:8080");
   sub.add_option("--http-token", dashboard.http_token,
                  "File with the token that HTTP asks for; required where other hosts can connect")
       ->option_text("FILE");

@@ -88,7 +88,7 @@ bool FarmDesk::is_look_new(std::int64_t now_ms) const {
   return age < new_enough_ms + std::max<std::int64_t>(0, next_look_ms_ - looked_ms_);
 }
 
-void FarmDesk::ask(const ApiRequest& request, ApiAnswering done) {
+void FarmDesk::ask(const ApiRequest& request, const ApiAnswering& done) {
   std::optional<ApiAnswer> known;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -103,7 +103,7 @@ void FarmDesk::ask(const ApiRequest& request, ApiAnswering done) {
       known = answer_from(*snapshot_, request);
     }
     if (!known && questions_.size() >= most_questions) known = answer_of(too_busy());
-    if (!known) questions_.push_back({request, std::move(done), now});
+    if (!known) questions_.push_back({request, done, now});
   }
   changed_.notify_all();
   if (known) done(std::move(*known));
@@ -153,9 +153,9 @@ void FarmDesk::run() {
       lock.lock();
       is_looking_ = false;
     }
-    std::deque<Question> questions = std::exchange(questions_, {});
+    const std::deque<Question> questions = std::exchange(questions_, {});
     lock.unlock();
-    answer_all(std::move(questions));
+    answer_all(questions);
     lock.lock();
   }
 }
@@ -195,8 +195,8 @@ ApiAnswer FarmDesk::answer(const ApiRequest& request) {
   }
 }
 
-void FarmDesk::answer_all(std::deque<Question> questions) {
-  for (Question& question : questions) {
+void FarmDesk::answer_all(const std::deque<Question>& questions) {
+  for (const Question& question : questions) {
     const bool is_late = steady_ms() - question.since_ms > longest_wait_ms;
     question.done(is_late ? answer_of(too_busy()) : answer(question.request));
   }

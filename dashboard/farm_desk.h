@@ -36,7 +36,7 @@ class FarmDesk {
 
   // From any thread.
   /// Calls `done` at once where what was seen last is new enough; else from the desk's thread.
-  void ask(const ApiRequest& request, ApiAnswering done);
+  void ask(const ApiRequest& request, const ApiAnswering& done);
   void note_watchers(std::size_t count);
   /// What a new watcher is told first.
   std::string first_messages() const;
@@ -52,7 +52,7 @@ class FarmDesk {
   bool is_look_due(std::int64_t now_ms) const;
   bool is_look_new(std::int64_t now_ms) const;
   void take_a_look();
-  void answer_all(std::deque<Question> questions);
+  void answer_all(const std::deque<Question>& questions);
   ApiAnswer answer(const ApiRequest& request);
 
   const std::unique_ptr<FarmSource> source_;

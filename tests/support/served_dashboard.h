@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -81,7 +82,9 @@ class ServedDashboard {
 
  private:
   static std::vector<std::string> with_usual(std::vector<std::string> words) {
-    words.insert(words.begin(), {"dashboard", "--http", "127.0.0.1:0", "--timeout", "1"});
+    const bool has_timeout = std::find(words.begin(), words.end(), "--timeout") != words.end();
+    if (!has_timeout) words.insert(words.end(), {"--timeout", "1"});
+    words.insert(words.begin(), {"dashboard", "--http", "127.0.0.1:0"});
     return words;
   }
 
