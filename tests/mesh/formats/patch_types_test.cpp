@@ -87,7 +87,7 @@ TEST(PatchTypesOfFiles, are_boundary_conditions_of_cgns_and_of_its_families) {
   const TempFolder folder;
   const Hdf5Input file(export_as(symmetry_and_wall, folder, "", "a.cgns").string());
   const auto text = [&](const std::string& node) {
-    const auto bytes = file.list<std::int8_t>(node + "/ data");
+    const auto bytes = file.list<std::uint8_t>(node + "/ data");
     return std::string(bytes.begin(), bytes.end());
   };
   EXPECT_EQ(text("Base/Zone1/ZoneBC/low_x"), "BCSymmetryPlane");
