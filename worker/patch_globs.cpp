@@ -69,14 +69,13 @@ std::span<const std::string> names_on_offer(const JobFile& job, std::span<const 
 }
 
 std::string unmatched_glob_text(std::string_view glob, std::span<const std::string> names) {
-  const std::string text = quoted_name(glob) + " matches ";
-  if (names.size() == 1) {
-    return text + "no patch: the surface has only " + quoted_name(names.front()) +
-           ", and \"*\" is all of it";
-  }
   const std::vector<std::string_view> words(names.begin(), names.end());
   const std::string_view nearest = nearest_word(glob, words);
-  return text + "none of the patches " + patches_text(names) +
+  const std::string text = names.size() == 1
+                               ? "no patch: the surface has only " + quoted_name(names.front()) +
+                                     ", and \"*\" is all of it"
+                               : "none of the patches " + patches_text(names);
+  return quoted_name(glob) + " matches " + text +
          (nearest.empty() ? "" : "; did you mean " + quoted_name(nearest) + "?");
 }
 

@@ -199,6 +199,8 @@ TEST(DeclaredCommands, have_values_of_which_it_is_known_whether_they_are_paths) 
                                           "tcp://HOST:PORT",
                                           "tcp://ADDRESS:PORT",
                                           "PATCH,...:KEY=VALUE,...",
+                                          "PATCH,...=TYPE",
+                                          "y=0",
                                           "PATCH,...[:KEY=VALUE,...]"};
   for (const DeclaredCommand& command : with_all_below(declared_commands())) {
     for (const auto* options : {&command.options, &command.arguments}) {

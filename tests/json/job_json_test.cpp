@@ -274,20 +274,22 @@ wire::JobStatus running_job() {
 }
 
 TEST(JobJson, of_a_job_that_runs_has_each_count_under_its_name) {
-  EXPECT_EQ(status_json(running_job()),
-            R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh",)"
-            R"("subdomains":1,"subdomains_meshed":2,"subdomains_mended":3,"elements":4,)"
-            R"("estimated_elements":5.0,"expected_task_bytes":17.0,"expected_disk_bytes":18.0,)"
-            R"("expected_cpu_seconds":19.0,"tasks_done":6,"tasks_ready":7,"tasks_running":8,)"
-            R"("attempts_lost":9,"crashes":10,"out_of_memory":11,"quarantine":[{"task":31,)"
-            R"("kind":"mesh","path":5,"reason":"crashed","exit_code":1}],"running":[],)"
-            R"("elements_under_way":12.0,"peak_rss_bytes_worker":13,"seconds":14.0,)"
-            R"("balance":{},"cut_further":{},"message":"why","exit_code":6})");
-  EXPECT_EQ(job_json(running_job()),
-            R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh",)"
-            R"("subdomains":1,"subdomains_meshed":2,"elements":4,"estimated_elements":5.0,)"
-            R"("tasks_done":6,"tasks_ready":7,"tasks_running":8,"tasks_in_quarantine":1,)"
-            R"("created_ms":15,"finished_ms":16,"seconds":14.0,"message":"why","exit_code":6})");
+  EXPECT_EQ(
+      status_json(running_job()),
+      R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh","priority":0,)"
+      R"("subdomains":1,"subdomains_meshed":2,"subdomains_mended":3,"elements":4,)"
+      R"("estimated_elements":5.0,"expected_task_bytes":17.0,"expected_disk_bytes":18.0,)"
+      R"("expected_cpu_seconds":19.0,"tasks_done":6,"tasks_ready":7,"tasks_running":8,)"
+      R"("attempts_lost":9,"crashes":10,"out_of_memory":11,"quarantine":[{"task":31,)"
+      R"("kind":"mesh","path":5,"reason":"crashed","exit_code":1}],"running":[],)"
+      R"("elements_under_way":12.0,"peak_rss_bytes_worker":13,"seconds":14.0,)"
+      R"("balance":{},"cut_further":{},"message":"why","exit_code":6})");
+  EXPECT_EQ(
+      job_json(running_job()),
+      R"({"type":"job","job":"job-7","name":"wing","state":"running","stage":"mesh","priority":0,)"
+      R"("subdomains":1,"subdomains_meshed":2,"elements":4,"estimated_elements":5.0,)"
+      R"("tasks_done":6,"tasks_ready":7,"tasks_running":8,"tasks_in_quarantine":1,)"
+      R"("created_ms":15,"finished_ms":16,"seconds":14.0,"message":"why","exit_code":6})");
 }
 
 TEST(JobJson, of_a_farm_has_who_is_there_and_what_was_refused) {

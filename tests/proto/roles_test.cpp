@@ -58,8 +58,8 @@ TEST(Roles, files_of_an_attempt_are_for_workers_and_those_of_none_for_submitters
 // A new kind of message has to be put into the table, or here.
 TEST(Roles, every_message_of_the_protocol_is_somebodys) {
   const std::set<std::string> from_the_coordinator = {
-      "welcome",   "refused",      "assign",    "accepted", "drain",    "file_stored",
-      "submitted", "status_reply", "cancelled", "retried",  "draining", "query_reply"};
+      "welcome",      "refused",   "assign",  "accepted", "drain",       "file_stored", "submitted",
+      "status_reply", "cancelled", "retried", "draining", "query_reply", "priority_set"};
   const auto* body = wire::Envelope::descriptor()->FindOneofByName("body");
   for (int i = 0; i < body->field_count(); ++i) {
     const auto kind = static_cast<wire::Envelope::BodyCase>(body->field(i)->number());

@@ -49,8 +49,8 @@ class Roles : public test::FarmUnderAttack {
 };
 
 TEST_F(Roles, a_worker_may_do_nothing_of_a_submitter_or_viewer) {
-  EXPECT_EQ(overstep("node", Role::worker), 9U);
-  EXPECT_EQ(counted("wrong_role"), 9U);
+  EXPECT_EQ(overstep("node", Role::worker), 10U);
+  EXPECT_EQ(counted("wrong_role"), 10U);
 }
 
 TEST_F(Roles, a_submitter_may_do_nothing_of_a_worker) {
@@ -60,8 +60,8 @@ TEST_F(Roles, a_submitter_may_do_nothing_of_a_worker) {
 }
 
 TEST_F(Roles, a_viewer_may_change_nothing) {
-  EXPECT_EQ(overstep("vera", Role::viewer), 13U);
-  EXPECT_EQ(counted("wrong_role"), 13U);
+  EXPECT_EQ(overstep("vera", Role::viewer), 14U);
+  EXPECT_EQ(counted("wrong_role"), 14U);
 }
 
 TEST_F(Roles, a_viewer_can_neither_submit_nor_cancel_nor_drain_with_the_program) {

@@ -75,11 +75,11 @@ TEST(PatchTypesOfFiles, are_on_every_processor_of_a_decomposed_case) {
 TEST(PatchTypesOfFiles, are_codes_in_a_mapbc_and_read_back_from_it) {
   const TempFolder folder;
   const fs::path file = export_as(symmetry_and_wall, folder, "", "a.b8.ugrid");
-  EXPECT_EQ(read_file(folder.path() / "a.mapbc"), "2\n1 6661 low_x\n2 4000 elsewhere\n");
+  EXPECT_EQ(read_file(folder.path() / "a.mapbc"), "2\n1 6661 low x\n2 4000 elsewhere\n");
   EXPECT_THAT(open_mesh(file, folder.path())->patch_types(),
               ElementsAre(PatchType::symmetry, PatchType::wall));
   export_as(TypedGrid(PatchType::farfield, PatchType::symmetry), folder, "", "b.b8.ugrid");
-  EXPECT_EQ(read_file(folder.path() / "b.mapbc"), "2\n1 5000 low_x\n2 3000 elsewhere\n")
+  EXPECT_EQ(read_file(folder.path() / "b.mapbc"), "2\n1 5000 low x\n2 3000 elsewhere\n")
       << "no plane";
 }
 
