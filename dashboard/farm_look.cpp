@@ -34,11 +34,33 @@ std::uint64_t number_of_job(const std::string& name) {
   return number;
 }
 
-std::string with_share(const std::string& line, double share) {
+std::string with_share(const std::string& line, double share,
+                       const std::optional<double>& eta_seconds = {}) {
   TF_CHECK(share >= 0 && share <= 1);
   Json json = Json::parse(line);
   json["share"] = share;
+  json["eta_seconds"] = eta_seconds ? Json(*eta_seconds) : Json(nullptr);
   return json_line(json);
+}
+
+/// Its results, or what shows why it failed.
+Json files_of_job(const wire::JobStatus& status) {
+  Json files = Json::array();
+  for (const wire::Artifact& file : status.files()) {
+    files.push_back({{"name", file.name()}, {"size", file.size()}});
+  }
+  return files;
+}
+
+/// How many tasks wait, by the memory that they want.
+Json demand_of(const wire::StatusReply& farm) {
+  Json demand = Json::array();
+  for (const wire::TaskDemand& tasks : farm.demand()) {
+    demand.push_back({{"memory_bytes", tasks.memory_bytes()},
+                      {"tasks", tasks.tasks()},
+                      {"of_solvers", tasks.of_solvers()}});
+  }
+  return demand;
 }
 
 /// Calls `take` with every page.
@@ -109,6 +131,11 @@ std::string FarmLook::job_body(const wire::StatusReply& reply, const LookTime& n
   for (const auto& item : progress.items()) {
     if (!json.contains(item.key())) json[item.key()] = item.value();
   }
+  json["files"] = files_of_job(status);
+  if (status.state() == "done") {
+    json["result"] = Json::parse(result_json(status, status.seconds(), {}));
+    json["result"].erase("files");
+  }
   return json_line(json);
 }
 
@@ -120,7 +147,8 @@ std::string FarmLook::running_line(FarmSource& source, const wire::JobStatus& li
   MeshingRate& rate = rates_[line.job()];
   rate.note(reply.jobs(0), now.steady_ms);
   snapshot.running_jobs[line.job()] = job_body(reply, now);
-  return with_share(job_json(line), share_of_job(reply.jobs(0), rate.share()));
+  return with_share(job_json(line), share_of_job(reply.jobs(0), rate.share()),
+                    seconds_of_meshing_left(reply.jobs(0), rate.tets_per_second()));
 }
 
 void FarmLook::add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& snapshot) {
@@ -150,7 +178,10 @@ void FarmLook::add_jobs(FarmSource& source, const LookTime& now, FarmSnapshot& s
 
 FarmSnapshot FarmLook::look(FarmSource& source, const FarmSnapshot& before, const LookTime& now) {
   FarmSnapshot snapshot;
-  snapshot.farm = farm_json(source.farm());
+  const wire::StatusReply said = source.farm();
+  Json farm = Json::parse(farm_json(said));
+  farm["demand"] = demand_of(said);
+  snapshot.farm = json_line(farm);
   add_jobs(source, now, snapshot);
   add_workers(source, snapshot);
   const bool is_same_farm = before.endpoint == source.endpoint();

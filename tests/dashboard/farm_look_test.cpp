@@ -72,6 +72,26 @@ TEST(FarmLook, of_very_many_new_events_keeps_the_newest_thousand) {
   EXPECT_EQ(farm.times("EVENTS"), 3);
 }
 
+TEST(FarmLook, a_job_that_is_done_is_told_of_with_its_figures_and_files) {
+  FakeFarm farm;
+  farm.add_job(4, "done");
+  wire::JobStatus& status = farm.jobs[0];
+  (*status.mutable_numbers())["min_dihedral_deg"] = 20.5;
+  wire::Artifact& file = *status.add_files();
+  file.set_name("wing.vtkhdf");
+  file.set_size(77);
+  wire::StatusReply reply;
+  *reply.add_jobs() = status;
+  const auto job = nlohmann::json::parse(FarmLook().job_body(reply, {1, 1}));
+  EXPECT_EQ(job["result"]["min_dihedral_deg"], 20.5);
+  EXPECT_FALSE(job["result"].contains("files"));
+  EXPECT_EQ(job["files"], nlohmann::json::parse(R"([{"name":"wing.vtkhdf","size":77}])"));
+  reply.mutable_jobs(0)->set_state("failed");
+  const auto failed = nlohmann::json::parse(FarmLook().job_body(reply, {1, 1}));
+  EXPECT_FALSE(failed.contains("result"));
+  EXPECT_EQ(failed["files"].size(), 1) << "what shows why";
+}
+
 TEST(FarmLook, a_job_is_told_of_with_progress_in_one_object) {
   FakeFarm farm;
   farm.add_job(4, "running");
