@@ -42,7 +42,7 @@ test('events come by themselves, newest first, and are filtered', async () => {
   await page.getByText('a very new event').waitFor();
   assert.match(await page.locator('tbody tr').first().innerText(), /a very new event/);
   await page.getByLabel('Filter').fill('quarantined very');
-  assert.equal(await page.locator('tbody tr').count(), 1);
+  await until(async () => (await page.locator('tbody tr').count()) === 1, 'the one event');
   await close();
   const ofJob = await open('/jobs/job-9/events', { base: address });
   await ofJob.page.getByText('a very new event').waitFor();

@@ -25,18 +25,18 @@ test('jobs are filtered by state and by text, and lead to their page', async () 
   const { page, close } = await open('/');
   await until(async () => (await rowsOf(page).count()) === 10, 'ten jobs');
   await page.getByLabel('State').selectOption('running');
-  assert.equal(await rowsOf(page).count(), 1);
+  await until(async () => (await rowsOf(page).count()) === 1, 'the job that runs');
   const row = await rowsOf(page).first().innerText();
   for (const words of ['onera_m6_wing', 'running', 'mesh', (await running()).percent]) assert.ok(row.includes(words), words);
   await page.getByLabel('State').selectOption('');
   await page.getByLabel('Name or job').fill('PML');
-  assert.equal(await rowsOf(page).count(), 1);
+  await until(async () => (await rowsOf(page).count()) === 1, 'the job of that name');
   await page.getByLabel('Name or job').fill('no such');
   await page.getByText('No job fits the filter.').waitFor();
   await page.getByLabel('Name or job').fill('job-8');
   await page.getByRole('link', { name: 'pml_sphere' }).click();
   await page.waitForURL('**/jobs/job-8');
-  assert.match(await page.locator('h1').innerText(), /pml_sphere/);
+  await until(async () => /pml_sphere/.test(await page.locator('h1').innerText()), 'the name of the job');
   await close();
 });
 
@@ -145,11 +145,12 @@ test('tasks are filtered by state, kind and text, sorted, and opened by a click'
   await count.getByText(`${known.count('done', 'mesh')} of 801`).waitFor();
   const elements = async () => (await page.locator('tr.opens td:nth-child(8)').allInnerTexts()).slice(0, 5);
   await page.getByRole('button', { name: 'Elements' }).click();
-  assert.equal(await page.getByRole('columnheader', { name: 'Elements' }).getAttribute('aria-sort'), 'descending');
+  const header = page.getByRole('columnheader', { name: 'Elements' });
+  await until(async () => (await header.getAttribute('aria-sort')) === 'descending', 'the order');
   const most = (await elements()).map((text) => parseFloat(text));
   assert.deepEqual(most, [...most].sort((a, b) => b - a));
   await page.getByLabel('Task, place, host or message').fill('node02 L');
-  assert.ok((await page.locator('tr.opens').count()) > 0);
+  await until(async () => (await page.locator('tr.opens').count()) > 0, 'rows');
   await page.locator('tr.opens').first().locator('td').nth(2).click();
   await page.waitForURL('**/tasks/*');
   await page.goBack();
@@ -164,7 +165,7 @@ test('workers are shown by host with what they do, what waits, and who was refus
   for (const words of [/node01 6 workers/, /Tasks that wait for workers/, /41\s+1\.50 GiB/, /keys, encrypted/, /unknown_key 3/]) assert.match(text, words);
   await until(async () => /mesh\s+[LR]+\s+points: /.test(await page.locator('main').innerText()), 'what the workers do');
   await page.getByLabel('Worker, host or state').fill('node02');
-  assert.equal(await page.locator('section.host').count(), 1);
+  await until(async () => (await page.locator('section.host').count()) === 1, 'the one host');
   await close();
 });
 
