@@ -22,7 +22,7 @@ constexpr std::array<std::array<double, 2>, 8> directions = {{{1, 0},
                                                               {0, -1},
                                                               {diagonal, -diagonal}}};
 /// A step makes the cosine of the smallest angle smaller by as much: 0.05 degrees at 30.
-constexpr double least_gain = 4e-4;
+constexpr double least_cosine_gain = 4e-4;
 constexpr int most_steps_of_vertex = 12;
 
 /// The cosine of the smallest angle of a triangle.
@@ -70,7 +70,7 @@ std::optional<InputFoot> best_step(RemeshingWork& work, std::int32_t v, double c
   const Vec3 normal = normal_at(surface, v, surface.vertex(v).home);
   const auto [first, second] = tangents_of(normalized(normal));
   std::optional<InputFoot> best;
-  double best_cosine = cosine - least_gain;
+  double best_cosine = cosine - least_cosine_gain;
   for (const double step : steps) {
     const double length = step * surface.vertex(v).spacing;
     for (const auto& [along, across] : directions) {
