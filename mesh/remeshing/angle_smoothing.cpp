@@ -10,17 +10,17 @@
 namespace tetfarm {
 namespace {
 
-/// Lengths of steps, of the spacing.
-constexpr std::array<double, 5> steps = {0.4, 0.24, 0.12, 0.06, 0.03};
-constexpr double diagonal = 0.70710678118654757;
-constexpr std::array<std::array<double, 2>, 8> directions = {{{1, 0},
-                                                              {diagonal, diagonal},
-                                                              {0, 1},
-                                                              {-diagonal, diagonal},
-                                                              {-1, 0},
-                                                              {-diagonal, -diagonal},
-                                                              {0, -1},
-                                                              {diagonal, -diagonal}}};
+/// Of the spacing.
+constexpr std::array<double, 5> lengths_of_steps = {0.4, 0.24, 0.12, 0.06, 0.03};
+constexpr double root_of_half = 0.70710678118654757;
+constexpr std::array<std::array<double, 2>, 8> ways = {{{1, 0},
+                                                        {root_of_half, root_of_half},
+                                                        {0, 1},
+                                                        {-root_of_half, root_of_half},
+                                                        {-1, 0},
+                                                        {-root_of_half, -root_of_half},
+                                                        {0, -1},
+                                                        {root_of_half, -root_of_half}}};
 /// A step makes the cosine of the smallest angle smaller by as much: 0.05 degrees at 30.
 constexpr double least_cosine_gain = 4e-4;
 constexpr int most_steps_of_vertex = 12;
@@ -71,9 +71,9 @@ std::optional<InputFoot> best_step(RemeshingWork& work, std::int32_t v, double c
   const auto [first, second] = tangents_of(normalized(normal));
   std::optional<InputFoot> best;
   double best_cosine = cosine - least_cosine_gain;
-  for (const double step : steps) {
+  for (const double step : lengths_of_steps) {
     const double length = step * surface.vertex(v).spacing;
-    for (const auto& [along, across] : directions) {
+    for (const auto& [along, across] : ways) {
       const Vec3 to = before + length * (along * first + across * second);
       const std::optional<InputFoot> foot = foot_of_step(work, v, to, normal);
       if (!foot) continue;
