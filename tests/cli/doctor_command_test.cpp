@@ -53,6 +53,12 @@ TEST_F(DoctorOptions, arrive_where_they_belong) {
 /// What the program finds, by what it looked at.
 class Doctor : public ::testing::Test {
  protected:
+  /// Without the batch systems of this machine, which need not be in order.
+  Doctor() : path_(std::getenv("PATH")) {
+    ::setenv("PATH", (folder_.path() / "no_programs").c_str(), 1);
+  }
+  ~Doctor() override { ::setenv("PATH", path_.c_str(), 1); }
+
   /// As "VERDICT FOUND", joined where there are several.
   std::map<std::string, std::string> found(std::vector<std::string> words, int code) {
     words.insert(words.begin(), "doctor");
@@ -75,6 +81,9 @@ class Doctor : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
+
+ private:
+  std::string path_;
 };
 
 TEST_F(Doctor, finds_a_sound_folder_sound_and_says_so_for_people_too) {
