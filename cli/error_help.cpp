@@ -59,8 +59,9 @@ std::string help_for(const Error& error, std::string_view command) {
     case ExitCode::bad_geometry:
       if (command == "check") return "repair the input there";
       if (!is_one_of(command, of_jobs) && command != "wait") return "";
-      return "repair the input there; `tetfarm check` shows every defect of the surface, "
-             "and what healing would mend";
+      return "repair the input there, or mend it by `tetfarm surface --heal-only`; "
+             "`tetfarm check` shows every defect of the surface, and which of them healing would "
+             "mend";
     case ExitCode::not_found:
       return help_for_what_is_missing(error, command);
     case ExitCode::out_of_resources:

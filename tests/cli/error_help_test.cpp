@@ -34,8 +34,8 @@ TEST(ErrorHelp, of_a_wrong_job_file_names_the_page_about_job_files) {
 
 TEST(ErrorHelp, of_bad_geometry_says_where_to_repair) {
   const std::string repair =
-      "repair the input there; `tetfarm check` shows every defect of the surface, "
-      "and what healing would mend";
+      "repair the input there, or mend it by `tetfarm surface --heal-only`; "
+      "`tetfarm check` shows every defect of the surface, and which of them healing would mend";
   for (const char* command : {"run", "plan", "submit", "wait", "init"}) {
     EXPECT_EQ(help_of(ExitCode::bad_geometry, command), repair) << command;
   }

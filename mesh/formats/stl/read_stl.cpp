@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "mesh/formats/input_scanner.h"
 #include "mesh/formats/patch_names.h"
-#include "mesh/formats/stl/vertex_welding.h"
+#include "mesh/formats/vertex_welding.h"
 
 namespace tetfarm {
 namespace {

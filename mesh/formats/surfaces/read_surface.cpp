@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "mesh/formats/gzip.h"
+#include "mesh/formats/open_edge_welding.h"
 #include "mesh/formats/patch_names.h"
 #include "mesh/formats/surfaces/surface_formats.h"
 
@@ -18,6 +19,7 @@ SurfaceMesh read_surface_bytes(std::string_view bytes, const std::string& name) 
   if (bytes.empty()) throw InvalidInput("the file is empty", name);
   SurfaceMesh surface = format.read_surface(bytes, name);
   if (surface.triangles.empty()) throw InvalidInput("the file has no triangles", name);
+  weld_open_edges(surface);
   if (surface.patch_names.empty()) {
     surface.patch_names = {std::string(unnamed_patch)};
     surface.patch_of_triangle.assign(surface.triangles.size(), 0);

@@ -9,8 +9,9 @@
 
 namespace tetfarm {
 
-/// STL vertices are welded only where bitwise equal (-0 and 0 are equal); solid names, OBJ groups
-/// and Gmsh physical groups become patches; without any, one patch "surface".
+/// Vertices are welded only where bitwise equal (-0 and 0 are equal): all those of STL, of other
+/// formats those on open edges. Solid names, OBJ groups and Gmsh physical groups become patches;
+/// without any, one patch "surface".
 /// @throws InvalidInput with "file:line" (or the byte of a binary file), IoError.
 SurfaceMesh read_surface(const std::string& path);
 

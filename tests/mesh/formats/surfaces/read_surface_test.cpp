@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/core/validate.h"
 #include "tests/mesh/formats/surface_texts.h"
 #include "tests/support/shapes.h"
 
@@ -128,6 +129,28 @@ TEST_F(ReadSurface, empty_files_no_triangles_and_garbage_are_refused) {
     EXPECT_THAT([&] { read_surface_bytes(file.bytes, file.name); },
                 ThrowsMessage<InvalidInput>(HasSubstr("no triangles")));
   }
+}
+
+TEST_F(ReadSurface, a_file_with_a_vertex_for_each_texture_is_as_closed_as_it_looks) {
+  std::string text;
+  const SurfaceMesh cube = shapes::unit_cube();
+  int number = 0;
+  for (const Triangle& t : cube.triangles) {
+    for (const std::int32_t v : t) {
+      const Vec3& p = cube.vertices[static_cast<std::size_t>(v)];
+      text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+      text += "\nvt 0 0\n";
+    }
+    text += "f";
+    for (int k = 0; k < 3; ++k) {
+      ++number;
+      text += " " + std::to_string(number) + "/" + std::to_string(number);
+    }
+    text += "\n";
+  }
+  const SurfaceMesh read = read_surface_bytes(text, "cube.obj");
+  EXPECT_EQ(enclosed_volume(read.vertices, read.triangles), 1);
+  EXPECT_THAT(unmatched_edges(read.triangles), testing::IsEmpty());
 }
 
 TEST_F(ReadSurface, two_triangles_are_for_the_check_to_refuse) {

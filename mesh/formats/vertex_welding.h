@@ -1,4 +1,5 @@
-/// Gives equal points one number: STL repeats each vertex in every triangle that uses it.
+/// Gives equal points one number: STL repeats each vertex in every triangle that uses it, and other
+/// formats for each texture, normal or patch.
 #pragma once
 
 #include <cstdint>

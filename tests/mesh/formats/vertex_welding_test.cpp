@@ -1,4 +1,4 @@
-#include "mesh/formats/stl/vertex_welding.h"
+#include "mesh/formats/vertex_welding.h"
 
 #include <gtest/gtest.h>
 
